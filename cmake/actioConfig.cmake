@@ -1,0 +1,10 @@
+# What a project gets from find_package(actio): actio::actio, and actio::foundations, actio::variational, ... one by one.
+include(CMakeFindDependencyMacro)
+list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+find_dependency(Eigen3 3.4)
+find_dependency(Boost 1.74)
+find_dependency(GSL)
+find_dependency(GMP)
+find_dependency(tomlplusplus)
+list(REMOVE_ITEM CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+include("${CMAKE_CURRENT_LIST_DIR}/actio_targets.cmake")

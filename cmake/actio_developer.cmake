@@ -1,0 +1,58 @@
+# How the project builds its own programs: warnings, optimisation, precompiled headers, the log of compile times.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set(ACTIO_REPORT "${PROJECT_BINARY_DIR}/report")
+file(MAKE_DIRECTORY "${ACTIO_REPORT}/programs" "${ACTIO_REPORT}/checks")
+
+# Each compile is timed, and cached where ccache is there.
+find_program(CCACHE ccache)
+find_program(GNU_TIME time)
+if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  if(GNU_TIME)
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER "${PROJECT_SOURCE_DIR}/cmake/compile_log.sh" "${ACTIO_REPORT}/compile_log.tsv")
+  endif()
+  if(CCACHE)
+    list(APPEND CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE}")
+  endif()
+endif()
+
+find_package(Boost 1.74 REQUIRED COMPONENTS unit_test_framework)
+
+# What the reader of a chapter's program is told, and the pictures it draws.
+add_library(actio_book INTERFACE)
+target_include_directories(actio_book INTERFACE "${PROJECT_SOURCE_DIR}/src")
+target_compile_features(actio_book INTERFACE cxx_std_20)
+
+# actio_own(TARGET LEVEL): our own code, at -O2 (LEVEL fast), or at -O1 where multiprecision dominates (LEVEL brief).
+# More than -O1 does not make 50 digits faster, and takes much longer to compile.
+function(actio_own target level)
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_compile_options(${target} PRIVATE -Wall -Wextra)
+  # The same for all, or the precompiled headers do not fit.
+  target_compile_definitions(${target} PRIVATE BOOST_TEST_DYN_LINK BOOST_UNIT_TEST_FRAMEWORK_DYN_LINK BOOST_ALL_NO_LIB)
+  if(level STREQUAL "brief")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endif()
+  if(TARGET actio_precompiled_${level} AND NOT target STREQUAL "actio_precompiled_${level}")
+    target_precompile_headers(${target} REUSE_FROM actio_precompiled_${level})
+  endif()
+endfunction()
+
+# The headers that cost the most, compiled once per level: Boost.Multiprecision, Eigen, Boost.Test.
+if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
+  foreach(level IN ITEMS fast brief)
+    add_library(actio_precompiled_${level} OBJECT "${PROJECT_BINARY_DIR}/precompiled.cpp")
+    target_link_libraries(actio_precompiled_${level} PRIVATE actio_foundations Boost::unit_test_framework)
+    actio_own(actio_precompiled_${level} ${level})
+    target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
+  endforeach()
+endif()

@@ -1,0 +1,14 @@
+# Install and export: after `cmake --install`, find_package(actio) gives actio::actio and one target per module.
+include(CMakePackageConfigHelpers)
+set(actio_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/actio)
+
+install(TARGETS actio ${ACTIO_MODULES} EXPORT actio_targets)
+install(DIRECTORY src/actio DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT actio_targets NAMESPACE actio:: DESTINATION ${actio_config_dir})
+
+write_basic_package_version_file(actioConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES cmake/actioConfig.cmake cmake/FindGMP.cmake "${CMAKE_CURRENT_BINARY_DIR}/actioConfigVersion.cmake"
+        DESTINATION ${actio_config_dir})
+if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/data")
+  install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/actio/data)
+endif()
