@@ -19,5 +19,3 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include <boost/test/unit_test.hpp>
