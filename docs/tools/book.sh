@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# Writes the book: BUILD_DIR/book/index.html, from the pages, the headers and the reports of BUILD_DIR.
+#
+#   docs/tools/book.sh BUILD_DIR [--strict] [--force]
+#
+# --strict  reports must be there: a figure that was not measured fails the book instead of being shown as not run
+# --force   write it even if nothing changed since the last time
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+strict='' force='' build=''
+for argument in "$@"; do
+  case $argument in
+    --strict) strict=--strict ;;
+    --force) force=yes ;;
+    -*) echo "book.sh: unknown option $argument" >&2; exit 2 ;;
+    *) build=$argument ;;
+  esac
+done
+[[ -n $build ]] || { echo "usage: docs/tools/book.sh BUILD_DIR [--strict] [--force]" >&2; exit 2; }
+mkdir -p "$build"
+build=$(cd "$build" && pwd)
+cd "$root"
+
+missing=()
+command -v doxygen >/dev/null || missing+=(doxygen)
+command -v node >/dev/null || missing+=(nodejs)
+command -v bibtex >/dev/null || missing+=(texlive-binaries)
+[[ -e /usr/share/doxygen-awesome-css/doxygen-awesome.css ]] || missing+=(doxygen-awesome-css)
+[[ -e /usr/share/javascript/katex/katex.js ]] || missing+=(libjs-katex fonts-katex)
+[[ -e /usr/share/javascript/lunr/lunr.min.js ]] || missing+=(libjs-lunr)
+if (( ${#missing[@]} )); then
+  echo "book: missing Debian packages; type: apt-get install ${missing[*]}" >&2
+  exit 1
+fi
+
+# Nothing to do if every input is what it was.
+stamp=$(
+  { echo "strict=$strict"
+    find docs src chapters proofs_checks "$build/report" -type f \
+      \( -name '*.md' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.tsv' -o -name '*.mjs' -o -name '*.sh' -o -name '*.css' -o -name '*.js' -o -name '*.html' \
+         -o -name '*.xml' -o -name '*.bib' -o -name '*.json' -o -name '*.svg' -o -name '*.txt' -o -name Doxyfile \) \
+      ! -path '*/report/checks/*' -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 -r sha256sum
+  } | sha256sum | cut -d' ' -f1)
+if [[ -z $force && -f $build/book/index.html && -f $build/book/.inputs && $(<"$build/book/.inputs") == "$stamp" ]]; then
+  echo "book: nothing changed: $build/book/index.html"
+  exit 0
+fi
+
+pages=$build/book-src work=$build/book-work
+rm -rf "$work"
+mkdir -p "$work"
+node docs/tools/expand.mjs --root . --build "$build" $strict
+
+status=0
+BOOK_PAGES=$pages BOOK_OUTPUT=$work BOOK_LOG=$work/warnings.txt \
+  BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >"$work/doxygen.txt" 2>&1 || status=$?
+node docs/tools/warnings.mjs --pages "$pages" --log "$work/warnings.txt" --root .
+if (( status )); then cat "$work/doxygen.txt" >&2; exit 1; fi
+
+node docs/tools/finish.mjs --root . --html "$work/html" --pages "$pages"
+node docs/tools/search_index.mjs --html "$work/html"
+node docs/tools/check_links.mjs "$work/html"
+
+echo "$stamp" >"$work/html/.inputs"
+rm -rf "$build/book"
+mv "$work/html" "$build/book"
+echo "book: $build/book/index.html"

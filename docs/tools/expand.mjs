@@ -1,0 +1,263 @@
+// Expands the book's own commands in its pages (docs/pages, chapters/*/chapter.md) from the reports of the build.
+//
+// A command becomes a token that Doxygen carries through unchanged; finish.mjs puts the token's HTML in its place. So
+// tables, boxes and pictures are never parsed as Markdown, and a box may hold anything a page may hold. The vocabulary is
+// in docs/WRITING.md. Errors name file and line of the page as written.
+import fs from 'node:fs';
+import path from 'node:path';
+import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, walk } from './lib.mjs';
+import { errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
+import { inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
+
+const opt = options({ root: '.', build: 'build', registry: '', strict: false });
+const at = (...p) => path.join(opt.root, ...p);
+const errors = new Errors();
+const registryFile = opt.registry || at('proofs_checks/registry.tsv');
+if (!fs.existsSync(registryFile)) { console.error(`${registryFile}:1: the registry of statements is missing`); process.exit(1); }
+const registry = readRegistry(registryFile);
+const reports = readReports(opt.build);
+if (opt.strict && !reports.statements) errors.add(path.join(opt.build, 'report/statements.json'), 1, 'missing: run the checks and merge the ledger');
+if (opt.strict && !reports.programs) errors.add(path.join(opt.build, 'report/programs'), 1, 'missing: run the chapter programs');
+const book = {
+  root: opt.root, registry, byId: new Map(registry.map(s => [s.id, s])), ...reports,
+  places: new Map(),      // statement id -> true once a page holds its box
+  programPlaces: new Set(),
+};
+
+// ---- Pages
+
+const pages = walk(at('docs/pages')).filter(f => f.endsWith('.md')).map(file => ({ file, out: path.basename(file), chapter: null }));
+for (const dir of fs.existsSync(at('chapters')) ? fs.readdirSync(at('chapters')).sort() : []) {
+  const file = at('chapters', dir, 'chapter.md');
+  const chapter = /^ch(\d+)_/.exec(dir);
+  if (chapter && fs.existsSync(file)) pages.push({ file, out: `21_${dir}.md`, chapter: Number(chapter[1]), id: `ch${chapter[1]}` });
+}
+for (const p of pages) {
+  p.lines = fs.readFileSync(p.file, 'utf8').split('\n');
+  const title = p.lines.findIndex(l => /^# /.test(l));
+  p.title = title < 0 ? '' : p.lines[title].replace(/^# /, '').replace(/\s*\{#.*$/, '');
+  if (p.chapter === null || title < 0) continue;
+  if (!p.lines[title].includes(`{#${p.id}}`)) errors.add(p.file, title + 1, `the page of this chapter is titled "# ... {#${p.id}}"`);
+  p.lines[title] = p.lines[title].replace(/^# (\d+\S*\s+)?/, `# ${p.chapter} · `);
+}
+book.chapters = pages.filter(p => p.chapter !== null);
+
+// Text and line of each source that a page may show.
+const sources = new Map();
+function source(name) {
+  if (!sources.has(name)) {
+    const file = ['src/actio', 'src', 'chapters', 'proofs_checks'].map(d => at(d, name)).find(f => fs.existsSync(f));
+    sources.set(name, file ? { path: path.relative(opt.root, file), lines: fs.readFileSync(file, 'utf8').split('\n') } : null);
+  }
+  return sources.get(name);
+}
+book.sourceLink = (file, line, text) => `<a class="source" href="@source:${escapeHtml(file)}:${line}">${text}</a>`;
+book.checkSource = id => {
+  for (const f of book.checkFiles ??= walk(at('proofs_checks')).filter(f => f.endsWith('.cpp')).map(f => ({ path: path.relative(opt.root, f), lines: fs.readFileSync(f, 'utf8').split('\n') }))) {
+    const line = f.lines.findIndex(l => new RegExp(`\\b(STATEMENT|BOOST_AUTO_TEST_CASE)\\w*\\(\\s*${id}\\b`).test(l));
+    if (line >= 0) return { path: f.path, line: line + 1 };
+  }
+  return null;
+};
+book.programSource = name => {
+  const m = /^(ch\d+)_(.+)$/.exec(name);
+  const dir = m && fs.existsSync(at('chapters')) && fs.readdirSync(at('chapters')).find(d => d.startsWith(m[1] + '_'));
+  const file = dir && path.join('chapters', dir, `${m[2]}.cpp`);
+  return file && fs.existsSync(at(file)) ? { path: file, include: path.join(dir, `${m[2]}.cpp`), lines: fs.readFileSync(at(file), 'utf8').split('\n').length - 1 } : null;
+};
+
+// ---- Tokens
+
+const items = {};
+let count = 0;
+const token = html => { const name = `BOOKITEM${String(++count).padStart(5, '0')}X`; items[name] = html; return name; };
+
+// ---- First pass: where each statement lives. Its box, else its first formula, holds the permanent anchor.
+
+const inCode = lines => {
+  let fence = false;
+  return lines.map(l => { const mark = /^\s*(```|~~~)/.test(l) || /[\\@](code|verbatim|endcode|endverbatim)\b/.test(l); if (mark) fence = !fence; return fence || mark; });
+};
+const homes = new Map();   // id -> "file:line:command"
+for (const rank of ['statement', 'beside', 'evidence'])
+  for (const p of pages) {
+    p.code ??= inCode(p.lines);
+    p.lines.forEach((line, i) => {
+      const m = !p.code[i] && new RegExp(`^\\s*\\\\${rank}\\{\\s*([A-Za-z0-9_]+)`).exec(line);
+      if (!m) return;
+      const home = homes.get(m[1]);
+      if (rank === 'statement' && home?.rank === 'statement') errors.add(p.file, i + 1, `${m[1]} has its box already, at ${home.file}:${home.line}`);
+      if (!home) homes.set(m[1], { rank, file: p.file, line: i + 1 });
+    });
+  }
+for (const id of homes.keys()) book.places.set(id, true);
+for (const p of pages) p.lines.forEach((l, i) => { const m = !p.code[i] && /^\s*\\program\{\s*([^},]+)/.exec(l); if (m) book.programPlaces.add(m[1].trim()); });
+
+// ---- Second pass: expand.
+
+const split = (text, parts) => {
+  const cells = text.split(',');
+  return [...cells.slice(0, parts - 1), cells.slice(parts - 1).join(',')].map(s => s.trim()).filter((s, i) => s !== '' || i === 0);
+};
+const notRun = what => `<span class="notrun">${what} not run</span>`;
+
+function lookup(p, line, list, what, program, name) {
+  if (!book.programs) return null;
+  const report = book.programs.get(program);
+  if (!report) { errors.add(p.file, line, `no report of program ${program} (known: ${[...book.programs.keys()].join(', ')})`); return undefined; }
+  const found = (report[list] ?? []).find(x => x.name === name);
+  if (!found) errors.add(p.file, line, `program ${program} reports no ${what} "${name}" (it has: ${(report[list] ?? []).map(x => x.name).join(', ') || 'none'})`);
+  return found && { ...found, report };
+}
+const known = (p, line, id) => {
+  if (book.byId.has(id)) return true;
+  errors.add(p.file, line, `unknown statement ${id}`);
+  return false;
+};
+
+const inline = {
+  figure(p, line, arg) {
+    const [program, name] = split(arg, 2);
+    const f = lookup(p, line, 'figures', 'figure', program, name);
+    if (f === null) return notRun('figure');
+    return f ? `<span class="figure" title="${escapeHtml(`${program}: ${name} = ${f.value}`)}">${figureText(f)}</span>` : '';
+  },
+  verdict(p, line, id) {
+    if (!known(p, line, id)) return '';
+    return badge(verdictOf(book, id));
+  },
+};
+const figureText = f => {
+  const m = /^([-+]?\d+(?:\.\d+)?)[eE]([-+]?\d+)(.*)$/.exec(f.text ?? '');
+  if (m) return `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>${escapeHtml(m[3])}`;
+  return escapeHtml(f.text ?? String(f.value));
+};
+
+for (const p of pages) {
+  const out = [], map = [];
+  let line = 0;
+  const emit = text => { for (const l of text.split('\n')) { out.push(l); map.push(line); } };
+  const block = (html, anchors = []) => emit(`\n${anchors.map(a => `\\anchor ${a} `).join('')}${token(html)}\n`);
+  const open = [];
+  const anchorHere = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file && h.line === line ? [id] : []; };
+  const heading = (id, text) => `<a class="permalink" href="#${id}" title="permanent link">${text}</a>`;
+
+  const blocks = {
+    statement(arg) {
+      const [id, title] = split(arg, 2);
+      if (!known(p, line, id)) return;
+      open.push({ kind: 'statement', id, line });
+      block(`<div class="statement statement-${book.byId.get(id).kind}" id="${id}"><div class="statement-head">${heading(id, escapeHtml(title ?? label(id)))}<span class="statement-tools">${badge(verdictOf(book, id))}</span></div><div class="statement-body">`, anchorHere(id, 'statement'));
+    },
+    endstatement() {
+      const top = open.pop();
+      if (top?.kind !== 'statement') return errors.add(p.file, line, '\\endstatement without \\statement');
+      block(`${verdictNote(book, top.id)}</div></div>`);
+    },
+    beside(id) {
+      if (!known(p, line, id)) return;
+      const within = open.some(o => o.kind === 'statement' && o.id === id);
+      const anchors = anchorHere(id, 'beside');
+      open.push({ kind: 'beside', id, line });
+      const mark = within ? '' : `<div class="beside-head">${heading(id, label(id))}${badge(verdictOf(book, id))}</div>`;
+      block(`<div class="beside"${anchors.length ? ` id="${id}"` : ''}><div class="beside-formula">${mark}`, anchors);
+    },
+    asCode() {
+      const top = open.at(-1);
+      if (top?.kind !== 'beside' || top.code) return errors.add(p.file, line, '\\asCode without \\beside');
+      top.code = true;
+      block('</div><div class="beside-code">');
+    },
+    endbeside() {
+      const top = open.pop();
+      if (top?.kind !== 'beside') return errors.add(p.file, line, '\\endbeside without \\beside');
+      if (!top.code) errors.add(p.file, line, '\\beside has no \\asCode');
+      block('</div></div>');
+    },
+    evidence(id) {
+      if (!known(p, line, id)) return;
+      const record = book.statements?.get(id);
+      if (book.statements && !record) errors.add(p.file, line, `the ledger has no record of ${id}`);
+      const anchors = anchorHere(id, 'evidence');
+      block(evidence(book, id, anchors.length > 0), anchors);
+    },
+    table(arg) {
+      const [program, name, caption] = split(arg, 3);
+      const t = lookup(p, line, 'tables', 'table', program, name);
+      if (t === null) block(`<p>${notRun(`table ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
+      else if (t) block(reportTable(t, caption));
+    },
+    picture(arg) {
+      const [program, name, caption] = split(arg, 3);
+      const pic = lookup(p, line, 'pictures', 'picture', program, name);
+      if (pic === null) return block(`<p>${notRun(`picture ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
+      if (!pic) return;
+      const file = path.join(pic.report.folder, pic.file);
+      if (!fs.existsSync(file)) return errors.add(p.file, line, `picture file ${pic.file} is missing`);
+      block(inlineSvg(fs.readFileSync(file, 'utf8'), caption ?? pic.caption, `pic${count}`));
+    },
+    program(arg) {
+      const [name] = split(arg, 1);
+      const src = book.programSource(name);
+      if (!src) return errors.add(p.file, line, `program ${name} has no source under chapters/`);
+      const report = book.programs?.get(name);
+      if (book.programs && !report) return errors.add(p.file, line, `no report of program ${name}`);
+      if (report && report.output === null && opt.strict) errors.add(p.file, line, `the output of ${name} was not kept`);
+      const card = programCard(book, name, report, src);
+      block(card.before, [`program_${name}`]);
+      emit(`\\include{doc} ${src.include}`.replace('{doc}', ''));
+      block(card.after);
+    },
+    snippet(arg, raw) {
+      const [file, tag] = arg.trim().split(/\s+/);
+      const src = source(file);
+      emit(raw);
+      if (!src) return errors.add(p.file, line, `no file ${file} for this snippet`);
+      const where = src.lines.findIndex(l => l.includes(`[${tag}]`));
+      if (where < 0) return errors.add(p.file, line, `${src.path} has no tag [${tag}]`);
+      block(`<div class="snippet-source">${book.sourceLink(src.path, where + 2, escapeHtml(src.path.replace(/^src\//, '')) + `:${where + 2}`)}</div>`);
+    },
+    ledger() {
+      const unplaced = registry.filter(s => !book.places.has(s.id)).map(s => s.id);
+      block(ledger(book), unplaced);
+    },
+    ledgercounts() { block(ledgerCounts(book)); },
+    errata() { block(errata(book)); },
+    programs(arg) { block(programTable(book, arg)); },
+    chapters(arg) {
+      const list = arg.split(',').map(Number);
+      for (const c of book.chapters.filter(c => list.includes(c.chapter))) emit(`- \\subpage ${c.id}`);
+      emit('');
+    },
+  };
+
+  p.lines.forEach((text, i) => {
+    line = i + 1;
+    if (p.code[i]) return emit(text);
+    const m = /^\s*\\([A-Za-z]+)(?:\{(.*)\})?(\s.*)?$/.exec(text);
+    if (m && m[1] in blocks && !(m[1] === 'snippet' && m[2])) {
+      if (m[1] === 'snippet') return blocks.snippet(m[3] ?? '', text);
+      if (m[3]?.trim()) errors.add(p.file, line, `\\${m[1]} stands alone on its line`);
+      return blocks[m[1]]((m[2] ?? '').trim());
+    }
+    text = text.replace(/\\(figure|verdict)\{([^}]*)\}/g, (_, name, arg) => token(inline[name](p, line, arg.trim())));
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|ledger|errata)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
+    emit(text);
+    if (p.chapter !== null && /^# /.test(text)) emit('\n[TOC]\n');
+  });
+  for (const o of open) errors.add(p.file, o.line, `\\${o.kind}{${o.id}} is not closed`);
+  p.text = out.join('\n');
+  p.map = map;
+}
+errors.exitIfAny('pages');
+
+const target = path.join(opt.build, 'book-src');
+fs.rmSync(target, { recursive: true, force: true });
+fs.mkdirSync(target, { recursive: true });
+const maps = {};
+for (const p of pages) {
+  fs.writeFileSync(path.join(target, p.out), p.text);
+  maps[p.out] = { file: path.relative(opt.root, p.file), lines: p.map };
+}
+fs.writeFileSync(path.join(target, 'items.json'), JSON.stringify({ items, maps }));

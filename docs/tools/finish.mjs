@@ -1,0 +1,116 @@
+// Finishes the pages that Doxygen wrote: puts the generated parts in place of their tokens, resolves links to sources and
+// statements, and sets every formula with KaTeX. A formula that does not parse, or a link that leads nowhere, fails the book.
+import fs from 'node:fs';
+import path from 'node:path';
+import { createRequire } from 'node:module';
+import { Errors, escapeHtml, label, options, readRegistry, walk } from './lib.mjs';
+
+const opt = options({ root: '.', html: '', pages: '', registry: '' });
+const katexHome = '/usr/share/javascript/katex';
+const katex = createRequire(import.meta.url)(path.join(katexHome, 'katex.js'));
+const macros = JSON.parse(fs.readFileSync(new URL('../macros.json', import.meta.url), 'utf8'));
+const { items } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
+const ids = new Set(readRegistry(opt.registry || path.join(opt.root, 'proofs_checks/registry.tsv')).map(s => s.id));
+const errors = new Errors();
+
+const unescape = s => s.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'").replace(/&#160;|&nbsp;/g, ' ').replace(/&amp;/g, '&');
+
+// ---- Where things are
+
+const files = walk(opt.html).filter(f => f.endsWith('.html'));
+const text = new Map(files.map(f => [path.basename(f), fs.readFileSync(f, 'utf8')]));
+
+// Source page of a file, by the path in its title.
+const sourcePage = new Map();
+for (const [name, html] of text) { const m = /<title>(\S+) Source File/.exec(html); if (m) sourcePage.set(m[1], name); }
+
+const tokens = /<p>(?:\s*<a class="anchor" id="[^"]*"><\/a>)*\s*(BOOKITEM\d{5}X)\s*<\/p>|(?:<a class="anchor" id="[^"]*"><\/a>\s*)*(BOOKITEM\d{5}X)/g;
+for (const [name, html] of text)
+  if (html.includes('BOOKITEM')) text.set(name, html.replace(tokens, (_, block, bare) => items[block ?? bare]));
+
+const anchorPage = new Map();
+for (const [name, html] of text)
+  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|rem|claim|program|erratum|ledger)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
+
+function resolve(page, kind, target) {
+  if (kind === 'source') {
+    const [, file, line] = /^(.*):(\d+)$/.exec(target);
+    const to = sourcePage.get(file) ?? sourcePage.get(file.replace(/^src\//, ''));
+    if (!to) { errors.add(page, 1, `no source page for ${file}`); return '#'; }
+    return `${to}#l${line.padStart(5, '0')}`;
+  }
+  if (target.startsWith('page:')) return `${target.slice(5)}.html`;
+  const to = anchorPage.get(target);
+  if (!to) { errors.add(page, 1, `no place for ${target}`); return '#'; }
+  return to === page ? `#${target}` : `${to}#${target}`;
+}
+
+// ---- Formulas
+
+const cache = new Map();
+let formulas = 0;
+function formula(page, tex, displayMode) {
+  tex = unescape(tex).trim();
+  const key = (displayMode ? 'D' : 'I') + tex;
+  ++formulas;
+  if (!cache.has(key)) {
+    try {
+      cache.set(key, katex.renderToString(tex, { displayMode, macros: { ...macros }, throwOnError: true, strict: c => c === 'newLineInDisplayMode' || c === 'commentAtEnd' ? 'ignore' : 'error' }));
+    } catch (e) {
+      errors.add(page, 1, `formula does not parse: ${tex.replace(/\s+/g, ' ')}\n    ${e.message.replace(/\s+/g, ' ')}`);
+      cache.set(key, '');
+    }
+  }
+  return cache.get(key);
+}
+/// Code keeps its text; elsewhere \[..\], \(..\) and environments become mathematics.
+function setFormulas(page, html) {
+  return html.split(/(<div class="fragment">[\s\S]*?<\/div><!-- fragment -->|<(?:pre|code|script|style|textarea)\b[\s\S]*?<\/(?:pre|code|script|style|textarea)>|<svg\b[\s\S]*?<\/svg>)/)
+    .map((part, i) => i % 2 ? part : part
+      .replace(/<p class="formulaDsp">\s*([\s\S]*?)\s*<\/p>/g, (_, tex) => `<div class="formula">${formula(page, tex.replace(/^\\\[|\\\]$/g, ''), true)}</div>`)
+      .replace(/\\\[([\s\S]*?)\\\]/g, (_, tex) => formula(page, tex, true))
+      .replace(/\\\(([\s\S]*?)\\\)/g, (_, tex) => formula(page, tex, false)))
+    .join('');
+}
+
+for (const [name, original] of text) {
+  let html = original;
+  html = html.replace(/href="@(source|ref):([^"]*)"/g, (_, kind, target) => `href="${resolve(name, kind, target)}"`);
+  // A reference to a statement reads as the thesis numbers it.
+  html = html.replace(/(<a class="el" href="[^"]*">)((?:eq|thm|prop|lem|cor|def|rem|claim)_\w+)(<\/a>)/g, (all, a, id, b) => ids.has(id) ? a + escapeHtml(label(id)) + b : all);
+  // In sources and listings the mark of a snippet leads to its statement.
+  html = html.replace(/(<span class="comment">\/\/ \[)(\w+)(\]<\/span>)/g, (all, a, id, b) => anchorPage.has(id) ? `${a}<a class="statement-tag" href="${anchorPage.get(id)}#${id}">${id}</a>${b}` : all);
+  html = setFormulas(name, html);
+  // A snippet starts at its own margin.
+  html = html.replace(/<div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/g, (all, body) => name.endsWith('_source.html') ? all : `<div class="fragment">${dedent(body)}</div><!-- fragment -->`);
+  if (html.includes('BOOKITEM')) errors.add(name, 1, 'a generated part was not put in place (a command inside a title or a code block?)');
+  if (html !== original || original.includes('BOOKITEM')) text.set(name, html);
+}
+function dedent(body) {
+  const lines = body.match(/<div class="line">/g) ? body.split(/(?=<div class="line">)/) : [body];
+  const margin = Math.min(...lines.filter(l => l.replace(/<[^>]*>/g, '').trim()).map(l => /^<div class="line">(?:<a[^>]*><\/a>)?( *)/.exec(l)?.[1].length ?? 0));
+  return margin > 0 && Number.isFinite(margin) ? lines.map(l => l.replace(new RegExp(`^(<div class="line">(?:<a[^>]*></a>)?) {${margin}}`), '$1')).join('') : body;
+}
+
+// The tree files a member under its header, Doxygen writes it on its namespace's page: lead there.
+const memberPage = new Map();
+for (const [name, html] of text) for (const m of html.matchAll(/<a id="([ag][0-9a-f]{32}[0-9a-z]*)" name=/g)) memberPage.set(m[1], name);
+for (const f of walk(opt.html).filter(f => f.endsWith('.js'))) {
+  const script = fs.readFileSync(f, 'utf8');
+  const led = script.replace(/"([\w.-]+\.html)#([ag][0-9a-f]{32}[0-9a-z]*)"/g, (all, page, id) => memberPage.has(id) ? `"${memberPage.get(id)}#${id}"` : all);
+  if (led !== script) fs.writeFileSync(f, led);
+}
+
+// Titles in the tree carry no formulas: say so rather than show TeX.
+for (const f of walk(opt.html).filter(f => /navtree(data|index).*\.js$/.test(f)))
+  if (/BOOKITEM|\\\\\(/.test(fs.readFileSync(f, 'utf8'))) errors.add(path.basename(f), 1, 'a page or section title holds a formula or a command');
+errors.exitIfAny('finish');
+
+for (const [name, html] of text) fs.writeFileSync(path.join(opt.html, name), html);
+fs.mkdirSync(path.join(opt.html, 'katex/fonts'), { recursive: true });
+// woff2 alone: every browser that opens the book reads it.
+fs.writeFileSync(path.join(opt.html, 'katex/katex.min.css'),
+  fs.readFileSync(path.join(katexHome, 'katex.min.css'), 'utf8').replace(/,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\([^)]*\)/g, ''));
+for (const f of fs.readdirSync(path.join(katexHome, 'fonts')).filter(f => f.endsWith('.woff2')))
+  fs.copyFileSync(path.join(katexHome, 'fonts', f), path.join(opt.html, 'katex/fonts', f));
+console.log(`book: ${files.length} pages, ${formulas} formulas (${cache.size} different)`);

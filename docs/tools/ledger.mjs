@@ -1,0 +1,177 @@
+// The ledger in HTML: evidence under a statement, the page of all statements, the counts, the errata.
+import { badge, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, number, prose, ratioText, verdictText, worst } from './lib.mjs';
+
+export function verdictOf(book, id) {
+  if (!book.statements) return 'notrun';
+  return book.statements.get(id)?.verdict ?? 'pending';
+}
+
+const statementLink = (id, text) => `<a href="@ref:${id}">${text ?? label(id)}</a>`;
+const display = tex => `<div class="formula">\\[ ${escapeHtml(tex)} \\]</div>`;
+
+/// What stands at the foot of a statement's box: the convention it needs, or what was wrong with it.
+export function verdictNote(book, id) {
+  const r = book.statements?.get(id);
+  if (!r || r.verdict === 'holds' || r.verdict === 'pending' || !(r.note || r.corrected)) return '';
+  const lead = { convention: 'Convention', corrected: 'Corrected', scope: 'Scope' }[r.verdict] ?? r.verdict;
+  const more = r.verdict === 'corrected' || r.verdict === 'convention' ? ` <a href="@ref:erratum_${id}">errata</a>` : '';
+  return `<div class="statement-note note-${r.verdict}"><b>${lead}.</b> ${prose(r.note)}${more}</div>`;
+}
+
+// ---- Evidence
+
+function cell(e) {
+  if (e.kind === 'order') {
+    const slope = Number(e.slope).toFixed(3), spread = Number(e.spread);
+    const steps = (e.steps ?? []).length;
+    return `<span title="${escapeHtml((e.errors ?? []).map(Number).map(x => x.toExponential(1)).join(', '))}">order ${slope}${spread ? ` ± ${number(spread)}` : ''}${steps ? `, ${steps} steps` : ''}</span>`;
+  }
+  if (e.kind === 'exact' || e.scalar === 'rational') {
+    const bound = Number(e.probability) > 0 ? `a false identity passes with probability below ${Number(e.probability).toExponential(0)}` : '';
+    const what = Number(e.measured) === 0 ? '0' : number(e.measured);
+    const points = e.points ? `, ${e.points}&#8239;pt` : '';
+    return `<span title="${escapeHtml([e.degree ? `degree at most ${e.degree}` : '', bound].filter(Boolean).join('; '))}">${what}${points}</span>`;
+  }
+  return `<span title="${escapeHtml(`${Number(e.measured).toExponential(2)}, allowed ${Number(e.bound).toExponential(1)}`)}">${inEpsilons(e.measured, e.epsilon)}</span>`;
+}
+
+function allowed(entries) {
+  const e = entries.find(x => x.kind === 'precision') ?? entries[0];
+  if (e.kind === 'order') return Number(e.bound) ? `± ${number(e.bound)}` : '–';
+  if (e.kind === 'exact') return '0';
+  return inEpsilons(e.bound, e.epsilon);
+}
+
+function merge(a, b) {
+  if (!a) return b;
+  if (a.kind === 'order') return Math.abs(b.slope - Math.round(b.slope)) > Math.abs(a.slope - Math.round(a.slope)) ? b : a;
+  return { ...(Number(b.measured) > Number(a.measured) ? b : a), points: Math.max(a.points ?? 0, b.points ?? 0) };
+}
+
+/// Rows (what, model, kind) in the order of the report, each with one entry per scalar.
+function rows(entries, fields) {
+  const table = new Map();
+  for (const e of entries ?? []) {
+    const key = fields.map(f => e[f] ?? '').join('\u0001');
+    if (!table.has(key)) table.set(key, { ...e, cells: new Map() });
+    const row = table.get(key);
+    row.cells.set(e.scalar ?? '', merge(row.cells.get(e.scalar ?? ''), e));
+  }
+  return [...table.values()];
+}
+
+/// The table of measured figures under a statement.
+export function evidence(book, id, anchor) {
+  const idAttribute = anchor ? ` id="${id}"` : '';
+  if (!book.statements) return `<div class="evidence evidence-notrun"${idAttribute}><span class="notrun">the check of ${label(id)} has not been run in this build</span></div>`;
+  const r = book.statements.get(id);
+  if (!r) return '';
+  const source = book.checkSource(id);
+  const where = source ? book.sourceLink(source.path, source.line, 'the check') : '';
+  if (r.verdict === 'pending' || !(r.evidence ?? []).length)
+    return `<div class="evidence evidence-empty"${idAttribute}>${badge(r.verdict)} <span>${prose(r.note) || escapeHtml(verdictText[r.verdict]?.[1] ?? '')}</span> ${where}</div>`;
+
+  const here = new Set(r.evidence.map(e => e.scalar));
+  const columns = columnOrder.filter(c => here.has(c));
+  const missing = ['dec50', 'dec100'].filter(c => !book.columns.has(c) && r.evidence.some(e => e.kind !== 'exact'));
+  const shown = columnOrder.filter(c => columns.includes(c) || missing.includes(c));
+  const body = [];
+  const grouped = rows(r.evidence, ['what', 'kind', 'model']);
+  let last = null;
+  for (const row of grouped) {
+    const head = row.what === last ? '<td class="again"></td>' : `<td>${prose(row.what)}</td>`;
+    last = row.what;
+    const figures = shown.map(c => {
+      const e = row.cells.get(c);
+      if (e) return `<td class="num">${cell(e)}</td>`;
+      return missing.includes(c) && row.kind !== 'exact' ? '<td class="num notrun">not run</td>' : '<td class="num none">·</td>';
+    });
+    body.push(`<tr>${head}<td>${prose(row.model)}</td><td class="kind">${row.kind}</td>${figures.join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`);
+  }
+  const controls = rows(r.control, ['what', 'model']).map(c => {
+    const figures = shown.map(s => {
+      const e = c.cells.get(s) ?? (s === (shown.includes('double') ? 'double' : shown[0]) ? c.cells.get('') : undefined);
+      return `<td class="num">${e ? number(e.measured) : ''}</td>`;
+    });
+    const [first] = c.cells.values();
+    return `<tr class="control"><td>${prose(c.what)}</td><td>${prose(c.model)}</td><td class="kind">control</td>${figures.join('')}<td class="num">&gt;&#8239;${number(first.floor)}</td></tr>`;
+  });
+  const table = `<table class="evidence-table"><thead><tr><th>what is compared</th><th>model</th><th>kind</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead><tbody>${body.join('')}</tbody><tbody class="controls">${controls.join('')}</tbody></table>`;
+  const ratio = controlRatio(r);
+  const summary = `<div class="evidence-foot">${[
+    `<b>Evidence</b> for ${label(id)}: ${[...new Set(r.evidence.map(e => e.kind))].join(', ')}`,
+    ratio === null ? '' : `control / residual: <b>${ratioText(ratio)}</b>`,
+    missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
+    where,
+  ].filter(Boolean).map(s => `<span>${s}</span>`).join('')}</div>`;
+  const many = grouped.length + controls.length > 14;
+  return `<div class="evidence"${idAttribute}>${summary}${many ? `<details><summary>${grouped.length} figures, ${controls.length} controls</summary>${table}</details>` : table}</div>`;
+}
+
+// ---- The ledger page
+
+const verdicts = ['holds', 'convention', 'corrected', 'scope', 'pending', 'notrun'];
+
+const byChapter = registry => {
+  const chapters = new Map();
+  for (const s of registry) chapters.set(s.chapter, [...(chapters.get(s.chapter) ?? []), s]);
+  return chapters;
+};
+
+export function ledgerCounts(book) {
+  const chapters = byChapter(book.registry);
+  const used = verdicts.filter(v => book.registry.some(s => verdictOf(book, s.id) === v));
+  const row = (name, list, tag) => `<tr><${tag}>${name}</${tag}>${used.map(v => `<${tag} class="num">${list.filter(s => verdictOf(book, s.id) === v).length || '·'}</${tag}>`).join('')}<${tag} class="num">${list.length}</${tag}></tr>`;
+  return `<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`;
+}
+
+function ledgerRow(book, s) {
+  const r = book.statements?.get(s.id);
+  const verdict = verdictOf(book, s.id);
+  const name = book.places.has(s.id) ? statementLink(s.id) : `<span id="${s.id}" class="ledger-anchor">${label(s.id)}</span>`;
+  const kinds = [...new Set((r?.evidence ?? []).map(e => e.kind))];
+  const models = new Set((r?.evidence ?? []).map(e => e.model).filter(Boolean)).size;
+  let figure = '';
+  if (kinds.length) {
+    const w = worst(r), orders = r.evidence.filter(e => e.kind === 'order');
+    const parts = [];
+    if (w) parts.push(w.entry.kind === 'exact' && Number(w.entry.measured) === 0 ? '0' : `${inEpsilons(w.entry.measured, w.entry.epsilon)} of ${inEpsilons(w.entry.bound, w.entry.epsilon)}`);
+    if (orders.length) { const slopes = orders.map(o => Number(o.slope)); const lo = Math.min(...slopes).toFixed(2), hi = Math.max(...slopes).toFixed(2); parts.push(`order ${lo === hi ? lo : `${lo}–${hi}`}`); }
+    figure = parts.join(', ');
+  }
+  const control = (r?.control ?? []).length ? Math.min(...r.control.map(c => Number(c.measured))) : null;
+  const source = book.checkSource(s.id);
+  const seconds = r?.seconds === undefined ? '' : ` title="${number(r.seconds)} s"`;
+  return `<tr data-verdict="${verdict}"><td class="id">${name}</td><td>${escapeHtml(s.title || s.subject)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td><td>${badge(verdict)}</td><td class="kind">${kinds.join('<br/>')}${models > 1 ? `<br/><span class="dim">${models} models</span>` : ''}</td><td class="num">${figure}</td><td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td><td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td></tr>`;
+}
+
+export function ledger(book) {
+  const used = verdicts.filter(v => book.registry.some(s => verdictOf(book, s.id) === v));
+  const buttons = `<div class="ledger-filter" role="group" aria-label="Filter by verdict"><button type="button" data-show="all" class="on">all</button>${used.map(v => `<button type="button" data-show="${v}">${verdictText[v][0]} <span>${book.registry.filter(s => verdictOf(book, s.id) === v).length}</span></button>`).join('')}<input type="search" placeholder="filter by words" aria-label="Filter by words"/></div>`;
+  const tables = [...byChapter(book.registry)].map(([c, list]) => {
+    const page = book.chapters.find(p => String(p.chapter) === String(c));
+    const title = page ? `<a href="@ref:page:${page.id}">Chapter ${c}. ${escapeHtml(page.title)}</a>` : `Chapter ${c}`;
+    return `<section class="ledger-chapter"><h2 id="ledger_${c}">${title}</h2><table class="ledger-table"><thead><tr><th>statement</th><th>subject</th><th>verdict</th><th>kind</th><th class="num">worst figure</th><th class="num">control</th><th></th></tr></thead><tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
+  });
+  return `<div class="ledger">${buttons}${tables.join('')}</div>`;
+}
+
+// ---- The errata page
+
+export function errata(book) {
+  if (!book.statements) return '<p><span class="notrun">the checks have not been run in this build</span></p>';
+  const part = verdict => book.registry.filter(s => verdictOf(book, s.id) === verdict).map(s => {
+    const r = book.statements.get(s.id);
+    const ratio = controlRatio(r), w = worst(r);
+    const forms = [r.printed ? `<div class="erratum-form"><span>printed</span>${display(r.printed)}</div>` : '',
+      r.corrected ? `<div class="erratum-form erratum-right"><span>${verdict === 'corrected' ? 'right' : 'read as'}</span>${display(r.corrected)}</div>` : ''].join('');
+    const control = (r.control ?? [])[0];
+    const scan = r.scan === true || r.scan === 'true' ? '<span class="scan" title="the text came through recognition; a sign, star or inverse may have been lost there">perhaps the scan</span>' : '';
+    const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
+      w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
+      ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
+    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id)}<span class="erratum-subject">${escapeHtml(s.title || s.subject)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p><div class="evidence-foot">${figures}</div></article>`;
+  });
+  const corrected = part('corrected'), convention = part('convention');
+  return `<h2 id="errata_corrected">Corrected: ${corrected.length}</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;
+}

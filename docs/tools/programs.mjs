@@ -1,0 +1,52 @@
+// What a program reported, in HTML: its card, its tables, its pictures, and the table of all programs.
+import { escapeHtml, number, prose } from './lib.mjs';
+
+const numeric = s => /^[-+−]?(\d|\.\d)/.test(String(s).trim());
+const cellText = s => {
+  const m = /^([-+]?\d+(?:\.\d+)?)[eE]([-+]?\d+)(.*)$/.exec(String(s).trim());
+  return m ? `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>${escapeHtml(m[3])}` : prose(s);
+};
+
+export function reportTable(t, caption) {
+  const head = (t.header ?? []).map((h, i) => `<th${(t.rows ?? []).every(r => numeric(r[i])) ? ' class="num"' : ''}>${prose(h)}</th>`).join('');
+  const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ' class="num"' : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
+  const text = caption ?? t.caption;
+  return `<div class="report-table"><table><thead><tr>${head}</tr></thead><tbody>${rows}</tbody></table>${text ? `<div class="caption">${prose(text)}</div>` : ''}</div>`;
+}
+
+/// An SVG file as part of the page, so that it takes the colours of the theme; its ids are made unique to the page.
+export function inlineSvg(svg, caption, prefix) {
+  svg = svg.replace(/<\?xml[^>]*\?>/g, '').replace(/<!DOCTYPE[^>]*>/gi, '').replace(/<!--[\s\S]*?-->/g, '').trim();
+  for (const id of new Set([...svg.matchAll(/\bid="([^"]+)"/g)].map(m => m[1]))) {
+    svg = svg.replaceAll(`id="${id}"`, `id="${prefix}-${id}"`).replaceAll(`url(#${id})`, `url(#${prefix}-${id})`).replaceAll(`href="#${id}"`, `href="#${prefix}-${id}"`);
+  }
+  svg = svg.replace(/^<svg\b([^>]*)>/, (_, attributes) => {
+    const size = /viewBox=/.test(attributes) ? '' : (() => { const w = /\bwidth="([\d.]+)/.exec(attributes), h = /\bheight="([\d.]+)/.exec(attributes); return w && h ? ` viewBox="0 0 ${w[1]} ${h[1]}"` : ''; })();
+    const width = /\bwidth="([\d.]+)/.exec(attributes) ?? /viewBox="[-\d.]+[ ,]+[-\d.]+[ ,]+([\d.]+)/.exec(attributes);
+    return `<svg${attributes.replace(/\s(width|height)="[^"]*"/g, '')}${size} role="img" style="max-width:${width ? width[1] : 640}px">`;
+  });
+  return `<figure class="picture">${svg}${caption ? `<figcaption>${prose(caption)}</figcaption>` : ''}</figure>`;
+}
+
+export function programCard(book, name, report, src) {
+  const shows = report ? prose(report.shows) : '';
+  const headline = report?.headline ? `<span class="headline">${prose(report.headline.text)}</span>` : '';
+  const output = report ? (report.output === null ? '<p class="notrun">the output was not kept</p>' : `<pre class="output">${escapeHtml(report.output.trimEnd())}</pre>`) : '<p><span class="notrun">not run in this build</span></p>';
+  return {
+    before: `<div class="program" id="program_${name}"><div class="program-head"><span class="program-name">${escapeHtml(name)}</span>${book.sourceLink(src.path, 1, escapeHtml(src.path))}</div>${shows ? `<p class="program-shows">${shows}${headline ? ` ${headline}` : ''}</p>` : ''}${output}<details><summary>The program, ${src.lines} lines</summary>`,
+    after: '</details></div>',
+  };
+}
+
+/// Table of the programs, all or of the chapters listed.
+export function programTable(book, chapters) {
+  if (!book.programs) return '<p><span class="notrun">the chapter programs have not been run in this build</span></p>';
+  const wanted = chapters ? chapters.split(',').map(c => Number(c)) : null;
+  const list = [...book.programs.values()].filter(p => !wanted || wanted.includes(Number(/\d+/.exec(p.chapter ?? p.program)[0])));
+  const rows = list.map(p => {
+    const src = book.programSource(p.program);
+    const name = book.programPlaces.has(p.program) ? `<a href="@ref:program_${p.program}">${escapeHtml(p.program)}</a>` : src ? book.sourceLink(src.path, 1, escapeHtml(p.program)) : escapeHtml(p.program);
+    return `<tr><td class="id">${name}</td><td>${prose(p.shows)}</td><td>${prose(p.headline?.text ?? '')}</td><td class="num">${p.seconds === undefined ? '' : `${number(p.seconds)} s`}</td></tr>`;
+  });
+  return `<table class="programs"><thead><tr><th>program</th><th>what it shows</th><th>measured</th><th class="num">time</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+}
