@@ -1,0 +1,69 @@
+// What goes wrong, said in full: what was required, what was measured, the bound, and the statement that asks for it.
+#pragma once
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace actio {
+
+/// Root of everything the library throws.
+struct Error : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A number for a message: enough digits to see on which side of the bound it lies.
+inline std::string show(double x) {
+  std::ostringstream out;
+  out.precision(9);
+  out << x;
+  return out.str();
+}
+
+/// An argument outside the set a function is defined on. Carries the measured quantity and the bound it breaks.
+struct OutsideDomain : Error {
+  double measured;
+  double bound;
+  OutsideDomain(std::string const& where, std::string const& required, double measured_value, double bound_value)
+      : Error(where + ": " + required + ", measured " + show(measured_value) + ", bound " + show(bound_value)),
+        measured(measured_value), bound(bound_value) {}
+};
+
+/// A NaN or an infinity where a number is needed.
+struct NotFinite : Error {
+  explicit NotFinite(std::string const& where) : Error(where + ": a NaN or an infinity where a finite number is needed") {}
+};
+
+/// A linear map that has no inverse, for instance the second derivative of a Lagrangian that is not regular.
+struct Singular : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
+/// Moments of inertia that no distribution of mass has.
+struct UnphysicalInertia : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
+/// A step longer than the scheme has a solution for; says the longest that would do.
+struct StepTooLong : OutsideDomain {
+  double largest_step;
+  StepTooLong(std::string const& where, double step, double largest)
+      : OutsideDomain(where, "the step exceeds the solvability limit of the scheme; the largest step that would do is " + show(largest),
+                      step, largest),
+        largest_step(largest) {}
+};
+
+/// An iteration that did not reach the rounding level of its residual.
+struct NotConverged : Error {
+  std::vector<double> residuals;  ///< norm of the residual at each iterate
+  double tolerance;               ///< what it had to come under
+  NotConverged(std::string const& where, std::vector<double> history, double bound)
+      : Error(where + ": no convergence in " + std::to_string(history.size()) + " iterations, residual " +
+              (history.empty() ? std::string("none") : show(history.back())) + ", tolerance " + show(bound) +
+              "; the step may be too long for the Lagrangian to be regular"),
+        residuals(std::move(history)), tolerance(bound) {}
+};
+
+}  // namespace actio

@@ -1,0 +1,108 @@
+// Functions of the squared angle that exp and log of rotations are made of.
+//
+// The angle itself, a square root, has no derivative at the identity. Everything here is a function of its square and is
+// smooth through zero, so that dual numbers at the identity come out right.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "actio/foundations/dual.hpp"
+
+namespace actio {
+
+/// One hundredth of the unit round-off of the scalar, as a double that a compiler can compute with.
+template <class S>
+constexpr double negligible() {
+  double tiny = 0.01;
+  for (int d = 0; d < std::numeric_limits<Base<S>>::digits10; ++d) tiny *= 0.1;
+  return tiny;
+}
+
+/// Number of terms of a series whose n-th term stays below `bound^n` that are not negligible.
+template <class S>
+constexpr int geometric_terms(double bound) {
+  int n = 1;
+  for (double term = bound; term > negligible<S>(); term *= bound) ++n;
+  return n;
+}
+
+/// Number of terms of a series whose n-th term stays below \f$1/(2n)!\f$ that are not negligible.
+template <class S>
+constexpr int factorial_terms() {
+  int n = 1;
+  for (double term = 0.5; term > negligible<S>(); ++n) term /= (2.0 * n + 2.0) * (2.0 * n + 1.0);
+  return n;
+}
+
+/// Number of terms of a series whose n-th term stays below `bound^n / n!` that are not negligible.
+template <class S>
+constexpr int exponential_terms(double bound) {
+  int n = 1;
+  for (double term = bound; term > negligible<S>(); term *= bound / n) ++n;
+  return n;
+}
+
+constexpr long factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
+
+/// The Stumpff function \f$c_k(x) = \sum_n (-x)^n/(2n+k)!\f$: \f$c_0 = \cos\sqrt x\f$, \f$c_1 = \sin\sqrt x/\sqrt x\f$, and so on.
+///
+/// With \f$x = \theta^2\f$: \f$\exp\hat\omega = 1 + c_1\hat\omega + c_2\hat\omega^2\f$, and its differential uses \f$c_2, c_3\f$.
+/// Their derivatives stay in the family, \f$c_k' = \tfrac12(k\,c_{k+2} - c_{k+1})\f$, so no division by x is ever needed.
+/// @param x  square of an angle, not negative
+/// Accuracy: a few epsilon relative to \f$1/k!\f$.
+template <int K, Real S>
+S stumpff(S const& x) {
+  if (base_value(x) < Base<S>(1)) {
+    // The series by Horner's rule, from the last term that counts.
+    S sum(1);
+    for (int n = factorial_terms<S>(); n >= 1; --n) sum = S(1) - sum * x / Base<S>((2 * n + K) * (2 * n + K - 1));
+    return sum / Base<S>(factorial(K));
+  }
+  using std::cos, std::sin, std::sqrt;
+  if constexpr (K == 0) {
+    return cos(S(sqrt(x)));
+  } else if constexpr (K == 1) {
+    S const angle = sqrt(x);
+    return sin(angle) / angle;
+  } else {
+    // c_{k-2} = 1/(k-2)! - x c_k; for x >= 1 the difference loses less than two digits.
+    return (S(1) / Base<S>(factorial(K - 2)) - stumpff<K - 2>(x)) / x;
+  }
+}
+template <int K, class S, int N>
+  requires Real<S>
+Dual<S, N> stumpff(Dual<S, N> const& x) {
+  S const slope = (stumpff<K + 2>(x.value) * Base<S>(K) - stumpff<K + 1>(x.value)) / Base<S>(2);
+  return chain(x, S(stumpff<K>(x.value)), slope);
+}
+
+/// The k-th derivative of \f$a(x) = \arcsin\sqrt x/\sqrt x\f$ for \f$0 \le x \le 1/4\f$, by its series.
+///
+/// \f$2a(s^2)\f$ is the factor between the vector part s of a unit quaternion and its rotation vector.
+template <int K, Real S>
+S asinc_derivative(S const& x) {
+  // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like 4^-n.
+  constexpr int terms = geometric_terms<S>(0.25) + 3 * K + 1;
+  static auto const coefficients = [] {
+    std::array<Base<S>, terms> c;
+    Base<S> b(1);
+    for (int n = 0; n < terms + K; ++n) {
+      if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
+      if (n < K) continue;
+      c[n - K] = b;
+      for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
+    }
+    return c;
+  }();
+  S sum(coefficients[terms - 1]);
+  for (int n = terms - 2; n >= 0; --n) sum = sum * x + coefficients[n];
+  return sum;
+}
+template <int K, class S, int N>
+  requires Real<S>
+Dual<S, N> asinc_derivative(Dual<S, N> const& x) {
+  return chain(x, S(asinc_derivative<K>(x.value)), S(asinc_derivative<K + 1>(x.value)));
+}
+
+}  // namespace actio

@@ -1,0 +1,79 @@
+// Logarithms of rotations: angles from sine and cosine, rotation vectors through unit quaternions.
+//
+// The vector part of the quaternion keeps the axis to rounding at every angle, so the logarithm is as good next to pi as it is next to
+// zero. At pi itself the rotation vector has no sign: the natural chart (3.19) ends there and the functions refuse.
+#pragma once
+
+#include <cmath>
+
+#include "actio/foundations/matrix_group.hpp"
+
+namespace actio {
+
+/// How near to the edge of the chart is too near: half a turn, up to the rounding that a product of two rotations brings.
+template <class S>
+Base<S> edge_of_chart() {
+  return Base<S>(8) * epsilon<S>();
+}
+
+/// The angle with the given sine and cosine (up to a common positive factor), in (-pi, pi).
+/// @throws OutsideDomain  at pi
+template <Real S>
+S angle_of_rotation(S const& sine, S const& cosine) {
+  using std::atan2;
+  if (!is_finite(sine) || !is_finite(cosine)) throw NotFinite("log");
+  Base<S> const s = magnitude(base_value(sine)), c = base_value(cosine);
+  if (c < Base<S>(0) && s <= edge_of_chart<S>() * -c)
+    throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI, M_PI);
+  return atan2(sine, cosine);
+}
+
+/// A unit quaternion (scalar first) of a rotation matrix, with scalar part not negative; by its largest component, so that nothing cancels.
+template <Real S>
+Eigen::Matrix<S, 4, 1> quaternion_of_rotation(Eigen::Matrix<S, 3, 3> const& r) {
+  using std::sqrt;
+  if (!is_finite(r)) throw NotFinite("quaternion_of_rotation");
+  Eigen::Matrix<S, 4, 1> q;
+  S const trace = r(0, 0) + r(1, 1) + r(2, 2);
+  int i = 0;
+  if (r(1, 1) > r(i, i)) i = 1;
+  if (r(2, 2) > r(i, i)) i = 2;
+  if (trace > r(i, i)) {
+    S const w = sqrt(S(trace + S(1)));
+    S const scale = S(1) / (w + w);
+    q << w / S(2), (r(2, 1) - r(1, 2)) * scale, (r(0, 2) - r(2, 0)) * scale, (r(1, 0) - r(0, 1)) * scale;
+  } else {
+    int const j = (i + 1) % 3, k = (i + 2) % 3;
+    S const w = sqrt(S(S(1) + r(i, i) - r(j, j) - r(k, k)));
+    S const scale = S(1) / (w + w);
+    q[0] = (r(k, j) - r(j, k)) * scale;
+    q[1 + i] = w / S(2);
+    q[1 + j] = (r(j, i) + r(i, j)) * scale;
+    q[1 + k] = (r(k, i) + r(i, k)) * scale;
+  }
+  if (q[0] < S(0)) q = -q;
+  return q;
+}
+
+/// The rotation vector (axis times angle, below pi) of a unit quaternion with scalar part not negative.
+/// @throws OutsideDomain  at a rotation by pi
+template <Real S>
+Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 4, 1> const& q) {
+  using std::atan2, std::sqrt;
+  Eigen::Matrix<S, 3, 1> const v = q.template tail<3>();
+  S const square = v.squaredNorm();
+  if (base_value(square) < Base<S>(1) / Base<S>(4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
+  if (base_value(q[0]) <= edge_of_chart<S>())
+    throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI - 2 * to_double(q[0]), M_PI);
+  S const sine = sqrt(square);
+  return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
+}
+
+/// The logarithm of a rotation of n-space, for plain scalars. (See the file's head for n = 2, 3.)
+template <Real S, int n>
+Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
+  Eigen::Matrix<S, n, n> const a = matrix_logarithm(r);
+  return (a - a.transpose()) / S(2);
+}
+
+}  // namespace actio

@@ -1,0 +1,97 @@
+// SO(n): rotations of n-space, as orthogonal matrices.
+//
+// Coordinates of so(3) are the usual ones, hat(w) x = w x x (cross product). For n = 2 the coordinate is the angle, counted
+// anticlockwise; for n > 3 the coordinates are the entries above the diagonal, row by row.
+#pragma once
+
+#include "actio/foundations/groups/rotation_logarithm.hpp"
+
+namespace actio {
+
+/// SO(n).
+template <int n>
+struct SO : Matrices<n, n*(n - 1) / 2> {
+  using Matrices<n, n*(n - 1) / 2>::dim;
+
+  template <class V>
+  static auto hat(Eigen::MatrixBase<V> const& v) {
+    using S = typename V::Scalar;
+    Eigen::Matrix<S, n, n> a = Eigen::Matrix<S, n, n>::Zero();
+    if constexpr (n == 2) {
+      a << S(0), -v[0], v[0], S(0);
+    } else if constexpr (n == 3) {
+      a << S(0), -v[2], v[1], v[2], S(0), -v[0], -v[1], v[0], S(0);
+    } else {
+      for (int i = 0, k = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j, ++k) a(i, j) = v[k], a(j, i) = -v[k];
+    }
+    return a;
+  }
+
+  /// The skew part of a matrix, as coordinates.
+  template <class M>
+  static auto vee(Eigen::MatrixBase<M> const& a) {
+    using S = typename M::Scalar;
+    Eigen::Matrix<S, dim, 1> v;
+    if constexpr (n == 2) {
+      v << (a(1, 0) - a(0, 1)) / S(2);
+    } else if constexpr (n == 3) {
+      v << (a(2, 1) - a(1, 2)) / S(2), (a(0, 2) - a(2, 0)) / S(2), (a(1, 0) - a(0, 1)) / S(2);
+    } else {
+      for (int i = 0, k = 0; i < n; ++i)
+        for (int j = i + 1; j < n; ++j, ++k) v[k] = (a(i, j) - a(j, i)) / S(2);
+    }
+    return v;
+  }
+
+  template <class S>
+  static Eigen::Matrix<S, n, n> inverse(Eigen::Matrix<S, n, n> const& a) {
+    return a.transpose();
+  }
+
+  template <class S>
+    requires(n == 3)
+  static Eigen::Matrix<S, 3, 1> Ad(Eigen::Matrix<S, 3, 3> const& a, Eigen::Matrix<S, 3, 1> const& v) {
+    return a * v;
+  }
+  template <class S>
+    requires(n == 3)
+  static Eigen::Matrix<S, 3, 1> bracket(Eigen::Matrix<S, 3, 1> const& v, Eigen::Matrix<S, 3, 1> const& w) {
+    return cross(v, w);
+  }
+
+  template <Real S>
+    requires(n <= 3)
+  static Eigen::Matrix<S, n, n> exp(Eigen::Matrix<S, dim, 1> const& v) {
+    // exp = 1 + c_1 hat(v) + c_2 hat(v)^2, with Stumpff's functions of the squared angle.
+    S const square = v.squaredNorm();
+    auto const a = hat(v);
+    Eigen::Matrix<S, n, n> e = a * stumpff<1>(square) + a * a * stumpff<2>(square);
+    e.diagonal().array() += S(1);
+    return e;
+  }
+
+  /// Good to rounding up to rotations within 1e-8 of pi; refuses at pi.
+  /// @throws OutsideDomain  at a rotation by pi, where the natural chart (3.19) ends
+  template <Real S>
+  static Eigen::Matrix<S, dim, 1> log(Eigen::Matrix<S, n, n> const& a) {
+    if constexpr (n == 2)
+      return Eigen::Matrix<S, 1, 1>(angle_of_rotation(S(a(1, 0) - a(0, 1)), S(a(0, 0) + a(1, 1))));
+    else if constexpr (n == 3)
+      return rotation_vector(quaternion_of_rotation(a));
+    else if constexpr (is_dual<S>)
+      return primitive::lifted_log(SO{}, a);
+    else
+      return vee(rotation_logarithm(a));
+  }
+
+  /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
+  template <Real S>
+  static Eigen::Matrix<S, n, n> restore(Eigen::Matrix<S, n, n> const& a) {
+    Eigen::Matrix<S, n, n> excess = a.transpose() * a;
+    excess.diagonal().array() -= S(1);
+    return a - a * excess / S(2);
+  }
+};
+
+}  // namespace actio
