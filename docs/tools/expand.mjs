@@ -5,7 +5,7 @@
 // in docs/WRITING.md. Errors name file and line of the page as written.
 import fs from 'node:fs';
 import path from 'node:path';
-import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, walk } from './lib.mjs';
+import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, verdictText, walk } from './lib.mjs';
 import { errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
@@ -91,6 +91,7 @@ for (const rank of ['statement', 'beside', 'evidence'])
     });
   }
 for (const id of homes.keys()) book.places.set(id, true);
+book.boxes = new Set([...homes].filter(([, h]) => h.rank === 'statement').map(([id]) => id));
 for (const p of pages) p.lines.forEach((l, i) => { const m = !p.code[i] && /^\s*\\program\{\s*([^},]+)/.exec(l); if (m) book.programPlaces.add(m[1].trim()); });
 
 // ---- Second pass: expand.
@@ -123,6 +124,7 @@ const inline = {
     return f ? `<span class="figure" title="${escapeHtml(`${program}: ${name} = ${f.value}`)}">${figureText(f)}</span>` : '';
   },
   verdict(p, line, id) {
+    if (id in verdictText) return badge(id);
     if (!known(p, line, id)) return '';
     return badge(verdictOf(book, id));
   },
@@ -140,7 +142,7 @@ for (const p of pages) {
   const block = (html, anchors = []) => emit(`\n${anchors.map(a => `\\anchor ${a} `).join('')}${token(html)}\n`);
   const open = [];
   const anchorHere = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file && h.line === line ? [id] : []; };
-  const heading = (id, text) => `<a class="permalink" href="#${id}" title="permanent link">${text}</a>`;
+  const heading = (id, text) => `<a class="here" href="#${id}" title="permanent link">${text}</a>`;
 
   const blocks = {
     statement(arg) {
@@ -243,6 +245,8 @@ for (const p of pages) {
     text = text.replace(/\\(figure|verdict)\{([^}]*)\}/g, (_, name, arg) => token(inline[name](p, line, arg.trim())));
     const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|ledger|errata)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
+    // Beside its code an equation carries its number in the corner.
+    if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');
     emit(text);
     if (p.chapter !== null && /^# /.test(text)) emit('\n[TOC]\n');
   });

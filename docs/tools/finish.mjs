@@ -24,7 +24,7 @@ const text = new Map(files.map(f => [path.basename(f), fs.readFileSync(f, 'utf8'
 const sourcePage = new Map();
 for (const [name, html] of text) { const m = /<title>(\S+) Source File/.exec(html); if (m) sourcePage.set(m[1], name); }
 
-const tokens = /<p>(?:\s*<a class="anchor" id="[^"]*"><\/a>)*\s*(BOOKITEM\d{5}X)\s*<\/p>|(?:<a class="anchor" id="[^"]*"><\/a>\s*)*(BOOKITEM\d{5}X)/g;
+const tokens = /<p\b[^>]*>(?:\s*<a class="anchor" id="[^"]*"><\/a>)*\s*(BOOKITEM\d{5}X)\s*<\/p>|(?:<a class="anchor" id="[^"]*"><\/a>\s*)*(BOOKITEM\d{5}X)/g;
 for (const [name, html] of text)
   if (html.includes('BOOKITEM')) text.set(name, html.replace(tokens, (_, block, bare) => items[block ?? bare]));
 

@@ -1,5 +1,5 @@
 // The ledger in HTML: evidence under a statement, the page of all statements, the counts, the errata.
-import { badge, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, number, prose, ratioText, verdictText, worst } from './lib.mjs';
+import { badge, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, number, prose, ratioText, shortLabel, verdictText, worst } from './lib.mjs';
 
 export function verdictOf(book, id) {
   if (!book.statements) return 'notrun';
@@ -24,7 +24,8 @@ function cell(e) {
   if (e.kind === 'order') {
     const slope = Number(e.slope).toFixed(3), spread = Number(e.spread);
     const steps = (e.steps ?? []).length;
-    return `<span title="${escapeHtml((e.errors ?? []).map(Number).map(x => x.toExponential(1)).join(', '))}">order ${slope}${spread ? ` ± ${number(spread)}` : ''}${steps ? `, ${steps} steps` : ''}</span>`;
+    const errors = (e.errors ?? []).map(x => Number(x).toExponential(1)).join(', ');
+    return `<span title="${escapeHtml(`fitted over ${steps} step sizes${errors ? `; errors ${errors}` : ''}`)}">${slope}${spread ? ` ± ${number(spread)}` : ''}</span>`;
   }
   if (e.kind === 'exact' || e.scalar === 'rational') {
     const bound = Number(e.probability) > 0 ? `a false identity passes with probability below ${Number(e.probability).toExponential(0)}` : '';
@@ -69,34 +70,33 @@ export function evidence(book, id, anchor) {
   const source = book.checkSource(id);
   const where = source ? book.sourceLink(source.path, source.line, 'the check') : '';
   if (r.verdict === 'pending' || !(r.evidence ?? []).length)
-    return `<div class="evidence evidence-empty"${idAttribute}>${badge(r.verdict)} <span>${prose(r.note) || escapeHtml(verdictText[r.verdict]?.[1] ?? '')}</span> ${where}</div>`;
+    return `<div class="evidence evidence-empty"${idAttribute}>${badge(r.verdict)} <span>${book.boxes.has(id) ? escapeHtml(verdictText[r.verdict]?.[1] ?? '') : prose(r.note) || escapeHtml(verdictText[r.verdict]?.[1] ?? '')}</span> ${where}</div>`;
 
   const here = new Set(r.evidence.map(e => e.scalar));
   const columns = columnOrder.filter(c => here.has(c));
   const missing = ['dec50', 'dec100'].filter(c => !book.columns.has(c) && r.evidence.some(e => e.kind !== 'exact'));
   const shown = columnOrder.filter(c => columns.includes(c) || missing.includes(c));
-  const body = [];
   const grouped = rows(r.evidence, ['what', 'kind', 'model']);
-  let last = null;
-  for (const row of grouped) {
-    const head = row.what === last ? '<td class="again"></td>' : `<td>${prose(row.what)}</td>`;
-    last = row.what;
-    const figures = shown.map(c => {
-      const e = row.cells.get(c);
-      if (e) return `<td class="num">${cell(e)}</td>`;
-      return missing.includes(c) && row.kind !== 'exact' ? '<td class="num notrun">not run</td>' : '<td class="num none">·</td>';
-    });
-    body.push(`<tr>${head}<td>${prose(row.model)}</td><td class="kind">${row.kind}</td>${figures.join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`);
-  }
-  const controls = rows(r.control, ['what', 'model']).map(c => {
-    const figures = shown.map(s => {
-      const e = c.cells.get(s) ?? (s === (shown.includes('double') ? 'double' : shown[0]) ? c.cells.get('') : undefined);
-      return `<td class="num">${e ? number(e.measured) : ''}</td>`;
-    });
+  const controls = rows(r.control, ['what', 'model']);
+  const span = shown.length + 2;
+  const sections = (list, key, figures, className) => {
+    const groups = new Map();
+    for (const row of list) groups.set(key(row), [...(groups.get(key(row)) ?? []), row]);
+    return [...groups].map(([head, members]) => `<tbody class="${className}"><tr class="what"><th colspan="${span}">${head}</th></tr>${members.map(figures).join('')}</tbody>`).join('');
+  };
+  const measured = sections(grouped, row => `${prose(row.what)} <span class="kind">${row.kind}</span>`, row => `<tr><td>${prose(row.model)}</td>${shown.map(c => {
+    const e = row.cells.get(c);
+    if (e) return `<td class="num">${cell(e)}</td>`;
+    return missing.includes(c) && row.kind !== 'exact' ? '<td class="num notrun">not run</td>' : '<td class="num none">·</td>';
+  }).join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`, 'measured');
+  const broken = sections(controls, c => `${prose(c.what)} <span class="kind">control</span>`, c => {
     const [first] = c.cells.values();
-    return `<tr class="control"><td>${prose(c.what)}</td><td>${prose(c.model)}</td><td class="kind">control</td>${figures.join('')}<td class="num">&gt;&#8239;${number(first.floor)}</td></tr>`;
-  });
-  const table = `<table class="evidence-table"><thead><tr><th>what is compared</th><th>model</th><th>kind</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead><tbody>${body.join('')}</tbody><tbody class="controls">${controls.join('')}</tbody></table>`;
+    return `<tr><td>${prose(c.model)}</td>${shown.map(s => {
+      const e = c.cells.get(s) ?? (s === (shown.includes('double') ? 'double' : shown[0]) ? c.cells.get('') : undefined);
+      return `<td class="num">${e ? number(e.measured) : '<span class="none">·</span>'}</td>`;
+    }).join('')}<td class="num">&gt;&#8239;${number(first.floor)}</td></tr>`;
+  }, 'control');
+  const table = `<table class="evidence-table"><thead><tr><th>model</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead>${measured}${broken}</table>`;
   const ratio = controlRatio(r);
   const summary = `<div class="evidence-foot">${[
     `<b>Evidence</b> for ${label(id)}: ${[...new Set(r.evidence.map(e => e.kind))].join(', ')}`,
@@ -128,7 +128,7 @@ export function ledgerCounts(book) {
 function ledgerRow(book, s) {
   const r = book.statements?.get(s.id);
   const verdict = verdictOf(book, s.id);
-  const name = book.places.has(s.id) ? statementLink(s.id) : `<span id="${s.id}" class="ledger-anchor">${label(s.id)}</span>`;
+  const name = book.places.has(s.id) ? statementLink(s.id, shortLabel(s.id)) : `<span id="${s.id}" class="ledger-anchor">${shortLabel(s.id)}</span>`;
   const kinds = [...new Set((r?.evidence ?? []).map(e => e.kind))];
   const models = new Set((r?.evidence ?? []).map(e => e.model).filter(Boolean)).size;
   let figure = '';
@@ -142,7 +142,7 @@ function ledgerRow(book, s) {
   const control = (r?.control ?? []).length ? Math.min(...r.control.map(c => Number(c.measured))) : null;
   const source = book.checkSource(s.id);
   const seconds = r?.seconds === undefined ? '' : ` title="${number(r.seconds)} s"`;
-  return `<tr data-verdict="${verdict}"><td class="id">${name}</td><td>${escapeHtml(s.title || s.subject)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td><td>${badge(verdict)}</td><td class="kind">${kinds.join('<br/>')}${models > 1 ? `<br/><span class="dim">${models} models</span>` : ''}</td><td class="num">${figure}</td><td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td><td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td></tr>`;
+  return `<tr data-verdict="${verdict}"><td class="id">${name}</td><td>${escapeHtml(s.title || s.subject)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td><td>${badge(verdict)}</td><td class="kind"><span title="${models} model${models === 1 ? '' : 's'}">${kinds.join(', ')}</span></td><td class="num">${figure}</td><td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td><td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td></tr>`;
 }
 
 export function ledger(book) {

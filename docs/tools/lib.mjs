@@ -106,6 +106,9 @@ export function label(id) {
   return `${kindWord[head]} ${numbers}${words ? ': ' + words : ''}`;
 }
 
+/// The number alone: Claim 3.1.
+export const shortLabel = id => label(id).replace(/:.*$/, '');
+
 export const verdictText = {
   holds: ['holds', 'holds as printed'],
   convention: ['convention', 'holds under a convention or a hypothesis that the note names'],
