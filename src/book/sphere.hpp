@@ -1,0 +1,151 @@
+// Curves on a sphere, seen from afar: what lies behind is dashed and pale.
+//
+//   auto sphere = book::Sphere(30, 20).axes({"1", "2", "3"});      // seen from 30 degrees east, 20 degrees north
+//   sphere.curve(exact).dots(momenta, "every step");
+//   program.picture("polhode", sphere.svg(), "...");
+//
+// Points are brought to the unit sphere, so that momenta of any unit may be given as they are.
+#pragma once
+
+#include <array>
+#include <numbers>
+
+#include "book/program.hpp"
+#include "book/svg.hpp"
+
+namespace book {
+
+class Sphere {
+ public:
+  using Vector = std::array<double, 3>;
+
+  /// @param azimuth    where the eye is, in degrees from the first axis towards the second
+  /// @param elevation  in degrees from the plane of the first two axes towards the third
+  explicit Sphere(double azimuth = 35, double elevation = 22) {
+    double const a = azimuth * std::numbers::pi / 180, e = elevation * std::numbers::pi / 180;
+    right_ = {-std::sin(a), std::cos(a), 0};
+    up_ = {-std::sin(e) * std::cos(a), -std::sin(e) * std::sin(a), std::cos(e)};
+    eye_ = {std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e)};
+  }
+
+  /// Shows the three axes with their names.
+  Sphere& axes(std::array<std::string, 3> names) { return names_ = std::move(names), *this; }
+
+  /// Adds a curve through the points, each a vector with three components (`p[0]`, `p[1]`, `p[2]`).
+  template <class Points>
+  Sphere& curve(Points const& points, std::string label = "", Look look = {}) {
+    if (look.colour == 0) look.colour = static_cast<int>(curves_.size()) % 6 + 1;
+    Curve added{{}, std::move(label), look};
+    for (auto const& p : points) {
+      double const length = std::hypot(p[0], p[1], p[2]);
+      added.points.push_back({p[0] / length, p[1] / length, p[2] / length});
+    }
+    curves_.push_back(std::move(added));
+    return *this;
+  }
+  template <class Points>
+  Sphere& dots(Points const& points, std::string label = "", Look look = {}) {
+    look.dots = true;
+    return curve(points, std::move(label), look);
+  }
+
+  std::string svg() const {
+    std::string behind, before;
+    add_graticule(behind, before);
+    for (auto const& c : curves_) add(c, behind, before);
+    auto const disc = [](std::string const& look) {
+      return "<circle " + look + " cx=\"" + svg::pixel(centre) + "\" cy=\"" + svg::pixel(centre) + "\" r=\"" + svg::pixel(radius) + "\"/>\n";
+    };
+    std::string out = disc("fill=\"var(--grid)\" fill-opacity=\"0.35\"") + "<g opacity=\"0.45\">\n" + behind + "</g>\n" +
+                      disc("class=\"axis\"") + before + axis_arrows();
+    double y = 2 * centre + 6;
+    for (auto const& c : curves_) {
+      if (c.label.empty()) continue;
+      svg::Point const sample[] = {{40, y}, {66, y}}, dot[] = {{53, y}};
+      out += svg::curve(c.look.dots ? std::span<svg::Point const>(dot) : sample, c.look) + svg::label({76, y + 4}, c.label);
+      y += 18;
+    }
+    return svg::picture(2 * centre, y + 2, out);
+  }
+
+ private:
+  struct Curve {
+    std::vector<Vector> points;
+    std::string label;
+    Look look;
+  };
+  static constexpr double centre = 220, radius = 170;
+
+  static double dot(Vector const& a, Vector const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+  double depth(Vector const& p) const { return dot(p, eye_); }
+  svg::Point place(Vector const& p) const { return {centre + radius * dot(p, right_), centre - radius * dot(p, up_)}; }
+
+  /// Draws a curve in pieces: those behind the sphere, dashed, and those before it.
+  void add(Curve const& c, std::string& behind, std::string& before) const {
+    Look hidden = c.look;
+    hidden.dashed = true;
+    std::vector<svg::Point> seen, unseen;
+    svg::Point const gap{std::numeric_limits<double>::quiet_NaN(), 0};
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      Vector const& p = c.points[i];
+      bool const front = depth(p) >= 0;
+      if (i > 0 && !c.look.dots && front != (depth(c.points[i - 1]) >= 0)) {
+        auto const edge = place(crossing(c.points[i - 1], p));
+        for (auto* part : {&seen, &unseen}) part->push_back(edge);
+        (front ? unseen : seen).push_back(gap);
+      }
+      (front ? seen : unseen).push_back(place(p));
+    }
+    before += svg::curve(seen, c.look);
+    behind += svg::curve(unseen, hidden);
+  }
+
+  /// Where the way from a to b passes the outline.
+  Vector crossing(Vector const& a, Vector const& b) const {
+    double const t = depth(a) / (depth(a) - depth(b));
+    Vector p{a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
+    double const length = std::sqrt(dot(p, p));
+    return {p[0] / length, p[1] / length, p[2] / length};
+  }
+
+  /// Circles of latitude and meridians, every thirty degrees.
+  void add_graticule(std::string& behind, std::string& before) const {
+    constexpr double degree = std::numbers::pi / 180;
+    auto const draw = [&](auto&& point) {
+      Curve circle{{}, "", {.colour = 1, .width = 0.8}};
+      for (int t = 0; t <= 360; t += 3) circle.points.push_back(point(t * degree));
+      std::string hidden, shown;
+      add(circle, hidden, shown);
+      for (auto* part : {&hidden, &shown}) part->replace(part->find("line1"), 5, "grid");
+      behind += hidden, before += shown;
+    };
+    for (int latitude = -60; latitude <= 60; latitude += 30)
+      draw([&](double t) { return Vector{std::cos(latitude * degree) * std::cos(t), std::cos(latitude * degree) * std::sin(t), std::sin(latitude * degree)}; });
+    for (int longitude = 0; longitude < 180; longitude += 30)
+      draw([&](double t) { return Vector{std::cos(t) * std::cos(longitude * degree), std::cos(t) * std::sin(longitude * degree), std::sin(t)}; });
+  }
+
+  /// The part of each positive axis that stands out of the sphere.
+  std::string axis_arrows() const {
+    std::string out;
+    for (int i = 0; i < 3; ++i) {
+      if (names_[i].empty()) continue;
+      Vector unit{};
+      unit[i] = 1;
+      auto const foot = place(unit);
+      unit[i] = 1.16;
+      auto const tip = place(unit);
+      unit[i] = 1.25;
+      auto const name = place(unit);
+      if (depth(unit) >= 0 || std::hypot(tip.x - centre, tip.y - centre) > radius) out += svg::segment(foot, tip, "axis");
+      out += svg::label({name.x, name.y + 4}, names_[i], "middle");
+    }
+    return out;
+  }
+
+  Vector right_{}, up_{}, eye_{};
+  std::array<std::string, 3> names_;
+  std::vector<Curve> curves_;
+};
+
+}  // namespace book
