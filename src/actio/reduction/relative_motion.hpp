@@ -1,0 +1,57 @@
+// From pairs of places to relative motions: the quotient maps of the diagonal actions, and back.
+//
+// Both quotients take the earlier place over the later one, so a relative motion is near 1 - h xi: it looks back.
+#pragma once
+
+#include "actio/foundations/group.hpp"
+
+namespace actio {
+
+/// \f$f_{01} = g_0\,g_1^{-1}\f$, what is left of a pair when right multiplication of both does not count.
+///
+/// \implements{eq_3_9}
+template <Group G, Field S>
+Element<G, S> relative_motion_right(Element<G, S> const& g0, Element<G, S> const& g1) {
+  // [eq_3_9]
+  return g0 * inverse(g1);
+  // [eq_3_9]
+}
+/// \f$f_{10} = g_1^{-1}g_0\f$, what is left of a pair when left multiplication of both does not count.
+template <Group G, Field S>
+Element<G, S> relative_motion_left(Element<G, S> const& g0, Element<G, S> const& g1) {
+  return inverse(g1) * g0;
+}
+
+/// The discrete Lagrangian on G x G that a function of \f$g_0g_1^{-1}\f$ stands for.
+///
+/// \implements{claim_3_2_reduced_lagrangian}
+template <class F>
+auto lift_right(F l) {
+  return [l](auto const& g0, auto const& g1) { return l(relative_motion_right(g0, g1)); };
+}
+/// The discrete Lagrangian on G x G that a function of \f$g_1^{-1}g_0\f$ stands for.
+template <class F>
+auto lift_left(F l) {
+  return [l](auto const& g0, auto const& g1) { return l(relative_motion_left(g0, g1)); };
+}
+
+/// Reconstruction (3.14): the place after \f$g_k\f$ when the relative motion is \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$.
+///
+/// \implements{eq_3_14}
+template <Group G, Field S>
+Element<G, S> reconstruct_right(Element<G, S> const& gk, Element<G, S> const& f) {
+  // [eq_3_14]
+  return inverse(f) * gk;
+  // [eq_3_14]
+}
+/// Reconstruction (3.15): the place after \f$g_k\f$ when the relative motion is \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
+///
+/// \implements{eq_3_15}
+template <Group G, Field S>
+Element<G, S> reconstruct_left(Element<G, S> const& gk, Element<G, S> const& f) {
+  // [eq_3_15]
+  return gk * inverse(f);
+  // [eq_3_15]
+}
+
+}  // namespace actio
