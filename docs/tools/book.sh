@@ -21,6 +21,7 @@ done
 mkdir -p "$build"
 build=$(cd "$build" && pwd)
 cd "$root"
+registry=${BOOK_REGISTRY:-proofs_checks/registry.tsv}
 
 missing=()
 command -v doxygen >/dev/null || missing+=(doxygen)
@@ -37,10 +38,11 @@ fi
 # Nothing to do if every input is what it was.
 stamp=$(
   { echo "strict=$strict"
-    find docs src chapters proofs_checks "$build/report" -type f \
+    mkdir -p "$build/report"
+    find docs src chapters proofs_checks "$registry" "$build/report" -type f \
       \( -name '*.md' -o -name '*.hpp' -o -name '*.cpp' -o -name '*.tsv' -o -name '*.mjs' -o -name '*.sh' -o -name '*.css' -o -name '*.js' -o -name '*.html' \
-         -o -name '*.xml' -o -name '*.bib' -o -name '*.json' -o -name '*.svg' -o -name '*.txt' -o -name Doxyfile \) \
-      ! -path '*/report/checks/*' -print0 2>/dev/null | LC_ALL=C sort -z | xargs -0 -r sha256sum
+         -o -name '*.xml' -o -name '*.bib' -o -name '*.json' -o -name '*.svg' -o -name '*.txt' -o -name '*.dox' -o -name Doxyfile \) \
+      ! -path '*/report/checks/*' -print0 | LC_ALL=C sort -z | xargs -0 -r sha256sum
   } | sha256sum | cut -d' ' -f1)
 if [[ -z $force && -f $build/book/index.html && -f $build/book/.inputs && $(<"$build/book/.inputs") == "$stamp" ]]; then
   echo "book: nothing changed: $build/book/index.html"
@@ -50,7 +52,7 @@ fi
 pages=$build/book-src work=$build/book-work
 rm -rf "$work"
 mkdir -p "$work"
-node docs/tools/expand.mjs --root . --build "$build" $strict
+node docs/tools/expand.mjs --root . --build "$build" --registry "$registry" $strict
 
 status=0
 BOOK_PAGES=$pages BOOK_OUTPUT=$work BOOK_LOG=$work/warnings.txt \
@@ -58,7 +60,7 @@ BOOK_PAGES=$pages BOOK_OUTPUT=$work BOOK_LOG=$work/warnings.txt \
 node docs/tools/warnings.mjs --pages "$pages" --log "$work/warnings.txt" --root .
 if (( status )); then cat "$work/doxygen.txt" >&2; exit 1; fi
 
-node docs/tools/finish.mjs --root . --html "$work/html" --pages "$pages"
+node docs/tools/finish.mjs --root . --html "$work/html" --pages "$pages" --registry "$registry"
 node docs/tools/search_index.mjs --html "$work/html"
 node docs/tools/check_links.mjs "$work/html"
 

@@ -170,7 +170,7 @@ export function errata(book) {
     const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
       w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
       ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
-    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id)}<span class="erratum-subject">${escapeHtml(s.title || s.subject)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p><div class="evidence-foot">${figures}</div></article>`;
+    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${escapeHtml(s.title || s.subject)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p><div class="evidence-foot">${figures}</div></article>`;
   });
   const corrected = part('corrected'), convention = part('convention');
   return `<h2 id="errata_corrected">Corrected: ${corrected.length}</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;
