@@ -6,7 +6,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, verdictText, walk } from './lib.mjs';
-import { errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
+import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
@@ -90,6 +90,15 @@ for (const rank of ['statement', 'beside', 'evidence'])
       if (!home) homes.set(m[1], { rank, file: p.file, line: i + 1 });
     });
   }
+// Statements without a box live in the list of their chapter, where there is one, else in the ledger.
+const listed = new Map();
+for (const p of pages) p.lines.forEach((l, i) => {
+  const m = !p.code[i] && /^\s*\\verified\{\s*(\d+)\s*\}/.exec(l);
+  if (!m) return;
+  const ids = registry.filter(s => Number(s.chapter) === Number(m[1]) && !homes.has(s.id)).map(s => s.id);
+  listed.set(`${p.file}:${i + 1}`, ids);
+  for (const id of ids) homes.set(id, { rank: 'verified', file: p.file, line: i + 1 });
+});
 for (const id of homes.keys()) book.places.set(id, true);
 book.boxes = new Set([...homes].filter(([, h]) => h.rank === 'statement').map(([id]) => id));
 for (const p of pages) p.lines.forEach((l, i) => { const m = !p.code[i] && /^\s*\\program\{\s*([^},]+)/.exec(l); if (m) book.programPlaces.add(m[1].trim()); });
@@ -224,7 +233,19 @@ for (const p of pages) {
       block(ledger(book), unplaced);
     },
     ledgercounts() { block(ledgerCounts(book)); },
+    verified(chapter) {
+      const list = registry.filter(s => Number(s.chapter) === Number(chapter));
+      if (!list.length) return errors.add(p.file, line, `the registry has no statements of chapter ${chapter}`);
+      const here = listed.get(`${p.file}:${line}`);
+      block(chapterLedger(book, list, new Set(here)), here);
+    },
     errata() { block(errata(book)); },
+    leadpicture() {
+      // The first picture of the last chapter that has one: the rigid body, where it is there.
+      const drawn = [...book.programs?.values() ?? []].filter(r => r.pictures?.length).sort((a, b) => a.program < b.program ? 1 : -1);
+      const report = drawn.filter(r => r.program.slice(0, 4) === drawn[0].program.slice(0, 4)).at(-1);
+      if (report) blocks.picture(`${report.program},${report.pictures[0].name}`);
+    },
     programs(arg) { block(programTable(book, arg)); },
     chapters(arg) {
       const list = arg.split(',').map(Number);
@@ -243,7 +264,9 @@ for (const p of pages) {
       return blocks[m[1]]((m[2] ?? '').trim());
     }
     text = text.replace(/\\(figure|verdict)\{([^}]*)\}/g, (_, name, arg) => token(inline[name](p, line, arg.trim())));
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|ledger|errata)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    // A chapter that is not there yet is named without a link.
+    text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');

@@ -80,6 +80,8 @@ for (const [name, original] of text) {
   html = html.replace(/(<a class="el" href="[^"]*">)((?:eq|thm|prop|lem|cor|def|rem|claim)_\w+)(<\/a>)/g, (all, a, id, b) => ids.has(id) ? a + escapeHtml(label(id)) + b : all);
   // In sources and listings the mark of a snippet leads to its statement.
   html = html.replace(/(<span class="comment">\/\/ \[)(\w+)(\]<\/span>)/g, (all, a, id, b) => anchorPage.has(id) ? `${a}<a class="statement-tag" href="${anchorPage.get(id)}#${id}">${id}</a>${b}` : all);
+  // Doxygen announces a list of nested classes even where all of them are private.
+  html = html.replace(/<a href="#nested-classes">[^<]*<\/a>(?: &#124;)?/g, a => /id="nested-classes"/.test(html) ? a : '');
   html = setFormulas(name, html);
   // A snippet starts at its own margin.
   html = html.replace(/<div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/g, (all, body) => name.endsWith('_source.html') ? all : `<div class="fragment">${dedent(body)}</div><!-- fragment -->`);

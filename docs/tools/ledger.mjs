@@ -125,10 +125,11 @@ export function ledgerCounts(book) {
   return `<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`;
 }
 
-function ledgerRow(book, s) {
+/// @param here  ids whose permanent anchor is in this very table
+function ledgerRow(book, s, here = new Set()) {
   const r = book.statements?.get(s.id);
   const verdict = verdictOf(book, s.id);
-  const name = book.places.has(s.id) ? statementLink(s.id, shortLabel(s.id)) : `<span id="${s.id}" class="ledger-anchor">${shortLabel(s.id)}</span>`;
+  const name = book.places.has(s.id) && !here.has(s.id) ? statementLink(s.id, shortLabel(s.id)) : `<span id="${s.id}" class="ledger-anchor">${shortLabel(s.id)}</span>`;
   const kinds = [...new Set((r?.evidence ?? []).map(e => e.kind))];
   const models = new Set((r?.evidence ?? []).map(e => e.model).filter(Boolean)).size;
   let figure = '';
@@ -151,9 +152,20 @@ export function ledger(book) {
   const tables = [...byChapter(book.registry)].map(([c, list]) => {
     const page = book.chapters.find(p => String(p.chapter) === String(c));
     const title = page ? `<a href="@ref:page:${page.id}">Chapter ${c}. ${escapeHtml(page.title)}</a>` : `Chapter ${c}`;
-    return `<section class="ledger-chapter"><h2 id="ledger_${c}">${title}</h2><table class="ledger-table"><thead><tr><th>statement</th><th>subject</th><th>verdict</th><th>kind</th><th class="num">worst figure</th><th class="num">control</th><th></th></tr></thead><tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
+    return `<section class="ledger-chapter"><h2 id="ledger_${c}">${title}</h2><table class="ledger-table">${tableHead}<tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
   });
   return `<div class="ledger">${buttons}${tables.join('')}</div>`;
+}
+
+const tableHead = '<thead><tr><th>statement</th><th>subject</th><th>verdict</th><th>kind</th><th class="num">worst figure</th><th class="num">control</th><th></th></tr></thead>';
+
+/// All statements of a chapter; those that have no place of their own unfold into their figures.
+export function chapterLedger(book, list, here) {
+  const rows = list.map(s => {
+    const figures = here.has(s.id) && (book.statements?.get(s.id)?.evidence ?? []).length ? `<tr class="figures"><td></td><td colspan="6"><details><summary>figures</summary>${evidence(book, s.id, false)}</details></td></tr>` : '';
+    return ledgerRow(book, s, here) + figures;
+  });
+  return `<div class="ledger"><table class="ledger-table">${tableHead}<tbody>${rows.join('')}</tbody></table></div>`;
 }
 
 // ---- The errata page
