@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# packages.sh: sees to it that the Debian packages which the build, the checks and the book need are there.
+# As root it installs what is missing; otherwise it prints the one line to type and ends with status 2.
+set -euo pipefail
+
+packages=(
+  g++ cmake ninja-build ccache time                                      # to build, and to time the build
+  libeigen3-dev libboost-dev libboost-test-dev libgsl-dev libgmp-dev     # mathematics and tests
+  libtomlplusplus-dev nlohmann-json3-dev                                 # data and reports
+  nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex libjs-lunr texlive-binaries # the book
+)
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "not a Debian system: please provide what these packages hold: ${packages[*]}"
+  exit 0
+fi
+
+present=$(dpkg-query -W -f '${binary:Package} ${db:Status-Status}\n' "${packages[@]}" 2>/dev/null | sed -n 's/\(:[a-z0-9]*\)\{0,1\} installed$//p' || true)
+missing=()
+for package in "${packages[@]}"; do
+  grep -qxF -- "$package" <<<"$present" || missing+=("$package")
+done
+
+if ((${#missing[@]} == 0)); then
+  echo "all ${#packages[@]} there"
+elif [[ $(id -u) == 0 ]]; then
+  export DEBIAN_FRONTEND=noninteractive
+  apt-get update -qq >/dev/null
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  echo "installed ${missing[*]}"
+else
+  printf '%s\n' "These packages are missing. Please type" "" "  sudo apt-get update && sudo apt-get install ${missing[*]}" "" "and start again." >&2
+  exit 2
+fi

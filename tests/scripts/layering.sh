@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# layering.sh ROOT: every #include of src/ and chapters/ follows the arrows.
+#
+# The arrows are read from where they are declared: `actio_module(NAME USES ...)` in CMakeLists.txt and `actio_chapter(chNN USES
+# ...)` in chapters/CMakeLists.txt. A file may include its own module and whatever that reaches; src/book includes no module.
+# Includes that run in a circle are reported as well. At the end a violation is planted in a copy, and must be found.
+set -euo pipefail
+root=$1
+
+# Prints one line per violation.
+violations() (
+  cd "$1"
+  {
+    sed -nE 's/^actio_module\(([a-z_]+)(.*)\)$/module \1\2/p' CMakeLists.txt
+    sed -nE 's/^actio_chapter\(([a-z0-9]+)(.*)\)$/chapter \1\2/p' chapters/CMakeLists.txt
+    find src chapters -name '*.[hc]pp' | LC_ALL=C sort | xargs -r grep -noE '^ *# *include *"[^"]+"' /dev/null |
+      sed -E 's/^([^:]+):([0-9]+):.*"([^"]+)"/include \1 \2 \3/'
+  } | awk '
+    $1 == "module" || $1 == "chapter" {
+      name = $2; reach[name, name] = 1; known[name] = 1
+      for (i = 3; i <= NF && $i != "LINKS"; i++) {
+        if ($i == "USES") continue
+        # Modules are declared in order, so what the used one reaches is complete.
+        if (!($i in known)) { print name " uses " $i ", which is not declared before it"; continue }
+        for (pair in reach) { split(pair, p, SUBSEP); if (p[1] == $i) reach[name, p[2]] = 1 }
+      }
+    }
+    $1 == "include" {
+      split($2, path, "/")
+      if (path[1] == "chapters") owner = substr(path[2], 1, 4)
+      else owner = path[2] == "book" ? "book" : path[3]
+      if (owner != "book" && !(owner in known)) { print $2 ": belongs to no declared module or chapter (" owner ")"; next }
+      split($4, target, "/")
+      if (target[1] == "actio" && !((owner, target[2]) in reach))
+        print $2 ":" $3 ": " owner " may not include " $4
+      else if (target[1] == "book" && owner != "book" && path[1] != "chapters")
+        print $2 ":" $3 ": the library may not include " $4
+      else if (target[1] != "actio" && target[1] != "book" && path[1] == "src")
+        print $2 ":" $3 ": write the path from src/, not " $4
+      edges[$2] = edges[$2] " src/" $4
+    }
+    function visit(file,   list, n, i) {
+      state[file] = 1
+      n = split(edges[file], list, " ")
+      for (i = 1; i <= n; i++) {
+        if (state[list[i]] == 1) print file ": includes run in a circle through " list[i]
+        else if (!state[list[i]]) visit(list[i])
+      }
+      state[file] = 2
+    }
+    END { for (file in edges) if (!state[file]) visit(file) }'
+)
+
+found=$(violations "$root")
+if [[ -n $found ]]; then
+  printf '%s\n' "Includes against the arrows:" "$found"
+  exit 1
+fi
+
+# Each kind of violation, planted one at a time.
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+cp -r "$root/src" "$root/chapters" "$root/CMakeLists.txt" "$copy/"
+plant() { # FILE LINE EXPECTED
+  mkdir -p "$(dirname "$copy/$1")"
+  printf '%s\n' "$2" >"$copy/$1"
+  violations "$copy" | grep -qF -- "$3" || { echo "planted, and not found: $2 in $1"; exit 1; }
+  rm "$copy/$1"
+}
+plant src/actio/foundations/planted.hpp '#include "actio/reduction/x.hpp"' "foundations may not include actio/reduction/x.hpp"
+plant src/actio/variational/planted.hpp '  #  include "actio/rigid_body/x.hpp"' "variational may not include actio/rigid_body/x.hpp"
+plant src/actio/reduction/planted.hpp '#include "book/plot.hpp"' "the library may not include book/plot.hpp"
+plant src/actio/nowhere/planted.hpp '#include "actio/foundations/x.hpp"' "belongs to no declared module"
+plant src/book/planted.hpp '#include "actio/foundations/x.hpp"' "book may not include actio/foundations/x.hpp"
+plant chapters/ch02_planted/planted.cpp '#include "actio/reduction/x.hpp"' "ch02 may not include actio/reduction/x.hpp"
+plant src/actio/foundations/planted.hpp '#include "actio/foundations/planted.hpp"' "in a circle"
+
+echo "$(find "$root/src" "$root/chapters" -name '*.[hc]pp' | wc -l) files follow the arrows; seven planted violations were found."
