@@ -1,23 +1,25 @@
 #!/usr/bin/env bash
 # Writes the book: BUILD_DIR/book/index.html, from the pages, the headers and the reports of BUILD_DIR.
 #
-#   docs/tools/book.sh BUILD_DIR [--strict] [--force]
+#   docs/tools/book.sh BUILD_DIR [--strict] [--force] [--draft]
 #
 # --strict  reports must be there: a figure that was not measured fails the book instead of being shown as not run
 # --force   write it even if nothing changed since the last time
+# --draft   show Doxygen's warnings, but write the book all the same
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-strict='' force='' build=''
+strict='' force='' draft='' build=''
 for argument in "$@"; do
   case $argument in
     --strict) strict=--strict ;;
     --force) force=yes ;;
+    --draft) draft=yes ;;
     -*) echo "book.sh: unknown option $argument" >&2; exit 2 ;;
     *) build=$argument ;;
   esac
 done
-[[ -n $build ]] || { echo "usage: docs/tools/book.sh BUILD_DIR [--strict] [--force]" >&2; exit 2; }
+[[ -n $build ]] || { echo "usage: docs/tools/book.sh BUILD_DIR [--strict] [--force] [--draft]" >&2; exit 2; }
 mkdir -p "$build"
 build=$(cd "$build" && pwd)
 cd "$root"
@@ -57,14 +59,18 @@ node docs/tools/expand.mjs --root . --build "$build" --registry "$registry" $str
 status=0
 BOOK_PAGES=$pages BOOK_OUTPUT=$work BOOK_LOG=$work/warnings.txt \
   BIBINPUTS=.: BSTINPUTS=.: doxygen docs/Doxyfile >"$work/doxygen.txt" 2>&1 || status=$?
-node docs/tools/warnings.mjs --pages "$pages" --log "$work/warnings.txt" --root .
-if (( status )); then cat "$work/doxygen.txt" >&2; exit 1; fi
+node docs/tools/warnings.mjs --pages "$pages" --log "$work/warnings.txt" --root . || status=1
+if (( status )) && [[ -z $draft || ! -f $work/html/index.html ]]; then
+  cat "$work/doxygen.txt" >&2
+  echo "book: not written; the warnings above are errors" >&2
+  exit 1
+fi
 
 node docs/tools/finish.mjs --root . --html "$work/html" --pages "$pages" --registry "$registry"
 node docs/tools/search_index.mjs --html "$work/html"
 node docs/tools/check_links.mjs "$work/html"
 
-echo "$stamp" >"$work/html/.inputs"
+[[ -n $draft ]] || echo "$stamp" >"$work/html/.inputs"
 rm -rf "$build/book"
 mv "$work/html" "$build/book"
 echo "book: $build/book/index.html"

@@ -3,14 +3,15 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { createRequire } from 'node:module';
-import { Errors, escapeHtml, label, options, readRegistry, walk } from './lib.mjs';
+import { Errors, escapeHtml, label, options, readRegistry, shortLabel, walk } from './lib.mjs';
 
 const opt = options({ root: '.', html: '', pages: '', registry: '' });
 const katexHome = '/usr/share/javascript/katex';
 const katex = createRequire(import.meta.url)(path.join(katexHome, 'katex.js'));
 const macros = JSON.parse(fs.readFileSync(new URL('../macros.json', import.meta.url), 'utf8'));
 const { items } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
-const ids = new Set(readRegistry(opt.registry || path.join(opt.root, 'proofs_checks/registry.tsv')).map(s => s.id));
+const registry = readRegistry(opt.registry || path.join(opt.root, 'proofs_checks/registry.tsv'));
+const ids = new Set(registry.map(s => s.id));
 const errors = new Errors();
 
 const unescape = s => s.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'").replace(/&#160;|&nbsp;/g, ' ').replace(/&amp;/g, '&');
@@ -73,6 +74,23 @@ function setFormulas(page, html) {
     .join('');
 }
 
+// The index of implementations in the order of the thesis: statement, subject, declarations.
+if (text.has('implements.html')) {
+  const html = text.get('implements.html');
+  const places = new Map();
+  for (const m of html.matchAll(/<dt>([\s\S]*?)<\/dt>\s*<dd>([\s\S]*?)<\/dd>/g)) {
+    const declaration = /<a class="el" href="[^"]*">[^<]*<\/a>/.exec(m[1])?.[0].replace('>actio::', '>');
+    let anchor = [...m[2].matchAll(/<a class="anchor" id="[^"]*"><\/a>/g)].map(a => a[0]).join('');
+    for (const s of m[2].matchAll(/<a class="el" href="[^"]*">((?:eq|thm|prop|lem|cor|def|rem|claim)_\w+)<\/a>/g)) {
+      places.set(s[1], [...(places.get(s[1]) ?? []), anchor + declaration]);
+      anchor = '';
+    }
+  }
+  const rows = registry.filter(s => places.has(s.id)).map(s => `<tr><td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td><td>${escapeHtml(s.title || s.subject)}</td><td>${places.get(s.id).join('<br/>')}</td></tr>`);
+  const table = `<table class="programs"><thead><tr><th>statement</th><th>subject</th><th>declaration</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+  text.set('implements.html', html.replace(/<dl class="reflist">[\s\S]*<\/dl>/, table));
+}
+
 for (const [name, original] of text) {
   let html = original;
   html = html.replace(/href="@(source|ref):([^"]*)"/g, (_, kind, target) => `href="${resolve(name, kind, target)}"`);
@@ -86,7 +104,7 @@ for (const [name, original] of text) {
   // A snippet starts at its own margin.
   html = html.replace(/<div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/g, (all, body) => name.endsWith('_source.html') ? all : `<div class="fragment">${dedent(body)}</div><!-- fragment -->`);
   if (html.includes('BOOKITEM')) errors.add(name, 1, 'a generated part was not put in place (a command inside a title or a code block?)');
-  if (html !== original || original.includes('BOOKITEM')) text.set(name, html);
+  if (html !== original) text.set(name, html);
 }
 function dedent(body) {
   const lines = body.match(/<div class="line">/g) ? body.split(/(?=<div class="line">)/) : [body];
