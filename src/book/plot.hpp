@@ -13,17 +13,24 @@
 
 namespace book {
 
+/// Curves over a pair of axes; every function returns the plot, so that calls can be joined.
 class Plot {
  public:
+  /// @param x_label  what runs to the right, with its unit: "time, s"
+  /// @param y_label  what runs upwards
   Plot(std::string x_label, std::string y_label) : x_{std::move(x_label)}, y_{std::move(y_label)} {}
 
+  /// A logarithmic axis to the right.
   Plot& log_x() { return x_.log = true, *this; }
+  /// A logarithmic axis upwards.
   Plot& log_y() { return y_.log = true, *this; }
   /// One unit is as long on both axes.
   Plot& equal() { return equal_ = true, *this; }
+  /// The size of the whole picture, in pixels.
   Plot& size(double width, double height) { return width_ = width, height_ = height, *this; }
   /// Fixes the range of an axis, which otherwise holds all curves.
   Plot& x_range(double low, double high) { return x_.low = low, x_.high = high, x_.fixed = true, *this; }
+  /// The same for the axis upwards.
   Plot& y_range(double low, double high) { return y_.low = low, y_.high = high, y_.fixed = true, *this; }
 
   /// Adds a curve. Points that are not finite, or not positive on a logarithmic axis, leave a gap.
@@ -42,6 +49,7 @@ class Plot {
     return curve(x, y, std::move(label), look);
   }
 
+  /// The picture.
   std::string svg() const {
     Axis x = x_, y = y_;
     for (auto const& c : curves_)

@@ -56,8 +56,10 @@ inline std::size_t width(std::string_view text) {
   return count;
 }
 
+/// A program of a chapter, as its reader meets it: what it says, shows, measures and claims.
 class Program {
  public:
+  /// The cells of a line of a table.
   using Row = std::vector<std::string>;
 
   /// @param shows  one line: what the reader sees here

@@ -15,8 +15,10 @@
 
 namespace book {
 
+/// Curves on the unit sphere in orthographic projection; every function returns the sphere, so that calls can be joined.
 class Sphere {
  public:
+  /// A point or direction in space.
   using Vector = std::array<double, 3>;
 
   /// @param azimuth    where the eye is, in degrees from the first axis towards the second
@@ -43,12 +45,14 @@ class Sphere {
     curves_.push_back(std::move(added));
     return *this;
   }
+  /// Adds points without a line through them.
   template <class Points>
   Sphere& dots(Points const& points, std::string label = "", Look look = {}) {
     look.dots = true;
     return curve(points, std::move(label), look);
   }
 
+  /// The picture.
   std::string svg() const {
     std::string behind, before;
     add_graticule(behind, before);

@@ -19,15 +19,17 @@ namespace book {
 struct Look {
   int colour = 0;        ///< 1 to 6; 0 takes the next one that is free
   double width = 1.6;    ///< in pixels
-  bool dashed = false;
+  bool dashed = false;   ///< a broken line
   bool dots = false;     ///< a marker at each point instead of a line
   double radius = 2.6;   ///< of a marker
 };
 
 namespace svg {
 
+/// A place in the picture, in pixels from its upper left corner.
 struct Point {
-  double x, y;
+  double x;  ///< to the right
+  double y;  ///< downwards
 };
 
 /// A coordinate with a tenth of a pixel, which is what one sees.
@@ -39,6 +41,7 @@ inline std::string pixel(double x) {
   return shown == "-0" ? "0" : std::string(shown);
 }
 
+/// A text with the signs that mean something in XML written out.
 inline std::string escape(std::string_view text) {
   std::string out;
   for (char const c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
@@ -72,6 +75,7 @@ inline std::string label(Point at, std::string_view text, std::string_view ancho
          escape(text) + "</text>\n";
 }
 
+/// A straight line; `look` is its class: axis or grid.
 inline std::string segment(Point a, Point b, std::string_view look) {
   return "<line class=\"" + std::string(look) + "\" x1=\"" + pixel(a.x) + "\" y1=\"" + pixel(a.y) + "\" x2=\"" + pixel(b.x) + "\" y2=\"" +
          pixel(b.y) + "\"/>\n";
