@@ -108,5 +108,17 @@
     if (b) b.click();
   }
 
-  document.addEventListener('DOMContentLoaded', function () { search(); ledger(); });
+  // ---- Tree: the chapters are always in sight.
+  function chapters() {
+    var tries = 0, timer = setInterval(function () {
+      document.querySelectorAll('#nav-tree a[href^="part"]').forEach(function (a) {
+        var li = a.closest('li'), arrow = li && li.querySelector('.item > a');
+        if (arrow && arrow !== a && !li.querySelector('ul.children_ul')) arrow.click();
+        if (li && li.querySelector('ul.children_ul')) clearInterval(timer);
+      });
+      if (++tries > 20) clearInterval(timer);
+    }, 100);
+  }
+
+  document.addEventListener('DOMContentLoaded', function () { search(); ledger(); chapters(); });
 })();

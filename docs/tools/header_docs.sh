@@ -15,6 +15,7 @@ exec awk -v name="${1##*/}" '
       if (text ~ /[({;=]/) break
     }
     sub(/^ *template *<[^;{]*> +/, " ", text)
+    if (text ~ /(^| )(struct|class|concept|enum) /) return ""
     if (match(text, /operator *[-+*\/<>=]+ *\(/)) { text = substr(text, RSTART, RLENGTH - 1); gsub(/ /, "", text); return text }
     if (match(text, /using +[A-Za-z_0-9]+ *=/)) { text = substr(text, RSTART + 6, RLENGTH - 7); gsub(/ /, "", text); return text }
     sub(/[({;=].*/, "", text)

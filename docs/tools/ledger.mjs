@@ -125,11 +125,11 @@ export function ledgerCounts(book) {
   return `<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`;
 }
 
-/// @param here  ids whose permanent anchor is in this very table
-function ledgerRow(book, s, here = new Set()) {
+/// @param here  in the short form, inside a chapter: ids whose permanent anchor is in this very table
+function ledgerRow(book, s, here) {
   const r = book.statements?.get(s.id);
   const verdict = verdictOf(book, s.id);
-  const name = book.places.has(s.id) && !here.has(s.id) ? statementLink(s.id, shortLabel(s.id)) : `<span id="${s.id}" class="ledger-anchor">${shortLabel(s.id)}</span>`;
+  const name = book.places.has(s.id) && !here?.has(s.id) ? statementLink(s.id, shortLabel(s.id)) : `<a class="target" id="${s.id}"></a><span class="ledger-anchor">${shortLabel(s.id)}</span>`;
   const kinds = [...new Set((r?.evidence ?? []).map(e => e.kind))];
   const models = new Set((r?.evidence ?? []).map(e => e.model).filter(Boolean)).size;
   let figure = '';
@@ -143,7 +143,14 @@ function ledgerRow(book, s, here = new Set()) {
   const control = (r?.control ?? []).length ? Math.min(...r.control.map(c => Number(c.measured))) : null;
   const source = book.checkSource(s.id);
   const seconds = r?.seconds === undefined ? '' : ` title="${number(r.seconds)} s"`;
-  return `<tr data-verdict="${verdict}"><td class="id">${name}</td><td>${escapeHtml(s.title || s.subject)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td><td>${badge(verdict)}</td><td class="kind"><span title="${models} model${models === 1 ? '' : 's'}">${kinds.join(', ')}</span></td><td class="num">${figure}</td><td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td><td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td></tr>`;
+  const cells = [`<td class="id">${name}</td>`,
+    `<td>${escapeHtml(s.title || s.subject)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td>`,
+    `<td>${badge(verdict)}</td>`,
+    here ? '' : `<td class="kind"><span title="${models} model${models === 1 ? '' : 's'}">${kinds.join(', ')}</span></td>`,
+    `<td class="num">${figure}</td>`,
+    here ? '' : `<td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td>`,
+    `<td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td>`];
+  return `<tr data-verdict="${verdict}">${cells.join('')}</tr>`;
 }
 
 export function ledger(book) {
@@ -152,20 +159,24 @@ export function ledger(book) {
   const tables = [...byChapter(book.registry)].map(([c, list]) => {
     const page = book.chapters.find(p => String(p.chapter) === String(c));
     const title = page ? `<a href="@ref:page:${page.id}">Chapter ${c}. ${escapeHtml(page.title)}</a>` : `Chapter ${c}`;
-    return `<section class="ledger-chapter"><h2 id="ledger_${c}">${title}</h2><table class="ledger-table">${tableHead}<tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
+    return `<section class="ledger-chapter"><a class="target" id="ledger_${c}"></a><h2>${title}</h2><table class="ledger-table">${tableHead(false)}<tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
   });
   return `<div class="ledger">${buttons}${tables.join('')}</div>`;
 }
 
-const tableHead = '<thead><tr><th>statement</th><th>subject</th><th>verdict</th><th>kind</th><th class="num">worst figure</th><th class="num">control</th><th></th></tr></thead>';
+const columns = [['statement', 'id'], ['subject', 'subject'], ['verdict', 'verdict'], ['kind', 'kind'], ['worst figure', 'figure'], ['control', 'control'], ['', 'source']];
+function tableHead(brief) {
+  const shown = columns.filter(c => !brief || !['kind', 'control'].includes(c[1]));
+  return `<colgroup>${shown.map(c => `<col class="c-${c[1]}"/>`).join('')}</colgroup><thead><tr>${shown.map(c => `<th${/figure|control/.test(c[1]) ? ' class="num"' : ''}>${c[0]}</th>`).join('')}</tr></thead>`;
+}
 
 /// All statements of a chapter; those that have no place of their own unfold into their figures.
 export function chapterLedger(book, list, here) {
   const rows = list.map(s => {
-    const figures = here.has(s.id) && (book.statements?.get(s.id)?.evidence ?? []).length ? `<tr class="figures"><td></td><td colspan="6"><details><summary>figures</summary>${evidence(book, s.id, false)}</details></td></tr>` : '';
+    const figures = here.has(s.id) && (book.statements?.get(s.id)?.evidence ?? []).length ? `<tr class="figures"><td></td><td colspan="4"><details><summary>figures</summary>${evidence(book, s.id, false)}</details></td></tr>` : '';
     return ledgerRow(book, s, here) + figures;
   });
-  return `<div class="ledger"><table class="ledger-table">${tableHead}<tbody>${rows.join('')}</tbody></table></div>`;
+  return `<div class="ledger"><table class="ledger-table">${tableHead(true)}<tbody>${rows.join('')}</tbody></table></div>`;
 }
 
 // ---- The errata page

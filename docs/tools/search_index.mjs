@@ -21,7 +21,7 @@ for (const file of walk(opt.html).filter(f => f.endsWith('.html'))) {
   const title = plain(/<title>([\s\S]*?)<\/title>/.exec(html)?.[1] ?? name).replace(/ · actio$/, '');
   const body = /<div class="contents">([\s\S]*?)<!-- contents -->/.exec(html)?.[1] ?? '';
   // A section, a statement's box, a documented member: each is a place of its own to land on.
-  const marks = [...body.matchAll(/<h[1-4][^>]*>\s*<a class="anchor" id="([^"]+)"><\/a>([\s\S]*?)<\/h[1-4]>|<div class="statement [^"]*" id="([^"]+)"><div class="statement-head">([\s\S]*?)<\/a>|<a id="([^"]+)" name="[^"]*"><\/a>\s*<h2 class="memtitle">([\s\S]*?)<\/h2>|<tr data-verdict="[^"]*"><td class="id">(?:<a href="([^"]*)">|<span id="([^"]+)"[^>]*>)([\s\S]*?)<\/td>/g)];
+  const marks = [...body.matchAll(/<h[1-4][^>]*>\s*<a class="anchor" id="([^"]+)"><\/a>([\s\S]*?)<\/h[1-4]>|<div class="statement [^"]*" id="([^"]+)"><div class="statement-head">([\s\S]*?)<\/a>|<a id="([^"]+)" name="[^"]*"><\/a>\s*<h2 class="memtitle">([\s\S]*?)<\/h2>|<tr data-verdict="[^"]*"><td class="id">(?:<a href="([^"]*)">|<a class="target" id="([^"]+)"><\/a>)([\s\S]*?)<\/td>/g)];
   let from = 0, here = { anchor: '', title };
   const push = to => { const t = plain(body.slice(from, to)); if (t.length > 1) entries.push({ url: here.url ?? (here.anchor ? `${name}#${here.anchor}` : name), title: here.title, page: title, text: t }); };
   for (const m of marks) {
