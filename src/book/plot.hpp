@@ -5,10 +5,9 @@
 //   program.picture("orders", plot.svg(), "...");
 #pragma once
 
-#include <limits>
 #include <stdexcept>
 
-#include "book/program.hpp"
+#include "book/axis.hpp"
 #include "book/svg.hpp"
 
 namespace book {
@@ -63,10 +62,9 @@ class Plot {
     };
 
     std::string out = axes(x, y, frame);
-    auto const clip = std::to_string(std::hash<std::string>{}(x_.label + y_.label + std::to_string(curves_.size())) % 100000);
-    out += "<clipPath id=\"frame" + clip + "\"><rect x=\"" + svg::pixel(frame.left - 1) + "\" y=\"" + svg::pixel(frame.top - 4) + "\" width=\"" +
+    out += "<clipPath id=\"frame\"><rect x=\"" + svg::pixel(frame.left - 1) + "\" y=\"" + svg::pixel(frame.top - 4) + "\" width=\"" +
            svg::pixel(frame.right - frame.left + 2) + "\" height=\"" + svg::pixel(frame.bottom - frame.top + 8) + "\"/></clipPath>\n";
-    out += "<g clip-path=\"url(#frame" + clip + ")\">\n";
+    out += "<g clip-path=\"url(#frame)\">\n";
     for (auto const& c : curves_) {
       std::vector<svg::Point> points;
       for (std::size_t i = 0; i < c.x.size(); ++i) points.push_back(place(c.x[i], c.y[i]));
@@ -85,73 +83,6 @@ class Plot {
     double left, right, top, bottom;
   };
   static constexpr double margin_left = 78;
-
-  /// One axis: its range, and where in it a value lies, from 0 to 1.
-  struct Axis {
-    std::string label;
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    bool log = false, fixed = false;
-
-    bool takes(double value) const { return std::isfinite(value) && (!log || value > 0); }
-    void include(double value) {
-      if (!fixed) low = std::min(low, value), high = std::max(high, value);
-    }
-    /// Leaves room at the ends, and gives a single value, or none, a range around it.
-    void close() {
-      if (!(low <= high)) low = high = log ? 1 : 0;
-      if (fixed) return;
-      double const from = scaled(low), to = scaled(high);
-      double const smallest = log ? 0.02 : 1e-12 * std::max(std::abs(low), std::abs(high));
-      double const room = to - from > smallest ? 0.03 * (to - from) : log ? 0.5 : std::max(std::abs(low), 1.0) / 2;
-      low = unscaled(from - room), high = unscaled(to + room);
-    }
-    double scaled(double value) const { return log ? std::log10(value) : value; }
-    double unscaled(double value) const { return log ? std::pow(10.0, value) : value; }
-    double position(double value) const {
-      return takes(value) ? (scaled(value) - scaled(low)) / (scaled(high) - scaled(low)) : std::numeric_limits<double>::quiet_NaN();
-    }
-
-    /// Distance between ticks: 1, 2 or 5 times a power of ten, whole decades on a logarithmic axis; about six in all.
-    double spacing() const {
-      double const raw = (scaled(high) - scaled(low)) / 6;
-      double const power = std::pow(10.0, std::floor(std::log10(raw)));
-      double const nice = raw / power < 1.5 ? 1 : raw / power < 3.5 ? 2 : raw / power < 7.5 ? 5 : 10;
-      return log ? std::max(1.0, std::round(raw)) : nice * power;
-    }
-    std::vector<double> ticks() const {
-      std::vector<double> out;
-      double const step = spacing(), from = scaled(low), to = scaled(high);
-      bool const narrow = log && to - from < 1.6;
-      if (narrow) {
-        for (int decade = static_cast<int>(std::floor(from)); decade <= to; ++decade)
-          for (int digit = 1; digit < 10; ++digit) {
-            double const value = digit * std::pow(10.0, decade);
-            bool const shown = to - from < 0.8 || digit == 1 || digit == 2 || digit == 5;
-            if (shown && value >= low && value <= high) out.push_back(value);
-          }
-        return out;
-      }
-      for (double k = std::ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; ++k) out.push_back(unscaled(k * step));
-      return out;
-    }
-    /// A tick for a reader: 0.25, −3, 10⁻¹², 2·10⁻⁸.
-    std::string tick_label(double value) const {
-      if (!log && std::abs(value) < 1e-9 * spacing()) return "0";
-      int const exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
-      bool const decades = log && scaled(high) - scaled(low) > 4;
-      double const largest = std::max(std::abs(low), std::abs(high));
-      bool const plain = decades ? std::abs(exponent) < 2 : log ? std::abs(exponent) < 4 : largest >= 1e-3 && largest < 1e5;
-      std::string const shown = number(plain ? value : value / std::pow(10.0, exponent), 6);
-      std::string out = shown[0] == '-' ? "−" + shown.substr(1) : shown;
-      return plain ? out : (out == "1" ? "" : out == "−1" ? "−" : out + "·") + power_of_ten(exponent);
-    }
-    static std::string power_of_ten(int exponent) {
-      static constexpr char const* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-      std::string out = exponent < 0 ? "10⁻" : "10";
-      for (char const digit : std::to_string(std::abs(exponent))) out += raised[digit - '0'];
-      return out;
-    }
-  };
 
   /// Widens the axis that has too little, so that a unit is as long on both.
   static void make_equal(Axis& x, Axis& y, Frame const& frame) {
@@ -172,7 +103,8 @@ class Plot {
       double const at = f.bottom - y.position(tick) * (f.bottom - f.top);
       out += svg::segment({f.left, at}, {f.right, at}, "grid") + svg::label({f.left - 7, at + 4}, y.tick_label(tick), "end");
     }
-    out += "<path class=\"axis\" d=\"M" + svg::pixel(f.left) + " " + svg::pixel(f.top) + "V" + svg::pixel(f.bottom) + "H" + svg::pixel(f.right) + "\"/>\n";
+    out += "<path class=\"axis\" d=\"M" + svg::pixel(f.left) + " " + svg::pixel(f.top) + "V" + svg::pixel(f.bottom) + "H" +
+           svg::pixel(f.right) + "\"/>\n";
     double const middle = (f.top + f.bottom) / 2;
     out += svg::label({(f.left + f.right) / 2, f.bottom + 38}, x.label, "middle");
     return out + svg::label({16, middle}, y.label, "middle", " transform=\"rotate(-90 16 " + svg::pixel(middle) + ")\"");

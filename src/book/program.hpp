@@ -88,15 +88,13 @@ class Program {
   }
 
   /// A measured number that the chapter may quote by name. A number that is not finite fails the program.
-  void figure(std::string const& name, double value, std::string const& meaning = "") {
-    figure(name, value, number(value), meaning);
-  }
+  void figure(std::string const& name, double value, std::string const& meaning = "") { figure(name, value, number(value), meaning); }
   /// The same, with its wording: `shown` may carry a unit or more digits.
   void figure(std::string const& name, double value, std::string const& shown, std::string const& meaning) {
     if (!std::isfinite(value)) claim(false, "the figure '" + name + "' is a finite number");
     std::cout << "  " << (meaning.empty() ? name : meaning) << ": " << shown << '\n';
-    figures_.push_back("{\"name\": " + json::quote(name) + ", \"value\": " + json::number(value) +
-                       ", \"text\": " + json::quote(shown) + ", \"meaning\": " + json::quote(meaning) + "}");
+    figures_.push_back("{\"name\": " + json::quote(name) + ", \"value\": " + json::number(value) + ", \"text\": " + json::quote(shown) +
+                       ", \"meaning\": " + json::quote(meaning) + "}");
   }
 
   /// A table, printed and reported.
@@ -150,12 +148,12 @@ class Program {
   int finish() {
     if (headline_.empty()) claim(false, "the program has a headline");
     std::chrono::duration<double> const seconds = std::chrono::steady_clock::now() - start_;
-    json::write_file(report("json"),
-                     "{\"chapter\": " + json::quote(name_.substr(0, name_.find('_'))) + ",\n \"program\": " + json::quote(name_) +
-                         ",\n \"shows\": " + json::quote(shows_) + ",\n \"headline\": " + (headline_.empty() ? "null" : headline_) +
-                         ",\n \"figures\": " + json::array(figures_) + ",\n \"tables\": " + json::array(tables_) +
-                         ",\n \"pictures\": " + json::array(pictures_) + ",\n \"claims\": " + json::array(claims_) +
-                         ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
+    json::write_file(report("json"), "{\"chapter\": " + json::quote(name_.substr(0, name_.find('_'))) +
+                                         ",\n \"program\": " + json::quote(name_) + ",\n \"shows\": " + json::quote(shows_) +
+                                         ",\n \"headline\": " + (headline_.empty() ? "null" : headline_) +
+                                         ",\n \"figures\": " + json::array(figures_) + ",\n \"tables\": " + json::array(tables_) +
+                                         ",\n \"pictures\": " + json::array(pictures_) + ",\n \"claims\": " + json::array(claims_) +
+                                         ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
     return failed_ == 0 ? 0 : 1;
   }
 

@@ -58,7 +58,8 @@ class Sphere {
     add_graticule(behind, before);
     for (auto const& c : curves_) add(c, behind, before);
     auto const disc = [](std::string const& look) {
-      return "<circle " + look + " cx=\"" + svg::pixel(centre) + "\" cy=\"" + svg::pixel(centre) + "\" r=\"" + svg::pixel(radius) + "\"/>\n";
+      return "<circle " + look + " cx=\"" + svg::pixel(centre) + "\" cy=\"" + svg::pixel(centre) + "\" r=\"" + svg::pixel(radius) +
+             "\"/>\n";
     };
     std::string out = disc("fill=\"var(--grid)\" fill-opacity=\"0.35\"") + "<g opacity=\"0.45\">\n" + behind + "</g>\n" +
                       disc("class=\"axis\"") + before + axis_arrows();
@@ -124,9 +125,13 @@ class Sphere {
       behind += hidden, before += shown;
     };
     for (int latitude = -60; latitude <= 60; latitude += 30)
-      draw([&](double t) { return Vector{std::cos(latitude * degree) * std::cos(t), std::cos(latitude * degree) * std::sin(t), std::sin(latitude * degree)}; });
+      draw([&](double t) {
+        return Vector{std::cos(latitude * degree) * std::cos(t), std::cos(latitude * degree) * std::sin(t), std::sin(latitude * degree)};
+      });
     for (int longitude = 0; longitude < 180; longitude += 30)
-      draw([&](double t) { return Vector{std::cos(t) * std::cos(longitude * degree), std::cos(t) * std::sin(longitude * degree), std::sin(t)}; });
+      draw([&](double t) {
+        return Vector{std::cos(t) * std::cos(longitude * degree), std::cos(t) * std::sin(longitude * degree), std::sin(t)};
+      });
   }
 
   /// The part of each positive axis that stands out of the sphere.

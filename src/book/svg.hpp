@@ -17,11 +17,11 @@ namespace book {
 
 /// How a curve is drawn.
 struct Look {
-  int colour = 0;        ///< 1 to 6; 0 takes the next one that is free
-  double width = 1.6;    ///< in pixels
-  bool dashed = false;   ///< a broken line
-  bool dots = false;     ///< a marker at each point instead of a line
-  double radius = 2.6;   ///< of a marker
+  int colour = 0;       ///< 1 to 6; 0 takes the next one that is free
+  double width = 1.6;   ///< in pixels
+  bool dashed = false;  ///< a broken line
+  bool dots = false;    ///< a marker at each point instead of a line
+  double radius = 2.6;  ///< of a marker
 };
 
 namespace svg {
@@ -135,7 +135,8 @@ inline std::string curve(std::span<Point const> points, Look const& look) {
   if (look.dots) {
     for (auto const& p : points)
       if (std::isfinite(p.x) && std::isfinite(p.y))
-        out += "<circle class=\"dot" + colour + "\" cx=\"" + pixel(p.x) + "\" cy=\"" + pixel(p.y) + "\" r=\"" + pixel(look.radius) + "\"/>\n";
+        out +=
+            "<circle class=\"dot" + colour + "\" cx=\"" + pixel(p.x) + "\" cy=\"" + pixel(p.y) + "\" r=\"" + pixel(look.radius) + "\"/>\n";
     return out;
   }
   std::string path;
