@@ -28,7 +28,8 @@ struct Solved {
 /// Newton in the algebra: \f$f \leftarrow e^{\delta} f\f$ with \f$\delta\f$ from the exact derivative of the residual; `restore` once an update,
 /// because products of many elements drift off the group.
 /// It stops at 16 epsilon times the derivative's row norm: what one rounding error in f does to the residual, with 16 of them allowed for. It
-/// also stops, satisfied, where the residual no longer falls within 64 times that level. An update longer than 1 in the
+/// also stops, satisfied, where the residual no longer falls within 64 times that level. The update at hand is applied all the same: it costs
+/// no evaluation, and without it what is left of the residual would add up, step after step, in one direction. An update longer than 1 in the
 /// algebra's coordinates is shortened to 1, so that a bad start does not leave the chart.
 ///
 /// @param residual  element at any scalar -> covector at the same scalar
@@ -58,13 +59,13 @@ Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> con
     report.tolerance = 16 * to_double(epsilon<S>()) * row_norm(derivative);
     double const before = report.residuals.empty() ? size * 4 : report.residuals.back();
     report.residuals.push_back(size);
-    if (size <= report.tolerance) return found;
-    if (size <= 64 * report.tolerance && size > before / 2) return found;
+    bool const at_rounding = size <= report.tolerance || (size <= 64 * report.tolerance && size > before / 2);
 
     Coordinates<G, S> update = solve_linear(derivative, Coordinates<G, S>(-value), "solve_on_group: derivative of the residual");
     double const length = to_double(magnitude(update));
     if (length > 1) update /= S(Base<S>(length));
     found.value = restore(exp(Velocity<G, S>{start.group, update}) * found.value);
+    if (at_rounding) return found;
   }
   throw NotConverged("solve_on_group", report.residuals, report.tolerance);
 }
