@@ -22,18 +22,17 @@ jobs=$2
 shift 2
 wanted=" $* "
 list=$root/proofs_checks/mutate/mutations.tsv
-copy=$build/mutate/src
-work=$build/mutate/build
-log=$build/mutate/log
+copy=$build/mutate
+work=$copy/build # where it lies in a tree of its own, so that the compiler's cache knows what it sees
+log=$copy/log
 
 [[ -f $list ]] || { echo "there is no list of mutations at ${list#"$root"/}" >&2; exit 1; }
 mapfile -t lines < <(grep -v -e '^#' -e '^[[:space:]]*$' "$list")
 
 sync_copy() {
-  rm -rf "$copy"
-  mkdir -p "$copy"
   local part
   for part in CMakeLists.txt CMakePresets.json LICENSE cmake src proofs_checks tests data; do
+    rm -rf "${copy:?}/$part"
     [[ ! -e $root/$part ]] || cp -a "$root/$part" "$copy/"
   done
   # What was planted in an earlier run may still be compiled in: read these files again.
