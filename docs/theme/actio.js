@@ -22,13 +22,29 @@
       text = text.trim();
       if (!text) return [];
       var terms = text.toLowerCase().replace(/[()\[\]{}:^~*+\-"'`,;]/g, ' ').split(/\s+/).filter(Boolean);
-      return index.query(function (q) {
-        terms.forEach(function (t, i) {
+      // Each word by itself, then the places that have them all before those that have some; prose before declarations.
+      var found = {};
+      terms.forEach(function (t) {
+        index.query(function (q) {
           q.term(lunr.stemmer(new lunr.Token(t)).toString(), { boost: 20 });
           q.term(t, { boost: 20 });
           q.term(t, { boost: 4, wildcard: lunr.Query.wildcard.TRAILING });
           if (t.length > 4) q.term(t, { editDistance: 1 });
+        }).forEach(function (h) {
+          var f = found[h.ref] = found[h.ref] || { ref: h.ref, words: 0, score: 0 };
+          f.words += 1;
+          f.score += h.score;
         });
+      });
+      var seen = {};
+      return Object.keys(found).map(function (k) {
+        var f = found[k];
+        if (!/^(namespace|struct|class|concept|union)|_8[hc]pp/.test(window.bookSearch.entries[+k].u)) f.score *= 2;
+        return f;
+      }).sort(function (x, y) { return y.words - x.words || y.score - x.score; }).filter(function (f) {
+        var u = window.bookSearch.entries[+f.ref].u, fresh = !seen[u];
+        seen[u] = true;
+        return fresh;
       });
     }
     function show() {
@@ -61,6 +77,8 @@
         });
       });
     }
+    var asked = /[?&]q=([^&]*)/.exec(location.search);
+    if (asked) { input.value = decodeURIComponent(asked[1].replace(/\+/g, ' ')); ready(); }
     input.addEventListener('focus', ready);
     input.addEventListener('input', ready);
     input.addEventListener('keydown', function (e) {
@@ -73,7 +91,7 @@
         links.forEach(function (l, i) { l.className = i === chosen ? 'on' : ''; });
       }
     });
-    document.addEventListener('click', function (e) { if (!list.contains(e.target) && e.target !== input) list.hidden = true; });
+    document.addEventListener('click', function (e) { if (e.isTrusted && !list.contains(e.target) && e.target !== input) list.hidden = true; });
     document.addEventListener('keydown', function (e) {
       if (e.key === '/' && !/INPUT|TEXTAREA/.test(document.activeElement.tagName)) { e.preventDefault(); input.focus(); }
     });

@@ -266,6 +266,7 @@ for (const p of pages) {
     text = text.replace(/\\(figure|verdict)\{([^}]*)\}/g, (_, name, arg) => token(inline[name](p, line, arg.trim())));
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
+    if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
     const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.

@@ -8,7 +8,8 @@ const opt = options({ html: '' });
 const lunrFile = '/usr/share/javascript/lunr/lunr.min.js';
 const lunr = createRequire(import.meta.url)(lunrFile);
 
-const plain = html => html.replace(/<span class="katex-mathml">[\s\S]*?<annotation encoding="application\/x-tex">([\s\S]*?)<\/annotation>[\s\S]*?<\/math><\/span>/g, ' ').replace(/<span class="katex-html"[\s\S]*?(?=<\/span><\/span>)/g, '')
+// Formulas are left out: nobody types them, and their text is not what one sees.
+const plain = html => html.replace(/<!--f-->[\s\S]*?<!--\/f-->/g, ' ')
   .replace(/<(script|style|svg)\b[\s\S]*?<\/\1>/g, ' ').replace(/<[^>]+>/g, ' ')
   .replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#\d+;|&nbsp;/g, ' ').replace(/&amp;/g, '&').replace(/\s+/g, ' ').trim();
 
@@ -36,7 +37,8 @@ const index = lunr(function () {
   this.field('title', { boost: 10 });
   this.field('page', { boost: 2 });
   this.field('text');
-  entries.forEach((e, n) => this.add({ n, ...e }));
+  this.field('id', { boost: 10 });
+  entries.forEach((e, n) => this.add({ n, ...e, id: (e.url.split('#')[1] ?? '').replace(/^autotoc.*|^[ag][0-9a-f]{32}.*/, '') }));
 });
 const shown = entries.map(e => ({ u: e.url, t: e.title, p: e.page, x: e.text.slice(0, 160) }));
 fs.copyFileSync(lunrFile, path.join(opt.html, 'lunr.min.js'));

@@ -1,0 +1,123 @@
+#!/usr/bin/env bash
+# The book on trial: a small project is written, its book must come out whole; then one thing at a time is broken, and the
+# book must refuse it with the place and the reason.
+set -uo pipefail
+docs=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+project() {
+  rm -rf "$work/p"
+  mkdir -p "$work"/p/{src/actio/reduction,src/book,chapters/ch03_sample,proofs_checks,build/report/programs}
+  cp -r "$docs" "$work/p/docs"
+  cd "$work/p" || exit 1
+  # Pages that speak of the real library are not under test.
+  rm -f docs/pages/1[12]_*.md docs/pages/40_*.md
+  sed -i '/conventions\|notation\|bibliography/d' docs/pages/00_mainpage.md
+  printf '/** @namespace actio\n The library. */\n' >docs/namespaces.dox
+  printf 'id\tkind\tchapter\tsection\tsubject\neq_3_9\tequation\t3\t3.2\tquotient map\nthm_3_2_3\ttheorem\t3\t3.2\treconstruction\nclaim_3_2_small\tclaim\t3\t3.2\tsmall claim\neq_6_1\tequation\t6\t6.1\tlater\n' >proofs_checks/registry.tsv
+  printf '// Checks.\nSTATEMENT(eq_3_9, "quotient") {\n}\n' >proofs_checks/ch03_2.cpp
+  cat >src/actio/reduction/relative_motion.hpp <<'X'
+// Relative motions.
+#pragma once
+namespace actio {
+/// The motion between two places, \f$f = g_0g_1^{-1}\f$.
+/// \implements{eq_3_9}
+template <class E>
+E relative_motion(E const& g0, E const& g1) {
+  // [eq_3_9]
+  return g0 * inverse(g1);
+  // [eq_3_9]
+}
+}  // namespace actio
+X
+  cat >chapters/ch03_sample/chapter.md <<'X'
+# Sample {#ch03}
+
+As \cite pekarsky2000 has it, \ref eq_3_9 holds: \verdict{eq_3_9}, \figure{ch03_wheel,drift}.
+
+\beside{eq_3_9}
+\f[ f_{01} = g_0\, g_1^{-1} \f]
+\asCode
+\snippet reduction/relative_motion.hpp eq_3_9
+\endbeside
+
+\statement{thm_3_2_3,Theorem 3.2.3, in words}
+Nothing is lost, \f$\Ad^*_g\mu\f$.
+\endstatement
+
+\evidence{thm_3_2_3}
+
+\program{ch03_wheel}
+
+\picture{ch03_wheel,path}
+
+\table{ch03_wheel,orders,A table, with a comma}
+
+## Verified
+
+\verified{3}
+X
+  printf '// A wheel.\nint main() {}\n' >chapters/ch03_sample/wheel.cpp
+  cat >build/report/programs/ch03_wheel.json <<'X'
+{"chapter":"ch03","program":"ch03_wheel","shows":"a wheel","headline":{"text":"drift 1e-15","value":1e-15},"figures":[{"name":"drift","value":1e-15,"text":"1e-15"}],
+ "tables":[{"name":"orders","header":["scheme","order"],"rows":[["DEP","2.0"]]}],"pictures":[{"name":"path","file":"ch03_wheel.path.svg","caption":"A path"}],"seconds":0.1}
+X
+  echo 'all is well' >build/report/programs/ch03_wheel.txt
+  echo '<svg xmlns="http://www.w3.org/2000/svg" width="10" height="10"><path id="a" d="M0 0L9 9"/></svg>' >build/report/programs/ch03_wheel.path.svg
+  cat >build/report/statements.json <<'X'
+[{"id":"eq_3_9","title":"q","verdict":"holds","evidence":[{"what":"both sides","kind":"exact","scalar":"rational","model":"SE(3)","measured":0,"bound":0,"points":20,"degree":4,"probability":1e-40}],"control":[{"what":"other side","measured":0.5,"floor":0.001}]},
+ {"id":"thm_3_2_3","title":"t","verdict":"corrected","printed":"a=b","corrected":"a=-b","note":"a sign, $\\mu$","scan":true,"evidence":[{"what":"residual","kind":"precision","scalar":"double","model":"SE(3)","measured":1e-15,"bound":1e-13,"epsilon":2.2e-16}],"control":[{"what":"as printed","measured":0.5,"floor":0.001}]},
+ {"id":"claim_3_2_small","title":"s","verdict":"scope","note":"nothing to compute","evidence":[],"control":[]},
+ {"id":"eq_6_1","title":"l","verdict":"pending","evidence":[],"control":[]}]
+X
+}
+book() { docs/tools/book.sh build "$@" >"$work/out" 2>&1; }
+passes() {
+  if book "${@:2}"; then echo "ok      $1"; else echo "FAILED  $1"; cat "$work/out"; failures=$((failures + 1)); fi
+}
+refuses() {  # name, what must be said
+  if book --strict; then echo "FAILED  $1: the book was written"; failures=$((failures + 1))
+  elif ! grep -qE "$2" "$work/out"; then echo "FAILED  $1: refused without saying /$2/"; cat "$work/out"; failures=$((failures + 1))
+  else echo "ok      refuses $1"; fi
+}
+contains() {
+  if grep -q "$2" "build/book/$1"; then echo "ok      $1 has $2"; else echo "FAILED  $1 lacks $2"; failures=$((failures + 1)); fi
+}
+chapter=chapters/ch03_sample/chapter.md
+
+project
+passes 'a whole book' --strict
+contains ch03.html 'id="eq_3_9"'
+contains ch03.html 'id="claim_3_2_small"'
+contains ch03.html '3\.2: small\|Claim 3\.2'
+contains ch03.html 'all is well'
+contains ch03.html '4\.5&#8239;<i>ε</i>'
+contains ch03.html 'class="katex"'
+contains errata.html 'erratum_thm_3_2_3'
+contains ledger.html 'id="eq_6_1"'
+contains implements.html 'relative_motion'
+book --strict
+grep -q 'nothing changed' "$work/out" && echo 'ok      is not written again' || { echo 'FAILED  written again with nothing changed'; failures=$((failures + 1)); }
+
+project; rm -rf build/report; passes 'a book without reports'; contains ch03.html 'not run'
+project; rm -rf build/report; refuses 'absent reports' 'statements.json:1: missing'
+project; sed -i 's/\\verdict{eq_3_9}/\\verdict{eq_3_99}/' $chapter; refuses 'an unknown statement' 'chapter.md:3: unknown statement eq_3_99'
+project; sed -i 's/\\figure{ch03_wheel,drift}/\\figure{ch03_wheel,speed}/' $chapter; refuses 'a figure nobody reports' 'chapter.md:3: .*no figure "speed"'
+project; sed -i 's/\\program{ch03_wheel}/\\program{ch03_cart}/' $chapter; refuses 'an unknown program' 'chapter.md:17: program ch03_cart'
+project; rm build/report/programs/ch03_wheel.path.svg; refuses 'a lost picture' 'chapter.md:19: picture file'
+project; sed -i 's/hpp eq_3_9/hpp eq_3_8/' $chapter; refuses 'a lost snippet' 'chapter.md:8: .*no tag \[eq_3_8\]'
+project; sed -i 's/\\f\[ f_{01}/\\f[ \\frac{1 f_{01}/' $chapter; refuses 'a formula that does not parse' 'ch03.html:1: formula does not parse'
+project; sed -i 's/a=-b/a=\\\\nosuchmacro b/' build/report/statements.json; refuses 'a formula of the ledger that does not parse' 'errata.html:1: formula does not parse'
+project; sed -i '/endstatement/d' $chapter; refuses 'a box left open' 'chapter.md:11: .statement\{thm_3_2_3\} is not closed'
+project; sed -i 's/\\ref eq_3_9/\\ref eq_3_98/' $chapter; refuses 'an unknown reference' 'chapter.md:3: .*eq_3_98'
+project; sed -i 's/\\cite pekarsky2000/\\cite nobody1900/' $chapter; refuses 'an unknown work' 'chapter.md:3: .*nobody1900'
+project; sed -i 's|/// The motion.*||' src/actio/reduction/relative_motion.hpp; sed -i 's|/// .implements.*||' src/actio/reduction/relative_motion.hpp; refuses 'an undocumented symbol' 'relative_motion.hpp:7: .*not documented'
+project; sed -i 's/implements{eq_3_9}/implements{eq_3_97}/' src/actio/reduction/relative_motion.hpp; refuses 'an unknown statement in a header' 'relative_motion.hpp:5: .*eq_3_97'
+project; sed -i 's/^## Verified/## Verified \\f$\\mu\\f$/' $chapter; refuses 'a formula in a title' 'chapter.md:23: a title holds a formula'
+project; echo '<a href="nowhere.html">x</a>' >>$chapter; refuses 'a dead link' 'dead link: nowhere.html'
+project; echo '<img src="http://example.org/x.png" alt="x"/>' >>$chapter; refuses 'the network' 'reaches for the network'
+
+((failures == 0)) && echo "the book's tools: all as they should be" || echo "the book's tools: $failures failures"
+exit $((failures > 0))
