@@ -5,7 +5,7 @@
 // in docs/WRITING.md. Errors name file and line of the page as written.
 import fs from 'node:fs';
 import path from 'node:path';
-import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, verdictText, walk } from './lib.mjs';
+import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
@@ -153,12 +153,19 @@ for (const p of pages) {
   const anchorHere = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file && h.line === line ? [id] : []; };
   const heading = (id, text) => `<a class="here" href="#${id}" title="permanent link">${text}</a>`;
 
+  // The number the thesis gives it, unless the title says it already.
+  const boxTitle = (id, title) => {
+    const number = shortLabel(id);
+    if (!title) return escapeHtml(label(id));
+    return title.includes(number.replace(/^\(|\)$/g, '')) ? escapeHtml(title) : `<span class="statement-number">${number}</span> ${escapeHtml(title)}`;
+  };
+
   const blocks = {
     statement(arg) {
       const [id, title] = split(arg, 2);
       if (!known(p, line, id)) return;
       open.push({ kind: 'statement', id, line });
-      block(`<div class="statement statement-${book.byId.get(id).kind}" id="${id}"><div class="statement-head">${heading(id, escapeHtml(title ?? label(id)))}<span class="statement-tools">${badge(verdictOf(book, id))}</span></div><div class="statement-body">`, anchorHere(id, 'statement'));
+      block(`<div class="statement statement-${book.byId.get(id).kind}" id="${id}"><div class="statement-head">${heading(id, boxTitle(id, title))}<span class="statement-tools">${badge(verdictOf(book, id))}</span></div><div class="statement-body">`, anchorHere(id, 'statement'));
     },
     endstatement() {
       const top = open.pop();

@@ -86,7 +86,8 @@ if (text.has('implements.html')) {
       anchor = '';
     }
   }
-  const rows = registry.filter(s => places.has(s.id)).map(s => `<tr><td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td><td>${escapeHtml(s.title || s.subject)}</td><td>${places.get(s.id).join('<br/>')}</td></tr>`);
+  const known = [...registry, ...[...places.keys()].filter(id => !ids.has(id)).map(id => ({ id, subject: '' }))];
+  const rows = known.filter(s => places.has(s.id)).map(s => `<tr><td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td><td>${escapeHtml(s.title || s.subject)}</td><td>${places.get(s.id).join('<br/>')}</td></tr>`);
   const table = `<table class="programs"><thead><tr><th>statement</th><th>subject</th><th>declaration</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
   text.set('implements.html', html.replace(/<dl class="reflist">[\s\S]*<\/dl>/, table));
 }

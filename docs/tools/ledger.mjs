@@ -3,8 +3,12 @@ import { badge, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, 
 
 export function verdictOf(book, id) {
   if (!book.statements) return 'notrun';
-  return book.statements.get(id)?.verdict ?? 'pending';
+  const r = book.statements.get(id);
+  return !r ? 'pending' : r.failures?.length || !r.verdict ? 'failed' : r.verdict;
 }
+
+/// What a statement says: the check's own words where there is a check, else its subject.
+const subject = (book, s) => escapeHtml((verdictOf(book, s.id) !== 'pending' && book.statements?.get(s.id)?.title) || s.title || s.subject);
 
 const statementLink = (id, text) => `<a href="@ref:${id}">${text ?? label(id)}</a>`;
 const display = tex => `<div class="formula">\\[ ${escapeHtml(tex)} \\]</div>`;
@@ -12,6 +16,7 @@ const display = tex => `<div class="formula">\\[ ${escapeHtml(tex)} \\]</div>`;
 /// What stands at the foot of a statement's box: the convention it needs, or what was wrong with it.
 export function verdictNote(book, id) {
   const r = book.statements?.get(id);
+  if (r?.failures?.length) return `<div class="statement-note note-failed"><b>Failed.</b> ${r.failures.map(f => prose(f)).join('<br/>')}</div>`;
   if (!r || r.verdict === 'holds' || r.verdict === 'pending' || !(r.note || r.corrected)) return '';
   const lead = { convention: 'Convention', corrected: 'Corrected', scope: 'Scope' }[r.verdict] ?? r.verdict;
   const more = r.verdict === 'corrected' || r.verdict === 'convention' ? ` <a href="@ref:erratum_${id}">errata</a>` : '';
@@ -110,7 +115,7 @@ export function evidence(book, id, anchor) {
 
 // ---- The ledger page
 
-const verdicts = ['holds', 'convention', 'corrected', 'scope', 'pending', 'notrun'];
+const verdicts = ['failed', 'holds', 'convention', 'corrected', 'scope', 'pending', 'notrun'];
 
 const byChapter = registry => {
   const chapters = new Map();
@@ -144,7 +149,7 @@ function ledgerRow(book, s, here) {
   const source = book.checkSource(s.id);
   const seconds = r?.seconds === undefined ? '' : ` title="${number(r.seconds)} s"`;
   const cells = [`<td class="id">${name}</td>`,
-    `<td>${escapeHtml(s.title || s.subject)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td>`,
+    `<td>${subject(book, s)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td>`,
     `<td>${badge(verdict)}</td>`,
     here ? '' : `<td class="kind"><span title="${models} model${models === 1 ? '' : 's'}">${kinds.join(', ')}</span></td>`,
     `<td class="num">${figure}</td>`,
@@ -193,7 +198,7 @@ export function errata(book) {
     const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
       w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
       ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
-    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${escapeHtml(s.title || s.subject)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p><div class="evidence-foot">${figures}</div></article>`;
+    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${subject(book, s)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p><div class="evidence-foot">${figures}</div></article>`;
   });
   const corrected = part('corrected'), convention = part('convention');
   return `<h2 id="errata_corrected">Corrected: ${corrected.length}</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;

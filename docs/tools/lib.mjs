@@ -110,6 +110,7 @@ export function label(id) {
 export const shortLabel = id => label(id).replace(/:.*$/, '');
 
 export const verdictText = {
+  failed: ['failed', 'its check failed in this build'],
   holds: ['holds', 'holds as printed'],
   convention: ['convention', 'holds under a convention or a hypothesis that the note names'],
   corrected: ['corrected', 'fails as printed; the corrected form holds'],
