@@ -63,9 +63,17 @@ plant() { # FILE FROM TO
   printf '%s\n' "${content/"$2"/"$3"}" >"$copy/$1"
 }
 
+chosen() { # the lines that were asked for
+  local number=0 line
+  for line in "${lines[@]}"; do
+    number=$((number + 1))
+    [[ $wanted != "  " && $wanted != *" $number "* ]] || printf '%s\n' "$line"
+  done
+}
+
 sync_copy
 echo "Before anything is planted"
-mapfile -t targets < <(printf '%s\n' "${lines[@]}" | cut -f 4 | tr ',' '\n' | sed 's/ //g' | sort -u)
+mapfile -t targets < <(chosen | cut -f 4 | tr ',' '\n' | sed 's/ //g' | sort -u)
 compile "${targets[@]}" || { tail -n 40 "$log" >&2; echo "the copy does not build" >&2; exit 1; }
 for target in "${targets[@]}"; do
   passes "$target" || { tail -n 40 "$log" >&2; echo "$target fails with nothing planted" >&2; exit 1; }
@@ -95,7 +103,7 @@ for line in "${lines[@]}"; do
         break
       elif ! passes "$executable"; then
         result=caught
-        by="$executable: $(grep -oE '(eq|thm|prop|lem|lemma|cor|def|claim|rem)_[0-9][A-Za-z0-9_]*|in "[^"]+"' "$log" | sort -u | head -n 3 | paste -sd ' ' || true)"
+        by="$executable: $(grep -oE 'in "[^"]+"' "$log" | cut -d '"' -f 2 | sort -u | head -n 3 | paste -sd ' ' || true)"
         break
       fi
     done
