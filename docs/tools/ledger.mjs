@@ -51,17 +51,22 @@ function allowed(entries) {
 function merge(a, b) {
   if (!a) return b;
   if (a.kind === 'order') return Math.abs(b.slope - Math.round(b.slope)) > Math.abs(a.slope - Math.round(a.slope)) ? b : a;
-  return { ...(Number(b.measured) > Number(a.measured) ? b : a), points: Math.max(a.points ?? 0, b.points ?? 0) };
+  return { ...(Number(b.measured) > Number(a.measured) ? b : a), points: (a.points ?? 0) + (b.points ?? 0), probability: Math.max(a.probability ?? 0, b.probability ?? 0) };
 }
 
-/// Rows (what, model, kind) in the order of the report, each with one entry per scalar.
-function rows(entries, fields) {
+/// Rows by what was compared (and by model, where wanted), in the order of the report, each with one entry per scalar: the worst.
+function rows(entries, byModel) {
   const table = new Map();
   for (const e of entries ?? []) {
-    const key = fields.map(f => e[f] ?? '').join('\u0001');
-    if (!table.has(key)) table.set(key, { ...e, cells: new Map() });
+    const key = [e.what, e.kind === 'order', byModel ? e.model : ''].join('\u0001');
+    if (!table.has(key)) table.set(key, { what: e.what, kinds: new Set(), models: new Set(), cells: new Map(), floor: Number(e.floor) });
     const row = table.get(key);
-    row.cells.set(e.scalar ?? '', merge(row.cells.get(e.scalar ?? ''), e));
+    if (e.kind) row.kinds.add(e.kind);
+    if (e.model) row.models.add(e.model);
+    const scalar = e.scalar ?? '';
+    // Of a control the smallest figure is the worst.
+    row.cells.set(scalar, e.kind ? merge(row.cells.get(scalar), e) : !row.cells.has(scalar) || Number(e.measured) < Number(row.cells.get(scalar).measured) ? e : row.cells.get(scalar));
+    if (e.floor !== undefined) row.floor = Math.max(row.floor, Number(e.floor));
   }
   return [...table.values()];
 }
@@ -79,29 +84,36 @@ export function evidence(book, id, anchor) {
 
   const here = new Set(r.evidence.map(e => e.scalar));
   const columns = columnOrder.filter(c => here.has(c));
-  const missing = ['dec50', 'dec100'].filter(c => !book.columns.has(c) && r.evidence.some(e => e.kind !== 'exact'));
+  const missing = ['dec50', 'dec100'].filter(c => !book.columns.has(c) && r.evidence.some(e => e.kind === 'precision'));
   const shown = columnOrder.filter(c => columns.includes(c) || missing.includes(c));
-  const grouped = rows(r.evidence, ['what', 'kind', 'model']);
-  const controls = rows(r.control, ['what', 'model']);
-  const span = shown.length + 2;
-  const sections = (list, key, figures, className) => {
-    const groups = new Map();
-    for (const row of list) groups.set(key(row), [...(groups.get(key(row)) ?? []), row]);
-    return [...groups].map(([head, members]) => `<tbody class="${className}"><tr class="what"><th colspan="${span}">${head}</th></tr>${members.map(figures).join('')}</tbody>`).join('');
-  };
-  const measured = sections(grouped, row => `${prose(row.what)} <span class="kind">${row.kind}</span>`, row => `<tr><td>${prose(row.model)}</td>${shown.map(c => {
+  const modelCell = row => row.models.size > 1 ? `<span title="${escapeHtml([...row.models].join(', '))}">${row.models.size} models</span>` : prose([...row.models][0]);
+  const figure = (row, c) => {
     const e = row.cells.get(c);
     if (e) return `<td class="num">${cell(e)}</td>`;
-    return missing.includes(c) && row.kind !== 'exact' ? '<td class="num notrun">not run</td>' : '<td class="num none">·</td>';
-  }).join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`, 'measured');
-  const broken = sections(controls, c => `${prose(c.what)} <span class="kind">control</span>`, c => {
-    const [first] = c.cells.values();
-    return `<tr><td>${prose(c.model)}</td>${shown.map(s => {
-      const e = c.cells.get(s) ?? (s === (shown.includes('double') ? 'double' : shown[0]) ? c.cells.get('') : undefined);
-      return `<td class="num">${e ? number(e.measured) : '<span class="none">·</span>'}</td>`;
-    }).join('')}<td class="num">&gt;&#8239;${number(first.floor)}</td></tr>`;
-  }, 'control');
-  const table = `<table class="evidence-table"><thead><tr><th>model</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead>${measured}${broken}</table>`;
+    return missing.includes(c) && row.kinds.has('precision') ? '<td class="num notrun">not run</td>' : '<td class="num none">·</td>';
+  };
+  const controlColumn = shown.includes('double') ? 'double' : shown[0];
+  const controlFigure = (row, c) => {
+    const e = row.cells.get(c) ?? (c === controlColumn ? row.cells.get('') : undefined);
+    return `<td class="num">${e ? number(e.measured) : '<span class="none">·</span>'}</td>`;
+  };
+  const head = first => `<thead><tr><th>${first}</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead>`;
+  const measured = (list, first) => `<tbody class="measured">${list.map(row => `<tr><td>${first(row)}</td>${shown.map(c => figure(row, c)).join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`).join('')}</tbody>`;
+  const broken = (list, first) => list.length ? `<tbody class="control">${list.map(row => `<tr><td>${first(row)}</td>${shown.map(c => controlFigure(row, c)).join('')}<td class="num">&gt;&#8239;${number(row.floor)}</td></tr>`).join('')}</tbody>` : '';
+  const said = row => `${prose(row.what)} <span class="kind">${modelCell(row)}${row.kinds.has('order') ? ', order' : ''}</span>`;
+  const controls = rows(r.control, false), all = rows(r.evidence, false);
+  const worstOnly = `<table class="evidence-table">${head('what is compared')}${measured(all, said)}${broken(controls, row => `${said(row)} <span class="kind">control</span>`)}</table>`;
+
+  // Where models were merged, all figures unfold.
+  let unfolded = '';
+  if ([...all, ...controls].some(row => row.models.size > 1)) {
+    const span = shown.length + 2;
+    const part = (title, body) => `<tbody><tr class="what"><th colspan="${span}">${title}</th></tr></tbody>${body}`;
+    const of = (list, what) => list.filter(row => row.what === what);
+    const full = rows(r.evidence, true), fullControls = rows(r.control, true);
+    const model = row => prose([...row.models][0] ?? '');
+    unfolded = `<details><summary>by model</summary><table class="evidence-table by-model">${head('model')}${[...new Set(full.map(row => row.what))].map(w => part(prose(w), measured(of(full, w), model))).join('')}${[...new Set(fullControls.map(row => row.what))].map(w => part(`${prose(w)} <span class="kind">control</span>`, broken(of(fullControls, w), model))).join('')}</table></details>`;
+  }
   const ratio = controlRatio(r);
   const summary = `<div class="evidence-foot">${[
     `<b>Evidence</b> for ${label(id)}: ${[...new Set(r.evidence.map(e => e.kind))].join(', ')}`,
@@ -109,8 +121,7 @@ export function evidence(book, id, anchor) {
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
     where,
   ].filter(Boolean).map(s => `<span>${s}</span>`).join('')}</div>`;
-  const many = grouped.length + controls.length > 14;
-  return `<div class="evidence"${idAttribute}>${summary}${many ? `<details><summary>${grouped.length} figures, ${controls.length} controls</summary>${table}</details>` : table}</div>`;
+  return `<div class="evidence"${idAttribute}>${summary}${worstOnly}${unfolded}</div>`;
 }
 
 // ---- The ledger page

@@ -115,7 +115,7 @@ export const verdictText = {
   convention: ['convention', 'holds under a convention or a hypothesis that the note names'],
   corrected: ['corrected', 'fails as printed; the corrected form holds'],
   scope: ['scope', 'fixes scope only, nothing to compute'],
-  pending: ['pending', 'its chapter is not adjudicated yet'],
+  pending: ['pending', 'not adjudicated yet'],
   notrun: ['not run', 'the checks have not been run in this build'],
 };
 
