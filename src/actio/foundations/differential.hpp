@@ -15,19 +15,65 @@ inline constexpr int batch = 3;
 template <class S>
 using Moved = Dual<S, batch>;
 
+/// Whether infinitesimal motions are products of matrices, so that they can be written down entry by entry.
+template <class G, class S>
+inline constexpr bool moves_by_matrices =
+    MatrixGroup<G> && !requires(G const& group, Coordinates<G, S> const& v) { group.near_identity(v); };
+
+/// Calls `visit(a, i, j, e)` for each nonzero entry e of the a-th basis matrix of a batch.
+template <class T, class G, class Visit>
+void over_entries(G const& group, int first, Visit const& visit) {
+  for (int a = 0; a < batch && first + a < group.dimension(); ++a) {
+    Coordinates<G, T> direction = Coordinates<G, T>::Zero(group.dimension());
+    direction[first + a] = T(1);
+    Storage<G, T> const basis = group.hat(direction);
+    for (int i = 0; i < group.matrix_size(); ++i)
+      for (int j = 0; j < group.matrix_size(); ++j)
+        if (!(basis(i, j) == T(0))) visit(a, i, j, T(basis(i, j)));
+  }
+}
+
+/// \f$\sum_a\varepsilon_a e_{first+a}\f$, an infinitesimal of the algebra.
+template <class S, class G>
+Coordinates<G, Moved<S>> infinitesimals(G const& group, int first) {
+  Coordinates<G, Moved<S>> v = Coordinates<G, Moved<S>>::Zero(group.dimension());
+  for (int a = 0; a < batch && first + a < group.dimension(); ++a) v[first + a].part[a] = S(1);
+  return v;
+}
+
 /// \f$(1 + \sum_a\varepsilon_a e_{first+a})\,g\f$: g moved on the left by infinitesimals, one for each direction of a batch.
 template <Group G, Field S>
 Element<G, Moved<S>> moved_left(Element<G, S> const& g, int first) {
-  Coordinates<G, Moved<S>> v = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
-  for (int a = 0; a < batch && first + a < g.group.dimension(); ++a) v[first + a].part[a] = S(1);
-  return {g.group, primitive::compose(g.group, primitive::near_identity(g.group, v), Storage<G, Moved<S>>(g.value.template cast<Moved<S>>()))};
+  Storage<G, Moved<S>> value = g.value.template cast<Moved<S>>();
+  if constexpr (moves_by_matrices<G, S>) {
+    // The rate of change along e_a is the matrix e_a g. Basis matrices are nearly empty: add rows of g.
+    over_entries<Base<S>>(g.group, first, [&](int a, int i, int k, Base<S> const& entry) {
+      for (Eigen::Index j = 0; j < value.cols(); ++j) value(i, j).part[a] += g.value(k, j) * entry;
+    });
+  } else {
+    value = primitive::compose(g.group, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)), value);
+  }
+  return {g.group, value};
 }
 /// \f$g\,(1 + \sum_a\varepsilon_a e_{first+a})\f$: g moved on the right.
 template <Group G, Field S>
 Element<G, Moved<S>> moved_right(Element<G, S> const& g, int first) {
-  Coordinates<G, Moved<S>> v = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
-  for (int a = 0; a < batch && first + a < g.group.dimension(); ++a) v[first + a].part[a] = S(1);
-  return {g.group, primitive::compose(g.group, Storage<G, Moved<S>>(g.value.template cast<Moved<S>>()), primitive::near_identity(g.group, v))};
+  Storage<G, Moved<S>> value = g.value.template cast<Moved<S>>();
+  if constexpr (moves_by_matrices<G, S>) {
+    over_entries<Base<S>>(g.group, first, [&](int a, int k, int j, Base<S> const& entry) {
+      for (Eigen::Index i = 0; i < value.rows(); ++i) value(i, j).part[a] += g.value(i, k) * entry;
+    });
+  } else {
+    value = primitive::compose(g.group, value, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)));
+  }
+  return {g.group, value};
+}
+
+/// A derivative that is handed out as a plain number must be one.
+template <class S>
+void require_number(Moved<S> const& change, char const* where) {
+  if constexpr (Plain<S>)
+    if (!is_finite(change)) throw NotFinite(std::string(where) + ": value or derivative of the function");
 }
 
 /// Calls `visit(first)` for the first direction of each batch.
@@ -41,6 +87,7 @@ void over_batches(int dimension, Visit const& visit) {
 /// @param l  function on G, callable at `S` and at dual numbers over it; energy x time where it is an action
 /// @param g  where
 /// @return   covector at the identity
+/// @throws NotFinite  where l or its derivative at g is no number
 /// Exact up to rounding.
 template <Group G, Field S, FunctionOnGroup<G, Moved<S>> F>
 Momentum<G, S> right_differential(F const& l, Element<G, S> const& g) {
@@ -48,6 +95,7 @@ Momentum<G, S> right_differential(F const& l, Element<G, S> const& g) {
   Momentum<G, S> d{g.group, Coordinates<G, S>(n)};
   over_batches(n, [&](int first) {
     Moved<S> const change = l(moved_left(g, first));
+    require_number<S>(change, "right_differential");
     for (int a = 0; a < batch && first + a < n; ++a) d.components[first + a] = change.part[a];
   });
   return d;
@@ -62,6 +110,7 @@ Momentum<G, S> left_differential(F const& l, Element<G, S> const& g) {
   Momentum<G, S> d{g.group, Coordinates<G, S>(n)};
   over_batches(n, [&](int first) {
     Moved<S> const change = l(moved_right(g, first));
+    require_number<S>(change, "left_differential");
     for (int a = 0; a < batch && first + a < n; ++a) d.components[first + a] = change.part[a];
   });
   return d;
@@ -76,6 +125,7 @@ Momentum<G, S> gradient(F const& l, Velocity<G, S> const& xi) {
     Velocity<G, Moved<S>> moved = over<Moved<S>>(xi);
     for (int a = 0; a < batch && first + a < n; ++a) moved.coordinates[first + a].part[a] = S(1);
     Moved<S> const change = l(moved);
+    require_number<S>(change, "gradient");
     for (int a = 0; a < batch && first + a < n; ++a) d.components[first + a] = change.part[a];
   });
   return d;
@@ -90,6 +140,7 @@ Velocity<G, S> gradient(F const& h, Momentum<G, S> const& mu) {
     Momentum<G, Moved<S>> moved = over<Moved<S>>(mu);
     for (int a = 0; a < batch && first + a < n; ++a) moved.components[first + a].part[a] = S(1);
     Moved<S> const change = h(moved);
+    require_number<S>(change, "gradient");
     for (int a = 0; a < batch && first + a < n; ++a) d.coordinates[first + a] = change.part[a];
   });
   return d;

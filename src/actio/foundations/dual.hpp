@@ -30,6 +30,20 @@ inline constexpr bool is_dual<Dual<S, N>> = true;
 template <class T, class S>
 concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 
+/// z += x y, written so that nested products need no intermediate results.
+template <Plain S>
+void add_product(S& z, S const& x, S const& y) {
+  z += x * y;
+}
+template <class S, int N>
+void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
+  add_product(z.value, x.value, y.value);
+  for (int a = 0; a < N; ++a) {
+    add_product(z.part[a], x.value, y.part[a]);
+    add_product(z.part[a], x.part[a], y.value);
+  }
+}
+
 /// A number \f$x + \sum_a x_a\,\varepsilon_a\f$ with \f$\varepsilon_a\varepsilon_b = 0\f$.
 template <class S, int N>
 struct Dual {
@@ -52,11 +66,7 @@ struct Dual {
     for (int a = 0; a < N; ++a) part[a] -= y.part[a];
     return *this;
   }
-  Dual& operator*=(Dual const& y) {
-    for (int a = 0; a < N; ++a) part[a] = part[a] * y.value + value * y.part[a];
-    value *= y.value;
-    return *this;
-  }
+  Dual& operator*=(Dual const& y) { return *this = *this * y; }
   Dual& operator/=(Dual const& y) { return *this = *this / y; }
   template <ConstantOver<S> T>
   Dual& operator*=(T const& c) {
@@ -73,7 +83,11 @@ struct Dual {
 
   friend Dual operator+(Dual x, Dual const& y) { return x += y; }
   friend Dual operator-(Dual x, Dual const& y) { return x -= y; }
-  friend Dual operator*(Dual x, Dual const& y) { return x *= y; }
+  friend Dual operator*(Dual const& x, Dual const& y) {
+    Dual z;
+    add_product(z, x, y);
+    return z;
+  }
   friend Dual operator/(Dual const& x, Dual const& y) {
     // (x/y)' = (x' - (x/y) y') / y
     Dual q;
@@ -167,9 +181,11 @@ Base<S> const& base_value(Dual<S, N> const& x) {
 template <class S, int N>
 Base<S> magnitude(Dual<S, N> const& x) {
   Base<S> largest = magnitude(x.value);
+  if (largest != largest) return largest;
   for (S const& p : x.part) {
     Base<S> const size = magnitude(p);
     if (!(size <= largest)) largest = size;
+    if (size != size) break;
   }
   return largest;
 }

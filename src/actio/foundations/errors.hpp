@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "actio/foundations/scalar.hpp"
+
 namespace actio {
 
 /// Root of everything the library throws.
@@ -35,6 +37,18 @@ struct OutsideDomain : Error {
 struct NotFinite : Error {
   explicit NotFinite(std::string const& where) : Error(where + ": a NaN or an infinity where a finite number is needed") {}
 };
+
+/// Refuses a matrix or vector with a plain value that is a NaN or an infinity.
+///
+/// What a scalar is extended by is not looked at: it is no number only where a value is none, or where a derivative does not exist, and that
+/// is seen when the derivative is taken.
+template <class Derived>
+void require_finite(Eigen::MatrixBase<Derived> const& m, char const* where) {
+  if constexpr (!is_exact<typename Derived::Scalar>)
+    for (Eigen::Index j = 0; j < m.cols(); ++j)
+      for (Eigen::Index i = 0; i < m.rows(); ++i)
+        if (!is_finite(base_value(m(i, j)))) throw NotFinite(where);
+}
 
 /// A linear map that has no inverse, for instance the second derivative of a Lagrangian that is not regular.
 struct Singular : OutsideDomain {

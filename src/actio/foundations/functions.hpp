@@ -82,8 +82,9 @@ Dual<S, N> stumpff(Dual<S, N> const& x) {
 /// \f$2a(s^2)\f$ is the factor between the vector part s of a unit quaternion and its rotation vector.
 template <int K, Real S>
 S asinc_derivative(S const& x) {
-  // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like 4^-n.
-  constexpr int terms = geometric_terms<S>(0.25) + 3 * K + 1;
+  // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like x^n. Steps of an integrator turn little: for
+  // them a third of the terms will do.
+  constexpr int terms = geometric_terms<S>(0.25) + 3 * K + 1, few = geometric_terms<S>(1.0 / 64) + K + 1;
   static auto const coefficients = [] {
     std::array<Base<S>, terms> c;
     Base<S> b(1);
@@ -95,8 +96,9 @@ S asinc_derivative(S const& x) {
     }
     return c;
   }();
-  S sum(coefficients[terms - 1]);
-  for (int n = terms - 2; n >= 0; --n) sum = sum * x + coefficients[n];
+  int n = base_value(x) < ratio<Base<S>>(1, 64) ? few - 1 : terms - 1;
+  S sum(coefficients[n]);
+  while (--n >= 0) sum = sum * x + coefficients[n];
   return sum;
 }
 template <int K, class S, int N>

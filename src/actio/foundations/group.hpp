@@ -178,23 +178,34 @@ Momentum<G, S> ad_star(Velocity<G, S> const& xi, Momentum<G, S> const& mu) {
 }
 
 /// From the algebra to the group over any field; agrees with \ref exp to second order.
+/// @throws Singular  where the retraction is not defined (Cayley's: an eigenvalue 2)
 template <Group G, Field S>
 Element<G, S> retract(Velocity<G, S> const& xi) {
-  return {xi.group, primitive::retract(xi.group, xi.coordinates)};
+  require_finite(xi.coordinates, "retract");
+  Element<G, S> const g{xi.group, primitive::retract(xi.group, xi.coordinates)};
+  require_finite(g.value, "retract: result");
+  return g;
 }
+/// @throws NotFinite  where the argument is no number, or so large that the result is none
 template <ExponentialGroup G, Real S>
 Element<G, S> exp(Velocity<G, S> const& xi) {
-  return {xi.group, primitive::exp(xi.group, xi.coordinates)};
+  require_finite(xi.coordinates, "exp");
+  Element<G, S> const g{xi.group, primitive::exp(xi.group, xi.coordinates)};
+  require_finite(g.value, "exp: result");
+  return g;
 }
 /// The inverse of \ref exp in the natural chart (3.19).
 /// @throws OutsideDomain  where g has no logarithm in the chart, with the angle (or eigenvalue) that was met
 template <ExponentialGroup G, Real S>
 Velocity<G, S> log(Element<G, S> const& g) {
+  require_finite(g.value, "log");
   return {g.group, primitive::log_of<G, S>(g.group, g.value)};
 }
 /// g brought back on the group after rounding has moved it off.
+/// @throws OutsideDomain  where g is nowhere near the group
 template <ExponentialGroup G, Real S>
 Element<G, S> restore(Element<G, S> const& g) {
+  require_finite(g.value, "restore");
   return {g.group, primitive::restore(g.group, g.value)};
 }
 

@@ -16,7 +16,8 @@ double row_norm(Eigen::MatrixBase<Derived> const& m) {
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     double sum = 0;
     for (Eigen::Index j = 0; j < m.cols(); ++j) sum += std::abs(to_double(typename Derived::Scalar(m(i, j))));
-    if (!(sum <= norm)) norm = sum;
+    if (sum != sum) return sum;
+    if (sum > norm) norm = sum;
   }
   return norm;
 }

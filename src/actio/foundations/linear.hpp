@@ -19,52 +19,74 @@ Eigen::Matrix<typename A::Scalar, 3, 1> cross(Eigen::MatrixBase<A> const& v, Eig
 
 /// The solution X of A X = B, for one or several right sides.
 ///
+/// Rows and columns may have different units: pivots are chosen relative to their row, and a pivot counts as rounding noise by comparison with
+/// the terms whose difference it is, never with entries elsewhere.
+///
 /// @param where  who asks, for the message
-/// @throws Singular  where a pivot falls below rounding: (smallest pivot)/(largest entry) and its bound
+/// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
+/// @throws NotFinite  where an entry is a NaN or an infinity
 /// Accuracy: that of elimination with partial pivoting; exact over the rationals.
 template <class A, class B>
 auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const& right, char const* where = "solve_linear") {
   using S = typename A::Scalar;
+  using T = Base<S>;
   using Right = Eigen::Matrix<S, B::RowsAtCompileTime, B::ColsAtCompileTime>;
   typename A::PlainObject a = matrix;
   Right x = right.template cast<S>();
-  Eigen::Index const n = a.rows();
+  require_finite(a, where);
+  require_finite(x, where);
+  int const n = static_cast<int>(a.rows());
 
-  // A pivot that is rounding noise beside the entries it came from means that the matrix has no inverse.
-  Base<S> largest(0);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) {
-      Base<S> const size = magnitude(base_value(a(i, j)));
-      if (!(size <= largest)) largest = size;
+  // The terms that each entry is made from, as far as the elimination has come, and the size of each row.
+  Eigen::Matrix<T, A::RowsAtCompileTime, A::ColsAtCompileTime> terms(n, n);
+  Eigen::Matrix<T, A::RowsAtCompileTime, 1> per_row(n);
+  for (int i = 0; i < n; ++i) {
+    T size(0);
+    for (int j = 0; j < n; ++j) {
+      terms(i, j) = magnitude(base_value(a(i, j)));
+      if (terms(i, j) > size) size = terms(i, j);
     }
-  Base<S> const floor = Base<S>(static_cast<long>(n)) * epsilon<S>() * largest;
+    per_row[i] = size > T(0) ? T(T(1) / size) : T(0);
+  }
+  // Eight roundings for each of the n terms: entries that come out of a computation carry a few of their own.
+  T const bound = T(8 * n) * epsilon<S>();
 
-  for (Eigen::Index k = 0; k < n; ++k) {
-    Eigen::Index pivot = k;
-    for (Eigen::Index i = k + 1; i < n; ++i)
-      if (magnitude(base_value(a(i, k))) > magnitude(base_value(a(pivot, k)))) pivot = i;
-    Base<S> const size = magnitude(base_value(a(pivot, k)));
-    if (!(size > floor)) {
-      double const scale = to_double(largest);
-      throw Singular(where, "a matrix with an inverse is needed; smallest pivot over largest entry",
-                     scale > 0 ? to_double(size) / scale : 0.0, to_double(floor) / (scale > 0 ? scale : 1.0));
+  for (int k = 0; k < n; ++k) {
+    int pivot = k;
+    T best = magnitude(base_value(a(k, k))) * per_row[k];
+    for (int i = k + 1; i < n; ++i) {
+      T const candidate = magnitude(base_value(a(i, k))) * per_row[i];
+      if (candidate > best) pivot = i, best = candidate;
+    }
+    T const size = magnitude(base_value(a(pivot, k)));
+    if (!(size > bound * terms(pivot, k))) {
+      T const of = terms(pivot, k);
+      throw Singular(where, "a matrix with an inverse is needed; pivot over the terms it is made from",
+                     of > T(0) ? to_double(T(size / of)) : 0.0, to_double(bound));
     }
     if (pivot != k) {
       a.row(k).swap(a.row(pivot));
       x.row(k).swap(x.row(pivot));
+      terms.row(k).swap(terms.row(pivot));
+      std::swap(per_row[k], per_row[pivot]);
     }
     S const inverse = S(1) / a(k, k);
-    for (Eigen::Index i = k + 1; i < n; ++i) {
+    for (int i = k + 1; i < n; ++i) {
       S const factor = a(i, k) * inverse;
-      for (Eigen::Index j = k + 1; j < n; ++j) a(i, j) -= factor * a(k, j);
-      for (Eigen::Index j = 0; j < x.cols(); ++j) x(i, j) -= factor * x(k, j);
+      for (int j = k + 1; j < n; ++j) {
+        S const term = factor * a(k, j);
+        a(i, j) -= term;
+        T const subtracted = magnitude(base_value(term));
+        if (subtracted > terms(i, j)) terms(i, j) = subtracted;
+      }
+      for (int j = 0; j < x.cols(); ++j) x(i, j) -= factor * x(k, j);
     }
     a(k, k) = inverse;
   }
-  for (Eigen::Index k = n - 1; k >= 0; --k)
-    for (Eigen::Index j = 0; j < x.cols(); ++j) {
+  for (int k = n - 1; k >= 0; --k)
+    for (int j = 0; j < x.cols(); ++j) {
       S sum = x(k, j);
-      for (Eigen::Index i = k + 1; i < n; ++i) sum -= a(k, i) * x(i, j);
+      for (int i = k + 1; i < n; ++i) sum -= a(k, i) * x(i, j);
       x(k, j) = sum * a(k, k);
     }
   return x;

@@ -111,7 +111,8 @@ auto magnitude(Eigen::MatrixBase<Derived> const& m) {
   for (Eigen::Index j = 0; j < m.cols(); ++j)
     for (Eigen::Index i = 0; i < m.rows(); ++i) {
       auto const size = magnitude(typename Derived::Scalar(m(i, j)));
-      if (!(size <= largest)) largest = size;
+      if (size != size) return size;  // no number: say so, whatever follows
+      if (size > largest) largest = size;
     }
   return largest;
 }

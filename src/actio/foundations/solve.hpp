@@ -11,9 +11,9 @@ namespace actio {
 
 /// What a solver did.
 struct Report {
-  int evaluations = 0;             ///< how often the residual (with its derivative) was evaluated
-  std::vector<double> residuals;   ///< largest component of the residual at each iterate
-  double tolerance = 0;            ///< the rounding level it had to come under
+  int evaluations = 0;            ///< how often the residual (with its derivative) was evaluated
+  std::vector<double> residuals;  ///< at each iterate, the largest component of the residual relative to its row of the derivative
+  double tolerance = 0;           ///< the rounding level they had to come under
 };
 
 /// A solution and how it was found.
@@ -23,24 +23,41 @@ struct Solved {
   Report report;
 };
 
+/// Largest |value_i| / sum_j |derivative_ij|: the residual in units of motion in the group, whatever its components' units are.
+template <class V, class M>
+double relative_residual(Eigen::MatrixBase<V> const& value, Eigen::MatrixBase<M> const& derivative) {
+  using S = typename V::Scalar;
+  double largest = 0;
+  for (Eigen::Index i = 0; i < value.size(); ++i) {
+    S row(0);
+    for (Eigen::Index j = 0; j < derivative.cols(); ++j) row += magnitude(S(derivative(i, j)));
+    S const size = magnitude(S(value[i]));
+    if (size > S(0)) largest = std::max(largest, row > S(0) ? to_double(S(size / row)) : HUGE_VAL);
+  }
+  return largest;
+}
+
 /// Solves residual(f) = 0 for f in G, starting from `start`.
 ///
 /// Newton in the algebra: \f$f \leftarrow e^{\delta} f\f$ with \f$\delta\f$ from the exact derivative of the residual; `restore` once an update,
 /// because products of many elements drift off the group.
-/// It stops at 16 epsilon times the derivative's row norm: what one rounding error in f does to the residual, with 16 of them allowed for. It
-/// also stops, satisfied, where the residual no longer falls within 64 times that level. The update at hand is applied all the same: it costs
-/// no evaluation, and without it what is left of the residual would add up, step after step, in one direction. An update longer than 1 in the
-/// algebra's coordinates is shortened to 1, so that a bad start does not leave the chart.
+/// It stops where each component of the residual is within 16 epsilon of its row of the derivative: what one rounding error in f does to
+/// it, with 16 of them allowed for. It also stops, satisfied, where the residual no longer falls within 64 times that level. The update that the last
+/// derivative gives costs nothing more and is made too. An update longer than 1 in the algebra's coordinates is shortened to 1, so that a bad
+/// start does not leave the chart.
 ///
 /// @param residual  element at any scalar -> covector at the same scalar
-/// @throws Singular      where the derivative has no inverse: the Lagrangian is not regular there
-/// @throws NotConverged  with the history of residuals, after `limit` iterations or where the residual grows without end
-/// @throws NotFinite     where the residual is no number
+/// @throws Singular      where the derivative has no inverse, at a solution too: the Lagrangian is not regular there
+/// @throws NotConverged  with the history of residuals, after `limit` iterations or where the residual grows beyond all numbers
+/// @throws NotFinite     where the residual at `start` is no number
 template <ExponentialGroup G, Real S, class Residual>
 Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> const& start, int limit = 60) {
   int const n = start.group.dimension();
+  require_finite(start.value, "solve_on_group: start");
   Solved<Element<G, S>> found{start, {}};
   Report& report = found.report;
+  report.residuals.reserve(8);
+  report.tolerance = 16 * to_double(epsilon<S>());
   Eigen::Matrix<S, G::dim, G::dim> derivative(n, n);
   Coordinates<G, S> value(n);
 
@@ -53,19 +70,21 @@ Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> con
         for (int i = 0; i < n; ++i) value[i] = moved[i].value;
     });
     ++report.evaluations;
-    if (!is_finite(value) || !is_finite(derivative)) throw NotFinite("solve_on_group: residual");
+    if (!is_finite(value) || !is_finite(derivative)) {
+      if (iteration == 0) throw NotFinite("solve_on_group: residual or its derivative");
+      throw NotConverged("solve_on_group", report.residuals, report.tolerance);
+    }
 
-    double const size = to_double(magnitude(value));
-    report.tolerance = 16 * to_double(epsilon<S>()) * row_norm(derivative);
-    double const before = report.residuals.empty() ? size * 4 : report.residuals.back();
+    double const before = report.residuals.empty() ? HUGE_VAL : report.residuals.back();
+    double const size = relative_residual(value, derivative);
     report.residuals.push_back(size);
-    bool const at_rounding = size <= report.tolerance || (size <= 64 * report.tolerance && size > before / 2);
+    bool const done = size <= report.tolerance || (size <= 64 * report.tolerance && size > before / 2);
 
     Coordinates<G, S> update = solve_linear(derivative, Coordinates<G, S>(-value), "solve_on_group: derivative of the residual");
     double const length = to_double(magnitude(update));
     if (length > 1) update /= S(Base<S>(length));
     found.value = restore(exp(Velocity<G, S>{start.group, update}) * found.value);
-    if (at_rounding) return found;
+    if (done) return found;
   }
   throw NotConverged("solve_on_group", report.residuals, report.tolerance);
 }

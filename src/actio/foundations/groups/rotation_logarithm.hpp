@@ -32,7 +32,7 @@ S angle_of_rotation(S const& sine, S const& cosine) {
 template <Real S>
 Eigen::Matrix<S, 4, 1> quaternion_of_rotation(Eigen::Matrix<S, 3, 3> const& r) {
   using std::sqrt;
-  if (!is_finite(r)) throw NotFinite("quaternion_of_rotation");
+  require_finite(r, "quaternion_of_rotation");
   Eigen::Matrix<S, 4, 1> q;
   S const trace = r(0, 0) + r(1, 1) + r(2, 2);
   int i = 0;
@@ -67,6 +67,20 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 4, 1> const& q) {
     throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI - 2 * to_double(q[0]), M_PI);
   S const sine = sqrt(square);
   return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
+}
+
+/// The rotation vector of a rotation matrix of 3-space.
+/// @throws OutsideDomain  at a rotation by pi
+template <Real S>
+Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
+  require_finite(r, "log");
+  if (base_value(r(0, 0)) + base_value(r(1, 1)) + base_value(r(2, 2)) > Base<S>(2)) {
+    // Below 30 degrees the skew part, the sine times the axis, is enough: no root, no division.
+    Eigen::Matrix<S, 3, 1> const v{(r(2, 1) - r(1, 2)) / 2, (r(0, 2) - r(2, 0)) / 2, (r(1, 0) - r(0, 1)) / 2};
+    S const square = v.squaredNorm();
+    if (base_value(square) < ratio<Base<S>>(1, 4)) return v * asinc_derivative<0>(square);
+  }
+  return rotation_vector(quaternion_of_rotation(r));
 }
 
 /// The logarithm of a rotation of n-space, for plain scalars. (See the file's head for n = 2, 3.)

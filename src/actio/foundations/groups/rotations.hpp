@@ -78,7 +78,7 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
     if constexpr (n == 2)
       return Eigen::Matrix<S, 1, 1>(angle_of_rotation(S(a(1, 0) - a(0, 1)), S(a(0, 0) + a(1, 1))));
     else if constexpr (n == 3)
-      return rotation_vector(quaternion_of_rotation(a));
+      return rotation_vector(a);
     else if constexpr (is_dual<S>)
       return primitive::lifted_log(SO{}, a);
     else
