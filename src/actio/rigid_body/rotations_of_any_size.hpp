@@ -1,0 +1,61 @@
+// SO(n) with n known when the program runs, and the planes in which coordinates of so(n) turn.
+//
+// The same coordinates as for a fixed n: for n = 3 the axes, for n = 2 the angle, otherwise the entries above the diagonal, row by row.
+#pragma once
+
+#include "actio/foundations/groups/rotations.hpp"
+
+namespace actio {
+
+/// Calls `visit(a, i, j)` for each coordinate a of so(n): the a-th basis vector has +1 at (i, j) and -1 at (j, i).
+template <class Visit>
+void over_planes(int n, Visit const& visit) {
+  if (n == 2) {
+    visit(0, 1, 0);
+  } else if (n == 3) {
+    for (int a = 0; a < 3; ++a) visit(a, (a + 2) % 3, (a + 1) % 3);
+  } else {
+    for (int i = 0, a = 0; i < n; ++i)
+      for (int j = i + 1; j < n; ++j, ++a) visit(a, i, j);
+  }
+}
+
+/// SO(n), n at run time.
+template <>
+struct SO<Eigen::Dynamic> {
+  static constexpr int size = Eigen::Dynamic;  ///< known at run time only
+  static constexpr int dim = Eigen::Dynamic;   ///< known at run time only
+  int n = 3;                                   ///< dimension of the space that is rotated
+
+  int matrix_size() const { return n; }
+  int dimension() const { return n * (n - 1) / 2; }
+
+  template <class V>
+  auto hat(Eigen::MatrixBase<V> const& v) const {
+    using S = typename V::Scalar;
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> m = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(n, n);
+    over_planes(n, [&](int a, int i, int j) { m(i, j) = v[a], m(j, i) = -v[a]; });
+    return m;
+  }
+  /// The skew part of a matrix, as coordinates.
+  template <class M>
+  auto vee(Eigen::MatrixBase<M> const& m) const {
+    using S = typename M::Scalar;
+    Eigen::Matrix<S, Eigen::Dynamic, 1> v(dimension());
+    over_planes(n, [&](int a, int i, int j) { v[a] = (m(i, j) - m(j, i)) / S(2); });
+    return v;
+  }
+  template <class S>
+  static Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> inverse(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& a) {
+    return a.transpose();
+  }
+  /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
+  template <Real S>
+  static Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> restore(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& a) {
+    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> excess = a.transpose() * a;
+    excess.diagonal().array() -= S(1);
+    return a - a * excess / S(2);
+  }
+};
+
+}  // namespace actio
