@@ -22,6 +22,21 @@ Element<G, S> relative_motion_left(Element<G, S> const& g0, Element<G, S> const&
   return inverse(g1) * g0;
 }
 
+/// \f$\delta f\,f^{-1} = \vartheta_0 - \mathrm{Ad}_f\,\vartheta_1\f$: how \f$f = g_0g_1^{-1}\f$ varies with its places, \f$\vartheta = \delta g\,g^{-1}\f$.
+///
+/// \implements{claim_3_2_variation_of_f}
+template <Group G, Field S>
+Velocity<G, S> relative_variation_right(Element<G, S> const& f, Velocity<G, S> const& theta0, Velocity<G, S> const& theta1) {
+  // [claim_3_2_variation_of_f]
+  return theta0 - Ad(f, theta1);
+  // [claim_3_2_variation_of_f]
+}
+/// \f$f^{-1}\delta f = \vartheta_0 - \mathrm{Ad}_{f^{-1}}\,\vartheta_1\f$: how \f$f = g_1^{-1}g_0\f$ varies with its places, \f$\vartheta = g^{-1}\delta g\f$.
+template <Group G, Field S>
+Velocity<G, S> relative_variation_left(Element<G, S> const& f, Velocity<G, S> const& theta0, Velocity<G, S> const& theta1) {
+  return theta0 - Ad(inverse(f), theta1);
+}
+
 /// The discrete Lagrangian on G x G that a function of \f$g_0g_1^{-1}\f$ stands for.
 ///
 /// \implements{claim_3_2_reduced_lagrangian}
