@@ -193,12 +193,29 @@ Coordinates<G, S> log_of(G const& group, Storage<G, S> const& a) {
     return group.vee(matrix_logarithm(a));
 }
 
+/// Back on the group by way of the algebra, through Cayley's transform and its inverse. Where that is badly conditioned, which is next to an
+/// eigenvalue -1, the element is returned as it is.
+template <class M, class G>
+M restore_by_cayley(G const& group, M const& a) {
+  M flat;
+  try {
+    flat = inverse_cayley(a);
+  } catch (Singular const&) {
+    return a;
+  }
+  if (!(row_norm(flat) < 8)) return a;
+  M const restored = cayley(group.hat(group.vee(flat)));
+  double const distance = row_norm(M(restored - a)) / row_norm(a);
+  if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the group is needed; relative distance", distance, 0.1);
+  return restored;
+}
+
 template <class G, class A>
 A restore(G const& group, A const& a) {
   if constexpr (requires { group.restore(a); })
     return group.restore(a);
   else
-    return cayley(group.hat(group.vee(inverse_cayley(a))));
+    return restore_by_cayley<A>(group, a);
 }
 
 }  // namespace primitive

@@ -22,6 +22,7 @@ struct Aff1 : Matrices<2, 2> {
   }
   template <class S>
   static Eigen::Matrix<S, 2, 2> inverse(Eigen::Matrix<S, 2, 2> const& a) {
+    if (base_value(a(0, 0)) == Base<S>(0)) throw Singular("inverse", "a map of the line that stretches by more than zero is needed", 0, 0);
     Eigen::Matrix<S, 2, 2> b;
     b << S(1) / a(0, 0), -a(0, 1) / a(0, 0), S(0), S(1);
     return b;

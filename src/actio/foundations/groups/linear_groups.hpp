@@ -50,10 +50,14 @@ struct SL2 : Matrices<2, 3> {
     return b;
   }
   /// Scaled to determinant 1.
+  /// @throws OutsideDomain  where the determinant is not even near 1
   template <Real S>
   static Eigen::Matrix<S, 2, 2> restore(Eigen::Matrix<S, 2, 2> const& a) {
     using std::sqrt;
-    return a / S(sqrt(S(a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0))));
+    S const determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+    double const distance = std::abs(to_double(determinant) - 1);
+    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near SL(2) is needed; |determinant - 1|", distance, 0.1);
+    return a / S(sqrt(determinant));
   }
 };
 

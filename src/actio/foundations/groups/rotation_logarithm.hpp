@@ -4,6 +4,8 @@
 // zero. At pi itself the rotation vector has no sign: the natural chart (3.19) ends there and the functions refuse.
 #pragma once
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 #include "actio/foundations/matrix_group.hpp"
@@ -17,13 +19,14 @@ Base<S> edge_of_chart() {
 }
 
 /// The angle with the given sine and cosine (up to a common positive factor), in (-pi, pi).
+/// @param edge  how near to pi is too near
 /// @throws OutsideDomain  at pi
 template <Real S>
-S angle_of_rotation(S const& sine, S const& cosine) {
+S angle_of_rotation(S const& sine, S const& cosine, Base<S> const& edge = edge_of_chart<S>()) {
   using std::atan2;
-  if (!is_finite(sine) || !is_finite(cosine)) throw NotFinite("log");
+  if (!is_finite(base_value(sine)) || !is_finite(base_value(cosine))) throw NotFinite("log");
   Base<S> const s = magnitude(base_value(sine)), c = base_value(cosine);
-  if (c < Base<S>(0) && s <= edge_of_chart<S>() * -c)
+  if (c < Base<S>(0) && s <= edge * -c)
     throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI, M_PI);
   return atan2(sine, cosine);
 }
@@ -83,11 +86,40 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
   return rotation_vector(quaternion_of_rotation(r));
 }
 
-/// The logarithm of a rotation of n-space, for plain scalars. (See the file's head for n = 2, 3.)
+/// The logarithm of a rotation of n-space, for plain scalars. (See above for n = 2, 3.)
+///
+/// Away from the identity the rotation is split into turns of orthogonal planes by its real Schur form, which is block diagonal because rotations
+/// are normal; each angle comes from its sine and cosine. Equal angles, planes at rest and angles next to pi need no care of their own.
+/// @throws OutsideDomain  where one of the angles is pi
+/// Accuracy: the exponential of the result is r to a few tens of epsilon. Two angles within d of pi magnify that by 1/d, as they do in any
+/// algorithm: the logarithm is not differentiable where both reach it.
 template <Real S, int n>
 Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
-  Eigen::Matrix<S, n, n> const a = matrix_logarithm(r);
-  return (a - a.transpose()) / S(2);
+  using Matrix = Eigen::Matrix<S, n, n>;
+  require_finite(r, "log");
+  if (row_norm(Matrix(r - Matrix::Identity(r.rows(), r.cols()))) < 0.25) {
+    Matrix const a = matrix_logarithm(r);
+    return (a - a.transpose()) / S(2);
+  }
+  // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, which keeps the iteration from splitting hairs: it neglects
+  // what is small beside the diagonal, and the cosines of r may be zero.
+  Matrix const shifted = r + S(4) * Matrix::Identity(r.rows(), r.cols());
+  Eigen::RealSchur<Matrix> const schur(shifted);
+  if (schur.info() != Eigen::Success) throw NotConverged("log: Schur form of a rotation", {}, to_double(epsilon<S>()));
+  Matrix const& t = schur.matrixT();
+  int const size = static_cast<int>(r.rows());
+  Base<S> const edge = Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
+  Matrix turns = Matrix::Zero(size, size);
+  for (int i = 0; i < size; ++i) {
+    if (i + 1 < size && t(i + 1, i) != S(0)) {
+      S const angle = angle_of_rotation(S(t(i + 1, i) - t(i, i + 1)), S(t(i, i) + t(i + 1, i + 1) - S(8)), edge);
+      turns(i + 1, i) = angle, turns(i, i + 1) = -angle;
+      ++i;
+    } else if (t(i, i) < S(4)) {
+      throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI, M_PI);
+    }
+  }
+  return schur.matrixU() * turns * schur.matrixU().transpose();
 }
 
 }  // namespace actio

@@ -22,8 +22,13 @@ struct SpannedGroup {
   /// @param name_of_group  for messages
   /// @param basis          square matrices of one size, linearly independent
   /// @throws Singular      where the matrices are linearly dependent
-  /// @throws OutsideDomain where a commutator of two of them leaves their span
+  /// @throws OutsideDomain where a commutator of two of them leaves their span, where there are none, or where they are not square of one size
   SpannedGroup(std::string name_of_group, std::vector<WholeMatrix> basis) {
+    if (basis.empty()) throw OutsideDomain("SpannedGroup", "at least one basis matrix is needed", 0, 1);
+    for (WholeMatrix const& e : basis)
+      if (e.rows() != basis.front().rows() || e.cols() != basis.front().rows())
+        throw OutsideDomain("SpannedGroup", "square basis matrices of one size are needed; columns and size", static_cast<double>(e.cols()),
+                            static_cast<double>(basis.front().rows()));
     auto made = std::make_shared<Data>();
     made->name = std::move(name_of_group);
     made->basis = std::move(basis);

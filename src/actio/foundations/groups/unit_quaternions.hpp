@@ -63,7 +63,7 @@ struct SU2 {
   template <Real S>
   static Vector<S> log(Value<S> const& q) {
     using std::atan2, std::sqrt;
-    if (!is_finite(q)) throw NotFinite("log");
+    require_finite(q, "log");
     Vector<S> const v = q.template tail<3>();
     S const square = v.squaredNorm();
     if (base_value(q[0]) > Base<S>(0) && base_value(square) < Base<S>(1) / Base<S>(4)) return rotation_vector(q);
@@ -72,10 +72,15 @@ struct SU2 {
       throw OutsideDomain("log", "quaternion reaches -1; the natural chart needs less (3.19)", 2 * M_PI, 2 * M_PI);
     return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
   }
+  /// Scaled to length 1.
+  /// @throws OutsideDomain  where the length is not even near 1
   template <Real S>
   static Value<S> restore(Value<S> const& q) {
     using std::sqrt;
-    return q / S(sqrt(S(q.squaredNorm())));
+    S const square = q.squaredNorm();
+    double const distance = std::abs(to_double(square) - 1);
+    if (!(distance < 0.1)) throw OutsideDomain("restore", "a quaternion near unit length is needed; |q^2 - 1|", distance, 0.1);
+    return q / S(sqrt(square));
   }
 };
 
