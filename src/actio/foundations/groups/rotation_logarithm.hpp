@@ -95,6 +95,7 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
 /// algorithm: the logarithm is not differentiable where both reach it.
 template <Real S, int n>
 Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
+  static_assert(Plain<S>, "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
   using Matrix = Eigen::Matrix<S, n, n>;
   require_finite(r, "log");
   if (row_norm(Matrix(r - Matrix::Identity(r.rows(), r.cols()))) < 0.25) {
