@@ -74,10 +74,15 @@ int main(int argc, char** argv) {
     Motion m{Matrix3d::Identity(), start.cwiseQuotient(I)};
     double const energy = l(body(m.Omega));
     std::vector<Vector3d> path{start};
+    bool away = false, closed = false;  // one time round will do for the picture
     for (int k = 0; k * h < duration; ++k) {
       m = runge_kutta(reduced, m, h);
       Vector3d const Pi = Pi_of(m).components;
-      if (k % 16 == 0) path.push_back(Pi);
+      away = away || (Pi - start).norm() > 0.1 * p;
+      if (k % 8 == 0 && !closed) {
+        closed = away && (Pi - start).norm() < 0.02 * p;
+        path.push_back(closed ? start : Pi);
+      }
       off_orbit = std::max(off_orbit, std::abs(Pi.norm() / p - 1));
       off_energy = std::max(off_energy, std::abs(l(body(m.Omega)) / energy - 1));
       off_space = std::max(off_space, (mu_of(m).components - start).norm() / p);
@@ -85,9 +90,9 @@ int main(int argc, char** argv) {
     return path;
   };
   for (double const sign : {1.0, -1.0})
-    for (double const tilt : {0.15, 0.35, 0.55}) {
-      sphere.curve(follow({sign, tilt, 0}), sign > 0 && tilt < 0.2 ? "round the axis of the smallest moment" : "", {.colour = 2});
-      sphere.curve(follow({0, tilt * 2, sign}), sign > 0 && tilt < 0.2 ? "round the axis of the largest moment" : "", {.colour = 1});
+    for (double const tilt : {0.2, 0.5, 1.0, 2.0}) {
+      sphere.curve(follow({sign, tilt, 0}), sign > 0 && tilt < 0.3 ? "round the axis of the smallest moment" : "", {.colour = 2});
+      sphere.curve(follow({0, tilt, sign}), sign > 0 && tilt < 0.3 ? "round the axis of the largest moment" : "", {.colour = 1});
     }
 
   // 5. Where the energy is that of the middle axis the level splits the sphere: two great circles through that axis.
@@ -97,7 +102,7 @@ int main(int argc, char** argv) {
     for (int k = 0; k <= 360; ++k) circle.push_back(std::cos(k * M_PI / 180) * Vector3d::UnitY() + std::sin(k * M_PI / 180) * across);
     sphere.curve(circle, sign > 0 ? "separatrix, through the middle axis" : "", {.colour = 4, .width = 2.2});
   }
-  program.picture("orbit", sphere.svg(), "The momentum of a thrown book, as the book sees it: twelve throws with the same amount of momentum, so all on one sphere, the "
+  program.picture("orbit", sphere.svg(), "The momentum of a thrown book, as the book sees it: sixteen throws with the same amount of momentum, so all on one sphere, the "
                   "coadjoint orbit. Each follows a level of the energy. Round the height and through the pages the curves close about the axis; about the middle axis, "
                   "where the great circles cross, nothing stays near.");
   program.figure("orbit", off_orbit, "largest distance from the sphere, relative");
