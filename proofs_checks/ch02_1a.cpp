@@ -69,7 +69,7 @@ STATEMENT(eq_2_2, "the action is stationary at motions") {
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
     S const a = ratio<S>(-1, 5), b = ratio<S>(2, 5);
-    auto const motion = m.motion(draw_state<S>(draw, group));
+    auto const motion = m.motion(draw_near_state<S>(draw, group));
     auto const other = draw_polynomial_curve(draw, m);
     auto const fixed = draw_direction<S>(draw, group.dimension(), a, b, true), loose = draw_direction<S>(draw, group.dimension(), a, b, false);
 
@@ -120,7 +120,7 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
     S const a = ratio<S>(-1, 5), b = ratio<S>(2, 5);
-    auto const motion = m.motion(draw_state<S>(draw, group));
+    auto const motion = m.motion(draw_near_state<S>(draw, group));
     auto const q = entries_of(m, motion);
     auto const loose = draw_direction<S>(draw, group.dimension(), a, b, false);
     auto const boundary = [&](S const& t) { return S(momenta_in_entries(m, q, t).dot(Vector<S>(loose(t)))); };
@@ -171,7 +171,7 @@ STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of t
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
     S const a = ratio<S>(1, 5), b = ratio<S>(2, 5);
-    auto const motion = m.motion(draw_state<S>(draw, group));
+    auto const motion = m.motion(draw_near_state<S>(draw, group));
     auto const family = shifted(m, motion, draw_direction<S>(draw, group.dimension(), a, b, false));
     auto const lifted = lifted_variation(family, b), at_zero = lifted_variation(family, S(0));
 

@@ -35,7 +35,7 @@ STATEMENT(eq_2_7, "the action as a function of the initial velocity") {
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
-    auto const v = draw_state<S>(draw, group);
+    auto const v = draw_near_state<S>(draw, group);
     S const t = ratio<S>(1, 3), s = ratio<S>(1, 5);
     auto const after = m.flow(v, t);
 
@@ -64,7 +64,7 @@ STATEMENT(eq_2_8, "differential of the action on solutions") {
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
-    auto const v = draw_state<S>(draw, group);
+    auto const v = draw_near_state<S>(draw, group);
     auto const w = draw_change<S>(draw, group);
     S const t = ratio<S>(1, 3);
 
@@ -83,7 +83,7 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
   claim.degree(degree_bound);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
-    auto const v = draw_state<S>(draw, group);
+    auto const v = draw_near_state<S>(draw, group);
     auto const w1 = draw_change<S>(draw, group), w2 = draw_change<S>(draw, group);
     S const t = ratio<S>(1, 3);
     S const before = lagrange_two_form(m, v, w1, w2);
@@ -101,7 +101,7 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
   // To first order, on every group: the rate of omega(TF_t w1, TF_t w2) at t = 0. The tangent of the flow moves w by theta' = d xi + [xi, theta], d xi' = dX.w.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
-    State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
+    auto const v = draw_state<S>(draw, group);
     auto const w1 = draw_change<S>(draw, group), w2 = draw_change<S>(draw, group);
     auto const X = lagrange_vector_field(L, v);
     auto const rate_of_form = [&](auto const& vector_field) {
@@ -135,7 +135,7 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
-    auto const v = draw_state<S>(draw, group);
+    auto const v = draw_near_state<S>(draw, group);
     S const t = ratio<S>(1, 3);
     // Two commuting vector fields: straight coordinates and their rates moved along fixed vectors.
     int const n = group.dimension();
@@ -184,7 +184,7 @@ STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
   claim.degree(degree_bound);
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const v = draw_state<S>(draw, group);
+    auto const v = draw_near_state<S>(draw, group);
     S const t = ratio<S>(1, 3);
     // The four members of (2.9) for the shift of straight coordinates along d.
     auto const members = [&](auto const& m, Vector<S> const& d) {

@@ -106,6 +106,18 @@ Vector<T> euler_lagrange_in_coordinates(F const& f, Vector<T> const& q, Vector<T
   return slopes(f, q, v) - rates(momenta(f, moving(q, v), moving(v, a)));
 }
 
+/// A point of TG, and a tangent vector there.
+template <class S>
+State<SpannedGroup, S> draw_state(Draw& draw, SpannedGroup const& group) {
+  auto const g = draw.element<S>(group);
+  return {g, draw.velocity<S>(group)};
+}
+template <class S>
+StateChange<SpannedGroup, S> draw_change(Draw& draw, SpannedGroup const& group) {
+  auto const theta = draw.velocity<S>(group);
+  return {theta, draw.velocity<S>(group)};
+}
+
 /// A curve in a group through random points, t -> retract(t a + t^2 b) retract(t c) h: no geodesic, no one-parameter group.
 template <class S>
 auto draw_curve(Draw& draw, SpannedGroup const& group) {

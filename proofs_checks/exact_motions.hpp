@@ -146,13 +146,9 @@ ExactMotions<S> draw_exact_motions(Draw& draw, SpannedGroup const& group) {
 }
 /// A state near the identity, slow enough to stay in the group for times below 1.
 template <class S>
-State<SpannedGroup, S> draw_state(Draw& draw, SpannedGroup const& group) {
-  return {draw.element<S>(group, ratio<S>(1, 4)), draw.velocity<S>(group, ratio<S>(1, 4))};
-}
-template <class S>
-StateChange<SpannedGroup, S> draw_change(Draw& draw, SpannedGroup const& group) {
-  auto const theta = draw.velocity<S>(group);
-  return {theta, draw.velocity<S>(group)};
+State<SpannedGroup, S> draw_near_state(Draw& draw, SpannedGroup const& group) {
+  auto const g = draw.element<S>(group, ratio<S>(1, 4));
+  return {g, draw.velocity<S>(group, ratio<S>(1, 4))};
 }
 
 /// Groups whose entries are coordinates.
