@@ -10,25 +10,6 @@ using namespace actio::checks;
 
 namespace {
 
-/// A right-invariant function of pairs that does not know the library's quotient: it eliminates f from f g1 = g0.
-template <class F>
-struct InvariantPair {
-  F l;
-  template <class T>
-  T operator()(Place<T> const& g0, Place<T> const& g1) const {
-    return l(relative_motions_right(Places<T>{g0, g1}).front());
-  }
-};
-/// The same, left-invariant.
-template <class F>
-struct LeftInvariantPair {
-  F l;
-  template <class T>
-  T operator()(Place<T> const& g0, Place<T> const& g1) const {
-    return l(relative_motions_left(Places<T>{g0, g1}).front());
-  }
-};
-
 /// A sequence with one variation for each place.
 template <class S>
 struct VariedSequence {
@@ -75,7 +56,7 @@ STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instea
   claim.holds("It serves as well, but the equations that follow exchange their sides: L* l~' at the new motion equals R* l~' at the one before.");
   claim.degree(100);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_group_polynomial<S>(draw, group);
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_places<S>(draw, group, 4);
     auto const f01 = g[1] * inverse(g[0]), f12 = g[2] * inverse(g[1]);
     claim.equal("right multiplication of both places does not count", model, (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
@@ -94,7 +75,8 @@ STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a f
   claim.holds("The sum over k = 0, ..., N-1 that is printed here belongs to the places g_0, ..., g_N; (3.1) prints k = 1, ..., N.");
   claim.degree(100);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    InvariantPair const invariant{draw_group_polynomial<S>(draw, group)};
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
+    auto const invariant = lifted(l);
     auto const g = draw_places<S>(draw, group, 6);
     auto const one = identity<S>(group);
     // Restrict to pairs (f, 1), and lift again.
@@ -117,7 +99,7 @@ STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a f
       shifted.push_back(draw.template element<S>(group));
       return S(reduced_sum(reduced, relative_motions_right(shifted)) - action);
     });
-    claim.refutes("k = 1, ..., N", model, from_one, momenta_of(invariant.l, relative_motions_right(g)));
+    claim.refutes("k = 1, ..., N", model, from_one, momenta_of(l, relative_motions_right(g)));
   });
 }
 
@@ -125,11 +107,11 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
   claim.corrected(R"(s : G^{N+1}\to\mathbb R \text{ in condition (3), } N\ge3)", R"(s : G^{N}\to\mathbb R,\quad N\ge2)",
                   "N pairs have N relative motions, so s is a function on G^N; an extremum is a stationary point; the equivalence holds from N = 2 on.");
   claim.degree(2000);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     for (int steps : {2, 3}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
       auto const f = draw_places<S>(draw, group, steps);
-      auto const any = draw_group_polynomial<S>(draw, group);
+      auto const any = draw_reduced_lagrangian<S>(draw, group);
       auto const l = with_motions_right(any, f);
       auto const scale = momenta_of(l, f);
       auto const g = places_right(draw.template element<S>(group), f);
@@ -143,9 +125,9 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
         return values;
       };
       auto const first = [&](auto const& k) {
-        return along_each([&](auto const& theta) { return discrete_action(InvariantPair{k}, VariedSequence<S>{g, theta}.right()).part[0]; });
+        return along_each([&](auto const& theta) { return discrete_action(lifted(k), VariedSequence<S>{g, theta}.right()).part[0]; });
       };
-      auto const second = [&](auto const& k, int i) { return discrete_euler_lagrange(InvariantPair{k}, g[i - 1], g[i], g[i + 1]); };
+      auto const second = [&](auto const& k, int i) { return discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1]); };
       auto const third = [&](auto const& k) {
         return along_each([&](auto const& theta) {
           S sum(0);
@@ -177,7 +159,7 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
   claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)", "The action sum has N + 1 places, the reduced sum N relative motions.");
   claim.degree(100);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_group_polynomial<S>(draw, group);
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
     for (int steps : {3, 4}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
       auto const f = draw_places<S>(draw, group, steps + 1, ratio<S>(1, 2));
@@ -185,7 +167,7 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
       auto const g = places_right(draw.template element<S>(group), f);
       Places<S> const places(g.begin(), g.end() - 1);
       // N relative motions and one place make N + 1 places with that action.
-      S const action = discrete_action(InvariantPair{l}, places);
+      S const action = discrete_action(lifted(l), places);
       claim.zero("N of them give the action of N + 1 places" + of, model, S(reduced_sum(l, n_of_them) - action), momenta_of(l, f));
       auto const longer = several([&] {
         auto one_more = n_of_them;
@@ -240,12 +222,12 @@ STATEMENT(eq_3_10, "discrete Euler-Poincare equations, right-invariant case") {
   claim.holds();
   claim.degree(100);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_group_polynomial<S>(draw, group);
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_places<S>(draw, group, 3);
     auto const f01 = relative_motion_right(g[0], g[1]), f12 = relative_motion_right(g[1], g[2]);
 
     // Off shell: whatever the places, (3.10) is (3.2) of the invariant Lagrangian.
-    auto const full = discrete_euler_lagrange(InvariantPair{l}, g[0], g[1], g[2]);
+    auto const full = discrete_euler_lagrange(lifted(l), g[0], g[1], g[2]);
     claim.equal("(3.10) equals (3.2) of the invariant Lagrangian", model, euler_poincare_right(l, f01, f12), full);
     claim.equal("(3.10) from the definition of l', entry by entry", model, reduced_residual_right(l, Places<S>{f01, f12}), column(full));
     // Controls: the two translations exchanged, the two motions exchanged, the signs equal.
@@ -258,18 +240,18 @@ STATEMENT(eq_3_10, "discrete Euler-Poincare equations, right-invariant case") {
 STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same linear form of the variations") {
   claim.holds("Stationary among induced variations only: for free variations of f it would take l' = 0.");
   claim.degree(2000);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const steps = 4;
-    auto const l = draw_group_polynomial<S>(draw, group);
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
     VariedSequence<S> const sequence{draw_places<S>(draw, group, steps + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, steps + 1)};
     auto const& [g, theta] = sequence;
     auto const f = relative_motions_right(g);
 
     // Off shell, for arbitrary variations that vanish at the ends.
-    S const of_action = discrete_action(InvariantPair{l}, sequence.right()).part[0];
+    S const of_action = discrete_action(lifted(l), sequence.right()).part[0];
     S of_equations(0), of_sum(0), of_reduced(0);
     for (int k = 1; k < steps; ++k) {
-      of_equations += pair(discrete_euler_lagrange(InvariantPair{l}, g[k - 1], g[k], g[k + 1]), theta[k]);
+      of_equations += pair(discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), theta[k]);
       of_reduced += pair(euler_poincare_right(l, f[k - 1], f[k]), theta[k]);
     }
     for (int k = 0; k < steps; ++k) of_sum += slope(l, f[k], from_left(relative_variation_right(f[k], theta[k], theta[k + 1]), f[k]));
@@ -281,7 +263,7 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
     auto const end_moves = several([&] {
       auto ends = sequence;
       ends.theta[steps] = draw.template velocity<S>(group);
-      return S(discrete_action(InvariantPair{l}, ends.right()).part[0] - of_equations);
+      return S(discrete_action(lifted(l), ends.right()).part[0] - of_equations);
     });
     claim.refutes("the last place varies too", model, end_moves, scale);
 
@@ -300,9 +282,9 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
 STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum, line by line") {
   claim.holds("The terms k = 0 of the first sum and r = N of the second are gone because the ends do not vary.");
   claim.degree(100);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const n = 4;
-    auto const l = draw_group_polynomial<S>(draw, group);
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
     VariedSequence<S> const sequence{draw_places<S>(draw, group, n + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, n + 1)};
     auto const& g = sequence.g;
     auto const f = relative_motions_right(g);
@@ -354,9 +336,9 @@ STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum
 STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagrangians") {
   claim.holds();
   claim.degree(2000);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_group_polynomial<S>(draw, group);
-    LeftInvariantPair const invariant{l};
+  over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
+    auto const invariant = lifted_left(l);
     VariedSequence<S> const sequence{draw_places<S>(draw, group, 5, ratio<S>(1, 2)), draw_variations<S>(draw, group, 5)};
     auto const& [g, theta] = sequence;
     auto const f = relative_motions_left(g);
@@ -393,7 +375,7 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
     auto const terms = momenta_of(k, three);
     for (int i : {1, 2}) {
       claim.zero("(3.11) along a motion", model, euler_poincare_left(k, three[i - 1], three[i]), terms);
-      claim.zero("(3.2) along the same motion", model, discrete_euler_lagrange(LeftInvariantPair{k}, four[i - 1], four[i], four[i + 1]), terms);
+      claim.zero("(3.2) along the same motion", model, discrete_euler_lagrange(lifted_left(k), four[i - 1], four[i], four[i + 1]), terms);
     }
   });
 }
@@ -402,12 +384,12 @@ STATEMENT(eq_3_11, "discrete Euler-Poincare equations, left-invariant case") {
   claim.holds();
   claim.degree(100);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_group_polynomial<S>(draw, group);
+    auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_places<S>(draw, group, 3);
     auto const f10 = relative_motion_left(g[0], g[1]), f21 = relative_motion_left(g[1], g[2]);
 
     // Off shell: (3.2) of the invariant Lagrangian, read on variations g theta: Ad* of the place carries one reading to the other.
-    auto const full = Ad_star(g[1], discrete_euler_lagrange(LeftInvariantPair{l}, g[0], g[1], g[2]));
+    auto const full = Ad_star(g[1], discrete_euler_lagrange(lifted_left(l), g[0], g[1], g[2]));
     claim.equal("(3.11) equals (3.2) of the invariant Lagrangian", model, euler_poincare_left(l, f10, f21), full);
     claim.equal("(3.11) from the definition of l', entry by entry", model, reduced_residual_left(l, Places<S>{f10, f21}), column(full));
     // Controls: the equation of the other side, the two motions exchanged, f_{k,k+1} = g_k^-1 g_{k+1} instead.
@@ -422,48 +404,48 @@ STATEMENT(thm_3_2_3, "projection and reconstruction carry motions to motions") {
   claim.degree(2000);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f01 = draw.template element<S>(group), f12 = draw.template element<S>(group);
-    auto const l = with_motions_right(draw_group_polynomial<S>(draw, group), Places<S>{f01, f12});
+    auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), Places<S>{f01, f12});
     auto const scale = momenta_of(l, Places<S>{f01, f12});
     claim.zero("(3.10) along the reduced motion", model, euler_poincare_right(l, f01, f12), scale);
 
     // Lift: each place follows from the one before and the relative motion.
     auto const g0 = draw.template element<S>(group, S(1));
     auto const g1 = reconstruct_right(g0, f01), g2 = reconstruct_right(g1, f12);
-    claim.zero("(3.2) along the lifted motion", model, discrete_euler_lagrange(InvariantPair{l}, g0, g1, g2), scale);
+    claim.zero("(3.2) along the lifted motion", model, discrete_euler_lagrange(lifted(l), g0, g1, g2), scale);
     // Project it again.
     claim.zero("(3.10) along its projection", model, euler_poincare_right(l, relative_motion_right(g0, g1), relative_motion_right(g1, g2)), scale);
     // Controls: the last place lifted by f instead of its inverse, or on the other side.
-    auto const lifted = [&](auto const& third) {
-      std::vector<Momentum<SpannedGroup, S>> left_over;
+    auto const left_over = [&](auto const& third) {
+      std::vector<Momentum<SpannedGroup, S>> parts;
       for (int i = 0; i < 3; ++i) {
         auto const start = draw.template element<S>(group), next = reconstruct_right(start, f01);
-        left_over.push_back(discrete_euler_lagrange(InvariantPair{l}, start, next, third(next)));
+        parts.push_back(discrete_euler_lagrange(lifted(l), start, next, third(next)));
       }
-      return stacked(left_over);
+      return stacked(parts);
     };
     auto const size = momenta_of(l, Places<S>{f01, f12});
-    claim.refutes("lift by f instead of its inverse", model, lifted([&](auto const& g) { return f12 * g; }), size);
-    claim.refutes("lift on the other side", model, lifted([&](auto const& g) { return reconstruct_left(g, f12); }), size);
+    claim.refutes("lift by f instead of its inverse", model, left_over([&](auto const& g) { return f12 * g; }), size);
+    claim.refutes("lift on the other side", model, left_over([&](auto const& g) { return reconstruct_left(g, f12); }), size);
 
     // Left-invariant systems.
-    auto const k = with_motions_left(draw_group_polynomial<S>(draw, group), Places<S>{f01, f12});
+    auto const k = with_motions_left(draw_reduced_lagrangian<S>(draw, group), Places<S>{f01, f12});
     auto const h1 = reconstruct_left(g0, f01), h2 = reconstruct_left(h1, f12);
-    claim.zero("left-invariant: (3.2) along the lifted motion", model, discrete_euler_lagrange(LeftInvariantPair{k}, g0, h1, h2), momenta_of(k, Places<S>{f01, f12}));
+    claim.zero("left-invariant: (3.2) along the lifted motion", model, discrete_euler_lagrange(lifted_left(k), g0, h1, h2), momenta_of(k, Places<S>{f01, f12}));
   });
 }
 
 STATEMENT(claim_3_2_projection_of_del, "a motion of the full equations projects to one of the reduced equations") {
   claim.holds("For the invariant Lagrangians that the section is about.");
   claim.degree(2000);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     // Three steps of a motion of (3.2), by design: nothing reduced is used to make it.
     auto const g = draw_places<S>(draw, group, 4);
     auto const f = relative_motions_right(g);
     auto const l = solved_for(
-        draw_group_polynomial<S>(draw, group), f, [&](auto const& k, int i) { return column(discrete_euler_lagrange(InvariantPair{k}, g[i - 1], g[i], g[i + 1])); },
+        draw_reduced_lagrangian<S>(draw, group), f, [&](auto const& k, int i) { return column(discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1])); },
         [&](int i, int a) { return from_left(basis_velocity<S>(group, a), f[i]); });
     auto const scale = momenta_of(l, f);
-    for (int k : {1, 2}) claim.zero("(3.2) along the motion", model, discrete_euler_lagrange(InvariantPair{l}, g[k - 1], g[k], g[k + 1]), scale);
+    for (int k : {1, 2}) claim.zero("(3.2) along the motion", model, discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale);
     auto const projected = [&](int k) { return relative_motion_right(g[k], g[k + 1]); };
     for (int k : {1, 2}) claim.zero("(3.10) along the projection", model, euler_poincare_right(l, projected(k - 1), projected(k)), scale);
     // Control: the projection of the other side.
@@ -480,20 +462,20 @@ STATEMENT(claim_3_2_projection_of_del, "a motion of the full equations projects 
 STATEMENT(claim_3_2_reconstruction_of_dep, "a motion of the reduced equations lifts to motions of the full ones, one for each first place") {
   claim.holds("The first place is free: one reduced motion has a lift through every g_0.");
   claim.degree(2000);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_places<S>(draw, group, 3);
-    auto const l = with_motions_right(draw_group_polynomial<S>(draw, group), f);
+    auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
     auto const scale = momenta_of(l, f);
     for (int lift = 0; lift < 2; ++lift) {
       Places<S> g{draw.template element<S>(group)};
       for (auto const& step : f) g.push_back(reconstruct_right(g.back(), step));
       // Condition: each place carries the rounding of the products before it, magnified by the second derivatives of l.
-      for (int k : {1, 2}) claim.zero("(3.2) along each lift", model, discrete_euler_lagrange(InvariantPair{l}, g[k - 1], g[k], g[k + 1]), scale, 10);
+      for (int k : {1, 2}) claim.zero("(3.2) along each lift", model, discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale, 10);
       // Controls: relative motions taken in the wrong order; a sequence that does not satisfy (3.10).
       // (On the Heisenberg group a motion with little momentum at the centre does not care for order.)
       auto const back = places_right(g[0], Places<S>{f[2], f[1], f[0]});
       if (model != "Heisenberg") claim.refutes("relative motions in the wrong order", model, reduced_residual_right(l, relative_motions_right(back)), momenta_of(l, f));
-      auto const elsewhere = several([&] { return column(discrete_euler_lagrange(InvariantPair{l}, g[0], g[1], reconstruct_right(g[1], draw.template element<S>(group)))); });
+      auto const elsewhere = several([&] { return column(discrete_euler_lagrange(lifted(l), g[0], g[1], reconstruct_right(g[1], draw.template element<S>(group)))); });
       claim.refutes("relative motions that (3.10) does not give", model, elsewhere, momenta_of(l, f));
     }
   });

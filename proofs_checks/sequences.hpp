@@ -14,6 +14,15 @@ using Place = Element<SpannedGroup, S>;
 template <class S>
 using Places = std::vector<Place<S>>;
 
+/// Groups for checks of several steps: over the rationals four of them, since numbers grow long with each step.
+template <class S>
+std::vector<SpannedGroup> const& groups_for_sequences() {
+  if constexpr (is_exact<S>)
+    return few_groups();
+  else
+    return all_groups();
+}
+
 /// `count` places, or relative motions, at random.
 template <class S>
 Places<S> draw_places(Draw& draw, SpannedGroup const& group, int count, S const& size = ratio<S>(1, 2)) {
@@ -98,6 +107,27 @@ Places<S> places_left(Place<S> const& g0, Places<S> const& f) {
   return g;
 }
 
+/// A function of pairs that sees only \f$g_0g_1^{-1}\f$, or only \f$g_1^{-1}g_0\f$, found by elimination: not through the library's quotient. One type for both sides:
+/// such functions are differentiated twice and thrice, and each type would be compiled on its own.
+template <class F>
+struct Lifted {
+  enum class Side { right, left };
+  F l;
+  Side side;
+  template <class T>
+  T operator()(Place<T> const& g0, Place<T> const& g1) const {
+    Places<T> const g{g0, g1};
+    return l((side == Side::right ? relative_motions_right(g) : relative_motions_left(g)).front());
+  }
+};
+template <class F>
+Lifted<F> lifted(F const& l) {
+  return {l, Lifted<F>::Side::right};
+}
+template <class F>
+Lifted<F> lifted_left(F const& l) {
+  return {l, Lifted<F>::Side::left};
+}
 /// A sum of reduced Lagrangians over a sequence.
 template <class F, class S>
 S reduced_sum(F const& l, Places<S> const& f) {
@@ -137,6 +167,13 @@ Matrix<S> stacked(std::vector<Place<S>> const& parts) {
   Matrix<S> all(n * static_cast<int>(parts.size()), n);
   for (std::size_t k = 0; k < parts.size(); ++k) all.middleRows(static_cast<int>(k) * n, n) = parts[k].value;
   return all;
+}
+/// What epsilon multiplies in a momentum.
+template <class S>
+Vector<S> rate(Momentum<SpannedGroup, Dual<S>> const& mu) {
+  Vector<S> v(mu.components.size());
+  for (Eigen::Index a = 0; a < v.size(); ++a) v[a] = mu.components[a].part[0];
+  return v;
 }
 /// Several momenta below each other.
 template <class S>
@@ -181,7 +218,7 @@ Base<S> momenta_of(F const& l, Places<S> const& f) {
   return size;
 }
 
-/// A reduced Lagrangian with prescribed differentials: to `l` is added, for each k, \f$\langle C_k, f-f_k\rangle\prod_{j\ne k}|f-f_j|^2/|f_k-f_j|^2\f$, which changes
+/// A reduced Lagrangian, with prescribed differentials if wanted: to `l` is added, for each k, \f$\langle C_k, f-f_k\rangle\prod_{j\ne k}|f-f_j|^2/|f_k-f_j|^2\f$, which changes
 /// the differential at \f$f_k\f$ and at no other \f$f_j\f$.
 template <class S>
 struct MotionPolynomial {
@@ -209,12 +246,16 @@ struct MotionPolynomial {
     return sum;
   }
 };
+template <class S>
+MotionPolynomial<S> draw_reduced_lagrangian(Draw& draw, SpannedGroup const& group) {
+  return {draw_group_polynomial<S>(draw, group), {}, {}};
+}
 /// Makes `f` one motion of a Lagrangian near `l`: `residual(l, k)` is the equation that joins f[k-1] and f[k], `tangent(k, a)` the direction at f[k] along which its a-th
 /// component takes the differential. One step after the other, the differential at f[k] is changed until the equation holds.
 template <class S, class Residual, class Tangent>
-MotionPolynomial<S> solved_for(GroupPolynomial<S> const& l, Places<S> const& f, Residual const& residual, Tangent const& tangent) {
+MotionPolynomial<S> solved_for(MotionPolynomial<S> const& l, Places<S> const& f, Residual const& residual, Tangent const& tangent) {
   int const n = f.front().group.matrix_size(), d = f.front().group.dimension();
-  MotionPolynomial<S> made{l, f, std::vector<Matrix<S>>(f.size(), Matrix<S>::Zero(n, n))};
+  MotionPolynomial<S> made{l.l, f, std::vector<Matrix<S>>(f.size(), Matrix<S>::Zero(n, n))};
   for (int k = 1; k < static_cast<int>(f.size()); ++k) {
     Vector<S> const left = residual(made, k);
     Matrix<S> gram(d, d);
@@ -227,13 +268,13 @@ MotionPolynomial<S> solved_for(GroupPolynomial<S> const& l, Places<S> const& f, 
 }
 /// A reduced Lagrangian that has the given relative motions as one motion, right- or left-invariant.
 template <class S>
-MotionPolynomial<S> with_motions_right(GroupPolynomial<S> const& l, Places<S> const& f) {
+MotionPolynomial<S> with_motions_right(MotionPolynomial<S> const& l, Places<S> const& f) {
   return solved_for(
       l, f, [&](auto const& k, int i) { return reduced_residual_right(k, Places<S>{f[i - 1], f[i]}); },
       [&](int i, int a) { return from_left(basis_velocity<S>(f[i].group, a), f[i]); });
 }
 template <class S>
-MotionPolynomial<S> with_motions_left(GroupPolynomial<S> const& l, Places<S> const& f) {
+MotionPolynomial<S> with_motions_left(MotionPolynomial<S> const& l, Places<S> const& f) {
   return solved_for(
       l, f, [&](auto const& k, int i) { return reduced_residual_left(k, Places<S>{f[i - 1], f[i]}); },
       [&](int i, int a) { return from_right(f[i], basis_velocity<S>(f[i].group, a)); });
