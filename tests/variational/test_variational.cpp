@@ -1,0 +1,169 @@
+// Variational mechanics as a reader uses it: refusals that say what was met, known equations of motion, a reader's own Lagrangian.
+#include <boost/test/unit_test.hpp>
+
+#include "actio/foundations/groups/motions.hpp"
+#include "actio/foundations/groups/unit_quaternions.hpp"
+#include "actio/foundations/taylor.hpp"
+#include "actio/variational/action.hpp"
+#include "actio/variational/coadjoint_orbit.hpp"
+#include "actio/variational/euler_lagrange.hpp"
+#include "actio/variational/euler_poincare.hpp"
+#include "actio/variational/lie_poisson.hpp"
+#include "actio/variational/momentum_map.hpp"
+
+using namespace actio;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// A body with moments of inertia 1, 2 and 4 kg m^2.
+auto const spinning_body = [](auto const& omega) {
+  auto const& w = omega.coordinates;
+  return (w[0] * w[0] + w[1] * w[1] * 2 + w[2] * w[2] * 4) / 2;
+};
+/// Euler's equations of that body, written out.
+template <class S>
+Eigen::Matrix<S, 3, 1> euler(Eigen::Matrix<S, 3, 1> const& w) {
+  return {(w[1] * w[2] * S(2 - 4)) / S(1), (w[2] * w[0] * S(4 - 1)) / S(2), (w[0] * w[1] * S(1 - 2)) / S(4)};
+}
+
+Eigen::Vector3d const spin(0.3, -1.1, 0.7);
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(euler_poincare_on_the_left_is_euler_and_on_the_right_its_opposite) {
+  auto const w = velocity(SO<3>{}, spin);
+  auto const left = euler_poincare_acceleration_left(spinning_body, w), right = euler_poincare_acceleration_right(spinning_body, w);
+  // A dozen operations on numbers of order 1.
+  BOOST_TEST((left.coordinates - euler(spin)).norm() < 20 * eps);
+  BOOST_TEST((right.coordinates + euler(spin)).norm() < 20 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(the_full_equations_move_the_body_as_the_reduced_ones) {
+  // Attitude and spatial velocity by the Euler-Lagrange equations on TG; body velocity by Euler's. Both by power series.
+  using Full = Eigen::Matrix<double, 12, 1>;
+  Full start;
+  start << Eigen::Map<Eigen::Matrix<double, 9, 1> const>(Eigen::Matrix3d::Identity().eval().data()), spin;
+  auto const full = taylor_reference<double>(
+      [](auto const& y) {
+        using T = typename std::decay_t<decltype(y)>::Scalar;
+        Eigen::Matrix<T, 3, 3> g;
+        for (int i = 0; i < 9; ++i) g(i % 3, i / 3) = y[i];
+        State<SO<3>, T> const v{{{}, g}, {{}, Eigen::Matrix<T, 3, 1>(y[9], y[10], y[11])}};
+        Eigen::Matrix<T, 3, 3> const rate = SO<3>::hat(v.velocity.coordinates) * g;
+        Eigen::Matrix<T, 3, 1> const acceleration = lagrange_acceleration(left_invariant(spinning_body), v).coordinates;
+        Eigen::Matrix<T, 12, 1> result;
+        for (int i = 0; i < 9; ++i) result[i] = rate(i % 3, i / 3);
+        for (int i = 0; i < 3; ++i) result[9 + i] = acceleration[i];
+        return result;
+      },
+      start, 2.0);
+  Eigen::Vector3d const reduced = taylor_reference<double>([](auto const& w) { return euler(w); }, spin, 2.0);
+  Eigen::Matrix3d const g = Eigen::Map<Eigen::Matrix3d const>(full.data());
+  // Two seconds at one turn a second: errors grow a little over tenfold.
+  BOOST_TEST((g.transpose() * full.tail<3>() - reduced).norm() < 200 * eps);
+  BOOST_TEST((g.transpose() * g - Eigen::Matrix3d::Identity()).norm() < 200 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(a_lagrangian_blind_to_a_velocity_is_refused_with_its_pivot) {
+  auto const flat = [](auto const& v) {
+    auto const& w = v.velocity.coordinates;
+    return (w[0] * w[0] + w[1] * w[1]) / 2 + w[2];
+  };
+  State<SO<3>, double> const v{identity<double>(SO<3>{}), velocity(SO<3>{}, spin)};
+  BOOST_CHECK_EXCEPTION(lagrange_acceleration(flat, v), Singular, [](Singular const& error) {
+    return error.measured <= error.bound && std::string(error.what()).find("d2L/dxi2") != std::string::npos;
+  });
+  BOOST_CHECK_THROW(euler_poincare_acceleration_left([](auto const& w) { return w.coordinates[0] * w.coordinates[0]; }, v.velocity), Singular);
+}
+
+BOOST_AUTO_TEST_CASE(a_readers_own_lagrangian_on_se3_needs_no_derivatives) {
+  // A ball of mass 3 on a spring, in a wind that turns it: kinetic energy less the energy of the spring, plus a term linear in the velocity.
+  auto const L = [](auto const& v) {
+    auto const body = body_velocity(v).coordinates;
+    auto const place = v.place.value.template topRightCorner<3, 1>();
+    auto const turning = body.template head<3>(), sliding = body.template tail<3>();
+    return turning.dot(turning) + sliding.dot(sliding) * 3 / 2 - place.dot(place) * 5 / 2 + body[0] * place[2];
+  };
+  Eigen::Matrix<double, 6, 1> motion;
+  motion << 0.1, 0.2, -0.3, 1.0, 0.5, -0.25;
+  State<SE<3>, double> const v{exp(velocity(SE<3>{}, motion)), velocity(SE<3>{}, motion)};
+  auto const acceleration = lagrange_acceleration(L, v);
+  BOOST_TEST(euler_lagrange(L, v, acceleration).components.norm() < 100 * eps);
+  // Energy stays: its rate along the vector field.
+  BOOST_TEST(std::abs(energy(L, moved(v, lagrange_vector_field(L, v))).part[0]) < 100 * eps);
+  // The equation of the spring, in the frame of space: the force on the mass is -5 times the place, and what the wind adds.
+  Eigen::Vector3d const x = v.place.value.topRightCorner<3, 1>(), w = motion.head<3>(), u = motion.tail<3>() + w.cross(x);
+  Eigen::Vector3d const accelerated = acceleration.coordinates.tail<3>() + acceleration.coordinates.head<3>().cross(x) + w.cross(u);
+  Eigen::Vector3d const wind(0, 0, (v.place.value.topLeftCorner<3, 3>().transpose() * w)[0]);
+  BOOST_TEST((3 * accelerated + 5 * x - wind).norm() < 200 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(the_pendulum_falls_as_it_should) {
+  auto const pendulum = [](auto const& v) { return v.velocity.coordinates[0] * v.velocity.coordinates[0] / 2 + v.place.value(0, 0) * 9; };
+  Eigen::Matrix<double, 1, 1> const angle(0.4), rate(-1.5);
+  State<SO<2>, double> const v{exp(velocity(SO<2>{}, angle)), velocity(SO<2>{}, rate)};
+  BOOST_TEST(std::abs(lagrange_acceleration(pendulum, v).coordinates[0] + 9 * std::sin(0.4)) < 20 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(quaternions_and_matrices_give_the_same_motion) {
+  // The weight of a top: height of a point fixed in the body.
+  auto const top = [](auto const& v) {
+    auto const body = body_velocity(v);
+    Eigen::Matrix<typename std::decay_t<decltype(v)>::Scalar, 3, 1> up;
+    up << 0, 0, 1;
+    auto const height = Ad(inverse(v.place), decltype(body){body.group, up}).coordinates[0];
+    return spinning_body(body) - height * 3;
+  };
+  auto const turn = Eigen::Vector3d(0.5, 0.2, -0.9);
+  State<SO<3>, double> const matrices{exp(velocity(SO<3>{}, turn)), velocity(SO<3>{}, spin)};
+  State<SU2, double> const quaternions{exp(velocity(SU2{}, turn)), velocity(SU2{}, spin)};
+  BOOST_TEST((lagrange_acceleration(top, matrices).coordinates - lagrange_acceleration(top, quaternions).coordinates).norm() < 100 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(the_tangent_of_a_one_parameter_group_is_its_generator) {
+  auto const xi = velocity(SE<3>{}, Eigen::Matrix<double, 6, 1>(Eigen::Matrix<double, 6, 1>::LinSpaced(0.1, 0.9)));
+  auto const curve = [&](auto const& t) { return exp(t * over<std::decay_t<decltype(t)>>(xi)); };
+  BOOST_TEST((tangent(curve, 0.7).velocity.coordinates - xi.coordinates).norm() < 50 * eps);
+  BOOST_TEST(second_tangent(curve, 0.7).velocity.coordinates.norm() < 50 * eps);
+  // Its action under a kinetic energy is that energy times the time.
+  auto const kinetic = [](auto const& v) { return v.velocity.coordinates.dot(v.velocity.coordinates) / 2; };
+  BOOST_TEST(std::abs(action(kinetic, curve, 1.0, 3.0, Quadrature<double>(4)) - xi.coordinates.squaredNorm()) < 50 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(a_quadrature_is_exact_to_its_degree_and_no_further) {
+  for (int degree : {0, 1, 5, 12}) {
+    Quadrature<rational> const rule(degree);
+    auto const error = [&](int power) {
+      auto const f = [&](rational const& x) {
+        rational y = 1;
+        for (int k = 0; k < power; ++k) y *= x;
+        return y;
+      };
+      // From 0 to 2: the integral is 2^(power + 1)/(power + 1).
+      return rational(rule(f, rational(0), rational(2)) * (power + 1) - rational(boost::multiprecision::mpz_int(1) << (power + 1)));
+    };
+    for (int power = 0; power <= degree; ++power) BOOST_TEST((error(power) == 0));
+    BOOST_TEST((error(degree + 2) != 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_vector_that_leaves_the_coadjoint_orbit_is_refused) {
+  // Orbits of so(3)* are spheres: radial vectors leave them.
+  auto const mu = momentum(SO<3>{}, Eigen::Vector3d(1, 2, 2)), radial = momentum(SO<3>{}, Eigen::Vector3d(0.5, 1, 1));
+  BOOST_CHECK_EXCEPTION(orbit_generator(mu, radial), OutsideDomain, [](OutsideDomain const& error) { return error.measured > 0.1; });
+  auto const along = momentum(SO<3>{}, Eigen::Vector3d(2, -1, 0));
+  BOOST_TEST((ad_star(orbit_generator(mu, along), mu).components - along.components).norm() < 20 * eps);
+  // At the origin the orbit is a point.
+  BOOST_CHECK_THROW(orbit_generator(momentum(SO<3>{}, Eigen::Vector3d(0, 0, 0)), along), OutsideDomain);
+  // Units do not matter: a body of 1e-47 kg m^2 has its orbits too.
+  auto const tiny = 1e-47 * mu;
+  BOOST_TEST((ad_star(orbit_generator(tiny, 1e-47 * along), tiny).components - 1e-47 * along.components).norm() < 20 * eps * 1e-47);
+}
+
+BOOST_AUTO_TEST_CASE(a_kinetic_energy_of_any_unit_is_regular) {
+  auto const tiny = [](auto const& v) { return spinning_body(body_velocity(v)) * 1e-47; };
+  State<SO<3>, double> const v{identity<double>(SO<3>{}), velocity(SO<3>{}, spin)};
+  BOOST_TEST((lagrange_acceleration(tiny, v).coordinates - (euler(spin))).norm() < 20 * eps);
+}
