@@ -1,0 +1,164 @@
+// Models for the checks of natural charts: groups whose exponential every scalar can take, base points, moving places.
+#pragma once
+
+#include "exact_exponential.hpp"
+// The exact exponentials must come first.
+#include "actio/reduction/natural_chart.hpp"
+#include "models.hpp"
+
+namespace actio::checks {
+
+template <class S>
+using Place = Element<SpannedGroup, S>;
+template <class S>
+using Algebra = Velocity<SpannedGroup, S>;
+
+/// Upper triangular matrices with ones on the diagonal: \f$\mathrm{ad}^{n-1} = 0\f$, and no lower power.
+inline SpannedGroup unitriangular(int n) {
+  std::vector<SpannedGroup::WholeMatrix> basis;
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j) {
+      basis.push_back(SpannedGroup::WholeMatrix::Zero(n, n));
+      basis.back()(i, j) = 1;
+    }
+  return SpannedGroup("UT(" + std::to_string(n) + ")", std::move(basis));
+}
+/// The group of third-order jets at 0 of curves in G through the identity: \f$1 + tA + t^2B + t^3C\f$ with \f$t^4 = 0\f$, as block matrices.
+///
+/// It is unipotent, so everything is polynomial; and it has the bracket of G in it, so that an identity that holds on it holds on G as a power series up to the third order.
+inline SpannedGroup third_jets(SpannedGroup const& group) {
+  int const n = group.matrix_size();
+  std::vector<SpannedGroup::WholeMatrix> basis;
+  for (int k = 1; k <= 3; ++k)
+    for (int a = 0; a < group.dimension(); ++a) {
+      SpannedGroup::WholeMatrix const e = group.hat(Eigen::VectorXi(Eigen::VectorXi::Unit(group.dimension(), a)));
+      basis.push_back(SpannedGroup::WholeMatrix::Zero(4 * n, 4 * n));
+      for (int i = 0; i + k < 4; ++i) basis.back().block(n * i, n * (i + k), n, n) = e;
+    }
+  return SpannedGroup("jets in " + group.name(), std::move(basis));
+}
+
+/// Over the rationals, where exp is a polynomial; over the other scalars the usual groups, with one of those beside them.
+template <class S>
+std::vector<SpannedGroup> const& chart_groups() {
+  static std::vector<SpannedGroup> const groups =
+      is_exact<S> ? std::vector{unitriangular(4), unitriangular(5), third_jets(spanned("Aff(1)", Aff1{}))}
+                  : std::vector{spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
+                                spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), unitriangular(4)};
+  return groups;
+}
+/// Bound for the degree of the identities of this section over those groups. There every product of five matrices of the algebra vanishes, so whatever is made of places and velocities by products, exp,
+/// log and iex is of degree 4 at most in what was drawn. A Lagrangian is cubic in its velocity with coefficients of degree 4: 16; with chi, cubic in its argument, in a momentum: 28. Rounded up.
+inline constexpr int chart_degree = 40;
+
+/// An element of a size such that products of three stay inside the chart; over the rationals the chart has no end.
+template <class S>
+Place<S> draw_small(Draw& draw, SpannedGroup const& group) {
+  return draw.template element<S>(group, is_exact<S> ? S(1) : ratio<S>(2, 5));
+}
+/// A place not far from g.
+template <class S>
+Place<S> draw_near(Draw& draw, Place<S> const& g) {
+  return draw_small<S>(draw, g.group) * g;
+}
+
+/// An arbitrary base point that moves along on the right: c g2. It is on no geodesic from g1 to g2.
+template <class S>
+auto beside_right(Place<S> c) {
+  return [c](auto const&, auto const& g2) { return like(g2, c) * g2; };
+}
+/// An arbitrary base point that moves along on the left: g2 c.
+template <class S>
+auto beside_left(Place<S> c) {
+  return [c](auto const&, auto const& g2) { return g2 * like(g2, c); };
+}
+/// A base point that stays where it is, wherever the places are.
+template <class S>
+auto staying_at(Place<S> c) {
+  return [c](auto const&, auto const& g2) { return like(g2, c); };
+}
+
+/// A step that is neither 1 nor a power of 2: a factor of it that is lost shows.
+template <class S>
+S step_length() {
+  return ratio<S>(3, 7);
+}
+/// Steps of a fit in double: errors stay far above rounding.
+inline std::vector<double> const& halving_steps() {
+  static std::vector<double> const steps = {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024, 1.0 / 2048};
+  return steps;
+}
+/// The groups of the fits.
+inline std::vector<SpannedGroup> const& order_groups() {
+  static std::vector<SpannedGroup> const groups = {spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}), spanned("SL(2)", SL2{})};
+  return groups;
+}
+/// A curve that is no one-parameter group: \f$e^{ta}e^{t^2b}e^{t^3c}g_0\f$.
+template <class S>
+struct Curve {
+  Algebra<S> a, b, c;
+  Place<S> g0;
+  template <class T>
+  Place<T> operator()(T const& t) const {
+    return exp(t * over<T>(a)) * exp(t * t * over<T>(b)) * exp(t * t * t * over<T>(c)) * over<T>(g0);
+  }
+};
+template <class S>
+Curve<S> draw_curve(Draw& draw, SpannedGroup const& group) {
+  auto const velocity = [&] { return draw.velocity<S>(group, S(1)); };
+  auto const a = velocity(), b = velocity(), c = velocity();
+  return {a, b, c, draw.element<S>(group, ratio<S>(1, 2))};
+}
+/// Size of the terms that l is made of at \f$\xi\f$.
+template <class S>
+Base<S> size_of_terms(AlgebraPolynomial<S> const& l, Algebra<S> const& xi) {
+  Base<S> const x = size_of(xi), along = magnitude(l.c) * x;
+  return magnitude(l.a) * x * x + magnitude(l.b) * x + magnitude(l.kappa) * along * along * along;
+}
+
+/// The number t that moves at unit rate.
+template <class S>
+Dual<S> moving(S const& t) {
+  Dual<S> d(t);
+  d.part[0] = S(1);
+  return d;
+}
+/// \f$\eta + \epsilon\,\zeta\f$.
+template <class S>
+Algebra<Dual<S>> moving(Algebra<S> const& eta, Algebra<S> const& zeta) {
+  auto along = over<Dual<S>>(eta);
+  for (int a = 0; a < eta.group.dimension(); ++a) along.coordinates[a].part[0] = zeta.coordinates[a];
+  return along;
+}
+/// \f$e^{\epsilon\xi}\f$: the identity, moving off along \f$\xi\f$. Cayley's transform agrees with exp to this order.
+template <class S>
+Place<Dual<S>> moving_along(Algebra<S> const& xi) {
+  return retract(moving(S(0) * xi, xi));
+}
+template <class S>
+Matrix<S> value_part(Matrix<Dual<S>> const& m) {
+  Matrix<S> v(m.rows(), m.cols());
+  for (Eigen::Index i = 0; i < m.size(); ++i) v(i) = m(i).value;
+  return v;
+}
+template <class S>
+Matrix<S> rate_part(Matrix<Dual<S>> const& m) {
+  Matrix<S> v(m.rows(), m.cols());
+  for (Eigen::Index i = 0; i < m.size(); ++i) v(i) = m(i).part[0];
+  return v;
+}
+/// Where a moving place is, and its \f$\dot g g^{-1}\f$, as matrices say: no formula for the differential of exp or log enters.
+template <class S>
+State<SpannedGroup, S> state_of(Place<Dual<S>> const& moving_place) {
+  auto const& group = moving_place.group;
+  Place<S> const g{group, value_part<S>(moving_place.value)};
+  Matrix<S> const velocity = rate_part<S>(moving_place.value) * inverse_matrix(g.value);
+  return {g, {group, group.vee(velocity)}};
+}
+/// \f$(\psi_g^{-1})_*\f$ at \f$\eta\f$, of \f$\zeta\f$: (3.20) to the letter, the push-forward by dual numbers.
+template <class S>
+State<SpannedGroup, S> push_forward(Place<S> const& g, Algebra<S> const& eta, Algebra<S> const& zeta) {
+  return state_of(exp(moving(eta, zeta)) * over<Dual<S>>(g));
+}
+
+}  // namespace actio::checks
