@@ -54,7 +54,8 @@ STATEMENT(eq_2_1, "the action of a curve") {
     claim.equal("integral along the tangent = integral in coordinates", model, intrinsic,
                 rule([&](S const& t) { return m.in_entries(Vector<S>(q(t)), rate_of(q, t)); }, a, b), amplification);
     S const middle = ratio<S>(1, 7);
-    claim.equal("additive over adjoining intervals", model, S(action(m, curve, a, middle, rule) + action(m, curve, middle, b, rule)), intrinsic, amplification);
+    claim.equal("additive over adjoining intervals", model, S(action(m, curve, a, middle, rule) + action(m, curve, middle, b, rule)),
+                intrinsic, amplification);
     // Controls: a velocity that is not the curve's; another interval.
     claim.differs("twice the velocity", model,
                   rule([&](S const& t) { return m.in_entries(Vector<S>(q(t)), Vector<S>(rate_of(q, t) * S(2))); }, a, b), intrinsic);
@@ -71,18 +72,21 @@ STATEMENT(eq_2_2, "the action is stationary at motions") {
     S const a = ratio<S>(-1, 5), b = ratio<S>(2, 5);
     auto const motion = m.motion(draw_near_state<S>(draw, group));
     auto const other = draw_polynomial_curve(draw, m);
-    auto const fixed = draw_direction<S>(draw, group.dimension(), a, b, true), loose = draw_direction<S>(draw, group.dimension(), a, b, false);
+    auto const fixed = draw_direction<S>(draw, group.dimension(), a, b, true),
+               loose = draw_direction<S>(draw, group.dimension(), a, b, false);
 
     // Fixed ends: the first variation vanishes at a motion. Its terms are as large as those of the variation with loose ends.
     S const with_loose_ends = action_variation(m, shifted(m, motion, loose), a, b, rule);
-    claim.zero("dS = 0 at a motion, ends fixed", model, action_variation(m, shifted(m, motion, fixed), a, b, rule), size_of(with_loose_ends), amplification);
+    claim.zero("dS = 0 at a motion, ends fixed", model, action_variation(m, shifted(m, motion, fixed), a, b, rule),
+               size_of(with_loose_ends), amplification);
     // Only the first-order change of the curve counts: bend the family at second order, and bend its parameter.
-    auto const family = shifted(m, other, fixed), bent_family = [&](auto const& e, auto const& t) {
+    auto const family = shifted(m, other, fixed), bent_family = [&](auto const&e, auto const&t) {
       using T = std::decay_t<decltype(t)>;
       return m.place(Vector<T>(m.read(Matrix<T>(other(t).value)) + fixed(t) * (e + e * e) + loose(t) * (e * e)));
     };
     S const off_motion = action_variation(m, family, a, b, rule);
-    claim.equal("the same for every family with the same first-order change", model, action_variation(m, bent_family, a, b, rule), off_motion, amplification);
+    claim.equal("the same for every family with the same first-order change", model, action_variation(m, bent_family, a, b, rule),
+                off_motion, amplification);
     // Controls.
     claim.refutes("ends that move", model, with_loose_ends, size_of(m(tangent(motion, a))));
     claim.refutes("a curve that is no motion", model, off_motion, size_of(m(tangent(other, a))));
@@ -98,7 +102,8 @@ STATEMENT(eq_2_3, "first variation of the action, integrated by parts") {
     S const a = ratio<S>(-1, 5), b = ratio<S>(2, 5);
     auto const curve = draw_polynomial_curve(draw, m);
     auto const q = entries_of(m, curve);
-    auto const fixed = draw_direction<S>(draw, group.dimension(), a, b, true), loose = draw_direction<S>(draw, group.dimension(), a, b, false);
+    auto const fixed = draw_direction<S>(draw, group.dimension(), a, b, true),
+               loose = draw_direction<S>(draw, group.dimension(), a, b, false);
     auto const inside = [&](auto const& delta) {
       return rule([&](S const& t) { return S(Vector<S>(delta(t)).dot(residual_in_entries(m, q, t))); }, a, b);
     };
@@ -129,7 +134,9 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
     S const dS = action_variation(m, shifted(m, motion, loose), a, b, rule), term = boundary(b) - boundary(a);
     claim.equal("at a motion dS is the boundary term", model, dS, term, amplification);
     // That term is a one-form on TG, applied to the lifted variation.
-    auto const one_form = [&](S const& t) { return lagrange_one_form(m, tangent(motion, t), lifted_variation(shifted(m, motion, loose), t)); };
+    auto const one_form = [&](S const& t) {
+      return lagrange_one_form(m, tangent(motion, t), lifted_variation(shifted(m, motion, loose), t));
+    };
     claim.equal("(dL/dg') dg is the Lagrange one-form", model, one_form(b), boundary(b), amplification);
     // Controls: only one end moves; a one-form with the whole velocity's change in it.
     claim.differs("the end a kept fixed", model, dS, boundary(b));
@@ -139,7 +146,9 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
 }
 
 STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form at the ends") {
-  claim.convention("With the lifted variation taken at the time t of the end point, not at t = 0 as its definition below (2.6) is printed (claim_2_1_lifted_variation).");
+  claim.convention(
+      "With the lifted variation taken at the time t of the end point, not at t = 0 as its definition below (2.6) is printed "
+      "(claim_2_1_lifted_variation).");
   claim.degree(degree_bound);
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
@@ -165,7 +174,8 @@ STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form 
 STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of the variation") {
   claim.corrected(R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_\epsilon(t))",
                   R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
-                  "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend on t, and (2.6) fails unless it is evaluated at one end only.");
+                  "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend on t, and (2.6) fails unless "
+                  "it is evaluated at one end only.");
   claim.degree(degree_bound);
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {

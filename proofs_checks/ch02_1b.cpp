@@ -18,7 +18,8 @@ constexpr double amplification = 10;
 
 /// The tangent of the flow of exact motions.
 template <class S>
-StateChange<SpannedGroup, S> flow_tangent(ExactMotions<S> const& m, State<SpannedGroup, S> const& v, StateChange<SpannedGroup, S> const& w, S const& t) {
+StateChange<SpannedGroup, S> flow_tangent(ExactMotions<S> const& m, State<SpannedGroup, S> const& v, StateChange<SpannedGroup, S> const& w,
+                                          S const& t) {
   return change_of(m.flow(moved(v, w), Dual<S>(t)));
 }
 /// S_t, the action of the motion from v, as (2.7) says it.
@@ -42,7 +43,8 @@ STATEMENT(eq_2_7, "the action as a function of the initial velocity") {
     // (g(s), g'(s)) = F_s(v) solves (2.4) and begins at v; F is a flow. This is what S_t integrates along.
     auto const motion = m.motion(v);
     claim.equal("F_s(v) is the tangent of a curve", model, after.velocity, tangent(motion, t).velocity, amplification);
-    claim.zero("that solves the Euler-Lagrange equations", model, euler_lagrange(m, after, second_tangent(motion, t).velocity), size_of(ad_star(after.velocity, legendre(m, after))), 10 * amplification);
+    claim.zero("that solves the Euler-Lagrange equations", model, euler_lagrange(m, after, second_tangent(motion, t).velocity),
+               size_of(ad_star(after.velocity, legendre(m, after))), 10 * amplification);
     // Motions follow one another, so their actions add up; the rate is the Lagrangian.
     S const whole = action_of_motion(m, v, S(t + s), rule), first = action_of_motion(m, v, t, rule);
     claim.equal("S_{t+s}(v) = S_t(v) + S_s(F_t v)", model, whole, S(first + action_of_motion(m, after, s, rule)), amplification);
@@ -51,7 +53,8 @@ STATEMENT(eq_2_7, "the action as a function of the initial velocity") {
     claim.differs("second piece from v", model, whole, S(first + action_of_motion(m, v, s, rule)));
     auto const straight = [&](auto const& x) {
       using T = std::decay_t<decltype(x)>;
-      Matrix<T> const g = v.place.value.template cast<T>(), rate = Matrix<S>(group.hat(v.velocity.coordinates) * v.place.value).template cast<T>();
+      Matrix<T> const g = v.place.value.template cast<T>(),
+                      rate = Matrix<S>(group.hat(v.velocity.coordinates) * v.place.value).template cast<T>();
       return m.place(Vector<T>(m.read(g) + m.read(rate) * x + m.fall.template cast<T>() * (x * x)));
     };
     claim.differs("another curve from v", model, action(m, straight, S(0), t, rule), first);
@@ -79,7 +82,9 @@ STATEMENT(eq_2_8, "differential of the action on solutions") {
 }
 
 STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
-  claim.holds("Over finite times where the flow is known in closed form, and to first order in time, which is the whole statement for a flow, on every group.");
+  claim.holds(
+      "Over finite times where the flow is known in closed form, and to first order in time, which is the whole statement for a flow, on "
+      "every group.");
   claim.degree(degree_bound);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -87,15 +92,18 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     auto const w1 = draw_change<S>(draw, group), w2 = draw_change<S>(draw, group);
     S const t = ratio<S>(1, 3);
     S const before = lagrange_two_form(m, v, w1, w2);
-    claim.equal("F_t^* omega = omega", model, lagrange_two_form(m, m.flow(v, t), flow_tangent(m, v, w1, t), flow_tangent(m, v, w2, t)), before, amplification);
+    claim.equal("F_t^* omega = omega", model, lagrange_two_form(m, m.flow(v, t), flow_tangent(m, v, w1, t), flow_tangent(m, v, w2, t)),
+                before, amplification);
     // Control: a flow with friction, the velocity decaying along the way.
     auto const with_friction = [&](StateChange<SpannedGroup, S> const& w) {
       auto const moving = m.flow(moved(v, w), Dual<S>(t));
       return change_of(State<SpannedGroup, Dual<S>>{moving.place, Dual<S>(ratio<S>(3, 4)) * moving.velocity});
     };
     auto const end = m.flow(v, t);
-    claim.differs("a flow with friction", model,
-                  lagrange_two_form(m, State<SpannedGroup, S>{end.place, ratio<S>(3, 4) * end.velocity}, with_friction(w1), with_friction(w2)), before);
+    claim.differs(
+        "a flow with friction", model,
+        lagrange_two_form(m, State<SpannedGroup, S>{end.place, ratio<S>(3, 4) * end.velocity}, with_friction(w1), with_friction(w2)),
+        before);
   });
 
   // To first order, on every group: the rate of omega(TF_t w1, TF_t w2) at t = 0. The tangent of the flow moves w by theta' = d xi + [xi, theta], d xi' = dX.w.
@@ -125,7 +133,8 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
                     auto field = lagrange_vector_field(L, state);
                     field.velocity = field.velocity - state.velocity;
                     return field;
-                  }), scale);
+                  }),
+                  scale);
   });
 }
 
@@ -154,7 +163,10 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
     inner.part[0] = D(S(1));
     // alpha(second field) moved along the first, less the other way round, for alpha = F_t^* theta - theta and a flow.
     auto const exterior = [&](auto const& flow) {
-      auto const alpha = [&](auto const& moving) { return D(lagrange_one_form(m, value_of(flow(moving)), change_of(flow(moving))) - lagrange_one_form(m, value_of(moving), change_of(moving))); };
+      auto const alpha = [&](auto const& moving) {
+        return D(lagrange_one_form(m, value_of(flow(moving)), change_of(flow(moving))) -
+                 lagrange_one_form(m, value_of(moving), change_of(moving)));
+      };
       return S(alpha(at(DD(e), inner)).part[0] - alpha(at(inner, DD(e))).part[0]);
     };
     auto const motion = [&](auto const& moving) { return m.flow(moving, std::decay_t<decltype(moving.velocity.coordinates[0])>(t)); };

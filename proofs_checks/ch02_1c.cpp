@@ -66,13 +66,15 @@ STATEMENT(claim_2_1_regular_second_order_ode, "regular Lagrangians have second-o
     // The fibre Hessian is d2L/dq'dq' read in the chart, and symmetric.
     auto const f = in_coordinates(L, chart);
     Matrix<S> in_chart(n, n), const_frame = frame(chart, q), hessian = fibre_hessian(L, state);
-    for (int i = 0; i < n; ++i) in_chart.col(i) = rates(momenta(f, moving(q, Vector<S>(Vector<S>::Zero(n))), moving(v, Vector<S>(Vector<S>::Unit(n, i)))));
+    for (int i = 0; i < n; ++i)
+      in_chart.col(i) = rates(momenta(f, moving(q, Vector<S>(Vector<S>::Zero(n))), moving(v, Vector<S>(Vector<S>::Unit(n, i)))));
     claim.equal("fibre Hessian = d2L/dq'dq'", model, Matrix<S>(const_frame.transpose() * hessian * const_frame), in_chart);
     claim.equal("symmetric", model, hessian, Matrix<S>(hessian.transpose()));
     // The equation is affine in the acceleration, with this matrix in front, so it has one solution.
     auto const acceleration = lagrange_acceleration(L, state);
     auto const other = acceleration_in(chart, q, v, a);
-    claim.zero("the equation solved for the acceleration", model, euler_lagrange(L, state, acceleration), size_of(euler_lagrange(L, state, other)), hessian_condition);
+    claim.zero("the equation solved for the acceleration", model, euler_lagrange(L, state, acceleration),
+               size_of(euler_lagrange(L, state, other)), hessian_condition);
     claim.equal("any other acceleration misses by the Hessian", model, euler_lagrange(L, state, other).components,
                 Vector<S>(hessian * (acceleration - other).coordinates), hessian_condition);
     // Controls: another acceleration; a Lagrangian blind to one direction of the velocity.
@@ -115,7 +117,8 @@ STATEMENT(claim_2_1_action_chart_independent, "action and equations in two chart
     claim.differs("carried like a vector", model, e1, Vector<S>(inverse_matrix(jacobian) * e2));
     Vector<S> const none = Vector<S>::Zero(n), as_vector = jacobian * a;
     auto const with = [&](Vector<S> const& second_rate) { return euler_lagrange_in_coordinates(L2, r, r1, second_rate); };
-    claim.refutes("acceleration carried like a vector", model, Vector<S>(e1 - jacobian.transpose() * with(as_vector)), size_of(Vector<S>(with(as_vector) - with(none))));
+    claim.refutes("acceleration carried like a vector", model, Vector<S>(e1 - jacobian.transpose() * with(as_vector)),
+                  size_of(Vector<S>(with(as_vector) - with(none))));
   });
 }
 
@@ -135,7 +138,8 @@ STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regul
       auto const moved_state = state_in(chart, moving(q, dq), moving(v, dv));
       return change_of(moved_state);
     };
-    Vector<S> const dq1 = draw_vector<S>(draw, n), dv1 = draw_vector<S>(draw, n), dq2 = draw_vector<S>(draw, n), dv2 = draw_vector<S>(draw, n);
+    Vector<S> const dq1 = draw_vector<S>(draw, n), dv1 = draw_vector<S>(draw, n), dq2 = draw_vector<S>(draw, n),
+                    dv2 = draw_vector<S>(draw, n);
     auto const w1 = in_chart(dq1, dv1), w2 = in_chart(dq2, dv2);
     auto const dp = [&](Vector<S> const& dq, Vector<S> const& dv) { return rates(momenta(f, moving(q, dq), moving(v, dv))); };
     claim.equal("theta_L = (dL/dq') dq", model, lagrange_one_form(L, state, w1), S(momenta(f, q, v).dot(dq1)));
@@ -176,4 +180,3 @@ STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regul
     claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] { lagrange_vector_field(singular, state); });
   });
 }
-

@@ -29,7 +29,9 @@ struct SideOfSeam {
 }  // namespace
 
 STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the variation of the action") {
-  claim.convention("With the second-order set inside TTG rather than TG, and the lifted variation taken at t rather than at 0: claim_2_1_second_order_set, claim_2_1_lifted_variation.");
+  claim.convention(
+      "With the second-order set inside TTG rather than TG, and the lifted variation taken at t rather than at 0: "
+      "claim_2_1_second_order_set, claim_2_1_lifted_variation.");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
@@ -61,12 +63,14 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
   SideOfSeam<S> const above{true}, below{false};
   auto const map_jump = euler_lagrange(above, v, acceleration) - euler_lagrange(below, v, acceleration);
   auto const form_jump = rate(legendre(above, moved(v, across))) - rate(legendre(below, moved(v, across)));
-  auto const map_slope = euler_lagrange(above, moved(v, across), over<Dual<S>>(acceleration)) - euler_lagrange(below, moved(v, across), over<Dual<S>>(acceleration));
+  auto const map_slope = euler_lagrange(above, moved(v, across), over<Dual<S>>(acceleration)) -
+                         euler_lagrange(below, moved(v, across), over<Dual<S>>(acceleration));
   claim.zero("L of class C^2: D_EL is continuous", "seam of x^3", map_jump, S(1));
   claim.zero("L of class C^2: theta_L has one derivative", "seam of x^3", form_jump, S(1));
   claim.refutes("D_EL has a derivative", "seam of x^3", map_slope, size_of(acceleration));
   claim.refutes("theta_L has two derivatives", "seam of x^3",
-                rate(rate(legendre(above, moved(moved(v, across), again)))) - rate(rate(legendre(below, moved(moved(v, across), again)))), S(1));
+                rate(rate(legendre(above, moved(moved(v, across), again)))) - rate(rate(legendre(below, moved(moved(v, across), again)))),
+                S(1));
 }
 
 STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and one Lagrange one-form") {
@@ -93,7 +97,8 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
         moving_time.part[0] = T(1);
         return rate(theta(moving_time));
       };
-      rows.row(i) << theta(t).coordinates.transpose(), theta_rate(t).coordinates.transpose(), rate(theta_rate(time)).coordinates.transpose();
+      rows.row(i) << theta(t).coordinates.transpose(), theta_rate(t).coordinates.transpose(),
+          rate(theta_rate(time)).coordinates.transpose();
       response[i] = L(varied_tangent(family, t)).part[0];
     }
     // A system of random rows of up to 18 unknowns loses a few digits.
@@ -120,4 +125,3 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
     claim.refutes("map without the rate of the form", model, Vector<S>(found.head(n) - map.components), size_of(map));
   });
 }
-

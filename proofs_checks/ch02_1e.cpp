@@ -23,7 +23,8 @@ constexpr double hessian_condition = 30;
 STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
   claim.corrected(R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| q \text{ a } C^2 \text{ curve in } G\Bigr\} \text{ of } TG)",
                   R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } G\Bigr\} \subset T(TG))",
-                  "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with T(projection) w = base point of w. As printed it would lie in TG; the curve is g, not q.");
+                  "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with T(projection) w = base point of w. "
+                  "As printed it would lie in TG; the curve is g, not q.");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
@@ -42,7 +43,8 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
       return retract((x * x * x) * over<T>(bend)) * curve(s);
     };
     auto const map = euler_lagrange(L, state, second.velocity);
-    claim.equal("the same for curves that agree to second order", model, euler_lagrange(L, tangent(third, t), second_tangent(third, t).velocity), map);
+    claim.equal("the same for curves that agree to second order", model,
+                euler_lagrange(L, tangent(third, t), second_tangent(third, t).velocity), map);
     // Control: curves with the same point of TG, different at second order. A map on a subset of TG could not tell them apart.
     auto const first = [&](auto const& s) {
       using T = std::decay_t<decltype(s)>;
@@ -50,7 +52,8 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
       return retract((x * x) * over<T>(bend)) * curve(s);
     };
     claim.equal("a curve with the same tangent", model, tangent(first, t).velocity, state.velocity);
-    claim.differs("has another value of D_EL: the set is not in TG", model, euler_lagrange(L, tangent(first, t), second_tangent(first, t).velocity), map);
+    claim.differs("has another value of D_EL: the set is not in TG", model,
+                  euler_lagrange(L, tangent(first, t), second_tangent(first, t).velocity), map);
     auto const other = draw.template velocity<S>(group);
     claim.differs("a tangent vector of TG that is not second order", model, other, state.velocity);
   });
@@ -90,7 +93,8 @@ STATEMENT(claim_2_1_noether_momentum, "momentum conserved because of a symmetry"
       // The symmetry leaves L as it is; J is its lift contracted with theta_L; J generates it; J stays.
       claim.zero(what + ": the Lagrangian is invariant", model, L(moved(v, lifted)).part[0], size_of(J));
       claim.equal(what + ": J = lift contracted with theta_L", model, lagrange_one_form(L, v, lifted), J);
-      claim.equal(what + ": lift contracted with omega_L is dJ", model, lagrange_two_form(L, v, lifted, w), noether_momentum(L, moved(v, w), generator).part[0]);
+      claim.equal(what + ": lift contracted with omega_L is dJ", model, lagrange_two_form(L, v, lifted, w),
+                  noether_momentum(L, moved(v, w), generator).part[0]);
       claim.zero(what + ": J is constant", model, rate_of_momentum(L, generator), size_of(J), hessian_condition);
     };
     auto const left = left_invariant(kinetic);
@@ -102,8 +106,11 @@ STATEMENT(claim_2_1_noether_momentum, "momentum conserved because of a symmetry"
 
     // Controls: the wrong side; a direction that is no symmetry; J without the turn of the frame.
     auto const scale_of = [&](auto const& L, auto const& generator) { return size_of(noether_momentum(L, v, generator)); };
-    claim.refutes("right translation of a left-invariant Lagrangian", model, rate_of_momentum(left, right_translation(zeta)), scale_of(left, right_translation(zeta)));
-    claim.refutes("left translation of a right-invariant Lagrangian", model, rate_of_momentum(right, left_translation(zeta)), scale_of(right, left_translation(zeta)));
-    claim.refutes("another direction than the symmetry's", model, rate_of_momentum(upright, left_translation(other)), scale_of(upright, left_translation(other)));
+    claim.refutes("right translation of a left-invariant Lagrangian", model, rate_of_momentum(left, right_translation(zeta)),
+                  scale_of(left, right_translation(zeta)));
+    claim.refutes("left translation of a right-invariant Lagrangian", model, rate_of_momentum(right, left_translation(zeta)),
+                  scale_of(right, left_translation(zeta)));
+    claim.refutes("another direction than the symmetry's", model, rate_of_momentum(upright, left_translation(other)),
+                  scale_of(upright, left_translation(other)));
   });
 }

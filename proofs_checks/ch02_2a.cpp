@@ -43,7 +43,9 @@ S change_along(F const& l, Velocity<SpannedGroup, S> const& xi, Velocity<Spanned
 }  // namespace
 
 STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
-  claim.convention("With variations eta' - ad_xi eta in condition iv, its first expression; the second one, eta' + [xi, eta], has the wrong sign (claim_2_2_reduced_variation_bracket).");
+  claim.convention(
+      "With variations eta' - ad_xi eta in condition iv, its first expression; the second one, eta' + [xi, eta], has the wrong sign "
+      "(claim_2_2_reduced_variation_bracket).");
   claim.degree(degree_bound);
   // A cubic reduced Lagrangian along a path of degree 2, varied by one of degree 6.
   Quadrature<S> const rule(14);
@@ -53,11 +55,13 @@ STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
 
     // i and iii: (2.4) in a chart is the reduced equation, off shell, so one vanishes where the other does (the frame has an inverse).
     auto const chart = chart_right(draw.template element<S>(group));
-    Vector<S> const q = draw_vector<S>(draw, group.dimension()) * ratio<S>(1, 2), v = draw_vector<S>(draw, group.dimension()), a = draw_vector<S>(draw, group.dimension());
+    Vector<S> const q = draw_vector<S>(draw, group.dimension()) * ratio<S>(1, 2), v = draw_vector<S>(draw, group.dimension()),
+                    a = draw_vector<S>(draw, group.dimension());
     auto const xi = state_in(chart, q, v).velocity, xi_rate = acceleration_in(chart, q, v, a);
     Matrix<S> const columns = frame(chart, q);
     Vector<S> const full = euler_lagrange_in_coordinates(in_coordinates(L, chart), q, v, a);
-    claim.equal("i and iii: (2.4) = - frame^T (d/dt dl/dxi + ad* dl/dxi)", model, full, Vector<S>(-columns.transpose() * euler_poincare_right(l, xi, xi_rate).components));
+    claim.equal("i and iii: (2.4) = - frame^T (d/dt dl/dxi + ad* dl/dxi)", model, full,
+                Vector<S>(-columns.transpose() * euler_poincare_right(l, xi, xi_rate).components));
 
     // ii and iv: every variation of g gives xi the variation eta' - ad_xi eta, so the actions vary alike.
     auto const curve = draw_curve<S>(draw, group);
@@ -66,25 +70,31 @@ STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
     auto const eta = [&](auto const& s) { return lifted_variation(family, s).place; };
     auto const velocity = tangent(curve, t).velocity;
     S const varied = L(varied_tangent(family, t)).part[0];
-    claim.equal("ii and iv: the integrands vary alike", model, varied, change_along<S>(l, velocity, reduced_variation_right(velocity, eta(t), rate_along(eta, t))));
+    claim.equal("ii and iv: the integrands vary alike", model, varied,
+                change_along<S>(l, velocity, reduced_variation_right(velocity, eta(t), rate_along(eta, t))));
 
     // iii and iv: integrate by parts along a path in the algebra, eta zero at the ends.
     S const from = ratio<S>(-1, 2), to = ratio<S>(1, 2);
     auto const path = draw_path<S>(draw, group, from, to, false), test = draw_path<S>(draw, group, from, to, true);
     auto const delta_with = [&](S const& sign, S const& s) { return rate_along(test, s) - sign * bracket(path(s), test(s)); };
-    auto const reduced = [&](S const& sign) { return rule([&](S const& s) { return change_along<S>(l, path(s), delta_with(sign, s)); }, from, to); };
+    auto const reduced = [&](S const& sign) {
+      return rule([&](S const& s) { return change_along<S>(l, path(s), delta_with(sign, s)); }, from, to);
+    };
     S const against = rule([&](S const& s) { return pair(euler_poincare_right(l, path(s), rate_along(path, s)), test(s)); }, from, to);
     claim.equal("iii and iv: integrated by parts", model, reduced(S(1)), S(-against), 10);
 
     // Controls: the sign printed second in iv; the equation of left-invariant systems.
     claim.differs("variations eta' + [xi, eta]", model, reduced(S(-1)), S(-against));
     claim.differs("the equation with - ad*", model, full, Vector<S>(-columns.transpose() * euler_poincare_left(l, xi, xi_rate).components));
-    claim.differs("a left-invariant Lagrangian", model, euler_lagrange_in_coordinates(in_coordinates(left_invariant(l), chart), q, v, a), full);
+    claim.differs("a left-invariant Lagrangian", model, euler_lagrange_in_coordinates(in_coordinates(left_invariant(l), chart), q, v, a),
+                  full);
   });
 }
 
 STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are the Euler-Lagrange equations of an invariant Lagrangian") {
-  claim.holds("For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, for which ad* has the other sign and xi = g^-1 g' (also confirmed).");
+  claim.holds(
+      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, for which ad* has the other sign "
+      "and xi = g^-1 g' (also confirmed).");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -93,7 +103,8 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
     // Right: the acceleration of the full system is that of the reduced one.
     auto const full = lagrange_acceleration(right_invariant(l), v), reduced = euler_poincare_acceleration_right(l, v.velocity);
     claim.equal("right-invariant: xi' of the reduced and of the full equations", model, full, reduced, hessian_condition);
-    claim.zero("it solves d/dt dl/dxi + ad* dl/dxi = 0", model, euler_poincare_right(l, v.velocity, full), size_of(ad_star(v.velocity, gradient(l, v.velocity))), hessian_condition);
+    claim.zero("it solves d/dt dl/dxi + ad* dl/dxi = 0", model, euler_poincare_right(l, v.velocity, full),
+               size_of(ad_star(v.velocity, gradient(l, v.velocity))), hessian_condition);
     // The rate of the momentum written out: minus the commutator with the velocity, transposed, on matrices.
     auto const rate_by_hand = [&](Velocity<SpannedGroup, S> const& xi) {
       auto const mu = gradient(l, xi);
@@ -110,7 +121,8 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
     // Left: xi = g^-1 g', whose rate is that of the full system carried to the body, Ad commuting with its own velocity.
     auto const body = body_velocity(v);
     auto const body_rate = Ad(inverse(v.place), lagrange_acceleration(left_invariant(l), v));
-    claim.equal("left-invariant: the same with the other sign", model, body_rate, euler_poincare_acceleration_left(l, body), 10 * hessian_condition);
+    claim.equal("left-invariant: the same with the other sign", model, body_rate, euler_poincare_acceleration_left(l, body),
+                10 * hessian_condition);
 
     // Controls: sides exchanged; ad in place of its dual.
     claim.differs("+ ad* for a right-invariant Lagrangian", model, Vector<S>(-rate_by_hand(v.velocity)), momentum_rate);
@@ -146,8 +158,10 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
 }
 
 STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocity, with the bracket") {
-  claim.corrected(R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])", R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
-                  "The thesis defines ad_xi eta = [xi, eta] (Theorem 2.2.3), so the two printed expressions differ in every group that is not abelian. The plus sign belongs to xi = g^-1 g' and eta = g^-1 dg, the left-invariant case.");
+  claim.corrected(R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
+                  R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
+                  "The thesis defines ad_xi eta = [xi, eta] (Theorem 2.2.3), so the two printed expressions differ in every group that is "
+                  "not abelian. The plus sign belongs to xi = g^-1 g' and eta = g^-1 dg, the left-invariant case.");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_curve<S>(draw, group);
@@ -165,7 +179,8 @@ STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocit
     auto const body_eta = [&](auto const& s) { return Ad(inverse(curve(s)), eta(s)); };
     auto const varied = varied_tangent(family, t);
     auto const body_xi = Ad(inverse(varied.place), varied.velocity);
-    claim.equal("g^-1 g' varies by eta' + [xi, eta]", model, rate(body_xi), rate_along(body_eta, t) + commutator(value_of(body_xi), body_eta(t)));
+    claim.equal("g^-1 g' varies by eta' + [xi, eta]", model, rate(body_xi),
+                rate_along(body_eta, t) + commutator(value_of(body_xi), body_eta(t)));
     // Control: as printed.
     claim.differs("as printed, eta' + [xi, eta]", model, delta, rate_along(eta, t) + commutator(xi, eta(t)));
   });

@@ -82,23 +82,28 @@ STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual a
   claim.holds("With {q, p} = +1 on T*G and the commutator in the algebra; left-invariant functions give the minus bracket.");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_algebra_polynomial<S>(draw, group.dimension()), h = draw_algebra_polynomial<S>(draw, group.dimension()), k = draw_algebra_polynomial<S>(draw, group.dimension());
+    auto const f = draw_algebra_polynomial<S>(draw, group.dimension()), h = draw_algebra_polynomial<S>(draw, group.dimension()),
+               k = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const [chart, q, p] = draw_canonical<S>(draw, group);
     auto const at = costate_in(chart, q, p);
 
     // The canonical bracket of the lifted functions depends on lambda(p) alone, and is the plus bracket there.
-    S const canonical = bracket_in_coordinates(in_canonical(right_invariant_function(f), chart), in_canonical(right_invariant_function(h), chart), q, p);
+    S const canonical =
+        bracket_in_coordinates(in_canonical(right_invariant_function(f), chart), in_canonical(right_invariant_function(h), chart), q, p);
     S const plus = lie_poisson_bracket_plus(f, h, at.momentum);
     claim.equal("canonical bracket of right-invariant functions", model, canonical, plus, frame_condition);
-    S const from_left = bracket_in_coordinates(in_canonical(left_invariant_function(f), chart), in_canonical(left_invariant_function(h), chart), q, p);
-    claim.equal("of left-invariant functions, at the body momentum: the minus bracket", model, from_left, lie_poisson_bracket_minus(f, h, body_momentum(at)), frame_condition);
+    S const from_left =
+        bracket_in_coordinates(in_canonical(left_invariant_function(f), chart), in_canonical(left_invariant_function(h), chart), q, p);
+    claim.equal("of left-invariant functions, at the body momentum: the minus bracket", model, from_left,
+                lie_poisson_bracket_minus(f, h, body_momentum(at)), frame_condition);
 
     // It is a Poisson structure: Leibniz and Jacobi (antisymmetry is the commutator's).
     auto const product = [&](auto const& mu) { return f(mu) * k(mu); };
     auto const mu = at.momentum;
     claim.equal("Leibniz", model, lie_poisson_bracket_plus(product, h, mu), S(f(mu) * lie_poisson_bracket_plus(k, h, mu) + k(mu) * plus));
     auto const bracket_of = [](auto const& a, auto const& b) { return [&](auto const& nu) { return lie_poisson_bracket_plus(a, b, nu); }; };
-    S const cyclic[3] = {lie_poisson_bracket_plus(f, bracket_of(h, k), mu), lie_poisson_bracket_plus(h, bracket_of(k, f), mu), lie_poisson_bracket_plus(k, bracket_of(f, h), mu)};
+    S const cyclic[3] = {lie_poisson_bracket_plus(f, bracket_of(h, k), mu), lie_poisson_bracket_plus(h, bracket_of(k, f), mu),
+                         lie_poisson_bracket_plus(k, bracket_of(f, h), mu)};
     claim.zero("Jacobi", model, S(cyclic[0] + cyclic[1] + cyclic[2]), S(size_of(cyclic[0]) + size_of(cyclic[1]) + size_of(cyclic[2])));
     // Controls: the other sign; the bracket at the body momentum.
     claim.differs("the minus bracket", model, canonical, lie_poisson_bracket_minus(f, h, mu));
@@ -107,7 +112,9 @@ STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual a
 }
 
 STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
-  claim.convention("With mu = mu(t) in the equation for g (printed: p(0), see claim_2_2_reconstruction_velocity) and lambda(p) = T_e^*R_g p (printed with the index g(t) in place of e, which would be a map from another fibre).");
+  claim.convention(
+      "With mu = mu(t) in the equation for g (printed: p(0), see claim_2_2_reconstruction_velocity) and lambda(p) = T_e^*R_g p (printed "
+      "with the index g(t) in place of e, which would be a map from another fibre).");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension()), f = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -121,10 +128,13 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
     claim.equal("i: g' = T_eR_g dh/dmu", model, rate_right(along.place), gradient(h, momentum), frame_condition);
     claim.equal("i and iii: mu' = - ad* mu", model, momentum_rate, lie_poisson_rate_right(h, momentum), frame_condition);
     Vector<S> const q_rate = solve_linear(frame(chart, q), gradient(h, momentum).coordinates);
-    Vector<Dual<S>> const carried = frame(chart, moving(q, q_rate)).transpose() * moving(momentum.components, lie_poisson_rate_right(h, momentum).components);
-    claim.equal("iii and i: back to p' = - dH/dq", model, rates(carried), Vector<S>(-slopes(in_canonical(H, chart), q, p)), frame_condition);
+    Vector<Dual<S>> const carried =
+        frame(chart, moving(q, q_rate)).transpose() * moving(momentum.components, lie_poisson_rate_right(h, momentum).components);
+    claim.equal("iii and i: back to p' = - dH/dq", model, rates(carried), Vector<S>(-slopes(in_canonical(H, chart), q, p)),
+                frame_condition);
     // ii and iv.
-    claim.equal("ii: F' = {F, H}", model, F(along).part[0], bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p), frame_condition);
+    claim.equal("ii: F' = {F, H}", model, F(along).part[0], bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p),
+                frame_condition);
     Momentum<SpannedGroup, Dual<S>> const by_iii{group, moving(momentum.components, lie_poisson_rate_right(h, momentum).components)};
     claim.equal("iii and iv: f' = {f, h}_+", model, f(by_iii).part[0], lie_poisson_bracket_plus(f, h, momentum), frame_condition);
 
@@ -136,8 +146,10 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
 }
 
 STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group element") {
-  claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))", R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
-                  "The momentum is that of the same instant, carried to the identity. With the momentum frozen at its initial value g would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
+  claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
+                  R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
+                  "The momentum is that of the same instant, carried to the identity. With the momentum frozen at its initial value g "
+                  "would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -172,7 +184,8 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
     auto const at = costate_in(chart, q, p);
 
     // The canonical structure of the library, for functions invariant under nothing, against coordinates.
-    claim.equal("canonical bracket without coordinates", model, canonical_bracket(F, H, at), bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p), frame_condition);
+    claim.equal("canonical bracket without coordinates", model, canonical_bracket(F, H, at),
+                bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p), frame_condition);
     auto const along = moved_by_hamilton(H, chart, q, p);
     auto const field = hamiltonian_vector_field(H, at);
     claim.equal("Hamilton's equations, place", model, field.place, rate_right(along.place), frame_condition);
@@ -197,7 +210,10 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
     auto astray = reduced;
     astray.place = draw.template velocity<S>(group);
     claim.differs("another motion of g", model, F(moved(at, astray)).part[0], canonical_bracket(F, invariant, at));
-    claim.differs("the term <mu, [F, H]> left out", model, S(canonical_bracket(F, H, at) - pair(at.momentum, bracket(momentum_derivative(F, at), momentum_derivative(H, at)))), canonical_bracket(F, H, at));
-    claim.differs("the reduced equations for a Hamiltonian that is not invariant", model, field.momentum, -ad_star(field.place, at.momentum));
+    claim.differs("the term <mu, [F, H]> left out", model,
+                  S(canonical_bracket(F, H, at) - pair(at.momentum, bracket(momentum_derivative(F, at), momentum_derivative(H, at)))),
+                  canonical_bracket(F, H, at));
+    claim.differs("the reduced equations for a Hamiltonian that is not invariant", model, field.momentum,
+                  -ad_star(field.place, at.momentum));
   });
 }

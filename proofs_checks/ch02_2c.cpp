@@ -39,7 +39,8 @@ int rank_of(Matrix<S> m) {
 
 STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra, and are symplectic") {
   claim.corrected(R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
-                  "The orbit of a momentum under the coadjoint action lies in the dual of the algebra. Orbits in the algebra itself can have odd dimension, and their tangent vectors are others.");
+                  "The orbit of a momentum under the coadjoint action lies in the dual of the algebra. Orbits in the algebra itself can "
+                  "have odd dimension, and their tangent vectors are others.");
   claim.maybe_scan();
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -66,11 +67,18 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
       tangents.col(a) = ad_star(basis_velocity<S>(group, a), here).components;
       adjoint.col(a) = bracket(basis_velocity<S>(group, a), xi).coordinates;
     }
-    claim.fact("rank of the form = dimension of the orbit, even", model, rank_of(Matrix<S>(form_matrix)) == rank_of(tangents) && rank_of(tangents) % 2 == 0);
+    claim.fact("rank of the form = dimension of the orbit, even", model,
+               rank_of(Matrix<S>(form_matrix)) == rank_of(tangents) && rank_of(tangents) % 2 == 0);
     // Closed: the cyclic sum of rates along the fields ad*, which bracket like the algebra.
-    auto const moved_momentum = [&](Velocity<SpannedGroup, S> const& x) { return Momentum<SpannedGroup, Dual<S>>{group, moving(here.components, ad_star(x, here).components)}; };
-    auto const rate_of_form = [&](auto const& x, auto const& y, auto const& z) { return pair(moved_momentum(x), bracket(over<Dual<S>>(y), over<Dual<S>>(z))).part[0]; };
-    auto const on_bracket = [&](auto const& x, auto const& y, auto const& z) { return kirillov_kostant_plus(here, ad_star(bracket(x, y), here), ad_star(z, here)); };
+    auto const moved_momentum = [&](Velocity<SpannedGroup, S> const& x) {
+      return Momentum<SpannedGroup, Dual<S>>{group, moving(here.components, ad_star(x, here).components)};
+    };
+    auto const rate_of_form = [&](auto const& x, auto const& y, auto const& z) {
+      return pair(moved_momentum(x), bracket(over<Dual<S>>(y), over<Dual<S>>(z))).part[0];
+    };
+    auto const on_bracket = [&](auto const& x, auto const& y, auto const& z) {
+      return kirillov_kostant_plus(here, ad_star(bracket(x, y), here), ad_star(z, here));
+    };
     // Both sums vanish by the identity of Jacobi, so the sign with which the fields bracket does not matter.
     S const closed = rate_of_form(xi, eta, zeta) + rate_of_form(eta, zeta, xi) + rate_of_form(zeta, xi, eta);
     S const brackets = on_bracket(xi, eta, zeta) + on_bracket(eta, zeta, xi) + on_bracket(zeta, xi, eta);
@@ -81,22 +89,29 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
     // The form belongs to the bracket: omega_+(X_f, X_h) = {f, h}_+, which leaves no choice for it.
     auto const f = draw_algebra_polynomial<S>(draw, group.dimension()), h = draw_algebra_polynomial<S>(draw, group.dimension());
     S const plus = lie_poisson_bracket_plus(f, h, here);
-    claim.equal("omega_+ of Hamiltonian fields is the plus bracket", model, kirillov_kostant_plus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus, orbit_condition);
-    claim.equal("omega_- and the minus bracket", model, kirillov_kostant_minus(here, lie_poisson_rate_left(f, here), lie_poisson_rate_left(h, here)), S(-plus), orbit_condition);
-    claim.differs("omega_- for the plus bracket", model, kirillov_kostant_minus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus);
+    claim.equal("omega_+ of Hamiltonian fields is the plus bracket", model,
+                kirillov_kostant_plus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus, orbit_condition);
+    claim.equal("omega_- and the minus bracket", model,
+                kirillov_kostant_minus(here, lie_poisson_rate_left(f, here), lie_poisson_rate_left(h, here)), S(-plus), orbit_condition);
+    claim.differs("omega_- for the plus bracket", model,
+                  kirillov_kostant_minus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus);
     // Control: orbits in the algebra, as printed. Odd dimension on Aff(1) and Heisenberg; elsewhere a tangent vector of the one is none of the other, but for the groups closed
     // under transposition.
     if (group.name() == "Aff(1)" || group.name() == "Heisenberg")
       claim.refutes("orbits in the algebra have even dimension", model, S(rank_of(adjoint) % 2), S(1));
     if (group.name() == "SE(3)" || group.name() == "SL(2)" || group.name() == "SE(2)") {
       Momentum<SpannedGroup, S> const misplaced{group, xi.coordinates}, misplaced_tangent{group, bracket(eta, xi).coordinates};
-      claim.template refuses<OutsideDomain>("a tangent vector of the orbit in the algebra", model, [&] { orbit_generator(misplaced, misplaced_tangent); });
+      claim.template refuses<OutsideDomain>("a tangent vector of the orbit in the algebra", model,
+                                            [&] { orbit_generator(misplaced, misplaced_tangent); });
     }
   });
 }
 
 STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") {
-  claim.convention("J is the momentum map of multiplication from the right, T_e^*L_g p, taken at p(t) rather than at g(t): for a right-invariant Hamiltonian the body momentum is constant and mu(t) is the spatial one. mu_0 is the initial value of mu only if g(0) = e. Ad^*_{g^-1} is the dual of Ad_{g^-1}.");
+  claim.convention(
+      "J is the momentum map of multiplication from the right, T_e^*L_g p, taken at p(t) rather than at g(t): for a right-invariant "
+      "Hamiltonian the body momentum is constant and mu(t) is the spatial one. mu_0 is the initial value of mu only if g(0) = e. "
+      "Ad^*_{g^-1} is the dual of Ad_{g^-1}.");
   claim.degree(degree_bound);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -107,7 +122,8 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
 
     // J pairs p with the generator g zeta of multiplication from the right; along motions it is constant.
     Matrix<S> const generator = p.place.value * group.hat(zeta.coordinates) * inverse_matrix(p.place.value);
-    claim.equal("J is the momentum map of multiplication from the right", model, pair(J, zeta), pair(p.momentum, Velocity<SpannedGroup, S>{group, group.vee(generator)}));
+    claim.equal("J is the momentum map of multiplication from the right", model, pair(J, zeta),
+                pair(p.momentum, Velocity<SpannedGroup, S>{group, group.vee(generator)}));
     claim.zero("J is constant along motions", model, rate(body_momentum(along)), size_of(rate(along.momentum)));
     // So mu is carried back from it by g, over whatever time.
     claim.equal("mu = Ad*_{g^-1} J", model, Ad_star(inverse(p.place), J), p.momentum);
@@ -141,16 +157,22 @@ STATEMENT(claim_2_2_coadjoint_action_kk, "the coadjoint action preserves the Kir
 
     // Ad* is linear, so it carries tangent vectors as it carries momenta. The form finds its generators at the new place afresh.
     S const before = kirillov_kostant_plus(mu, v, w);
-    claim.equal("omega_+ at the new place on carried vectors", model, kirillov_kostant_plus(act(mu), act(v), act(w)), before, orbit_condition);
+    claim.equal("omega_+ at the new place on carried vectors", model, kirillov_kostant_plus(act(mu), act(v), act(w)), before,
+                orbit_condition);
     claim.equal("omega_-", model, kirillov_kostant_minus(act(mu), act(v), act(w)), S(-before), orbit_condition);
-    claim.equal("carried vectors are tangent to the orbit", model, ad_star(orbit_generator(act(mu), act(v)), act(mu)), act(v), orbit_condition);
+    claim.equal("carried vectors are tangent to the orbit", model, ad_star(orbit_generator(act(mu), act(v)), act(mu)), act(v),
+                orbit_condition);
     claim.equal("Ad* composes in the order of the group", model, act(Ad_star(inverse(g), v)), Ad_star(inverse(g * g), v));
     // Controls: another linear map of orbits to orbits; the star lost, where the group sees it.
     auto const twice = [&](Momentum<SpannedGroup, S> const& nu) { return S(2) * nu; };
     claim.differs("multiplication by 2 instead", model, kirillov_kostant_plus(twice(mu), twice(v), twice(w)), before);
-    auto const starless = [&](Momentum<SpannedGroup, S> const& nu) { return Momentum<SpannedGroup, S>{group, Ad_matrix(g) * nu.components}; };
-    if (group.name() == "Aff(1)") claim.differs("Ad_g without its star", model, kirillov_kostant_plus(starless(mu), starless(v), starless(w)), before);
+    auto const starless = [&](Momentum<SpannedGroup, S> const& nu) {
+      return Momentum<SpannedGroup, S>{group, Ad_matrix(g) * nu.components};
+    };
+    if (group.name() == "Aff(1)")
+      claim.differs("Ad_g without its star", model, kirillov_kostant_plus(starless(mu), starless(v), starless(w)), before);
     if (group.name() == "SE(3)" || group.name() == "Heisenberg" || group.name() == "SE(2)")
-      claim.template refuses<OutsideDomain>("Ad_g without its star", model, [&] { kirillov_kostant_plus(starless(mu), starless(v), starless(w)); });
+      claim.template refuses<OutsideDomain>("Ad_g without its star", model,
+                                            [&] { kirillov_kostant_plus(starless(mu), starless(v), starless(w)); });
   });
 }

@@ -153,7 +153,8 @@ State<SpannedGroup, S> draw_near_state(Draw& draw, SpannedGroup const& group) {
 
 /// Groups whose entries are coordinates.
 inline std::vector<SpannedGroup> const& entry_groups() {
-  static std::vector<SpannedGroup> const groups = {spanned("Aff(1)", Aff1{}), spanned("GL(2)", GL<2>{}), spanned("Heisenberg", Heisenberg{})};
+  static std::vector<SpannedGroup> const groups = {spanned("Aff(1)", Aff1{}), spanned("GL(2)", GL<2>{}),
+                                                   spanned("Heisenberg", Heisenberg{})};
   return groups;
 }
 

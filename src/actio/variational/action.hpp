@@ -13,7 +13,8 @@ namespace actio {
 /// The nodes are fractions next to those of Chebyshev, where interpolation is harmless.
 template <Field S>
 struct Quadrature {
-  std::vector<S> nodes, weights;
+  std::vector<S> nodes;    ///< inside (0, 1)
+  std::vector<S> weights;  ///< they sum to 1
 
   /// @param degree  of the polynomials that come out exactly
   explicit Quadrature(int degree) {

@@ -45,7 +45,8 @@ Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w
     if (magnitude(b[i]) > left) left = magnitude(b[i]);
   Base<S> const allowed = Base<S>(16) * tiny * magnitude(w.components);
   if (left > allowed)
-    throw OutsideDomain("orbit_generator", "a tangent vector of the coadjoint orbit is needed; part outside", to_double(left), to_double(allowed));
+    throw OutsideDomain("orbit_generator", "a tangent vector of the coadjoint orbit is needed; part outside", to_double(left),
+                        to_double(allowed));
 
   Velocity<G, S> eta{mu.group, Coordinates<G, S>::Zero(n)};
   for (int i = rank - 1; i >= 0; --i) {

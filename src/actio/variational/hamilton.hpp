@@ -28,6 +28,7 @@ Momentum<G, S> body_momentum(Costate<G, S> const& p) {
   return Ad_star(p.place, p.momentum);
 }
 
+/// The same costate over a larger scalar, where it is a constant.
 template <Field T, Group G, Field S>
 Costate<G, T> over(Costate<G, S> const& p) {
   return {over<T>(p.place), over<T>(p.momentum)};

@@ -31,6 +31,7 @@ Velocity<G, S> body_velocity(State<G, S> const& v) {
   return Ad(inverse(v.place), v.velocity);
 }
 
+/// The same state over a larger scalar, where it is a constant.
 template <Field T, Group G, Field S>
 State<G, T> over(State<G, S> const& v) {
   return {over<T>(v.place), over<T>(v.velocity)};
