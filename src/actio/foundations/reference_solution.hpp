@@ -37,7 +37,7 @@ typename Derived::PlainObject reference_solution(F const& f, Eigen::MatrixBase<D
     Eigen::Index size;
   } problem{f, y.size()};
   gsl_odeiv2_system system{
-      [](double t, double const* state, double* rate, void* data) {
+      [](double t, double const* state, double* rate, void* data) -> int {
         auto const& p = *static_cast<Problem*>(data);
         Vector const value = p.f(t, Vector(Eigen::Map<Vector const>(state, p.size)));
         Eigen::Map<Vector>(rate, p.size) = value;
@@ -45,13 +45,13 @@ typename Derived::PlainObject reference_solution(F const& f, Eigen::MatrixBase<D
       },
       nullptr, static_cast<std::size_t>(y.size()), &problem};
 
-  auto const* previous = gsl_set_error_handler_off();
+  gsl_error_handler_t* const previous = gsl_set_error_handler_off();
   double const first = (t1 - t0) * 1e-4;
   std::unique_ptr<gsl_odeiv2_driver, decltype(&gsl_odeiv2_driver_free)> const driver(
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, first, relative * (scale > 0 ? scale : 1.0), relative), &gsl_odeiv2_driver_free);
   double t = t0;
   int const status = gsl_odeiv2_driver_apply(driver.get(), &t, t1, y.data());
-  gsl_set_error_handler(const_cast<gsl_error_handler_t*>(previous));
+  gsl_set_error_handler(previous);
   if (!is_finite(y) || status == GSL_EBADFUNC) throw NotFinite("reference_solution: the solution at t = " + show(t));
   if (status != GSL_SUCCESS) throw NotConverged("reference_solution: " + std::string(gsl_strerror(status)) + " at t = " + show(t), {}, relative);
   return y;

@@ -12,7 +12,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "actio/foundations/errors.hpp"
+#include "actio/foundations/group.hpp"
 #include "actio/rigid_body/rotations_of_any_size.hpp"
 
 namespace actio {

@@ -38,7 +38,6 @@ class MoserVeselov {
     unit_ = ldexp(S(1), exponent);
     lambda_ = inertia_.lambda / unit_;
     moments_ = inertia_.moments / unit_;
-    tolerance_ = to_double(epsilon<S>()) * 4 * to_double(magnitude(lambda_));
   }
 
   Inertia<n, S> const& inertia() const { return inertia_; }
@@ -68,7 +67,7 @@ class MoserVeselov {
   /// The relative motion of the step that begins with body momentum `pi`: solves \f$f^T\Lambda - \Lambda f = hM\f$ on the branch of the identity.
   ///
   /// Newton's method from the identity; where that fails, along a growing step.
-  /// Accuracy: residual within 4 epsilon times the largest \f$\Lambda_i\f$ (more where rounding prevents it, 64 at most).
+  /// Accuracy: residual within 4 epsilon times the largest \f$\Lambda_i\f$ times the largest angle of the step; 16 times that where rounding prevents it.
   /// @throws NotFinite     where the momentum is no number
   /// @throws StepTooLong   where there is no solution, with the largest step that would do
   Solved<Place> relative_motion(BodyMomentum const& pi) const { return relative_motion(pi, first_guess(scaled(pi))); }
@@ -169,7 +168,8 @@ class MoserVeselov {
   bool newton(Vector const& goal, Solved<Place>& found) const {
     auto const& group = inertia_.group;
     Report& report = found.report;
-    report = {0, {}, tolerance_};
+    // What a rounding error in an entry of f off the diagonal, about an angle, does to the residual; four of them.
+    report = {0, {}, 4 * to_double(epsilon<S>()) * to_double(magnitude(lambda_)) * to_double(magnitude(goal.cwiseQuotient(moments_)))};
     bool steep = false;  // whether the last update, by the derivative at the identity, did well enough
     for (int iteration = 0; iteration < 100; ++iteration) {
       Matrix const p = lambda_.asDiagonal() * found.value.value;
@@ -266,7 +266,6 @@ class MoserVeselov {
   S step_, unit_;
   Eigen::Matrix<S, n, 1> lambda_;
   Vector moments_;
-  double tolerance_;
 };
 
 /// A free body on its way: attitude, body momentum, and the relative motion of the last step, which is where the solver looks first.
