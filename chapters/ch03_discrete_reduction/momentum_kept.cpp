@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   }
 
   // 5. Show where its long axis points, the energy and the momentum.
-  program.picture("path", book::Sphere(30, -50).axes({"", "", "up"}).curve(trace, "where the long axis points").svg(),
+  program.picture("path", book::Sphere(30, -50).curve(trace, "where the long axis points").svg(),
                   "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the whole picture about the vertical, and it is "
                   "that of another motion: this is the symmetry, and there is no other.");
   program.picture("energy", book::Plot("time, s", "error of the energy, %").curve(time, energy_lost, "Runge-Kutta", {.colour = 2})
