@@ -1,7 +1,8 @@
 // Logarithms of rotations: angles from sine and cosine, rotation vectors through unit quaternions.
 //
 // The vector part of the quaternion keeps the axis to rounding at every angle, so the logarithm is as good next to pi as it is next to
-// zero. At pi itself the rotation vector has no sign: the natural chart (3.19) ends there and the functions refuse.
+// zero; rotations of 4-space are pairs of quaternions, those of larger spaces fall apart into turns of planes. At pi itself the rotation vector
+// has no sign: the natural chart (3.19) ends there and the functions refuse.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -86,7 +87,79 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
   return rotation_vector(quaternion_of_rotation(r));
 }
 
-/// The logarithm of a rotation of n-space, for plain scalars. (See above for n = 2, 3.)
+/// The logarithm of a unit quaternion, of q itself and not of the rotation it covers: v with q = (cos(|v|/2), sin(|v|/2) v/|v|), |v| below 2 pi.
+/// @throws OutsideDomain  at q = -1
+template <Real S>
+Eigen::Matrix<S, 3, 1> quaternion_logarithm(Eigen::Matrix<S, 4, 1> const& q) {
+  using std::atan2, std::sqrt;
+  require_finite(q, "log");
+  Eigen::Matrix<S, 3, 1> const v = q.template tail<3>();
+  S const square = v.squaredNorm();
+  bool const front = base_value(q[0]) > Base<S>(0);
+  if (front && base_value(square) < ratio<Base<S>>(1, 4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
+  S const sine = sqrt(square);
+  if (!front && base_value(sine) <= edge_of_chart<S>())
+    throw OutsideDomain("log", "a quaternion other than -1 is needed, the natural chart ends there (3.19); angle", 2 * M_PI, 2 * M_PI);
+  return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
+}
+
+/// The sign in \f$e_a e_b = \pm e_{a\oplus b}\f$ of the quaternion units 1, i, j, k, where the sum of indices is without carry.
+constexpr int unit_sign(int a, int b) {
+  constexpr int sign[4][4] = {{1, 1, 1, 1}, {1, -1, 1, -1}, {1, -1, -1, 1}, {1, 1, -1, -1}};
+  return sign[a][b];
+}
+
+/// The logarithm of a rotation of 4-space, at any scalar, through the pair of unit quaternions with \f$Rx = p\,x\,\bar q\f$.
+///
+/// The angles of p and q are half the sum and half the difference of those of R. Of the pairs (p, q) and (-p, -q) the logarithm takes the one whose
+/// angles add up to less than pi.
+/// @throws OutsideDomain  where one of the angles of R is pi
+template <Real S>
+Eigen::Matrix<S, 4, 4> rotation_logarithm(Eigen::Matrix<S, 4, 4> const& r) {
+  using std::sqrt;
+  using T = Base<S>;
+  using Quaternion = Eigen::Matrix<S, 4, 1>;
+  require_finite(r, "log");
+
+  // The products p_a q_b: the parts of R along the sixteen maps x -> e_a x conj(e_b), which are orthogonal.
+  Eigen::Matrix<S, 4, 4> products;
+  int row = 0, column = 0;
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      S sum(0);
+      for (int j = 0; j < 4; ++j) {
+        S const& entry = r(a ^ j ^ b, j);
+        if (unit_sign(a, j) * unit_sign(a ^ j, b) * (b == 0 ? 1 : -1) > 0)
+          sum += entry;
+        else
+          sum -= entry;
+      }
+      products(a, b) = sum / 4;
+      if (magnitude(base_value(products(a, b))) > magnitude(base_value(products(row, column)))) row = a, column = b;
+    }
+  Quaternion p = products.col(column), q = products.row(row).transpose();
+  if (products(row, column) < S(0)) q = -q;
+  p /= S(sqrt(S(p.squaredNorm())));
+  q /= S(sqrt(S(q.squaredNorm())));
+
+  // The sine of the sum of their angles tells which pair, even where both angles of R come near to pi.
+  auto const vector_part = [](Quaternion const& x) {
+    return T(sqrt(T(base_value(x[1]) * base_value(x[1]) + base_value(x[2]) * base_value(x[2]) + base_value(x[3]) * base_value(x[3]))));
+  };
+  T const vp = vector_part(p), vq = vector_part(q);
+  T sine = vp * base_value(q[0]) + vq * base_value(p[0]);
+  if (sine < T(0) || (sine == T(0) && base_value(p[0]) < T(0))) p = -p, q = -q, sine = -sine;
+  angle_of_rotation(sine, T(base_value(p[0]) * base_value(q[0]) - vp * vq), T(2) * edge_of_chart<S>());
+
+  // A x = a x - x b with a = log p and b = log q.
+  Eigen::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
+  Eigen::Matrix<S, 4, 4> result = Eigen::Matrix<S, 4, 4>::Zero();
+  for (int c = 1; c < 4; ++c)
+    for (int j = 0; j < 4; ++j) result(c ^ j, j) += a[c - 1] * T(unit_sign(c, j)) - b[c - 1] * T(unit_sign(j, c));
+  return result;
+}
+
+/// The logarithm of a rotation of n-space, n > 4, for plain scalars.
 ///
 /// Away from the identity the rotation is split into turns of orthogonal planes by its real Schur form, which is block diagonal because rotations
 /// are normal; each angle comes from its sine and cosine. Equal angles, planes at rest and angles next to pi need no care of their own.
@@ -94,6 +167,7 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
 /// Accuracy: the exponential of the result is r to a few tens of epsilon. Two angles within d of pi magnify that by 1/d, as they do in any
 /// algorithm: the logarithm is not differentiable where both reach it.
 template <Real S, int n>
+  requires(n > 4)
 Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
   static_assert(Plain<S>, "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
   using Matrix = Eigen::Matrix<S, n, n>;

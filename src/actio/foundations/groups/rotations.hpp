@@ -79,7 +79,7 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
       return Eigen::Matrix<S, 1, 1>(angle_of_rotation(S(a(1, 0) - a(0, 1)), S(a(0, 0) + a(1, 1))));
     else if constexpr (n == 3)
       return rotation_vector(a);
-    else if constexpr (is_dual<S>)
+    else if constexpr (n > 4 && !Plain<S>)
       return primitive::lifted_log(SO{}, a);
     else
       return vee(rotation_logarithm(a));

@@ -62,15 +62,7 @@ struct SU2 {
   /// @throws OutsideDomain  at \f$q = -1\f$
   template <Real S>
   static Vector<S> log(Value<S> const& q) {
-    using std::atan2, std::sqrt;
-    require_finite(q, "log");
-    Vector<S> const v = q.template tail<3>();
-    S const square = v.squaredNorm();
-    if (base_value(q[0]) > Base<S>(0) && base_value(square) < Base<S>(1) / Base<S>(4)) return rotation_vector(q);
-    S const sine = sqrt(square);
-    if (base_value(q[0]) < Base<S>(0) && base_value(sine) <= edge_of_chart<S>())
-      throw OutsideDomain("log", "quaternion reaches -1; the natural chart needs less (3.19)", 2 * M_PI, 2 * M_PI);
-    return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
+    return quaternion_logarithm(q);
   }
   /// Scaled to length 1.
   /// @throws OutsideDomain  where the length is not even near 1
