@@ -13,7 +13,7 @@ using namespace actio::checks;
 namespace {
 
 constexpr int degree_bound = 500;
-/// Two dozen nodes and the nested rates of a flow magnify a rounding error about tenfold.
+/// Fifteen nodes and the nested rates of a flow magnify a rounding error about tenfold.
 constexpr double amplification = 10;
 
 /// The entries of a curve.

@@ -56,7 +56,7 @@ STATEMENT(eq_2_4, "Euler-Lagrange equations in coordinates, and without") {
 STATEMENT(claim_2_1_regular_second_order_ode, "regular Lagrangians have second-order equations") {
   claim.holds("Where the matrix has an inverse; the acceleration is then a function of the state.");
   claim.degree(degree_bound);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const chart = chart_right(draw.template element<S>(group));
     auto const [q, v, a] = draw_jet<S>(draw, group.dimension());
@@ -125,7 +125,7 @@ STATEMENT(claim_2_1_action_chart_independent, "action and equations in two chart
 STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regular Lagrangian") {
   claim.holds();
   claim.degree(degree_bound);
-  over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
+  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const chart = chart_right(draw.template element<S>(group));
     int const n = group.dimension();

@@ -118,8 +118,8 @@ struct ExactMotions {
   }
 };
 
-/// Bounds the degree in t of what is integrated: in u and its variations at most 8, three factors of them, and the rate of one.
-inline constexpr int polynomial_degree = 26;
+/// Bounds the degree in t of what is integrated: 12, reached by the total derivative, where u has degree 4 and its variations degree 5 (2 and 9 along motions).
+inline constexpr int polynomial_degree = 14;
 
 template <class S>
 ExactMotions<S> draw_exact_motions(Draw& draw, SpannedGroup const& group) {
