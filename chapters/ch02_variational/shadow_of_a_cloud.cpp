@@ -1,8 +1,9 @@
 // The shadow of a cloud: what it means that a flow is symplectic.
 //
-// What is shown. Nearby states of a pendulum form a cloud. Its motion bends and stretches it, but its area stays what it was; under explicit Euler the cloud
-// grows. A flat body adrift in still water has three coordinates and three momenta, and its cloud three shadows, one in the plane of each pair: each of them
-// changes, their sum does not. The sum is the integral of the Lagrange one-form round the rim, and that it stays is F^* omega = omega.
+// What is shown. Nearby states of a pendulum form a cloud. Its motion bends and stretches it, but its area stays what it
+// was; under explicit Euler the cloud grows. A flat body adrift in still water has three coordinates and three momenta, and
+// its cloud three shadows, one in the plane of each pair: each of them changes, their sum does not. The sum is the
+// integral of the Lagrange one-form round the rim, and that it stays is F^* omega = omega.
 // Read first. The section "Letting the ends move" of chapter 2.
 //
 //   v        state (g, xi) in TG                      L      Lagrangian on TG
@@ -18,7 +19,7 @@
 
 using namespace actio;
 
-// A step of the length h along the motion, at any scalar: with dual numbers the step carries tangent vectors along. `acceleration` is a function of the state.
+// A step of the length h along the motion, at any scalar: with dual numbers the step carries tangent vectors along.
 // Explicit Euler: the whole step with the velocity and acceleration of its beginning.
 template <class G, class S, class Acceleration>
 State<G, S> explicit_euler(Acceleration const& acceleration, State<G, S> const& v, double h) {
@@ -48,7 +49,7 @@ auto closed_curve(int points, States const& states) {
   }
   return rim;
 }
-// The integral of the Lagrange one-form round the rim: the sum of the areas of the shadows, to rounding where the rim is smooth.
+// The integral of the Lagrange one-form round the rim, the sum of the areas of the shadows: to rounding where it is smooth.
 template <class Lagrangian, class Rim>
 double shadows(Lagrangian const& L, Rim const& rim) {
   double sum = 0;
@@ -59,8 +60,8 @@ double shadows(Lagrangian const& L, Rim const& rim) {
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "a cloud of nearby states changes its shape and keeps its area; under explicit Euler it grows");
 
-  // 1. A pendulum on SO(2), length and gravity 1, its angle counted from below. The cloud is a disc in the plane of angle and momentum: a rim, whose states
-  //    carry its tangent, and inside it a sunflower's seeds, evenly spread and the same on every machine.
+  // 1. A pendulum on SO(2), length and gravity 1, its angle counted from below. The cloud is a disc in the plane of angle
+  //    and momentum: a rim, whose states carry its tangent, and in it a sunflower's seeds, the same on every machine.
   auto const pendulum = [](auto const& v) {
     auto const& xi = v.velocity.coordinates[0];
     return xi * xi / 2.0 + v.place.value(0, 0);  // the cosine of the angle
@@ -77,46 +78,37 @@ int main(int argc, char** argv) {
   auto const rim = [&](auto const& cloud) { return std::span(cloud).first(edge); };
   double const area = shadows(pendulum, rim(disc)), apart = 1.8;
 
-  // 2. Let time pass, once with the flow and once with explicit Euler at a long step; draw the cloud four times, `apart` from each other.
-  std::vector<std::vector<std::string>> rows(4);
+  // 2. Let time pass, once with the flow and once with explicit Euler at a long step; draw the cloud four times.
+  std::vector<double> angle, above, below;
+  for (double q = -3.3; q < 3.3; q += 0.02)
+    angle.push_back(q), above.push_back(2 * std::abs(std::cos(q / 2))), below.push_back(-above.back());
   double kept = 0, grown = 0;
   for (bool const flow : {true, false}) {
-    double const h = flow ? 0.005 : 0.2;
-    auto cloud = disc;
-    std::vector<double> q(cloud.size()), p(cloud.size());
     auto plot = book::Plot("angle, radians", "momentum").size(700, 450).x_range(-3.3, 3.3).y_range(-2.2, 2.2);
-    std::vector<double> angle, above, below;
-    for (double at = -3.3; at < 3.3; at += 0.02) angle.push_back(at), above.push_back(2 * std::abs(std::cos(at / 2))), below.push_back(-above.back());
     plot.curve(angle, above, "between swinging and going over", {.colour = 6, .width = 1, .dashed = true});
     plot.curve(angle, below, "", {.colour = 6, .width = 1, .dashed = true});
+    auto cloud = disc;
+    double const h = flow ? 0.005 : 0.2;
     for (int epoch = 0; epoch < 4; ++epoch) {
       for (int step = 0; epoch > 0 && step * h < apart - h / 2; ++step)
-        for (std::size_t k = 0; k < cloud.size(); ++k) {
-          cloud[k] = flow ? runge_kutta(swing, cloud[k], h) : explicit_euler(swing, cloud[k], h);
-          q[k] += std::remainder(log(value_of(cloud[k].place)).coordinates[0] - q[k], 2 * M_PI);  // past the top the angle goes on
-        }
-      for (std::size_t k = 0; k < cloud.size(); ++k) p[k] = cloud[k].velocity.coordinates[0].value;
-      if (epoch == 0)
-        for (std::size_t k = 0; k < cloud.size(); ++k) q[k] = log(value_of(cloud[k].place)).coordinates[0];
-      std::vector round_q(q.begin(), q.begin() + edge), round_p(p.begin(), p.begin() + edge);
-      round_q.push_back(q[0]), round_p.push_back(p[0]);
+        for (auto& v : cloud) v = flow ? runge_kutta(swing, v, h) : explicit_euler(swing, v, h);
+      std::vector<double> q, p;
+      for (auto const& v : cloud) q.push_back(log(value_of(v.place)).coordinates[0]), p.push_back(v.velocity.coordinates[0].value);
       plot.dots(std::span(q).subspan(edge), std::span(p).subspan(edge), "", {.colour = epoch + 1, .radius = 1.2});
-      plot.curve(round_q, round_p, "time " + book::number(epoch * apart), {.colour = epoch + 1});
-      double const change = shadows(pendulum, rim(cloud)) / area - 1;
-      (flow ? kept : grown) = std::max(flow ? kept : grown, std::abs(change));
-      if (flow) rows[epoch] = {book::number(epoch * apart)};
-      rows[epoch].push_back(book::number(change, 2));
+      q[edge] = q[0], p[edge] = p[0];
+      plot.curve(std::span(q).first(edge + 1), std::span(p).first(edge + 1), "time " + book::number(epoch * apart), {.colour = epoch + 1});
+      double const change = std::abs(shadows(pendulum, rim(cloud)) / area - 1);
+      (flow ? kept : grown) = std::max(flow ? kept : grown, change);
     }
     program.picture(flow ? "flow" : "euler", plot.svg(),
-                    flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is sheared and bent; but every state keeps the room "
-                           "that it had, and the area is the same all the time."
-                         : "The same cloud under explicit Euler with steps of 0.2. It takes up more and more room, and part of it has crossed the dashed line, "
-                           "which no state ever does: those pendulums will go over the top.");
+                    flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is sheared and bent; "
+                           "but every state keeps the room that it had, and the area is the same all the time."
+                         : "The same cloud under explicit Euler with steps of 0.2. It takes up more and more room, and part of it has "
+                           "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
   }
-  program.table("pendulum", {"time", "the flow", "explicit Euler"}, rows, "Change of the area of the pendulum's cloud, relative to what it was.");
 
-  // 3. A flat body in still water, on SE(2): easier to push ahead than aside. It does not matter where it is, so its acceleration comes from the
-  //    reduced equation, (2.2.1) for a left-invariant system. Its rim is a closed curve through all six dimensions.
+  // 3. A flat body in still water, on SE(2): easier to push ahead than aside. It does not matter where it is, so its
+  //    acceleration comes from the reduced equation. Its rim is a closed curve through all six dimensions.
   auto const l = [](auto const& xi) {
     auto const& v = xi.coordinates;
     return (0.5 * v[0] * v[0] + v[1] * v[1] + 3.0 * v[2] * v[2]) / 2.0;
@@ -131,7 +123,7 @@ int main(int argc, char** argv) {
     return State<SE<2>, S>{g, Ad(g, velocity(SE<2>{}, speed))};
   });
 
-  // 4. Each shadow has the area of the integral of its momentum over its coordinate; the momentum of the angle is that about the body's own centre.
+  // 4. A shadow's area is the integral of its momentum over its coordinate; that of the angle is about the body's centre.
   auto const shadow = [&](auto const& curve, int which) {
     double sum = 0;
     for (auto const& v : curve) {
@@ -163,19 +155,22 @@ int main(int argc, char** argv) {
   char const* const planes[] = {"angle and its momentum", "x and its momentum", "y and its momentum", "sum of the three"};
   for (int i = 0; i < 4; ++i) plot.curve(time, each[i], planes[i], {.colour = i + 1, .width = i == 3 ? 2.4 : 1.6});
   plot.curve(euler_time, euler_sum, "sum under explicit Euler", {.colour = 4, .dashed = true});
-  program.picture("shadows", plot.svg(), "A cloud of a flat body adrift in still water, in three coordinates and three momenta, has a shadow in each of three planes. Area goes from one shadow to the others; the sum stays.");
+  program.picture("shadows", plot.svg(),
+                  "A cloud of a flat body adrift in still water, in three coordinates and three momenta, has a shadow in each of three "
+                  "planes. Area goes from one shadow to the others; the sum stays.");
   program.figure("kept", kept, "pendulum: largest change of the area, relative");
   program.figure("grown", grown, "the same under explicit Euler");
   program.figure("body_kept", body_kept, "flat body: largest change of the sum of the shadows, relative");
   program.figure("body_split", body_split, "integral of the one-form less the sum of the shadows");
 
-  // 5. What must be so. Runge-Kutta is of order 4, the flat body's fastest rate about 5 per unit of time. And the areas do go from shadow to shadow.
+  // 5. What must be so. Runge-Kutta is of order 4, and the flat body's fastest rate is about 5 per unit of time.
   auto const [least, most] = std::ranges::minmax(each[2]);
   program.claim(kept < std::pow(h, 4), "the area of the pendulum's cloud stays as it is");
   program.claim(grown > 0.4, "under explicit Euler it grows by more than two fifths");
   program.claim(body_kept < std::pow(5 * h, 4), "the sum of the shadows stays as it is");
   program.claim(body_split < std::pow(5 * h, 4), "the integral of the one-form is the sum of the shadows");
   program.claim(most - least > std::abs(sum_before), "a single shadow changes by more than the sum");
-  program.headline("area of a cloud kept to " + book::number(kept, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", kept);
+  program.headline("area of a cloud kept to " + book::number(kept, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %",
+                   kept);
   return program.finish();
 }

@@ -1,8 +1,8 @@
 // A spinning book: reduction seen from inside the book and from outside.
 //
-// What is shown. A free body does not care which way it points, so its motion closes in the algebra (Euler-Poincaré, 2.2.1). Seen from the book
-// the momentum wanders, but never leaves its coadjoint orbit, a sphere, nor its level of the energy: it runs along the curve where the two meet. Seen from
-// space the momentum does not move at all.
+// What is shown. A free body does not care which way it points, so its motion closes in the algebra (Euler-Poincaré,
+// 2.2.1). Seen from the book the momentum wanders, but never leaves its coadjoint orbit, a sphere, nor its level of the
+// energy: it runs along the curve where the two meet. Seen from space the momentum does not move at all.
 // Read first. The section "When the group is its own symmetry" of chapter 2.
 //
 //   R      attitude in SO(3), body to space            L     Lagrangian on TG, J
@@ -34,9 +34,10 @@ X runge_kutta(Rate const& rate, X const& x, double h) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a spinning book: its momentum runs round a sphere as seen from the book, and stands still as seen from space");
+  book::Program program(argc, argv,
+                        "a spinning book: its momentum runs round a sphere as seen from the book, and stands still as seen from space");
 
-  // 1. The book: 24 cm high, 17 cm wide, 3 cm thick, 0.8 kg, its pages kept shut. Axis 1 along the height, 2 across, 3 through the pages.
+  // 1. The book: 24 cm high, 17 cm wide, 3 cm thick, 0.8 kg. Axis 1 along the height, 2 across, 3 through the pages.
   Vector3d const edge(0.24, 0.17, 0.03);
   double const mass = 0.8;
   Vector3d const I = mass / 12 * (edge.squaredNorm() - edge.array().square()).matrix();
@@ -52,8 +53,8 @@ int main(int argc, char** argv) {
   auto const Pi_of = [&](Motion const& m) { return gradient(l, body(m.Omega)); };
   auto const mu_of = [&](Motion const& m) { return Ad_star(inverse(Element<SO<3>, double>{{}, m.R}), Pi_of(m)); };
 
-  // 3. Three equations of motion: Euler-Poincaré in the algebra with R carried along; the same with the sign that belongs to right-invariant
-  //    systems, as a control; and Euler-Lagrange on TG, which knows nothing of a symmetry.
+  // 3. Three equations of motion: Euler-Poincaré in the algebra with R carried along; the same with the sign of
+  //    right-invariant systems, as a control; and Euler-Lagrange on TG, which knows nothing of a symmetry.
   auto const reduced = [&](Motion const& m) {
     return Motion{m.R * SO<3>::hat(m.Omega), euler_poincare_acceleration_left(l, body(m.Omega)).coordinates};
   };
@@ -102,9 +103,11 @@ int main(int argc, char** argv) {
     for (int k = 0; k <= 360; ++k) circle.push_back(std::cos(k * M_PI / 180) * Vector3d::UnitY() + std::sin(k * M_PI / 180) * across);
     sphere.curve(circle, sign > 0 ? "separatrix, through the middle axis" : "", {.colour = 4, .width = 2.2});
   }
-  program.picture("orbit", sphere.svg(), "The momentum of a thrown book, as the book sees it: sixteen throws with the same amount of momentum, so all on one sphere, the "
-                  "coadjoint orbit. Each follows a level of the energy. Round the height and through the pages the curves close about the axis; about the middle axis, "
-                  "where the great circles cross, nothing stays near.");
+  program.picture(
+      "orbit", sphere.svg(),
+      "The momentum of a thrown book, as the book sees it: sixteen throws with the same amount of momentum, so all on one sphere, the "
+      "coadjoint orbit. Each follows a level of the energy. Round the height and through the pages the curves close about the axis; "
+      "about the middle axis, where the great circles cross, nothing stays near.");
   program.figure("orbit", off_orbit, "largest distance from the sphere, relative");
   program.figure("energy", off_energy, "largest change of the energy, relative");
   program.figure("space", off_space, "largest change of the spatial momentum, relative");
@@ -117,7 +120,8 @@ int main(int argc, char** argv) {
   double apart = 0, wrong_space = 0, lowest = p;
   for (int k = 0; k * h < duration; ++k) {
     if (k % 32 == 0) time.push_back(k * h);
-    for (int i = 0; k % 32 == 0 && i < 3; ++i) inside[i].push_back(Pi_of(m).components[i] / p), outside[i].push_back(mu_of(m).components[i] / p);
+    for (int i = 0; k % 32 == 0 && i < 3; ++i)
+      inside[i].push_back(Pi_of(m).components[i] / p), outside[i].push_back(mu_of(m).components[i] / p);
     m = runge_kutta(reduced, m, h), wrong = runge_kutta(wrong_side, wrong, h), whole = runge_kutta(unreduced, whole, h);
     apart = std::max(apart, (m.R - whole.R).norm());
     wrong_space = std::max(wrong_space, (mu_of(wrong).components - thrown).norm() / p);
@@ -127,13 +131,15 @@ int main(int argc, char** argv) {
   char const* const names[] = {"book, 1", "book, 2", "book, 3"};
   for (int i = 0; i < 3; ++i) plot.curve(time, inside[i], names[i], {.colour = i == 0 ? 2 : i == 1 ? 4 : 1});
   for (int i = 0; i < 3; ++i) plot.curve(time, outside[i], i ? "" : "space, all three", {.colour = 6, .width = 1.2, .dashed = true});
-  program.picture("flip", plot.svg(), "One throw about the middle axis, a hundredth off. Seen from the book its momentum turns over again and again; seen from space "
-                  "(dashed) it never moves: it is the book that turns over.");
+  program.picture(
+      "flip", plot.svg(),
+      "One throw about the middle axis, a hundredth off. Seen from the book its momentum turns over again and again; seen from space "
+      "(dashed) it never moves: it is the book that turns over.");
   program.figure("apart", apart, "reduced and unreduced motion, largest distance of the attitudes");
   program.figure("wrong_side", wrong_space, "change of the spatial momentum with the sign of right-invariant systems");
 
-  // 7. What must be so. A step of the length h loses about (h Omega)^5/120, and all of them may add up; a hundredth off the unstable axis the
-  //    place on the curve is a hundred times as sensitive.
+  // 7. What must be so. A step loses about (h Omega)^5/120, and all of them may add up; a hundredth off the unstable axis
+  //    the place on the curve is a hundred times as sensitive.
   double const allowed = duration / h * std::pow(h * p / I[0], 5) / 120;
   program.claim(off_orbit < allowed && off_energy < allowed, "the momentum stays on its sphere and on its level of the energy");
   program.claim(off_space < allowed, "the spatial momentum is constant");

@@ -1,8 +1,9 @@
 // Momentum kept: a heavy body on a ball joint, symmetric about the vertical and about nothing else.
 //
-// What is shown. Gravity singles out the vertical, so of all turns of space only those about it are symmetries, and there is nothing to reduce by: the discrete
-// Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum about the vertical stays what it is, to rounding (discrete Noether, 3.8), at a step so
-// long that the energy is off by a per cent; and the energy, which no theorem keeps, does not run away. Runge-Kutta loses both.
+// What is shown. Gravity singles out the vertical, so of all turns of space only those about it are symmetries, and the
+// discrete Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum about the vertical stays what it is,
+// to rounding (discrete Noether, 3.8), at a step so long that the energy is off by a per cent; and the energy, which no
+// theorem keeps, does not run away. Runge-Kutta loses both.
 // Read first. The section "What a symmetry conserves" of chapter 3.
 //
 //   g        attitude in SO(3), body to space         L       Lagrangian on TG, J
@@ -38,33 +39,37 @@ Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a board hung by one end and thrown round: what its one symmetry keeps, and what happens to the energy");
+  book::Program program(argc, argv,
+                        "a board hung by one end and thrown round: what its one symmetry keeps, and what happens to the energy");
 
-  // 1. The body: a flat board of 0.6 kg, 40 cm long, 20 cm wide, 1 cm thick, hung by one end of its long axis, axis 3. Three different moments.
+  // 1. The body: a flat board of 0.6 kg, 40 cm by 20 cm by 1 cm, hung by one end of its long axis, axis 3.
   double const mass = 0.6, length = 0.4, width = 0.2, thickness = 0.01, gravity = 9.81;
   Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass * (length * length / 3 + width * width / 12),
                    mass * (width * width + thickness * thickness) / 12);
 
-  // 2. Its Lagrangian on TG: what turns, as the body feels it, less the height of the middle of the board, which is half its length from the joint.
+  // 2. Its Lagrangian on TG: what turns, as the body feels it, less the weight times the height of the middle of the board.
   auto const L = [&](auto const& v) {
     auto const Omega = body_velocity(v).coordinates;
-    return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 - v.place.value(2, 2) * (mass * gravity * length / 2);
+    return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 -
+           v.place.value(2, 2) * (mass * gravity * length / 2);
   };
   double const h = 0.03;
   auto const action = discretize_left(L, h, at_first);
   SO<3> const turns;
-  auto const about_vertical = left_translation(basis_velocity<double>(turns, 2)), about_level = left_translation(basis_velocity<double>(turns, 0));
+  auto const about_vertical = left_translation(basis_velocity<double>(turns, 2)),
+             about_level = left_translation(basis_velocity<double>(turns, 0));
 
-  // 3. Hold it out, 100 degrees from straight up, and throw it round. The energy is counted from the board at rest, hanging down.
+  // 3. Hold it out, 100 degrees from straight up, and throw it round. The energy is counted from the board hanging at rest.
   Attitude const g0 = exp(velocity(turns, Vector3d(0, 100 * M_PI / 180, 0)));
   Moving const start{g0, velocity(turns, Vector3d(1.0, 0.5, 4.0))};
   double const J = noether_momentum(L, start, about_vertical), hanging = -mass * gravity * length / 2, E = energy(L, start) - hanging;
   auto const energy_error = [&](Moving const& v) { return (energy(L, v) - hanging) / E - 1; };
 
-  // 4. The first step goes where it leaves with the momentum of the start; every other solves (3.2). Runge-Kutta beside it, with the same step.
+  // 4. The first step leaves with the momentum of the start; every other solves (3.2). Runge-Kutta beside it.
   auto const mu0 = legendre(L, start);
   Attitude before = g0;
-  Attitude now = solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
+  Attitude now =
+      solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
   Moving classical = runge_kutta(L, start, h);
 
   int const steps = 10000;
@@ -89,14 +94,22 @@ int main(int argc, char** argv) {
 
   // 5. Show where its long axis points, the energy and the momentum.
   program.picture("path", book::Sphere(30, -50).curve(trace, "where the long axis points").svg(),
-                  "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the whole picture about the vertical, and it is "
-                  "that of another motion: this is the symmetry, and there is no other.");
-  program.picture("energy", book::Plot("time, s", "error of the energy, %").curve(time, energy_lost, "Runge-Kutta", {.colour = 2})
-                                .curve(time, energy_kept, "discrete Euler-Lagrange", {.colour = 1, .width = 1}).svg(),
-                  "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes with the swing and does not add up; that of Runge-Kutta "
-                  "only grows: the method drives the board.");
-  program.picture("momentum", book::Plot("time, s", "largest error so far, relative").log_y().size(660, 300).curve(time, lost, "Runge-Kutta", {.colour = 2})
-                                  .curve(time, kept, "discrete Euler-Lagrange", {.colour = 1}).svg(),
+                  "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the whole picture "
+                  "about the vertical, and it is that of another motion: this is the symmetry, and there is no other.");
+  program.picture("energy",
+                  book::Plot("time, s", "error of the energy, %")
+                      .curve(time, energy_lost, "Runge-Kutta", {.colour = 2})
+                      .curve(time, energy_kept, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
+                      .svg(),
+                  "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes with the swing and does not "
+                  "add up; that of Runge-Kutta only grows: the method drives the board.");
+  program.picture("momentum",
+                  book::Plot("time, s", "largest error so far, relative")
+                      .log_y()
+                      .size(660, 300)
+                      .curve(time, lost, "Runge-Kutta", {.colour = 2})
+                      .curve(time, kept, "discrete Euler-Lagrange", {.colour = 1})
+                      .svg(),
                   "The momentum about the vertical over the same steps: rounding on one side, a drift on the other.");
 
   // 6. The energy by quarters of the time: what is bounded is as large in each.
@@ -108,9 +121,11 @@ int main(int argc, char** argv) {
       return std::max(std::ranges::max(part), -std::ranges::min(part));
     };
     worst.push_back(largest(energy_kept));
-    rows.push_back({book::text(quarter * steps / 4 * h, " to ", (quarter + 1) * steps / 4 * h), book::number(worst.back(), 2), book::number(largest(energy_lost), 2)});
+    rows.push_back({book::text(quarter * steps / 4 * h, " to ", (quarter + 1) * steps / 4 * h), book::number(worst.back(), 2),
+                    book::number(largest(energy_lost), 2)});
   }
-  program.table("energy", {"seconds", "discrete", "Runge-Kutta"}, rows, "Largest error of the energy in each quarter of the time, in per cent.");
+  program.table("energy", {"seconds", "discrete", "Runge-Kutta"}, rows,
+                "Largest error of the energy in each quarter of the time, in per cent.");
 
   // 7. What must be so. The momentum picks up a rounding error a step; at worst they add up.
   program.figure("kept", discrete_J, "change of the momentum about the vertical, relative");
@@ -121,6 +136,8 @@ int main(int argc, char** argv) {
   program.claim(classical_J > 0.01, "Runge-Kutta loses it");
   program.claim(worst[3] < 1.5 * worst[0] && worst[3] < 3, "the error of the energy does not grow, and stays below 3 per cent");
   program.claim(energy_lost.back() > 5 * worst[3], "that of Runge-Kutta does");
-  program.headline("vertical momentum kept to " + book::number(discrete_J, 2) + "; Runge-Kutta loses " + book::number(100 * classical_J, 2) + " % of it", discrete_J);
+  program.headline(
+      "vertical momentum kept to " + book::number(discrete_J, 2) + "; Runge-Kutta loses " + book::number(100 * classical_J, 2) + " % of it",
+      discrete_J);
   return program.finish();
 }

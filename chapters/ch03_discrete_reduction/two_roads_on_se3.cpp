@@ -1,8 +1,9 @@
 // Two roads on SE(3): a submarine in still water, stepped with its place and without it.
 //
-// What is shown. The water takes part in the motion of a body: pushed aside it weighs more than pushed ahead, and so the submarine tumbles without any
-// force. Its energy does not care where it is (Kirchhoff's equations). One road solves the discrete Euler-Lagrange equations (3.2) for places; the other
-// solves (3.11) for relative motions and puts the places together afterwards (3.15). They lead to the same places, and the second is shorter.
+// What is shown. The water takes part in the motion of a body: pushed aside it weighs more than pushed ahead, and so the
+// submarine tumbles without any force. Its energy does not care where it is (Kirchhoff's equations). One road solves the
+// discrete Euler-Lagrange equations (3.2) for places; the other solves (3.11) for relative motions and puts the places
+// together afterwards (3.15). They lead to the same places, and the second is shorter.
 // Read first. The sections "From pairs to relative motions" and "Nothing is lost" of chapter 3.
 //
 //   g        place in SE(3), body to space            l     Lagrangian on the algebra, J; reduced discrete Lagrangian, J s
@@ -52,8 +53,8 @@ double seconds_of(auto const& work) {
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "a submarine tumbles through still water: reduced and unreduced steps lead to the same places");
 
-  // 1. The submarine: an ellipsoid 4 m long, 1.6 m wide, 1 m high, as heavy as the water it displaces, its mass spread evenly. To its own inertia
-  //    comes that of the water (Lamb, Hydrodynamics, articles 114 and 115).
+  // 1. The submarine: an ellipsoid 4 m long, 1.6 m wide, 1 m high, as heavy as the water it displaces, its mass spread
+  //    evenly. To its own inertia comes that of the water (Lamb, Hydrodynamics, articles 114 and 115).
   Vector3d const a(2.0, 0.8, 0.5), b = a.cwiseAbs2(), alpha = lamb(a);
   double const mass = 1000 * 4 * M_PI / 3 * a.prod();
   Vector6d inertia;
@@ -63,13 +64,10 @@ int main(int argc, char** argv) {
     inertia[i] = mass / 5 * (sum + less * less * tilt / (2 * less - sum * tilt));
     inertia[3 + i] = mass * (1 + alpha[i] / (2 - alpha[i]));
   }
-  std::vector<std::vector<std::string>> rows;
-  for (int i = 0; i < 3; ++i)
-    rows.push_back({std::to_string(i + 1), book::number(2 * a[i]), book::number(inertia[3 + i] / mass), book::number(inertia[i] / (mass / 5 * (b.sum() - b[i])))});
-  program.table("inertia", {"axis", "extent, m", "to push, per mass", "to turn, per own moment"}, rows, "What the water adds to the inertia of the submarine.");
+  program.say("the water makes it ", inertia[3] / mass, ", ", inertia[4] / mass, ", ", inertia[5] / mass, " times as heavy, axis by axis");
 
-  // 2. Its Lagrangian, as a function of turning and gliding, and Kirchhoff's equations; the discrete Lagrangian of a natural chart (3.25), and the same as
-  //    a function of two places.
+  // 2. Its Lagrangian, as a function of turning and gliding, and Kirchhoff's equations; the discrete Lagrangian of a
+  //    natural chart (3.25), and the same as a function of two places.
   SE<3> const space;
   auto const energy = [&](auto const& xi) {
     auto sum = xi.coordinates[0] * xi.coordinates[0] * inertia[0];
@@ -87,7 +85,9 @@ int main(int argc, char** argv) {
   Vector6d xi;
   xi << 0.15, 0.1, 0.06, 1.0, 0.1, 0.05;
   auto const cast_off = gradient(energy, velocity(space, xi));
-  auto const first = [&](auto const& l, double h) { return relative_motion_from_momentum_left(l, cast_off, exp(velocity(space, Vector6d(-h * xi)))).value; };
+  auto const first = [&](auto const& l, double h) {
+    return relative_motion_from_momentum_left(l, cast_off, exp(velocity(space, Vector6d(-h * xi)))).value;
+  };
   auto const g0 = identity<double>(space);
   auto const f0 = first(l, h);
 
@@ -130,11 +130,15 @@ int main(int argc, char** argv) {
       draw(section, "", {.colour = 6, .width = 1});
     }
   }
-  draw(path, "reduced steps, put together", {.colour = 1}), draw(dots, "unreduced steps, every fourth", {.colour = 2, .dots = true, .radius = 2.2});
-  program.picture("path", plot.svg(), "A submarine cast off ahead (from the left), turning slowly, and left alone for 48 seconds; its outline by three sections every 4.8 seconds. It soon lies across its path "
-                  "and tumbles: a long body that glides ahead is not stable in an ideal fluid. The line comes from the reduced equation and reconstruction, the dots from the unreduced one.");
+  draw(path, "reduced steps, put together", {.colour = 1}),
+      draw(dots, "unreduced steps, every fourth", {.colour = 2, .dots = true, .radius = 2.2});
+  program.picture(
+      "path", plot.svg(),
+      "A submarine cast off ahead (from the left), turning slowly, and left alone for 48 seconds; three of its sections every 4.8 "
+      "seconds. It soon lies across its path and tumbles: a long body that glides ahead is not stable in an ideal fluid. The line comes "
+      "from the reduced equation and reconstruction, the dots from the unreduced one.");
 
-  // 6. Far longer: what every Kirchhoff motion keeps whatever its energy, |P|^2 and Pi . P, by reduced steps and by Runge-Kutta with the same step.
+  // 6. Far longer: what a Kirchhoff motion keeps whatever its energy, |P|^2 and Pi . P. Runge-Kutta with the same step.
   auto const casimirs = [](Vector6d const& m) { return Eigen::Array2d(m.tail<3>().squaredNorm(), m.head<3>().dot(m.tail<3>())); };
   auto const error = [&](Vector6d const& m) { return (casimirs(m) / casimirs(cast_off.components) - 1).abs().eval(); };
   Eigen::Array2d discrete(0, 0), classical(0, 0);
@@ -155,7 +159,10 @@ int main(int argc, char** argv) {
   auto casimir_plot = book::Plot("time, s", "largest error so far, relative").log_y();
   char const* const names[] = {"|P|², reduced steps", "Π·P, reduced steps", "|P|², Runge-Kutta", "Π·P, Runge-Kutta"};
   for (int i = 0; i < 4; ++i) casimir_plot.curve(time, curves[i], names[i], {.colour = i / 2 + 1, .dashed = i % 2 == 1});
-  program.picture("casimirs", casimir_plot.svg(), "What the coadjoint orbit keeps, over 10 000 steps of 0.2 s. The reduced steps carry the momentum along its orbit (3.18), whatever the step; Runge-Kutta with the same step leaves it.");
+  program.picture(
+      "casimirs", casimir_plot.svg(),
+      "What the coadjoint orbit keeps, over 10 000 steps of 0.2 s. The reduced steps carry the momentum along its orbit (3.18), "
+      "whatever the step; Runge-Kutta leaves it.");
 
   // 7. The order: halve the step five times, and look where the submarine is after eight seconds.
   double const until = 8;
@@ -175,9 +182,8 @@ int main(int argc, char** argv) {
   double const order = (6 * sxy - sx * sy) / (6 * sxx - sx * sx);
   program.table("order", {"step, s", "miss, m"}, orders, "Distance of the place after eight seconds from that of the Kirchhoff equations.");
 
-
-  // 8. What must be so. A rounding error of the momentum grows with the square of the steps in the place, and with 16 of them a step one is safe; those of the
-  //    reduced momentum add up at worst.
+  // 8. What must be so. Rounding of the momentum, 16 times a step, moves the place by its square in the number of steps;
+  //    that of the Casimirs adds up at worst.
   double const epsilon = 0x1p-52;
   program.claim(std::abs(alpha.sum() - 2) < 1e3 * epsilon, "Lamb's integrals add up to 2");
   program.claim(apart < 16.0 * steps * steps * epsilon, "both roads lead to the same places");
@@ -185,7 +191,8 @@ int main(int argc, char** argv) {
   program.claim(classical.minCoeff() > 1e-4, "Runge-Kutta does not");
   program.claim(std::abs(order - 2) < 0.05, "the order is 2");
   program.figure("apart", apart, "distance of the two roads, relative");
-  program.figure("cost", unreduced_time / reduced_time, book::number(unreduced_time / reduced_time, 2), "time of the unreduced road over that of the reduced one");
+  program.figure("cost", unreduced_time / reduced_time, book::number(unreduced_time / reduced_time, 2),
+                 "time of the unreduced road over that of the reduced one");
   program.figure("casimirs", discrete.maxCoeff(), "change of the Casimirs by reduced steps, relative");
   program.figure("casimirs_classical", classical.maxCoeff(), "the same by Runge-Kutta");
   program.figure("order", order, book::number(order, 3), "order of the reduced steps, fitted");
