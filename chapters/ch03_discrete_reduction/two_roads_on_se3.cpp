@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
   for (int k = 0; k <= steps; ++k) apart = std::max(apart, (reduced[k].value - unreduced[k].value).norm() / reduced[k].value.norm());
 
   // 5. Look at it from one side: the path, and the submarine by three of its sections every few seconds.
-  auto plot = book::Plot("metres to the right", "metres upwards").equal().size(860, 300);
+  auto plot = book::Plot("metres to the right", "metres upwards").equal().size(660, 220);
   Vector3d const right(0.96, 0.28, 0), up(-0.5 * 0.28, 0.5 * 0.96, std::sqrt(0.75));
   auto const draw = [&](std::vector<Vector3d> const& points, std::string const& label, book::Look look) {
     std::vector<double> x, y;
