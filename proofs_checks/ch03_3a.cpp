@@ -1,8 +1,7 @@
-// Section 3.3, first part: natural charts, the discrete Lagrangian they define, distances. Compiled once per scalar.
+// Section 3.3, first part: natural charts and the discrete Lagrangian they define. Compiled once per scalar.
 //
 // Over the rationals the groups are unipotent, so exp, log and iex are polynomials and residuals are exactly zero (chart_models.hpp).
 #include "chart_models.hpp"
-#include "actio/variational/euler_poincare.hpp"
 #include "statement.hpp"
 
 using namespace actio;
@@ -66,44 +65,6 @@ S generic_determinant(Draw& draw, SpannedGroup const& group) {
   Matrix<S> sum = Matrix<S>::Zero(group.dimension(), group.dimension());
   for (auto const& form : invariant_forms<S>(group)) sum += form * S(S(1) + draw.number<S>() / S(4));
   return determinant(sum);
-}
-
-/// \f$|\xi|^2\f$ of the metric whose basis is orthonormal.
-struct SquareNorm {
-  template <class T>
-  T operator()(Velocity<SpannedGroup, T> const& xi) const {
-    T sum(0);
-    for (Eigen::Index i = 0; i < xi.coordinates.size(); ++i) sum += xi.coordinates[i] * xi.coordinates[i];
-    return sum;
-  }
-};
-/// \f$\cosh\f$ of the distance in Aff(1) with that metric, translated on the right: inverted, it is the hyperbolic plane of points (shift, stretch).
-template <class S>
-S cosh_distance(Place<S> const& g1, Place<S> const& g2) {
-  auto const p = inverse(g1).value, q = inverse(g2).value;
-  S const dx = p(0, 1) - q(0, 1), dy = p(0, 0) - q(0, 0);
-  return S(1) + (dx * dx + dy * dy) / (S(2) * p(0, 0) * q(0, 0));
-}
-/// A geodesic of it, at unit speed in log u: a half circle of centre c and radius r, inverted back.
-template <class T, class S>
-Place<T> half_circle(SpannedGroup const& aff1, S const& c, S const& r, T const& u) {
-  T const w = u * u + T(1);
-  Matrix<T> k = Matrix<T>::Identity(2, 2);
-  k(0, 0) = T(2) * u * T(r) / w, k(0, 1) = T(c) + T(r) * (u * u - T(1)) / w;
-  return inverse(Place<T>{aff1, k});
-}
-/// \f$\cos\f$ of the angle between two rotations of space.
-template <class S>
-S cos_angle(Place<S> const& g1, Place<S> const& g2) {
-  auto const f = (g1 * inverse(g2)).value;
-  return (f(0, 0) + f(1, 1) + f(2, 2) - S(1)) / S(2);
-}
-/// A rotation with tan(angle/2) = t about an axis with rational length.
-template <class S>
-Place<S> rotation_by_half_tangent(SpannedGroup const& so3, S const& t) {
-  Vector<S> axis(3);
-  axis << S(2), S(-1), S(2);
-  return retract(Algebra<S>{so3, Vector<S>(axis * (S(2) * t / S(3)))});
 }
 
 }  // namespace
@@ -194,128 +155,4 @@ STATEMENT(claim_3_3_quadratic_lie_algebra, "assumption of a regular quadratic Li
   // Control: the criterion can tell. Semisimple algebras have such a form, gl(2) too, and se(3) pairs rotations with translations.
   over_groups({spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("SL(2)", SL2{}), spanned("GL(2)", GL<2>{})}, claim,
               [&](auto const& group, auto const& model) { claim.refutes("determinant of a generic invariant form where there is one", model, generic_determinant<S>(draw, group), S(1)); });
-}
-
-STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connecting geodesic") {
-  claim.corrected(R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle\,dt)", R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle^{1/2}\,dt)",
-                  "Without the root the integral is the square of the distance: on the pieces of one geodesic it does not add up, and the triangle inequality fails. The geodesic is a shortest one.");
-  claim.maybe_scan();
-  // A half circle and its two derivatives are quotients of degree 12 at most in u, r, c and the rate; their inverses and products raise that to 60 at most.
-  claim.degree(60);
-  auto const aff1 = spanned("Aff(1)", Aff1{});
-  auto const kinetic = [](auto const& xi) { return SquareNorm{}(xi) / 2; };
-  over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
-    S const c = draw.template number<S>(), r = S(2) + draw.template number<S>(), u = S(2) + draw.template number<S>();
-    auto const rate_a = (S(2) + draw.template number<S>()) / S(4), rate_b = (S(2) + draw.template number<S>()) / S(4);
-    // Two legs of one geodesic, each run through in unit time; log u goes at a constant rate.
-    auto const square_speed = [&](S const& rate, S const& at) {
-      using D = Dual<S>;
-      D position(at), speed(S(rate * at));
-      position.part[0] = rate * at, speed.part[0] = rate * rate * at;
-      Dual<D> nested(position);
-      nested.part[0] = speed;
-      auto const xi = state_of(half_circle(group, c, r, nested)).velocity;
-      Algebra<S> const velocity{group, Vector<S>(value_part<S>(xi.coordinates))}, acceleration{group, Vector<S>(rate_part<S>(xi.coordinates))};
-      claim.zero("a half circle is a geodesic of the right-invariant metric", model, euler_poincare_right(kinetic, velocity, acceleration), size_of(velocity) * size_of(velocity));
-      return SquareNorm{}(velocity);
-    };
-    S const square_a = square_speed(rate_a, u), square_b = square_speed(rate_b, u), square = square_speed(rate_a + rate_b, u);
-    claim.equal("its speed is the same everywhere", model, square_speed(rate_a, u * (S(1) + rate_b)), square_a);
-    // The speeds are the roots of these: lengths of the legs add up to that of the whole.
-    claim.equal("square of the sum of the lengths of two legs is that of the whole", model, square_a + square_b + S(2) * rate_a * rate_b, square);
-    claim.equal("length of a leg, squared", model, square_a, rate_a * rate_a);
-    // Control: without the root they do not.
-    claim.differs("without the root the two legs fall short of the whole", model, square_a + square_b, square);
-    if constexpr (Real<S>) {
-      using std::exp, std::log, std::sqrt;
-      S const cosh = cosh_distance(half_circle(group, c, r, u), half_circle(group, c, r, S(u * exp(rate_a))));
-      // The distance from its closed form.
-      S const distance = log(S(cosh + sqrt(S(cosh * cosh - 1))));
-      claim.equal("integral of the root is the hyperbolic distance", model, S(sqrt(square_a)), distance);
-      claim.differs("integral without the root is not", model, square_a, distance);
-    }
-  });
-  // On every group: a geodesic of a right-invariant metric keeps its speed, so that the printed integral over [0, 1] is the square of the length.
-  claim.degree(100);
-  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    auto metric = draw_algebra_polynomial<S>(draw, group.dimension());
-    metric.b.setZero(), metric.kappa = S(0);
-    auto const xi = draw.template velocity<S>(group);
-    auto const mu = gradient(metric, xi);
-    claim.zero("a geodesic keeps its speed", model, pair(mu, euler_poincare_acceleration_right(metric, xi)), size_of(ad_star(xi, mu)) * size_of(xi));
-  });
-}
-
-STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its translates") {
-  claim.holds("Right translation is an isometry of a metric translated on the right; it is not one of a metric translated on the left.");
-  claim.degree(100);  // four places of Aff(1), each a quotient of degree 2, in a distance of degree 4 of their products
-  auto const aff1 = spanned("Aff(1)", Aff1{});
-  over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
-    auto const g = draw.template element<S>(group);
-    std::vector<Place<S>> domain;
-    for (int i = 0; i < 4; ++i) domain.push_back(draw.template element<S>(group));
-    auto const diameter = [&](auto const& move) {
-      S largest(1);
-      for (auto const& a : domain)
-        for (auto const& b : domain) largest = std::max(largest, S(cosh_distance(move(a), move(b))));
-      return largest;
-    };
-    S const plain = diameter([](auto const& a) { return a; });
-    claim.equal("cosh of the diameter of four places and of their right translates", model, diameter([&](auto const& a) { return a * g; }), plain);
-    claim.differs("of their left translates", model, diameter([&](auto const& a) { return g * a; }), plain);
-  });
-  // On every group: right translation leaves the speed of every curve as it is.
-  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw.template element<S>(group, S(1)), h = draw.template element<S>(group);
-    auto const v = draw.template velocity<S>(group);
-    auto const curve = moving_along(v) * over<Dual<S>>(h);
-    SquareNorm const norm;
-    claim.equal("speed of a curve and of its right translate", model, norm(state_of(curve * over<Dual<S>>(g)).velocity), norm(v));
-    if (model != "SO(3)") claim.differs("and of its left translate", model, norm(state_of(over<Dual<S>>(g) * curve).velocity), norm(v));
-  });
-}
-
-STATEMENT(claim_3_3_chart_condition, "condition on two group elements for the discrete Lagrangian to be defined") {
-  claim.corrected(R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))", R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,\quad\text{where } U \text{ contains the ball of radius } r \text{ about } e)",
-                  "Two places nearer to each other than the diameter of $U$ may be further from the base point than $U$ reaches: with the base point at either end the radius counts, half the diameter of a ball. The printed bound is enough where the base point is half-way.");
-  // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by nearly +- a right angle are nearly half a turn apart.
-  auto const so3 = spanned("SO(3)", SO<3>{});
-  S const one(1);
-  for (int point = 0; point < exact_points; ++point) {
-    auto const g2 = draw.template element<S>(so3, S(2)), g = draw.template element<S>(so3, S(2));
-    S const inside = (S(1) + draw.template number<S>()) / S(2), outside = ratio<S>(11, 8) + draw.template number<S>() / S(4);
-    claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2", cos_angle(Place<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
-    auto const e = identity<S>(so3);
-    auto const nearly = rotation_by_half_tangent(so3, ratio<S>(99, 100));
-    claim.fact("the diameter of U is more than 178 degrees", "SO(3), U of radius pi/2", cos_angle(nearly, e) > S(0) && cos_angle(nearly, inverse(nearly)) < -ratio<S>(999, 1000));
-    // Half-way, the printed bound does: g1 = s g, g2 = s^-1 g with s by less than a right angle.
-    auto const s = rotation_by_half_tangent(so3, inside);
-    claim.fact("dist(g1, g2) < diam(U) is enough at the place half-way", "SO(3), U of radius pi/2", cos_angle(s * g, g) > S(0) && cos_angle(inverse(s) * g, g) > S(0));
-    // Control: nearer than the diameter, 97 to 117 degrees apart, and outside of the chart at g2: by how much the angle's cosine lies below that of U's edge.
-    auto const g1 = rotation_by_half_tangent(so3, outside) * g2;
-    claim.fact("the control's places are nearer than the diameter", "SO(3), U of radius pi/2", cos_angle(g1, g2) > -ratio<S>(999, 1000));
-    S const excess = S(0) > cos_angle(g1, g2) ? S(-cos_angle(g1, g2)) : S(0);
-    claim.refutes("dist(g1, g2) < diam(U), base point at g2: outside by", "SO(3), U of radius pi/2", excess, one);
-  }
-  if constexpr (Real<S>) {
-    // With all of the chart of SE(3): up to half a turn every place is met, however far away it is, so that U has no finite diameter.
-    SE<3> const se3;
-    auto const far = [&](S const& angle, S const& distance) {
-      Coordinates<SE<3>, S> v = Coordinates<SE<3>, S>::Zero();
-      v[0] = angle, v[4] = distance;
-      return exp(Velocity<SE<3>, S>{se3, v});
-    };
-    using std::acos;
-    S const pi = acos(S(-1));
-    auto const g = draw.template element<S>(se3);
-    for (auto [fraction, distance] : {std::pair{1, 1L}, {90, 1000L}, {99, 1000000L}}) {
-      auto const k = far(pi * S(fraction) / S(100), S(distance)) * g;
-      claim.equal("less than half a turn from the base point: in the chart", "SE(3)", exp(natural_chart_right(g, k)) * g, k);
-    }
-    claim.template refuses<OutsideDomain>("half a turn away: at a finite distance, below the infinite diameter of U", "SE(3)", [&] { natural_chart_right(g, far(pi, S(1)) * g); });
-    // SL(2): the chart has no finite diameter either, and whole regions outside of it.
-    Eigen::Matrix<S, 2, 2> hyperbolic;
-    hyperbolic << S(-2), S(0), S(0), ratio<S>(-1, 2);
-    claim.template refuses<OutsideDomain>("no logarithm: at a finite distance, below the infinite diameter of U", "SL(2)", [&] { log(Element<SL2, S>{{}, hyperbolic}); });
-  }
 }

@@ -3,6 +3,7 @@
 // A chart is a callable from coordinates to an element, at every scalar. Everything here is partial derivatives of ordinary functions L(q, v): no translation, no ad.
 #pragma once
 
+#include "actio/variational/curves.hpp"
 #include "models.hpp"
 
 namespace actio::checks {
@@ -137,6 +138,14 @@ auto draw_family(Draw& draw, SpannedGroup const& group, Curve const& curve) {
     using T = std::decay_t<decltype(t)>;
     return retract(epsilon * (over<T>(a) + t * (over<T>(b) + t * over<T>(c)))) * curve(t) * retract(epsilon * t * over<T>(d));
   };
+}
+
+/// The rate of a path in the algebra.
+template <class S, class Path>
+Velocity<SpannedGroup, S> rate_along(Path const& path, S const& t) {
+  Dual<S> time(t);
+  time.part[0] = S(1);
+  return rate(path(time));
 }
 
 }  // namespace actio::checks

@@ -8,6 +8,16 @@
 
 namespace actio::checks {
 
+/// The groups for checks that solve for a motion: all of them, but over the rationals, where numbers grow with the size of a system, those of dimension 4, or less, at most.
+/// SE(2) and Aff(1) are among these.
+template <class S>
+std::vector<SpannedGroup> groups_for_motions(int largest = 4) {
+  std::vector<SpannedGroup> groups;
+  for (auto const& group : all_groups())
+    if (!is_exact<S> || group.dimension() <= largest) groups.push_back(group);
+  return groups;
+}
+
 template <class S>
 using Place = Element<SpannedGroup, S>;
 template <class S>

@@ -128,6 +128,20 @@ template <class F>
 Lifted<F> lifted_left(F const& l) {
   return {l, Lifted<F>::Side::left};
 }
+/// \f$\mathrm{Ad}^*_g\mu\f$ written out: the coefficients of \f$g e_a g^{-1}\f$ in the basis, by Gram's system, weighted with mu.
+template <class S>
+Momentum<SpannedGroup, S> coadjoint(Place<S> const& g, Momentum<SpannedGroup, S> const& mu) {
+  int const d = g.group.dimension();
+  Matrix<S> gram(d, d), products(d, d);
+  auto const basis = [&](int a) { return matrix_of(basis_velocity<S>(g.group, a)); };
+  for (int a = 0; a < d; ++a) {
+    Matrix<S> const turned = solve_linear(g.value.transpose().eval(), (g.value * basis(a)).transpose().eval()).transpose();
+    for (int b = 0; b < d; ++b) gram(b, a) = contract(basis(b), basis(a)), products(b, a) = contract(basis(b), turned);
+  }
+  return momentum(g.group, Vector<S>(solve_linear(gram, products).transpose() * mu.components));
+}
+/// Whether the basis of the algebra is orthonormal for a metric that Ad keeps: there a lost star does not show.
+inline bool has_invariant_metric(std::string const& model) { return model == "SO(3)" || model == "SO(4)" || model == "SU(2)"; }
 /// A sum of reduced Lagrangians over a sequence.
 template <class F, class S>
 S reduced_sum(F const& l, Places<S> const& f) {

@@ -243,7 +243,9 @@ class MoserVeselov {
 
   /// The relative motion along a growing step, or the reason why there is none.
   Solved<Place> continued(BodyMomentum const& pi, Vector const& goal) const {
-    double const longest = longest_step(pi), h = std::abs(to_double(step_));
+    // Where a Lambda_i is negative there is no closed form for the longest step: go as far as the branch goes.
+    bool const closed_form = !(lambda_.minCoeff() < S(0));
+    double const h = std::abs(to_double(step_)), longest = closed_form ? longest_step(pi) : std::numeric_limits<double>::infinity();
     if (h > longest) throw StepTooLong("Moser-Veselov", h, longest);
     Solved<Place> found{actio::identity<S>(inertia_.group), {}};
     Report last;
@@ -256,7 +258,9 @@ class MoserVeselov {
         found = trial, reached = next, way *= S(2);
       } else {
         last = trial.report, way /= S(2);
-        if (to_double(way) < 1e-9) throw NotConverged("Moser-Veselov", last.residuals, last.tolerance);
+        if (to_double(way) > 1e-8 * to_double(reached)) continue;
+        if (!closed_form && reached > S(0)) throw StepTooLong("Moser-Veselov", h, h * to_double(reached));
+        if (to_double(way) < 1e-300 || reached > S(0)) throw NotConverged("Moser-Veselov", last.residuals, last.tolerance);
       }
     }
     return found;

@@ -1,0 +1,3 @@
+#include "laws_of_the_groups.hpp"
+
+BOOST_AUTO_TEST_CASE(laws_of_a_span_hold_over_double) { actio::laws::laws_of_a_span<double>(); }

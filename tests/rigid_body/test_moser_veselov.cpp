@@ -1,0 +1,208 @@
+// The Moser-Veselov scheme: its equation, the branch of the identity, the longest step, its three forms, and input that has no answer.
+#include <boost/test/unit_test.hpp>
+
+#include "actio/reduction/discrete_euler_poincare.hpp"
+#include "actio/rigid_body/moser_veselov.hpp"
+#include "random_bodies.hpp"
+
+using namespace actio;
+using Eigen::Vector3d;
+
+namespace {
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// What (5.7) and (5.9) say, written out with matrices.
+template <int n>
+double defect(Inertia<n> const& inertia, double h, Storage<SO<n>, double> const& f, Coordinates<SO<n>, double> const& pi) {
+  Storage<SO<n>, double> const lambda = inertia.lambda.asDiagonal();
+  return magnitude((f.transpose() * lambda - lambda * f - h * inertia.group.hat(pi)).eval()) / magnitude(lambda);
+}
+
+template <int n>
+void solves_up_to_the_longest_step_and_refuses_beyond(int size = n) {
+  std::mt19937 random(testing::seed + size);
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    auto const [inertia, spin] = testing::random_body<n>(random, size);
+    auto const pi = body_momentum(inertia, spin);
+    double const longest = largest_step(inertia, pi);
+    for (double const part : {1e-8, 0.01, 0.5, 0.9, 0.999, 0.999999}) {
+      auto const f = MoserVeselov<n>(inertia, part * longest).relative_motion(pi).value;
+      BOOST_TEST(defect<n>(inertia, part * longest, f.value, pi.components) <= 64 * eps);
+      BOOST_TEST(magnitude((f.value.transpose() * f.value - identity<double>(inertia.group).value).eval()) <= 8 * eps);
+      // The branch of the identity: the spectrum of f^T Lambda lies to the right. Close to the end the least real part goes with the root.
+      Eigen::MatrixXd const x = f.value.transpose() * inertia.lambda.asDiagonal();
+      BOOST_TEST(x.eigenvalues().real().minCoeff() > 0.1 * std::sqrt(1 - part) * inertia.lambda.minCoeff());
+    }
+    for (double const part : {1.000001, 1.001, 1.1, 3.0, 100.0}) {
+      try {
+        MoserVeselov<n>(inertia, part * longest).relative_motion(pi);
+        BOOST_ERROR("accepted a step beyond the longest");
+      } catch (StepTooLong const& error) {
+        BOOST_TEST(std::abs(error.largest_step / longest - 1) <= 1e-12);
+        BOOST_TEST(std::abs(error.measured / (part * longest) - 1) <= 1e-12);
+      }
+    }
+  }
+}
+
+// DEP, DLP and DEL from one start, each by its own function, and by chapter 3's.
+template <int n>
+void three_forms_agree(double angle) {
+  std::mt19937 random(testing::seed);
+  auto const [inertia, spin] = testing::random_body<n>(random);
+  MoserVeselov<n> const scheme(inertia, angle / spin.coordinates.norm());
+  auto pi = body_momentum(inertia, spin);
+  auto f = scheme.relative_motion(pi).value;
+  auto g0 = identity<double>(SO<n>{}), g1 = reconstruct_left(g0, f);
+  double const scale = magnitude(pi.components);
+  for (int k = 0; k < 20; ++k) {
+    auto const next = scheme.step_euler_poincare(f).value;
+    auto const next_pi = scheme.step_lie_poisson(pi);
+    auto const g2 = scheme.step_euler_lagrange(g0, g1);
+    double const room = 100 * (k + 1) * eps;  // the error of a relative motion is a residual of 4 epsilon over the least moment; they add up
+    BOOST_TEST(magnitude((scheme.momentum_before(next) - next_pi).components) <= room * scale);
+    BOOST_TEST(magnitude((relative_motion_left(g1, g2).value - next.value).eval()) <= room);
+    BOOST_TEST(magnitude((lie_poisson_update_left(f, pi) - next_pi).components) <= room * scale);
+    BOOST_TEST(magnitude(scheme.residual(f, next).components) <= room * scale);
+    // The general road: the equation of chapter 3 for the trace Lagrangian, derivatives by dual numbers.
+    BOOST_TEST(magnitude(euler_poincare_left(scheme.lagrangian(), f, next).components) <= room * scale / scheme.step());
+    g0 = g1, g1 = g2, f = next, pi = next_pi;
+  }
+}
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(moser_veselov)
+
+BOOST_AUTO_TEST_CASE(solves_up_to_the_longest_step_and_refuses_beyond_it) {
+  solves_up_to_the_longest_step_and_refuses_beyond<3>();
+  solves_up_to_the_longest_step_and_refuses_beyond<4>();
+  solves_up_to_the_longest_step_and_refuses_beyond<5>();
+  solves_up_to_the_longest_step_and_refuses_beyond<8>();
+  solves_up_to_the_longest_step_and_refuses_beyond<Eigen::Dynamic>(6);
+}
+
+BOOST_AUTO_TEST_CASE(about_a_principal_axis_the_sine_of_the_angle_is_h_times_the_velocity) {
+  auto const inertia = inertia_from_moments(0.6, 0.8, 1.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    auto const spin = basis_velocity<double>(SO<3>{}, axis);
+    auto const pi = body_momentum(inertia, spin);
+    BOOST_TEST(std::abs(largest_step(inertia, pi) - 1) <= 1e-12);  // h M_i = I_i
+    for (double const h : {1e-6, 0.1, 0.9, 0.999}) {
+      auto const turn = log(MoserVeselov<3>(inertia, h).relative_motion(pi).value).coordinates;
+      BOOST_TEST(std::abs(turn[axis] + std::asin(h)) <= 8 * eps / std::sqrt(1 - h * h));  // f looks back: the angle is negative
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(moves_with_the_flow_and_not_against_it) {
+  std::mt19937 random(testing::seed);
+  auto const [inertia, spin] = testing::random_body<3>(random);
+  auto const pi = body_momentum(inertia, spin);
+  Vector3d const euler = pi.components.cross(spin.coordinates);
+  for (double const h : {1e-3, -1e-3}) {
+    MoserVeselov<3> const scheme(inertia, h);
+    Vector3d const slope = (scheme.step_lie_poisson(pi) - pi).components / h;
+    BOOST_TEST((slope - euler).norm() <= 2e-3 * euler.norm());
+    auto body = release(inertia, identity<double>(SO<3>{}), spin);
+    advance(scheme, body);
+    BOOST_TEST((log(body.attitude).coordinates / h - spin.coordinates).norm() <= 2e-3 * spin.coordinates.norm());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step) {
+  std::mt19937 random(testing::seed);
+  auto const [inertia, spin] = testing::random_body<4>(random);
+  auto const pi = body_momentum(inertia, spin);
+  auto const there = MoserVeselov<4>(inertia, 0.2).step_lie_poisson(pi);
+  auto const back = MoserVeselov<4>(inertia, -0.2).step_lie_poisson(there);
+  BOOST_TEST(magnitude((back - pi).components) <= 64 * eps * magnitude(pi.components));
+}
+
+BOOST_AUTO_TEST_CASE(the_three_forms_are_one_motion) {
+  for (double const angle : {0.01, 0.3, 0.8}) {
+    three_forms_agree<3>(angle);
+    three_forms_agree<4>(angle);
+  }
+  three_forms_agree<5>(0.3);
+}
+
+BOOST_AUTO_TEST_CASE(its_momentum_is_that_of_the_general_road) {
+  std::mt19937 random(testing::seed);
+  auto const [inertia, spin] = testing::random_body<4>(random);
+  MoserVeselov<4> const scheme(inertia, 0.2);
+  auto const pi = body_momentum(inertia, spin);
+  auto const f = scheme.relative_motion(pi).value;
+  double const scale = 64 * eps * magnitude(pi.components) / scheme.step();
+  BOOST_TEST(magnitude((momentum_before_left(scheme.lagrangian(), f) - pi).components) <= scale);
+  BOOST_TEST(magnitude((-right_differential(scheme.lagrangian(), f) - scheme.momentum_after(f)).components) <= scale);
+  BOOST_TEST(magnitude((scheme.momentum_after(f) - scheme.carry(f, pi)).components) <= scale);
+}
+
+BOOST_AUTO_TEST_CASE(a_planar_body_has_a_lambda_of_zero_and_moves_all_the_same) {
+  auto const inertia = inertia_from_moments(0.6158144, 1.1557006, 0.6158144 + 1.1557006);
+  auto const pi = body_momentum(inertia, velocity(SO<3>{}, Vector3d(0.7, -0.4, 0.5)));
+  double const longest = largest_step(inertia, pi);
+  for (double const part : {0.01, 0.5, 0.999}) {
+    auto const f = MoserVeselov<3>(inertia, part * longest).relative_motion(pi).value;
+    BOOST_TEST(defect<3>(inertia, part * longest, f.value, pi.components) <= 64 * eps);
+  }
+  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, 1.001 * longest).relative_motion(pi), StepTooLong);
+}
+
+BOOST_AUTO_TEST_CASE(bodies_of_every_size_give_the_same_digits) {
+  Vector3d const moments(0.6, 0.8, 1.0), spin(0.7, -0.4, 0.5);
+  auto const motion = [&](double mass, double pace) {
+    auto const inertia = inertia_from_moments<double>(moments * mass);
+    auto body = release(inertia, identity<double>(SO<3>{}), velocity(SO<3>{}, (spin * pace).eval()));
+    MoserVeselov<3> const scheme(inertia, 0.2 / pace);
+    for (int k = 0; k < 50; ++k) advance(scheme, body);
+    return body;
+  };
+  auto const usual = motion(1, 1);
+  // Powers of two: not a digit differs.
+  auto const small = motion(std::ldexp(1.0, -156), std::ldexp(1.0, -40)), large = motion(std::ldexp(1.0, 156), std::ldexp(1.0, 40));
+  BOOST_TEST((small.attitude.value - usual.attitude.value).norm() == 0);
+  BOOST_TEST((large.attitude.value - usual.attitude.value).norm() == 0);
+  for (double const mass : {1e-47, 1e47})
+    for (double const pace : {1e-12, 1e12}) BOOST_TEST(magnitude((motion(mass, pace).attitude.value - usual.attitude.value).eval()) <= 50 * 32 * eps);
+}
+
+BOOST_AUTO_TEST_CASE(a_body_at_rest_stays) {
+  auto const inertia = inertia_from_moments(0.6, 0.8, 1.0);
+  auto const rest = momentum(SO<3>{}, Vector3d(Vector3d::Zero()));
+  BOOST_TEST(std::isinf(largest_step(inertia, rest)));
+  auto const f = MoserVeselov<3>(inertia, 1e6).relative_motion(rest).value;
+  BOOST_TEST((f.value - Eigen::Matrix3d::Identity()).norm() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_symmetric_body_and_a_sphere_move) {
+  for (Vector3d const& moments : {Vector3d(1, 1, 1), Vector3d(1, 1, 1.5), Vector3d(1, 1, 2), Vector3d(1e-6, 1, 1), Vector3d(1e-6, 1, 1 + 1e-6)}) {
+    auto const inertia = inertia_from_moments<double>(moments);
+    auto const pi = body_momentum(inertia, velocity(SO<3>{}, Vector3d(0.3, 0.2, 0.4)));
+    auto const solved = MoserVeselov<3>(inertia, 0.1).relative_motion(pi);
+    BOOST_TEST(defect<3>(inertia, 0.1, solved.value.value, pi.components) <= 64 * eps);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_number_and_no_step_are_refused) {
+  auto const inertia = inertia_from_moments(0.6, 0.8, 1.0);
+  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, std::nan("")), NotFinite);
+  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, INFINITY), NotFinite);
+  BOOST_CHECK_THROW(MoserVeselov<3>(inertia, 0.0), OutsideDomain);
+  MoserVeselov<3> const scheme(inertia, 0.1);
+  BOOST_CHECK_THROW(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
+  BOOST_CHECK_THROW(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1, INFINITY, 0))), NotFinite);
+  BOOST_CHECK_THROW(scheme.relative_motion(momentum(SO<3>{}, Vector3d(1e300, 0, 0))), StepTooLong);
+  BOOST_CHECK_THROW(largest_step(inertia, momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
+}
+
+BOOST_AUTO_TEST_CASE(a_generalized_body_with_a_negative_lambda_moves_in_short_steps) {
+  auto const inertia = inertia_from_lambda<4, double>(Eigen::Vector4d(-0.3, 1, 1.5, 2));
+  std::mt19937 random(testing::seed);
+  auto const pi = body_momentum(inertia, testing::random_body<4>(random).spin);
+  auto const f = MoserVeselov<4>(inertia, 0.01).relative_motion(pi).value;
+  BOOST_TEST(defect<4>(inertia, 0.01, f.value, pi.components) <= 64 * eps);
+  BOOST_CHECK_THROW(MoserVeselov<4>(inertia, 100.0).relative_motion(pi), Error);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
