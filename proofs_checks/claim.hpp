@@ -132,14 +132,14 @@ class Claim {
     zero(what, model, difference(left, right), larger(left, right), condition);
   }
 
-  /// Control: with a hypothesis broken the residual does not vanish, at any of the points tried.
+  /// Control: with a hypothesis broken the residual does not vanish. One point is enough to refute an identity, and random points are sometimes near a zero of
+  /// the broken form too; so the largest residual among the points counts, and it is judged once all have been tried (`judge_controls`).
   template <class R, class Scale>
   void refutes(std::string const& what, std::string const& model, R const& residual, Scale const& scale, double floor = 1e-3) {
     double const relative = relative_size(residual, scale);
     Control& c = control_entry(what, model, relative, floor);
     ++c.points;
-    if (!(relative >= c.measured)) c.measured = relative;
-    if (!(relative > floor)) fail("control '" + what + "' (" + model + "): " + show(relative) + " passes, floor " + show(floor));
+    if (!std::isnan(c.measured) && !(relative <= c.measured)) c.measured = relative;
   }
   /// Control: two sides differ by more than `floor` of the larger one.
   template <class L, class R>
@@ -163,7 +163,6 @@ class Claim {
     double const shortfall = claimed - fit(steps, errors).first;
     Control& c = control_entry(what, model, shortfall, 0.5);
     c.measured = shortfall, ++c.points;
-    if (!(shortfall > 0.5)) fail("control '" + what + "' (" + model + "): order falls short by " + show(shortfall) + " only");
   }
 
   /// A fact that is no residual: true or the check fails. For controls that are refusals, say so with `refuses`.
@@ -176,15 +175,19 @@ class Claim {
   /// Control: the call throws `E`, which it does not with the hypothesis kept.
   template <class E, class Call>
   void refuses(std::string const& what, std::string const& model, Call const& call) {
-    Control& c = control_entry(what, model, 1, 0.5);
+    Control& c = control_entry(what, model, 0, 0.5);
     ++c.points;
     try {
       call();
-      c.measured = 0;
       fail("control '" + what + "' (" + model + "): nothing was refused");
     } catch (E const&) {
       c.measured = 1;
     }
+  }
+  /// A control that stays at or under its floor says that the check cannot fail there: that is a failure. A NaN is one as well.
+  void judge_controls() {
+    for (Control const& c : record.control)
+      if (!(c.measured > c.floor)) fail("control '" + c.what + "' (" + c.model + "): " + show(c.measured) + " passes, floor " + show(c.floor));
   }
   void fail(std::string message) { record.failures.push_back(std::move(message)); }
 

@@ -30,6 +30,7 @@ template <class S, void (*body)(Claim<S>&, Draw&)>
 Record run_check(Check const& check, std::uint64_t seed) {
   Claim<S> claim(check.id, check.title, check.scalar, seed);
   body(claim, claim.draw);
+  claim.judge_controls();
   return std::move(claim.record);
 }
 

@@ -30,11 +30,10 @@ inline constexpr bool is_dual<Dual<S, N>> = true;
 template <class T, class S>
 concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 
+template <class S, int N>
+inline constexpr bool own_arithmetic<Dual<S, N>> = true;
+
 /// z += x y, written so that nested products need no intermediate results.
-template <Plain S>
-void add_product(S& z, S const& x, S const& y) {
-  z += x * y;
-}
 template <class S, int N>
 void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
   add_product(z.value, x.value, y.value);

@@ -18,6 +18,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "actio/foundations/products.hpp"
+
 namespace actio {
 
 /// Floating point with 50 decimal digits.
@@ -26,6 +28,13 @@ using dec50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float
 using dec100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 /// Exact rational numbers: a residual over them is zero or it is not.
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+template <>
+inline constexpr bool own_arithmetic<dec50> = true;
+template <>
+inline constexpr bool own_arithmetic<dec100> = true;
+template <>
+inline constexpr bool own_arithmetic<rational> = true;
 
 /// The plain number at the bottom of a scalar: `double` of a dual number over dual numbers over `double`.
 template <class S>

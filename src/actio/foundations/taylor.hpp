@@ -115,6 +115,8 @@ struct Taylor {
 };
 
 template <class S>
+inline constexpr bool own_arithmetic<Taylor<S>> = true;
+template <class S>
 struct BaseOf<Taylor<S>> {
   using type = Base<S>;
 };
@@ -137,10 +139,6 @@ bool is_finite(Taylor<S> const& x) {
   for (S const& c : x.coefficients)
     if (!is_finite(c)) return false;
   return true;
-}
-template <class S>
-void add_product(Taylor<S>& z, Taylor<S> const& x, Taylor<S> const& y) {
-  z += x * y;
 }
 
 /// dx/dt, known to one power less.
