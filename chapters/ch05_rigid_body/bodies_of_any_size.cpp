@@ -87,18 +87,15 @@ int main(int argc, char** argv) {
   unsigned const seed = 20;
   std::mt19937 random(seed);
   program.say("random bodies on SO(n) from seed ", seed);
-  auto const drawn = [&](auto dimension, long count) {
-    constexpr int n = decltype(dimension)::value;
+  for (int const n : {4, 5, 8}) {
     std::uniform_real_distribution<double> uniform(0.5, 2.0);
-    Eigen::Matrix<double, n, 1> lambda;
+    Eigen::VectorXd lambda(n), xi(n * (n - 1) / 2);
     for (auto& l : lambda) l = uniform(random);
-    Coordinates<SO<n>, double> xi;
     for (auto& x : xi) x = uniform(random) - 1.25;
-    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count, keep(inertia_from_lambda<n, double>(lambda), velocity(SO<n>{}, xi), count), true);
-  };
-  drawn(std::integral_constant<int, 4>{}, 40000);
-  drawn(std::integral_constant<int, 5>{}, 40000);
-  drawn(std::integral_constant<int, 8>{}, 40000);
+    auto const inertia = inertia_from_lambda<Eigen::Dynamic, double>(lambda);
+    long const count = 40000;
+    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count, keep(inertia, velocity(inertia.group, xi), count), true);
+  }
 
   // 3. What they kept.
   program.table("kept", {"body", "moments", "steps", "Casimir", "momentum in space", "energy", "growth", "longest step, rad"}, rows,

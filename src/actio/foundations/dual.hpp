@@ -31,7 +31,7 @@ template <class T, class S>
 concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 
 template <class S, int N>
-inline constexpr bool own_arithmetic<Dual<S, N>> = true;
+inline constexpr bool detail::own_arithmetic<Dual<S, N>> = true;
 
 /// z += x y, written so that nested products need no intermediate results.
 template <class S, int N>

@@ -10,15 +10,17 @@
 
 namespace actio {
 
-/// Whether products of matrices over S are the plain loops of this file. True for the library's own kinds of number, false for the machine's.
-template <class S>
-inline constexpr bool own_arithmetic = false;
-
 /// z += x y.
 template <class S>
 void add_product(S& z, S const& x, S const& y) {
   z += x * y;
 }
+
+namespace detail {
+
+/// Whether products of matrices over S are the plain loops of this file. True for the library's own kinds of number, false for the machine's.
+template <class S>
+inline constexpr bool own_arithmetic = false;
 
 /// Entries in memory, `inner` apart along a column and `outer` apart along a row.
 template <class S>
@@ -88,15 +90,16 @@ struct PlainProduct {
   }
 };
 
+}  // namespace detail
 }  // namespace actio
 
 namespace Eigen::internal {
 
 template <class Left, class Right>
-  requires actio::own_arithmetic<typename Left::Scalar>
-struct generic_product_impl<Left, Right, DenseShape, DenseShape, GemmProduct> : actio::PlainProduct<Left, Right> {};
+  requires actio::detail::own_arithmetic<typename Left::Scalar>
+struct generic_product_impl<Left, Right, DenseShape, DenseShape, GemmProduct> : actio::detail::PlainProduct<Left, Right> {};
 template <class Left, class Right>
-  requires actio::own_arithmetic<typename Left::Scalar>
-struct generic_product_impl<Left, Right, DenseShape, DenseShape, GemvProduct> : actio::PlainProduct<Left, Right> {};
+  requires actio::detail::own_arithmetic<typename Left::Scalar>
+struct generic_product_impl<Left, Right, DenseShape, DenseShape, GemvProduct> : actio::detail::PlainProduct<Left, Right> {};
 
 }  // namespace Eigen::internal

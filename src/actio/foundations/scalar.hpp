@@ -29,12 +29,14 @@ using dec100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_floa
 /// Exact rational numbers: a residual over them is zero or it is not.
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
+namespace detail {
 template <>
 inline constexpr bool own_arithmetic<dec50> = true;
 template <>
 inline constexpr bool own_arithmetic<dec100> = true;
 template <>
 inline constexpr bool own_arithmetic<rational> = true;
+}  // namespace detail
 
 /// The plain number at the bottom of a scalar: `double` of a dual number over dual numbers over `double`.
 template <class S>

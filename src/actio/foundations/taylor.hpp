@@ -18,13 +18,15 @@ namespace actio {
 /// A power series \f$\sum_k c_k t^k\f$, known up to \f$t^{order}\f$; a constant is known to all orders and stores one coefficient.
 template <class S>
 struct Taylor {
-  static constexpr int all = INT_MAX;
+  static constexpr int all = INT_MAX;  ///< the order of a constant
 
   std::vector<S> coefficients{S(0)};  ///< at least one; those not stored, up to `order`, are zero
   int order = all;                    ///< the last power that is known; `all` for constants alone
 
   Taylor() = default;
+  /// The constant series.
   Taylor(S const& constant) : coefficients{constant} {}
+  /// The same from an integer or the number at the bottom of S.
   template <class T>
     requires(!std::same_as<T, S> && (std::integral<T> || std::same_as<T, Base<S>>))
   Taylor(T constant) : coefficients{S(constant)} {}
@@ -36,7 +38,9 @@ struct Taylor {
     return x;
   }
 
+  /// How many coefficients are stored.
   int stored() const { return static_cast<int>(coefficients.size()); }
+  /// \f$c_k\f$, zero where it is not stored.
   S coefficient(int k) const { return k < stored() ? coefficients[k] : S(0); }
 
   /// The value at time t.
@@ -115,7 +119,7 @@ struct Taylor {
 };
 
 template <class S>
-inline constexpr bool own_arithmetic<Taylor<S>> = true;
+inline constexpr bool detail::own_arithmetic<Taylor<S>> = true;
 template <class S>
 struct BaseOf<Taylor<S>> {
   using type = Base<S>;

@@ -17,13 +17,17 @@ namespace actio {
 
 /// An entry of a catalogue that cannot be used: says which file, body and key.
 struct CatalogueError : Error {
+  /// @param what  what is wrong; `body` and `key` may be empty
   CatalogueError(std::string const& file, std::string const& body, std::string const& key, std::string const& what)
       : Error(file + (body.empty() ? "" : ": [" + body + "]") + (key.empty() ? "" : " " + key) + ": " + what) {}
 };
 
 /// A body of the catalogue.
 struct Body {
-  std::string name, title, source, derived;
+  std::string name;                 ///< its key in the catalogue
+  std::string title;                ///< for people
+  std::string source;               ///< where the figures are from
+  std::string derived;              ///< what was computed from them, and how; may be empty
   std::string time;                 ///< unit of time of `spin`
   bool ratio = false;               ///< only ratios of the moments are known; otherwise they are in kg m^2
   Inertia<3> inertia;               ///< along the principal axes
@@ -33,13 +37,15 @@ struct Body {
 
 /// A point mass; kg, m.
 struct PointMass {
-  double mass;
-  Eigen::Vector3d at;
+  double mass;         ///< kg
+  Eigen::Vector3d at;  ///< place, m
 };
 /// A solid cylinder of uniform density with its centre at `at`; kg, m.
 struct Cylinder {
-  double mass, radius, length;
-  Eigen::Vector3d at;
+  double mass;            ///< kg
+  double radius;          ///< m
+  double length;          ///< m
+  Eigen::Vector3d at;     ///< its centre, m
   Eigen::Vector3d along;  ///< direction of its axis, of any length
 };
 

@@ -275,9 +275,9 @@ class MoserVeselov {
 /// A free body on its way: attitude, body momentum, and the relative motion of the last step, which is where the solver looks first.
 template <int n, Real S = double>
 struct BodyInMotion {
-  Element<SO<n>, S> attitude;
-  Momentum<SO<n>, S> body_momentum;
-  Element<SO<n>, S> last;
+  Element<SO<n>, S> attitude;        ///< body to space
+  Momentum<SO<n>, S> body_momentum;  ///< energy x time
+  Element<SO<n>, S> last;            ///< the relative motion of the last step
 
   /// The momentum in space: \f$\mathrm{Ad}^*_{g^{-1}}\,\Pi\f$, as the matrix \f$gMg^T\f$ in coordinates. Constant along the motion.
   Momentum<SO<n>, S> spatial_momentum() const { 
