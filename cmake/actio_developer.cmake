@@ -38,8 +38,12 @@ function(actio_own target level)
   if(level STREQUAL "brief")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   endif()
-  if(CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Collecting garbage later saves a tenth of the time and costs a tenth of the memory.
+    target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=700000)
+    if(CCACHE)
+      target_compile_options(${target} PRIVATE -fpch-preprocess)
+    endif()
   endif()
   if(TARGET actio_precompiled_${level} AND NOT target STREQUAL "actio_precompiled_${level}")
     target_precompile_headers(${target} REUSE_FROM actio_precompiled_${level})
@@ -47,7 +51,7 @@ function(actio_own target level)
 endfunction()
 
 # The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -O1, where all the tests are,
-# Boost.Test (which whoever includes it must link).
+# Boost.Test (which whoever includes it must link) and the library itself: reading that takes two seconds, and there are over a hundred units.
 if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
   foreach(level IN ITEMS fast brief)
@@ -56,5 +60,7 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
     actio_own(actio_precompiled_${level} ${level})
     target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
   endforeach()
-  target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp>)
+  file(GLOB_RECURSE own CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/actio/*.hpp")
+  list(FILTER own EXCLUDE REGEX "body_catalogue")  # which needs definitions that not every test has
+  target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp> ${own})
 endif()

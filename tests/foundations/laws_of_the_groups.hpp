@@ -13,6 +13,12 @@
 
 namespace actio::laws {
 
+// Compiled once for each scalar, in test_laws_of_any_group_*.cpp.
+extern template std::vector<Finding> check_any<double>(AnyGroup<double> const&, std::uint64_t, std::vector<Edge<double>> const&);
+extern template std::vector<Finding> check_any<dec50>(AnyGroup<dec50> const&, std::uint64_t, std::vector<Edge<dec50>> const&);
+extern template std::vector<Finding> check_any<dec100>(AnyGroup<dec100> const&, std::uint64_t, std::vector<Edge<dec100>> const&);
+extern template std::vector<Finding> check_any<rational>(AnyGroup<rational> const&, std::uint64_t, std::vector<Edge<rational>> const&);
+
 inline constexpr std::uint64_t seed = 20240131;
 
 template <Field S, Group G>

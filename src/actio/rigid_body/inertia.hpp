@@ -10,8 +10,7 @@
 // No threshold is absolute: a molecule (1e-47 kg m^2) and a space station (1e8) get the same digits.
 #pragma once
 
-#include <Eigen/Eigenvalues>
-
+#include "actio/foundations/eigenvalues.hpp"
 #include "actio/foundations/group.hpp"
 #include "actio/rigid_body/rotations_of_any_size.hpp"
 
@@ -119,10 +118,10 @@ inline PrincipalInertia principal_inertia(Eigen::Matrix3d const& tensor) {
     throw OutsideDomain("inertia", "a tensor of inertia is symmetric; largest difference across the diagonal, in units of the largest entry", skew,
                         inertia_tolerance<double>());
   if (scale == 0) return {inertia_from_moments(0, 0, 0), tensor};  // refused there
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> const solver(tensor / scale);
-  Eigen::Matrix3d axes = solver.eigenvectors();
+  SymmetricEigen const found = symmetric_eigen(tensor / scale);
+  Eigen::Matrix3d axes = found.vectors;
   if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
-  return {inertia_from_moments<double>(solver.eigenvalues() * scale), axes};
+  return {inertia_from_moments<double>(found.values * scale), axes};
 }
 
 /// \f$J(\xi) = \Lambda\xi+\xi\Lambda\f$: the body momentum, energy x time.

@@ -15,7 +15,7 @@ inline double spin_against_inertia(Eigen::VectorXd const& lambda, Eigen::MatrixX
   Eigen::VectorXd const w = (lambda.array().square() + s * s).rsqrt();
   // The spectral radius of i A, A skew, is the largest singular value of A.
   Eigen::MatrixXd const a = w.asDiagonal() * m * w.asDiagonal();
-  return s * std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(a.transpose() * a, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+  return s * std::sqrt(largest_eigenvalue(a.transpose() * a));
 }
 
 /// The largest value of f between a and b, where it has one hump, by golden section.

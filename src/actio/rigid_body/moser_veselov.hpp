@@ -223,8 +223,7 @@ class MoserVeselov {
     Eigen::Matrix<double, n, n> const x = (f.value.transpose() * lambda_.asDiagonal()).unaryExpr([](S const& v) { return to_double(v); });
     // A positive definite symmetric part settles it, and is cheap.
     if (positive_definite(x + x.transpose())) return true;
-    Eigen::VectorXd real = Eigen::EigenSolver<Eigen::MatrixXd>(x, false).eigenvalues().real();
-    std::sort(real.begin(), real.end());
+    Eigen::VectorXd const real = real_parts_of_eigenvalues(x);
     // At the end of the branch two solutions meet like the roots of a square: nearer than the root of a rounding error they are one.
     return real[0] + real[1] > -1e-7 * magnitude(x);
   }

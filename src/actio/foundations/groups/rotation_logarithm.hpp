@@ -170,10 +170,11 @@ template <Real S, int n>
   requires(n > 4)
 Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
   static_assert(Plain<S>, "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
-  using Matrix = Eigen::Matrix<S, n, n>;
+  // One size for the compiler: a Schur form of each fixed size would take it many seconds.
+  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
   require_finite(r, "log");
   if (row_norm(Matrix(r - Matrix::Identity(r.rows(), r.cols()))) < 0.25) {
-    Matrix const a = matrix_logarithm(r);
+    Matrix const a = matrix_logarithm(Matrix(r));
     return (a - a.transpose()) / S(2);
   }
   // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, which keeps the iteration from splitting hairs: it neglects
