@@ -3,7 +3,7 @@
 // What is shown. Gravity singles out the vertical, so of all turns of space only those about it are symmetries, and the
 // discrete Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum about the vertical stays what it is,
 // to rounding (discrete Noether, 3.8), at a step so long that the energy is off by a per cent; and the energy, which no
-// theorem keeps, does not run away. Runge-Kutta loses both.
+// theorem keeps, does not run away. Runge-Kutta keeps neither.
 // Read first. The section "What a symmetry conserves" of chapter 3.
 //
 //   g        attitude in SO(3), body to space         L       Lagrangian on TG, J

@@ -3,7 +3,7 @@
 // What is shown. The discrete Euler-Lagrange equations on SO(3) x SO(3) know nothing of a symmetry. The reduced equations solve for the relative motion
 // alone, and reconstruction puts the attitude back: the same numbers to rounding, for the natural-chart scheme and for Moser and Veselov's. Then the check
 // case itself: body rates after 30 s, by both schemes, against a solution by somebody else's code.
-// Read first. Chapter 3, "Reconstruction"; the sections on the two schemes of chapter 5.
+// Read first. Chapter 3, "Nothing is lost"; the sections on the two schemes of chapter 5.
 //
 //   g      attitude, body to space                h     step, s
 //   f      relative motion g1^-1 g0               p, q, r  body rates, degrees per second
@@ -107,7 +107,7 @@ int main(int argc, char** argv) {
   double const known = (truth - Vector3d(12.6183907759, -17.3974747616, 31.1195888869)).norm();
   program.figure("known", known, "our converged rates against the published digits of another converged run");
 
-  // 6. What must be so. Each step leaves an error of a few epsilon in the relative motion, and they add up over 300 steps of 300 steps.
+  // 6. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and the attitude adds those up again.
   program.claim(chart < 1e-10 && mv < 1e-10, "the two roads agree to rounding");
   program.claim(std::abs(slope(errors_chart) - 2) < 0.05 && std::abs(slope(errors_mv) - 2) < 0.05, "both schemes are of order two");
   program.claim(known < 1e-8, "the converged rates are those known");

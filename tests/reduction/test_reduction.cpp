@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(a_step_past_the_chart_throws_and_never_returns) {
 BOOST_AUTO_TEST_CASE(a_rotation_by_pi_has_no_place_in_the_natural_chart) {
   auto const l = natural_chart_lagrangian_left(spinning_body, 0.1);
   Eigen::Matrix3d const half_turn = Eigen::Vector3d(1, -1, -1).asDiagonal();
-  BOOST_CHECK_EXCEPTION(step_euler_poincare_left(l, element(SO<3>{}, half_turn)), OutsideDomain, [](OutsideDomain const& e) { return e.measured >= e.bound; });
+  BOOST_CHECK_EXCEPTION(step_euler_poincare_left(l, Element<SO<3>, double>{SO<3>{}, half_turn}), OutsideDomain, [](OutsideDomain const& e) { return e.measured >= e.bound; });
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_is_no_number_gets_in) {

@@ -9,9 +9,9 @@ using namespace actio;
 namespace {
 
 template <int n>
-void keeps_its_momenta(double angle, double bound, int size = n) {
+void keeps_its_momenta(double angle, double bound, int dimension = n) {
   std::mt19937 random(testing::seed);
-  auto const [inertia, spin] = testing::random_body<n>(random, size);
+  auto const [inertia, spin] = testing::random_body<n>(random, dimension);
   MoserVeselov<n> const scheme(inertia, angle / spin.coordinates.norm());
   auto body = release(inertia, identity<double>(inertia.group), spin);
   auto const start = body.spatial_momentum();
@@ -27,7 +27,7 @@ void keeps_its_momenta(double angle, double bound, int size = n) {
     if (k == next) steps.push_back(static_cast<double>(k)), drift.push_back(std::max(spatial, 1e-16)), next = next * 3 / 2;
   }
   double const growth = testing::fit_order(steps, drift).slope;
-  BOOST_TEST_MESSAGE("SO(" << size << "), " << angle << " rad a step, 1e6 steps: Casimir " << casimir << ", momentum in space " << spatial << ", energy " << lost
+  BOOST_TEST_MESSAGE("SO(" << dimension << "), " << angle << " rad a step, 1e6 steps: Casimir " << casimir << ", momentum in space " << spatial << ", energy " << lost
                            << ", growth exponent " << growth);
   BOOST_TEST(casimir <= bound);
   BOOST_TEST(spatial <= bound);

@@ -29,7 +29,7 @@ Eigen::VectorXd flow(Inertia<n> const& inertia, Momentum<SO<n>, double> const& p
   return reference_solution(rate, y, 0, duration);
 }
 
-// Errors of momentum and attitude after one time unit, at halved steps.
+// Errors of momentum and attitude after two time units, at halved steps.
 template <class Scheme, int n>
 void has_order_two(Inertia<n> const& inertia, Velocity<SO<n>, double> const& spin) {
   auto const start = body_momentum(inertia, spin);

@@ -66,7 +66,7 @@ class MoserVeselov {
 
   /// The relative motion of the step that begins with body momentum `pi`: solves \f$f^T\Lambda - \Lambda f = hM\f$ on the branch of the identity.
   ///
-  /// Newton's method from the identity; where that fails, along a growing step.
+  /// Newton's method from the guess \f$1-h\xi\f$; where that fails, along a growing step.
   /// Accuracy: residual within 4 epsilon times the largest \f$\Lambda_i\f$ times the largest angle of the step; 16 times that where rounding prevents it.
   /// @throws NotFinite     where the momentum is no number
   /// @throws StepTooLong   where there is no solution, with the largest step that would do
@@ -201,7 +201,7 @@ class MoserVeselov {
     return false;
   }
 
-  /// How \f$X^T - X\f$, \f$X = f^T\Lambda = p^T\f$, falls when f moves to \f$f e^\vartheta\f$: \f$\vartheta\mapsto\vartheta X + X^T\vartheta\f$ in coordinates.
+  /// How \f$X - X^T\f$, \f$X = f^T\Lambda = p^T\f$, falls when f moves to \f$f e^\vartheta\f$: \f$\vartheta\mapsto\vartheta X + X^T\vartheta\f$ in coordinates.
   auto derivative(Matrix const& p) const {
     int const d = inertia_.group.dimension(), size = static_cast<int>(p.rows());
     Eigen::Matrix<S, SO<n>::dim, SO<n>::dim> k(d, d);

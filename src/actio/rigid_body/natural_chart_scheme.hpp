@@ -59,10 +59,10 @@ class NaturalChartScheme {
   Place step_euler_lagrange(Place const& g0, Place const& g1) const {
     return reconstruct_left(g1, step_euler_poincare(relative_motion_left(g0, g1)).value);
   }
-  /// DEL on \f$SO(n)\times SO(n)\f$ itself, with nothing reduced: six unknown numbers a step for n = 3 where the reduced form has three.
+  /// DEL on \f$SO(n)\times SO(n)\f$ itself, with nothing reduced: the state is a pair of attitudes, six numbers for n = 3, where the reduced form has three.
   Solved<Place> step_unreduced(Place const& g0, Place const& g1) const { return actio::step_euler_lagrange(lift_left(lagrangian()), g0, g1); }
 
-  /// The body momentum of a step with constant body velocity zeta: \f$\chi(\mathrm{ad}^*_{h\zeta})\,J\zeta\f$, in closed form.
+  /// The body momentum with which a step of constant body velocity zeta begins: \f$\chi(\mathrm{ad}^*_{h\zeta})\,J\zeta\f$, in closed form.
   ///
   /// Equating it after one step with it before the next gives (5.4).
   BodyMomentum momentum_of(Velocity<SO<n>, S> const& zeta) const {
