@@ -1,0 +1,33 @@
+// Rotations by angles up to pi, in 50 digits.
+#pragma once
+
+#include "actio/foundations/draw.hpp"
+#include "actio/foundations/groups/rotations.hpp"
+
+namespace actio::testing {
+
+/// pi - 10^-k; with k = 0 the angle is 1.
+inline dec50 angle_before_pi(int k) {
+  if (k == 0) return 1;
+  dec50 gap = 1;
+  for (int i = 0; i < k; ++i) gap /= 10;
+  return acos(dec50(-1)) - gap;
+}
+
+/// A random vector of length 1.
+template <int n>
+Eigen::Matrix<dec50, n, 1> direction(Draw& draw) {
+  Eigen::Matrix<dec50, n, 1> v = draw.vector<dec50, Eigen::Matrix<dec50, n, 1>>(n);
+  return v / dec50(sqrt(v.squaredNorm()));
+}
+
+/// A rotation vector that turns two planes by two angles, seen from a random frame.
+template <int n>
+Coordinates<SO<n>, dec50> in_a_random_frame(Draw& draw, dec50 const& first, dec50 const& second) {
+  Coordinates<SO<n>, dec50> v = Coordinates<SO<n>, dec50>::Zero();
+  v[0] = first, v[SO<n>::dim - 1] = second;
+  auto const frame = exp(draw.velocity<dec50>(SO<n>{}, 2));
+  return Ad(frame, velocity(SO<n>{}, v)).coordinates;
+}
+
+}  // namespace actio::testing
