@@ -1,10 +1,12 @@
-// Rotations by angles up to pi, in 50 digits.
+// Rotations by angles up to pi, in 50 digits, and how far their logarithm is off.
 #pragma once
 
 #include "actio/foundations/draw.hpp"
 #include "actio/foundations/groups/rotations.hpp"
 
 namespace actio::testing {
+
+inline double const eps = epsilon<double>();
 
 /// pi - 10^-k; with k = 0 the angle is 1.
 inline dec50 angle_before_pi(int k) {
@@ -28,6 +30,16 @@ Coordinates<SO<n>, dec50> in_a_random_frame(Draw& draw, dec50 const& first, dec5
   v[0] = first, v[SO<n>::dim - 1] = second;
   auto const frame = exp(draw.velocity<dec50>(SO<n>{}, 2));
   return Ad(frame, velocity(SO<n>{}, v)).coordinates;
+}
+
+/// exp(v) computed in 50 digits and rounded to double, so that the only error of its logarithm is that of one rounding and of `log` itself.
+/// The error of `log`, relative to v.
+template <Group G>
+double error_of_log(G const& group, Coordinates<G, dec50> const& v) {
+  auto const g = exp(velocity(group, v));
+  Element<G, double> rounded{group, g.value.template cast<double>()};
+  Coordinates<G, dec50> const found = log(rounded).coordinates.template cast<dec50>();
+  return to_double(magnitude((found - v).eval())) / to_double(magnitude(v));
 }
 
 }  // namespace actio::testing
