@@ -11,6 +11,7 @@
 
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
+#include "book/measure.hpp"
 #include "book/plot.hpp"
 
 using namespace actio;
@@ -51,13 +52,8 @@ Kept keep(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long cou
   }
   kept.spatial = walked;
 
-  // Least squares through the logarithms.
-  double x = 0, y = 0, xx = 0, xy = 0, m = 0;
-  for (std::size_t i = 0; i < kept.steps.size(); ++i, ++m) {
-    double const u = std::log(kept.steps[i]), v = std::log(std::max(kept.drift[i], 1e-17));
-    x += u, y += v, xx += u * u, xy += u * v;
-  }
-  kept.growth = (m * xy - x * y) / (m * xx - x * x);
+  for (double& d : kept.drift) d = std::max(d, 1e-17);
+  kept.growth = book::exponent(kept.steps, kept.drift);
   return kept;
 }
 

@@ -11,10 +11,9 @@
 //   M      body momentum, J s                          m     spatial momentum, J s
 #include <gsl/gsl_sf_ellint.h>
 
-#include <chrono>
-
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
+#include "book/measure.hpp"
 #include "book/plot.hpp"
 
 using namespace actio;
@@ -73,7 +72,7 @@ int main(int argc, char** argv) {
     steps.push_back(h), errors.push_back(std::abs(measured / flip - 1));
     rows.push_back({book::number(h), book::number(measured, 9), book::number(errors.back())});
   }
-  double const order = std::log(errors.front() / errors.back()) / std::log(steps.front() / steps.back());
+  double const order = book::exponent(steps, errors);
   program.table("flip_times", {"step, s", "time between flips, s", "relative error"}, rows, "Time between flips from the Moser-Veselov scheme, against the closed form.");
   program.figure("order", order, "order in the step of the time between flips");
 
@@ -104,21 +103,21 @@ int main(int argc, char** argv) {
   auto const follow = [&](std::string name, double step, auto state, auto const& next, auto const& momentum_of, auto const& spatial_of) {
     Run run{name, {}, {}, {}, step};
     Vector3d const start = spatial_of(state);
-    auto const began = std::chrono::steady_clock::now();
     long const count = std::lround(duration / step), every = count / 400;
     double before = omega[1];
-    for (long k = 1; k <= count; ++k) {
-      state = next(state);
-      Vector3d const M = momentum_of(state);
-      if (before * M[1] < 0) run.flips.push_back(k * step);
-      before = M[1];
-      if (k % every) continue;
-      run.energy_drift = std::max(run.energy_drift, std::abs(kinetic_energy(handle.inertia, momentum(SO<3>{}, M)) / energy - 1));
-      run.casimir_drift = std::max(run.casimir_drift, std::abs(M.squaredNorm() / (amount * amount) - 1));
-      run.spatial_drift = std::max(run.spatial_drift, (spatial_of(state) - start).norm() / amount);
-      run.time.push_back(k * step), run.energy_lost.push_back(std::max(run.energy_drift, 1e-16));
-    }
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+    run.seconds = book::seconds_of([&] {
+      for (long k = 1; k <= count; ++k) {
+        state = next(state);
+        Vector3d const M = momentum_of(state);
+        if (before * M[1] < 0) run.flips.push_back(k * step);
+        before = M[1];
+        if (k % every) continue;
+        run.energy_drift = std::max(run.energy_drift, std::abs(kinetic_energy(handle.inertia, momentum(SO<3>{}, M)) / energy - 1));
+        run.casimir_drift = std::max(run.casimir_drift, std::abs(M.squaredNorm() / (amount * amount) - 1));
+        run.spatial_drift = std::max(run.spatial_drift, (spatial_of(state) - start).norm() / amount);
+        run.time.push_back(k * step), run.energy_lost.push_back(std::max(run.energy_drift, 1e-16));
+      }
+    });
     return run;
   };
   auto const rk = [&](std::string const& name, double step) {

@@ -10,6 +10,7 @@
 //   g      attitude, body to space                                         P_prec mean period of the long axis about the momentum in space
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
+#include "book/measure.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
 
@@ -106,14 +107,14 @@ int main(int argc, char** argv) {
   for (double const h : steps) square.push_back(errors_precession[0] * h * h / 4);
   plot.curve(steps, square, "step squared", {.colour = 6, .dashed = true});
   program.picture("periods", plot.svg(), "How the periods of Apophis come out: to second order in the step.");
-  auto const slope = [&](std::vector<double> const& e) { return std::log(e[0] / e[3]) / std::log(steps[0] / steps[3]); };
-  program.figure("order_rotation", slope(errors_rotation), "order of the period of rotation");
-  program.figure("order_precession", slope(errors_precession), "order of the period of precession");
+  double const order_rotation = book::exponent(steps, errors_rotation), order_precession = book::exponent(steps, errors_precession);
+  program.figure("order_rotation", order_rotation, "order of the period of rotation");
+  program.figure("order_precession", order_precession, "order of the period of precession");
 
   // 3. What must be so. The published periods have six and seven digits and the catalogue's spin ten.
   program.claim(farthest < 1e-12, "the steps lie on the exact curve to rounding");
   program.claim(errors_rotation.back() < 1e-3 && errors_precession.back() < 1e-3, "both periods of Apophis come out");
-  program.claim(std::abs(slope(errors_rotation) - 2) < 0.1 && std::abs(slope(errors_precession) - 2) < 0.1, "the periods converge with order 2");
+  program.claim(std::abs(order_rotation - 2) < 0.1 && std::abs(order_precession - 2) < 0.1, "the periods converge with order 2");
   program.headline("steps on the exact polhode to " + book::number(farthest, 2), farthest);
   return program.finish();
 }

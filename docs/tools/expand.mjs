@@ -247,12 +247,6 @@ for (const p of pages) {
       block(chapterLedger(book, list, new Set(here)), here);
     },
     errata() { block(errata(book)); },
-    leadpicture() {
-      // The first picture of the last chapter that has one: the rigid body, where it is there.
-      const drawn = [...book.programs?.values() ?? []].filter(r => r.pictures?.length).sort((a, b) => a.program < b.program ? 1 : -1);
-      const report = drawn.filter(r => r.program.slice(0, 4) === drawn[0].program.slice(0, 4)).at(-1);
-      if (report) blocks.picture(`${report.program},${report.pictures[0].name}`);
-    },
     programs(arg) { block(programTable(book, arg)); },
     chapters(arg) {
       const list = arg.split(',').map(Number);

@@ -6,6 +6,7 @@
 
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
+#include "book/measure.hpp"
 #include "book/program.hpp"
 
 using namespace actio;
@@ -22,7 +23,7 @@ Kept keep(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long cou
   auto body = release(inertia, identity<double>(inertia.group), xi);
   auto const start = body.spatial_momentum();
   double const size = start.components.norm(), energy = kinetic_energy(inertia, body.body_momentum);
-  double x = 0, y = 0, xx = 0, xy = 0, m = 0;
+  std::vector<double> steps, drift;
   for (long k = 1, next = 1000; k <= count; ++k) {
     advance(scheme, body);
     if (k % 1000 && k != next) continue;
@@ -30,10 +31,9 @@ Kept keep(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long cou
     kept.spatial = std::max(kept.spatial, (body.spatial_momentum() - start).components.norm() / size);
     kept.energy = std::max(kept.energy, std::abs(kinetic_energy(inertia, body.body_momentum) / energy - 1));
     if (k != next) continue;
-    double const u = std::log(k), v = std::log(std::max(kept.spatial, 1e-17));
-    x += u, y += v, xx += u * u, xy += u * v, ++m, next = next * 5 / 4;
+    steps.push_back(static_cast<double>(k)), drift.push_back(std::max(kept.spatial, 1e-17)), next = next * 5 / 4;
   }
-  kept.growth = (m * xy - x * y) / (m * xx - x * x);
+  kept.growth = book::exponent(steps, drift);
   return kept;
 }
 
