@@ -145,3 +145,15 @@ BOOST_AUTO_TEST_CASE(nothing_that_is_no_number_gets_in) {
   }
   BOOST_CHECK_THROW(natural_chart_lagrangian_left(spinning_body, 0.0), OutsideDomain);
 }
+
+BOOST_AUTO_TEST_CASE(a_fall_is_solved_in_metres_and_in_micrometres) {
+  for (double const unit : {1.0, 1e3, 1e6, 1e-6}) {
+    double const h = 0.1, g = 9.81 * unit;
+    auto const L = [=](auto const& a, auto const& b) {
+      auto const v = (b.value[0] - a.value[0]) / h;
+      return v * v * (h / 2) - (a.value[0] + b.value[0]) * (g * h / 2);
+    };
+    auto const start = identity<double>(Translations<1>{});
+    BOOST_TEST(std::abs(step_euler_lagrange(L, start, start).value.value[0] / (-g * h * h) - 1) < 16 * eps);
+  }
+}

@@ -196,6 +196,13 @@ BOOST_AUTO_TEST_CASE(no_number_and_no_step_are_refused) {
   BOOST_CHECK_THROW(largest_step(inertia, momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
 }
 
+BOOST_AUTO_TEST_CASE(a_reflection_is_no_relative_motion) {
+  MoserVeselov<3> const scheme(inertia_from_moments(1.5, 2, 3), 0.1);
+  Element<SO<3>, double> const mirror{{}, Eigen::Matrix3d(Vector3d(1, 1, -1).asDiagonal())};
+  BOOST_CHECK_THROW(scheme.relative_motion({{}, Vector3d(0.1, 0.2, 0.3)}, mirror), OutsideDomain);
+  BOOST_CHECK_THROW(scheme.step_euler_poincare(mirror), OutsideDomain);
+}
+
 BOOST_AUTO_TEST_CASE(a_generalized_body_with_a_negative_lambda_moves_in_short_steps) {
   auto const inertia = inertia_from_lambda<4, double>(Eigen::Vector4d(-0.3, 1, 1.5, 2));
   std::mt19937 random(testing::seed);

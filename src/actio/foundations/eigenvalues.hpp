@@ -15,6 +15,11 @@ namespace detail {
 inline gsl_matrix_view as_gsl(Eigen::MatrixXd& a) { return gsl_matrix_view_array(a.data(), static_cast<std::size_t>(a.cols()), static_cast<std::size_t>(a.rows())); }
 inline gsl_vector_view as_gsl(Eigen::VectorXd& v) { return gsl_vector_view_array(v.data(), static_cast<std::size_t>(v.size())); }
 
+inline void require_square(Eigen::MatrixXd const& a, char const* where) {
+  if (a.rows() != a.cols() || a.rows() == 0)
+    throw OutsideDomain(where, "a square matrix with at least one row is needed; its rows and columns", static_cast<double>(a.rows()), static_cast<double>(a.cols()));
+}
+
 }  // namespace detail
 
 /// Eigenvalues and eigenvectors of a symmetric matrix.
@@ -25,10 +30,12 @@ struct SymmetricEigen {
 
 /// Diagonalizes a symmetric matrix.
 ///
-/// @param a  symmetric; what is above the diagonal is read as what is below
-/// @throws NotFinite  where an entry is no number
+/// @param a  symmetric; what is below the diagonal is not read
+/// @throws NotFinite      where an entry is no number
+/// @throws OutsideDomain  where it is not square, or empty
 /// Accuracy: values to a few epsilon of the largest.
 inline SymmetricEigen symmetric_eigen(Eigen::MatrixXd a) {
+  detail::require_square(a, "symmetric_eigen");
   require_finite(a, "symmetric_eigen");
   Eigen::MatrixXd vectors(a.rows(), a.cols());
   SymmetricEigen found{Eigen::VectorXd(a.rows()), {}};
@@ -44,6 +51,7 @@ inline SymmetricEigen symmetric_eigen(Eigen::MatrixXd a) {
 /// The largest eigenvalue of a symmetric matrix.
 /// @throws NotFinite  where an entry is no number
 inline double largest_eigenvalue(Eigen::MatrixXd a) {
+  detail::require_square(a, "largest_eigenvalue");
   require_finite(a, "largest_eigenvalue");
   Eigen::VectorXd values(a.rows());
   auto m = detail::as_gsl(a);
@@ -57,7 +65,12 @@ inline double largest_eigenvalue(Eigen::MatrixXd a) {
 /// @throws NotFinite     where an entry is no number
 /// @throws NotConverged  where the QR iteration does not end
 inline Eigen::VectorXd real_parts_of_eigenvalues(Eigen::MatrixXd a) {
+  detail::require_square(a, "real_parts_of_eigenvalues");
   require_finite(a, "real_parts_of_eigenvalues");
+  // GSL squares entries: bring the largest near 1, by a power of two, which rounds nothing.
+  int exponent = 0;
+  std::frexp(magnitude(a), &exponent);
+  a *= std::ldexp(1.0, -exponent / 2), a *= std::ldexp(1.0, exponent / 2 - exponent);
   auto const n = static_cast<std::size_t>(a.rows());
   Eigen::VectorXcd values(a.rows());
   auto m = detail::as_gsl(a);
@@ -70,6 +83,7 @@ inline Eigen::VectorXd real_parts_of_eigenvalues(Eigen::MatrixXd a) {
   if (status != GSL_SUCCESS) throw NotConverged("real_parts_of_eigenvalues: " + std::string(gsl_strerror(status)), {}, to_double(epsilon<double>()));
   Eigen::VectorXd real = values.real();
   std::sort(real.begin(), real.end());
+  for (double& x : real) x = std::ldexp(x, exponent);
   return real;
 }
 

@@ -24,7 +24,7 @@ Eigen::Matrix<typename A::Scalar, 3, 1> cross(Eigen::MatrixBase<A> const& v, Eig
 ///
 /// @param where  who asks, for the message
 /// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
-/// @throws NotFinite  where an entry is a NaN or an infinity
+/// @throws NotFinite  where an entry is a NaN or an infinity, or where the solution would be
 /// Accuracy: that of elimination with partial pivoting; exact over the rationals.
 template <class A, class B>
 auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const& right, char const* where = "solve_linear") {
@@ -89,6 +89,10 @@ auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const
       for (int i = k + 1; i < n; ++i) sum -= a(k, i) * x(i, j);
       x(k, j) = sum * a(k, k);
     }
+  if constexpr (!is_exact<S>)
+    for (Eigen::Index j = 0; j < x.cols(); ++j)
+      for (int i = 0; i < n; ++i)
+        if (!is_finite(base_value(x(i, j)))) throw NotFinite(std::string(where) + ": the solution is beyond the largest number");
   return x;
 }
 

@@ -37,14 +37,26 @@ double relative_residual(Eigen::MatrixBase<V> const& value, Eigen::MatrixBase<M>
   return largest;
 }
 
+/// By how much a velocity turns or stretches: \f$\sqrt{|\mathrm{tr}(\mathrm{ad}_\xi^2)|}/2\f$, about the angle in SO(3) and SE(3).
+///
+/// No translation has any, so it does not depend on the unit of length; nor has any velocity of a nilpotent group, whose exponential is a polynomial.
+template <Group G, Field S>
+double turning_size(Velocity<G, S> const& xi) {
+  auto const ad = ad_matrix(xi);
+  double trace = 0;
+  for (Eigen::Index i = 0; i < ad.rows(); ++i)
+    for (Eigen::Index j = 0; j < ad.cols(); ++j) trace += to_double(S(ad(i, j))) * to_double(S(ad(j, i)));
+  return std::sqrt(std::abs(trace)) / 2;
+}
+
 /// Solves residual(f) = 0 for f in G, starting from `start`.
 ///
 /// Newton in the algebra: \f$f \leftarrow e^{\delta} f\f$ with \f$\delta\f$ from the exact derivative of the residual; `restore` once an update,
 /// because products of many elements drift off the group.
 /// It stops where each component of the residual is within 16 epsilon of its row of the derivative: what one rounding error in f does to
 /// it, with 16 of them allowed for. It also stops, satisfied, where the residual no longer falls within 64 times that level. The update that the last
-/// derivative gives costs nothing more and is made too. An update longer than 1 in the algebra's coordinates is shortened to 1, so that a bad
-/// start does not leave the chart.
+/// derivative gives costs nothing more and is made too. An update that turns by more than 1 is shortened to 1 (\ref turning_size), so that a bad
+/// start does not leave the chart; one that only shifts is not, whatever the unit of length.
 ///
 /// @param residual  element at any scalar -> covector at the same scalar
 /// @throws Singular      where the derivative has no inverse, at a solution too: the Lagrangian is not regular there
@@ -81,8 +93,10 @@ Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> con
     bool const done = size <= report.tolerance || (size <= 64 * report.tolerance && size > before / 2);
 
     Coordinates<G, S> update = solve_linear(derivative, Coordinates<G, S>(-value), "solve_on_group: derivative of the residual");
-    double const length = to_double(magnitude(update));
-    if (length > 1) update /= S(Base<S>(length));
+    if (auto const length = magnitude(update); to_double(length) > 1) {
+      double const turn = to_double(length) * turning_size(Velocity<G, S>{start.group, update / S(length)});
+      if (turn > 1) update /= S(Base<S>(turn));
+    }
     found.value = restore(exp(Velocity<G, S>{start.group, update}) * found.value);
     if (done) return found;
   }

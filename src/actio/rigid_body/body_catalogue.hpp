@@ -55,7 +55,7 @@ inline Eigen::Matrix3d inertia_tensor(PointMass const& p) {
 }
 /// The tensor of inertia of a cylinder about the origin: \f$\tfrac12mr^2\f$ about its axis, \f$\tfrac1{12}m(3r^2+l^2)\f$ across, and its centre as a point mass.
 inline Eigen::Matrix3d inertia_tensor(Cylinder const& c) {
-  Eigen::Vector3d const axis = c.along.normalized();
+  Eigen::Vector3d const axis = c.along.stableNormalized();
   double const about = c.mass * c.radius * c.radius / 2, across = c.mass * (3 * c.radius * c.radius + c.length * c.length) / 12;
   return across * Eigen::Matrix3d::Identity() + (about - across) * axis * axis.transpose() + inertia_tensor(PointMass{c.mass, c.at});
 }
@@ -126,7 +126,7 @@ class BodyReader {
     std::vector<Cylinder> parts;
     each(key, [&](toml::table const& t) {
       parts.push_back({positive(t, "mass"), positive(t, "radius"), positive(t, "length"), vector(t, "at"), vector(t, "along")});
-      if (parts.back().along.norm() == 0) fail("along", "a direction is expected");
+      if (parts.back().along.stableNorm() == 0) fail("along", "a direction is expected");
     });
     return principal_inertia(inertia_about_centre(parts) * unit);
   }

@@ -54,6 +54,7 @@ Inertia<n, S> inertia_from_lambda(Eigen::Matrix<S, n, 1> const& lambda) {
   inertia.lambda = lambda;
   inertia.moments.resize(size * (size - 1) / 2);
   S const scale = magnitude(lambda);
+  if (!is_finite(S(scale + scale))) throw NotFinite("inertia: sums of Lambda");
   over_planes(size, [&](int a, int i, int j) {
     inertia.moments[a] = lambda[i] + lambda[j];
     if (!(inertia.moments[a] > inertia_tolerance<S>() * scale))

@@ -73,8 +73,12 @@ class MoserVeselov {
   Solved<Place> relative_motion(BodyMomentum const& pi) const { return relative_motion(pi, first_guess(scaled(pi))); }
 
   /// The same from a guess that is near, such as the relative motion of the step before.
+  /// @throws OutsideDomain  where the guess is no rotation
   Solved<Place> relative_motion(BodyMomentum const& pi, Place const& near) const {
     auto const goal = scaled(pi);
+    // Newton moves by rotations: what begins as a reflection stays one.
+    require_finite(near.value, "Moser-Veselov: relative motion");
+    if (double const det = determinant(near); !(det > 0)) throw OutsideDomain("Moser-Veselov", "the relative motion to start from must be a rotation; its determinant", det, 1);
     Solved<Place> found{near, {}};
     if (newton(goal, found) && on_branch_of_identity(found.value)) return found;
     return continued(pi, goal);
@@ -131,6 +135,9 @@ class MoserVeselov {
 
   /// h M in the working unit.
   Vector scaled(BodyMomentum const& pi) const {
+    if (pi.components.size() != moments_.size())
+      throw OutsideDomain("Moser-Veselov", "a momentum with a component for each moment of inertia is needed; components", static_cast<double>(pi.components.size()),
+                          static_cast<double>(moments_.size()));
     if (!is_finite(pi.components)) throw NotFinite("Moser-Veselov: body momentum");
     Vector const goal = pi.components / unit_ * step_;
     if (!is_finite(goal)) throw NotFinite("Moser-Veselov: step times body momentum over inertia");
@@ -226,6 +233,22 @@ class MoserVeselov {
     Eigen::VectorXd const real = real_parts_of_eigenvalues(x);
     // At the end of the branch two solutions meet like the roots of a square: nearer than the root of a rounding error they are one.
     return real[0] + real[1] > -1e-7 * magnitude(x);
+  }
+
+  /// The determinant, by elimination with row exchanges.
+  static double determinant(Place const& f) {
+    Eigen::Matrix<double, n, n> a = f.value.unaryExpr([](S const& v) { return to_double(v); });
+    double product = 1;
+    for (Eigen::Index k = 0; k < a.rows(); ++k) {
+      Eigen::Index pivot = k;
+      for (Eigen::Index i = k + 1; i < a.rows(); ++i)
+        if (std::abs(a(i, k)) > std::abs(a(pivot, k))) pivot = i;
+      if (pivot != k) a.row(k).swap(a.row(pivot)), product = -product;
+      product *= a(k, k);
+      if (product == 0) return 0;
+      for (Eigen::Index i = k + 1; i < a.rows(); ++i) a.row(i).tail(a.cols() - k) -= a.row(k).tail(a.cols() - k) * (a(i, k) / a(k, k));
+    }
+    return product;
   }
 
   /// By the pivots of the elimination.

@@ -50,10 +50,13 @@ struct SO<Eigen::Dynamic> {
     return a.transpose();
   }
   /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
+  /// @throws OutsideDomain  where \f$R^T R\f$ is not even near 1
   template <Real S>
   static Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> restore(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& a) {
     Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> excess = a.transpose() * a;
     excess.diagonal().array() -= S(1);
+    double const distance = to_double(magnitude(excess));
+    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1", distance, 0.1);
     return a - a * excess / S(2);
   }
 };

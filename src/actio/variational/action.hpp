@@ -18,6 +18,7 @@ struct Quadrature {
 
   /// @param degree  of the polynomials that come out exactly
   explicit Quadrature(int degree) {
+    if (degree < 0) throw OutsideDomain("Quadrature", "a degree is at least zero", degree, 0);
     int const n = degree + 1;
     for (int j = 0; j < n; ++j) nodes.push_back(ratio<S>(2048 + std::lround(2047 * std::cos(M_PI * (j + 0.5) / n)), 4096));
 

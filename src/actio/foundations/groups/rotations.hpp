@@ -71,6 +71,16 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
     return e;
   }
 
+  template <Real S>
+    requires(n > 3)
+  static Eigen::Matrix<S, n, n> exp(Eigen::Matrix<S, dim, 1> const& v) {
+    Eigen::Matrix<S, n, n> const e = matrix_exponential(hat(v));
+    // Large angles are squared many times, and rounding is squared with them.
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+      if (to_double(magnitude(base_value(v[i]))) > 8) return restore(e);
+    return e;
+  }
+
   /// Good to rounding up to rotations within 1e-8 of pi; refuses at pi.
   /// @throws OutsideDomain  at a rotation by pi, where the natural chart (3.19) ends
   template <Real S>

@@ -22,13 +22,17 @@ struct SpannedGroup {
   /// @param name_of_group  for messages
   /// @param basis          square matrices of one size, linearly independent
   /// @throws Singular      where the matrices are linearly dependent
-  /// @throws OutsideDomain where a commutator of two of them leaves their span, where there are none, or where they are not square of one size
+  /// @throws OutsideDomain where a commutator of two of them leaves their span, where there are none, where they are not square of one size, or where their
+  ///                       entries are beyond 1000
   SpannedGroup(std::string name_of_group, std::vector<WholeMatrix> basis) {
     if (basis.empty()) throw OutsideDomain("SpannedGroup", "at least one basis matrix is needed", 0, 1);
     for (WholeMatrix const& e : basis)
       if (e.rows() != basis.front().rows() || e.cols() != basis.front().rows())
         throw OutsideDomain("SpannedGroup", "square basis matrices of one size are needed; columns and size", static_cast<double>(e.cols()),
                             static_cast<double>(basis.front().rows()));
+    for (WholeMatrix const& e : basis)
+      if (int const largest = e.size() ? e.cwiseAbs().maxCoeff() : 0; largest > 1000)
+        throw OutsideDomain("SpannedGroup", "entries of basis matrices up to 1000 are needed, scale them; largest", largest, 1000);
     auto made = std::make_shared<Data>();
     made->name = std::move(name_of_group);
     made->basis = std::move(basis);
@@ -83,6 +87,7 @@ struct SpannedGroup {
     boost::multiprecision::mpz_int common = 1;
     for (int a = 0; a < dims; ++a)
       for (int b = 0; b < dims; ++b) common = boost::multiprecision::lcm(common, boost::multiprecision::mpz_int(denominator(inverse(a, b))));
+    if (common > 1'000'000'000'000) throw OutsideDomain("SpannedGroup", "the projection on the span must have a denominator up to 1e12; it has", common.convert_to<double>(), 1e12);
     d.denominator = common.convert_to<long>();
     for (int a = 0; a < dims; ++a)
       for (int i = 0; i < n; ++i)
