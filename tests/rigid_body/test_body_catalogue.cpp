@@ -98,7 +98,9 @@ BOOST_AUTO_TEST_CASE(complaints_name_the_file_the_body_and_the_key) {
   BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "cylinders = [{mass = 1.0, radius = 1.0, length = 1.0, at = [0.0, 0.0, 0.0], along = [0.0, 0.0, 0.0]}]"), "along"));
   BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "moments = [1.0, 1.0, 1.5]\ntensor = []"), "exactly one"));
   BOOST_TEST(says(complaint("[top]", "[top"), "line 1"));
+  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0], heigth = 2.0}]"), "heigth: unknown key"));
   BOOST_CHECK_THROW(read_bodies("/nowhere/bodies.toml"), CatalogueError);
+  BOOST_CHECK_THROW(read_bodies(std::filesystem::temp_directory_path()), CatalogueError);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,7 +6,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <array>
+#include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <vector>
@@ -83,9 +84,7 @@ class BodyReader {
 
   Body read() const {
     static std::map<std::string, double> const units{{"kg m^2", 1.0}, {"slug ft^2", 4.4482216152605 * 0.3048}, {"ratio", 1.0}};
-    static std::array<char const*, 10> const known{"title", "unit", "moments", "tensor", "points", "cylinders", "time", "spin", "source", "derived"};
-    for (auto const& entry : table_)
-      if (std::none_of(known.begin(), known.end(), [&](auto key) { return entry.first.str() == key; })) fail(std::string(entry.first.str()), "unknown key");
+    allow_only(table_, {"title", "unit", "moments", "tensor", "points", "cylinders", "time", "spin", "source", "derived"});
     auto const unit = units.find(text(table_, "unit"));
     if (unit == units.end()) fail("unit", "one of 'kg m^2', 'slug ft^2', 'ratio' is expected");
 
@@ -120,23 +119,28 @@ class BodyReader {
     }
     if (key == "points") {
       std::vector<PointMass> parts;
-      each(key, [&](toml::table const& t) { parts.push_back({positive(t, "mass"), vector(t, "at")}); });
+      each(key, {"mass", "at"}, [&](toml::table const& t) { parts.push_back({positive(t, "mass"), vector(t, "at")}); });
       return principal_inertia(inertia_about_centre(parts) * unit);
     }
     std::vector<Cylinder> parts;
-    each(key, [&](toml::table const& t) {
+    each(key, {"mass", "radius", "length", "at", "along"}, [&](toml::table const& t) {
       parts.push_back({positive(t, "mass"), positive(t, "radius"), positive(t, "length"), vector(t, "at"), vector(t, "along")});
       if (parts.back().along.stableNorm() == 0) fail("along", "a direction is expected");
     });
     return principal_inertia(inertia_about_centre(parts) * unit);
   }
 
+  void allow_only(toml::table const& table, std::initializer_list<char const*> keys) const {
+    for (auto const& entry : table)
+      if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return entry.first.str() == key; })) fail(std::string(entry.first.str()), "unknown key");
+  }
   template <class Visit>
-  void each(std::string const& key, Visit const& visit) const {
+  void each(std::string const& key, std::initializer_list<char const*> keys, Visit const& visit) const {
     auto const* list = table_[key].as_array();
     if (!list || list->empty()) fail(key, "a list of parts is expected");
     for (auto const& part : *list) {
       if (!part.is_table()) fail(key, "each part is a table");
+      allow_only(*part.as_table(), keys);
       visit(*part.as_table());
     }
   }
@@ -176,8 +180,9 @@ class BodyReader {
 }  // namespace detail
 
 /// All bodies of a catalogue, in the order of their names.
-/// @throws CatalogueError  where the file cannot be read, or an entry is missing, unknown, no number, or no inertia of a body
+/// @throws CatalogueError  where the file cannot be read or holds no body, or an entry is missing, unknown, no number, or no inertia of a body
 inline std::vector<Body> read_bodies(std::string const& file) {
+  if (!std::filesystem::is_regular_file(file)) throw CatalogueError(file, "", "", "there is no such file");
   toml::table table;
   try {
     table = toml::parse_file(file);
@@ -190,6 +195,7 @@ inline std::vector<Body> read_bodies(std::string const& file) {
     if (!entry.second.is_table()) throw CatalogueError(file, "", name, "a table is expected: [" + name + "]");
     bodies.push_back(detail::BodyReader(file, name, *entry.second.as_table()).read());
   }
+  if (bodies.empty()) throw CatalogueError(file, "", "", "there is no body in it");
   return bodies;
 }
 
