@@ -67,7 +67,7 @@ class MoserVeselov {
   /// The relative motion of the step that begins with body momentum `pi`: solves \f$f^T\Lambda - \Lambda f = hM\f$ on the branch of the identity.
   ///
   /// Newton's method from the guess \f$1-h\xi\f$; where that fails, along a growing step.
-  /// Accuracy: residual within 4 epsilon times the largest \f$\Lambda_i\f$ times the largest angle of the step; 16 times that where rounding prevents it.
+  /// Accuracy: residual in each plane within 4 epsilon times \f$|\Lambda_i|+|\Lambda_j|\f$ times the largest angle of the step; 16 times that where rounding prevents it.
   /// @throws NotFinite     where the momentum is no number
   /// @throws StepTooLong   where there is no solution, with the largest step that would do
   Solved<Place> relative_motion(BodyMomentum const& pi) const { return relative_motion(pi, first_guess(scaled(pi))); }
@@ -175,13 +175,15 @@ class MoserVeselov {
   bool newton(Vector const& goal, Solved<Place>& found) const {
     auto const& group = inertia_.group;
     Report& report = found.report;
-    // What a rounding error in an entry of f off the diagonal, about an angle, does to the residual; four of them.
-    report = {0, {}, 4 * to_double(epsilon<S>()) * to_double(magnitude(lambda_)) * to_double(magnitude(goal.cwiseQuotient(moments_)))};
+    // Residuals in each plane in units of what a turn by 1 makes there: as angles. A rounding error in an entry of f off the diagonal is one of the largest
+    // angle; four of them are allowed.
+    Vector const unit = planes();
+    report = {0, {}, 4 * to_double(epsilon<S>()) * to_double(magnitude(goal.cwiseQuotient(moments_)))};
     bool steep = false;  // whether the last update, by the derivative at the identity, did well enough
     for (int iteration = 0; iteration < 100; ++iteration) {
       Matrix const p = lambda_.asDiagonal() * found.value.value;
       Vector const residual = group.vee((p.transpose() - p).eval()) - goal;
-      double const size = to_double(magnitude(residual));
+      double const size = to_double(magnitude(residual.cwiseQuotient(unit).eval()));
       double const before = report.residuals.empty() ? size : report.residuals.back();
       report.residuals.push_back(size);
       ++report.evaluations;
@@ -206,6 +208,13 @@ class MoserVeselov {
       if (done) return true;
     }
     return false;
+  }
+
+  /// \f$|\Lambda_i|+|\Lambda_j|\f$ of each plane.
+  Vector planes() const {
+    Vector sums(moments_.size());
+    over_planes(static_cast<int>(lambda_.size()), [&](int a, int i, int j) { sums[a] = magnitude(lambda_[i]) + magnitude(lambda_[j]); });
+    return sums;
   }
 
   /// How \f$X - X^T\f$, \f$X = f^T\Lambda = p^T\f$, falls when f moves to \f$f e^\vartheta\f$: \f$\vartheta\mapsto\vartheta X + X^T\vartheta\f$ in coordinates.
