@@ -1,15 +1,13 @@
-// The logarithm from the identity to within 1e-8 of the edge of its chart: against closed forms, against 50 digits, and refused at the edge.
+// The logarithm of a rotation from the identity to within 1e-8 of the edge of its chart: against closed forms and against 50 digits.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/foundations/groups/rotations.hpp"
 #include "actio/foundations/groups/unit_quaternions.hpp"
 #include "angles_next_to_pi.hpp"
 
 using namespace actio;
 using namespace actio::testing;
 
-// Rounding exp(v) moves each entry by half an epsilon; log passes it on, magnified by no more than (angle/2)/tan(angle/2) < pi/2 or so, to at most
-// nine entries; log itself does some ten roundings.
 BOOST_AUTO_TEST_CASE(log_of_rotations_is_good_to_rounding_up_to_pi) {
   Draw draw(1);
   double worst = 0;
@@ -24,38 +22,6 @@ BOOST_AUTO_TEST_CASE(log_of_rotations_is_good_to_rounding_up_to_pi) {
   BOOST_TEST(worst < 16 * eps);
 }
 
-BOOST_AUTO_TEST_CASE(log_of_motions_is_good_to_rounding_up_to_pi) {
-  Draw draw(2);
-  double worst = 0;
-  for (int k = 0; k <= 8; ++k)
-    for (int repeat = 0; repeat < 50; ++repeat) {
-      dec50 const angle = angle_before_pi(k);
-      Coordinates<SE<2>, dec50> plane;
-      plane << angle, direction<2>(draw);
-      Coordinates<SE<3>, dec50> space;
-      space << direction<3>(draw) * angle, direction<3>(draw);
-      worst = std::max({worst, error_of_log(SE<2>{}, plane), error_of_log(SE<3>{}, space)});
-    }
-  BOOST_TEST_MESSAGE("log on SE(2), SE(3): worst error " << worst / eps << " epsilon");
-  BOOST_TEST(worst < 32 * eps);
-}
-
-BOOST_AUTO_TEST_CASE(log_of_small_rotations_keeps_relative_accuracy) {
-  Draw draw(3);
-  double worst = 0;
-  for (dec50 angle = dec50(1) / 2; angle > dec50("1e-40"); angle /= 10) {
-    worst = std::max(worst, error_of_log(SO<2>{}, Coordinates<SO<2>, dec50>(angle)));
-    worst = std::max(worst, error_of_log(SO<3>{}, Coordinates<SO<3>, dec50>(direction<3>(draw) * angle)));
-    worst = std::max(worst, error_of_log(SU2{}, Coordinates<SU2, dec50>(direction<3>(draw) * angle)));
-    worst = std::max(worst, error_of_log(SO<4>{}, Coordinates<SO<4>, dec50>(direction<6>(draw) * angle)));
-    worst = std::max(worst, error_of_log(SO<5>{}, Coordinates<SO<5>, dec50>(direction<10>(draw) * angle)));
-  }
-  BOOST_TEST_MESSAGE("log of small rotations: worst error " << worst / eps << " epsilon, relative");
-  BOOST_TEST(worst < 32 * eps);
-}
-
-// Next to -1 the axis is a short vector. As a function of the numbers stored, the logarithm keeps all digits; as a function of
-// what they were rounded from, it cannot.
 BOOST_AUTO_TEST_CASE(log_of_quaternions_is_good_to_rounding_up_to_two_pi) {
   Draw draw(6);
   double worst = 0;
