@@ -14,10 +14,10 @@
 namespace actio {
 
 namespace detail {
-/// A step that can be divided by and goes forward.
+/// A step that can be divided by, forwards or backwards: the action of a negative step is \f$h\,l(-\log(f)/h)\f$ as well.
 template <class T>
-T const& forward_step(T const& h) {
-  if (!(h > T(0)) || !is_finite(Base<T>(h))) throw OutsideDomain("natural chart", "a step must be positive and finite (3.20)", to_double(h), 0);
+T const& nonzero_step(T const& h) {
+  if (!(h > T(0) || h < T(0)) || !is_finite(Base<T>(h))) throw OutsideDomain("natural chart", "a step must be finite and not zero (3.20)", to_double(h), 0);
   return h;
 }
 /// The step as a constant of the scalar S.
@@ -80,13 +80,13 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 ///
 /// \implements{eq_3_20}
 /// @param L     Lagrangian on TG
-/// @param h     step, time; positive
+/// @param h     step, time; not zero, negative to go back
 /// @param base  (g1, g2) -> g, the base point of the chart, for instance \ref at_second
 /// @return      (g1, g2) -> energy x time; order 2 in h
-/// @throws OutsideDomain  at once for a step that is not positive; when called, where a place is outside the chart at the base point
+/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a place is outside the chart at the base point
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_right(Lagrangian L, T h, BasePoint base) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   return [=](auto const& g1, auto const& g2) {
     using Place = std::decay_t<decltype(g1)>;
     using G = typename Place::GroupType;
@@ -102,7 +102,7 @@ auto discretize_right(Lagrangian L, T h, BasePoint base) {
 /// The same with left translation: chart \f$\phi_g\f$, \f$q = g\,e^\eta\f$, body velocity \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$ at q.
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_left(Lagrangian L, T h, BasePoint base) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   return [=](auto const& g1, auto const& g2) {
     using Place = std::decay_t<decltype(g1)>;
     using G = typename Place::GroupType;
@@ -134,10 +134,10 @@ auto at_fraction(T fraction) {
 /// The velocity points from g0 to g1 and f from g1 to g0: hence the sign, which print drops.
 /// \implements{eq_3_25}
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
-/// @param h  step, time; positive
+/// @param h  step, time; not zero, negative to go back
 template <class Reduced, class T>
 auto natural_chart_lagrangian_right(Reduced l, T h) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   return [=](auto const& f) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
     S const step = detail::constant<S>(h);
@@ -159,11 +159,11 @@ auto natural_chart_lagrangian_left(Reduced l, T h) {
 ///
 /// \implements{cor_3_3_1, eq_3_23}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
-/// @param h     step, time; positive
+/// @param h     step, time; not zero, negative to go back
 /// @param base  (g1, g2) -> g with base(g1 k, g2 k) = base(g1, g2) k
 template <class Reduced, class T, class BasePoint>
 auto natural_chart_lagrangian_right(Reduced l, T h, BasePoint base) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   return [=](auto const& f) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
     auto const e = identity<S>(f.group);
@@ -176,7 +176,7 @@ auto natural_chart_lagrangian_right(Reduced l, T h, BasePoint base) {
 /// The reduced discrete Lagrangian of a left-invariant system, chart at any base point that moves along on the left: \f$\ell(f) = h\,l(\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta)\f$.
 template <class Reduced, class T, class BasePoint>
 auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   return [=](auto const& f) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
     auto const e = identity<S>(f.group);
@@ -191,7 +191,7 @@ auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
 ///
 /// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$, \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
 /// @param l  reduced Lagrangian, energy
-/// @param h  step, time; positive
+/// @param h  step, time; not zero, negative to go back
 template <Group G, Field S, class F, class T>
 Momentum<G, S> momentum_through_log_right(F const& l, T const& h, Velocity<G, S> const& xi) {
   return {xi.group, chi(ad_matrix(xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
@@ -209,13 +209,13 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 ///
 /// \implements{eq_3_26}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
-/// @param h     step, time; positive
+/// @param h     step, time; not zero, negative to go back
 /// @param xi01  logarithm of \f$f_{01} = g_0g_1^{-1}\f$
 /// @param xi12  logarithm of \f$f_{12} = g_1g_2^{-1}\f$
 /// Exact up to rounding.
 template <Group G, Field S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01, Velocity<G, S> const& xi12) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   // [eq_3_26]
   return momentum_through_log_right(l, h, xi12) - momentum_through_log_left(l, h, xi01);
   // [eq_3_26]
@@ -226,7 +226,7 @@ Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, 
 /// @param xi21  logarithm of \f$f_{21} = g_2^{-1}g_1\f$
 template <Group G, Field S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10, Velocity<G, S> const& xi21) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   return momentum_through_log_left(l, h, xi21) - momentum_through_log_right(l, h, xi10);
 }
 
@@ -278,7 +278,7 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular, or for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   auto const left_behind = momentum_through_log_left(l, h, xi01);
   return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, left_behind); }, xi01);
 }
@@ -287,7 +287,7 @@ Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h,
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular, or for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10) {
-  detail::forward_step(h);
+  detail::nonzero_step(h);
   auto const left_behind = momentum_through_log_right(l, h, xi10);
   return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, left_behind); }, xi10);
 }

@@ -1,0 +1,277 @@
+// Discrete Euler-Poincare equations with an advected vector: the symmetry is broken by a vector that is carried along.
+//
+// A heavy top is not free to be turned as a whole: the vertical is fixed in space. Let G act linearly, and let the Lagrangian on G x G know a vector
+// c that is fixed in space. What is left of the symmetry is the subgroup that fixes c (the case that remark 3.1.3 sets aside). The whole of G reduces
+// all the same once the vector is carried along as the system sees it. Left-invariant, with f = g1^-1 g0 and a = g^-1 c, and right-invariant, with
+// f = g0 g1^-1 and a = g c:
+//
+//     L(g0, g1) = l(g1^-1 g0, g0^-1 c),   a1 = f a0          L(g0, g1) = l(g0 g1^-1, g0 c),   a1 = f^-1 a0.
+//
+// l(f, a) is a callable at every scalar, given the vector before the step. The pair of momentum and vector moves on a coadjoint orbit of the
+// semidirect product of G with the covectors. Momenta are physical, as everywhere; a momentum left behind by a step is taken up by the next.
+#pragma once
+
+#include <cmath>
+
+#include "actio/foundations/solve.hpp"
+#include "actio/reduction/relative_motion.hpp"
+
+namespace actio {
+
+/// A linear action of G on columns of numbers: act(g, a), at the scalar S.
+///
+/// Laws: act(gh, a) = act(g, act(h, a)), act(e, a) = a, linear in a.
+template <class A, class G, class S, int m>
+concept ActsOn = Group<G> && requires(A const& act, Element<G, S> const& g, Eigen::Matrix<S, m, 1> const& a) {
+  { act(g, a) } -> std::convertible_to<Eigen::Matrix<S, m, 1>>;
+};
+
+/// How a group of m by m matrices acts on columns of m numbers: by multiplication.
+struct MatrixAction {
+  /// The product of the matrix and the column.
+  /// @throws OutsideDomain  where the column has not as many numbers as the matrix has columns
+  template <MatrixGroup G, Field S, int m>
+  Eigen::Matrix<S, m, 1> operator()(Element<G, S> const& g, Eigen::Matrix<S, m, 1> const& a) const {
+    if (a.size() != g.value.cols())
+      throw OutsideDomain("MatrixAction", "a vector with a number for each column of the matrix is needed; numbers", static_cast<double>(a.size()),
+                          static_cast<double>(g.value.cols()));
+    return g.value * a;
+  }
+};
+
+/// What a system with an advected vector is stepped in: an element of the dual of the algebra of the semidirect product.
+template <Group G, Field S, int m>
+struct AdvectedState {
+  Momentum<G, S> momentum;        ///< of the body for a left-invariant system, in space for a right-invariant one; energy x time
+  Eigen::Matrix<S, m, 1> vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
+};
+
+namespace detail {
+/// l with its vector held fixed: a function of the relative motion alone.
+template <class F, class S, int m>
+auto holding(F const& l, Eigen::Matrix<S, m, 1> const& a) {
+  return [&l, a](auto const& f) {
+    using T = typename std::decay_t<decltype(f)>::Scalar;
+    return l(f, Eigen::Matrix<T, m, 1>(a.template cast<T>()));
+  };
+}
+}  // namespace detail
+
+/// \f$a_1 = f\,a_0\f$: the vector after a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
+template <Group G, Field S, int m, class Act = MatrixAction>
+  requires ActsOn<Act, G, S, m>
+Eigen::Matrix<S, m, 1> advect_left(Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  return act(f, a);
+}
+/// \f$a_1 = f^{-1}a_0\f$: the vector after a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
+template <Group G, Field S, int m, class Act = MatrixAction>
+  requires ActsOn<Act, G, S, m>
+Eigen::Matrix<S, m, 1> advect_right(Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  return act(inverse(f), a);
+}
+
+/// \f$A_a^*\,\partial_a\ell(f, a)\f$: the differential of l in its vector, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}\ell(f, e^{\epsilon\vartheta}a)\f$.
+///
+/// @param l    reduced discrete Lagrangian with an advected vector, energy x time
+/// @param act  the action of G on vectors; multiplication by the matrix unless given
+/// @return     covector at the identity
+/// @throws NotFinite  where l or its derivative is no number
+/// Exact up to rounding.
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+  requires ActsOn<Act, G, S, m>
+Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  auto const moved_vector = [&](auto const& g) {
+    using T = typename std::decay_t<decltype(g)>::Scalar;
+    return l(like(g, f), act(g, Eigen::Matrix<T, m, 1>(a.template cast<T>())));
+  };
+  return right_differential(moved_vector, identity<S>(f.group));
+}
+
+// The momenta at both ends of a step.
+
+/// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a left-invariant step begins.
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  return advected_differential(l, f, a, act) - left_differential(detail::holding(l, a), f);
+}
+/// \f$\Pi_1 = -R_f^*\ell'(f, a_0)\f$: the body momentum with which it ends.
+template <Group G, Field S, int m, class F>
+Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a) {
+  return -right_differential(detail::holding(l, a), f);
+}
+/// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a right-invariant step begins.
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  return -right_differential(detail::holding(l, a), f) - advected_differential(l, f, a, act);
+}
+/// \f$\mu_1 = -L_f^*\ell'(f, a_0)\f$: the spatial momentum with which it ends.
+template <Group G, Field S, int m, class F>
+Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a) {
+  return -left_differential(detail::holding(l, a), f);
+}
+
+// The equations.
+
+/// What is left of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along motions, and only there.
+///
+/// \f[ L^*_{f_{21}}\ell'(f_{21}, a_1) - A_{a_1}^*\,\partial_a\ell(f_{21}, a_1) - R^*_{f_{10}}\ell'(f_{10}, a_0), \qquad a_1 = f_{10}\,a_0 \f]
+/// It is \f$\mathrm{Ad}^*_{g_1}\f$ of what is left of the discrete Euler-Lagrange equations of \ref lift_advected_left at \f$(g_0, g_1, g_2)\f$.
+///
+/// \implements{rem_3_1_3}
+/// @param l    reduced discrete Lagrangian (f, a) -> energy x time, a the vector before the step
+/// @param f10  relative motion \f$g_1^{-1}g_0\f$ over the step before
+/// @param a0   the vector at \f$g_0\f$, \f$g_0^{-1}c\f$
+/// @param f21  relative motion \f$g_2^{-1}g_1\f$ over the step after
+/// @return     covector at the identity
+/// Exact up to rounding.
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Eigen::Matrix<S, m, 1> const& a0, Element<G, S> const& f21,
+                                            Act const& act = {}) {
+  auto const a1 = advect_left(f10, a0, act);
+  auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
+  // [rem_3_1_3]
+  return left_differential(l1, f21) - advected_differential(l, f21, a1, act)
+         - right_differential(l0, f10);
+  // [rem_3_1_3]
+}
+/// The same, right-invariant.
+///
+/// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01}, a_0), \qquad a_1 = f_{01}^{-1}a_0 \f]
+/// It is what is left of the discrete Euler-Lagrange equations of \ref lift_advected_right at \f$(g_0, g_1, g_2)\f$.
+///
+/// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before
+/// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
+/// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Eigen::Matrix<S, m, 1> const& a0, Element<G, S> const& f12,
+                                             Act const& act = {}) {
+  auto const a1 = advect_right(f01, a0, act);
+  auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
+  return right_differential(l1, f12) + advected_differential(l, f12, a1, act) - left_differential(l0, f01);
+}
+
+/// The relative motion that takes up a body momentum where the vector is a: solves \f$\Pi_0(f, a) = \Pi\f$ near `start`, left-invariant.
+/// @throws NotConverged, Singular  where the step is too long for the momentum
+/// @throws NotFinite               where momentum or vector is no number
+template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
+Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> const& pi, Eigen::Matrix<S, m, 1> const& a, Element<G, S> const& start,
+                                                    Act const& act = {}) {
+  require_finite(a, "advected_relative_motion_left: vector");
+  require_finite(pi.components, "advected_relative_motion_left: momentum");
+  return solve_on_group(
+      [&](auto const& f) {
+        using T = typename std::decay_t<decltype(f)>::Scalar;
+        return advected_momentum_before_left(l, f, Eigen::Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
+      },
+      start);
+}
+/// The same for a spatial momentum, right-invariant.
+/// @throws NotConverged, Singular  where the step is too long for the momentum
+/// @throws NotFinite               where momentum or vector is no number
+template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
+Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> const& mu, Eigen::Matrix<S, m, 1> const& a, Element<G, S> const& start,
+                                                     Act const& act = {}) {
+  require_finite(a, "advected_relative_motion_right: vector");
+  require_finite(mu.components, "advected_relative_motion_right: momentum");
+  return solve_on_group(
+      [&](auto const& f) {
+        using T = typename std::decay_t<decltype(f)>::Scalar;
+        return advected_momentum_before_right(l, f, Eigen::Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
+      },
+      start);
+}
+
+/// The next relative motion, left-invariant: solves \ref advected_euler_poincare_left for `f21`, starting from "the motion goes on as it did". The
+/// vector goes on with \ref advect_left.
+///
+/// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
+template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
+Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Eigen::Matrix<S, m, 1> const& a0, Act const& act = {}) {
+  // Hold the momentum left behind, and look for the motion that takes it up where the vector has come to be.
+  return advected_relative_motion_left(l, advected_momentum_after_left(l, f10, a0), advect_left(f10, a0, act), f10, act);
+}
+/// The next relative motion, right-invariant: solves \ref advected_euler_poincare_right for `f12`. The vector goes on with \ref advect_right.
+///
+/// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
+template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
+Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Eigen::Matrix<S, m, 1> const& a0, Act const& act = {}) {
+  return advected_relative_motion_right(l, advected_momentum_after_right(l, f01, a0), advect_right(f01, a0, act), f01, act);
+}
+
+/// \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\bigl(\Pi_0 - A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the body momentum carried along, left-invariant. Without a
+/// vector it is (3.18).
+///
+/// Together with \f$a_1 = f\,a_0\f$ this is the coadjoint action \f$\mathrm{Ad}^*_{k^{-1}}\f$ of \f$k = f\cdot(1, \partial_a\ell)\f$, a shift by a
+/// covector and then a turn, in the semidirect product of G with the covectors. Its Casimirs stay: for \f$SE(3) = SO(3)\ltimes\mathbb R^3\f$ they
+/// are \f$|a|^2\f$ and \f$\langle\Pi, a\rangle\f$.
+/// @param f  the relative motion that takes up \f$\Pi_0\f$
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Momentum<G, S> const& pi,
+                                                Act const& act = {}) {
+  // [advected_lie_poisson]
+  return Ad_star(inverse(f), pi - advected_differential(l, f, a, act));
+  // [advected_lie_poisson]
+}
+/// \f$\mu_1 = \mathrm{Ad}^*_f\bigl(\mu_0 + A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the spatial momentum carried along, right-invariant. Without a
+/// vector it is (3.17).
+template <Group G, Field S, int m, class F, class Act = MatrixAction>
+Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Momentum<G, S> const& mu,
+                                                 Act const& act = {}) {
+  return Ad_star(f, mu + advected_differential(l, f, a, act));
+}
+
+// With and without reduction.
+
+/// The discrete Lagrangian on G x G that l(f, a) stands for, left-invariant: \f$(g_0, g_1)\mapsto\ell(g_1^{-1}g_0,\, g_0^{-1}c)\f$.
+/// @param c  the vector that is fixed in space
+template <class F, class S, int m, class Act = MatrixAction>
+auto lift_advected_left(F l, Eigen::Matrix<S, m, 1> const& c, Act act = {}) {
+  return [l, c, act](auto const& g0, auto const& g1) {
+    using T = typename std::decay_t<decltype(g0)>::Scalar;
+    return l(relative_motion_left(g0, g1), act(inverse(g0), Eigen::Matrix<T, m, 1>(c.template cast<T>())));
+  };
+}
+/// The same, right-invariant: \f$(g_0, g_1)\mapsto\ell(g_0g_1^{-1},\, g_0c)\f$.
+template <class F, class S, int m, class Act = MatrixAction>
+auto lift_advected_right(F l, Eigen::Matrix<S, m, 1> const& c, Act act = {}) {
+  return [l, c, act](auto const& g0, auto const& g1) {
+    using T = typename std::decay_t<decltype(g0)>::Scalar;
+    return l(relative_motion_right(g0, g1), act(g0, Eigen::Matrix<T, m, 1>(c.template cast<T>())));
+  };
+}
+
+// What is left of the symmetry, and what it conserves.
+
+/// \f$\zeta\,a = \frac{d}{d\epsilon}e^{\epsilon\zeta}a\f$: how an element of the algebra moves a vector.
+template <Group G, Field S, int m, class Act = MatrixAction>
+  requires ActsOn<Act, G, S, m>
+Eigen::Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  Eigen::Matrix<S, m, 1> rate = Eigen::Matrix<S, m, 1>::Zero(a.size());
+  over_batches(zeta.group.dimension(), [&](int first) {
+    Eigen::Matrix<Moved<S>, m, 1> const moved = act(moved_left(identity<S>(zeta.group), first), Eigen::Matrix<Moved<S>, m, 1>(a.template cast<Moved<S>>()));
+    for (Eigen::Index i = 0; i < a.size(); ++i)
+      for (int b = 0; b < batch && first + b < zeta.group.dimension(); ++b) rate[i] += moved[i].part[b] * zeta.coordinates[first + b];
+  });
+  return rate;
+}
+
+/// \f$\langle\Pi, \zeta\rangle\f$ with \f$\zeta a = 0\f$: the momentum of a symmetry that is left, where the system sees the vector a. The same at
+/// both ends of every step.
+///
+/// The generator is carried along as the vector is: \f$\zeta_1 = \mathrm{Ad}_f\,\zeta_0\f$ for a left-invariant system,
+/// \f$\mathrm{Ad}_{f^{-1}}\zeta_0\f$ for a right-invariant one.
+/// For SO(3) on 3-space \f$\zeta = a\f$, which makes it \f$\langle\Pi, a\rangle\f$, the momentum about the vertical.
+/// @throws OutsideDomain  where \f$\zeta a\f$ is not zero, so that nothing is conserved: its size over that of \f$\zeta\f$ times a, and the bound.
+///                        Over the rationals it must be 0; elsewhere half of the digits are enough, since rounding may have carried generator and
+///                        vector along for long.
+template <Group G, Field S, int m, class Act = MatrixAction>
+S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+  auto const size = magnitude(zeta.coordinates) * magnitude(a);
+  double const measured = size > Base<S>(0) ? to_double(Base<S>(magnitude(moved_by(zeta, a, act)) / size)) : 0.0;
+  double const bound = std::sqrt(to_double(epsilon<S>()));
+  if (!(measured <= bound))
+    throw OutsideDomain("stabiliser_momentum", "a generator that fixes the vector is needed; size of what it does to it", measured, bound);
+  return pair(pi, zeta);
+}
+
+}  // namespace actio
