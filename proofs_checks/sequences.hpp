@@ -23,6 +23,21 @@ std::vector<SpannedGroup> const& groups_for_sequences() {
     return all_groups();
 }
 
+/// The groups of the commuting squares and brackets of chapter 4: SO(3), SO(4), SE(3), Aff(1), SU(2), GL(3). Over the rationals, where the inverse of a matrix of
+/// many rows is long, GL(2) stands for GL(3) and SO(4) is left to the other scalars.
+template <class S>
+std::vector<SpannedGroup> const& groups_for_squares() {
+  static std::vector<SpannedGroup> const groups = [] {
+    std::vector<SpannedGroup> all = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}), spanned_su2()};
+    if constexpr (is_exact<S>)
+      all.push_back(spanned("GL(2)", GL<2>{}));
+    else
+      all.push_back(spanned("SO(4)", SO<4>{})), all.push_back(spanned("GL(3)", GL<3>{}));
+    return all;
+  }();
+  return groups;
+}
+
 /// `count` places, or relative motions, at random.
 template <class S>
 Places<S> draw_places(Draw& draw, SpannedGroup const& group, int count, S const& size = ratio<S>(1, 2)) {

@@ -1,0 +1,84 @@
+// The gauge groupoid (M x M)/K of a principal bundle M -> M/K: pairs of places, when moving both by K does not count.
+//
+// Over a contractible base the bundle is R^m x K, and an arrow is (x0, x1, k): from x0 to x1, turning by k on the way. For a single point it is K, for a trivial K the
+// pairs of points. The spherical pendulum is of this kind: x is the height, K the rotations about the vertical.
+#pragma once
+
+#include "actio/groupoid/groupoid.hpp"
+
+namespace actio {
+
+/// From x0 to x1, turning by k.
+template <Group K, Field S>
+struct GaugeArrow {
+  using Scalar = S;
+  Eigen::Matrix<S, Eigen::Dynamic, 1> from;  ///< x0
+  Eigen::Matrix<S, Eigen::Dynamic, 1> to;    ///< x1
+  Element<K, S> turn;                        ///< k
+};
+/// A point of the base.
+template <Field S>
+struct BasePoint {
+  using Scalar = S;
+  Eigen::Matrix<S, Eigen::Dynamic, 1> value;  ///< its coordinates
+};
+
+/// \f$(M\times M)/K\f$ over \f$\mathbb R^m\f$, \f$M = \mathbb R^m\times K\f$ with K acting from the left: the pair ((x0, k0), (x1, k1)) has the turn \f$k_0^{-1}k_1\f$.
+///
+/// \f$(x_0, x_1, k)(x_1, x_2, l) = (x_0, x_2, kl)\f$. A vector of the algebroid is \f$(\delta x_1, k^{-1}\delta k)\f$.
+template <Group K>
+struct GaugeGroupoid {
+  static constexpr int dim = Eigen::Dynamic;
+  template <class S>
+  using ArrowOver = GaugeArrow<K, S>;
+  template <class S>
+  using PointOver = BasePoint<S>;
+  template <class S>
+  using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  [[no_unique_address]] K group;
+  int base = 1;  ///< m
+
+  int dimension() const { return base + group.dimension(); }
+  int base_dimension() const { return base; }
+
+  template <class S>
+  static BasePoint<S> source(GaugeArrow<K, S> const& g) { return {g.from}; }
+  template <class S>
+  static BasePoint<S> target(GaugeArrow<K, S> const& g) { return {g.to}; }
+  template <class S>
+  static GaugeArrow<K, S> compose(GaugeArrow<K, S> const& g, GaugeArrow<K, S> const& h) { return {g.from, h.to, g.turn * h.turn}; }
+  template <class S>
+  static GaugeArrow<K, S> inverse(GaugeArrow<K, S> const& g) { return {g.to, g.from, actio::inverse(g.turn)}; }
+  template <class S>
+  GaugeArrow<K, S> unit(BasePoint<S> const& x) const { return {x.value, x.value, identity<S>(group)}; }
+  template <class S>
+  GaugeArrow<K, S> near_unit(BasePoint<S> const& x, Column<S> const& v) const {
+    return {x.value, x.value + v.head(base), {group, primitive::near_identity(group, Coordinates<K, S>(v.tail(group.dimension())))}};
+  }
+  template <Real S>
+  GaugeArrow<K, S> leave(BasePoint<S> const& x, Column<S> const& v) const {
+    return {x.value, x.value + v.head(base), exp(Velocity<K, S>{group, v.tail(group.dimension())})};
+  }
+  template <class T, class S>
+  static GaugeArrow<K, T> over(GaugeArrow<K, S> const& g) { return {g.from.template cast<T>(), g.to.template cast<T>(), actio::over<T>(g.turn)}; }
+
+  template <class S>
+  static Column<S> entries(GaugeArrow<K, S> const& g) {
+    Eigen::Index const m = g.from.size();
+    Column<S> all(2 * m + g.turn.value.size());
+    all.head(m) = g.from, all.segment(m, m) = g.to;
+    for (Eigen::Index i = 0; i < g.turn.value.size(); ++i) all[2 * m + i] = g.turn.value(i);
+    return all;
+  }
+  template <class S>
+  GaugeArrow<K, S> moved(GaugeArrow<K, S> const& g, Column<S> const& w) const {
+    Coordinates<K, S> const v = w.tail(group.dimension());
+    return {g.from + w.head(base), g.to + w.segment(base, base), Element<K, S>{group, primitive::near_identity(group, v)} * g.turn};
+  }
+  template <class S>
+  static Column<S> base_rate(BasePoint<Dual<S>> const& x) {
+    return x.value.unaryExpr([](Dual<S> const& y) { return y.part[0]; });
+  }
+};
+
+}  // namespace actio
