@@ -1,0 +1,90 @@
+// What the scheme of Moser and Veselov keeps: Casimirs of every size, the isospectral integrals along its steps, and input that has no answer.
+#include <boost/test/unit_test.hpp>
+
+#include "actio/foundations/draw.hpp"
+#include "actio/rigid_body/algebra_poisson.hpp"
+#include "actio/rigid_body/casimirs.hpp"
+#include "actio/rigid_body/isospectral.hpp"
+#include "actio/rigid_body/moser_veselov.hpp"
+#include "actio/rigid_body/multiplier.hpp"
+#include "random_bodies.hpp"
+
+using namespace actio;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// Casimirs of the momentum and integrals of h times it, before a step and a hundred steps later. Each step carries the momentum with a rounding error or
+// two; coefficients of a characteristic polynomial of five rows are sums of products of up to five entries.
+template <int n>
+void kept_along_the_scheme() {
+  std::mt19937 random(testing::seed);
+  auto const [inertia, spin] = testing::random_body<n>(random);
+  MoserVeselov<n> const scheme(inertia, 0.3);
+  Storage<SO<n>, double> const lambda = inertia.lambda.asDiagonal();
+  auto pi = body_momentum(inertia, spin);
+  Eigen::VectorXd const c = casimirs(pi), i = isospectral_integrals(lambda, 0.3 * pi);
+  int const steps = 100;
+  for (int k = 0; k < steps; ++k) pi = scheme.step_lie_poisson(pi);
+  BOOST_TEST((casimirs(pi) - c).norm() <= 16 * steps * eps * c.norm());
+  BOOST_TEST((isospectral_integrals(lambda, 0.3 * pi) - i).norm() <= 16 * steps * eps * i.norm());
+  // Control: with another inertia in the matrix of Lax the coefficients are no integrals.
+  Storage<SO<n>, double> const other = (lambda * lambda).eval();
+  auto const before = isospectral_integrals(other, body_momentum(inertia, spin));
+  BOOST_TEST((isospectral_integrals(other, pi) - before).norm() > 1e-4 * before.norm());
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(casimirs_and_integrals)
+
+BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
+  Draw draw(1);
+  for (int n = 2; n <= 7; ++n) {
+    SO<Eigen::Dynamic> group;
+    group.n = n;
+    auto const mu = draw.momentum<rational>(group);
+    auto const c = casimirs(mu);
+    BOOST_TEST(c.size() == n / 2);
+    Eigen::Matrix<rational, Eigen::Dynamic, Eigen::Dynamic> const m = group.hat(mu.components), one = Eigen::Matrix<rational, Eigen::Dynamic, Eigen::Dynamic>::Identity(n, n);
+    if (n % 2 == 0) {
+      // The square of the Pfaffian is the determinant, exactly.
+      rational const square = c[n / 2 - 1] * c[n / 2 - 1], determinant = characteristic_coefficients(m)[n - 1];
+      BOOST_TEST((square == determinant));
+    }
+    // Casimirs, and half the dimension of a generic orbit.
+    int const orbit = n * (n - 1) / 2 - n / 2;
+    BOOST_TEST(isospectral_integrals(one, mu).size() == n / 2 + orbit / 2);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(kept_by_the_scheme) {
+  kept_along_the_scheme<3>();
+  kept_along_the_scheme<4>();
+  kept_along_the_scheme<5>();
+}
+
+BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
+  Momentum<SO<4>, double> const mu{{}, Eigen::Matrix<double, 6, 1>::Ones()};
+  auto bad = mu;
+  bad.components[2] = std::nan("");
+  Eigen::Matrix4d const lambda = Eigen::Vector4d(1, 2, 3, 4).asDiagonal();
+  auto const spin = velocity(SO<3>{}, Vector3d(1, 1, 1));
+  BOOST_CHECK_THROW(pfaffian(Eigen::Matrix3d(Eigen::Matrix3d::Zero())), OutsideDomain);
+  BOOST_CHECK_THROW(characteristic_coefficients(Eigen::MatrixXd(Eigen::MatrixXd::Zero(2, 3))), OutsideDomain);
+  BOOST_CHECK_THROW(casimirs(bad), NotFinite);
+  BOOST_CHECK_THROW(isospectral_integrals(lambda, bad), NotFinite);
+  BOOST_CHECK_THROW(isospectral_integrals(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), mu), OutsideDomain);
+  BOOST_CHECK_THROW(algebra_casimir(Coordinates<SO<3>, double>(1, -2, 3), spin), UnphysicalInertia);
+  BOOST_CHECK_THROW(algebra_casimir(Coordinates<SO<3>, double>(1, std::nan(""), 3), spin), Error);
+  Eigen::Matrix3d const body = Vector3d(1, 2, 3).asDiagonal(), one = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d skew = one, broken = one;
+  skew(0, 1) = 1, broken(2, 2) = std::nan("");
+  BOOST_CHECK_THROW(euler_poincare_with_multiplier(skew, one, one, one), OutsideDomain);
+  BOOST_CHECK_THROW(euler_poincare_without_multiplier(body, broken, one), NotFinite);
+  BOOST_CHECK_THROW(constrained_stationarity(body, one, one, one, skew), OutsideDomain);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
