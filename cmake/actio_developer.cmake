@@ -28,15 +28,15 @@ add_library(actio_book INTERFACE)
 target_include_directories(actio_book INTERFACE "${PROJECT_SOURCE_DIR}/src")
 target_compile_features(actio_book INTERFACE cxx_std_20)
 
-# actio_own(TARGET LEVEL): our own code, at -O2 (LEVEL fast), or at -O1 where multiprecision dominates (LEVEL brief).
-# More than -O1 does not make 50 digits faster, and takes much longer to compile.
+# actio_own(TARGET LEVEL): our own code, at -O2 (LEVEL fast), or at -Og where multiprecision dominates (LEVEL brief).
+# There -Og runs as fast as -O1 over the rationals and within a fifth of it in 50 digits, and compiles in two thirds of the time.
 function(actio_own target level)
   target_compile_features(${target} PRIVATE cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
   # The same for all, or the precompiled headers do not fit.
   target_compile_definitions(${target} PRIVATE BOOST_TEST_DYN_LINK BOOST_UNIT_TEST_FRAMEWORK_DYN_LINK BOOST_ALL_NO_LIB)
   if(level STREQUAL "brief")
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Collecting garbage later saves a tenth of the time and costs a tenth of the memory.
@@ -50,7 +50,7 @@ function(actio_own target level)
   endif()
 endfunction()
 
-# The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -O1, where all the tests are,
+# The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -Og, where all the tests are,
 # Boost.Test (which whoever includes it must link) and the library itself: reading that takes two seconds, and there are over a hundred units.
 if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
@@ -61,8 +61,8 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
     target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
   endforeach()
   file(GLOB_RECURSE own CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/actio/*.hpp")
-  # Not the catalogue, which needs definitions that not every test has; nor natural charts, before which the checks declare an
+  # Not the catalogue, which needs definitions that not every test has; nor natural charts and what includes them, before which the checks declare an
   # exponential of their own for the rationals.
-  list(FILTER own EXCLUDE REGEX "body_catalogue|natural_chart")
+  list(FILTER own EXCLUDE REGEX "body_catalogue|natural_chart|momentum_step|composition|galerkin")
   target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp> ${own})
 endif()

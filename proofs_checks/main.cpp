@@ -19,6 +19,19 @@
 #define ACTIO_SCALAR_NAME "double"
 #include "statement.hpp"
 
+namespace actio::checks {
+
+std::vector<Check>& all_checks() {
+  static std::vector<Check> checks;
+  return checks;
+}
+bool add_check(Check const& check) {
+  all_checks().push_back(check);
+  return true;
+}
+
+}  // namespace actio::checks
+
 namespace {
 
 using actio::checks::Check;

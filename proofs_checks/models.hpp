@@ -36,27 +36,14 @@ SpannedGroup spanned(std::string name, G const& group) {
   for (int a = 0; a < group.dimension(); ++a) basis.push_back(group.hat(Eigen::Matrix<int, G::dim, 1>(Eigen::Matrix<int, G::dim, 1>::Unit(a))));
   return SpannedGroup(std::move(name), std::move(basis));
 }
+// Written out in models.cpp, compiled once.
+
 /// SU(2) as left multiplication of quaternions: real 4 by 4 matrices.
-inline SpannedGroup spanned_su2() {
-  SpannedGroup::WholeMatrix i(4, 4), j(4, 4), k(4, 4);
-  i << 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0;
-  j << 0, 0, -1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, -1, 0, 0;
-  k << 0, 0, 0, -1, 0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0;
-  return SpannedGroup("SU(2)", {i, j, k});
-}
+SpannedGroup spanned_su2();
 /// The groups every statement is tried on. SO(3) alone would hide a lost star or side; Aff(1) and SE(3) do not.
-inline std::vector<SpannedGroup> const& all_groups() {
-  static std::vector<SpannedGroup> const groups = {
-      spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}), spanned("SE(2)", SE<2>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-      spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), spanned_su2(),             spanned("Heisenberg", Heisenberg{})};
-  return groups;
-}
+std::vector<SpannedGroup> const& all_groups();
 /// Four of them, for checks that cost much: SO(3), SE(3), Aff(1), GL(2).
-inline std::vector<SpannedGroup> const& few_groups() {
-  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-                                                   spanned("GL(2)", GL<2>{})};
-  return groups;
-}
+std::vector<SpannedGroup> const& few_groups();
 
 // ---- Functions
 

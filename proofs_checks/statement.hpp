@@ -5,7 +5,7 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "claim.hpp"
@@ -17,14 +17,11 @@ using CheckScalar = ACTIO_SCALAR;
 
 /// A check that has been compiled into this program.
 struct Check {
-  std::string id, title, scalar, source;
+  char const *id, *title, *scalar, *source;
   Record (*run)(Check const&, std::uint64_t seed);
 };
 /// All checks of this program, in the order of their registration.
-inline std::vector<Check>& all_checks() {
-  static std::vector<Check> checks;
-  return checks;
-}
+std::vector<Check>& all_checks();  // main.cpp
 
 template <class S, void (*body)(Claim<S>&, Draw&)>
 Record run_check(Check const& check, std::uint64_t seed) {
@@ -34,10 +31,7 @@ Record run_check(Check const& check, std::uint64_t seed) {
   return std::move(claim.record);
 }
 
-inline bool add_check(Check check) {
-  all_checks().push_back(std::move(check));
-  return true;
-}
+bool add_check(Check const& check);  // main.cpp
 
 }  // namespace actio::checks
 

@@ -4,6 +4,7 @@
 // the time of a general decomposition. Pivots are chosen by their plain value, so a dual number with value zero is never one.
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
 #include "actio/foundations/dual.hpp"
@@ -17,36 +18,30 @@ Eigen::Matrix<typename A::Scalar, 3, 1> cross(Eigen::MatrixBase<A> const& v, Eig
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
 }
 
-/// The solution X of A X = B, for one or several right sides.
-///
-/// Rows and columns may have different units: pivots are chosen relative to their row, and a pivot counts as rounding noise by comparison with
-/// the terms whose difference it is, never with entries elsewhere.
-///
-/// @param where  who asks, for the message
-/// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
-/// @throws NotFinite  where an entry is a NaN or an infinity, or where the solution would be
-/// Accuracy: that of elimination with partial pivoting; exact over the rationals.
-template <class A, class B>
-auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const& right, char const* where = "solve_linear") {
-  using S = typename A::Scalar;
+namespace detail {
+
+/// The size that the elimination is compiled for. A fixed size makes it quicker over machine numbers; over others it does not, and one for all sizes compiles sooner.
+template <class S, int size>
+inline constexpr int compiled_size = std::is_arithmetic_v<Base<S>> ? size : Eigen::Dynamic;
+
+/// Elimination in place, \ref solve_linear: a is lost, and x, the right sides, becomes the solution.
+template <class S, int size, int columns>
+void eliminate(Eigen::Matrix<S, size, size>& a, Eigen::Map<Eigen::Matrix<S, size, columns>> x, char const* where) {
   using T = Base<S>;
-  using Right = Eigen::Matrix<S, B::RowsAtCompileTime, B::ColsAtCompileTime>;
-  typename A::PlainObject a = matrix;
-  Right x = right.template cast<S>();
   require_finite(a, where);
   require_finite(x, where);
   int const n = static_cast<int>(a.rows());
 
   // The terms that each entry is made from, as far as the elimination has come, and the size of each row.
-  Eigen::Matrix<T, A::RowsAtCompileTime, A::ColsAtCompileTime> terms(n, n);
-  Eigen::Matrix<T, A::RowsAtCompileTime, 1> per_row(n);
+  Eigen::Matrix<T, size, size> terms(n, n);
+  Eigen::Matrix<T, size, 1> per_row(n);
   for (int i = 0; i < n; ++i) {
-    T size(0);
+    T largest(0);
     for (int j = 0; j < n; ++j) {
       terms(i, j) = magnitude(base_value(a(i, j)));
-      if (terms(i, j) > size) size = terms(i, j);
+      if (terms(i, j) > largest) largest = terms(i, j);
     }
-    per_row[i] = size > T(0) ? T(T(1) / size) : T(0);
+    per_row[i] = largest > T(0) ? T(T(1) / largest) : T(0);
   }
   // Eight roundings for each of the n terms: entries that come out of a computation carry a few of their own.
   T const bound = T(8 * n) * epsilon<S>();
@@ -58,17 +53,17 @@ auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const
       T const candidate = magnitude(base_value(a(i, k))) * per_row[i];
       if (candidate > best) pivot = i, best = candidate;
     }
-    T const size = magnitude(base_value(a(pivot, k)));
-    if (!(size > bound * terms(pivot, k))) {
+    T const found = magnitude(base_value(a(pivot, k)));
+    if (!(found > bound * terms(pivot, k))) {
       T const of = terms(pivot, k);
       throw Singular(where, "a matrix with an inverse is needed; pivot over the terms it is made from",
-                     of > T(0) ? to_double(T(size / of)) : 0.0, to_double(bound));
+                     of > T(0) ? to_double(T(found / of)) : 0.0, to_double(bound));
     }
     if (pivot != k) {
-      a.row(k).swap(a.row(pivot));
-      x.row(k).swap(x.row(pivot));
-      terms.row(k).swap(terms.row(pivot));
-      std::swap(per_row[k], per_row[pivot]);
+      using std::swap;
+      for (int j = 0; j < n; ++j) swap(a(k, j), a(pivot, j)), swap(terms(k, j), terms(pivot, j));
+      for (int j = 0; j < x.cols(); ++j) swap(x(k, j), x(pivot, j));
+      swap(per_row[k], per_row[pivot]);
     }
     S const inverse = S(1) / a(k, k);
     for (int i = k + 1; i < n; ++i) {
@@ -93,6 +88,26 @@ auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const
     for (Eigen::Index j = 0; j < x.cols(); ++j)
       for (int i = 0; i < n; ++i)
         if (!is_finite(base_value(x(i, j)))) throw NotFinite(std::string(where) + ": the solution is beyond the largest number");
+}
+
+}  // namespace detail
+
+/// The solution X of A X = B, for one or several right sides.
+///
+/// Rows and columns may have different units: pivots are chosen relative to their row, and a pivot counts as rounding noise by comparison with
+/// the terms whose difference it is, never with entries elsewhere.
+///
+/// @param where  who asks, for the message
+/// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
+/// @throws NotFinite  where an entry is a NaN or an infinity, or where the solution would be
+/// Accuracy: that of elimination with partial pivoting; exact over the rationals.
+template <class A, class B>
+auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const& right, char const* where = "solve_linear") {
+  using S = typename A::Scalar;
+  constexpr int size = detail::compiled_size<S, A::RowsAtCompileTime>, columns = detail::compiled_size<S, B::ColsAtCompileTime>;
+  Eigen::Matrix<S, size, size> a = matrix;
+  Eigen::Matrix<S, B::RowsAtCompileTime, B::ColsAtCompileTime> x = right.template cast<S>();
+  detail::eliminate<S, size, columns>(a, Eigen::Map<Eigen::Matrix<S, size, columns>>(x.data(), x.rows(), x.cols()), where);
   return x;
 }
 

@@ -12,10 +12,20 @@ namespace detail {
 /// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ at \f$s = e^{t}\f$.
 inline double spin_against_inertia(Eigen::VectorXd const& lambda, Eigen::MatrixXd const& m, double t) {
   double const s = std::exp(t);
-  Eigen::VectorXd const w = (lambda.array().square() + s * s).rsqrt();
+  // Plain loops: this is no template, so whoever reads the header compiles it, and Eigen's product of matrices takes the compiler half a second.
+  Eigen::Index const n = lambda.size();
+  Eigen::VectorXd w(n);
+  for (Eigen::Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
+  Eigen::MatrixXd a(n, n), square(n, n);
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = 0; i < n; ++i) a(i, j) = w[i] * m(i, j) * w[j];
   // The spectral radius of i A, A skew, is the largest singular value of A.
-  Eigen::MatrixXd const a = w.asDiagonal() * m * w.asDiagonal();
-  return s * std::sqrt(largest_eigenvalue(a.transpose() * a));
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      square(i, j) = 0;
+      for (Eigen::Index k = 0; k < n; ++k) square(i, j) += a(k, i) * a(k, j);
+    }
+  return s * std::sqrt(largest_eigenvalue(square));
 }
 
 /// The largest value of f between a and b, where it has one hump, by golden section.

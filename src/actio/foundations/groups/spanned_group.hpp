@@ -8,6 +8,9 @@
 // basis matrices. Which of the two serves is found out when the group is made (odd_powers.hpp).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,7 +46,7 @@ struct SpannedGroup {
         throw OutsideDomain("SpannedGroup", "square basis matrices of one size are needed; columns and size", static_cast<double>(e.cols()),
                             static_cast<double>(basis.front().rows()));
     for (WholeMatrix const& e : basis)
-      if (int const largest = e.size() ? e.cwiseAbs().maxCoeff() : 0; largest > 1000)
+      if (int const largest = largest_entry(e); largest > 1000)
         throw OutsideDomain("SpannedGroup", "entries of basis matrices up to 1000 are needed, scale them; largest", largest, 1000);
     auto made = std::make_shared<Data>();
     made->name = std::move(name_of_group);
@@ -122,12 +125,24 @@ struct SpannedGroup {
   };
   std::shared_ptr<Data const> data;
 
+  // Everything below is compiled wherever this header is read: plain loops, since each matrix expression over whole numbers costs a tenth of a second there.
+
+  static int largest_entry(WholeMatrix const& e) {
+    int largest = 0;
+    for (Eigen::Index i = 0; i < e.size(); ++i) largest = std::max(largest, std::abs(e(i)));
+    return largest;
+  }
+
   static void find_projection(Data& d) {
     // The dual basis solves Gram's system; over the rationals it is exact, and one denominator serves all.
     int const n = static_cast<int>(d.basis.front().rows()), dims = static_cast<int>(d.basis.size());
     Eigen::Matrix<rational, Eigen::Dynamic, Eigen::Dynamic> gram(dims, dims);
     for (int a = 0; a < dims; ++a)
-      for (int b = 0; b < dims; ++b) gram(a, b) = rational((d.basis[a].array() * d.basis[b].array()).sum());
+      for (int b = 0; b < dims; ++b) {
+        long sum = 0;
+        for (Eigen::Index i = 0; i < n * n; ++i) sum += static_cast<long>(d.basis[a](i)) * d.basis[b](i);
+        gram(a, b) = rational(sum);
+      }
     auto const inverse = inverse_matrix(gram, "SpannedGroup: basis matrices must be linearly independent");
     boost::multiprecision::mpz_int common = 1;
     for (int a = 0; a < dims; ++a)
@@ -198,8 +213,17 @@ struct SpannedGroup {
   void check_closed() const {
     for (auto const& a : data->basis)
       for (auto const& b : data->basis) {
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> const commutator = (a * b - b * a).cast<double>();
-        double const outside = (hat(vee(commutator)) - commutator).cwiseAbs().maxCoeff();
+        int const n = matrix_size();
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> commutator(n, n);
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j) {
+            long sum = 0;
+            for (int k = 0; k < n; ++k) sum += static_cast<long>(a(i, k)) * b(k, j) - static_cast<long>(b(i, k)) * a(k, j);
+            commutator(i, j) = static_cast<double>(sum);
+          }
+        auto const inside = hat(vee(commutator));
+        double outside = 0;
+        for (Eigen::Index i = 0; i < n * n; ++i) outside = std::max(outside, std::abs(inside(i) - commutator(i)));
         if (!(outside < 1e-9)) throw OutsideDomain("SpannedGroup", "commutators of basis matrices must stay in their span; distance", outside, 0);
       }
   }
