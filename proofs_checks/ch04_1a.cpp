@@ -78,9 +78,9 @@ STATEMENT(claim_4_1_groupoids, "pairs and groups are groupoids, with TG and the 
       all.middleCols(a * gamma.dimension(), gamma.dimension()) = bracket[a];
       known.middleCols(a * gamma.dimension(), gamma.dimension()) = known_bracket<S>(gamma, a);
     }
-    // Condition: Gram's matrix of the entries is inverted, once for each pair of directions; its condition is the square of that of the place.
+    // Condition: Gram's matrix of the entries is inverted, once for each pair of directions; the entries of a place are of order 1, and its condition is below 30.
     S const scale = magnitude(known) + S(1);
-    claim.zero("bracket of the algebroid", model, Matrix<S>(all - known), scale, 1000);
+    claim.zero("bracket of the algebroid", model, Matrix<S>(all - known), scale, 30);
     if (magnitude(known) > Base<S>(0)) claim.refutes("the bracket with the other sign", model, Matrix<S>(all + known), scale);
     if (gamma.base_dimension() > 0) claim.equal("anchor", model, Matrix<S>(anchor(gamma, g[0])), known_anchor<S>(gamma, g[0]), 10);
   });
@@ -99,7 +99,7 @@ STATEMENT(claim_4_1_dual_poisson, "the duals of the algebroids are Poisson manif
     Matrix<S> known = Matrix<S>::Zero(m + n, m + n);
     if (m > 0) known.topRightCorner(m, n) = -known_anchor<S>(gamma, g), known.bottomLeftCorner(n, m) = -known.topRightCorner(m, n).transpose();
     for (int a = 0; a < n; ++a) known.block(m + a, m, 1, n) = p.transpose() * known_bracket<S>(gamma, a);
-    claim.zero("the bracket on the dual of the algebroid", model, Matrix<S>(pi - known), scale, 1000);
+    claim.zero("the bracket on the dual of the algebroid", model, Matrix<S>(pi - known), scale, 30);
     claim.refutes("with the other sign", model, Matrix<S>(pi + known), scale);
   });
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
@@ -112,10 +112,10 @@ STATEMENT(claim_4_1_dual_poisson, "the duals of the algebroids are Poisson manif
     canonical.bottomLeftCorner(d, d) = -Matrix<S>::Identity(d, d);
     canonical.bottomRightCorner(d, d) = lie_poisson_tensor_plus(mu);
     Matrix<S> const pairs = dual_bivector(Pairs{group}, Arrow<Pairs, S>{x, x}, Vector<S>(mu.components));
-    claim.zero("T*G: minus the canonical bracket", model, Matrix<S>(pairs + canonical), S(magnitude(canonical)), 1000);
+    claim.zero("T*G: minus the canonical bracket", model, Matrix<S>(pairs + canonical), S(magnitude(canonical)), 30);
     claim.refutes("T*G: the canonical bracket itself", model, Matrix<S>(pairs - canonical), S(magnitude(canonical)));
     Matrix<S> const alone = dual_bivector(Alone{group}, x, Vector<S>(mu.components));
-    claim.zero("the dual of the algebra: the plus bracket", model, Matrix<S>(alone - lie_poisson_tensor_plus(mu)), S(size_of(mu) + S(1)), 1000);
+    claim.zero("the dual of the algebra: the plus bracket", model, Matrix<S>(alone - lie_poisson_tensor_plus(mu)), S(size_of(mu) + S(1)), 30);
     claim.refutes("the dual of the algebra: the minus bracket", model, Matrix<S>(alone + lie_poisson_tensor_plus(mu)), S(size_of(mu) + S(1)));
   });
 }

@@ -30,7 +30,7 @@ S first_slope(L const& lagrangian, Place<S> const& g0, Place<S> const& g1, Matri
 }  // namespace
 
 STATEMENT(thm_4_3_1, "the Legendre maps commute with the quotient maps") {
-  claim.holds("With the momentum D_1L of (4.7) above and R*l' below; physical momenta have the other sign in both. Regularity is not needed for the square, only for the maps in it to be local diffeomorphisms.");
+  claim.holds("With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta have the other sign in both. Regularity is not needed for the square, only for the maps in it to be local diffeomorphisms.");
   claim.degree(600);
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -108,7 +108,7 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
 }
 
 STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant system is f -> R*_f l'(f)") {
-  claim.holds("It is the groupoid's Legendre map at the source of an arrow. That of a left-invariant system, L*_f l'(f), is the same map of the opposite groupoid.");
+  claim.holds("It is the groupoid's Legendre map at the source of an arrow. That of a left-invariant system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
   claim.degree(600);
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);

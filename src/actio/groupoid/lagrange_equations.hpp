@@ -65,7 +65,8 @@ auto legendre_at_source(Gamma const& gamma, L const& l, A const& h) {
 template <Groupoid Gamma, class L, class A>
 auto lagrange_equations(Gamma const& gamma, L const& l, A const& g, A const& h) {
   // [def_4_1_1]
-  return (legendre_at_target(gamma, l, g).components - legendre_at_source(gamma, l, h).components).eval();
+  auto const arrival = legendre_at_target(gamma, l, g), departure = legendre_at_source(gamma, l, h);
+  return (arrival.components - departure.components).eval();
   // [def_4_1_1]
 }
 

@@ -34,10 +34,12 @@ struct PairGroupoid {
   static Element<G, S> source(PairArrow<G, S> const& g) { return g.first; }
   template <class S>
   static Element<G, S> target(PairArrow<G, S> const& g) { return g.second; }
-  // [claim_4_1_groupoids]
   template <class S>
-  static PairArrow<G, S> compose(PairArrow<G, S> const& g, PairArrow<G, S> const& h) { return {g.first, h.second}; }
-  // [claim_4_1_groupoids]
+  static PairArrow<G, S> compose(PairArrow<G, S> const& g, PairArrow<G, S> const& h) {
+    // [claim_4_1_groupoids]
+    return {g.first, h.second};
+    // [claim_4_1_groupoids]
+  }
   template <class S>
   static PairArrow<G, S> inverse(PairArrow<G, S> const& g) { return {g.second, g.first}; }
   template <class S>

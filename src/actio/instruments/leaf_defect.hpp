@@ -86,8 +86,9 @@ typename Point::Scalar leaf_defect(Space const& space, Family const& family, typ
   S const whole = detail::length_of(rate);
   // In a time h an image that stands still seems to move by its rounding.
   if (!(whole * magnitude(h) > S(64) * epsilon<S>())) return S(0);
+  auto const bivector = detail::over_sizes<S>(space.bivector(value_of(image)), sizes);
   // [leaf_defect]
-  auto const split = detail::split_by_columns<S>(detail::over_sizes<S>(space.bivector(value_of(image)), sizes), rate);
+  auto const split = detail::split_by_columns<S>(bivector, rate);
   return detail::length_of(split.outside) / whole;
   // [leaf_defect]
 }

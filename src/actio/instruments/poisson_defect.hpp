@@ -31,9 +31,10 @@ template <class Point, SpaceOf<Point> Space, class Map>
 typename Point::Scalar poisson_defect(Space const& space, Map const& map, Point const& x) {
   using S = typename Point::Scalar;
   auto const at = tangent_of_map(space, map, x);
+  auto const before = detail::over_sizes<S>(space.bivector(x), at.sizes), after = detail::over_sizes<S>(space.bivector(at.image), at.sizes);
   // [poisson_defect]
-  auto const carried = detail::congruent<S>(at.tangent, detail::over_sizes<S>(space.bivector(x), at.sizes));
-  return detail::relative_difference<S>(carried, detail::over_sizes<S>(space.bivector(at.image), at.sizes));
+  auto const carried = detail::congruent<S>(at.tangent, before);
+  return detail::relative_difference<S>(carried, after);
   // [poisson_defect]
 }
 
