@@ -40,15 +40,15 @@ STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the acti
       auto const curve = draw_curve<S>(draw, group);
       Quadrature<S> const rule(20);
       S exact(0);
-      for (int k = 0; k < 8; ++k) exact += action(lagrangian, curve, S(duration * k / 8), S(duration * (k + 1) / 8), rule);
+      for (int k = 0; k < 8; ++k) exact += action(lagrangian, curve, S(by_halves.duration * k / 8), S(by_halves.duration * (k + 1) / 8), rule);
       auto const sum = [&](int n, double h, auto const& term) {
         S total(0);
         for (int k = 0; k < n; ++k) total += term(curve(S(h * k)), curve(S(h * (k + 1))));
         return std::abs(total - exact);
       };
-      claim.order("the sum along any curve", group.name(), step_lengths(), errors_of([&](int n, double h) { return sum(n, h, discretize_right(lagrangian, h, at_first)); }), 2);
-      claim.refutes_order("the velocity from the later place to the earlier", group.name(), step_lengths(),
-                          errors_of([&](int n, double h) { return sum(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(lagrangian, h, at_first)(g1, g0); }); }), 2);
+      claim.order("the sum along any curve", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return sum(n, h, discretize_right(lagrangian, h, at_first)); }), 2);
+      claim.refutes_order("the velocity from the later place to the earlier", group.name(), by_halves.step_lengths(),
+                          by_halves.errors_of([&](int n, double h) { return sum(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(lagrangian, h, at_first)(g1, g0); }); }), 2);
     }
 }
 
@@ -58,7 +58,7 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
     for (auto const& group : limit_groups()) {
       auto const top = draw_top<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
-      auto const exact = top.flow(v, S(duration)).first;
+      auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const momentum_at_end = momentum(group, Vector<S>(top.a * exact.velocity.coordinates + top.b));
       // The errors at the end: of the place, and of the momentum that the last step leaves behind.
       auto const run = [&](int n, double h, auto const& L) {
@@ -69,9 +69,9 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
         }
         return std::pair(magnitude((place.value - exact.place.value).eval()), size_of(D2(L, before, place) - momentum_at_end));
       };
-      claim.order("the place", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h, discretize_right(top, h, at_first)).first; }), 2);
-      claim.order("the momentum", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h, discretize_right(top, h, at_first)).second; }), 2);
-      claim.refutes_order("the velocity from the later place to the earlier", group.name(), step_lengths(), errors_of([&](int n, double h) {
+      claim.order("the place", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, discretize_right(top, h, at_first)).first; }), 2);
+      claim.order("the momentum", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, discretize_right(top, h, at_first)).second; }), 2);
+      claim.refutes_order("the velocity from the later place to the earlier", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) {
                             return run(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(top, h, at_first)(g1, g0); }).first;
                           }), 2);
     }
@@ -83,7 +83,7 @@ STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstru
     for (auto const& group : limit_groups()) {
       auto const top = draw_top_without_weight<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
-      auto const exact = top.flow(v, S(duration)).first;
+      auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const momentum_at_end = momentum(group, Vector<S>(top.a * exact.velocity.coordinates + top.b));
       struct Error {
         S place, momentum, velocity;
@@ -98,9 +98,9 @@ STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstru
         }
         return {magnitude((place.value - exact.place.value).eval()), size_of(momentum_before_right(l, f) - momentum_at_end), size_of(-log(f) / S(h) - exact.velocity)};
       };
-      claim.order("the place", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h).place; }), 2);
-      claim.order("the momentum", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h).momentum; }), 2);
-      claim.refutes_order("the velocity of the relative motion", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h).velocity; }), 2);
+      claim.order("the place", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h).place; }), 2);
+      claim.order("the momentum", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h).momentum; }), 2);
+      claim.refutes_order("the velocity of the relative motion", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h).velocity; }), 2);
     }
 }
 
@@ -131,7 +131,7 @@ STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare
       auto const top = draw_top_without_weight<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
       auto const momentum_of = [&](State<SpannedGroup, S> const& at) { return momentum(group, Vector<S>(top.a * at.velocity.coordinates + top.b)); };
-      auto const exact = momentum_of(top.flow(v, S(duration)).first);
+      auto const exact = momentum_of(top.flow(v, S(by_halves.duration)).first);
       auto const run = [&](int n, double h, auto const& carry) {
         auto const l = natural_chart_lagrangian_right(reduced(top), h);
         auto mu = momentum_of(v);
@@ -142,9 +142,9 @@ STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare
         }
         return size_of(mu - exact);
       };
-      claim.order("against the Lie-Poisson flow", group.name(), step_lengths(),
-                  errors_of([&](int n, double h) { return run(n, h, [](auto const& f, auto const& mu) { return lie_poisson_update_right(f, mu); }); }), 2);
-      claim.refutes_order("the flow, carried by Ad* of the inverse", group.name(), step_lengths(),
-                          errors_of([&](int n, double h) { return run(n, h, [](auto const& f, auto const& mu) { return Ad_star(inverse(f), mu); }); }), 2);
+      claim.order("against the Lie-Poisson flow", group.name(), by_halves.step_lengths(),
+                  by_halves.errors_of([&](int n, double h) { return run(n, h, [](auto const& f, auto const& mu) { return lie_poisson_update_right(f, mu); }); }), 2);
+      claim.refutes_order("the flow, carried by Ad* of the inverse", group.name(), by_halves.step_lengths(),
+                          by_halves.errors_of([&](int n, double h) { return run(n, h, [](auto const& f, auto const& mu) { return Ad_star(inverse(f), mu); }); }), 2);
     }
 }

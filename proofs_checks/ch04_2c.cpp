@@ -4,6 +4,7 @@
 // put into polynomials of degree 6: below 6000.
 #include "actio/groupoid/generating_series.hpp"
 #include "sequences.hpp"
+#include "limits.hpp"
 #include "statement.hpp"
 #include "top_in_any_group.hpp"
 
@@ -11,9 +12,6 @@ using namespace actio;
 using namespace actio::checks;
 
 namespace {
-
-template <class S>
-inline constexpr bool fits_orders = std::same_as<S, double>;
 
 /// Groups of the exact motions; of the fits, which are in double, one more.
 template <class S>
@@ -76,23 +74,8 @@ struct Witness {
   }
 };
 
-/// So many steps: fine enough for the leading term, with errors far above rounding.
-constexpr double duration = 1.5;
-inline std::vector<int> const& step_counts() {
-  static std::vector<int> const counts = {16, 18, 20, 24, 28, 32};
-  return counts;
-}
-inline std::vector<double> step_lengths() {
-  std::vector<double> steps;
-  for (int n : step_counts()) steps.push_back(duration / n);
-  return steps;
-}
-template <class Error>
-std::vector<double> errors_of(Error const& error) {
-  std::vector<double> errors;
-  for (int n : step_counts()) errors.push_back(to_double(error(n, duration / n)));
-  return errors;
-}
+/// For orders up to 6: many more steps would end in rounding, many fewer would show the next term.
+Refinement const moderate{1.5, {16, 18, 20, 24, 28, 32}};
 
 }  // namespace
 
@@ -170,7 +153,7 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification, "a discrete Lagrangian in th
       std::vector<Velocity<SpannedGroup, S>> velocities;
       for (int i = 0; i < 3; ++i) {
         starts.push_back(draw.template momentum<S>(group, S(2)));
-        ends.push_back(witness.motion(starts.back(), S(duration)).pi);
+        ends.push_back(witness.motion(starts.back(), S(moderate.duration)).pi);
         velocities.push_back(draw.template velocity<S>(group, S(2)));
       }
       auto const residual = [&](auto const& s, double h) {
@@ -194,14 +177,14 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification, "a discrete Lagrangian in th
       for (int order : {0, 2, 4}) {
         auto const s = generating_series(l, order);
         std::string const terms = "terms up to t^" + std::to_string(order) + ": ";
-        claim.order(terms + "residual of (4.1)", group.name(), step_lengths(), errors_of([&](int, double h) { return residual(s, h); }), order + 2);
-        claim.order(terms + "the integrator", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(s, n, h, false); }), order + 2);
-        if (order == 0) claim.refutes_order("carried by Ad*_f", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(s, n, h, true); }), 2);
+        claim.order(terms + "residual of (4.1)", group.name(), moderate.step_lengths(), moderate.errors_of([&](int, double h) { return residual(s, h); }), order + 2);
+        claim.order(terms + "the integrator", group.name(), moderate.step_lengths(), moderate.errors_of([&](int n, double h) { return run(s, n, h, false); }), order + 2);
+        if (order == 0) claim.refutes_order("carried by Ad*_f", group.name(), moderate.step_lengths(), moderate.errors_of([&](int n, double h) { return run(s, n, h, true); }), 2);
         if (order == 0) continue;
         // Control: the last term with the other sign.
         auto wrong = s;
         for (auto& [powers, c] : wrong.sigma[order].terms) c = -c;
-        claim.refutes_order(terms + "the last with the other sign", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(wrong, n, h, false); }), order + 2);
+        claim.refutes_order(terms + "the last with the other sign", group.name(), moderate.step_lengths(), moderate.errors_of([&](int n, double h) { return run(wrong, n, h, false); }), order + 2);
       }
     }
 }

@@ -66,7 +66,7 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
     for (auto const& group : limit_groups()) {
       auto const top = draw_top_without_weight<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
-      auto const exact = top.flow(v, S(duration)).first;
+      auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const run = [&](int n, double h, bool forwards) {
         auto const l = natural_chart_lagrangian_right(reduced(top), h);
         auto place = v.place;
@@ -79,8 +79,8 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
         }
         return std::max(magnitude((place.value - exact.place.value).eval()), size_of(mu - momentum_of(top, exact)));
       };
-      claim.order("place and momentum against the Hamiltonian flow", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h, true); }), 2);
-      claim.refutes_order("reconstructed with f in place of its inverse", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h, false); }), 2);
+      claim.order("place and momentum against the Hamiltonian flow", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
+      claim.refutes_order("reconstructed with f in place of its inverse", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
     }
 }
 
@@ -165,7 +165,7 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
     for (auto const& group : limit_groups()) {
       auto const top = draw_top_without_weight<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
-      auto const exact = momentum_of(top, top.flow(v, S(duration)).first);
+      auto const exact = momentum_of(top, top.flow(v, S(by_halves.duration)).first);
       // Steps of 2/3 and 4/3 of the mean in turn. Averages l_h/h: with the factor h the momentum is matched, without it -R*l'/h.
       auto const run = [&](int n, double h, bool with_factor) {
         auto mu = momentum_of(top, v);
@@ -181,7 +181,7 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
         }
         return size_of(mu - exact);
       };
-      claim.order("steps of two lengths in turn, with the factor", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h, true); }), 2);
-      claim.refutes_order("without the factor", group.name(), step_lengths(), errors_of([&](int n, double h) { return run(n, h, false); }), 2);
+      claim.order("steps of two lengths in turn, with the factor", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
+      claim.refutes_order("without the factor", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
     }
 }
