@@ -10,7 +10,7 @@
 #include <random>
 
 #include "actio/rigid_body/body_catalogue.hpp"
-#include "actio/rigid_body/moser_veselov.hpp"
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
 

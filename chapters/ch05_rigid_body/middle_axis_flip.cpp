@@ -12,7 +12,7 @@
 #include <gsl/gsl_sf_ellint.h>
 
 #include "actio/rigid_body/body_catalogue.hpp"
-#include "actio/rigid_body/moser_veselov.hpp"
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
 

@@ -9,7 +9,7 @@
 //   M      body momentum, e = M/|M|                                        P_rot  period of M, once round its curve
 //   g      attitude, body to space                                         P_prec mean period of the long axis about the momentum in space
 #include "actio/rigid_body/body_catalogue.hpp"
-#include "actio/rigid_body/moser_veselov.hpp"
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"

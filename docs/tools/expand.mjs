@@ -5,9 +5,9 @@
 // in docs/WRITING.md. Errors name file and line of the page as written.
 import fs from 'node:fs';
 import path from 'node:path';
-import { Errors, badge, escapeHtml, label, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
+import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
-import { inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
+import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
 const at = (...p) => path.join(opt.root, ...p);
@@ -110,8 +110,29 @@ const split = (text, parts) => {
   return [...cells.slice(0, parts - 1), cells.slice(parts - 1).join(',')].map(s => s.trim()).filter((s, i) => s !== '' || i === 0);
 };
 const notRun = what => `<span class="notrun">${what} not run</span>`;
+const optional = program => program.split('_')[0] in optionalPrograms;
+const notMeasured = '<span class="notrun">not measured yet</span>';
+
+// A program that not every build runs has its source, or its name is wrong; a report, or it is not measured yet. A figure that an older report lacks will come
+// with the next run.
+book.optionalSource = program => {
+  const [, kind, stem] = /^([a-z]+)_(.+)$/.exec(program) ?? [];
+  const file = optionalPrograms[kind] && `${optionalPrograms[kind]}/${stem}.cpp`;
+  return file && fs.existsSync(at(file)) ? file : null;
+};
+function lookupOptional(p, line, list, what, program, name) {
+  const file = book.optionalSource(program);
+  if (!file) { errors.add(p.file, line, `program ${program} has no source in ${Object.values(optionalPrograms).join(' or ')}`); return undefined; }
+  const report = book.optional.get(program);
+  const found = report && (report[list] ?? []).find(x => x.name === name);
+  if (found) return { ...found, report };
+  if (!report || report.written < fs.statSync(at(file)).mtimeMs) return null;
+  errors.add(p.file, line, `program ${program} reports no ${what} "${name}" (it has: ${(report[list] ?? []).map(x => x.name).join(', ') || 'none'})`);
+  return undefined;
+}
 
 function lookup(p, line, list, what, program, name) {
+  if (optional(program)) return lookupOptional(p, line, list, what, program, name);
   if (!book.programs) return null;
   const report = book.programs.get(program);
   if (!report) { errors.add(p.file, line, `no report of program ${program} (known: ${[...book.programs.keys()].join(', ')})`); return undefined; }
@@ -129,7 +150,7 @@ const inline = {
   figure(p, line, arg) {
     const [program, name] = split(arg, 2);
     const f = lookup(p, line, 'figures', 'figure', program, name);
-    if (f === null) return notRun('figure');
+    if (f === null) return optional(program) ? notMeasured : notRun('figure');
     return f ? `<span class="figure" title="${escapeHtml(`${program}: ${name} = ${f.value}`)}">${figureText(f)}</span>` : '';
   },
   verdict(p, line, id) {
@@ -202,13 +223,13 @@ for (const p of pages) {
     table(arg) {
       const [program, name, caption] = split(arg, 3);
       const t = lookup(p, line, 'tables', 'table', program, name);
-      if (t === null) block(`<p>${notRun(`table ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
+      if (t === null) block(`<p>${optional(program) ? notMeasured : notRun(`table ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
       else if (t) block(reportTable(t, caption));
     },
     picture(arg) {
       const [program, name, caption] = split(arg, 3);
       const pic = lookup(p, line, 'pictures', 'picture', program, name);
-      if (pic === null) return block(`<p>${notRun(`picture ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
+      if (pic === null) return block(`<p>${optional(program) ? notMeasured : notRun(`picture ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
       if (!pic) return;
       const file = path.join(pic.report.folder, pic.file);
       if (!fs.existsSync(file)) return errors.add(p.file, line, `picture file ${pic.file} is missing`);
@@ -248,6 +269,7 @@ for (const p of pages) {
     },
     errata() { block(errata(book)); },
     programs(arg) { block(programTable(book, arg)); },
+    benchmarks() { block(benchmarkTable(book, walk(at('benchmarks')).filter(f => /^benchmarks\/[^/]*\.cpp$/.test(path.relative(opt.root, f))).map(f => `bench_${path.basename(f, '.cpp')}`))); },
     chapters(arg) {
       const list = arg.split(',').map(Number);
       for (const c of book.chapters.filter(c => list.includes(c.chapter))) emit(`- \\subpage ${c.id}`);
@@ -268,7 +290,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');

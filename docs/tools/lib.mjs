@@ -41,7 +41,11 @@ export function readRegistry(file) {
   return rows.map(row => Object.fromEntries(row.split('\t').map((cell, i) => [names[i], cell.trim()])));
 }
 
-/// Reports of a build: `statements` is null where the ledger has not been merged, `programs` null where none has run.
+/// Programs that not every build runs: their names' first word, where their sources are, and where below report/ their reports are.
+export const optionalPrograms = { bench: 'benchmarks', stress: 'tests/stress' };
+
+/// Reports of a build: `statements` is null where the ledger has not been merged, `programs` null where none has run; `optional` holds the benchmarks and
+/// long tests that have run.
 export function readReports(build) {
   const ledger = path.join(build, 'report/statements.json');
   let statements = null;
@@ -60,9 +64,18 @@ export function readReports(build) {
     p.folder = dir;
     programs.set(p.program, p);
   }
+  const optional = new Map();
+  for (const folder of Object.values(optionalPrograms))
+    for (const f of walk(path.join(build, 'report', folder)).filter(f => f.endsWith('.json'))) {
+      const p = JSON.parse(fs.readFileSync(f, 'utf8'));
+      p.program ??= path.basename(f, '.json');
+      p.folder = path.dirname(f);
+      p.written = fs.statSync(f).mtimeMs;
+      optional.set(p.program, p);
+    }
   const columns = new Set();
   for (const r of statements?.values() ?? []) for (const e of r.evidence ?? []) columns.add(e.scalar);
-  return { statements, programs, columns };
+  return { statements, programs, optional, columns };
 }
 
 // ---- Numbers

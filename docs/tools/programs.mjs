@@ -50,3 +50,19 @@ export function programTable(book, chapters) {
   });
   return `<table class="programs"><thead><tr><th>program</th><th>what it shows</th><th>measured</th><th class="num">time</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }
+
+/// The benchmarks: what each shows, what it measured and when, and the claims that did not hold.
+export function benchmarkTable(book, names) {
+  const run = names.filter(n => book.optional.has(n));
+  if (!run.length)
+    return '<p><span class="notrun">The benchmarks have not been run in this build.</span> <code>./run bench</code> runs them; <code>./run book</code> after it writes this page with their figures.</p>';
+  const rows = names.map(n => {
+    const p = book.optional.get(n);
+    if (!p) return `<tr><td class="id">${escapeHtml(n)}</td><td colspan="4"><span class="notrun">not run</span></td></tr>`;
+    const date = (p.figures ?? []).find(f => f.name === 'date')?.text ?? `${new Date(p.written).toISOString().slice(0, 16).replace('T', ' ')} UTC`;
+    const broken = (p.claims ?? []).filter(c => !c.holds);
+    const claims = broken.length ? broken.map(c => `<span class="verdict verdict-failed">failed</span> ${prose(c.text)}`).join('<br/>') : (p.claims ?? []).length ? 'all hold' : '';
+    return `<tr><td class="id">${escapeHtml(n)}</td><td>${prose(p.shows)}</td><td>${prose(p.headline?.text ?? '')}</td><td>${claims}</td><td class="num">${escapeHtml(date)}</td></tr>`;
+  });
+  return `<table class="programs"><thead><tr><th>program</th><th>what it measures</th><th>measured</th><th>claims</th><th class="num">run</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+}

@@ -13,8 +13,8 @@ project() {
   cp -r "$docs" "$work/p/docs"
   cd "$work/p" || exit 1
   # Pages that speak of the real library are not under test.
-  rm -f docs/pages/1[12]_*.md docs/pages/40_*.md
-  sed -i '/conventions\|notation\|bibliography\|^.picture/d' docs/pages/00_mainpage.md
+  rm -f docs/pages/1[12]_*.md docs/pages/22_*.md docs/pages/40_*.md
+  sed -i '/conventions\|notation\|bibliography\|performance\|^.picture/d' docs/pages/00_mainpage.md
   printf '/** @namespace actio\n The library. */\n' >docs/namespaces.dox
   printf 'id\tkind\tchapter\tsection\tsubject\neq_3_9\tequation\t3\t3.2\tquotient map\nthm_3_2_3\ttheorem\t3\t3.2\treconstruction\nclaim_3_2_small\tclaim\t3\t3.2\tsmall claim\neq_6_1\tequation\t6\t6.1\tlater\n' >proofs_checks/registry.tsv
   printf '// Checks.\nSTATEMENT(eq_3_9, "quotient") {\n}\n' >proofs_checks/ch03_2.cpp
@@ -118,6 +118,24 @@ project; sed -i 's/implements{eq_3_9}/implements{eq_3_97}/' src/actio/reduction/
 project; sed -i 's/^## Verified/## Verified \\f$\\mu\\f$/' $chapter; refuses 'a formula in a title' 'chapter.md:23: a title holds a formula'
 project; echo '<a href="nowhere.html">x</a>' >>$chapter; refuses 'a dead link' 'dead link: nowhere.html'
 project; echo '<img src="http://example.org/x.png" alt="x"/>' >>$chapter; refuses 'the network' 'reaches for the network'
+
+# Programs that not every build runs: their figures may be absent, their names may not be wrong.
+benchmark() {
+  project
+  mkdir -p benchmarks build/report/benchmarks
+  printf '// Tops.\nint main() {}\n' >benchmarks/tops.cpp
+  printf '# Performance {#performance}\n\nA top takes \\figure{bench_tops,time}.\n\n\\table{bench_tops,times}\n\n\\picture{bench_tops,race}\n\n\\benchmarks\n' >docs/pages/22_performance.md
+}
+tops() {
+  printf '{"program":"bench_tops","shows":"a top","headline":{"text":"7 ns","value":7},"figures":[{"name":"time","value":7,"text":"7 ns"},{"name":"date","value":1,"text":"2026-01-01 00:00 UTC"}],"tables":[{"name":"times","header":["a"],"rows":[["1"]]}],"pictures":[{"name":"race","file":"bench_tops.race.svg","caption":"A race"}],"claims":[{"holds":false,"text":"a top is fast"}]}\n' >build/report/benchmarks/bench_tops.json
+  cp build/report/programs/ch03_wheel.path.svg build/report/benchmarks/bench_tops.race.svg
+}
+benchmark; passes 'a book before the benchmarks have run' --strict; contains performance.html 'not measured yet'; contains performance.html 'benchmarks have not been run'
+benchmark; tops; passes 'a book with a benchmark' --strict; contains performance.html '>7 ns<'; contains performance.html 'a top is fast'; contains performance.html '2026-01-01'
+benchmark; sed -i 's/bench_tops,time}/bench_flops,time}/' docs/pages/22_performance.md; refuses 'a benchmark without a source' '22_performance.md:3: program bench_flops has no source'
+benchmark; tops; sed -i 's/,{"name":"date".*UTC"}//' build/report/benchmarks/bench_tops.json; passes 'a benchmark that does not tell its date' --strict; contains performance.html ' UTC'
+benchmark; tops; sed -i 's/bench_tops,time}/bench_tops,speed}/' docs/pages/22_performance.md; refuses 'a figure that a benchmark does not report' '22_performance.md:3: .*no figure "speed"'
+benchmark; tops; sed -i 's/bench_tops,time}/bench_tops,speed}/' docs/pages/22_performance.md; touch -d '+1 minute' benchmarks/tops.cpp; passes 'a book with a figure that the next run will bring' --strict; contains performance.html 'not measured yet'
 
 ((failures == 0)) && echo "the book's tools: all as they should be" || echo "the book's tools: $failures failures"
 exit $((failures > 0))

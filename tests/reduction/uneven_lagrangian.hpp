@@ -9,7 +9,7 @@
 #include "actio/foundations/groups/linear_groups.hpp"
 #include "actio/foundations/groups/motions.hpp"
 #include "actio/foundations/groups/spanned_group.hpp"
-#include "actio/foundations/taylor.hpp"
+#include "actio/foundations/taylor_reference.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/variational/lie_poisson.hpp"
 

@@ -1,7 +1,7 @@
 // The Moser-Veselov scheme: its equation, the branch of the identity, the longest step, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/rigid_body/moser_veselov.hpp"
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "random_bodies.hpp"
 
 using namespace actio;

@@ -1,7 +1,7 @@
 // A million steps: Casimir and momentum in space of the Moser-Veselov body, and how their changes grow.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/rigid_body/moser_veselov.hpp"
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "random_bodies.hpp"
 
 using namespace actio;

@@ -3,7 +3,7 @@
 
 #include "actio/foundations/groups/motions.hpp"
 #include "actio/foundations/groups/unit_quaternions.hpp"
-#include "actio/foundations/taylor.hpp"
+#include "actio/foundations/taylor_reference.hpp"
 #include "actio/variational/action.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/euler_lagrange.hpp"

@@ -1,0 +1,268 @@
+// The free body in three dimensions: what a step costs, what an error costs, and how far what is conserved walks away.
+//
+// The exact half turns, the Moser-Veselov scheme of all orders, and those whom one would otherwise ask: GSL, Boost.odeint, the classical Runge-Kutta
+// method, the algorithm of Hairer and Vilmart, the implicit midpoint rule, splitting. All in one process, in turns.
+#include "book/machine.hpp"
+#include "book/plot.hpp"
+#include "drift.hpp"
+#include "peers/gsl_methods.hpp"
+#include "peers/implicit_midpoint.hpp"
+#include "peers/odeint_methods.hpp"
+#include "peers/own_methods.hpp"
+#include "peers/runge_kutta.hpp"
+#include "peers/splitting.hpp"
+#include "work_precision.hpp"
+
+using namespace benchmark;
+using peers::Method, peers::Task;
+
+Task const task{{0.6, 0.8, 1}, {1.8, 0.4, -0.9}};
+
+std::vector<Method> all_methods() {
+  return {peers::exact_half_turns(),
+          peers::exact_momentum(),
+          peers::exact_compensated(),
+          peers::moser_veselov_once(2),
+          peers::moser_veselov_once(10),
+          peers::moser_veselov_each_step(2),
+          peers::moser_veselov_each_step(4),
+          peers::moser_veselov_each_step(6),
+          peers::moser_veselov_each_step(8),
+          peers::moser_veselov_each_step(10),
+          peers::moser_veselov_general(),
+          peers::preprocessed_moser_veselov(2),
+          peers::preprocessed_moser_veselov(6),
+          peers::preprocessed_moser_veselov(10),
+          peers::runge_kutta(),
+          peers::gsl_prince_dormand(),
+          peers::odeint_fehlberg(),
+          peers::odeint_dormand_prince(),
+          peers::implicit_midpoint(),
+          peers::splitting()};
+}
+
+std::string nanoseconds(double seconds) { return book::number(1e9 * seconds, seconds < 1e-6 ? 3 : 4); }
+std::string microseconds(double seconds) { return book::number(1e6 * seconds); }
+
+// ---- What a step costs
+
+void step_times(book::Program& program) {
+  constexpr long steps = 10000;
+  std::vector<std::unique_ptr<peers::Stepper>> steppers;
+  std::vector<Contestant> contestants;
+  std::size_t rk = 0;
+  for (Method const& method : all_methods()) {
+    if (method.name == peers::runge_kutta().name) rk = contestants.size();
+    steppers.push_back(method.make(task, 0.1));
+    contestants.push_back({method.name, [s = steppers.back().get()] { s->advance(steps); }, steps});
+  }
+  auto const times = in_turns(41, contestants);
+
+  std::vector<book::Program::Row> rows;
+  double sum = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    rows.push_back({contestants[i].name, nanoseconds(median(times[i])),
+                    nanoseconds(quantile(times[i], 0.1)) + " - " + nanoseconds(quantile(times[i], 0.9)),
+                    book::number(median(ratios(times[i], times[rk])))});
+    sum += steppers[i]->state()[3];
+  }
+  program.table("steps", {"method", "ns a step", "eight rounds of ten", "in Runge-Kutta steps"}, rows, "A step with h = 0.1; medians of 41 rounds.");
+  auto const against_rk = ratios(times[0], times[rk]);
+  double const ratio = median(against_rk);
+  program.figure("step_ns", 1e9 * median(times[0]), "exact step, momentum and attitude, ns");
+  program.figure("momentum_ns", 1e9 * median(times[1]), "exact step, momentum alone, ns");
+  program.figure("compensated_ns", 1e9 * median(times[2]), "compensated step, ns");
+  program.figure("runge_kutta_ns", 1e9 * median(times[rk]), "Runge-Kutta step, ns");
+  program.figure("step_ratio", ratio, "exact step in Runge-Kutta steps, median of the rounds");
+  program.figure("step_ratio_low", quantile(against_rk, 0.1), "the same, a tenth of the rounds below");
+  program.figure("step_ratio_high", quantile(against_rk, 0.9), "the same, a tenth of the rounds above");
+  program.figure("compensated_ratio", median(ratios(times[2], times[0])), "compensated step in plain ones");
+  program.figure("sum", sum, "sum of the last states, so that nothing is left out");
+  program.claim(ratio <= 0.6, "the exact step with attitude costs at most 0.6 of a Runge-Kutta step; measured " + book::number(ratio));
+}
+
+// ---- What an error costs
+
+constexpr double duration = 1000;
+constexpr double targets[] = {1e-4, 1e-8, 1e-10, 1e-12};
+
+std::vector<Curve> all_curves(Witnesses const& exact) {
+  std::vector<Curve> curves;
+  auto const fixed = [&](Method const& m, double first, double ratio, double longest) {
+    curves.push_back(with_fixed_steps(task, duration, m, exact, first, ratio, longest));
+  };
+  curves.push_back({"exact, each time by one evaluation",
+                    [](double) {
+                      States states;
+                      for (int k = 0; k < looks; ++k) states[k] = peers::seven(peers::free_body(task).at(duration * (k + 1) / looks));
+                      return states;
+                    },
+                    {}});
+  curves.back().runs.push_back(run(curves.back(), looks, exact));
+  curves.back().runs.back().seconds /= looks;
+  fixed(peers::exact_half_turns(), 1000, 1.5, 1e-3);
+  fixed(peers::exact_compensated(), 1000, 1.5, 1e-3);
+  for (int const order : {10, 8, 6}) fixed(peers::moser_veselov_once(order), 1000, 1.15, 0.1);
+  fixed(peers::preprocessed_moser_veselov(10), 1000, 1.15, 0.1);
+  fixed(peers::preprocessed_moser_veselov(6), 1000, 1.25, 0.1);
+  fixed(peers::odeint_fehlberg(), 1000, 1.08, 0.03);
+  fixed(peers::gsl_prince_dormand(), 1000, 1.08, 0.03);
+  fixed(peers::odeint_dormand_prince(), 2000, 1.2, 0.1);
+  fixed(peers::runge_kutta(), 4000, 1.25, 0.15);
+  curves.push_back(with_step_control(
+      "odeint, Fehlberg, step control", [](double tolerance) { return peers::odeint_adaptive<looks>(task, duration, tolerance); }, exact));
+  curves.push_back(with_step_control(
+      "GSL, Prince-Dormand, step control", [](double tolerance) { return peers::gsl_adaptive<looks>(task, duration, tolerance); }, exact));
+  fixed(peers::moser_veselov_once(2), 10000, 2, 0.05);
+  fixed(peers::implicit_midpoint(), 10000, 2, 0.3);
+  fixed(peers::splitting(), 10000, 2, 0.15);
+  return curves;
+}
+
+void show_curves(book::Program& program, std::vector<Curve> const& curves) {
+  std::vector<book::Program::Row> rows;
+  auto plot = book::Plot("processor time, microseconds", "largest error of momentum and attitude up to T = 1000").log_x().log_y().size(760, 520);
+  int shown = 0;
+  for (Curve const& c : curves) {
+    book::Program::Row row{c.name};
+    for (double const target : targets) {
+      Run const* const best = c.cheapest(target);
+      row.push_back(best ? microseconds(best->seconds) : "-");
+    }
+    row.push_back(book::number(c.best_error(), 2));
+    rows.push_back(row);
+    std::vector<double> x, y;
+    for (Run const& r : c.runs)
+      if (r.error < 1) x.push_back(1e6 * r.seconds), y.push_back(r.error);
+    book::Look const look{.colour = shown % 6 + 1,
+                          .width = shown < 3 ? 2.4 : 1.6,
+                          .dashed = shown >= 6 && shown < 12,
+                          .dots = shown < 2 || shown >= 12,
+                          .radius = shown < 2 ? 4.5 : 2.0};
+    plot.curve(x, y, c.name, look);
+    ++shown;
+  }
+  program.table("work_precision", {"method", "1e-4", "1e-8", "1e-10", "1e-12", "best error"}, rows,
+                "Microseconds to T = 1000, set-up included, with the best step for each error, which is the largest of momentum and attitude at t = "
+                "100, 200, ... 1000; the last column is the smallest error that any step reached.");
+  program.picture("work_precision", plot.svg(), "Error against processor time, each method with many steps or tolerances.");
+}
+
+// The race at 1e-12: the exact steps and the best of the general-purpose codes, in turns.
+double race(book::Program& program, std::vector<Curve> const& curves) {
+  Curve const* exact = nullptr;
+  std::vector<std::pair<Curve const*, Run const*>> others;
+  for (Curve const& c : curves) {
+    if (c.name == peers::exact_half_turns().name) exact = &c;
+    bool const general = c.name.starts_with("GSL") || c.name.starts_with("odeint");
+    if (general) others.push_back({&c, c.cheapest(std::max(1e-12, c.best_error()))});
+  }
+  Run const* const own = exact->cheapest(1e-12);
+  program.claim(own != nullptr, "the exact steps reach 1e-12");
+  if (!own) return 0;
+  // Of those that reach 1e-12 the fastest; if none does, of all, each with the step that brings it nearest.
+  bool const reached = std::any_of(others.begin(), others.end(), [](auto const& o) { return o.second->error <= 1e-12; });
+  if (reached) std::erase_if(others, [](auto const& o) { return o.second->error > 1e-12; });
+  std::vector<Contestant> contestants;
+  double sum = 0;
+  contestants.push_back({exact->name,
+                         [&] {
+                           for (int k = 0; k < 50; ++k) sum += exact->solve(own->setting).back()[3];
+                         },
+                         50});
+  for (auto const& [curve, best] : others)
+    contestants.push_back({curve->name, [&sum, curve = curve, setting = best->setting] { sum += curve->solve(setting).back()[3]; }, 1});
+  auto const times = in_turns(15, contestants);
+  std::size_t first = 1;
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (median(times[i]) < median(times[first])) first = i;
+  auto const faster = ratios(times[first], times[0]);
+  double const gain = median(faster);
+  program.figure("own_us", 1e6 * median(times[0]), "exact steps to 1e-12, microseconds");
+  program.figure("own_h", duration / own->setting, "their length");
+  program.figure("own_error", own->error, "their error");
+  program.figure("other_us", 1e6 * median(times[first]), "the best of GSL and odeint, " + contestants[first].name + ", microseconds");
+  program.figure("other_name", 1e6 * median(times[first]), contestants[first].name, "the best of GSL and odeint");
+  program.figure("other_error", others[first - 1].second->error, "its error");
+  program.figure("gain", gain, "how many times faster");
+  program.figure("gain_low", quantile(faster, 0.1), "the same, a tenth of the rounds below");
+  program.figure("gain_high", quantile(faster, 0.9), "the same, a tenth of the rounds above");
+  program.figure("race_sum", sum, "sum of the last states");
+  program.claim(gain >= 300, "to T = 1000 within 1e-12 the exact steps are at least 300 times faster than the best of GSL and odeint; measured " +
+                                 book::number(gain));
+  return gain;
+}
+
+// Only the end: body made, flight found, one step, each time another body.
+void end_point(book::Program& program, double error) {
+  double sum = 0, shift = 0;
+  auto const times = in_turns(41, {{"end point",
+                                    [&] {
+                                      for (int k = 0; k < 2000; ++k) {
+                                        Task other = task;
+                                        other.M[1] += shift, shift += 1e-9;
+                                        sum += peers::free_body(other).at(duration).attitude.value[0];
+                                      }
+                                    },
+                                    2000}});
+  double const seconds = median(times[0]);
+  program.figure("end_us", 1e6 * seconds, "end point at T = 1000 alone, set-up included, microseconds");
+  program.figure("end_us_high", 1e6 * quantile(times[0], 0.9), "the same, a tenth of the rounds above");
+  program.figure("end_error", error, "its error");
+  program.figure("end_sum", sum, "sum of the attitudes");
+  program.claim(seconds <= 1e-6, "the end point alone takes at most a microsecond, set-up included; measured " + microseconds(seconds));
+  program.claim(error <= 1e-12, "the end point is right to 1e-12; measured " + book::number(error));
+}
+
+// ---- How far what is conserved walks away
+
+void drifts(book::Program& program) {
+  constexpr long steps = 10000000;
+  struct Entry {
+    Method method;
+    double h;
+    std::string key;
+  };
+  std::vector<Entry> const entries{{peers::exact_compensated(), 0.1, "compensated"},
+                                   {peers::exact_half_turns(), 0.1, "plain"},
+                                   {peers::moser_veselov_once(2), 0.1, "order2"},
+                                   {peers::moser_veselov_once(10), 0.1, "order10"},
+                                   {peers::moser_veselov_each_step(2), 0.1, "order2_each"},
+                                   {peers::preprocessed_moser_veselov(10), 0.1, "preprocessed"},
+                                   {peers::implicit_midpoint(), 0.1, "midpoint"},
+                                   {peers::splitting(), 0.1, "splitting"},
+                                   {peers::runge_kutta(), 0.01, "runge_kutta"}};
+  std::vector<book::Program::Row> rows;
+  for (auto const& [method, h, key] : entries) {
+    auto const stepper = method.make(task, h);
+    Drift const d = drift_of(task, *stepper, steps);
+    rows.push_back({method.name, book::number(h), book::number(d.amount, 2), book::number(d.energy, 2), book::number(d.spatial, 2)});
+    program.figure("drift_amount_" + key, d.amount, method.name + ", amount");
+    program.figure("drift_energy_" + key, d.energy, method.name + ", energy");
+    program.figure("drift_spatial_" + key, d.spatial, method.name + ", momentum in space");
+  }
+  program.table("drift", {"method", "h", "amount", "energy", "momentum in space"}, rows, "Relative change after 10 million steps.");
+}
+
+int main(int argc, char** argv) {
+  gsl_set_error_handler_off();
+  book::Program program(argc, argv, "the free rigid body: time of a step, time against error, drift");
+  book::report_machine(program);
+  step_times(program);
+
+  Witnesses exact;
+  double const witness_seconds = processor_seconds_of([&] { exact = peers::witness<looks>(task, duration); });
+  peers::Exact const early = peers::witness<1>(task, 2)[0];
+  double const apart = peers::difference(early, peers::witness_by_library(task, 2));
+  program.claim(apart <= 1e-22, "the witness agrees with taylor_reference at T = 2 to 1e-22; measured " + book::number(apart));
+  program.figure("witness_apart", apart, "the witness at T = 2 against taylor_reference");
+  program.figure("witness_s", witness_seconds, "the witness, power series in 50 digits, seconds");
+  auto const curves = all_curves(exact);
+  show_curves(program, curves);
+  double const gain = race(program, curves);
+  end_point(program, curves.front().best_error());
+
+  drifts(program);
+  program.headline("to T = 1000 within 1e-12 the exact steps are " + book::number(gain) + " times faster than the best of GSL and odeint", gain);
+  return program.finish();
+}

@@ -1,0 +1,64 @@
+// Time as the benchmarks measure it: processor time, contestants in turns, medians.
+//
+// A machine that others use as well slows down and speeds up within a second. So nobody is timed alone: each round times every contestant once, for a
+// few milliseconds, and what is compared is the median of the ratios within the rounds.
+#pragma once
+
+#include <time.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace benchmark {
+
+/// Seconds of processor time that this process has used.
+inline double processor_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+/// Seconds of processor time that `work` takes.
+template <class Work>
+double processor_seconds_of(Work const& work) {
+  double const began = processor_seconds();
+  work();
+  return processor_seconds() - began;
+}
+
+/// The value at a share of a sorted sample: 0.5 is the median.
+inline double quantile(std::vector<double> v, double share) {
+  auto const at = v.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(v.size() - 1) + 0.5);
+  std::nth_element(v.begin(), at, v.end());
+  return *at;
+}
+inline double median(std::vector<double> v) { return quantile(std::move(v), 0.5); }
+
+/// a over b, round by round.
+inline std::vector<double> ratios(std::vector<double> const& a, std::vector<double> const& b) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) out.push_back(a[i] / b[i]);
+  return out;
+}
+
+/// Something to be timed: `work` does `units` of it, such as steps.
+struct Contestant {
+  std::string name;            ///< for the table
+  std::function<void()> work;  ///< a few hundred microseconds or more
+  double units;                ///< how many steps that is
+};
+
+/// Seconds per unit: of each contestant, in each round.
+inline std::vector<std::vector<double>> in_turns(int rounds, std::vector<Contestant> const& contestants) {
+  std::vector<std::vector<double>> seconds(contestants.size());
+  // A first round, not counted, fills caches and predictors.
+  for (int round = -1; round < rounds; ++round)
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      double const taken = processor_seconds_of(contestants[i].work) / contestants[i].units;
+      if (round >= 0) seconds[i].push_back(taken);
+    }
+  return seconds;
+}
+
+}  // namespace benchmark

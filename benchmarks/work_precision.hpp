@@ -1,0 +1,102 @@
+// Run time against error: each method with many step lengths over the same task, then for each error to be reached the longest step that reaches it.
+//
+// The error of a run is the largest at ten times on the way. At the end alone it would pass through zero now and then, and the step that happens
+// to do so would win.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "peers/witness.hpp"
+#include "timing.hpp"
+
+namespace benchmark {
+
+/// How many times on the way, the end included, a run is compared with the witness.
+inline constexpr int looks = 10;
+using States = std::array<peers::Seven, looks>;
+using Witnesses = std::array<peers::Exact, looks>;
+
+/// One run over the whole time.
+struct Run {
+  double setting;  ///< number of steps, or the tolerance where steps are controlled
+  double error;    ///< largest at the ten times, against the witness
+  double seconds;  ///< set-up included
+};
+
+/// All runs of one method.
+struct Curve {
+  std::string name;
+  std::function<States(double setting)> solve;
+  std::vector<Run> runs;
+
+  /// The cheapest run that comes under an error; null where there is none.
+  Run const* cheapest(double error) const {
+    Run const* best = nullptr;
+    for (Run const& r : runs)
+      if (r.error <= error && (!best || r.seconds < best->seconds)) best = &r;
+    return best;
+  }
+  double best_error() const {
+    double best = std::numeric_limits<double>::infinity();
+    for (Run const& r : runs) best = std::min(best, r.error);
+    return best;
+  }
+};
+
+/// Runs with one setting; short ones are repeated, and the shortest time counts.
+inline Run run(Curve const& curve, double setting, Witnesses const& exact) {
+  Run out{setting, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  double spent = 0;
+  for (int repeat = 0; repeat < 3 || (repeat < 20 && spent < 2e-3); ++repeat) {
+    States states{};
+    double const seconds = processor_seconds_of([&] { states = curve.solve(setting); });
+    spent += seconds;
+    out.seconds = std::min(out.seconds, seconds);
+    if (repeat == 0) {
+      out.error = 0;
+      for (int k = 0; k < looks; ++k) out.error = std::max(out.error, peers::error_of(states[k], exact[k]));
+    }
+    if (spent > 0.05) break;
+  }
+  return out;
+}
+
+/// Steps of one length, from long to short, until a run takes longer than `longest` seconds or no shorter step has helped for a while.
+inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Method const& method, Witnesses const& exact, double first, double ratio,
+                              double longest) {
+  Curve curve{method.name,
+              [=](double steps) {
+                auto const stepper = method.make(task, time / steps);
+                States states;
+                for (peers::Seven& s : states) stepper->advance(static_cast<long>(steps) / looks), s = stepper->state();
+                return states;
+              },
+              {}};
+  int idle = 0;
+  double best = std::numeric_limits<double>::infinity();
+  for (double steps = first; idle < 25; steps = looks * std::round(steps * ratio / looks)) {
+    try {
+      curve.runs.push_back(run(curve, steps, exact));
+    } catch (std::exception const&) {
+      continue;  // the step is too long for the method
+    }
+    Run const& last = curve.runs.back();
+    idle = last.error < best ? 0 : best < 1e-7 ? idle + 1 : 0;
+    best = std::min(best, last.error);
+    if (last.seconds > longest) break;
+  }
+  return curve;
+}
+
+/// Step control: tolerances from 1e-5 to 1e-14, four to the decade.
+template <class Solve>
+Curve with_step_control(std::string name, Solve const& solve, Witnesses const& exact) {
+  Curve curve{std::move(name), solve, {}};
+  // Near the rounding of double the control takes steps without end: 1e-14 is the last.
+  for (int k = 20; k <= 56 && (curve.runs.empty() || curve.runs.back().seconds < 0.1); ++k)
+    curve.runs.push_back(run(curve, std::pow(10.0, -k / 4.0), exact));
+  return curve;
+}
+
+}  // namespace benchmark
