@@ -8,6 +8,7 @@
 
 #include "actio/reduction/composition.hpp"
 #include "actio/free_body/torqued_batch.hpp"
+#include "book/machine.hpp"
 #include "book/program.hpp"
 #include "timing.hpp"
 
@@ -169,6 +170,7 @@ void torqued_bodies(book::Program& program) {
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "many rigid bodies: nanoseconds for an exact step, free and under a torque");
+  book::report_machine(program);
   program.say("This machine: ", name_of(best_machine()), ".");
   free_bodies(program);
   torqued_bodies(program);

@@ -82,8 +82,9 @@ int main(int argc, char** argv) {
       if (error < 1e-12) break;
       steps.push_back(h * spin), errors.push_back(error);
     }
-    plot.curve(steps, errors, "order " + std::to_string(order), {.dots = true});
-    program.figure("order_" + std::to_string(order), book::exponent({steps.end() - 2, steps.end()}, {errors.end() - 2, errors.end()}), "measured order, for " + std::to_string(order));
+    plot.curve(steps, errors, "order " + std::to_string(order), {.colour = order / 2}).dots(steps, errors, "", {.colour = order / 2});
+    double const measured = book::exponent({steps.end() - 2, steps.end()}, {errors.end() - 2, errors.end()});
+    program.figure("order_" + std::to_string(order), measured, book::number(measured, 4), "measured order, for " + std::to_string(order));
   }
   std::vector<double> steps, errors;
   for (long count = 50; count <= 12800; count *= 2) {
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
     motion.advance(count);
     steps.push_back(200.0 / static_cast<double>(count)), errors.push_back(apart(motion.state(), end));
   }
-  plot.curve(steps, errors, "exact", {.colour = 6, .dots = true});
+  plot.curve(steps, errors, "exact", {.colour = 6}).dots(steps, errors, "", {.colour = 6});
   program.picture("orders", plot.svg(), "Momentum and attitude of the brick after 200 radians: the scheme with the series of its modified moments cut off, and with their closed form.");
   double const exact = *std::max_element(errors.begin(), errors.end());
   program.figure("exact", exact, "largest error of the exact steps, from four radians a step to a sixtieth");

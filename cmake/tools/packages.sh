@@ -7,6 +7,7 @@ packages=(
   g++ cmake ninja-build ccache time                                      # to build, and to time the build
   libeigen3-dev libboost-dev libboost-test-dev libgsl-dev libgmp-dev     # mathematics and tests
   libtomlplusplus-dev nlohmann-json3-dev                                 # data and reports
+  libopenblas-dev                                                        # what the benchmarks are measured beside
   nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex libjs-lunr texlive-binaries # the book
 )
 

@@ -33,6 +33,7 @@ namespace actio {
 /// A body of a batch that cannot be flown: which one, and why.
 struct BodyRefused : Error {
   std::size_t index;  ///< of the body in the batch
+  /// @param which  index of the body
   BodyRefused(std::size_t which, std::string const& why) : Error("body " + std::to_string(which) + ": " + why), index(which) {}
 };
 
@@ -193,9 +194,11 @@ class BodyBatch {
   std::size_t size() const { return cold_.size(); }
   /// The bodies that the constructor could not take.
   std::vector<BodyRefused> const& refused() const { return refused_; }
+  /// h, time.
   double step_length() const { return h_; }
   /// How far the batch is, from its own start.
   double time() const { return static_cast<double>(steps_) * h_; }
+  /// For which machine its loops run.
   Machine machine() const { return machine_; }
 
   /// Momenta and attitudes, so many steps on.

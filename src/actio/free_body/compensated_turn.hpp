@@ -32,6 +32,7 @@ template <class T>
 class CompensatedTurn {
  public:
   CompensatedTurn() = default;
+  /// @param flight  of the orbit on which the steps will be
   explicit CompensatedTurn(Flight<T> const& flight) : cos_twist_(flight.cos_twist), sin_twist_(flight.sin_twist) {
     for (int i = 0; i < 3; ++i) {
       excess_[i] = flight.delta[(i + 1) % 3] * flight.delta[(i + 2) % 3];

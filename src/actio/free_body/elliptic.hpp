@@ -42,7 +42,9 @@ class JacobiFunctions {
 
   /// sn, cn, dn.
   struct Values {
-    S sn, cn, dn;
+    S sn;  ///< sine amplitude
+    S cn;  ///< cosine amplitude
+    S dn;  ///< delta amplitude
   };
   /// @param u  between -K and K, where all digits are to be right
   Values at(S const& u) const {
@@ -59,6 +61,7 @@ class JacobiFunctions {
     return below_half(u);
   }
 
+  /// \f$\pi\f$, to all digits of S.
   static S pi() {
     using std::atan;
     return S(4) * S(atan(S(1)));

@@ -28,12 +28,14 @@ class TwistEquation {
   TwistEquation(Three<S> const& j, S const& r)
       : e1_(j[0] + j[1] + j[2]), e2_(j[0] * j[1] + j[1] * j[2] + j[2] * j[0]), e3_(j[0] * j[1] * j[2]), r_(r) {}
 
+  /// The left side.
   S residual(S const& kappa) const {
     // [twist_equation]
     S const sum = S(1) + kappa * kappa;
     return e3_ * sum * sum - e2_ * kappa * sum + e1_ * kappa * kappa - kappa + r_;
     // [twist_equation]
   }
+  /// Its derivative.
   S slope(S const& kappa) const {
     S const square = kappa * kappa;
     return S(4) * e3_ * kappa * (S(1) + square) - e2_ * (S(1) + S(3) * square) + S(2) * e1_ * kappa - S(1);
@@ -56,12 +58,15 @@ struct HalfStep {
 template <Real S>
 class TwistFromMiddle {
  public:
+  /// @param u  direction of the momentum
   TwistFromMiddle(HalfStep<S> const& step, Three<S> const& u) : step_(step), beside_(step.d12 * u[0] * u[0] - step.d23 * u[2] * u[2]) {}
 
+  /// The left side.
   S residual(S const& kappa) const {
     S const sum = S(1) + kappa * kappa, x = sum * step_.j[1] - kappa, first = x + sum * step_.d12, third = x - sum * step_.d23;
     return x * (first * third + S(1)) / sum + beside_;
   }
+  /// Its derivative.
   S slope(S const& kappa) const {
     S const sum = S(1) + kappa * kappa, twice = S(2) * kappa, x = sum * step_.j[1] - kappa, first = x + sum * step_.d12, third = x - sum * step_.d23;
     S const dx = twice * step_.j[1] - S(1), product = first * third + S(1);

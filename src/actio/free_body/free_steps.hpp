@@ -41,6 +41,7 @@ class FreeSteps {
     take(count, [turn = turn_](PlaceWithCarry<double>& place) __attribute__((always_inline)) { turn.step_momentum(place); }, [this] { restore_momentum(); });
   }
 
+  /// The body, at its start.
   FreeBody const& body() const { return body_; }
   double step() const { return step_; }
   /// Momentum and attitude now.

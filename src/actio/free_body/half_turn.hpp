@@ -49,22 +49,27 @@ struct BodyPlace {
   Four<T> attitude;    ///< unit quaternion, scalar first
 };
 
+/// The inner product.
 template <class T>
 [[gnu::always_inline]] inline T dot(Three<T> const& a, Three<T> const& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+/// The sum, entry by entry.
 template <class T>
 [[gnu::always_inline]] inline Three<T> plus(Three<T> const& a, Three<T> const& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
+/// The sum, entry by entry.
 template <class T>
 [[gnu::always_inline]] inline Four<T> plus(Four<T> const& a, Four<T> const& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
 }
+/// The difference, entry by entry.
 template <class T>
 [[gnu::always_inline]] inline Three<T> minus(Three<T> const& a, Three<T> const& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
+/// The difference, entry by entry.
 template <class T>
 [[gnu::always_inline]] inline Four<T> minus(Four<T> const& a, Four<T> const& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
@@ -78,10 +83,14 @@ template <class T>
 }
 
 /// A flight made ready for many steps: what does not change from step to step is worked out once.
+///
+/// Off the orbit that the numbers belong to, rounding is carried on, no more, while steps are short. Long ones, where a \f$|\delta_i|\f$ exceeds 1, may magnify it in each step:
+/// many of them in a row are a matter for `FreeSteps` and `BodyBatch`, which go back to the orbit.
 template <class T>
 class HalfTurn {
  public:
   HalfTurn() = default;
+  /// @param flight  of the orbit on which the steps will be
   explicit HalfTurn(Flight<T> const& flight) : along_(flight.cos_twist), about_(flight.sin_twist) {
     for (int i = 0; i < 3; ++i) {
       stretch_[i] = flight.stretch[i];
@@ -100,7 +109,8 @@ class HalfTurn {
     // [half_turn]
     Three<T> const v = axis(u);
     T const twice = 2 * dot(u, v), inverse = 1 / dot(v, v);
-    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1], (twice * v[2]) * inverse - u[2]};
+    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1],
+         (twice * v[2]) * inverse - u[2]};
     // [half_turn]
   }
 
@@ -114,7 +124,8 @@ class HalfTurn {
     Four<T> const q = compose(body.attitude, {along_ * uv, across_[0] * v[0], across_[1] * v[1], across_[2] * v[2]});
     body.attitude = {q[0] * root, q[1] * root, q[2] * root, q[3] * root};
     T const twice = 2 * uv;
-    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1], (twice * v[2]) * inverse - u[2]};
+    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1],
+         (twice * v[2]) * inverse - u[2]};
     // [half_turn_attitude]
   }
 

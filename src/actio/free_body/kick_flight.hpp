@@ -15,13 +15,13 @@ namespace actio {
 
 /// A step: kick, flight, kick, ..., flight, kick, by parts of the step length. The last kick and the first of the next step are one.
 struct KickFlight {
-  std::string name;
-  int order;
+  std::string name;             ///< for people
+  int order;                    ///< of the error in the step
   std::vector<double> kicks;    ///< one more than flights; their sum is 1
   std::vector<double> flights;  ///< their sum is 1
 };
 
-/// Order 2 (Strang 1968): half a kick, a flight, half a kick. One kick and one flight a step.
+/// Order 2: half a kick, a flight, half a kick \cite strang_1968. One kick and one flight a step.
 inline KickFlight strang_splitting() { return {"Strang", 2, {0.5, 0.5}, {1}}; }
 
 /// Strang's splitting with substeps by these fractions of the step (composition.hpp has some: \ref triple_jump, \ref suzuki, \ref kahan_li).
@@ -39,7 +39,7 @@ inline KickFlight composed_splitting(std::string name, int order, std::vector<do
   return step;
 }
 
-/// Order 4 of Blanes and Moan (J. Comput. Appl. Math. 142 (2002) 313), of Runge-Kutta-Nystrom type: six flights and six kicks a step.
+/// Order 4 of Blanes and Moan \cite blanes_moan_2002, of Runge-Kutta-Nystrom type: six flights and six kicks a step.
 ///
 /// The free coefficients were used to make the terms of order 5 small: against Suzuki's composition, which has five flights, the error for as many flights is
 /// smaller by a factor of fifty to a hundred. The coefficients are printed with 15 digits, and what they miss the conditions by is at rounding.

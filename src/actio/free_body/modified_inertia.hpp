@@ -21,7 +21,8 @@ struct ModifiedInertia {
 /// The series of s and of d/t, in powers of t^2, t = hL/2.
 template <Field S>
 struct ModifiedInertiaSeries {
-  Taylor<S> s, d;
+  Taylor<S> s;  ///< factor of the inverse moments
+  Taylor<S> d;  ///< what is added, over t
 
   /// @param terms  how many are wanted
   ModifiedInertiaSeries(InverseMoments<S> const& body, Orbit<S> const& orbit, int terms) {

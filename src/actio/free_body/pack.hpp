@@ -12,7 +12,9 @@
 #define ACTIO_AVX2 1
 #define ACTIO_FOR_AVX2 [[gnu::target("avx2,fma")]]
 #else
+/// 1 where the compiler can be asked for AVX2 instructions in a single function.
 #define ACTIO_AVX2 0
+/// Before a function: it may use AVX2 and fused multiplication.
 #define ACTIO_FOR_AVX2
 #endif
 
@@ -21,16 +23,21 @@ namespace actio {
 /// n doubles, side by side; n a power of two.
 template <int n>
 struct Pack {
+  /// What the compiler calls n doubles.
   using Vector [[gnu::vector_size(n * sizeof(double))]] = double;
   static constexpr int size = n;
 
-  alignas(n * sizeof(double)) Vector lane;
+  alignas(n * sizeof(double)) Vector lane;  ///< the numbers
 
   Pack() = default;
+  /// The same number in all lanes.
   [[gnu::always_inline]] Pack(double x) : lane(x - Vector{}) {}
+  /// These numbers.
   [[gnu::always_inline]] explicit Pack(Vector const& x) : lane(x) {}
 
+  /// The number in lane i.
   [[gnu::always_inline]] double operator[](int i) const { return read(lane, i); }
+  /// Puts x into lane i.
   [[gnu::always_inline]] void set(int i, double x) { write(lane, i, x); }
 
   [[gnu::always_inline]] friend Pack operator+(Pack const& x, Pack const& y) { return Pack(x.lane + y.lane); }
@@ -56,6 +63,7 @@ struct Pack {
 
 /// Whether x is at most the bound, in every lane; a NaN is not.
 [[gnu::always_inline]] inline bool all_within(double const& x, double bound) { return x <= bound; }
+/// The same for lanes.
 template <int n>
 [[gnu::always_inline]] inline bool all_within(Pack<n> const& x, double bound) {
   auto const within = x.lane <= Pack<n>(bound).lane;
@@ -67,8 +75,10 @@ template <int n>
 /// Whether the arithmetic of T is that of double, in one lane or in several.
 template <class T>
 inline constexpr bool of_doubles = false;
+/// \copydoc of_doubles
 template <>
 inline constexpr bool of_doubles<double> = true;
+/// \copydoc of_doubles
 template <int n>
 inline constexpr bool of_doubles<Pack<n>> = true;
 
@@ -86,6 +96,7 @@ inline Machine best_machine() {
 #endif
   return Machine::plain;
 }
+/// Its name, for people.
 inline std::string name_of(Machine machine) { return machine == Machine::avx2 ? "AVX2" : "baseline"; }
 
 namespace detail {

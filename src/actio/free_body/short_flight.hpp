@@ -28,6 +28,7 @@ struct InverseMoments {
   T d13;       ///< \f$J_1-J_3\f$, their sum
 
   InverseMoments() = default;
+  /// @param I  moments of inertia, in any unit
   explicit InverseMoments(Three<T> const& I)
       : J{1 / I[0], 1 / I[1], 1 / I[2]}, d12((I[1] - I[0]) * J[0] * J[1]), d23((I[2] - I[1]) * J[1] * J[2]), d13(d12 + d23) {}
 };
@@ -174,6 +175,7 @@ template <int count, int k = 0, class T, class Planes>
 
 }  // namespace detail
 
+/// The same polynomials with coefficients from a table.
 template <class T>
 template <int terms>
 [[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(detail::ShortTable<terms, T> const& table, T const& X, T const& Y, T const& W) {

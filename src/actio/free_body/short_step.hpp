@@ -18,9 +18,11 @@ namespace actio {
 /// The sines are good to 1e-17 for \f$T^2\f$ up to 1/25 with 6 terms, up to 1/4 with 8.
 template <int terms, class T>
 struct StepTable : detail::ShortTable<terms, T> {
-  static constexpr int sines = terms > 5 ? 8 : 6, roots = terms > 5 ? 10 : 6;
-  std::array<T, sines> cosine, sinc;
-  std::array<T, roots> inverse_root;
+  static constexpr int sines = terms > 5 ? 8 : 6;   ///< terms of sine and cosine
+  static constexpr int roots = terms > 5 ? 10 : 6;  ///< terms of the inverse root
+  std::array<T, sines> cosine;                      ///< of the cosine
+  std::array<T, sines> sinc;                        ///< of the sine over its argument
+  std::array<T, roots> inverse_root;                ///< of the inverse root
 
   StepTable() {
     long double c = 1, b = 1;

@@ -1,6 +1,6 @@
 // The elliptic integral of the third kind that the precession of a rigid body needs.
 //
-// Carlson's symmetric integral R_J by duplication \cite carlson_1995: each round brings its arguments four times nearer to their mean, then a Taylor polynomial
+// Carlson's symmetric integral R_J by duplication \cite carlson_1995, where each round brings its arguments four times nearer to their mean, then a Taylor polynomial
 // ends it. For arguments x <= y <= z <= p nothing cancels.
 #pragma once
 

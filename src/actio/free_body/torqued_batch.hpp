@@ -182,7 +182,9 @@ class TorquedBatch {
   std::size_t size() const { return frames_.size(); }
   /// The bodies that could not be taken, or not be kept.
   std::vector<BodyRefused> const& refused() const { return refused_; }
+  /// h, time.
   double step_length() const { return h_; }
+  /// The time reached.
   double time() const { return static_cast<double>(steps_) * h_; }
 
   /// So many steps.

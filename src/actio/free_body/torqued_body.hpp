@@ -217,8 +217,11 @@ class TorquedBody {
 
   /// Momentum and attitude now.
   FreeState state() const { return frame_.leave(place_); }
+  /// The time reached.
   double time() const { return start_ + static_cast<double>(steps_) * frame_.step(); }
+  /// h, time.
   double step_length() const { return frame_.step(); }
+  /// How kicks and flights make up a step.
   KickFlight const& method() const { return method_; }
 
  private:

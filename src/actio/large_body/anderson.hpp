@@ -1,0 +1,68 @@
+// Anderson's acceleration of a fixed point x = F(x): where plain iteration is slow or goes astray.
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace actio {
+
+/// Makes the next argument of a fixed-point iteration from the last few.
+///
+/// Of all combinations of the last m + 1 residuals F(x) - x with sum of coefficients 1 it takes the smallest (least squares, by
+/// orthogonalisation), and the same combination of the arguments, moved by half the residual.
+class Anderson {
+ public:
+  explicit Anderson(int memory) : memory_(static_cast<std::size_t>(memory)) {}
+
+  /// @param x         the argument; becomes the next one
+  /// @param residual  F(x) - x
+  void mix(std::vector<double>& x, std::vector<double> const& residual) {
+    if (!last_x_.empty()) {
+      if (steps_.size() == memory_) steps_.erase(steps_.begin()), changes_.erase(changes_.begin());
+      steps_.push_back(difference(x, last_x_)), changes_.push_back(difference(residual, last_residual_));
+    }
+    last_x_ = x, last_residual_ = residual;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual[i] / 2;
+
+    // Newest first: what it spans need not be spanned again by older ones. Steps are combined as the changes are.
+    std::vector<std::vector<double>> basis, moves;
+    for (std::size_t k = steps_.size(); k-- > 0;) {
+      auto q = changes_[k], s = steps_[k];
+      for (std::size_t i = 0; i < s.size(); ++i) s[i] += q[i] / 2;
+      double const before = norm(q);
+      for (int twice = 0; twice < 2; ++twice)
+        for (std::size_t b = 0; b < basis.size(); ++b) {
+          double const part = dot(basis[b], q);
+          subtract(q, part, basis[b]), subtract(s, part, moves[b]);
+        }
+      double const left = norm(q);
+      if (!(left > 1e-10 * before)) continue;
+      for (std::size_t i = 0; i < q.size(); ++i) q[i] /= left, s[i] /= left;
+      subtract(x, dot(q, residual), s);
+      basis.push_back(std::move(q)), moves.push_back(std::move(s));
+    }
+  }
+
+ private:
+  using Vector = std::vector<double>;
+  static double dot(Vector const& a, Vector const& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+  }
+  static double norm(Vector const& a) { return std::sqrt(dot(a, a)); }
+  static void subtract(Vector& a, double factor, Vector const& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= factor * b[i];
+  }
+  static Vector difference(Vector a, Vector const& b) {
+    subtract(a, 1, b);
+    return a;
+  }
+
+  std::size_t memory_;
+  Vector last_x_, last_residual_;
+  std::vector<Vector> steps_, changes_;
+};
+
+}  // namespace actio
