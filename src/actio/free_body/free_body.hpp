@@ -13,6 +13,7 @@
 #include "actio/free_body/exact_flight.hpp"
 #include "actio/rigid_body/inertia.hpp"
 #include "actio/rigid_body/largest_step.hpp"
+#include "actio/free_body/middle_axis_frame.hpp"
 #include "actio/free_body/modified_inertia.hpp"
 #include "actio/free_body/symmetric_body.hpp"
 
@@ -35,27 +36,16 @@ class FreeBody {
   /// @param attitude  at the start, body to space
   /// @throws NotFinite, OutsideDomain  where a number is none, or the quaternion not near unit length
   FreeBody(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{}))
-      : inertia_(inertia) {
-    using std::sqrt;
+      : inertia_(inertia), frame_(inertia.moments) {
     if (!is_finite(momentum.components)) throw NotFinite("free body: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("free body: attitude");
-    Eigen::Vector3d const& I = inertia.moments;
-    if (!is_finite(I)) throw NotFinite("free body: moments of inertia");
-    // The second axis gets the middle moment: one of the three ways to count cyclically does it.
-    while (!between(I[first_ % 3], I[(first_ + 1) % 3], I[(first_ + 2) % 3])) ++first_;
-    // Moments in units of a power of two near the largest: no product of them leaves the range of the numbers, and nothing is rounded. A rounded difference of
-    // two moments that are nearly equal would be another body.
-    int exponent = 0;
-    std::frexp(magnitude(I), &exponent);
-    unit_ = std::ldexp(1.0, exponent);
     amount_ = momentum.components.stableNorm();
     Eigen::Vector3d const direction = amount_ > 0 ? Eigen::Vector3d(momentum.components / amount_).normalized() : Eigen::Vector3d::UnitX();
     Element<SU2, double> const unit = restore(attitude);
-    start_ = relabelled(direction, unit.value);
-    Three<double> const moments{I[first_ % 3] / unit_, I[(first_ + 1) % 3] / unit_, I[(first_ + 2) % 3] / unit_};
-    symmetry_ = axis_of_symmetry(moments);
-    moments_ = InverseMoments<double>(moments);
-    rate_ = amount_ / unit_;
+    start_ = {frame_.enter(direction), frame_.enter(unit.value)};
+    symmetry_ = axis_of_symmetry(frame_.moments());
+    moments_ = InverseMoments<double>(frame_.moments());
+    rate_ = amount_ / frame_.unit();
     if (!is_finite(rate_)) throw NotFinite("free body: momentum over inertia");
   }
 
@@ -104,25 +94,10 @@ class FreeBody {
 
   /// The state of a place that the steps have reached.
   FreeState state(BodyPlace<double> const& place) const {
-    Eigen::Vector3d direction;
-    Element<SU2, double> attitude{SU2{}, {place.attitude[0], 0, 0, 0}};
-    for (int i = 0; i < 3; ++i) {
-      direction[(i + first_) % 3] = place.direction[i];
-      attitude.value[1 + (i + first_) % 3] = place.attitude[1 + i];
-    }
-    attitude.value.normalize();
-    return {{SO<3>{}, amount_ * direction}, attitude};
+    return {{SO<3>{}, amount_ * frame_.leave(place.direction)}, {SU2{}, frame_.leave(place.attitude).normalized()}};
   }
 
  private:
-  static bool between(double a, double b, double c) { return (a <= b && b <= c) || (a >= b && b >= c); }
-  /// The same cyclic exchange for the axes of the body and those of space: the quaternion keeps its scalar part.
-  BodyPlace<double> relabelled(Eigen::Vector3d const& u, Eigen::Vector4d const& q) const {
-    BodyPlace<double> place;
-    place.attitude[0] = q[0];
-    for (int i = 0; i < 3; ++i) place.direction[i] = u[(i + first_) % 3], place.attitude[1 + i] = q[1 + (i + first_) % 3];
-    return place;
-  }
   double half(double t) const {
     double const angle = t / 2 * rate_;
     if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");
@@ -143,8 +118,9 @@ class FreeBody {
   }
 
   Inertia<3> inertia_;
-  int first_ = 0, symmetry_;
-  double unit_, amount_, rate_;
+  MiddleAxisFrame frame_;
+  int symmetry_;
+  double amount_, rate_;
   BodyPlace<double> start_;
   InverseMoments<double> moments_;
 };

@@ -17,7 +17,7 @@
 namespace actio {
 namespace detail {
 
-/// A body between kicks, in the axes that the flights use: p = hM/(2I), I the largest moment, and the attitude.
+/// A body between kicks, in the axes that the flights use: p = hM/(2I), I the unit of inertia, and the attitude.
 struct TorquedPlace {
   Three<double> p;
   Four<double> q;
@@ -27,47 +27,32 @@ struct TorquedPlace {
 class TorquedFrame {
  public:
   /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where there is no such body, or no such step
-  TorquedFrame(Inertia<3> const& inertia, double h) : h_(h) {
+  TorquedFrame(Inertia<3> const& inertia, double h) : h_(h), frame_(inertia.moments), body_(frame_.moments()) {
     if (!is_finite(h)) throw NotFinite("torqued body: step");
     if (h == 0) throw OutsideDomain("torqued body", "the step must differ from zero", 0, 0);
-    inertia_from_moments(inertia.moments);
-    auto const& I = inertia.moments;
-    auto const between = [](double a, double b, double c) { return (a <= b && b <= c) || (a >= b && b >= c); };
-    while (!between(I[first_ % 3], I[(first_ + 1) % 3], I[(first_ + 2) % 3])) ++first_;
-    unit_ = magnitude(I);
-    body_ = InverseMoments<double>({I[first_ % 3] / unit_, I[(first_ + 1) % 3] / unit_, I[(first_ + 2) % 3] / unit_});
+    inertia_from_moments(inertia.moments);  // which refuses what is none
   }
 
   InverseMoments<double> const& body() const { return body_; }
-  int first() const { return first_; }
+  int first() const { return frame_.first(); }
   double step() const { return h_; }
   /// What the torque is multiplied with for a kick of a whole step.
-  double kick() const { return h_ / unit_ * (h_ / 2); }
+  double kick() const { return h_ / frame_.unit() * (h_ / 2); }
   /// @throws NotFinite, OutsideDomain  where a number is none, or the quaternion not near unit length
   TorquedPlace enter(Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude) const {
     if (!is_finite(momentum.components)) throw NotFinite("torqued body: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("torqued body: attitude");
-    Eigen::Vector4d const q = restore(attitude).value;
-    TorquedPlace place{{}, {q[0], 0, 0, 0}};
-    for (int i = 0; i < 3; ++i) {
-      place.p[i] = momentum.components[(i + first_) % 3] / unit_ * (h_ / 2), place.q[1 + i] = q[1 + (i + first_) % 3];
-      if (!is_finite(place.p[i] * place.p[i])) throw NotFinite("torqued body: step times momentum over inertia");
-    }
+    TorquedPlace const place{frame_.enter(Eigen::Vector3d(momentum.components / frame_.unit() * (h_ / 2))), frame_.enter(restore(attitude).value)};
+    if (!is_finite(dot(place.p, place.p))) throw NotFinite("torqued body: step times momentum over inertia");
     return place;
   }
   FreeState leave(TorquedPlace const& place) const {
-    FreeState state{{SO<3>{}, Eigen::Vector3d::Zero()}, {SU2{}, {place.q[0], 0, 0, 0}}};
-    for (int i = 0; i < 3; ++i) {
-      state.body_momentum.components[(i + first_) % 3] = place.p[i] / (h_ / 2) * unit_;
-      state.attitude.value[1 + (i + first_) % 3] = place.q[1 + i];
-    }
-    state.attitude.value.normalize();
-    return state;
+    return {{SO<3>{}, frame_.leave(place.p) / (h_ / 2) * frame_.unit()}, {SU2{}, frame_.leave(place.q).normalized()}};
   }
 
  private:
-  double h_, unit_;
-  int first_ = 0;
+  double h_;
+  MiddleAxisFrame frame_;
   InverseMoments<double> body_;
 };
 
