@@ -7,6 +7,7 @@
 #include <random>
 
 #include "actio/large_body/moser_veselov_n.hpp"
+#include "book/machine.hpp"
 #include "book/program.hpp"
 #include "peers/riccati.hpp"
 #include "timing.hpp"
@@ -166,6 +167,7 @@ std::vector<Drift> drifts(Task const& task, Sweeps sweeps, std::vector<long> con
 int main(int argc, char** argv) {
   openblas_set_num_threads(1);
   book::Program program(argc, argv, "a step of the generalized rigid body on SO(n), in products of n by n matrices");
+  book::report_machine(program);
   using book::number;
   constexpr double eps = std::numeric_limits<double>::epsilon();
 
