@@ -55,11 +55,13 @@ class FreeBody {
 
   /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal moments sines and cosines.
   /// Accuracy: a few epsilon times the angle turned.
-  FreeState at(double t) const {
-    if (symmetry_ >= 0) return state(symmetric_motion(moments_, symmetry_, start_, 2 * half(t)));
+  FreeState at(double t) const { return state(place_at(t)); }
+  /// The same, in the axes that the steps use.
+  BodyPlace<double> place_at(double t) const {
+    if (symmetry_ >= 0) return symmetric_motion(moments_, symmetry_, start_, 2 * half(t));
     BodyPlace<double> place = start_;
     HalfTurn<double>(flight(t)).leap(place);
-    return state(place);
+    return place;
   }
 
   /// The exact flight over a time t.

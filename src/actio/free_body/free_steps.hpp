@@ -14,12 +14,13 @@ namespace actio {
 /// The steps are compensated: what a step adds is summed with what the sums before have lost. The numbers of a step are rounded once and for all, so that each step misses the orbit by
 /// a part of a rounding, always to the same side; and next to the separatrix a miss grows as fast as the motion leaves the middle axis. So every 64 steps, or more often where they are long, the place is set back on its
 /// orbit, of which amount and energy are known, and the attitude is turned so that the momentum in space is what it was. That takes the error next to the separatrix down to what one rounding of the start makes.
+/// Steps of more than four radians there, of which one may pass by the middle axis more than once, are evaluated from the start, each as \ref FreeBody::at.
 class FreeSteps {
  public:
   /// @param body  where it starts
   /// @param h     step, time, not zero; negative steps go back in time
   /// @throws NotFinite, OutsideDomain  where the step is no number, or zero
-  FreeSteps(FreeBody body, double h) : FreeSteps(body, h, checked(body, h)) {}
+  FreeSteps(FreeBody body, double h) : FreeSteps(body, h, checked(body, h)) { leaps_ = body_.near_separatrix() && std::abs(h) * body_.pace() > 4; }
   /// The same for a flight of another method, such as \ref FreeBody::moser_veselov_flight.
   FreeSteps(FreeBody body, double h, Flight<double> const& flight)
       : body_(std::move(body)), step_(h), turn_(flight), now_{body_.start(), {{}, {}}}, above_(above(body_)), energy_(energy(now_)), space_(in_space(now_)) {
@@ -71,6 +72,11 @@ class FreeSteps {
   }
   template <class Step, class Restore>
   void take(long count, Step const& step, Restore const& restore) {
+    taken_ += std::max(0L, count);
+    if (leaps_ && count > 0) {
+      now_ = {body_.place_at(static_cast<double>(taken_) * step_), {{}, {}}};
+      return;
+    }
     while (count > 0) {
       long const now = std::min(count, block_ - since_);
       // In a local variable, where the compiler may keep it in registers.
@@ -152,6 +158,8 @@ class FreeSteps {
   bool attitude_known_ = true;
   long block_;      ///< steps between two restorations; each costs as much as a few steps
   long since_ = 0;  ///< steps since the last restoration
+  long taken_ = 0;
+  bool leaps_ = false;  ///< whether each place is evaluated from the start instead
 };
 
 }  // namespace actio
