@@ -149,7 +149,7 @@ inline Eigen::Vector4d frame_quaternion(Three<double> const& u, Three<double> co
 /// A body that cannot be flown has its index and loses no other: its place stays empty, it is in \ref refused, and asking for its state throws.
 ///
 /// Accuracy: each step is exact to a few roundings. Next to the separatrix a rounding grows as fast as the motion leaves the middle axis, and a batch does not go back to the orbit for it as
-/// `FreeSteps` does: a body that is let go within 1e-5 of that axis may be off by 1e-5 after a few turns over. \ref FreeBody::at has no such trouble.
+/// `FreeSteps` does: a body that is let go within 1e-5 of that axis may be off by 1e-5 after a few turns over. The function `at` of a `FreeBody` has no such trouble.
 class BodyBatch {
  public:
   /// An empty batch.

@@ -14,7 +14,7 @@ namespace actio {
 /// The steps are compensated: what a step adds is summed with what the sums before have lost. The numbers of a step are rounded once and for all, so that each step misses the orbit by
 /// a part of a rounding, always to the same side; and next to the separatrix a miss grows as fast as the motion leaves the middle axis. So every 64 steps, or more often where they are long, the place is set back on its
 /// orbit, of which amount and energy are known, and the attitude is turned so that the momentum in space is what it was. That takes the error next to the separatrix down to what one rounding of the start makes.
-/// Steps of more than four radians there, of which one may pass by the middle axis more than once, are evaluated from the start, each as \ref FreeBody::at.
+/// Steps of more than four radians there, of which one may pass by the middle axis more than once, are evaluated from the start, each as `at` of the body does it.
 class FreeSteps {
  public:
   /// @param body  where it starts
