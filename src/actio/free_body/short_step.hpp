@@ -42,13 +42,6 @@ struct StepTable : detail::ShortTable<terms, T> {
   }
 };
 
-/// The product of quaternions, with short chains of operations.
-template <class T>
-[[gnu::always_inline]] inline Four<T> compose_in_pairs(Four<T> const& p, Four<T> const& q) {
-  return {(p[0] * q[0] - p[1] * q[1]) - (p[2] * q[2] + p[3] * q[3]), (p[0] * q[1] + p[1] * q[0]) + (p[2] * q[3] - p[3] * q[2]),
-          (p[0] * q[2] + p[2] * q[0]) + (p[3] * q[1] - p[1] * q[3]), (p[0] * q[3] + p[3] * q[0]) + (p[1] * q[2] - p[2] * q[1])};
-}
-
 /// How far a short step reached: both must stay small, or the step is none.
 template <class T>
 struct Reach {
@@ -101,7 +94,7 @@ template <int terms, class T>
   T const cosine = detail::power_sum<StepTable<terms, T>::sines>(table.cosine.data(), powers),
           sine = pp * rate * detail::power_sum<StepTable<terms, T>::sines>(table.sinc.data(), powers);
   T const n1 = w1 * root, n2 = w2 * root, n3 = w3 * root, twice = 2.0 * pp * along * (root * root);
-  q = compose_in_pairs(q, Four<T>{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2, (sine + cosine * D3) * n3});
+  q = compose(q, Four<T>{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2, (sine + cosine * D3) * n3});
   // What is added, since p x V = -(D_i V_i): the rounding of a step is that of a small number.
   p = {p[0] - twice * (g2 * w3 - g3 * w2), p[1] - twice * (g3 * w1 - g1 * w3), p[2] - twice * (g1 * w2 - g2 * w1)};
   return {X + off, square};
