@@ -38,68 +38,87 @@ Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
   return sum;
 }
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "a board hung by one end and thrown round: what its one symmetry keeps, and what happens to the energy");
+// 1. The body: a flat board of 0.6 kg, 40 cm by 20 cm by 1 cm, hung by one end of its long axis, axis 3.
+double const mass = 0.6, length = 0.4, width = 0.2, thickness = 0.01, gravity = 9.81;
+Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass * (length * length / 3 + width * width / 12),
+                 mass * (width * width + thickness * thickness) / 12);
 
-  // 1. The body: a flat board of 0.6 kg, 40 cm by 20 cm by 1 cm, hung by one end of its long axis, axis 3.
-  double const mass = 0.6, length = 0.4, width = 0.2, thickness = 0.01, gravity = 9.81;
-  Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass * (length * length / 3 + width * width / 12),
-                   mass * (width * width + thickness * thickness) / 12);
+// 2. Its Lagrangian on TG: what turns, as the body feels it, less the weight times the height of the middle of the board.
+auto const L = [](auto const& v) {
+  auto const Omega = body_velocity(v).coordinates;
+  return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 -
+         v.place.value(2, 2) * (mass * gravity * length / 2);
+};
+double const h = 0.03;
+int const steps = 10000;
+auto const action = discretize_left(L, h, at_first);
+SO<3> const turns;
+auto const about_vertical = left_translation(basis_velocity<double>(turns, 2)),
+           about_level = left_translation(basis_velocity<double>(turns, 0));
 
-  // 2. Its Lagrangian on TG: what turns, as the body feels it, less the weight times the height of the middle of the board.
-  auto const L = [&](auto const& v) {
-    auto const Omega = body_velocity(v).coordinates;
-    return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 -
-           v.place.value(2, 2) * (mass * gravity * length / 2);
-  };
-  double const h = 0.03;
-  auto const action = discretize_left(L, h, at_first);
-  SO<3> const turns;
-  auto const about_vertical = left_translation(basis_velocity<double>(turns, 2)),
-             about_level = left_translation(basis_velocity<double>(turns, 0));
-
-  // 3. Hold it out, 100 degrees from straight up, and throw it round. The energy is counted from the board hanging at rest.
+// 3. Hold it out, 100 degrees from straight up, and throw it round.
+Moving throw_round() {
   Attitude const g0 = exp(velocity(turns, Vector3d(0, 100 * M_PI / 180, 0)));
-  Moving const start{g0, velocity(turns, Vector3d(1.0, 0.5, 4.0))};
-  double const J = noether_momentum(L, start, about_vertical), hanging = -mass * gravity * length / 2, E = energy(L, start) - hanging;
-  auto const energy_error = [&](Moving const& v) { return (energy(L, v) - hanging) / E - 1; };
+  return {g0, velocity(turns, Vector3d(1.0, 0.5, 4.0))};
+}
 
-  // 4. The first step leaves with the momentum of the start; every other solves (3.2). Runge-Kutta beside it.
+// The energy, counted from the board hanging at rest.
+double energy_above_rest(Moving const& v) {
+  double const hanging = -mass * gravity * length / 2;
+  return energy(L, v) - hanging;
+}
+
+// What is written down on the way: the largest errors of the momentum so far, the errors of the energy in per cent, and where
+// the long axis points.
+struct Record {
+  std::vector<double> time, kept, lost, energy_kept, energy_lost;
+  std::vector<Vector3d> trace;
+  double discrete_J = 0, classical_J = 0, level_J = 0;
+};
+
+// 4. The first step leaves with the momentum of the start.
+Attitude first_step(Moving const& start) {
+  Attitude const g0 = start.place;
   auto const mu0 = legendre(L, start);
-  Attitude before = g0;
-  Attitude now =
-      solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
+  return solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
+}
+
+// Every other step solves (3.2). Runge-Kutta beside it.
+Record follow(Moving const& start) {
+  double const J = noether_momentum(L, start, about_vertical), E = energy_above_rest(start);
+  auto const energy_error = [&](Moving const& v) { return energy_above_rest(v) / E - 1; };
+  Attitude before = start.place, now = first_step(start);
   Moving classical = runge_kutta(L, start, h);
 
-  int const steps = 10000;
-  std::vector<double> time, kept, lost, energy_kept, energy_lost;
-  std::vector<Vector3d> trace{g0.value.col(2)};
-  double discrete_J = 0, classical_J = 0, level_J = 0;
+  Record r;
+  r.trace.push_back(before.value.col(2));
   for (int k = 1; k <= steps; ++k) {
     // The momentum with which the step arrives, and the velocity that goes with it.
     auto const Omega = Ad_star(now, legendre_target(action, before, now)).components.cwiseQuotient(I).eval();
     Moving const arrived{now, Ad(now, velocity(turns, Omega))};
-    discrete_J = std::max(discrete_J, std::abs(discrete_momentum(action, before, now, about_vertical) / J - 1));
-    classical_J = std::max(classical_J, std::abs(noether_momentum(L, classical, about_vertical) / J - 1));
-    level_J = std::max(level_J, std::abs(discrete_momentum(action, before, now, about_level) / J));
-    time.push_back(k * h), kept.push_back(discrete_J), lost.push_back(classical_J);
-    energy_kept.push_back(100 * energy_error(arrived)), energy_lost.push_back(100 * energy_error(classical));
-    if (k < 650) trace.push_back(now.value.col(2));
+    r.discrete_J = std::max(r.discrete_J, std::abs(discrete_momentum(action, before, now, about_vertical) / J - 1));
+    r.classical_J = std::max(r.classical_J, std::abs(noether_momentum(L, classical, about_vertical) / J - 1));
+    r.level_J = std::max(r.level_J, std::abs(discrete_momentum(action, before, now, about_level) / J));
+    r.time.push_back(k * h), r.kept.push_back(r.discrete_J), r.lost.push_back(r.classical_J);
+    r.energy_kept.push_back(100 * energy_error(arrived)), r.energy_lost.push_back(100 * energy_error(classical));
+    if (k < 650) r.trace.push_back(now.value.col(2));
 
     Attitude const next = step_euler_lagrange(action, before, now).value;
     before = now, now = next;
     classical = runge_kutta(L, classical, h);
   }
+  return r;
+}
 
-  // 5. Show where its long axis points, the energy and the momentum.
-  program.picture("path", book::Sphere(30, -50).curve(trace, "where the long axis points").svg(),
+// 5. Show where its long axis points, the energy and the momentum.
+void draw(book::Program& program, Record const& r) {
+  program.picture("path", book::Sphere(30, -50).curve(r.trace, "where the long axis points").svg(),
                   "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the whole picture "
                   "about the vertical, and it is that of another motion: this is the symmetry, and there is no other.");
   program.picture("energy",
                   book::Plot("time, s", "error of the energy, %")
-                      .curve(time, energy_lost, "Runge-Kutta", {.colour = 2})
-                      .curve(time, energy_kept, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
+                      .curve(r.time, r.energy_lost, "Runge-Kutta", {.colour = 2})
+                      .curve(r.time, r.energy_kept, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
                       .svg(),
                   "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes with the swing and does not "
                   "add up; that of Runge-Kutta only grows: the method drives the board.");
@@ -107,12 +126,14 @@ int main(int argc, char** argv) {
                   book::Plot("time, s", "largest error so far, relative")
                       .log_y()
                       .size(660, 300)
-                      .curve(time, lost, "Runge-Kutta", {.colour = 2})
-                      .curve(time, kept, "discrete Euler-Lagrange", {.colour = 1})
+                      .curve(r.time, r.lost, "Runge-Kutta", {.colour = 2})
+                      .curve(r.time, r.kept, "discrete Euler-Lagrange", {.colour = 1})
                       .svg(),
                   "The momentum about the vertical over the same steps: rounding on one side, a drift on the other.");
+}
 
-  // 6. The energy by quarters of the time: what is bounded is as large in each.
+// 6. The energy by quarters of the time: what is bounded is as large in each.
+std::vector<double> tabulate_quarters(book::Program& program, Record const& r) {
   std::vector<std::vector<std::string>> rows;
   std::vector<double> worst;
   for (int quarter = 0; quarter < 4; ++quarter) {
@@ -120,24 +141,35 @@ int main(int argc, char** argv) {
       auto const part = std::span(errors).subspan(quarter * steps / 4, steps / 4);
       return std::max(std::ranges::max(part), -std::ranges::min(part));
     };
-    worst.push_back(largest(energy_kept));
+    worst.push_back(largest(r.energy_kept));
     rows.push_back({book::text(quarter * steps / 4 * h, " to ", (quarter + 1) * steps / 4 * h), book::number(worst.back(), 2),
-                    book::number(largest(energy_lost), 2)});
+                    book::number(largest(r.energy_lost), 2)});
   }
   program.table("energy", {"seconds", "discrete", "Runge-Kutta"}, rows,
                 "Largest error of the energy in each quarter of the time, in per cent.");
+  return worst;
+}
 
-  // 7. What must be so. The momentum picks up a rounding error a step; at worst they add up.
-  program.figure("kept", discrete_J, "change of the momentum about the vertical, relative");
-  program.figure("lost", classical_J, "the same by Runge-Kutta");
-  program.figure("level", level_J, "change of the momentum about a level axis, which no symmetry keeps, over the vertical one");
-  program.claim(discrete_J < steps * 0x1p-52, "the momentum about the vertical is kept to rounding");
-  program.claim(level_J > 1, "that about a level axis is not");
-  program.claim(classical_J > 0.01, "Runge-Kutta loses it");
+// 7. What must be so. The momentum picks up a rounding error a step; at worst they add up.
+void check(book::Program& program, Record const& r, std::vector<double> const& worst) {
+  program.figure("kept", r.discrete_J, "change of the momentum about the vertical, relative");
+  program.figure("lost", r.classical_J, "the same by Runge-Kutta");
+  program.figure("level", r.level_J, "change of the momentum about a level axis, which no symmetry keeps, over the vertical one");
+  program.claim(r.discrete_J < steps * 0x1p-52, "the momentum about the vertical is kept to rounding");
+  program.claim(r.level_J > 1, "that about a level axis is not");
+  program.claim(r.classical_J > 0.01, "Runge-Kutta loses it");
   program.claim(worst[3] < 1.5 * worst[0] && worst[3] < 3, "the error of the energy does not grow, and stays below 3 per cent");
-  program.claim(energy_lost.back() > 5 * worst[3], "that of Runge-Kutta does");
+  program.claim(r.energy_lost.back() > 5 * worst[3], "that of Runge-Kutta does");
   program.headline(
-      "vertical momentum kept to " + book::number(discrete_J, 2) + "; Runge-Kutta loses " + book::number(100 * classical_J, 2) + " % of it",
-      discrete_J);
+      "vertical momentum kept to " + book::number(r.discrete_J, 2) + "; Runge-Kutta loses " + book::number(100 * r.classical_J, 2) + " % of it",
+      r.discrete_J);
+}
+
+int main(int argc, char** argv) {
+  book::Program program(argc, argv,
+                        "a board hung by one end and thrown round: what its one symmetry keeps, and what happens to the energy");
+  Record const r = follow(throw_round());
+  draw(program, r);
+  check(program, r, tabulate_quarters(program, r));
   return program.finish();
 }

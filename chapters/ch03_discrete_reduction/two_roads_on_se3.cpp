@@ -21,30 +21,38 @@ using namespace actio;
 using Eigen::Vector3d;
 using Place = Element<SE<3>, double>;
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a submarine tumbles through still water: reduced and unreduced steps lead to the same places");
+SE<3> const space;
+Submarine const energy;
+double const h = 0.2;
+int const steps = 240;
+Place const g0 = identity<double>(space);
 
-  // 1. The submarine (submarine.hpp) is its own Lagrangian; the discrete one comes from a natural chart (3.25), and the same is a function of two places.
-  SE<3> const space;
-  Submarine const energy;
-  Vector3d const a = energy.half_axes;
+// 1. The submarine (submarine.hpp) is its own Lagrangian; the discrete one comes from a natural chart (3.25), and the same is a function of two places.
+auto weigh_and_discretise(book::Program& program) {
   auto const inertia = energy.inertia;
   program.say("the water makes it ", inertia[3] / energy.mass, ", ", inertia[4] / energy.mass, ", ", inertia[5] / energy.mass, " times as heavy, axis by axis");
-  double const h = 0.2;
   auto const l = natural_chart_lagrangian_left(energy, h);
-  auto const L = lift_left(l);
+  return std::pair{l, lift_left(l)};
+}
 
-  // 2. Cast off. The first relative motion takes up this momentum.
+// 2. Cast off. The first relative motion takes up this momentum.
+template <class Reduced>
+Place first_relative_motion(Reduced const& l, double h) {
   Vector6d const xi = energy.cast_off;
   auto const cast_off = gradient(energy, velocity(space, xi));
-  auto const first = [&](auto const& l, double h) {
-    return relative_motion_from_momentum_left(l, cast_off, exp(velocity(space, Vector6d(-h * xi)))).value;
-  };
-  auto const g0 = identity<double>(space);
-  auto const f0 = first(l, h);
+  return relative_motion_from_momentum_left(l, cast_off, exp(velocity(space, Vector6d(-h * xi)))).value;
+}
 
-  // 3. The two roads.
-  int const steps = 240;
+// What the two roads lead to: the places, the times they took, and how far they are apart, relative.
+struct Roads {
+  std::vector<Place> reduced, unreduced;
+  double reduced_time, unreduced_time, apart;
+};
+
+// 3. The two roads.
+template <class Reduced, class Unreduced>
+Roads take_both_roads(Reduced const& l, Unreduced const& L) {
+  auto const f0 = first_relative_motion(l, h);
   std::vector<Place> reduced{g0, reconstruct_left(g0, f0)}, unreduced = reduced;
   double const reduced_time = book::seconds_of([&] {
     auto f = f0;
@@ -58,8 +66,23 @@ int main(int argc, char** argv) {
   });
   double apart = 0;
   for (int k = 0; k <= steps; ++k) apart = std::max(apart, (reduced[k].value - unreduced[k].value).norm() / reduced[k].value.norm());
+  return {reduced, unreduced, reduced_time, unreduced_time, apart};
+}
 
-  // 4. Look at it from one side: the path, and the submarine by three of its sections every few seconds.
+// The section of the submarine across its axis i, at the place g.
+std::vector<Vector3d> section_across(int i, Eigen::Matrix4d const& g) {
+  std::vector<Vector3d> section;
+  for (int degree = 0; degree <= 360; degree += 5) {
+    Vector3d p = Vector3d::Zero();
+    p[(i + 1) % 3] = energy.half_axes[(i + 1) % 3] * std::cos(degree * M_PI / 180);
+    p[(i + 2) % 3] = energy.half_axes[(i + 2) % 3] * std::sin(degree * M_PI / 180);
+    section.push_back(g.topLeftCorner<3, 3>() * p + g.topRightCorner<3, 1>());
+  }
+  return section;
+}
+
+// 4. Look at it from one side: the path, and the submarine by three of its sections every few seconds.
+void draw_the_path(book::Program& program, Roads const& roads) {
   auto plot = book::Plot("metres to the right", "metres upwards").equal().size(660, 220);
   Vector3d const right(0.96, 0.28, 0), up(-0.5 * 0.28, 0.5 * 0.96, std::sqrt(0.75));
   auto const draw = [&](std::vector<Vector3d> const& points, std::string const& label, book::Look look) {
@@ -69,18 +92,10 @@ int main(int argc, char** argv) {
   };
   std::vector<Vector3d> path, dots;
   for (int k = 0; k <= steps; ++k) {
-    Eigen::Matrix4d const& g = reduced[k].value;
+    Eigen::Matrix4d const& g = roads.reduced[k].value;
     path.push_back(g.topRightCorner<3, 1>());
-    if (k % 4 == 0) dots.push_back(unreduced[k].value.topRightCorner<3, 1>());
-    for (int i = 0; k % 24 == 0 && i < 3; ++i) {
-      std::vector<Vector3d> section;
-      for (int degree = 0; degree <= 360; degree += 5) {
-        Vector3d p = Vector3d::Zero();
-        p[(i + 1) % 3] = a[(i + 1) % 3] * std::cos(degree * M_PI / 180), p[(i + 2) % 3] = a[(i + 2) % 3] * std::sin(degree * M_PI / 180);
-        section.push_back(g.topLeftCorner<3, 3>() * p + g.topRightCorner<3, 1>());
-      }
-      draw(section, "", {.colour = 6, .width = 1});
-    }
+    if (k % 4 == 0) dots.push_back(roads.unreduced[k].value.topRightCorner<3, 1>());
+    for (int i = 0; k % 24 == 0 && i < 3; ++i) draw(section_across(i, g), "", {.colour = 6, .width = 1});
   }
   draw(path, "reduced steps, put together", {.colour = 1}),
       draw(dots, "unreduced steps, every fourth", {.colour = 2, .dots = true, .radius = 2.2});
@@ -89,16 +104,18 @@ int main(int argc, char** argv) {
       "A submarine cast off ahead (from the left), turning slowly, and left alone for 48 seconds; three of its sections every 4.8 "
       "seconds. It soon lies across its path and tumbles: a long body that glides ahead is not stable in an ideal fluid. The line comes "
       "from the reduced equation and reconstruction, the dots from the unreduced one.");
+}
 
-  // 5. The order: halve the step five times, and look where the submarine is after eight seconds.
+// 5. The order: halve the step five times, and look where the submarine is after eight seconds.
+double measure_the_order(book::Program& program) {
   double const until = 8;
-  Motion reference{.xi = xi};
+  Motion reference{.xi = energy.cast_off};
   for (int k = 0; k < 8000; ++k) reference = runge_kutta(energy, reference, until / 8000);
   std::vector<std::vector<std::string>> orders;
   std::vector<double> lengths, misses;
   for (int n = 20; n <= 640; n *= 2) {
     auto const l = natural_chart_lagrangian_left(energy, until / n);
-    auto f = first(l, until / n);
+    auto f = first_relative_motion(l, until / n);
     auto g = reconstruct_left(g0, f);
     for (int k = 1; k < n; ++k) f = step_euler_poincare_left(l, f).value, g = reconstruct_left(g, f);
     double const miss = (g.value - reference.g).topRightCorner<3, 1>().norm();
@@ -107,16 +124,28 @@ int main(int argc, char** argv) {
   }
   double const order = book::exponent(lengths, misses);
   program.table("order", {"step, s", "miss, m"}, orders, "Distance of the place after eight seconds from that of the Kirchhoff equations.");
+  return order;
+}
 
-  // 6. What must be so. Rounding of the momentum, 16 times a step, moves the place by its square in the number of steps.
+// 6. What must be so. Rounding of the momentum, 16 times a step, moves the place by its square in the number of steps.
+void claim_what_must_be_so(book::Program& program, Roads const& roads, double order) {
   double const epsilon = 0x1p-52;
-  program.claim(std::abs(lamb(a).sum() - 2) < 1e3 * epsilon, "Lamb's integrals add up to 2");
-  program.claim(apart < 16.0 * steps * steps * epsilon, "both roads lead to the same places");
+  program.claim(std::abs(lamb(energy.half_axes).sum() - 2) < 1e3 * epsilon, "Lamb's integrals add up to 2");
+  program.claim(roads.apart < 16.0 * steps * steps * epsilon, "both roads lead to the same places");
   program.claim(std::abs(order - 2) < 0.05, "the order is 2");
-  program.figure("apart", apart, "distance of the two roads, relative");
-  program.figure("cost", unreduced_time / reduced_time, book::number(unreduced_time / reduced_time, 2),
+  program.figure("apart", roads.apart, "distance of the two roads, relative");
+  program.figure("cost", roads.unreduced_time / roads.reduced_time, book::number(roads.unreduced_time / roads.reduced_time, 2),
                  "time of the unreduced road over that of the reduced one");
   program.figure("order", order, book::number(order, 3), "order of the reduced steps, fitted");
-  program.headline("both roads end in the same place, to " + book::number(apart, 2), apart);
+  program.headline("both roads end in the same place, to " + book::number(roads.apart, 2), roads.apart);
+}
+
+int main(int argc, char** argv) {
+  book::Program program(argc, argv, "a submarine tumbles through still water: reduced and unreduced steps lead to the same places");
+  auto const [l, L] = weigh_and_discretise(program);
+  Roads const roads = take_both_roads(l, L);
+  draw_the_path(program, roads);
+  double const order = measure_the_order(program);
+  claim_what_must_be_so(program, roads, order);
   return program.finish();
 }

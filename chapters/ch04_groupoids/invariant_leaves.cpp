@@ -1,8 +1,9 @@
 // On its leaf: the relative motions of a spinning brick, seen as points of SO(3).
 //
-// What is shown. A discrete Lagrangian on a group foliates the group, as far as it is regular, into surfaces that no discrete motion leaves: what its Legendre map sends to spheres
-// of momentum. Each rotation is drawn as its rotation vector. The first picture is one leaf, made from its sphere, with ten thousand relative motions of the brick on
-// it; the second a section through all leaves, out to where the Lagrangian is no longer regular and the leaves end.
+// What is shown. A discrete Lagrangian on a group foliates the group, as far as it is regular, into surfaces that no discrete motion leaves: what its
+// Legendre map sends to spheres of momentum. Each rotation is drawn as its rotation vector. The first picture is one leaf, made from its sphere, with
+// ten thousand relative motions of the brick on it; the second a section through all leaves, out to where the Lagrangian is no longer regular and the
+// leaves end.
 // Read first. The section "A Poisson structure on the group" of chapter 4.
 //
 //   f      relative motion g1^-1 g0           l    reduced discrete Lagrangian Tr((1 - f) Lambda)/h, J s
@@ -33,6 +34,9 @@ struct Brick {
   }
 };
 Rotation rotation(Vector3d const& v) { return exp(velocity(SO<3>{}, v)); }
+Brick const brick;
+double const rest = std::pow(brick.lambda.norm(), 2);  // C at the identity
+
 // What decides whether the Lagrangian is regular at f.
 double regularity(Brick const& l, Rotation const& f) { return left_second_differential(l, f).determinant(); }
 
@@ -53,72 +57,91 @@ struct Projected {
   std::vector<double> x, y;
   void add(Vector3d const& p) { x.push_back(0.8 * p[0] - 0.6 * p[1]), y.push_back(0.9 * p[2] - 0.26 * p[0] - 0.35 * p[1]); }
 };
+struct Motion {
+  Projected seen;
+  double radius, worst = 0;
+};
+constexpr int steps = 10000;
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv, "relative motions of a brick stay on a surface in SO(3), the leaf of a Poisson structure");
-  Brick const brick;
-
-  // 1. The brick spins, near its middle axis. Its relative motions, and how far they leave C.
+// 1. The brick spins, near its middle axis. Its relative motions, and how far they leave C.
+Motion spin() {
   auto f = rotation({-0.08, -0.55, -0.05});
-  double const level = brick.casimir(f), radius = momentum_before_left(brick, f).components.norm(), rest = std::pow(brick.lambda.norm(), 2);
-  Projected motion;
-  double worst = 0;
-  int const steps = 10000;
+  double const level = brick.casimir(f);
+  Motion motion{.seen = {}, .radius = momentum_before_left(brick, f).components.norm()};
   for (int k = 0; k < steps; ++k) {
-    if (k < 200) motion.add(log(f).coordinates);
+    if (k < 200) motion.seen.add(log(f).coordinates);
     f = step_euler_poincare_left(brick, f).value;
-    worst = std::max(worst, std::abs(brick.casimir(f) - level) / (rest - level));
+    motion.worst = std::max(motion.worst, std::abs(brick.casimir(f) - level) / (rest - level));
   }
+  return motion;
+}
 
-  // 2. The leaf: the relative motions that belong to a sphere of momenta, along circles of latitude and longitude.
+// The relative motions that belong to a circle of momenta.
+template <class Point>
+void draw_circle(book::Plot& leaf, double radius, Point const& point) {
+  Projected curve;
+  auto near = rotation(-0.2 * point(0.0));
+  for (int j = 0; j <= 120; ++j) {
+    double const angle = 2 * M_PI * j / 120;
+    auto const pi = momentum(SO<3>{}, Vector3d(radius * point(angle)));
+    near = relative_motion_from_momentum_left(brick, pi, near).value;
+    curve.add(log(near).coordinates);
+  }
+  leaf.curve(curve.x, curve.y, "", {.colour = 5, .width = 0.7});
+}
+
+// 2. The leaf: the relative motions that belong to a sphere of momenta, along circles of latitude and longitude.
+void draw_leaf(book::Program& program, Motion const& motion) {
   book::Plot leaf("", "");
   leaf.equal().size(620, 520);
-  auto const circle = [&](auto const& point) {
-    Projected curve;
-    auto near = rotation(-0.2 * point(0.0));
-    for (int j = 0; j <= 120; ++j) {
-      double const angle = 2 * M_PI * j / 120;
-      auto const pi = momentum(SO<3>{}, Vector3d(radius * point(angle)));
-      near = relative_motion_from_momentum_left(brick, pi, near).value;
-      curve.add(log(near).coordinates);
-    }
-    leaf.curve(curve.x, curve.y, "", {.colour = 5, .width = 0.7});
-  };
   for (int k = 0; k < 6; ++k) {
-    circle([&](double a) { return Vector3d(std::cos(k * M_PI / 6) * std::cos(a), std::sin(k * M_PI / 6) * std::cos(a), std::sin(a)); });
+    draw_circle(leaf, motion.radius, [&](double a) {
+      return Vector3d(std::cos(k * M_PI / 6) * std::cos(a), std::sin(k * M_PI / 6) * std::cos(a), std::sin(a));
+    });
     double const height = -0.83 + 0.333 * k, wide = std::sqrt(1 - height * height);
-    circle([&](double a) { return Vector3d(wide * std::cos(a), wide * std::sin(a), height); });
+    draw_circle(leaf, motion.radius, [&](double a) { return Vector3d(wide * std::cos(a), wide * std::sin(a), height); });
   }
-  leaf.dots(motion.x, motion.y, "relative motions of the brick", {.colour = 2});
+  leaf.dots(motion.seen.x, motion.seen.y, "relative motions of the brick", {.colour = 2});
   program.picture("leaf", leaf.svg(), "A leaf in SO(3), drawn in rotation vectors, and two hundred relative motions in a row.");
+}
 
-  // 3. A section through the leaves: rotations about axes in one plane. Where the second derivative of l has no inverse they end.
+// How far the Lagrangian is regular along a direction.
+double edge(Vector3d const& direction) {
+  return first_change(direction, [](Rotation const& g) { return regularity(brick, g); });
+}
+
+// A curve around the identity, at a distance given for each direction.
+template <class Distance>
+void draw_around(book::Plot& section, Distance const& distance, std::string const& name, int colour, double width) {
+  std::vector<double> x, y;
+  for (int j = 0; j <= 240; ++j) {
+    double const a = 2 * M_PI * j / 240;
+    Vector3d const direction(std::cos(a), 0, std::sin(a));
+    double const r = distance(direction);
+    x.push_back(r * direction[0]), y.push_back(r * direction[2]);
+  }
+  section.curve(x, y, name, {.colour = colour, .width = width});
+}
+
+// 3. A section through the leaves: rotations about axes in one plane. Where the second derivative of l has no inverse they end.
+void draw_section(book::Program& program) {
   book::Plot section("rotation about the first axis", "rotation about the third axis");
   section.equal().size(620, 520);
-  auto const round = [&](auto const& distance, std::string const& name, int colour, double width) {
-    std::vector<double> x, y;
-    for (int j = 0; j <= 240; ++j) {
-      double const a = 2 * M_PI * j / 240;
-      Vector3d const direction(std::cos(a), 0, std::sin(a));
-      double const r = distance(direction);
-      x.push_back(r * direction[0]), y.push_back(r * direction[2]);
-    }
-    section.curve(x, y, name, {.colour = colour, .width = width});
-  };
-  auto const edge = [&](Vector3d const& direction) { return first_change(direction, [&](Rotation const& g) { return regularity(brick, g); }); };
   for (int k = 1; k <= 6; ++k) {
     double const c = rest - 0.35 * k * k * (rest / 12);
-    round([&](Vector3d const& d) {
+    draw_around(section, [&](Vector3d const& d) {
       double const r = first_change(d, [&](Rotation const& g) { return brick.casimir(g) - c; }), end = edge(d);
       return r < end ? r : NAN;
     }, k == 1 ? "leaves" : "", 1, 1);
   }
-  round(edge, "no longer regular", 3, 2);
+  draw_around(section, edge, "no longer regular", 3, 2);
   program.picture("section", section.svg(), "A section through the leaves, out to where the Lagrangian is no longer regular.");
+}
 
-  // 4. What must be so. About a principal axis the momentum is I sin(angle)/h, which ends at a quarter of a turn.
+// 4. What must be so. About a principal axis the momentum is I sin(angle)/h, which ends at a quarter of a turn.
+void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   double const quarter = edge(Vector3d(0, 0, 1));
-  program.claim(worst < 20 * steps * 0x1p-52, "the relative motions stay on the leaf to rounding");
+  program.claim(motion.worst < 20 * steps * 0x1p-52, "the relative motions stay on the leaf to rounding");
   program.claim(std::abs(quarter - M_PI / 2) < 1e-12, "about a principal axis the structure ends at a quarter of a turn");
   auto const at = rotation({-0.3, 0.2, 0.4});
   Eigen::Matrix3d const bracket = legendre_bivector_left(brick, at);
@@ -128,9 +151,17 @@ int main(int argc, char** argv) {
                                  return (m * m).eval().trace();
                                }, at).components).norm() / bracket.norm();
   program.claim(differential < 1e-14, "C has no bracket with anything");
-  program.figure("kept", worst, "change of C along ten thousand steps, relative to its distance from the value at the identity");
+  program.figure("kept", motion.worst, "change of C along ten thousand steps, relative to its distance from the value at the identity");
   program.figure("bracket_of_C", differential, "bracket of C with any function, relative");
   program.figure("edge", quarter * 180 / M_PI, book::number(quarter * 180 / M_PI, 4) + "°", "rotation about a principal axis at which the structure ends");
-  program.headline("10 000 steps stay on their leaf to " + book::number(worst, 2), worst);
+}
+
+int main(int argc, char** argv) {
+  book::Program program(argc, argv, "relative motions of a brick stay on a surface in SO(3), the leaf of a Poisson structure");
+  auto const motion = spin();
+  draw_leaf(program, motion);
+  draw_section(program);
+  claim_what_must_be_so(program, motion);
+  program.headline("10 000 steps stay on their leaf to " + book::number(motion.worst, 2), motion.worst);
   return program.finish();
 }

@@ -42,12 +42,10 @@ double residual(Vector3d const& I, Element<SO<3>, double> const& f, Momentum<SO<
   return (MoserVeselov<3>(inertia, h).momentum_before(f) - M).components.norm() / M.components.norm();
 }
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv, "the scheme with other moments of inertia is the exact motion, and needs no iteration");
-  double const eps = std::numeric_limits<double>::epsilon();
+double const eps = std::numeric_limits<double>::epsilon();
 
-  // 1. The equation of the scheme along the true motion of the brick.
-  Body const brick = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
+// 1. The equation of the scheme along the true motion of the brick.
+void equation_along_the_motion(book::Program& program, Body const& brick) {
   FreeBody const body = released(brick);
   Vector3d const I = brick.inertia.moments;
   double const spin = brick.spin.coordinates.norm();
@@ -67,25 +65,33 @@ int main(int argc, char** argv) {
   program.table("equation", {"step, rad", "I1", "I2", "I3", "residual", "with its own moments"}, rows,
                 "The modified moments of the brick over its own, and what is left of the equation of Moser and Veselov along the true motion, over the momentum.");
   program.figure("residual", worst, "largest residual of the equation, in units of the round-off of its terms");
+  program.claim(worst < 20, "the true motion satisfies the equation with modified moments, to rounding");
+  program.claim(least > 1e-3, "with the body's own moments it does not, by the square of the step");
+}
 
-  // 2. Orders: two hundred radians of the brick at finer and finer steps.
-  double const duration = 200 / spin;
+// How the error after `duration` falls with the step, for the scheme of one order.
+void show_order(book::Program& program, book::Plot& plot, FreeBody const& body, double spin, double duration, FreeState const& end, int order) {
+  std::vector<double> steps, errors;
+  for (long count = order < 6 ? 800 : 400; count <= 12800 && steps.size() < 5; count *= 2) {
+    double const h = duration / static_cast<double>(count);
+    FreeSteps motion(body, h, body.moser_veselov_flight(h, order));
+    motion.advance(count);
+    double const error = apart(motion.state(), end);
+    if (error < 1e-12) break;
+    steps.push_back(h * spin), errors.push_back(error);
+  }
+  plot.curve(steps, errors, "order " + std::to_string(order), {.colour = order / 2}).dots(steps, errors, "", {.colour = order / 2});
+  double const measured = book::exponent({steps.end() - 2, steps.end()}, {errors.end() - 2, errors.end()});
+  program.figure("order_" + std::to_string(order), measured, book::number(measured, 4), "measured order, for " + std::to_string(order));
+}
+
+// 2. Orders: two hundred radians of the brick at finer and finer steps. Returns the largest error of the exact ones.
+double orders(book::Program& program, Body const& brick) {
+  FreeBody const body = released(brick);
+  double const spin = brick.spin.coordinates.norm(), duration = 200 / spin;
   FreeState const end = true_state(brick, duration);
   auto plot = book::Plot("step, rad", "error after 200 rad").log_x().log_y();
-  for (int order = 2; order <= 10; order += 2) {
-    std::vector<double> steps, errors;
-    for (long count = order < 6 ? 800 : 400; count <= 12800 && steps.size() < 5; count *= 2) {
-      double const h = duration / static_cast<double>(count);
-      FreeSteps motion(body, h, body.moser_veselov_flight(h, order));
-      motion.advance(count);
-      double const error = apart(motion.state(), end);
-      if (error < 1e-12) break;
-      steps.push_back(h * spin), errors.push_back(error);
-    }
-    plot.curve(steps, errors, "order " + std::to_string(order), {.colour = order / 2}).dots(steps, errors, "", {.colour = order / 2});
-    double const measured = book::exponent({steps.end() - 2, steps.end()}, {errors.end() - 2, errors.end()});
-    program.figure("order_" + std::to_string(order), measured, book::number(measured, 4), "measured order, for " + std::to_string(order));
-  }
+  for (int order = 2; order <= 10; order += 2) show_order(program, plot, body, spin, duration, end, order);
   std::vector<double> steps, errors;
   for (long count = 50; count <= 12800; count *= 2) {
     FreeSteps motion(body, duration / static_cast<double>(count));
@@ -96,29 +102,38 @@ int main(int argc, char** argv) {
   program.picture("orders", plot.svg(), "Momentum and attitude of the brick after 200 radians: the scheme with the series of its modified moments cut off, and with their closed form.");
   double const exact = *std::max_element(errors.begin(), errors.end());
   program.figure("exact", exact, "largest error of the exact steps, from four radians a step to a sixtieth");
+  program.claim(exact < 200 * 16 * eps, "the exact steps are exact: sixteen epsilon for each radian");
+  return exact;
+}
 
-  // 3. The T-handle in steps of three radians.
-  Body const handle = read_body(ACTIO_DATA "/bodies.toml", "t_handle");
+// 3. The T-handle in steps of three radians.
+void flips(book::Program& program, Body const& handle) {
   FreeBody const thrown = released(handle);
-  auto flips = book::Plot("time, s", "body velocity about the middle axis, rad/s").size(660, 300);
+  auto plot = book::Plot("time, s", "body velocity about the middle axis, rad/s").size(660, 300);
   std::vector<double> time, velocity, dot_time, dot_velocity;
   auto const middle = [&](FreeState const& s) { return s.body_momentum.components[1] / handle.inertia.moments[1]; };
   for (double t = 0; t <= 20; t += 0.01) time.push_back(t), velocity.push_back(middle(thrown.at(t)));
   FreeSteps coarse(thrown, 0.3);
   for (double t = 0; t <= 20; t += 0.3) dot_time.push_back(t), dot_velocity.push_back(middle(coarse.state())), coarse.advance();
-  flips.curve(time, velocity, "one evaluation at each time", {.colour = 6}).dots(dot_time, dot_velocity, "steps of three radians", {.colour = 2});
-  program.picture("flips", flips.svg(), "The T-handle again: the curve is evaluated, each point from the start at once; the dots are steps.");
+  plot.curve(time, velocity, "one evaluation at each time", {.colour = 6}).dots(dot_time, dot_velocity, "steps of three radians", {.colour = 2});
+  program.picture("flips", plot.svg(), "The T-handle again: the curve is evaluated, each point from the start at once; the dots are steps.");
+}
 
-  // 4. Apophis after ten of its precessions, in one go.
-  Body const apophis = read_body(ACTIO_DATA "/bodies.toml", "apophis");
+// 4. Apophis after ten of its precessions, in one go.
+void far_ahead(book::Program& program, Body const& apophis) {
   double const later = 273.8547;
-  double const apophis_error = apart(released(apophis).at(later), true_state(apophis, later));
-  program.figure("apophis", apophis_error, "Apophis after ten precessions: one evaluation against a power series in fifty digits");
+  double const error = apart(released(apophis).at(later), true_state(apophis, later));
+  program.figure("apophis", error, "Apophis after ten precessions: one evaluation against a power series in fifty digits");
+  program.claim(error < 100 * 16 * eps, "one evaluation over ten precessions is exact, too");
+}
 
-  program.claim(worst < 20, "the true motion satisfies the equation with modified moments, to rounding");
-  program.claim(least > 1e-3, "with the body's own moments it does not, by the square of the step");
-  program.claim(exact < 200 * 16 * eps, "the exact steps are exact: sixteen epsilon for each radian");
-  program.claim(apophis_error < 100 * 16 * eps, "and so is one evaluation over ten precessions");
+int main(int argc, char** argv) {
+  book::Program program(argc, argv, "the scheme with other moments of inertia is the exact motion, and needs no iteration");
+  auto const body = [](char const* name) { return read_body(ACTIO_DATA "/bodies.toml", name); };
+  equation_along_the_motion(program, body("nesc_brick"));
+  double const exact = orders(program, body("nesc_brick"));
+  flips(program, body("t_handle"));
+  far_ahead(program, body("apophis"));
   program.headline("exact at every step length, to " + book::number(exact, 2), exact);
   return program.finish();
 }
