@@ -7,6 +7,8 @@ packages=(
   g++ cmake ninja-build ccache time                                      # to build, and to time the build
   libeigen3-dev libboost-dev libboost-test-dev libgsl-dev libgmp-dev     # mathematics and tests
   libtomlplusplus-dev nlohmann-json3-dev                                 # data and reports
+  libcli11-dev libfmt-dev libmuparser-dev libhdf5-dev hdf5-tools         # the command and its scenes
+  libopenmpi-dev openmpi-bin pybind11-dev python3-dev python3-numpy      # scenes across machines, and from Python
   libopenblas-dev                                                        # what the benchmarks are measured beside
   nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex libjs-lunr texlive-binaries # the book
 )

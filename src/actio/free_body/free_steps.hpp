@@ -42,6 +42,12 @@ class FreeSteps {
     take(count, [turn = turn_](PlaceWithCarry<double>& place) __attribute__((always_inline)) { turn.step_momentum(place); }, [this] { restore_momentum(); });
   }
 
+  /// Saves, or restores, what the next step depends on besides body, step and flight: `memory(numbers...)` takes each of them by reference.
+  template <class Memory>
+  void remember(Memory& memory) {
+    memory(now_, taken_, since_, attitude_known_);
+  }
+
   /// The body, at its start.
   FreeBody const& body() const { return body_; }
   double step() const { return step_; }

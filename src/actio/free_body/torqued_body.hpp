@@ -200,6 +200,12 @@ class TorquedBody {
     place_ = steps.place, terms_ = steps.terms, steps_ += count;
   }
 
+  /// Saves, or restores, what the next step depends on besides body, torque, step and method: `memory(numbers...)` takes each of them by reference.
+  template <class Memory>
+  void remember(Memory& memory) {
+    memory(place_, terms_, steps_);
+  }
+
   /// Momentum and attitude now.
   FreeState state() const { return frame_.leave(place_); }
   /// The time reached.

@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "actio/rigid_body/inertia.hpp"
@@ -179,13 +182,13 @@ class BodyReader {
 
 }  // namespace detail
 
-/// All bodies of a catalogue, in the order of their names.
-/// @throws CatalogueError  where the file cannot be read or holds no body, or an entry is missing, unknown, no number, or no inertia of a body
-inline std::vector<Body> read_bodies(std::string const& file) {
-  if (!std::filesystem::is_regular_file(file)) throw CatalogueError(file, "", "", "there is no such file");
+/// All bodies of a catalogue that is in a text, in the order of their names.
+/// @param file  what it is called in complaints
+/// @throws CatalogueError  where the text is no TOML or holds no body, or an entry is missing, unknown, no number, or no inertia of a body
+inline std::vector<Body> parse_bodies(std::string_view text, std::string const& file) {
   toml::table table;
   try {
-    table = toml::parse_file(file);
+    table = toml::parse(text, file);
   } catch (toml::parse_error const& error) {
     throw CatalogueError(file, "", "", "line " + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
   }
@@ -197,6 +200,13 @@ inline std::vector<Body> read_bodies(std::string const& file) {
   }
   if (bodies.empty()) throw CatalogueError(file, "", "", "there is no body in it");
   return bodies;
+}
+/// The same from a file.
+/// @throws CatalogueError  where it cannot be read, too
+inline std::vector<Body> read_bodies(std::string const& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!std::filesystem::is_regular_file(file) || !in) throw CatalogueError(file, "", "", "there is no such file");
+  return parse_bodies(std::string(std::istreambuf_iterator<char>(in), {}), file);
 }
 
 /// The body with that name.

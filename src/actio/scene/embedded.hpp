@@ -1,0 +1,10 @@
+// Files that the program carries with it, so that it runs from anywhere. Their contents are put in by the build.
+#pragma once
+
+#include <string_view>
+
+namespace actio::scene::embedded {
+
+extern std::string_view const bodies_toml;  ///< data/bodies.toml
+
+}  // namespace actio::scene::embedded

@@ -1,0 +1,94 @@
+// Quantities on demand: what a system can tell of its state, and what each of it needs.
+//
+//     attitude --.                        body_momentum --> angular_velocity --> energy
+//                 `--> spatial_momentum <--'           `--> casimir
+//
+// A run evaluates what lies under the request, and nothing else.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace actio::scene {
+
+/// A quantity of a system, as `actio show` and the book tell it.
+struct Quantity {
+  enum class Kind { scalar, vector, quaternion, matrix, skew, list };
+
+  std::string name;
+  Kind kind;
+  std::string meaning;             ///< one sentence
+  std::string formula;             ///< TeX
+  std::string unit;                ///< in words: "energy x time"
+  std::string statement;           ///< of the thesis; may be empty
+  std::vector<std::string> needs;  ///< other quantities of the system that it is computed from; none: the state
+  bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
+};
+
+/// Ends of the names of columns.
+std::vector<std::string> column_ends(Quantity::Kind kind, int n = 3);
+/// `_2, _4, ...`
+std::vector<std::string> numbered(std::vector<int> const& numbers);
+
+/// The quantities of one run.
+class QuantityGraph {
+ public:
+  /// Writes the value, from those of what the quantity needs, in the order of `needs`.
+  using Evaluate = std::function<void(std::span<double const* const> needs, double* value)>;
+
+  /// How often a quantity was evaluated.
+  struct Count {
+    std::string name;
+    bool asked;
+    long evaluations;
+  };
+
+  /// @param known  of the system, each after what it needs
+  explicit QuantityGraph(std::vector<Quantity> known);
+  QuantityGraph(QuantityGraph&&) = default;  // nodes are looked at by pointers, which moving keeps and copying would not
+  QuantityGraph& operator=(QuantityGraph&&) = default;
+
+  /// How a quantity comes from what it needs; `ends` name its columns.
+  void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate);
+  /// What the rows hold, in this order. Once, before anything is evaluated.
+  void ask(std::vector<std::string> const& names);
+
+  /// Whether a quantity was asked for, or something that needs it.
+  bool needed(std::string const& name) const;
+  /// Names of the columns of a row, without the time.
+  std::vector<std::string> columns() const;
+  std::size_t row_size() const { return row_size_; }
+  /// Evaluates what is needed for a row, each quantity once.
+  void evaluate(std::span<double> row);
+  /// For each quantity of the system, in its order.
+  std::vector<Count> counts() const;
+
+  /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a list one by one.
+  struct Conserved {
+    std::string name;
+    std::size_t first, size;
+  };
+  std::vector<Conserved> conserved() const;
+
+ private:
+  struct Node {
+    Quantity quantity;
+    std::vector<std::string> ends;
+    Evaluate evaluate;
+    std::vector<double> value;
+    std::vector<double const*> needs;
+    bool needed = false;
+    long evaluations = 0;
+  };
+  Node& node(std::string const& name);
+  Node const& node(std::string const& name) const;
+  void require(Node& node);
+
+  std::vector<Node> nodes_;
+  std::vector<Node*> asked_, plan_;
+  std::size_t row_size_ = 0;
+};
+
+}  // namespace actio::scene

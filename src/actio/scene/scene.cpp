@@ -1,0 +1,48 @@
+#include "actio/scene/scene.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "actio/scene/nearest_name.hpp"
+
+namespace actio::scene {
+namespace {
+
+System const& system_of(SceneFile const& file) {
+  std::vector<std::string> kinds;
+  for (auto const& system : systems()) kinds.push_back(system.name);
+  return *find_system(file.section("system").choice("kind", "system", kinds, "actio list systems"));
+}
+
+std::vector<std::string> names(std::vector<Quantity> const& quantities) {
+  std::vector<std::string> out;
+  for (auto const& q : quantities) out.push_back(q.name);
+  return out;
+}
+
+}  // namespace
+
+Scene Scene::read(SceneFile file) {
+  file.allow({"scene", "system", "initial", "method", "run", "output"});
+  SceneTable head = file.section("scene"), output = file.section("output");
+  head.allow({"title", "seed"});
+  if (!head.has("title")) head.set("title", std::filesystem::path(file.name()).stem().string());
+  if (!head.has("seed")) head.set("seed", 1L);
+  std::string const title = head.text("title");
+  long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
+
+  System const& system = system_of(file);
+  Schedule const schedule(file.section("run"));
+
+  output.allow({"quantities", "formats", "plots"});
+  if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
+  if (!output.has("plots")) output.set("plots", false);
+  auto const quantities = output.choices("quantities", "quantity", names(system.quantities), "actio list quantities");
+  auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
+  bool const plots = output.boolean("plots");
+
+  return {file, &system, title, seed, schedule, quantities, formats, plots, system.prepare({file, schedule, quantities})};
+}
+
+}  // namespace actio::scene

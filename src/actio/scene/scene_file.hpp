@@ -1,0 +1,114 @@
+// A scene as it is written: a TOML file, with overrides from the command line, read key by key with complaints that point at the place.
+//
+//     SceneFile file = SceneFile::read("apophis.toml", {"method.step=0.5"});
+//     SceneTable run = file.section("run");
+//     run.allow({"until", "every", "at"});
+//     double const until = run.positive("until");
+//
+// Whoever reads a key says what it may hold; a key that nobody knows is refused with the nearest known name. Defaults are written back, so that
+// the scene can be repeated from its copy.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actio/scene/scene_error.hpp"
+
+namespace actio::scene {
+
+namespace detail {
+struct SceneDocument;
+}
+
+/// One table of a scene.
+class SceneTable {
+ public:
+  SceneTable(std::shared_ptr<detail::SceneDocument> document, std::vector<std::string> path) : document_(std::move(document)), path_(std::move(path)) {}
+
+  /// Refuses every key but these.
+  /// @throws SceneError  at the first other key, with the nearest of these
+  void allow(std::vector<std::string> const& keys) const;
+  bool has(std::string const& key) const;
+  /// `system.mesh`
+  std::string name() const;
+
+  /// A finite number, whole or not.
+  /// @throws SceneError  where it is missing, no number, NaN or infinite. So do all that follow, each for its kind.
+  double number(std::string const& key) const;
+  /// A number > 0.
+  double positive(std::string const& key) const;
+  /// A whole number within [least, most].
+  long integer(std::string const& key, long least, long most) const;
+  bool boolean(std::string const& key) const;
+  std::string text(std::string const& key) const;
+  /// A text that is one of `allowed`; `what` it is called in the complaint, `see` where they are listed.
+  std::string choice(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
+  /// A list of texts, each one of `allowed`, none twice, at least one.
+  std::vector<std::string> choices(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
+  /// A list of finite numbers; `size` of them, or any number where it is negative.
+  std::vector<double> numbers(std::string const& key, long size = -1) const;
+  Eigen::Vector3d vector(std::string const& key) const;
+  /// A list of rows, n by n.
+  Eigen::MatrixXd matrix(std::string const& key, long n) const;
+  /// Whether the value is a list whose first item is a list.
+  bool is_matrix(std::string const& key) const;
+  bool is_text(std::string const& key) const;
+
+  /// Writes a default, for the copy of the scene.
+  void set(std::string const& key, double value);
+  void set(std::string const& key, long value);
+  void set(std::string const& key, bool value);
+  void set(std::string const& key, std::string const& value);
+  void set(std::string const& key, char const* value) { set(key, std::string(value)); }
+  void set(std::string const& key, std::vector<double> const& values);
+  void set(std::string const& key, Eigen::MatrixXd const& values);
+  void set(std::string const& key, std::vector<std::string> const& values);
+
+  /// The place of a value, of its key, of the table where there is no such key.
+  Place place(std::string const& key) const;
+  /// The place of one item of a list.
+  Place place(std::string const& key, std::size_t item) const;
+  /// The place of the table.
+  Place place() const;
+  /// @throws SceneError  with the place of the key
+  [[noreturn]] void fail(std::string const& key, std::string const& what) const;
+
+ private:
+  std::shared_ptr<detail::SceneDocument> document_;
+  std::vector<std::string> path_;
+};
+
+/// A whole scene.
+class SceneFile {
+ public:
+  /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text
+  /// @throws SceneError  where the file is no TOML (with the place), too large, or not there; where an override is wrong (with the place in it)
+  /// @throws FileError   where the file cannot be read
+  static SceneFile read(std::string const& path, std::vector<std::string> const& overrides = {});
+  /// The same from a text; `name` stands for the file in complaints.
+  static SceneFile parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides = {});
+
+  /// One of the tables at the top, empty where it is not in the file.
+  /// @throws SceneError  where it is no table
+  SceneTable section(std::string const& name) const;
+  /// Refuses every section but these.
+  void allow(std::vector<std::string> const& sections) const;
+  /// The name of the file, for complaints and defaults.
+  std::string const& name() const;
+  /// The scene with what was written back, in TOML: sections in the order of reading, keys in the order of the file, defaults after them.
+  std::string written() const;
+
+ private:
+  explicit SceneFile(std::shared_ptr<detail::SceneDocument> document) : document_(std::move(document)) {}
+  std::shared_ptr<detail::SceneDocument> document_;
+};
+
+/// A text that stands for a TOML value on the command line, as KEY=VALUE for `SceneFile`: the pieces of `a,b,c` at the top level, commas inside brackets and quotes
+/// left alone.
+std::vector<std::string> split_values(std::string_view list);
+
+}  // namespace actio::scene

@@ -1,0 +1,89 @@
+#include "actio/scene/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace actio::scene {
+namespace {
+
+constexpr double most = 9007199254740992;  // 2^53: whole numbers beyond it are not all doubles
+constexpr double near = 1e-9;              // of the contract: how far t/h may be from a whole number, relative to it where it is large
+
+bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= near * std::max(1.0, ratio); }
+
+}  // namespace
+
+Schedule::Schedule(SceneTable run) {
+  run.allow({"until", "every", "at"});
+  if (run.has("at")) {
+    if (run.has("every")) run.fail("at", "at and every exclude each other: rows at the times listed, or at the multiples of every");
+    at_ = run.numbers("at");
+    if (at_.empty()) run.fail("at", "at: at least one time is expected");
+    if (run.has("until")) until_ = run.positive("until");
+    else if (until_ = at_.back(); until_ > 0) run.set("until", until_);
+    for (std::size_t i = 0; i < at_.size(); ++i) {
+      if (at_[i] < 0 || (run.has("until") && at_[i] > until_)) throw SceneError(run.place("at", i), fmt::format("at: times from 0 to until = {} are expected, found {}", until_, at_[i]));
+      if (i > 0 && !(at_[i] > at_[i - 1])) throw SceneError(run.place("at", i), fmt::format("at: each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
+    }
+    if (!run.has("until")) run.set("until", until_);
+    rows_ = static_cast<long>(at_.size());
+    return;
+  }
+  until_ = run.positive("until");
+  if (!run.has("every")) {
+    at_ = {0, until_}, rows_ = 2;
+    return;
+  }
+  every_ = run.positive("every");
+  double const ratio = until_ / every_;
+  if (!(ratio < most)) run.fail("every", fmt::format("every: at most 2^53 rows are possible; until/every is {}", ratio));
+  // A quarter: the last multiple of a short interval is not mistaken for another one.
+  last_beside_ = !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
+  rows_ = static_cast<long>(last_beside_ ? std::floor(ratio) + 2 : std::round(ratio) + 1);
+}
+
+double Schedule::time(long row) const {
+  if (every_ == 0) return at_[static_cast<std::size_t>(row)];
+  return last_beside_ && row == rows_ - 1 ? until_ : static_cast<double>(row) * every_;
+}
+
+std::vector<double> Schedule::landmarks() const {
+  if (every_ == 0) return at_;
+  return last_beside_ && every_ < until_ ? std::vector<double>{every_, until_} : std::vector<double>{last_beside_ ? until_ : every_};
+}
+
+double Schedule::common_divisor() const {
+  double divisor = 0;
+  for (double const t : landmarks()) {
+    // Euclid, with remainders below rounding taken for zero.
+    double a = std::max(divisor, t), b = std::min(divisor, t);
+    double const nothing = near * b;
+    while (b > nothing && b > 0) {
+      double rest = a - b * std::floor(a / b);
+      if (rest > b - nothing) rest = 0;
+      a = b, b = rest;
+    }
+    divisor = a;
+  }
+  double const longest = landmarks().back();
+  return divisor * most > longest && divisor > 1e-7 * longest ? divisor : 0;
+}
+
+StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const& method) : schedule_(schedule), step_(step) {
+  for (double const t : schedule.landmarks()) {
+    double const ratio = t / step;
+    if (!(ratio < most)) method.fail("step", fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
+    if (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1)) continue;
+    double const divisor = schedule.common_divisor();
+    if (divisor == 0) method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}; the times of the rows have no divisor in common", t, ratio, step));
+    double const below = std::max(1.0, std::floor(divisor / step)), h1 = divisor / below, h2 = divisor / (below + 1);
+    double const nearest = std::abs(h1 - step) <= std::abs(h2 - step) ? h1 : h2;
+    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}; the nearest step that would do is {}", t, ratio, step, nearest));
+  }
+}
+
+long StepsToRows::operator()(long row) const { return std::lround(schedule_.time(row) / step_); }
+
+}  // namespace actio::scene

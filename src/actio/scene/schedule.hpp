@@ -1,0 +1,47 @@
+// When a scene has rows: [run].
+//
+// With `every`: t = 0, then k * every (multiplied, never accumulated), then `until` where it is not among them. With `at`: these times. With neither: the
+// first and the last.
+#pragma once
+
+#include "actio/scene/scene_file.hpp"
+
+namespace actio::scene {
+
+/// The times of the rows.
+class Schedule {
+ public:
+  /// Reads [run] and writes its defaults back.
+  /// @throws SceneError  where a time is not positive, beyond `until`, or not later than the one before; where there are more than 2^53 rows
+  explicit Schedule(SceneTable run);
+
+  double until() const { return until_; }
+  long rows() const { return rows_; }
+  /// Of row 0, 1, ..., `rows()` - 1.
+  double time(long row) const;
+  /// Times of which all others are multiples or that stand alone: `every` and `until`, or those of `at`.
+  std::vector<double> landmarks() const;
+  /// The longest time that divides all others; zero where they have none in common.
+  double common_divisor() const;
+
+ private:
+  double until_ = 0, every_ = 0;
+  bool last_beside_ = false;  // until is no multiple of every
+  std::vector<double> at_;
+  long rows_ = 0;
+};
+
+/// The number of steps to each row, for a method that has rows at multiples of its step only.
+class StepsToRows {
+ public:
+  /// @param method  where the step was read from, for the complaint
+  /// @throws SceneError  where a row is at no multiple of the step, |t/h - round| <= 1e-9 max(1, t/h), with the nearest step that would do
+  StepsToRows(Schedule const& schedule, double step, SceneTable const& method);
+  long operator()(long row) const;
+
+ private:
+  Schedule const& schedule_;
+  double step_;
+};
+
+}  // namespace actio::scene

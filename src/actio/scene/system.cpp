@@ -1,0 +1,16 @@
+#include "actio/scene/system.hpp"
+
+namespace actio::scene {
+
+std::vector<System> const& systems() {
+  static std::vector<System> const all{rigid_body_system()};
+  return all;
+}
+
+System const* find_system(std::string const& name) {
+  for (auto const& system : systems())
+    if (system.name == name) return &system;
+  return nullptr;
+}
+
+}  // namespace actio::scene

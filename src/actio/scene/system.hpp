@@ -1,0 +1,58 @@
+// The registry of systems: the one place where a system adds itself, with its parameters, methods, quantities and statements.
+//
+// A later system writes one file systems/NAME.cpp with a function that returns its `System`, and one line in system.cpp.
+#pragma once
+
+#include "actio/scene/schedule.hpp"
+#include "actio/scene/simulation.hpp"
+
+namespace actio::scene {
+
+/// A key of a scene that belongs to a system.
+struct Parameter {
+  std::string key;       ///< with its section: "system.body"
+  std::string expects;   ///< "three numbers, or a symmetric 3 by 3 matrix"
+  std::string fallback;  ///< what stands where it is left out; "needed" where it must not be
+  std::string meaning;   ///< one sentence, with the unit
+};
+
+/// A method that a system can be stepped by.
+struct Method {
+  std::string name;
+  std::vector<std::string> orders;  ///< as the scene writes them: "2", "exact"
+  std::string meaning;              ///< one sentence
+  std::string statement;            ///< of the thesis, or of the literature
+};
+
+/// What a scene asks of a system.
+struct Request {
+  SceneFile file;
+  Schedule const& schedule;
+  std::vector<std::string> quantities;
+};
+
+/// A kind of system.
+struct System {
+  std::string name;
+  std::string title;
+  std::string meaning;      ///< a sentence or two
+  std::string statement;    ///< of the thesis
+  std::vector<Parameter> parameters;
+  std::vector<Method> methods;
+  std::vector<Quantity> quantities;
+  /// Reads [system], [initial] and [method], writes their defaults back, and sets up what was asked for.
+  /// @throws SceneError     where a value is missing or wrong
+  /// @throws NumericsError  where the step is too long for the method
+  Simulation (*prepare)(Request const& request);
+};
+
+/// All systems, in the order in which they are told.
+std::vector<System> const& systems();
+/// The one of that name; null where there is none.
+System const* find_system(std::string const& name);
+
+System rigid_body_system();
+System rigid_body_n_system();
+System heavy_top_system();
+
+}  // namespace actio::scene

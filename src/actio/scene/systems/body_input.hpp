@@ -1,0 +1,41 @@
+// What the scenes of bodies in space have in common: inertia, attitude, and the momentum at the start.
+#pragma once
+
+#include "actio/scene/system.hpp"
+#include "actio/rigid_body/inertia.hpp"
+
+namespace actio::scene {
+
+/// The inertia of a body, in the frame in which the scene gives it, and in its own.
+struct GivenInertia {
+  Inertia<3> principal;
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< principal axes as columns, in the frame as given; a rotation
+  bool turned = false;                                  ///< whether the two frames differ
+
+  /// In the frame as given.
+  Eigen::Matrix3d tensor() const { return axes * principal.moments.asDiagonal() * axes.transpose(); }
+  Eigen::Vector3d momentum(Eigen::Vector3d const& velocity) const { return axes * principal.moments.cwiseProduct(axes.transpose() * velocity); }
+  Eigen::Vector3d velocity(Eigen::Vector3d const& momentum) const { return axes * (axes.transpose() * momentum).cwiseQuotient(principal.moments); }
+};
+
+/// `inertia`, principal or a tensor.
+/// @throws SceneError  where no body has it
+GivenInertia read_inertia(SceneTable const& system);
+/// `body` or `inertia`.
+GivenInertia read_body_or_inertia(SceneTable const& system);
+
+/// `attitude`: a unit quaternion, scalar first, body to space; written back where it is left out. Off by at most 1e-9 it is normalised, and said in `remarks`.
+/// @throws SceneError  where it is farther off, with the normalised value
+Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks);
+
+/// `angular_velocity` or `angular_momentum`, as body momentum in the frame as given.
+Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& inertia);
+
+/// The rotation matrix of a unit quaternion.
+Eigen::Matrix3d rotation(Eigen::Vector4d const& q);
+/// The unit quaternion of a rotation matrix, scalar part not negative.
+Eigen::Vector4d quaternion(Eigen::Matrix3d const& rotation);
+/// The product.
+Eigen::Vector4d compose(Eigen::Vector4d const& p, Eigen::Vector4d const& q);
+
+}  // namespace actio::scene

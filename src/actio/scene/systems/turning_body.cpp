@@ -1,0 +1,33 @@
+#include "actio/scene/systems/turning_body.hpp"
+
+#include "actio/foundations/groups/unit_quaternions.hpp"
+
+namespace actio::scene {
+namespace {
+
+using Vector = Eigen::Map<Eigen::Vector3d>;
+using ConstVector = Eigen::Map<Eigen::Vector3d const>;
+
+}  // namespace
+
+std::vector<Quantity> turning_body_quantities(bool free) {
+  using Kind = Quantity::Kind;
+  return {
+      {"attitude", Kind::quaternion, "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one given.", "q", "1", "", {}, false},
+      {"body_momentum", Kind::vector, "The angular momentum in the frame of the body.", "M", "energy x time", "eq_5_1", {}, false},
+      {"angular_velocity", Kind::vector, "The angular velocity in the frame of the body.", "\\omega = I^{-1}M", "1/time", "", {"body_momentum"}, false},
+      {"spatial_momentum", Kind::vector, "The angular momentum in space.", "\\pi = R(q)\\,M", "energy x time", "", {"attitude", "body_momentum"}, free},
+  };
+}
+
+void define_turning_body(QuantityGraph& graph, TurningBody const& motion, GivenInertia const& inertia) {
+  using Kind = Quantity::Kind;
+  graph.define("attitude", column_ends(Kind::quaternion), [&motion](auto, double* q) { Eigen::Map<Eigen::Vector4d>{q} = motion.attitude(); });
+  graph.define("body_momentum", column_ends(Kind::vector), [&motion](auto, double* M) { Vector{M} = motion.body_momentum(); });
+  graph.define("angular_velocity", column_ends(Kind::vector), [inertia](auto needs, double* w) { Vector{w} = inertia.velocity(ConstVector(needs[0])); });
+  graph.define("spatial_momentum", column_ends(Kind::vector), [](auto needs, double* pi) {
+    Vector{pi} = SU2::Ad<double>(Eigen::Map<Eigen::Vector4d const>(needs[0]), ConstVector(needs[1]));
+  });
+}
+
+}  // namespace actio::scene

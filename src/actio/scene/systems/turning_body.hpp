@@ -1,0 +1,22 @@
+// What can be told of a body that turns in space: the quantities that free bodies and tops share.
+#pragma once
+
+#include "actio/scene/systems/body_input.hpp"
+
+namespace actio::scene {
+
+/// A motion of a body in space, seen in the frame in which the scene gives its inertia.
+class TurningBody : public Motion {
+ public:
+  virtual Eigen::Vector3d body_momentum() const = 0;
+  /// Unit quaternion, body to space, its sign continuous in time.
+  virtual Eigen::Vector4d attitude() const = 0;
+};
+
+/// `attitude`, `angular_velocity`, `body_momentum`, `spatial_momentum`, in the order of the contract.
+/// @param free  whether the momentum in space is conserved
+std::vector<Quantity> turning_body_quantities(bool free);
+/// How these come from a motion.
+void define_turning_body(QuantityGraph& graph, TurningBody const& motion, GivenInertia const& inertia);
+
+}  // namespace actio::scene

@@ -1,0 +1,38 @@
+// What the command actio can be told to do. Each function does it, says what went wrong on standard error by throwing, and returns the exit status.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace actio::app {
+
+struct RunArguments {
+  std::string scene, out;            ///< out: the scene's name beside it where empty
+  std::vector<std::string> set;      ///< KEY=VALUE
+  bool quiet = false, dry_run = false, plots = false, force = false;
+};
+int run(RunArguments const& arguments);
+
+struct ResumeArguments {
+  std::string folder;
+  bool quiet = false;
+};
+int resume(ResumeArguments const& arguments);
+
+struct SweepArguments {
+  std::string scene, out;
+  std::vector<std::string> over;     ///< KEY=a,b,c
+  std::vector<std::string> set;
+  int jobs = 0;                      ///< 0: as many as the machine has cores
+  bool quiet = false, force = false;
+};
+int sweep(SweepArguments const& arguments);
+
+/// @param what  systems, groups, methods, quantities, bodies, materials
+int list(std::string const& what);
+/// @param name  of a body, a material, a system, a method or a quantity
+int show(std::string const& name);
+/// @param ids  of statements; none: all
+int check(std::vector<std::string> const& ids);
+
+}  // namespace actio::app
