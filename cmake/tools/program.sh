@@ -6,4 +6,4 @@ name=$2
 reports=$build/report/programs
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 exec bash "$tools/once.sh" "$reports/$name.stamp" --keep "$reports/$name.txt" \
-  "$build/bin/$name" "$tools/../../data" -- "$build/bin/$name" --report "$reports"
+  "$build/bin/$name" "$tools/../../data/bodies.toml" -- "$build/bin/$name" --report "$reports"

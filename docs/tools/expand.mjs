@@ -7,6 +7,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
+import { readScenes, sceneCard, scenePicture, sceneTable, systemPage } from './scenes.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
@@ -22,7 +23,9 @@ const book = {
   root: opt.root, registry, byId: new Map(registry.map(s => [s.id, s])), ...reports,
   places: new Map(),      // statement id -> true once a page holds its box
   programPlaces: new Set(),
+  ...readScenes(opt.root, opt.build),
 };
+if (opt.strict && !book.scenes && fs.existsSync(at('data/scenes'))) errors.add(path.join(opt.build, 'report/scenes'), 1, 'missing: run the scenes');
 
 // ---- Pages
 
@@ -32,8 +35,10 @@ for (const dir of fs.existsSync(at('chapters')) ? fs.readdirSync(at('chapters'))
   const chapter = /^ch(\d+)_/.exec(dir);
   if (chapter && fs.existsSync(file)) pages.push({ file, out: `21_${dir}.md`, chapter: Number(chapter[1]), id: `ch${chapter[1]}` });
 }
+// One page for each system that scenes are made of, after the page that tells how to run them.
+for (const system of book.systems ?? []) pages.push({ file: path.join(opt.build, `report/scenes/systems.json:${system.name}`), out: `23_system_${system.name}.md`, chapter: null, text: systemPage(book, system) });
 for (const p of pages) {
-  p.lines = fs.readFileSync(p.file, 'utf8').split('\n');
+  p.lines = (p.text ?? fs.readFileSync(p.file, 'utf8')).split('\n');
   const title = p.lines.findIndex(l => /^# /.test(l));
   p.title = title < 0 ? '' : p.lines[title].replace(/^# /, '').replace(/\s*\{#.*$/, '');
   if (p.chapter === null || title < 0) continue;
@@ -235,6 +240,25 @@ for (const p of pages) {
       if (!fs.existsSync(file)) return errors.add(p.file, line, `picture file ${pic.file} is missing`);
       block(inlineSvg(fs.readFileSync(file, 'utf8'), caption ?? pic.caption, `pic${count}`));
     },
+    scene(name) {
+      if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
+      const scene = book.scenes.get(name);
+      if (!scene) return errors.add(p.file, line, `no scene ${name} has been run (there are: ${[...book.scenes.keys()].join(', ')})`);
+      block(sceneCard(book, scene), [`scene_${name}`]);
+    },
+    scenepicture(arg) {
+      const [name, picture, caption] = split(arg, 3);
+      if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
+      const html = book.scenes.has(name) ? scenePicture(book.scenes.get(name), picture, caption, `pic${count}`) : null;
+      if (!html) return errors.add(p.file, line, `scene ${name} has drawn no picture ${picture}`);
+      block(html);
+    },
+    scenes() { block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`); },
+    systems() {
+      if (!book.systems) return block(`<p>${notRun('the command')}</p>`);
+      for (const s of book.systems) emit(`- \\subpage system_${s.name} "${s.name}": ${s.title}. ${s.meaning}`);
+      emit('');
+    },
     program(arg) {
       const [name] = split(arg, 1);
       const src = book.programSource(name);
@@ -290,7 +314,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|scene|scenepicture|scenes|systems)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');

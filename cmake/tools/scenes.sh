@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# scenes.sh BUILD: runs every scene of data/scenes with the built command, for the book: BUILD/report/scenes/NAME holds what the run left, NAME.txt what it said,
+# and systems.json what the command knows of its systems.
+set -euo pipefail
+build=$(cd "$1" && pwd)
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+reports=$build/report/scenes
+mkdir -p "$reports"
+"$build/bin/actio" list systems --json >"$reports/systems.json.part"
+mv "$reports/systems.json.part" "$reports/systems.json"
+
+ran=0 current=0 failed=()
+cd "$root"
+for scene in data/scenes/*.toml; do
+  name=$(basename "$scene" .toml)
+  if bash cmake/tools/once.sh "$reports/$name.stamp" --keep "$reports/$name.txt" "$scene" "$build/bin/actio" -- \
+    "$build/bin/actio" run "$scene" --out "$reports/$name" --force --plots >"$reports/$name.log" 2>&1; then
+    if grep -q '^current:' "$reports/$name.log"; then current=$((current + 1)); else ran=$((ran + 1)); fi
+  else
+    failed+=("$name")
+    tail -n 20 "$reports/$name.log" >&2
+  fi
+done
+# What is left of scenes that are no more.
+for stamp in "$reports"/*.stamp; do
+  name=$(basename "$stamp" .stamp)
+  [[ -f data/scenes/$name.toml ]] || rm -rf "${reports:?}/$name" "$reports/$name".{stamp,txt,log}
+done
+((${#failed[@]} == 0)) || { echo "scenes failed: ${failed[*]}" >&2; exit 1; }
+echo "$ran run, $current current"
