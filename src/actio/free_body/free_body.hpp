@@ -54,8 +54,16 @@ class FreeBody {
   double amount() const { return amount_; }
 
   /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal moments sines and cosines.
+  /// The quaternion is the one that the given one becomes as time goes on, its sign too.
   /// Accuracy: a few epsilon times the angle turned.
   FreeState at(double t) const { return state(place_at(t)); }
+  /// The momentum alone, to the same bits: nothing of the attitude is computed.
+  Momentum<SO<3>, double> body_momentum_at(double t) const {
+    Three<double> u = start_.direction;
+    if (symmetry_ >= 0) return momentum_along(symmetric_motion(moments_, symmetry_, u, 2 * half(t)));
+    HalfTurn<double>(exact_flight_of_momentum<double>(moments_, u, half(t))).leap(u);
+    return momentum_along(u);
+  }
   /// The same, in the axes that the steps use.
   BodyPlace<double> place_at(double t) const {
     if (symmetry_ >= 0) return symmetric_motion(moments_, symmetry_, start_, 2 * half(t));
@@ -96,10 +104,11 @@ class FreeBody {
 
   /// The state of a place that the steps have reached.
   FreeState state(BodyPlace<double> const& place) const {
-    return {{SO<3>{}, amount_ * frame_.leave(place.direction)}, {SU2{}, frame_.leave(place.attitude).normalized()}};
+    return {momentum_along(place.direction), {SU2{}, frame_.leave(place.attitude).normalized()}};
   }
 
  private:
+  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
   double half(double t) const {
     double const angle = t / 2 * rate_;
     if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");
