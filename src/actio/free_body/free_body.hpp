@@ -50,6 +50,13 @@ class FreeBody {
   }
 
   Inertia<3> const& inertia() const { return inertia_; }
+  /// Whether two moments are equal to rounding, so that the motion has a closed form in sines and cosines.
+  bool is_symmetric() const { return symmetry_ >= 0; }
+  /// Whether all three are.
+  bool is_sphere() const {
+    auto const& I = frame_.moments();
+    return is_symmetric() && axis_of_symmetry({I[2], I[1], I[0]}) == symmetry_;
+  }
   /// \f$|M|\f$, energy x time.
   double amount() const { return amount_; }
 
