@@ -92,6 +92,8 @@ class FreeBody {
     auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
     bool found = false;
     Flight<double> const flight = actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
+    // With modified moments there may be roots again beyond the longest step; they do not grow out of the identity.
+    if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5) found = !(longest_step(h, order) < std::abs(h));
     if (!found) throw StepTooLong("Moser-Veselov of order " + std::to_string(order), std::abs(h), longest_step(h, order));
     return flight;
   }
@@ -121,16 +123,27 @@ class FreeBody {
     if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");
     return angle;
   }
-  /// Of the scheme of this order: order 2 has a closed form, where no Lambda_i is negative; beyond that by bisection.
+  /// The longest step up to h of the scheme of this order. Order 2 has a closed form, where no Lambda_i is negative; beyond that the first step that has no solution is looked for
+  /// upwards, and then between it and the last that had one.
   double longest_step(double h, int order) const {
     if (order == 2 && !(inertia_.lambda.minCoeff() < 0)) return largest_step(inertia_, Momentum<SO<3>, double>{SO<3>{}, state(start_).body_momentum.components});
-    double low = 0, high = std::abs(h);
-    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
-      double const middle = (low + high) / 2, t = half(middle);
-      auto const modified = modified_inertia<double>(moments_, start_.direction, t, order);
+    auto const solvable = [&](double step) {
+      double const t = half(step);
+      auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
       bool found = false;
       actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
-      (found ? low : high) = middle;
+      return found;
+    };
+    if (!(rate_ > 0)) return std::abs(h);
+    double low = 0, high = 0;
+    for (double step = 0.01 / (rate_ * std::max(moments_.J[0], moments_.J[2])); high == 0; step *= 1.05) {
+      double const next = std::min(step, std::abs(h));
+      if (!solvable(next)) high = next;
+      else if (low = next; next == std::abs(h)) return low;
+    }
+    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
+      double const middle = (low + high) / 2;
+      (solvable(middle) ? low : high) = middle;
     }
     return low;
   }

@@ -56,7 +56,7 @@ void fail_for_long_step(SceneTable const& method, Schedule const& schedule, Step
   std::string what = error.what();
   // Rounded down, so that what is told can be pasted.
   double const divisor = schedule.common_divisor(), step = divisor / parts(divisor, error.largest_step * (1 - 1e-9));
-  if (divisor > 0 && step > 0) what += fmt::format("; rows are at multiples of {}", step);
+  if (divisor > 0 && step > 0) what += fmt::format("; the largest that meets the rows is {}", step);
   throw NumericsError(method.place("step").text() + ": step: " + what);
 }
 

@@ -101,6 +101,14 @@ std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
   return lines;
 }
 
+/// Squares may fall below the smallest numbers where momenta do not.
+void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
+  Eigen::Vector3d const& M = scene.start.momentum.components;
+  double const least = std::numeric_limits<double>::min(), energy = kinetic_energy(scene.inertia.principal, scene.start.momentum);
+  for (auto const& [name, value] : {std::pair<char const*, double>{"energy", energy}, {"casimir", M.squaredNorm()}})
+    if (graph.needed(name) && magnitude(M) > 0 && value < least) scene.remarks.push_back(fmt::format("{}: it is below {:.3g}, where digits are lost", name, least));
+}
+
 Simulation prepare(Request const& request) {
   FreeBodyScene scene(request);
   if (scene.choice.order == "exact") check_phase(scene, request.file.section("run"), request.schedule.until());
@@ -114,6 +122,8 @@ Simulation prepare(Request const& request) {
   graph.ask(request.quantities);
   bool const attitude = graph.needed("attitude");
   if (!attitude) motion->leave_attitude_out();
+
+  remark_on_lost_squares(scene, graph);
 
   simulation.exact = scene.choice.order == "exact";
   simulation.step = scene.step;
