@@ -50,12 +50,27 @@ class FreeBody {
   }
 
   Inertia<3> const& inertia() const { return inertia_; }
+  /// Whether two moments are equal to rounding, so that the motion has a closed form in sines and cosines.
+  bool is_symmetric() const { return symmetry_ >= 0; }
+  /// Whether all three are.
+  bool is_sphere() const {
+    auto const& I = frame_.moments();
+    return is_symmetric() && axis_of_symmetry({I[2], I[1], I[0]}) == symmetry_;
+  }
   /// \f$|M|\f$, energy x time.
   double amount() const { return amount_; }
 
   /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal moments sines and cosines.
+  /// The quaternion is the one that the given one becomes as time goes on, its sign too.
   /// Accuracy: a few epsilon times the angle turned.
   FreeState at(double t) const { return state(place_at(t)); }
+  /// The momentum alone, to the same bits: nothing of the attitude is computed.
+  Momentum<SO<3>, double> body_momentum_at(double t) const {
+    Three<double> u = start_.direction;
+    if (symmetry_ >= 0) return momentum_along(symmetric_motion(moments_, symmetry_, u, 2 * half(t)));
+    HalfTurn<double>(exact_flight_of_momentum<double>(moments_, u, half(t))).leap(u);
+    return momentum_along(u);
+  }
   /// The same, in the axes that the steps use.
   BodyPlace<double> place_at(double t) const {
     if (symmetry_ >= 0) return symmetric_motion(moments_, symmetry_, start_, 2 * half(t));
@@ -77,6 +92,8 @@ class FreeBody {
     auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
     bool found = false;
     Flight<double> const flight = actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
+    // With modified moments there may be roots again beyond the longest step; they do not grow out of the identity.
+    if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5) found = !(longest_step(h, order) < std::abs(h));
     if (!found) throw StepTooLong("Moser-Veselov of order " + std::to_string(order), std::abs(h), longest_step(h, order));
     return flight;
   }
@@ -96,25 +113,37 @@ class FreeBody {
 
   /// The state of a place that the steps have reached.
   FreeState state(BodyPlace<double> const& place) const {
-    return {{SO<3>{}, amount_ * frame_.leave(place.direction)}, {SU2{}, frame_.leave(place.attitude).normalized()}};
+    return {momentum_along(place.direction), {SU2{}, frame_.leave(place.attitude).normalized()}};
   }
 
  private:
+  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
   double half(double t) const {
     double const angle = t / 2 * rate_;
     if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");
     return angle;
   }
-  /// Of the scheme of this order: order 2 has a closed form, where no Lambda_i is negative; beyond that by bisection.
+  /// The longest step up to h of the scheme of this order. Order 2 has a closed form, where no Lambda_i is negative; beyond that the first step that has no solution is looked for
+  /// upwards, and then between it and the last that had one.
   double longest_step(double h, int order) const {
     if (order == 2 && !(inertia_.lambda.minCoeff() < 0)) return largest_step(inertia_, Momentum<SO<3>, double>{SO<3>{}, state(start_).body_momentum.components});
-    double low = 0, high = std::abs(h);
-    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
-      double const middle = (low + high) / 2, t = half(middle);
-      auto const modified = modified_inertia<double>(moments_, start_.direction, t, order);
+    auto const solvable = [&](double step) {
+      double const t = half(step);
+      auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
       bool found = false;
       actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
-      (found ? low : high) = middle;
+      return found;
+    };
+    if (!(rate_ > 0)) return std::abs(h);
+    double low = 0, high = 0;
+    for (double step = 0.01 / (rate_ * std::max(moments_.J[0], moments_.J[2])); high == 0; step *= 1.05) {
+      double const next = std::min(step, std::abs(h));
+      if (!solvable(next)) high = next;
+      else if (low = next; next == std::abs(h)) return low;
+    }
+    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
+      double const middle = (low + high) / 2;
+      (solvable(middle) ? low : high) = middle;
     }
     return low;
   }

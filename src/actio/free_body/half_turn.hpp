@@ -143,6 +143,12 @@ class HalfTurn {
     body.attitude = compose(body.attitude, e);
     for (int i = 0; i < 3; ++i) u[i] = 2 * uv * inverse * v[i] - u[i];
   }
+  /// The momentum alone, to the same bits.
+  void leap(Three<T>& u) const {
+    Three<T> const v = axis(u);
+    T const uv = dot(u, v), inverse = 1 / dot(v, v);
+    for (int i = 0; i < 3; ++i) u[i] = 2 * uv * inverse * v[i] - u[i];
+  }
 
  private:
   Three<T> stretch_, shear_, across_;

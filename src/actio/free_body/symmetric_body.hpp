@@ -20,23 +20,29 @@ inline int axis_of_symmetry(Three<double> const& moments) {
   return std::abs(moments[0] - moments[1]) <= same ? 2 : std::abs(moments[2] - moments[1]) <= same ? 0 : -1;
 }
 
-/// The place of a symmetric body after a time.
+/// The direction of the momentum of a symmetric body after a time.
 /// @param axis  of symmetry, 0 or 2
 /// @param t     time, times the amount of the momentum
+template <class T>
+Three<T> symmetric_motion(InverseMoments<T> const& body, int axis, Three<T> const& u, T const& t) {
+  using std::cos, std::sin;
+  T const turned = t * (axis == 2 ? -body.d23 : body.d12) * u[axis] / 2, co = cos(turned), si = sin(turned), cosine = (co - si) * (co + si), sine = 2 * si * co;
+  int const i = (axis + 1) % 3, j = (axis + 2) % 3;
+  Three<T> end = u;
+  end[i] = cosine * u[i] + sine * u[j];
+  end[j] = cosine * u[j] - sine * u[i];
+  return end;
+}
+
+/// Direction and attitude. The quaternion is continuous in the time.
 template <class T>
 BodyPlace<T> symmetric_motion(InverseMoments<T> const& body, int axis, BodyPlace<T> const& start, T const& t) {
   using std::cos, std::sin;
   Three<T> const& u = start.direction;
-  T const slow = t * body.J[1] / 2, beyond = axis == 2 ? -body.d23 : body.d12, turned = t * beyond * u[axis] / 2;
-  T const c = cos(slow), s = sin(slow), co = cos(turned), si = sin(turned);
-  Four<T> about{co, T(0), T(0), T(0)};
-  about[1 + axis] = si;
-  BodyPlace<T> end{u, compose(compose(start.attitude, {c, s * u[0], s * u[1], s * u[2]}), about)};
-  int const i = (axis + 1) % 3, j = (axis + 2) % 3;
-  T const cosine = (co - si) * (co + si), sine = 2 * si * co;
-  end.direction[i] = cosine * u[i] + sine * u[j];
-  end.direction[j] = cosine * u[j] - sine * u[i];
-  return end;
+  T const slow = t * body.J[1] / 2, turned = t * (axis == 2 ? -body.d23 : body.d12) * u[axis] / 2, c = cos(slow), s = sin(slow);
+  Four<T> about{cos(turned), T(0), T(0), T(0)};
+  about[1 + axis] = sin(turned);
+  return {symmetric_motion(body, axis, u, t), compose(compose(start.attitude, {c, s * u[0], s * u[1], s * u[2]}), about)};
 }
 
 }  // namespace actio

@@ -53,6 +53,10 @@ Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& ine
   std::string const key = velocity ? "angular_velocity" : "angular_momentum";
   if (!m.allFinite() || !is_finite(m.squaredNorm()) || !is_finite(inertia.velocity(m).squaredNorm()))
     initial.fail(key, key + ": the numbers are too large: energy and |M|^2 are beyond 1e308");
+  Eigen::Vector3d const given = initial.vector(key);
+  double const least = std::numeric_limits<double>::min();
+  if (magnitude(given) > 0 && (magnitude(m) < least || magnitude(inertia.velocity(m)) < least))
+    initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is below {:.3g}, where digits are lost", key, least));
   return m;
 }
 

@@ -1,118 +1,134 @@
 // A free rigid body in space (thesis, chapter 5).
 #include <fmt/format.h>
 
-#include "actio/foundations/groups/unit_quaternions.hpp"
-#include "actio/free_body/free_steps.hpp"
-#include "actio/scene/systems/turning_body.hpp"
+#include "actio/reduction/composition.hpp"
+#include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/principal_body.hpp"
 
 namespace actio::scene {
 namespace {
 
-/// A body in its principal frame, and the way from there to the frame of the scene.
-class FreeBodyMotion : public TurningBody {
- public:
-  FreeBodyMotion(FreeBody body, GivenInertia const& inertia) : body_(std::move(body)), inertia_(inertia), back_(quaternion(inertia.axes).cwiseProduct(Eigen::Vector4d(1, -1, -1, -1))) {}
+std::vector<Parameter> parameters() {
+  return {
+      {"system.body", "the name of a library body", "or system.inertia", "A body of the library, with its inertia (actio list bodies)."},
+      {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in that frame; mass x length^2."},
+      {"initial.attitude", "a unit quaternion, scalar first", "[1, 0, 0, 0]", "The rotation that takes the body to space."},
+      {"initial.angular_velocity", "three numbers", "or initial.angular_momentum", "In the frame of the body; 1/time."},
+      {"initial.angular_momentum", "three numbers", "or initial.angular_velocity", "In the frame of the body; energy x time."},
+  };
+}
 
-  Eigen::Vector3d body_momentum() const override {
-    Eigen::Vector3d const M = principal_momentum();
-    return inertia_.turned ? Eigen::Vector3d(inertia_.axes * M) : M;
-  }
-  Eigen::Vector4d attitude() const override {
-    Eigen::Vector4d const q = principal_attitude();
-    return inertia_.turned ? compose(q, back_) : q;
-  }
-
- protected:
-  virtual Eigen::Vector3d principal_momentum() const = 0;
-  virtual Eigen::Vector4d principal_attitude() const = 0;
-
-  FreeBody body_;
-  GivenInertia inertia_;
-  Eigen::Vector4d back_;
-};
-
-/// To any time at once.
-class ExactMotion : public FreeBodyMotion {
- public:
-  ExactMotion(FreeBody body, GivenInertia const& inertia) : FreeBodyMotion(std::move(body), inertia), now_(body_.at(0)) {}
-  void go_to(double time) override { now_ = body_.at(time); }
-
- protected:
-  Eigen::Vector3d principal_momentum() const override { return now_.body_momentum.components; }
-  Eigen::Vector4d principal_attitude() const override { return now_.attitude.value; }
-
- private:
-  FreeState now_;
-};
-
-/// In steps of the Moser-Veselov scheme, or of the same with modified moments.
-template <bool with_attitude>
-class SteppedMotion : public FreeBodyMotion {
- public:
-  SteppedMotion(FreeBody const& body, GivenInertia const& inertia, double step, int order) : FreeBodyMotion(body, inertia), steps_(body, step, body.moser_veselov_flight(step, order)) {}
-  void advance(long steps) override {
-    if constexpr (with_attitude) steps_.advance(steps);
-    else steps_.advance_momentum(steps);
-  }
-  void remember(Memory& memory) override { steps_.remember(memory); }
-
- protected:
-  Eigen::Vector3d principal_momentum() const override { return steps_.body_momentum().components; }
-  Eigen::Vector4d principal_attitude() const override { return steps_.state().attitude.value; }
-
- private:
-  FreeSteps steps_;
-};
+std::vector<Method> methods() {
+  return {
+      {"moser_veselov", {"exact", "2", "4", "6", "8", "10"},
+       "The scheme of Moser and Veselov, order 2; with modified moments of inertia 4 to 10, or exact.", "eq_5_9"},
+      {"natural_chart", {"2", "4", "6"}, "The kinetic energy through the natural chart, order 2; composed of substeps 4 (Suzuki) and 6 (Kahan and Li).", "eq_5_4"},
+  };
+}
 
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
   auto all = turning_body_quantities(true);
   all.push_back({"energy", Kind::scalar, "The kinetic energy.", "H = \\tfrac12\\langle M, I^{-1}M\\rangle", "energy", "eq_5_1", {"body_momentum", "angular_velocity"}, true});
-  all.push_back({"casimir", Kind::scalar, "The square of the angular momentum, which names the coadjoint orbit.", "C = |M|^2", "(energy x time)^2", "", {"body_momentum"}, true});
+  all.push_back({"casimir", Kind::scalar, "The square of the angular momentum, which names the coadjoint orbit.", "C = |M|^2", "(energy x time)^2", "claim_5_3_dual_casimir", {"body_momentum"}, true});
   return all;
 }
 
-Simulation prepare(Request const& request) {
-  SceneTable system = request.file.section("system"), initial = request.file.section("initial"), method = request.file.section("method");
-  system.allow({"kind", "body", "inertia"});
-  initial.allow({"attitude", "angular_velocity", "angular_momentum"});
-  method.allow({"name", "order", "step"});
-
+/// What a scene says of a free body.
+struct FreeBodyScene {
+  SceneTable system, initial, method;
   std::vector<std::string> remarks;
-  GivenInertia const inertia = read_body_or_inertia(system);
-  Eigen::Vector4d const attitude = read_attitude(initial, remarks);
-  Eigen::Vector3d const momentum = read_momentum(initial, inertia);
-  Eigen::Vector4d const principal_attitude = inertia.turned ? compose(attitude, quaternion(inertia.axes)) : attitude;
-  FreeBody const body(inertia.principal, {SO<3>{}, inertia.axes.transpose() * momentum}, {SU2{}, principal_attitude});
+  GivenInertia inertia;
+  PrincipalStart start;
+  FreeBody body;
+  MethodChoice choice;
+  double fastest, step;
 
-  if (!method.has("name")) method.set("name", "moser_veselov");
-  if (!method.has("order")) method.set("order", "exact");
-  if (!method.has("step")) method.set("step", request.schedule.until() / 1000);
-  std::string const name = method.choice("name", "method", {"moser_veselov", "natural_chart"}, "actio list methods");
-  double const step = method.positive("step");
+  explicit FreeBodyScene(Request const& request)
+      : system(request.file.section("system")), initial(request.file.section("initial")), method(request.file.section("method")), inertia(read_inertia_of_body()),
+        start(read_start()), body(inertia.principal, start.momentum, start.attitude), choice(read_method(method, methods())),
+        fastest(fastest_turn(inertia, kinetic_energy(inertia.principal, start.momentum))), step(read_step(method, request.schedule, fastest)) {}
+
+ private:
+  GivenInertia read_inertia_of_body() {
+    system.allow({"kind", "body", "inertia"});
+    initial.allow({"attitude", "angular_velocity", "angular_momentum"});
+    method.allow({"name", "order", "step"});
+    return read_body_or_inertia(system);
+  }
+  PrincipalStart read_start() {
+    Eigen::Vector4d const attitude = read_attitude(initial, remarks);
+    return {inertia, read_momentum(initial, inertia), attitude};
+  }
+};
+
+/// Sees to it that the angle turned until the end has digits.
+void check_phase(FreeBodyScene& scene, SceneTable const& run, double until) {
+  double const rounding = std::numeric_limits<double>::epsilon(), angle = until * scene.fastest;
+  if (!(angle <= 1 / rounding))
+    throw NumericsError(run.place("until").text() + fmt::format(": until: the body turns by as much as {:.3g} rad until then; beyond {:.3g} rad no digit of the angle is left", angle, 1 / rounding));
+  if (angle * rounding > 1e-6)
+    scene.remarks.push_back(fmt::format("until: the body turns by as much as {:.3g} rad, of which rounding leaves an error of about {:.1g} rad", angle, angle * rounding));
+}
+
+std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule const& schedule) {
+  int const order = scene.choice.number();
+  try {
+    if (scene.choice.name == "natural_chart") {
+      auto const fractions = order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>();
+      return stepped_motion(NaturalChartSteps(scene.inertia.principal, scene.start.momentum, scene.start.attitude, scene.step, fractions), scene.inertia);
+    }
+    if (order == 0) return exact_motion(scene.body, scene.inertia);
+    return stepped_motion(FreeSteps(scene.body, scene.step, scene.body.moser_veselov_flight(scene.step, order)), scene.inertia);
+  } catch (StepTooLong const& error) {
+    fail_for_long_step(scene.method, schedule, error);
+  } catch (Error const& error) {
+    throw NumericsError(scene.method.place("step").text() + ": " + error.what());
+  }
+}
+
+std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
+  std::vector<std::string> lines;
+  if (!attitude) lines.push_back("momentum only: no attitude is reconstructed");
+  if (scene.choice.order == "exact") {
+    if (scene.body.is_sphere()) lines.push_back("sphere: a steady turn, the momentum stands still in the body");
+    else if (scene.body.is_symmetric()) lines.push_back("axisymmetric body: closed form");
+    lines.push_back("exact: rows are evaluated where they are asked for; the step is not used");
+  } else if (scene.choice.name == "moser_veselov") {
+    lines.push_back("one equation for the whole orbit: no step iterates");
+  }
+  return lines;
+}
+
+/// Squares may fall below the smallest numbers where momenta do not.
+void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
+  Eigen::Vector3d const& M = scene.start.momentum.components;
+  double const least = std::numeric_limits<double>::min(), energy = kinetic_energy(scene.inertia.principal, scene.start.momentum);
+  for (auto const& [name, value] : {std::pair<char const*, double>{"energy", energy}, {"casimir", M.squaredNorm()}})
+    if (graph.needed(name) && magnitude(M) > 0 && value < least) scene.remarks.push_back(fmt::format("{}: it is below {:.3g}, where digits are lost", name, least));
+}
+
+Simulation prepare(Request const& request) {
+  FreeBodyScene scene(request);
+  if (scene.choice.order == "exact") check_phase(scene, request.file.section("run"), request.schedule.until());
+  auto motion = motion_of(scene, request.schedule);
 
   Simulation simulation(quantities());
-  simulation.remarks = remarks;
-  simulation.step = step;
   QuantityGraph& graph = simulation.quantities;
-  std::unique_ptr<TurningBody> motion;
-  bool exact = method.is_text("order");
-  if (exact) {
-    method.choice("order", "order", {"exact"}, "2, 4, 6, 8, 10 or \"exact\"");
-    motion = std::make_unique<ExactMotion>(body, inertia);
-    simulation.exact = true;
-  } else {
-    long const order = method.integer("order", 2, 10);
-    try {
-      motion = std::make_unique<SteppedMotion<false>>(body, inertia, step, static_cast<int>(order));
-    } catch (StepTooLong const& error) {
-      throw NumericsError(method.place("step").text() + ": " + error.what());
-    }
-  }
-  define_turning_body(graph, *motion, inertia);
+  define_turning_body(graph, *motion, scene.inertia);
   graph.define("energy", {""}, [](auto needs, double* energy) { *energy = (needs[0][0] * needs[1][0] + needs[0][1] * needs[1][1] + needs[0][2] * needs[1][2]) / 2; });
   graph.define("casimir", {""}, [](auto needs, double* casimir) { *casimir = needs[0][0] * needs[0][0] + needs[0][1] * needs[0][1] + needs[0][2] * needs[0][2]; });
   graph.ask(request.quantities);
+  bool const attitude = graph.needed("attitude");
+  if (!attitude) motion->leave_attitude_out();
+
+  remark_on_lost_squares(scene, graph);
+
+  simulation.exact = scene.choice.order == "exact";
+  simulation.step = scene.step;
+  simulation.shortcuts = shortcuts(scene, attitude);
+  simulation.remarks = scene.remarks;
   simulation.motion = std::move(motion);
   return simulation;
 }
@@ -120,8 +136,8 @@ Simulation prepare(Request const& request) {
 }  // namespace
 
 System rigid_body_system() {
-  return {"rigid_body", "Free rigid body", "A rigid body that turns freely about its centre of mass.", "chapter 5",
-          {}, {}, quantities(), prepare};
+  return {"rigid_body", "Free rigid body", "A rigid body that turns freely about its centre of mass: Euler's equations for the momentum, and the attitude that goes with it.", "chapter 5",
+          parameters(), methods(), quantities(), prepare};
 }
 
 }  // namespace actio::scene

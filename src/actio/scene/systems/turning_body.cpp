@@ -16,7 +16,7 @@ std::vector<Quantity> turning_body_quantities(bool free) {
       {"attitude", Kind::quaternion, "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one given.", "q", "1", "", {}, false},
       {"body_momentum", Kind::vector, "The angular momentum in the frame of the body.", "M", "energy x time", "eq_5_1", {}, false},
       {"angular_velocity", Kind::vector, "The angular velocity in the frame of the body.", "\\omega = I^{-1}M", "1/time", "", {"body_momentum"}, false},
-      {"spatial_momentum", Kind::vector, "The angular momentum in space.", "\\pi = R(q)\\,M", "energy x time", "", {"attitude", "body_momentum"}, free},
+      {"spatial_momentum", Kind::vector, "The angular momentum in space.", "\\pi = R(q)\\,M", "energy x time", "claim_5_2_spatial_momentum", {"attitude", "body_momentum"}, free},
   };
 }
 
@@ -28,6 +28,10 @@ void define_turning_body(QuantityGraph& graph, TurningBody const& motion, GivenI
   graph.define("spatial_momentum", column_ends(Kind::vector), [](auto needs, double* pi) {
     Vector{pi} = SU2::Ad<double>(Eigen::Map<Eigen::Vector4d const>(needs[0]), ConstVector(needs[1]));
   });
+}
+
+double fastest_turn(GivenInertia const& inertia, double kinetic_energy) {
+  return std::sqrt(2 * kinetic_energy) / std::sqrt(inertia.principal.moments.minCoeff());
 }
 
 }  // namespace actio::scene

@@ -11,6 +11,15 @@ class TurningBody : public Motion {
   virtual Eigen::Vector3d body_momentum() const = 0;
   /// Unit quaternion, body to space, its sign continuous in time.
   virtual Eigen::Vector4d attitude() const = 0;
+
+  /// From now on the momentum alone is asked for: the attitude need not be reconstructed.
+  void leave_attitude_out() { attitude_wanted_ = false; }
+
+ protected:
+  bool attitude_wanted() const { return attitude_wanted_; }
+
+ private:
+  bool attitude_wanted_ = true;
 };
 
 /// `attitude`, `angular_velocity`, `body_momentum`, `spatial_momentum`, in the order of the contract.
@@ -18,5 +27,8 @@ class TurningBody : public Motion {
 std::vector<Quantity> turning_body_quantities(bool free);
 /// How these come from a motion.
 void define_turning_body(QuantityGraph& graph, TurningBody const& motion, GivenInertia const& inertia);
+
+/// A bound of the angular velocity of a body with that kinetic energy: \f$|\omega|^2 \le 2E/I_{min}\f$; 1/time.
+double fastest_turn(GivenInertia const& inertia, double kinetic_energy);
 
 }  // namespace actio::scene

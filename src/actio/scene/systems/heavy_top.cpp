@@ -1,0 +1,163 @@
+// The heavy top: a rigid body held at a point under gravity.
+#include <fmt/format.h>
+
+#include "actio/free_body/torqued_body.hpp"
+#include "actio/free_body/uniform_gravity.hpp"
+#include "actio/rigid_body/heavy_top_body.hpp"
+#include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/principal_body.hpp"
+
+namespace actio::scene {
+namespace {
+
+using ConstVector = Eigen::Map<Eigen::Vector3d const>;
+
+std::vector<Parameter> parameters() {
+  return {
+      {"system.mass", "a number > 0", "needed", "The mass."},
+      {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "needed",
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in that frame; mass x length^2. They are moved to the fixed point."},
+      {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body; length."},
+      {"system.gravity", "three numbers", "needed", "The acceleration, in space; length/time^2. Zero for a free body held at a point."},
+      {"initial.attitude", "a unit quaternion, scalar first", "[1, 0, 0, 0]", "The rotation that takes the body to space."},
+      {"initial.angular_velocity", "three numbers", "or initial.angular_momentum", "In the frame of the body; 1/time."},
+      {"initial.angular_momentum", "three numbers", "or initial.angular_velocity", "About the fixed point, in the frame of the body; energy x time."},
+  };
+}
+
+std::vector<Method> methods() {
+  return {{"variational", {"4", "2"}, "Kicks of gravity and exact free flights: the action of the free motion and the trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).", ""}};
+}
+
+std::vector<Quantity> quantities() {
+  using Kind = Quantity::Kind;
+  auto all = turning_body_quantities(false);
+  all.push_back({"direction_of_gravity", Kind::vector, "The unit vector along gravity, in the frame of the body; of the third axis of space downwards where there is no gravity.", "\\Gamma = R(q)^T g/|g|", "1", "", {"attitude"}, false});
+  all.push_back({"vertical_momentum", Kind::scalar, "The angular momentum about the vertical through the fixed point, against gravity.", "-\\langle\\pi, g/|g|\\rangle", "energy x time", "", {"spatial_momentum"}, true});
+  all.push_back({"energy", Kind::scalar, "Kinetic and potential energy; the potential is zero with the centre of mass as high as the fixed point.",
+                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle", "energy", "", {"body_momentum", "angular_velocity", "direction_of_gravity"}, true});
+  all.push_back({"casimir", Kind::list, "The Casimirs of the dual of se(3), where momentum and direction of gravity move: |Gamma|^2 and M.Gamma.", "|\\Gamma|^2, \\langle M, \\Gamma\\rangle",
+                 "1, and energy x time", "", {"body_momentum", "direction_of_gravity"}, true});
+  return all;
+}
+
+/// Steps of kicks and flights.
+class TopMotion : public PrincipalBody {
+ public:
+  TopMotion(TorquedBody<UniformGravity> top, GivenInertia const& inertia) : PrincipalBody(inertia), top_(std::move(top)) {}
+  void advance(long steps) override { top_.step(steps); }
+  void remember(Memory& memory) override { top_.remember(memory); }
+
+ protected:
+  Eigen::Vector3d principal_momentum() const override { return top_.state().body_momentum.components; }
+  Eigen::Vector4d principal_attitude() const override { return top_.state().attitude.value; }
+
+ private:
+  TorquedBody<UniformGravity> top_;
+};
+
+/// [system] of a heavy top: the top in the frame of its principal axes at the fixed point.
+TurnedHeavyTop read_top(SceneTable const& system) {
+  system.allow({"kind", "mass", "inertia", "centre_of_mass", "gravity"});
+  double const mass = system.positive("mass");
+  GivenInertia const about_centre = read_inertia(system);
+  Eigen::Vector3d const centre = system.vector("centre_of_mass"), gravity = system.vector("gravity");
+  try {
+    // On a principal axis through the centre of mass the axes at the fixed point are the same.
+    bool const on_axis = (centre.array() != 0).count() <= 1;
+    if (!about_centre.turned && on_axis) return {held_at_a_point<double>(mass, about_centre.principal, centre, gravity), Eigen::Matrix3d::Identity()};
+    return held_anywhere(mass, about_centre.tensor(), centre, gravity);
+  } catch (UnphysicalInertia const& error) {
+    system.fail("inertia", std::string("about the fixed point: ") + error.what());
+  } catch (Error const& error) {
+    system.fail("centre_of_mass", error.what());
+  }
+}
+
+/// What a scene says of a heavy top.
+struct TopScene {
+  SceneTable initial, method;
+  std::vector<std::string> remarks;
+  TurnedHeavyTop turned;
+  GivenInertia inertia;                ///< about the fixed point
+  Eigen::Vector4d attitude;            ///< in the frame as given
+  Eigen::Vector3d momentum, lever;     ///< in the frame as given; the lever is weight times centre of mass
+  Eigen::Vector3d down;                ///< unit vector along gravity, in space
+  MethodChoice choice;
+  double step;
+
+  explicit TopScene(Request const& request)
+      : initial(request.file.section("initial")), method(request.file.section("method")), turned(read_top(request.file.section("system"))),
+        inertia{turned.top.inertia, turned.axes, !turned.axes.isIdentity(0)}, attitude(read_attitude()), momentum(read_momentum(initial, inertia)),
+        lever(turned.axes * turned.top.lever()), down(-turned.top.vertical()), choice(read_method(method, methods())), step(read_step(method, request.schedule, fastest())) {}
+
+  bool is_free() const { return !(magnitude(lever) > 0); }
+
+ private:
+  Eigen::Vector4d read_attitude() {
+    initial.allow({"attitude", "angular_velocity", "angular_momentum"});
+    method.allow({"name", "order", "step"});
+    return scene::read_attitude(initial, remarks);
+  }
+  /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
+  double fastest() const {
+    double const kinetic = momentum.dot(inertia.velocity(momentum)) / 2, fall = lever.norm() - lever.dot(rotation(attitude).transpose() * down);
+    if (!is_finite(kinetic + fall)) throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
+    return fastest_turn(inertia, kinetic + fall);
+  }
+};
+
+std::unique_ptr<TurningBody> motion_of(TopScene const& scene) {
+  PrincipalStart const start(scene.inertia, scene.momentum, scene.attitude);
+  Inertia<3> const& inertia = scene.inertia.principal;
+  try {
+    if (scene.is_free()) return stepped_motion(FreeSteps(FreeBody(inertia, start.momentum, start.attitude), scene.step), scene.inertia);
+    auto const gravity = uniform_gravity(scene.turned.top.lever(), scene.down);
+    auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
+    return std::make_unique<TopMotion>(TorquedBody(inertia, start.momentum, start.attitude, gravity, scene.step, method), scene.inertia);
+  } catch (Error const& error) {
+    throw NumericsError(scene.method.place("step").text() + ": " + error.what());
+  }
+}
+
+void define_top(QuantityGraph& graph, TopScene const& scene) {
+  graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector), [down = scene.down](auto needs, double* gamma) {
+    Eigen::Map<Eigen::Vector3d>{gamma} = SU2::Ad<double>(SU2::inverse<double>(Eigen::Map<Eigen::Vector4d const>(needs[0])), down);
+  });
+  graph.define("vertical_momentum", {""}, [down = scene.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); });
+  graph.define("energy", {""}, [lever = scene.lever](auto needs, double* energy) {
+    *energy = ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 - lever.dot(ConstVector(needs[2]));
+  });
+  graph.define("casimir", {"_gamma", "_cross"}, [](auto needs, double* casimir) {
+    ConstVector const M(needs[0]), gamma(needs[1]);
+    casimir[0] = gamma.squaredNorm(), casimir[1] = M.dot(gamma);
+  });
+}
+
+Simulation prepare(Request const& request) {
+  TopScene const scene(request);
+  auto motion = motion_of(scene);
+  Simulation simulation(quantities());
+  define_turning_body(simulation.quantities, *motion, scene.inertia);
+  define_top(simulation.quantities, scene);
+  simulation.quantities.ask(request.quantities);
+  simulation.step = scene.step;
+  simulation.remarks = scene.remarks;
+  if (scene.is_free()) {
+    simulation.shortcuts.push_back("no gravity: free motion, exact flights");
+    if (!simulation.quantities.needed("attitude")) {
+      motion->leave_attitude_out();
+      simulation.shortcuts.push_back("momentum only: no attitude is reconstructed");
+    }
+  }
+  simulation.motion = std::move(motion);
+  return simulation;
+}
+
+}  // namespace
+
+System heavy_top_system() {
+  return {"heavy_top", "Heavy top", "A rigid body held at a point under uniform gravity.", "chapter 3", parameters(), methods(), quantities(), prepare};
+}
+
+}  // namespace actio::scene
