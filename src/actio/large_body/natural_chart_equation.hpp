@@ -46,19 +46,20 @@ class NaturalChartEquation {
   /// @param contraction  of sweeps, known from a step nearby; 1 where it is not
   /// @param slowest      the largest ratio of changes that counts as contraction
   /// @return whether they contract
-  bool by_sweeps(double const* p, double* z, double contraction, double slowest, int most) {
+  bool by_sweeps(double const* p, double* z, double contraction, double slowest) {
     double before = HUGE_VAL;
     contraction_ = contraction;
     // What the rounding of the mean makes of a change.
     double const noise = 64 * rounding * algebra_.norm(p) / least_;
-    for (sweeps_ = 1; sweeps_ <= most; ++sweeps_) {
+    for (sweeps_ = 1; sweeps_ <= most_sweeps; ++sweeps_) {
       if (!(algebra_.norm(z) < too_large)) return false;
       algebra_.add(1, change(p, z), z);
       double const change = algebra_.norm(change_.data()), size = algebra_.norm(z);
       bool const seen = before < HUGE_VAL;
       if (seen && change > noise) contraction_ = change / before;
-      double const factor = seen ? std::min(1.0, change / before) : contraction;
-      if (factor * change <= rounding / 16 * size) return true;
+      // From one step to the next contraction changes, but not by a factor of 4.
+      double const factor = seen ? std::min(1.0, change / before) : std::min(1.0, 4 * contraction);
+      if (factor * change <= rounding / 4 * size) return true;
       if (change > slowest * before) return change <= noise;
       before = change;
     }
@@ -103,6 +104,7 @@ class NaturalChartEquation {
 
  private:
   static constexpr double rounding = std::numeric_limits<double>::epsilon();
+  static constexpr int most_sweeps = 200;
   static constexpr double too_large = 1e3;  // half a turn in each of hundreds of planes is less
 
   MatrixAlgebra algebra_;

@@ -77,7 +77,8 @@ class FastNaturalChart {
   }
 
  private:
-  static constexpr int largest_for_newton = 24;  ///< 276 unknowns
+  static constexpr int largest_for_newton = 16;  ///< 120 unknowns
+  static constexpr double slowest = 0.9;         ///< ratio of changes that still counts as contraction
 
   static double checked(double step) {
     if (!is_finite(step)) throw NotFinite("natural chart: step");
@@ -111,15 +112,13 @@ class FastNaturalChart {
 
   /// Z from P.
   void solve(ChartedBody& body) {
-    bool const small = inertia_.group.n <= largest_for_newton;
-    // Contraction changes from step to step, but not by a factor of 4.
     guess(body);
-    if (equation_.by_sweeps(p_.data(), z_.data(), std::min(1.0, 4 * body.contraction_), small ? 0.5 : 0.9, small ? 40 : 200) && equation_.in_chart(z_.data())) {
+    if (equation_.by_sweeps(p_.data(), z_.data(), body.contraction_, slowest) && equation_.in_chart(z_.data())) {
       body.contraction_ = equation_.contraction(), body.sweeps_ = equation_.sweeps();
       return;
     }
     body.contraction_ = 1, body.sweeps_ = 0;
-    if (small) {
+    if (inertia_.group.n <= largest_for_newton) {
       double const reached = detail::GrowingTurn(equation_, p_.data()).follow(z_.data());
       if (reached < 1) throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * reached * (1 - 1e-6));
     } else {
@@ -137,14 +136,15 @@ class FastNaturalChart {
       double const middle = (taken + refused) / 2;
       (takes(middle) ? taken : refused) = middle;
     }
-    throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * taken);
+    // A little less, where rounding cannot decide.
+    throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * taken * 0.98);
   }
   /// Whether a part of the step is taken by sweeps from the first guess.
   bool takes(double part) {
     std::copy(p_.data(), p_.data() + algebra_.size(), room_.data());
     algebra_.scale(part, room_.data());
     equation_.guess(room_.data(), z_.data());
-    return equation_.by_sweeps(room_.data(), z_.data(), 1, 0.9, 200) && equation_.in_chart(z_.data());
+    return equation_.by_sweeps(room_.data(), z_.data(), 1, slowest) && equation_.in_chart(z_.data());
   }
 
   /// What continues the turns of the past, or the first guess of all.
