@@ -115,6 +115,7 @@ class FastMoserVeselov {
     if (body.size() != shape_.n)
       throw OutsideDomain("Moser-Veselov", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), shape_.n);
     detail::SweepingStep const s{body, {lambda_.data(), inverse_.data()}, rule_};
+    if (body.scheme_ == RotatingBody::next_scheme) body.scheme_ = id_;
     if (body.scheme_ != id_) carry_out_(s, Stage::prepare, shape_.n), body.scheme_ = id_;
     if (carry_out_(s, with_attitude ? Stage::step_with_attitude : Stage::step, shape_.n)) return;
     body.scheme_ = 0;  // should this fail too, the body is as it was and the next step begins anew

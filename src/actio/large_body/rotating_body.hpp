@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "actio/large_body/relative_motion_sweeps.hpp"
 #include "actio/rigid_body/inertia.hpp"
@@ -46,6 +47,25 @@ class RotatingBody {
   /// How many steps the guess at the next one is made of.
   int remembered() const { return continuation_ ? continuation_->length : 0; }
 
+  /// Saves, or restores, all that the bits of the next step depend on, besides the scheme: `memory(numbers...)` takes each of them by reference.
+  ///
+  /// It is restored into a body of the same size, and goes on under the next scheme that steps it, which must be the one it was saved under or its equal.
+  /// @throws OutsideDomain  where what is restored is no body of this size
+  template <class Memory>
+  void remember(Memory& memory) {
+    int size = shape_.n, continuation = continuation_ ? static_cast<int>(continuation_ - detail::all_continuations().data()) : -1;
+    unsigned long scheme = scheme_;
+    memory(size, continuation, scheme, latest_, past_, sweeps_, expected_, steps_, chosen_, defect_, contraction_, solved_);
+    bool const fits = size == shape_.n && -1 <= continuation && continuation < static_cast<int>(detail::all_continuations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
+    if (!fits) throw OutsideDomain("rotating body", "a body of this size is to be restored; dimensions", size, shape_.n);
+    continuation_ = continuation < 0 ? nullptr : &detail::all_continuations()[static_cast<std::size_t>(continuation)];
+    // The number of a scheme means nothing in another process.
+    if (scheme != scheme_) scheme_ = scheme ? next_scheme : 0;
+    for (int const k : {motion_, attitude_, attitude_rest_}) remember_array(memory, full(k), full_size_);
+    for (int const k : {static_cast<int>(momentum_), static_cast<int>(momentum_rest_), guess_}) remember_array(memory, half(k), half_size_);
+    for (int k = 0; k < past_; ++k) remember_array(memory, half(ring_[static_cast<std::size_t>((latest_ + k) % longest)]), half_size_);
+  }
+
  private:
   friend struct detail::SweepingStep;
   friend class FastMoserVeselov;
@@ -61,6 +81,11 @@ class RotatingBody {
         full_(full_size_ * full_arrays),
         halves_(half_size_ * half_arrays) {
     for (int k = 0; k < longest; ++k) ring_[static_cast<std::size_t>(k)] = guess_ + 1 + k;
+  }
+  template <class Memory>
+  static void remember_array(Memory& memory, double* array, std::size_t size) {
+    std::span<double> values(array, size);
+    memory(values);
   }
   double* full(int k) { return full_.data() + full_size_ * static_cast<std::size_t>(k); }
   double const* full(int k) const { return full_.data() + full_size_ * static_cast<std::size_t>(k); }
@@ -101,7 +126,9 @@ class RotatingBody {
   long steps_ = 0, chosen_ = 0;               // and when the continuation was chosen
   double defect_ = 0, contraction_ = 1;       // squares of the last defect, and of the factor by which sweeps make it smaller
   bool solved_ = false;                       // whether the last sweeps came to an end
-  unsigned long scheme_ = 0;                  // whose steps are remembered
+  // Whose steps are remembered: none's, those of the scheme that steps next, or one's by its number.
+  static constexpr unsigned long next_scheme = ~0ul;
+  unsigned long scheme_ = 0;
 };
 
 }  // namespace actio

@@ -8,7 +8,7 @@ namespace actio::scene {
 
 std::vector<std::string> column_ends(Quantity::Kind kind, int n) {
   using Kind = Quantity::Kind;
-  auto const index = [n](int i, int j) { return "_" + std::to_string(i) + (n > 9 ? "_" : "") + std::to_string(j); };
+  auto const index = [](int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); };
   std::vector<std::string> ends;
   switch (kind) {
     case Kind::scalar: return {""};

@@ -27,7 +27,7 @@ struct Quantity {
   bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
 };
 
-/// Ends of the names of columns.
+/// Ends of the names of columns: `_x`, `_w`, and for matrices of n rows `_11 _12 ...`, indices apart where one of them has two digits, `_1_10`.
 std::vector<std::string> column_ends(Quantity::Kind kind, int n = 3);
 /// `_2, _4, ...`
 std::vector<std::string> numbered(std::vector<int> const& numbers);

@@ -3,7 +3,7 @@
 namespace actio::scene {
 
 std::vector<System> const& systems() {
-  static std::vector<System> const all{rigid_body_system(), heavy_top_system()};
+  static std::vector<System> const all{rigid_body_system(), rigid_body_n_system(), heavy_top_system()};
   return all;
 }
 
