@@ -15,14 +15,18 @@ class CsvSeries : public Series {
  public:
   CsvSeries(std::string const& path, std::vector<std::string> const& columns, bool resume) : path_(path) {
     file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (resume ? 0 : O_TRUNC), 0666);
-    if (file_ < 0) fail("cannot be opened");
-    if (resume) return;
+    if (file_ < 0) fail("cannot be opened", errno);
+    if (resume) return;  // `remember` tells how much of it counts
     for (auto const& name : columns) buffer_ += (buffer_.empty() ? "" : ",") + name;
     buffer_ += '\n';
     flush();
   }
   ~CsvSeries() override {
-    if (file_ >= 0) ::close(file_);
+    try {
+      if (failure_.empty()) flush();
+    } catch (FileError const&) {
+    }
+    ::close(file_);
   }
 
   void add(std::span<double const> row) override {
@@ -40,20 +44,12 @@ class CsvSeries : public Series {
   }
 
   void flush() override {
+    rethrow();
     std::size_t done = 0;
     while (done < buffer_.size()) {
       ssize_t const n = ::write(file_, buffer_.data() + done, buffer_.size() - done);
       if (n < 0 && errno == EINTR) continue;
-      if (n < 0) {
-        int const error = errno;
-        // The part of a row that the disk still took is cut off again.
-        std::size_t const whole = buffer_.rfind('\n', done ? done - 1 : 0);
-        size_ += static_cast<off_t>(done == 0 || whole == std::string::npos ? 0 : whole + 1);
-        buffer_.clear();
-        [[maybe_unused]] int const cut = ::ftruncate(file_, size_);
-        errno = error;
-        fail("cannot be written");
-      }
+      if (n < 0) give_up(done, errno);
       done += static_cast<std::size_t>(n);
     }
     size_ += static_cast<off_t>(buffer_.size());
@@ -61,17 +57,35 @@ class CsvSeries : public Series {
   }
   void sync() override {
     flush();
-    if (::fdatasync(file_) != 0 && errno != EINVAL) fail("cannot be written");
+    if (::fdatasync(file_) != 0 && errno != EINVAL) fail("cannot be written", errno);
   }
   void remember(Memory& memory) override {
+    rethrow();
     memory(size_);
-    if (memory.reading() && ::ftruncate(file_, size_) != 0) fail("cannot be cut back");
+    if (!memory.reading()) return;
+    off_t const there = ::lseek(file_, 0, SEEK_END);
+    if (there < size_) fail("holds fewer rows than were written", 0);
+    if (::ftruncate(file_, size_) != 0) fail("cannot be cut back", errno);
   }
 
  private:
-  [[noreturn]] void fail(std::string const& what) { throw FileError(path_ + ": " + what + ": " + std::strerror(errno)); }
+  /// Keeps the rows that the disk took whole, and cuts off the part of a row after them.
+  [[noreturn]] void give_up(std::size_t done, int error) {
+    std::size_t const whole = done == 0 ? std::string::npos : buffer_.rfind('\n', done - 1);
+    size_ += static_cast<off_t>(whole == std::string::npos ? 0 : whole + 1);
+    buffer_.clear();
+    [[maybe_unused]] int const cut = ::ftruncate(file_, size_);
+    fail("cannot be written", error);
+  }
+  [[noreturn]] void fail(std::string const& what, int error) {
+    failure_ = path_ + ": " + what + (error == 0 ? "" : std::string(": ") + std::strerror(error));
+    throw FileError(failure_);
+  }
+  void rethrow() const {
+    if (!failure_.empty()) throw FileError(failure_);
+  }
 
-  std::string path_, buffer_;
+  std::string path_, buffer_, failure_;
   int file_ = -1;
   off_t size_ = 0;  // of what was written
 };

@@ -6,6 +6,15 @@
 
 namespace actio::scene {
 
+std::vector<std::size_t> ColumnGroup::shape() const {
+  std::size_t const size = columns.size();
+  if (quantity.kind == Quantity::Kind::scalar) return {};
+  if (quantity.kind != Quantity::Kind::matrix) return {size};
+  std::size_t n = 1;
+  while (n * n < size) ++n;
+  return {n, n};
+}
+
 std::vector<std::string> column_ends(Quantity::Kind kind, int n) {
   using Kind = Quantity::Kind;
   auto const index = [](int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); };
@@ -71,10 +80,18 @@ void QuantityGraph::ask(std::vector<std::string> const& names) {
 
 bool QuantityGraph::needed(std::string const& name) const { return node(name).needed; }
 
+std::vector<ColumnGroup> QuantityGraph::column_groups() const {
+  std::vector<ColumnGroup> out;
+  for (Node const* n : asked_) {
+    out.push_back({n->quantity, {}});
+    for (auto const& end : n->ends) out.back().columns.push_back(n->quantity.name + end);
+  }
+  return out;
+}
+
 std::vector<std::string> QuantityGraph::columns() const {
   std::vector<std::string> out;
-  for (Node const* n : asked_)
-    for (auto const& end : n->ends) out.push_back(n->quantity.name + end);
+  for (auto const& group : column_groups()) out.insert(out.end(), group.columns.begin(), group.columns.end());
   return out;
 }
 

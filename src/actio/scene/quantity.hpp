@@ -27,6 +27,15 @@ struct Quantity {
   bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
 };
 
+/// One quantity of a row, with the names of its columns.
+struct ColumnGroup {
+  Quantity quantity;
+  std::vector<std::string> columns;
+
+  /// Of the value: nothing for a number, n by n for a matrix, otherwise as many as there are columns.
+  std::vector<std::size_t> shape() const;
+};
+
 /// Ends of the names of columns: `_x`, `_w`, and for matrices of n rows `_11 _12 ...`, indices apart where one of them has two digits, `_1_10`.
 std::vector<std::string> column_ends(Quantity::Kind kind, int n = 3);
 /// `_2, _4, ...`
@@ -59,6 +68,8 @@ class QuantityGraph {
   bool needed(std::string const& name) const;
   /// Names of the columns of a row, without the time.
   std::vector<std::string> columns() const;
+  /// The same, quantity by quantity.
+  std::vector<ColumnGroup> column_groups() const;
   std::size_t row_size() const { return row_size_; }
   /// Evaluates what is needed for a row, each quantity once.
   void evaluate(std::span<double> row);

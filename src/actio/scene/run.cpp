@@ -18,12 +18,10 @@ class Run {
   Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options)
       : scene_(scene), folder_(folder), options_(options), drift_(scene.simulation.quantities.conserved()), progress_(options.quiet), written_(scene.file.written()) {
     if (!scene.simulation.exact) steps_to_.emplace(scene.schedule, scene.simulation.step, scene.file.section("method"));
-    std::vector<std::string> columns{"t"};
-    for (auto const& name : scene.simulation.quantities.columns()) columns.push_back(name);
-    row_.resize(columns.size());
+    row_.resize(1 + scene.simulation.quantities.row_size());
     if (!resume) write_whole_file(folder + "/scene.toml", written_);
-    for (auto const& format : scene.formats)
-      if (format == "csv") series_.push_back(csv_series(folder + "/series.csv", columns, resume));
+    SeriesHead const head{scene.title, scene.system->name, written_, scene.simulation.quantities.column_groups(), scene.schedule.rows()};
+    for (auto const& format : scene.formats) series_.push_back(open_series(folder, format, head, resume));
     if (resume) {
       Memory memory(read_checkpoint(folder + "/checkpoint", written_));
       remember(memory);
@@ -82,9 +80,13 @@ class Run {
     ++next_row_;
   }
 
-  /// From time to time: progress, and a checkpoint.
+  /// From time to time: progress, rows for whoever watches, and a checkpoint.
   void look_up() {
     auto const now = Clock::now();
+    if (now - last_flush_ >= std::chrono::milliseconds(500)) {
+      for (auto& series : series_) series->flush();
+      last_flush_ = now;
+    }
     if (now - last_checkpoint_ >= std::chrono::duration<double>(options_.checkpoint_interval)) checkpoint();
     progress_.show(scene_.simulation.exact ? static_cast<double>(next_row_) / static_cast<double>(scene_.schedule.rows()) : static_cast<double>(done_) * scene_.simulation.step / scene_.schedule.until(),
                    done_, drift_.worst());
@@ -122,7 +124,7 @@ class Run {
   std::vector<std::unique_ptr<Series>> series_;
   std::vector<double> row_;
   long done_ = 0, next_row_ = 0, since_look_ = 0;
-  Clock::time_point began_ = Clock::now(), last_checkpoint_ = began_;
+  Clock::time_point began_ = Clock::now(), last_flush_ = began_, last_checkpoint_ = began_;
 };
 
 }  // namespace

@@ -1,4 +1,15 @@
 // The table that a run leaves: a row per output instant, the time first.
+//
+// Two formats hold the same numbers, bit for bit. `series.csv` is a text with a header row. `series.h5` has a data set for each quantity, rows along its
+// first axis, and `t`; attributes tell unit, meaning, formula, statement and the names of the columns, those of the file title, system, version and scene.
+//
+// Both can be read while the run goes on: a row is there half a second after it was computed. An HDF5 file that is being written, or whose writer was
+// killed, opens in the mode for that,
+//
+//     h5py.File("series.h5", "r", swmr=True)          // H5F_ACC_RDONLY | H5F_ACC_SWMR_READ
+//
+// and its data sets may then differ in length by the rows that are on their way: the shortest length counts. A killed writer leaves a mark that makes an
+// ordinary reader refuse the file; `h5clear -s series.h5` removes it, and so does `actio resume`.
 #pragma once
 
 #include <memory>
@@ -7,11 +18,13 @@
 #include <vector>
 
 #include "actio/scene/memory.hpp"
+#include "actio/scene/quantity.hpp"
 #include "actio/scene/scene_error.hpp"
 
 namespace actio::scene {
 
-/// A table that grows by rows, on disk or elsewhere. Whoever looks at it at any instant finds whole rows.
+/// A table that grows by rows, on disk or elsewhere. Whoever looks at it at any instant finds whole rows. After an error there is no going on: whatever is
+/// called throws it again.
 class Series {
  public:
   virtual ~Series() = default;
@@ -26,8 +39,27 @@ class Series {
   virtual void remember(Memory& memory) = 0;
 };
 
+/// What a table tells besides its numbers.
+struct SeriesHead {
+  std::string title, system;
+  std::string scene;                 ///< in TOML, defaults written out
+  std::vector<ColumnGroup> groups;   ///< the columns after the time
+  long rows = 0;                     ///< expected; a matter of speed alone
+};
+
+/// The table `series.csv` or `series.h5` in a folder, written by a thread of its own; new, or there and cut back by `remember`.
+/// @param format  "csv" or "hdf5"
+/// @throws FileError
+std::unique_ptr<Series> open_series(std::string const& folder, std::string const& format, SeriesHead const& head, bool resume);
+
 /// A new table `path`, or one that is there and will be cut back by `remember`.
 /// @throws FileError
 std::unique_ptr<Series> csv_series(std::string const& path, std::vector<std::string> const& columns, bool resume);
+/// The same in HDF5.
+std::unique_ptr<Series> hdf5_series(std::string const& path, SeriesHead const& head, bool resume);
+
+/// The same table, with rows formatted and written by a thread of its own. No more than a few blocks of rows wait for it, however long the run; an error of
+/// the writer comes out of whatever is called next.
+std::unique_ptr<Series> in_background(std::unique_ptr<Series> series);
 
 }  // namespace actio::scene
