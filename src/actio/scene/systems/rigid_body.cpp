@@ -106,7 +106,9 @@ Simulation prepare(Request const& request) {
     try {
       motion = std::make_unique<SteppedMotion<false>>(body, inertia, step, static_cast<int>(order));
     } catch (StepTooLong const& error) {
-      throw NumericsError(method.place("step").text() + ": " + error.what());
+      // The start can still be told.
+      simulation.failure = method.place("step").text() + ": " + error.what();
+      motion = std::make_unique<ExactMotion>(body, inertia);
     }
   }
   define_turning_body(graph, *motion, inertia);
