@@ -1,8 +1,7 @@
 // The command actio: scenes, run and looked at. Here are its arguments; what it does is in the files beside this one.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 
+#include "actio/scene/progress.hpp"
 #include "actio/scene/scene_error.hpp"
 #include "app/commands.hpp"
 
@@ -60,13 +59,13 @@ int main(int argc, char** argv) {
   } catch (CLI::ParseError const& error) {
     return command.exit(error) == 0 ? 0 : 2;
   } catch (scene::SceneError const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    scene::say(stderr, std::string(error.what()) + "\n");
     return 2;
   } catch (scene::NumericsError const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    scene::say(stderr, std::string(error.what()) + "\n");
     return 3;
   } catch (scene::FileError const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    scene::say(stderr, std::string(error.what()) + "\n");
     return 4;
   }
 }

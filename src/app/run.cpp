@@ -1,25 +1,37 @@
-#include "actio/scene/run.hpp"
-
-#include <fmt/format.h>
-
 #include <filesystem>
 
-#include "actio/scene/interrupt.hpp"
 #include "app/commands.hpp"
+#include "app/run_to_end.hpp"
 
 namespace actio::app {
 
 using namespace scene;
 
+namespace {
+
+/// The run may not take the place of the scene that it is read from, unless that is what it would write there.
+void keep_the_scene(RunArguments const& arguments, std::string const& out, Scene const& scene) {
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.scene, out + "/scene.toml", none) && SceneFile::read(arguments.scene).written() != scene.file.written())
+    throw SceneError({out}, "the copy of the scene would be written over the scene itself; --out names another folder");
+}
+
+}  // namespace
+
 int run(RunArguments const& arguments) {
-  Scene scene = Scene::read(SceneFile::read(arguments.scene, arguments.set));
+  open_standard_streams();
+  auto changes = arguments.set;
+  if (arguments.plots) changes.push_back("output.plots=true");
+  Scene scene = Scene::read(SceneFile::read(arguments.scene, changes));
+  if (arguments.dry_run) {
+    if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
+    return 0;
+  }
   std::string const out = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
-  if (std::filesystem::exists(out) && !std::filesystem::is_empty(out) && !arguments.force) throw SceneError({out}, "the folder is not empty; --force replaces the run in it");
-  std::filesystem::create_directories(out);
+  keep_the_scene(arguments, out, scene);
+  RunFolder const folder = RunFolder::create(out, arguments.force);
   listen_for_interrupts();
-  RunReport const report = run_scene(scene, out, false, {arguments.quiet});
-  if (!report.message.empty()) fmt::print(stderr, "{}\n", report.message);
-  return static_cast<int>(report.ending);
+  return run_to_end(scene, folder, false, arguments.quiet);
 }
 
 }  // namespace actio::app

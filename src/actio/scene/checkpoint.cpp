@@ -3,51 +3,77 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 #include "actio/scene/scene_error.hpp"
 
 namespace actio::scene {
 namespace {
 
-constexpr std::string_view heading = "actio checkpoint 1\n";
+// Another version may make other digits of the same scene.
+constexpr std::string_view heading = "actio checkpoint 1, " ACTIO_VERSION "\n";
 
-/// FNV-1a: enough to see that a file was damaged or belongs elsewhere.
+/// FNV-1a, eight bytes at a time: enough to see that a file was damaged or belongs elsewhere.
 std::uint64_t hash(std::string_view bytes) {
-  std::uint64_t h = 14695981039346656037u;
-  for (unsigned char const c : bytes) h = (h ^ c) * 1099511628211u;
+  std::uint64_t h = 14695981039346656037u ^ bytes.size();
+  for (std::size_t at = 0; at < bytes.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, std::min<std::size_t>(8, bytes.size() - at));
+    h = (h ^ word) * 1099511628211u;
+    h ^= h >> 32;
+  }
   return h;
 }
 std::string as_bytes(std::uint64_t x) { return {reinterpret_cast<char const*>(&x), sizeof x}; }
 
-[[noreturn]] void fail(std::string const& path, std::string const& what) { throw FileError(path + ": " + what + ": " + std::strerror(errno)); }
+[[noreturn]] void fail(std::string const& path, int error) { throw FileError(path + ": cannot be written: " + std::strerror(error)); }
+
+/// A file that is gone again unless it is given its name.
+class Part {
+ public:
+  explicit Part(std::string const& path) : path_(path), part_(path + ".part"), file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+    if (file_ < 0) fail(path_, errno);
+  }
+  ~Part() {
+    if (file_ >= 0) ::close(file_);
+    if (!named_) ::unlink(part_.c_str());
+  }
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      ssize_t const n = ::write(file_, content.data(), content.size());
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) fail(path_, errno);
+      content.remove_prefix(static_cast<std::size_t>(n));
+    }
+  }
+  void name() {
+    if (::fsync(file_) != 0 && errno != EINVAL) fail(path_, errno);
+    int const closed = ::close(std::exchange(file_, -1));
+    if (closed != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) fail(path_, errno);
+    named_ = true;
+  }
+
+ private:
+  std::string path_, part_;
+  int file_;
+  bool named_ = false;
+};
 
 }  // namespace
 
 void write_whole_file(std::string const& path, std::string_view content) {
-  std::string const part = path + ".part";
-  int const file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) fail(part, "cannot be opened");
-  std::size_t done = 0;
-  while (done < content.size()) {
-    ssize_t const n = ::write(file, content.data() + done, content.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) {
-      int const error = errno;
-      ::close(file), ::unlink(part.c_str());
-      errno = error;
-      fail(path, "cannot be written");
-    }
-    done += static_cast<std::size_t>(n);
-  }
-  if (::fsync(file) != 0 && errno != EINVAL) fail(path, "cannot be written");
-  ::close(file);
-  if (std::rename(part.c_str(), path.c_str()) != 0) fail(path, "cannot be written");
+  Part part(path);
+  part.write(content);
+  part.name();
+  // The name is on the disk when the folder is.
   std::string const folder = std::filesystem::path(path).parent_path().string();
   if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) ::fsync(handle), ::close(handle);
 }
@@ -61,8 +87,10 @@ std::string read_checkpoint(std::string const& path, std::string const& scene) {
   if (!in) throw FileError(path + ": cannot be read");
   std::string const bytes{std::istreambuf_iterator<char>(in), {}};
   std::size_t const start = heading.size() + 16;
-  if (!bytes.starts_with(heading) || bytes.size() < start) throw FileError(path + ": is no checkpoint of this version of actio");
-  if (bytes.substr(heading.size(), 8) != as_bytes(hash(scene))) throw FileError(path + ": belongs to another scene; scene.toml was changed since");
+  if (!bytes.starts_with(heading.substr(0, heading.find(',')))) throw FileError(path + ": is damaged, or no checkpoint");
+  if (!bytes.starts_with(heading)) throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION);
+  if (bytes.size() < start) throw FileError(path + ": is damaged: it ends too early");
+  if (bytes.substr(heading.size(), 8) != as_bytes(hash(scene))) throw FileError(path + ": belongs to another scene; scene.toml beside it was changed since");
   std::string state = bytes.substr(start);
   if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state))) throw FileError(path + ": is damaged");
   return state;

@@ -14,7 +14,7 @@ namespace {
 class CsvSeries : public Series {
  public:
   CsvSeries(std::string const& path, std::vector<std::string> const& columns, bool resume) : path_(path) {
-    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (resume ? 0 : O_TRUNC), 0666);
+    file_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT | O_TRUNC), 0666);
     if (file_ < 0) fail("cannot be opened", errno);
     if (resume) return;  // `remember` tells how much of it counts
     for (auto const& name : columns) buffer_ += (buffer_.empty() ? "" : ",") + name;
@@ -63,8 +63,8 @@ class CsvSeries : public Series {
     rethrow();
     memory(size_);
     if (!memory.reading()) return;
-    off_t const there = ::lseek(file_, 0, SEEK_END);
-    if (there < size_) fail("holds fewer rows than were written", 0);
+    off_t const found = ::lseek(file_, 0, SEEK_END);
+    if (size_ < 0 || found < size_) throw FileError(path_ + ": has " + std::to_string(found) + " bytes, where the checkpoint needs " + std::to_string(size_) + "; it was cut since");
     if (::ftruncate(file_, size_) != 0) fail("cannot be cut back", errno);
   }
 

@@ -6,33 +6,55 @@
 namespace actio::scene {
 namespace {
 
-double size_of(std::span<double const> v) {
-  double largest = 0, sum = 0;
-  for (double const x : v) largest = std::max(largest, std::abs(x));
-  if (v.size() == 1 || !(largest > 0) || !std::isfinite(largest)) return largest;
-  for (double const x : v) sum += (x / largest) * (x / largest);
+/// The length of a vector, given component by component.
+template <class Component>
+double length(std::size_t n, Component const& component) {
+  if (n == 1) return std::abs(component(0));
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += component(i) * component(i);
+  // Squares below 1e-308 are lost, and no more than 1e-18 of such a sum; there is no overflow.
+  if (sum > 1e-290 && sum < 1e290) return std::sqrt(sum);
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(component(i)));
+  if (!(largest > 0) || !std::isfinite(largest)) return largest;
+  sum = 0;
+  for (std::size_t i = 0; i < n; ++i) sum += (component(i) / largest) * (component(i) / largest);
   return largest * std::sqrt(sum);
 }
 
 }  // namespace
+
+Drift::Drift(std::vector<QuantityGraph::Conserved> quantities) : quantities_(std::move(quantities)), seen_(quantities_.size()) {
+  std::size_t size = 0;
+  for (auto const& q : quantities_) size += q.size;
+  start_.resize(size);
+}
 
 double Drift::Seen::relative() const {
   double const unit = at_start > 0 ? at_start : modulus;
   return unit > 0 ? difference / unit : 0;
 }
 
-void Drift::see(std::span<double const> row) {
-  bool const start = first_.empty();
-  if (start) first_.assign(row.begin(), row.end());
-  std::vector<double> difference;
+void Drift::start(std::span<double const> row) {
+  double* at = start_.data();
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
-    auto const now = row.subspan(quantities_[k].first, quantities_[k].size);
-    double const modulus = size_of(now);
-    if (start) seen_[k].at_start = modulus;
-    seen_[k].modulus = std::max(seen_[k].modulus, modulus);
-    difference.assign(now.begin(), now.end());
-    for (std::size_t i = 0; i < now.size(); ++i) difference[i] -= first_[quantities_[k].first + i];
-    seen_[k].difference = std::max(seen_[k].difference, size_of(difference));
+    double const* const now = row.data() + quantities_[k].first;
+    seen_[k].at_start = length(quantities_[k].size, [now](std::size_t i) { return now[i]; });
+    at = std::copy_n(now, quantities_[k].size, at);
+  }
+  started_ = true;
+}
+
+void Drift::see(std::span<double const> row) {
+  if (!started_) return start(row);
+  double const* then = start_.data();
+  for (std::size_t k = 0; k < quantities_.size(); ++k) {
+    std::size_t const size = quantities_[k].size;
+    double const* const now = row.data() + quantities_[k].first;
+    Seen& seen = seen_[k];
+    seen.difference = std::max(seen.difference, length(size, [now, then](std::size_t i) { return now[i] - then[i]; }));
+    if (!(seen.at_start > 0)) seen.modulus = std::max(seen.modulus, length(size, [now](std::size_t i) { return now[i]; }));
+    then += size;
   }
 }
 
@@ -46,6 +68,5 @@ double Drift::worst() const {
   for (auto const& s : seen_) worst = std::max(worst, s.relative());
   return worst;
 }
-void Drift::remember(Memory& memory) { memory(seen_, first_); }
 
 }  // namespace actio::scene

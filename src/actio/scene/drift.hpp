@@ -1,17 +1,19 @@
 // How far conserved quantities have drifted: the largest |Q(t) - Q(0)| over the rows, divided by |Q(0)|, or by the largest |Q| seen where Q(0) = 0.
 #pragma once
 
-#include "actio/scene/quantity.hpp"
 #include "actio/scene/memory.hpp"
+#include "actio/scene/quantity.hpp"
 
 namespace actio::scene {
 
 /// The drift of the conserved quantities in a row.
 class Drift {
  public:
-  explicit Drift(std::vector<QuantityGraph::Conserved> quantities) : quantities_(std::move(quantities)), seen_(quantities_.size()) {}
+  explicit Drift(std::vector<QuantityGraph::Conserved> quantities);
 
-  /// One row more, without its time.
+  /// Whether there is nothing to look at.
+  bool empty() const { return quantities_.empty(); }
+  /// One row more, without its time. The first one is that of t = 0, even where it is not written.
   void see(std::span<double const> row);
   struct Entry {
     std::string name;
@@ -20,16 +22,19 @@ class Drift {
   std::vector<Entry> entries() const;
   /// The largest of all; zero where nothing is conserved.
   double worst() const;
-  void remember(Memory& memory);
+  void remember(Memory& memory) { memory(started_, start_, seen_); }
 
  private:
   struct Seen {
     double difference = 0, modulus = 0, at_start = 0;
     double relative() const;
   };
+  void start(std::span<double const> row);
+
   std::vector<QuantityGraph::Conserved> quantities_;
   std::vector<Seen> seen_;
-  std::vector<double> first_;
+  std::vector<double> start_;  // of the quantities, one after the other
+  bool started_ = false;
 };
 
 }  // namespace actio::scene

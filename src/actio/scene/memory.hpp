@@ -1,14 +1,17 @@
 // What a run remembers across a checkpoint: plain numbers, bit for bit.
 //
 //     void remember(Memory& memory) { memory(place_, steps_taken_); }       // saves, or restores
+//
+// What is read back is not trusted: it has to be as long as it says, and every list as long as the one that it takes the place of.
 #pragma once
 
 #include <cstring>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
+
+#include "actio/foundations/errors.hpp"
 
 namespace actio::scene {
 
@@ -23,10 +26,16 @@ class Memory {
   bool reading() const { return reading_; }
   std::string const& bytes() const { return bytes_; }
 
-  /// Saves each value, or restores it.
+  /// Saves each value, or restores it. A list that is not empty keeps its size.
+  /// @throws Error  where the bytes end too early, or a list has another size
   template <class... T>
   void operator()(T&... values) {
     (one(values), ...);
+  }
+  /// That all was read back.
+  /// @throws Error  where bytes are left
+  void end() const {
+    if (reading_ && at_ != bytes_.size()) throw Error("memory: " + std::to_string(bytes_.size() - at_) + " bytes more than were expected");
   }
 
  private:
@@ -39,8 +48,11 @@ class Memory {
   void one(std::vector<T>& values) {
     std::size_t size = values.size();
     one(size);
-    if (size > bytes_.size()) throw std::runtime_error("memory: fewer bytes than it says");
-    values.resize(size);
+    if (reading_) {
+      if (!values.empty() && size != values.size()) throw Error("memory: a list of " + std::to_string(values.size()) + " is expected, found one of " + std::to_string(size));
+      if (size > (bytes_.size() - at_) / sizeof(T)) throw Error("memory: it ends within a list of " + std::to_string(size));
+      values.resize(size);
+    }
     if (size) raw(values.data(), size * sizeof(T));
   }
   template <class T>
@@ -52,7 +64,7 @@ class Memory {
       bytes_.append(static_cast<char const*>(at), size);
       return;
     }
-    if (at_ + size > bytes_.size()) throw std::runtime_error("memory: it ends too early");
+    if (size > bytes_.size() - at_) throw Error("memory: it ends too early");
     std::memcpy(at, bytes_.data() + at_, size);
     at_ += size;
   }

@@ -110,6 +110,10 @@ std::vector<QuantityGraph::Count> QuantityGraph::counts() const {
   return out;
 }
 
+void QuantityGraph::remember(Memory& memory) {
+  for (auto& n : nodes_) memory(n.evaluations);
+}
+
 std::vector<QuantityGraph::Conserved> QuantityGraph::conserved() const {
   std::vector<Conserved> out;
   std::size_t at = 0;

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "actio/scene/memory.hpp"
+
 namespace actio::scene {
 
 /// A quantity of a system, as `actio show` and the book tell it.
@@ -75,6 +77,8 @@ class QuantityGraph {
   void evaluate(std::span<double> row);
   /// For each quantity of the system, in its order.
   std::vector<Count> counts() const;
+  /// Saves, or restores, how often each was evaluated.
+  void remember(Memory& memory);
 
   /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a list one by one.
   struct Conserved {

@@ -1,7 +1,13 @@
 // A scene on its way: steps and rows, checkpoints and progress, until the end or until something stops it.
+//
+// A run in a folder writes its first checkpoint before its first step, and another one every few seconds: killed at any moment, it can go on. What it leaves
+// is then what it would have left, bit for bit.
 #pragma once
 
+#include <functional>
+
 #include "actio/scene/drift.hpp"
+#include "actio/scene/interrupt.hpp"
 #include "actio/scene/scene.hpp"
 #include "actio/scene/series.hpp"
 
@@ -13,22 +19,36 @@ enum class Ending { done = 0, scene_wrong = 2, numerics_failed = 3, file_failed 
 /// What is to be done with a run besides the scene.
 struct RunOptions {
   bool quiet = false;
-  double checkpoint_interval = 2;  ///< seconds
+  double checkpoint_interval = 2;            ///< seconds
+  std::function<bool()> stop = interrupted;  ///< whether to end between two steps
 };
 
 /// How a run went.
 struct RunReport {
   Ending ending = Ending::done;
-  std::string message;  ///< where it did not end well: what went wrong
-  long steps = 0;       ///< of the whole run, those before a resumption included
+  std::string message;              ///< where it did not end well: what went wrong
+  long steps = 0;                   ///< of the whole run, those before a resumption included
   long rows = 0;
-  double seconds = 0;   ///< of this process
+  double seconds = 0;               ///< of all its processes
+  std::vector<Drift::Entry> drift;  ///< of each conserved quantity
+  std::vector<double> last_row;     ///< that this process wrote, the time first
+  std::string summary;              ///< as in summary.json
 };
 
-/// Runs a scene into a folder that is there and empty, or goes on from the checkpoint in it. Every row that was computed is in the files when it returns, whatever the ending.
+/// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was computed is in the files when it returns, whatever the ending.
+/// Whoever calls has the folder for himself (\ref RunFolder).
+/// @throws FileError  where its files cannot be made, or those that are there are not those of the checkpoint
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});
 
-/// The largest relative drift of each conserved quantity that was asked for, ... the report of a run, as JSON.
+/// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is told.
+/// @throws FileError  where the checkpoint cannot be read, is damaged, or belongs to another scene
+bool run_is_finished(Scene const& scene, std::string const& folder);
+
+/// Seconds between two checkpoints: what the environment variable ACTIO_CHECKPOINT_SECONDS says, otherwise those of `RunOptions`.
+/// @throws SceneError  where it is no number, or negative
+double checkpoint_interval();
+
+/// The report of a run, as JSON: how it ended, steps, rows, seconds, evaluations, what was skipped, and the largest relative drift of each conserved quantity.
 std::string summary_json(Scene const& scene, RunReport const& report, Drift const& drift);
 
 }  // namespace actio::scene

@@ -35,6 +35,7 @@ struct Simulation {
   bool exact = false;                            ///< goes to any time at once, and has no steps
   double step = std::numeric_limits<double>::quiet_NaN();  ///< time; of a method with steps
   long steps_at_once = 1 << 14;                  ///< so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the machine, since the digits may depend on it
+  std::string failure;                           ///< why it can take no step from its start, for instance since the step is too long; empty where it can
   std::vector<std::string> shortcuts;            ///< what the scene allows to leave out, for the plan
   std::vector<std::string> remarks;              ///< what was done to the input, for instance a quaternion normalised
 };

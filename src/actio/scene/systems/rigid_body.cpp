@@ -112,9 +112,15 @@ void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
 Simulation prepare(Request const& request) {
   FreeBodyScene scene(request);
   if (scene.choice.order == "exact") check_phase(scene, request.file.section("run"), request.schedule.until());
-  auto motion = motion_of(scene, request.schedule);
-
   Simulation simulation(quantities());
+  std::unique_ptr<TurningBody> motion;
+  try {
+    motion = motion_of(scene, request.schedule);
+  } catch (NumericsError const& error) {
+    // The start can still be told.
+    simulation.failure = error.what();
+    motion = exact_motion(scene.body, scene.inertia);
+  }
   QuantityGraph& graph = simulation.quantities;
   define_turning_body(graph, *motion, scene.inertia);
   graph.define("energy", {""}, [](auto needs, double* energy) { *energy = (needs[0][0] * needs[1][0] + needs[0][1] * needs[1][1] + needs[0][2] * needs[1][2]) / 2; });

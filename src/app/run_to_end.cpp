@@ -1,0 +1,33 @@
+#include "app/run_to_end.hpp"
+
+#include <fmt/format.h>
+
+#include "actio/scene/progress.hpp"
+
+namespace actio::app {
+
+using namespace scene;
+
+namespace {
+
+/// `apophis: 101 rows to t = 25 in 0.2 s; drift: energy 1.1e-16`
+std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport const& report) {
+  std::string line = fmt::format("{}: {} rows to t = {} in {:.3g} s", folder.path(), report.rows, scene.schedule.until(), report.seconds);
+  for (std::size_t k = 0; k < report.drift.size(); ++k) line += fmt::format("{} {} {:.1e}", k == 0 ? "; drift:" : ",", report.drift[k].name, report.drift[k].relative);
+  return line;
+}
+
+}  // namespace
+
+int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet) {
+  RunOptions options;
+  options.quiet = quiet, options.checkpoint_interval = checkpoint_interval();
+  for (auto const& remark : scene.simulation.remarks) say(stderr, remark + "\n");
+  RunReport const report = run_scene(scene, folder.path(), resume, options);
+  if (report.ending == Ending::interrupted) say(stderr, fmt::format("{}; actio resume {} goes on from there\n", report.message, folder.path()));
+  else if (!report.message.empty()) say(stderr, report.message + "\n");
+  else if (!quiet) say(stdout, closing_line(scene, folder, report) + "\n");
+  return static_cast<int>(report.ending);
+}
+
+}  // namespace actio::app

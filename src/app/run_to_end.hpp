@@ -1,0 +1,13 @@
+// A scene, run to its end, and what is said of it.
+#pragma once
+
+#include "actio/scene/run.hpp"
+#include "actio/scene/run_folder.hpp"
+
+namespace actio::app {
+
+/// Runs, or goes on; remarks and complaints go to standard error, a closing line to standard output.
+/// @return the exit status
+int run_to_end(scene::Scene& scene, scene::RunFolder const& folder, bool resume, bool quiet);
+
+}  // namespace actio::app
