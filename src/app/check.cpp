@@ -1,9 +1,165 @@
-#include "app/commands.hpp"
+// actio check: runs the theorem checks, which are programs beside this one, and tells how each statement fared.
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/scene_error.hpp"
+#include "actio/scene/statements.hpp"
+#include "app/child.hpp"
+#include "app/commands.hpp"
 
 namespace actio::app {
 
-int check(std::vector<std::string> const&) { throw scene::SceneError({"check"}, "not built yet"); }
+using namespace scene;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What the checks of one statement said, over all scalars.
+struct Result {
+  std::string title, verdict;
+  std::set<std::string> scalars;
+  std::vector<std::string> failures;
+};
+using Results = std::map<std::string, Result>;
+
+/// Statements whose checks are wanted, in the order asked for; all that have one where none is named.
+std::vector<Statement const*> wanted(std::vector<std::string> const& ids) {
+  std::vector<Statement const*> out;
+  if (ids.empty())
+    for (auto const& statement : statements())
+      if (statement.checked) out.push_back(&statement);
+  std::vector<std::string> known;
+  for (auto const& statement : statements()) known.push_back(statement.id);
+  for (auto const& id : ids) {
+    Statement const* const statement = find_statement(id);
+    if (!statement) throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)", id, did_you_mean(id, known)));
+    if (!statement->checked) throw SceneError({"actio check"}, fmt::format("{} is a statement of the thesis ({}), but has no check yet", id, statement->subject));
+    if (std::find(out.begin(), out.end(), statement) == out.end()) out.push_back(statement);
+  }
+  return out;
+}
+
+/// The program that checks each chapter: over all scalars where it is there, otherwise the quick one.
+std::map<std::string, fs::path> programs_beside() {
+  static std::regex const name("checks_ch0*([0-9]+)(_quick)?");
+  std::map<std::string, fs::path> out;
+  std::error_code none;
+  for (fs::directory_iterator it(folder_of_this_program(), none), end; !none && it != end; it.increment(none)) {
+    std::smatch match;
+    std::string const file = it->path().filename().string();
+    if (!std::regex_match(file, match, name)) continue;
+    fs::path& program = out[match[1]];
+    if (program.empty() || !match[2].matched) program = it->path();
+  }
+  return out;
+}
+
+std::string how_to_build(std::vector<std::string> const& chapters) {
+  std::string targets, places;
+  for (auto const& chapter : chapters) {
+    targets += fmt::format(" checks_ch{:0>2}_quick", chapter);
+    places += (places.empty() ? "" : ", ") + chapter;
+  }
+  return fmt::format("actio check: the checks of chapter {} are not beside this command, in {}; in the folder of the sources, `ninja -C build{}` builds them over the rationals and double, and without _quick at every precision",
+                     places, folder_of_this_program().string(), targets);
+}
+
+/// Adds what a program reported of its statements.
+void read_reports(fs::path const& folder, Results& results) {
+  for (auto const& entry : fs::directory_iterator(folder)) {
+    std::ifstream in(entry.path());
+    for (auto const& record : nlohmann::json::parse(in)) {
+      Result& result = results[record.at("id").get<std::string>()];
+      result.title = record.at("title").get<std::string>();
+      result.verdict = record.at("verdict").get<std::string>();
+      std::string const scalar = record.at("scalar").get<std::string>();
+      result.scalars.insert(scalar);
+      for (auto const& failure : record.at("failures")) result.failures.push_back(scalar + ": " + failure.get<std::string>());
+    }
+  }
+}
+
+/// Runs the checks of these statements in a program; all that it has where none is named.
+/// @return 130 where it was interrupted, otherwise 0
+int run_checks(fs::path const& program, std::vector<std::string> const& ids, Results& results) {
+  PassingFolder const reports;  // those of the build stay as they are
+  std::vector<std::string> words{program.string()};
+  for (auto const& id : ids) words.push_back("--run_test=*/" + id);
+  for (char const* const word : {"--log_level=error", "--report_level=no", "--color_output=no", "--", "--columns", "all", "--report"}) words.emplace_back(word);
+  words.push_back(reports.path().string());
+  ChildOutcome const outcome = run_child(words);
+  if (outcome.status == 130) return 130;
+  Results here;
+  try {
+    read_reports(reports.path(), here);
+  } catch (nlohmann::json::exception const& error) {
+    throw FileError(program.string() + ": its report cannot be read: " + error.what());
+  }
+  bool const explained = std::any_of(here.begin(), here.end(), [](auto const& entry) { return !entry.second.failures.empty(); });
+  for (auto const& id : ids)
+    if (!here.count(id)) here[id].failures.push_back(fmt::format("{} ended with status {} and told nothing of it; it may be older than the sources", program.filename().string(), outcome.status));
+  if (outcome.status != 0 && !explained) fmt::print(stderr, "{} ended with status {}:\n{}", program.filename().string(), outcome.status, outcome.output);
+  results.merge(here);
+  return 0;
+}
+
+/// A line for the statement.
+/// @return whether it is well
+bool tell(Statement const& statement, Result const& result, std::size_t width) {
+  bool const well = result.failures.empty();
+  fmt::print("{:<{}}  {:<10}  {}\n", statement.id, width, well ? result.verdict : "FAILED", result.title.empty() ? statement.subject : result.title);
+  std::fflush(stdout);
+  for (auto const& failure : result.failures) fmt::print(stderr, "  {}: {}\n", statement.id, failure);
+  return well;
+}
+
+}  // namespace
+
+int check(std::vector<std::string> const& ids) {
+  auto const asked = wanted(ids);
+  auto const programs = programs_beside();
+  std::vector<std::string> chapters, missing;
+  std::size_t width = 0;
+  for (auto const* const statement : asked) {
+    auto& list = programs.count(statement->chapter) ? chapters : missing;
+    if (std::find(list.begin(), list.end(), statement->chapter) == list.end()) list.push_back(statement->chapter);
+    width = std::max(width, statement->id.size());
+  }
+  if (chapters.empty() || (!ids.empty() && !missing.empty())) throw FileError(how_to_build(missing));
+
+  std::size_t well = 0, failed = 0;
+  std::set<std::string> scalars;
+  for (auto const& chapter : chapters) {
+    std::vector<std::string> here;
+    for (auto const* const statement : asked)
+      if (statement->chapter == chapter) here.push_back(statement->id);
+    Results results;
+    if (run_checks(programs.at(chapter), here, results) == 130) return 130;
+    for (auto const* const statement : asked) {
+      if (statement->chapter != chapter) continue;
+      Result const& result = results[statement->id];
+      ++(tell(*statement, result, width) ? well : failed);
+      scalars.insert(result.scalars.begin(), result.scalars.end());
+    }
+  }
+  fmt::print(stderr, "{} passed, {} failed, over {}\n", well, failed, listed({scalars.begin(), scalars.end()}));
+  if (failed) return 1;
+  if (!missing.empty()) throw FileError(how_to_build(missing));
+  return 0;
+}
+
+int list_statements() {
+  for (auto const& statement : statements())
+    if (statement.checked) fmt::print("{:<40}  {}\n", statement.id, statement.subject);
+  return 0;
+}
 
 }  // namespace actio::app

@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+namespace actio::scene {
+struct Scene;
+}
+
 namespace actio::app {
 
 struct RunArguments {
@@ -12,6 +16,8 @@ struct RunArguments {
   bool quiet = false, dry_run = false, plots = false, force = false;
 };
 int run(RunArguments const& arguments);
+/// What `run` would do with a scene that was read, and what it would leave in the folder `out`.
+int plan(scene::Scene const& scene, RunArguments const& arguments, std::string const& out);
 
 struct ResumeArguments {
   std::string folder;
@@ -30,9 +36,12 @@ int sweep(SweepArguments const& arguments);
 
 /// @param what  systems, groups, methods, quantities, bodies, materials
 int list(std::string const& what);
-/// @param name  of a body, a material, a system, a method or a quantity
+/// @param name  of a body, a material, a system, a method, a quantity, a group or a statement
 int show(std::string const& name);
 /// @param ids  of statements; none: all
+/// @return 1 where a check fails
 int check(std::vector<std::string> const& ids);
+/// The statements that have a check.
+int list_statements();
 
 }  // namespace actio::app

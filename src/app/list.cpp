@@ -1,10 +1,74 @@
-#include "app/commands.hpp"
+// actio list: tables with a line for each name, which comes first, so that they serve in a pipe.
+#include <fmt/format.h>
 
-#include "actio/scene/scene_error.hpp"
+#include "actio/scene/bodies.hpp"
+#include "actio/scene/groups.hpp"
+#include "actio/scene/nearest_name.hpp"
+#include "app/catalogue.hpp"
+#include "app/commands.hpp"
+#include "app/text.hpp"
 
 namespace actio::app {
 
-int list(std::string const&) { throw scene::SceneError({"list"}, "not built yet"); }
-int show(std::string const&) { throw scene::SceneError({"show"}, "not built yet"); }
+using namespace scene;
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// A row for each name and meaning: what several systems have alike is there once, with all of them in its second cell.
+void add(Rows& rows, std::vector<std::string> row) {
+  for (auto& there : rows)
+    if (there[0] == row[0] && std::equal(there.begin() + 2, there.end(), row.begin() + 2, row.end())) {
+      there[1] += "," + row[1];
+      return;
+    }
+  rows.push_back(std::move(row));
+}
+
+Rows list_of_systems() {
+  Rows rows;
+  for (auto const& system : systems()) rows.push_back({system.name, system.meaning});
+  return rows;
+}
+Rows list_of_groups() {
+  Rows rows;
+  for (auto const& group : library_groups()) rows.push_back({group.name, group.dimension, group.meaning});
+  return rows;
+}
+Rows list_of_methods() {
+  Rows rows;
+  for (auto const& [method, system] : all_methods()) {
+    std::string orders;
+    for (auto const& order : method->orders) orders += (orders.empty() ? "" : ",") + order;
+    add(rows, {method->name, system->name, orders, method->meaning});
+  }
+  return rows;
+}
+Rows list_of_quantities() {
+  Rows rows;
+  for (auto const& [quantity, system] : all_quantities()) add(rows, {quantity->name, system->name, quantity->meaning});
+  return rows;
+}
+Rows list_of_bodies() {
+  Rows rows;
+  for (auto const& body : library_bodies()) rows.push_back({body.name, body.title});
+  return rows;
+}
+
+}  // namespace
+
+int list(std::string const& what) {
+  Rows rows;
+  if (what == "systems") rows = list_of_systems();
+  else if (what == "groups") rows = list_of_groups();
+  else if (what == "methods") rows = list_of_methods();
+  else if (what == "quantities") rows = list_of_quantities();
+  else if (what == "bodies") rows = list_of_bodies();
+  else if (what == "materials") fmt::print(stderr, "There are no materials yet: they come with the systems of continua.\n");
+  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", what, did_you_mean(what, kinds_of_lists()), listed(kinds_of_lists())));
+  fmt::print("{}", aligned(rows));
+  return 0;
+}
 
 }  // namespace actio::app

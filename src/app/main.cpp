@@ -1,63 +1,120 @@
 // The command actio: scenes, run and looked at. Here are its arguments; what it does is in the files beside this one.
-#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <functional>
 
 #include "actio/scene/progress.hpp"
 #include "actio/scene/scene_error.hpp"
 #include "app/commands.hpp"
+#include "app/usage.hpp"
 
 using namespace actio;
 
-int main(int argc, char** argv) {
-  CLI::App command{"Mechanics on Lie groups, step by step, from one action principle.", "actio"};
-  command.require_subcommand(1);
-  int status = 0;
+namespace {
 
-  app::RunArguments run;
-  auto* const run_command = command.add_subcommand("run", "run a scene");
-  run_command->add_option("SCENE", run.scene, "a scene, in TOML")->required();
-  run_command->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR");
-  run_command->add_option("--set", run.set, "override a key of the scene")->type_name("KEY=VALUE")->allow_extra_args(false);
-  run_command->add_flag("--quiet", run.quiet, "no progress");
-  run_command->add_flag("--dry-run", run.dry_run, "check the scene and print the plan");
-  run_command->add_flag("--plots", run.plots, "draw pictures and a page to play the motion");
-  run_command->add_flag("--force", run.force, "replace the run that is in the folder");
-  run_command->callback([&] { status = app::run(run); });
+/// A part of the command, and what is to be done where it was chosen.
+using Action = std::function<int()>;
 
-  app::ResumeArguments resume;
-  auto* const resume_command = command.add_subcommand("resume", "go on with a run from its last checkpoint");
-  resume_command->add_option("DIR", resume.folder, "the folder of the run")->required();
-  resume_command->add_flag("--quiet", resume.quiet, "no progress");
-  resume_command->callback([&] { status = app::resume(resume); });
+constexpr char const* exit_statuses =
+    "Exit status: 0 done, 1 a theorem check failed, 2 the scene or the command line is wrong, 3 the numerics\n"
+    "failed (for instance a step too long for the method), 4 the disk or a file failed, 130 interrupted.";
 
-  app::SweepArguments sweep;
-  auto* const sweep_command = command.add_subcommand("sweep", "run a scene for each of many values, into one table");
-  sweep_command->add_option("SCENE", sweep.scene, "a scene, in TOML")->required();
-  sweep_command->add_option("--over", sweep.over, "a key and its values")->type_name("KEY=a,b,c")->required()->allow_extra_args(false);
-  sweep_command->add_option("--out", sweep.out, "the folder for the runs and their table")->type_name("DIR");
-  sweep_command->add_option("--set", sweep.set, "override a key in all of them")->type_name("KEY=VALUE")->allow_extra_args(false);
-  sweep_command->add_option("--jobs", sweep.jobs, "runs at the same time; otherwise one for each core")->check(CLI::PositiveNumber);
-  sweep_command->add_flag("--quiet", sweep.quiet, "no progress");
-  sweep_command->add_flag("--force", sweep.force, "replace the runs that are in the folder");
-  sweep_command->callback([&] { status = app::sweep(sweep); });
+CLI::App* add_part(CLI::App& command, std::string const& name, std::string const& meaning, std::string const& footer, Action& action, Action part) {
+  CLI::App* const added = command.add_subcommand(name, meaning);
+  added->footer(footer);
+  added->set_help_flag("-h,--help", "this text");
+  added->callback([&action, part] { action = part; });
+  return added;
+}
 
-  std::string what, name;
-  auto* const list_command = command.add_subcommand("list", "list what there is");
-  list_command->add_option("WHAT", what, "systems, groups, methods, quantities, bodies or materials")->required();
-  list_command->callback([&] { status = app::list(what); });
-  auto* const show_command = command.add_subcommand("show", "tell what something is: meaning, units, source, statement of the thesis");
-  show_command->add_option("NAME", name, "a body, material, system, method or quantity")->required();
-  show_command->callback([&] { status = app::show(name); });
+/// At least one run at a time.
+std::string whole_and_positive(std::string& text) {
+  bool const whole = !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos && std::stol(text) > 0;
+  return whole ? "" : "a whole number from 1 on is expected, found '" + text + "'";
+}
 
+void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
+  auto* const part = add_part(command, "run", "run a scene",
+                              "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives series.csv, summary.json and scene.toml, in which every default is written out.",
+                              action, [&run] { return app::run(run); });
+  part->add_option("SCENE", run.scene, "a scene, in TOML")->required();
+  part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR");
+  part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
+  part->add_flag("--quiet", run.quiet, "no progress");
+  part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing");
+  part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion");
+  part->add_flag("--force", run.force, "replace the run that is in the folder");
+}
+
+void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action) {
+  auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit.", action,
+                              [&resume] { return app::resume(resume); });
+  part->add_option("DIR", resume.folder, "the folder of the run")->required();
+  part->add_flag("--quiet", resume.quiet, "no progress");
+}
+
+void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
+  auto* const part = add_part(command, "sweep", "run a scene for each of many values, into one table", "Example: actio sweep apophis.toml --over method.step=0.1,0.2,0.4", action, [&sweep] { return app::sweep(sweep); });
+  part->add_option("SCENE", sweep.scene, "a scene, in TOML")->required();
+  part->add_option("--over", sweep.over, "a key and its values; several: all combinations")->type_name("KEY=a,b,c")->required()->allow_extra_args(false);
+  part->add_option("--out", sweep.out, "the folder for the runs and their table")->type_name("DIR");
+  part->add_option("--set", sweep.set, "override a key in all of them")->type_name("KEY=VALUE")->allow_extra_args(false);
+  part->add_option("--jobs", sweep.jobs, "runs at the same time; otherwise one for each core")->type_name("N")->check(CLI::Validator(whole_and_positive, ""));
+  part->add_flag("--quiet", sweep.quiet, "no progress");
+  part->add_flag("--force", sweep.force, "replace the runs that are in the folder");
+}
+
+/// What the parts that look things up are asked.
+struct Questions {
+  std::string list, name;
   std::vector<std::string> ids;
-  auto* const check_command = command.add_subcommand("check", "run the theorem checks");
-  check_command->add_option("ID", ids, "statements, for example thm_3_2_1; none: all");
-  check_command->callback([&] { status = app::check(ids); });
+  bool list_statements = false;
+};
+
+void add_questions(CLI::App& command, Questions& asked, Action& action) {
+  auto* part = add_part(command, "list", "list what there is: systems, groups, methods, quantities, bodies, materials", "Example: actio list bodies\n\nA line for each; its first word is the name.", action,
+                        [&asked] { return app::list(asked.list); });
+  part->add_option("WHAT", asked.list, "systems, groups, methods, quantities, bodies or materials")->required();
+  part = add_part(command, "show", "tell what something is: meaning, units, source, statement of the thesis", "Example: actio show apophis", action, [&asked] { return app::show(asked.name); });
+  part->add_option("NAME", asked.name, "a system, group, method, quantity, body, material or statement")->required();
+  part = add_part(command, "check", "run the theorem checks", "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no check, 4 the checks are not built.", action,
+                  [&asked] { return asked.list_statements ? app::list_statements() : app::check(asked.ids); });
+  part->add_option("ID", asked.ids, "statements of the thesis, for example thm_3_2_1; none: all");
+  part->add_flag("--list", asked.list_statements, "list the statements that have a check, and run none");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App command{"Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at.", "actio"};
+  command.require_subcommand(1);
+  command.formatter(std::make_shared<app::Help>());
+  command.set_help_flag("-h,--help", "this text");
+  command.set_version_flag("--version", "actio " ACTIO_VERSION, "which version this is");
+  command.footer(std::string("actio COMMAND --help tells more of each.\n\nExample: actio run apophis.toml\n\n") + exit_statuses);
+
+  Action action;
+  app::RunArguments run;
+  app::ResumeArguments resume;
+  app::SweepArguments sweep;
+  Questions asked;
+  add_run(command, run, action);
+  add_resume(command, resume, action);
+  add_sweep(command, sweep, action);
+  add_questions(command, asked, action);
 
   try {
+    if (argc == 1) {
+      fmt::print(stderr, "{}", command.help());
+      return 2;
+    }
     command.parse(argc, argv);
-    return status;
+    return action();
+  } catch (CLI::Success const& help) {
+    return command.exit(help);
   } catch (CLI::ParseError const& error) {
-    return command.exit(error) == 0 ? 0 : 2;
+    fmt::print(stderr, "{}\n", app::usage_error(command, error));
+    return 2;
   } catch (scene::SceneError const& error) {
     scene::say(stderr, std::string(error.what()) + "\n");
     return 2;

@@ -23,11 +23,11 @@ int run(RunArguments const& arguments) {
   auto changes = arguments.set;
   if (arguments.plots) changes.push_back("output.plots=true");
   Scene scene = Scene::read(SceneFile::read(arguments.scene, changes));
+  std::string const out = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
   if (arguments.dry_run) {
     if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
-    return 0;
+    return plan(scene, arguments, out);
   }
-  std::string const out = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
   keep_the_scene(arguments, out, scene);
   RunFolder const folder = RunFolder::create(out, arguments.force);
   listen_for_interrupts();

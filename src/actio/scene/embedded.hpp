@@ -5,6 +5,8 @@
 
 namespace actio::scene::embedded {
 
-extern std::string_view const bodies_toml;  ///< data/bodies.toml
+extern std::string_view const bodies_toml;         ///< data/bodies.toml
+extern std::string_view const registry_tsv;        ///< proofs_checks/registry.tsv
+extern std::string_view const checked_statements;  ///< ids of those that have a check, one a line
 
 }  // namespace actio::scene::embedded

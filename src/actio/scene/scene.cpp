@@ -42,7 +42,9 @@ Scene Scene::read(SceneFile file) {
   auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
   bool const plots = output.boolean("plots");
 
-  return {file, &system, title, seed, schedule, quantities, formats, plots, system.prepare({file, schedule, quantities})};
+  Simulation simulation = system.prepare({file, schedule, quantities});
+  if (!simulation.exact) StepsToRows(schedule, simulation.step, file.section("method"));  // refuses a step that does not meet the rows
+  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation)};
 }
 
 }  // namespace actio::scene

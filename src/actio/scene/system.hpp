@@ -44,6 +44,7 @@ struct System {
   /// @throws SceneError     where a value is missing or wrong
   /// @throws NumericsError  where the step is too long for the method
   Simulation (*prepare)(Request const& request);
+  std::string example = "";  ///< a small scene to paste, which runs as it is
 };
 
 /// All systems, in the order in which they are told.

@@ -143,7 +143,8 @@ Simulation prepare(Request const& request) {
 
 System rigid_body_system() {
   return {"rigid_body", "Free rigid body", "A rigid body that turns freely about its centre of mass: Euler's equations for the momentum, and the attitude that goes with it.", "chapter 5",
-          parameters(), methods(), quantities(), prepare};
+          parameters(), methods(), quantities(), prepare,
+          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"angular_velocity\", \"energy\"]\n"};
 }
 
 }  // namespace actio::scene

@@ -1,0 +1,24 @@
+// The statements of the thesis, by their ids, which the program carries with it: proofs_checks/registry.tsv, and which of them have a check.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace actio::scene {
+
+/// A statement of the thesis.
+struct Statement {
+  std::string id;       ///< `thm_3_2_1`
+  std::string kind;     ///< `theorem`
+  std::string chapter;  ///< `3`
+  std::string subject;  ///< what it is about, in a few words
+  bool checked;         ///< whether the sources have a check of it
+};
+
+/// All of them, in the order of the registry.
+std::vector<Statement> const& statements();
+/// The one of that id; null where there is none.
+Statement const* find_statement(std::string_view id);
+
+}  // namespace actio::scene

@@ -1,0 +1,86 @@
+// actio run --dry-run: what a run of the scene would do, and what it would not.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "actio/scene/nearest_name.hpp"
+#include "actio/scene/scene.hpp"
+#include "app/commands.hpp"
+#include "app/text.hpp"
+
+namespace actio::app {
+
+using namespace scene;
+
+namespace {
+
+constexpr std::size_t width = 100, label = 12;
+
+void tell(std::string const& name, std::string const& text) { fmt::print("{:<{}}{}\n", name, label, wrapped(text, width, label)); }
+
+std::string plural(long count, std::string const& one) { return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s"); }
+
+std::string method_of(Scene const& scene) {
+  SceneTable const method = scene.file.section("method");
+  std::string out = method.has("name") ? method.text("name") : "";
+  if (method.has("order")) out += method.is_text("order") ? ", order \"" + method.text("order") + "\"" : fmt::format(", order {}", method.integer("order", 0, 1000));
+  return out;
+}
+
+std::string rows_of(Schedule const& schedule) {
+  long const rows = schedule.rows();
+  std::string out = plural(rows, "row") + fmt::format(", at t = {}", schedule.time(0));
+  if (rows == 2) out += fmt::format(" and {}", schedule.time(1));
+  if (rows > 2) out += fmt::format(", {}{}{}", schedule.time(1), rows == 3 ? ", " : ", ..., ", schedule.time(rows - 1));
+  return out;
+}
+
+std::string steps_of(Scene const& scene) {
+  if (scene.simulation.exact) return "none: each row is evaluated at its time";
+  StepsToRows const steps(scene.schedule, scene.simulation.step, scene.file.section("method"));
+  return plural(steps(scene.schedule.rows() - 1), "step") + fmt::format(" of {}", scene.simulation.step);
+}
+
+/// Which quantities are computed, and for what; which are not.
+void tell_quantities(Scene const& scene) {
+  std::vector<std::string> asked, needed, skipped;
+  for (auto const& quantity : scene.simulation.quantities.counts()) {
+    if (quantity.asked) asked.push_back(quantity.name);
+    else if (scene.simulation.quantities.needed(quantity.name)) needed.push_back(quantity.name);
+    else skipped.push_back(quantity.name);
+  }
+  tell("computed", listed(asked));
+  if (!needed.empty()) tell("needed", listed(needed) + " (for what is computed; in no column)");
+  tell("skipped", skipped.empty() ? "nothing" : listed(skipped));
+}
+
+std::string files_of(Scene const& scene, RunArguments const& arguments) {
+  std::vector<std::string> files;
+  std::size_t const columns = 1 + scene.simulation.quantities.row_size();
+  for (auto const& format : scene.formats)
+    files.push_back(fmt::format("{} ({} of {})", format == "csv" ? "series.csv" : "series.h5", plural(scene.schedule.rows(), "row"), plural(static_cast<long>(columns), "column")));
+  files.insert(files.end(), {"summary.json", "scene.toml", "checkpoint"});
+  if (scene.plots || arguments.plots) files.push_back("plots/");
+  return listed(files);
+}
+
+}  // namespace
+
+int plan(Scene const& scene, RunArguments const& arguments, std::string const& out) {
+  fmt::print("{}\n", heading(scene.title));
+  tell("system", scene.system->name + ": " + scene.system->title);
+  tell("method", method_of(scene));
+  tell("rows", rows_of(scene.schedule));
+  tell("steps", steps_of(scene));
+  tell_quantities(scene);
+  for (auto const& shortcut : scene.simulation.shortcuts) tell("shortcut", shortcut);
+  for (auto const& remark : scene.simulation.remarks) tell("remark", remark);
+  tell("folder", out);
+  tell("files", files_of(scene, arguments));
+  std::error_code none;
+  if (std::filesystem::exists(out, none) && !std::filesystem::is_empty(out, none) && !arguments.force) tell("remark", "the folder is not empty; a run needs --force to replace what is in it");
+  fmt::print("The scene is in order; nothing was run.\n");
+  return 0;
+}
+
+}  // namespace actio::app
