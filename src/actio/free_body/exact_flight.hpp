@@ -45,7 +45,7 @@ Flight<S> flight_from(InverseMoments<S> const& body, Orbit<S> const& orbit, S co
   return {delta, {-rest * body.d23, rest * body.d13, -rest * body.d12}, cos_twist, sin_twist, stretch_of(delta)};
 }
 
-template <bool with_twist = true, Real S>
+template <Real S, bool with_twist = true>
 Flight<S> flight_by_series(InverseMoments<S> const& body, Orbit<S> const& orbit, S const& t) {
   using std::cos, std::sin;
   auto const flight = ShortFlight<S>::template at<series_terms<S>>(body, orbit, t);
@@ -93,7 +93,7 @@ S precession(InverseMoments<S> const& body, PathRound<S> const& path, bool from_
   return body.J[j] * t - J_beyond * weight * share / path.frequency;
 }
 
-template <bool with_twist = true, Real S>
+template <Real S, bool with_twist = true>
 Flight<S> flight_by_elliptic_functions(InverseMoments<S> const& body, Three<S> const& u, Orbit<S> const& orbit, S const& t) {
   using std::cos, std::floor, std::sin, std::sqrt;
   PathRound<S> const path(body, u, orbit);
@@ -140,16 +140,16 @@ Flight<S> flight_by_elliptic_functions(InverseMoments<S> const& body, Three<S> c
 template <Real S>
 Flight<S> exact_flight(InverseMoments<S> const& body, Three<S> const& u, S const& t) {
   Orbit<S> const orbit(body, u);
-  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flight_by_series<true, S>(body, orbit, t);
-  return detail::flight_by_elliptic_functions<true, S>(body, u, orbit, t);
+  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flight_by_series<S>(body, orbit, t);
+  return detail::flight_by_elliptic_functions<S>(body, u, orbit, t);
 }
 
 /// The same without its twist, for the momentum alone: no integral, no sine and no cosine. The \f$\delta_i\f$ are those of \ref exact_flight to the bit.
 template <Real S>
 Flight<S> exact_flight_of_momentum(InverseMoments<S> const& body, Three<S> const& u, S const& t) {
   Orbit<S> const orbit(body, u);
-  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flight_by_series<false, S>(body, orbit, t);
-  return detail::flight_by_elliptic_functions<false, S>(body, u, orbit, t);
+  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flight_by_series<S, false>(body, orbit, t);
+  return detail::flight_by_elliptic_functions<S, false>(body, u, orbit, t);
 }
 
 }  // namespace actio
