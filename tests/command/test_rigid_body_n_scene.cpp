@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(in_three_dimensions_it_is_the_body_in_space) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(both_methods_are_of_order_2_in_momentum_attitude_and_energy) {
+BOOST_AUTO_TEST_CASE(both_methods_are_of_order_2) {
   for (std::string const method : {"moser_veselov", "natural_chart"})
     for (Case body : {four(method), eight(method)}) {
       body.quantities = "\"momentum\", \"attitude\", \"energy\"", body.every = body.until;
@@ -178,6 +178,11 @@ BOOST_AUTO_TEST_CASE(both_methods_are_of_order_2_in_momentum_attitude_and_energy
                                << ", energy by " << energy[0] << ", " << energy[1]);
       // A ratio of 4, and 1 + O(h^2) of that.
       for (auto const* error : {momentum, attitude, energy}) {
+        // That of Moser and Veselov keeps the energy: it is one of the integrals of its matrix polynomial.
+        if (error == energy && method == "moser_veselov") {
+          BOOST_TEST(energy[1] <= 200 * body.n() * eps);
+          continue;
+        }
         BOOST_TEST(error[0] / error[1] > 3.9);
         BOOST_TEST(error[0] / error[1] < 4.1);
       }
@@ -211,8 +216,8 @@ BOOST_AUTO_TEST_CASE(casimirs_spectrum_and_momentum_in_space_stay) {
           BOOST_TEST(std::abs(table[name][row] / table[name][0] - 1) <= 2 * k * bound);
         }
         for (int k = 1; k <= n; ++k) BOOST_TEST(std::abs(table["spectrum_" + std::to_string(k)][row] - table["spectrum_" + std::to_string(k)][0]) <= bound * norm(start));
-        // Of order 2, and it does not leave.
-        BOOST_TEST(std::abs(table["energy"][row] / table["energy"][0] - 1) <= h * h);
+        // Kept by one; of order 2 in the other, and it does not leave.
+        BOOST_TEST(std::abs(table["energy"][row] / table["energy"][0] - 1) <= (method == "moser_veselov" ? 2 * bound : h * h));
       }
       BOOST_TEST(difference(skew(table, "momentum", n, table.rows.size() - 1), start) > 0.1 * norm(start));
       BOOST_TEST_MESSAGE("SO(" << n << "), " << method << ", " << steps << " steps: Casimirs drift by " << drift);
@@ -317,7 +322,7 @@ BOOST_AUTO_TEST_CASE(what_no_body_has_is_refused_at_its_place) {
            {"lambda = [1, 2, 3, 4]\n", "", "[system] needs 'lambda'"},
            {"angular_velocity = [", "angular_velocity = [inf, ", ":5:21: "},
            {"angular_velocity = [", "angular_velocity = [\"a\", ", ":5:21: "},
-           {"angular_velocity = [0", "angular_velocity = [1e200", "the numbers are too large"},
+           {"[0.90000000000000002,", "[1e200,", "the numbers are too large"},
            {"angular_velocity", "angular_momentum", "unknown key 'angular_momentum'"},
            {"[method]", "attitude = [1, 0, 0, 0]\n[method]", ":6:"},
            {"[method]", "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]", "4 rows are expected, found 3"},
