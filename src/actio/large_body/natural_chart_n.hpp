@@ -78,7 +78,11 @@ class FastNaturalChart {
 
  private:
   static constexpr int largest_for_newton = 16;  ///< 120 unknowns
-  static constexpr double slowest = 0.9;         ///< ratio of changes that still counts as contraction
+
+  /// The ratio of changes that still counts as contraction: where a sweep is a tenth of a second, a hundred of them are too many.
+  double slowest() const { return inertia_.group.n <= 128 ? 0.9 : 0.5; }
+  /// How often the part of a step between one that is taken and one that is not is halved.
+  int halvings() const { return inertia_.group.n <= 128 ? 5 : 3; }
 
   static double checked(double step) {
     if (!is_finite(step)) throw NotFinite("natural chart: step");
@@ -113,7 +117,7 @@ class FastNaturalChart {
   /// Z from P.
   void solve(ChartedBody& body) {
     guess(body);
-    if (equation_.by_sweeps(p_.data(), z_.data(), body.contraction_, slowest) && equation_.in_chart(z_.data())) {
+    if (equation_.by_sweeps(p_.data(), z_.data(), body.contraction_, slowest()) && equation_.in_chart(z_.data())) {
       body.contraction_ = equation_.contraction(), body.sweeps_ = equation_.sweeps();
       return;
     }
@@ -130,9 +134,9 @@ class FastNaturalChart {
     if (takes(1)) return;
     // Between a part that is taken and one that is not.
     equation_.guess(p_.data(), z_.data());
-    double taken = 0, refused = std::min(1.0, 0.05 / algebra_.norm(z_.data()));
+    double taken = 0, refused = std::min(1.0, 0.5 / algebra_.norm(z_.data()));
     while (refused < 1 && takes(refused)) taken = refused, refused = std::min(1.0, 2 * refused);
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < halvings(); ++k) {
       double const middle = (taken + refused) / 2;
       (takes(middle) ? taken : refused) = middle;
     }
@@ -144,7 +148,7 @@ class FastNaturalChart {
     std::copy(p_.data(), p_.data() + algebra_.size(), room_.data());
     algebra_.scale(part, room_.data());
     equation_.guess(room_.data(), z_.data());
-    return equation_.by_sweeps(room_.data(), z_.data(), 1, slowest) && equation_.in_chart(z_.data());
+    return equation_.by_sweeps(room_.data(), z_.data(), 1, slowest()) && equation_.in_chart(z_.data());
   }
 
   /// What continues the turns of the past, or the first guess of all.

@@ -2,8 +2,9 @@
 #include <fmt/format.h>
 
 #include "actio/large_body/moser_veselov_n.hpp"
-#include "actio/large_body/skew_spectrum.hpp"
+#include "actio/large_body/natural_chart_n.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
+#include "actio/scene/systems/turning_body_n.hpp"
 
 namespace actio::scene {
 namespace {
@@ -11,20 +12,17 @@ namespace {
 using Group = SO<Eigen::Dynamic>;
 using Eigen::MatrixXd;
 
-/// The motion of a body in n dimensions.
-class TurningBodyN : public Motion {
- public:
-  virtual MatrixXd body_momentum() const = 0;
-  /// Body to space.
-  virtual MatrixXd attitude() const = 0;
+/// A body at the start.
+struct Start {
+  Inertia<Eigen::Dynamic> inertia;
+  MatrixXd attitude, velocity, momentum;
 };
 
 /// In steps of a scheme for n at run time.
 template <class Scheme>
 class SteppedMotion : public TurningBodyN {
  public:
-  SteppedMotion(Scheme scheme, MatrixXd const& attitude, MatrixXd const& momentum, bool with_attitude)
-      : scheme_(std::move(scheme)), body_(released(scheme_, attitude, momentum)), with_attitude_(with_attitude) {
+  SteppedMotion(Scheme scheme, Start const& start, bool with_attitude) : scheme_(std::move(scheme)), body_(released(scheme_, start)), with_attitude_(with_attitude) {
     // Only the first step shows whether it is too long.
     auto body = body_;
     scheme_.step(body);
@@ -40,16 +38,16 @@ class SteppedMotion : public TurningBodyN {
   MatrixXd attitude() const override { return body_.attitude().value; }
 
  private:
-  static auto released(Scheme const& scheme, MatrixXd const& attitude, MatrixXd const& momentum) {
+  static auto released(Scheme const& scheme, Start const& start) {
     Group const group = scheme.inertia().group;
-    return scheme.release({group, attitude}, {group, group.vee(momentum)});
+    return scheme.release({group, start.attitude}, {group, group.vee(start.momentum)});
   }
   Scheme scheme_;
-  decltype(released(std::declval<Scheme>(), {}, {})) body_;
+  decltype(released(std::declval<Scheme>(), {})) body_;
   bool with_attitude_;
 };
 
-/// Of a body all whose moments are equal, the momentum alone: it rests.
+/// The momentum alone of a body all whose moments are equal: it rests.
 class ConstantMomentum : public TurningBodyN {
  public:
   explicit ConstantMomentum(MatrixXd momentum) : momentum_(std::move(momentum)) {}
@@ -60,60 +58,25 @@ class ConstantMomentum : public TurningBodyN {
   MatrixXd momentum_;
 };
 
-std::vector<int> casimir_numbers(int n) {
-  std::vector<int> numbers;
-  for (int k = 1; k <= n / 2; ++k) numbers.push_back(2 * k);
-  return numbers;
-}
-std::vector<int> whole_numbers(int n) {
-  std::vector<int> numbers;
-  for (int k = 1; k <= n; ++k) numbers.push_back(k);
-  return numbers;
-}
-
-std::vector<Quantity> quantities() {
-  using Kind = Quantity::Kind;
-  return {
-      {"attitude", Kind::matrix, "The rotation, n by n, that takes the body to space.", "g", "1", "claim_5_2_reconstruction", {}, false},
-      {"momentum", Kind::skew, "The angular momentum in the frame of the body, a skew matrix.", "M = \\Lambda\\xi + \\xi\\Lambda", "energy x time", "eq_5_8", {}, false},
-      {"energy", Kind::scalar, "The kinetic energy.", "H = \\tfrac12\\sum_{i<j}(\\Lambda_i+\\Lambda_j)\\,\\xi_{ij}^2", "energy", "eq_5_1", {"momentum"}, true},
-      {"spectrum", Kind::list, "The moduli of the eigenvalues of the momentum in ascending order; those that rounding cannot tell from zero are zero.",
-       "\\sigma_k = |\\lambda_k|,\\quad \\det(M-\\lambda_k) = 0", "energy x time", "claim_5_2_update_by_conjugation", {"momentum"}, true},
-      {"casimir", Kind::list, "The traces of even powers of the momentum, which name the coadjoint orbit; made of the spectrum.",
-       "C_{2k} = (-1)^k\\,\\mathrm{tr}\\,M^{2k} = \\sum_i\\sigma_i^{2k},\\quad k = 1,\\dots,\\lfloor n/2\\rfloor", "(energy x time)^2k", "claim_5_3_dual_casimir", {"spectrum"}, true},
-  };
+/// @throws SceneError  where energy, |M|^2 or a Casimir that was asked for is beyond the numbers
+void require_finite_start(SceneTable const& initial, Start const& start, bool casimirs) {
+  bool const finite = is_finite(start.momentum.squaredNorm()) && is_finite(start.momentum.cwiseAbs().cwiseProduct(start.velocity.cwiseAbs()).sum()) && is_finite(start.velocity.squaredNorm());
+  if (!finite) initial.fail("angular_velocity", "angular_velocity: the numbers are too large: energy and |M|^2 are beyond 1e308");
+  if (!casimirs) return;
+  int const n = start.inertia.group.n;
+  double const largest = skew_spectrum(start.momentum).maxCoeff(), most = largest_modulus_for_casimirs(n);
+  if (largest > most)
+    initial.fail("angular_velocity", fmt::format("angular_velocity: the largest modulus in the spectrum of M is {}; with more than {} casimir_{} is beyond 1e300 (spectrum tells as much)", largest, most, n / 2 * 2));
 }
 
-void define_quantities(QuantityGraph& graph, TurningBodyN const& motion, Inertia<Eigen::Dynamic> const& inertia) {
-  using Kind = Quantity::Kind;
-  int const n = inertia.group.n;
-  graph.define("attitude", column_ends(Kind::matrix, n), [&motion, n](auto, double* g) {
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(g, n, n) = motion.attitude();
-  });
-  graph.define("momentum", column_ends(Kind::skew, n), [&motion](auto, double* M) {
-    auto const upper = upper_triangle(motion.body_momentum());
-    std::copy(upper.begin(), upper.end(), M);
-  });
-  graph.define("energy", {""}, [lambda = inertia.lambda, n](auto needs, double* energy) {
-    double const* M = needs[0];
-    double sum = 0;
-    for (int i = 0; i < n; ++i)
-      for (int j = i + 1; j < n; ++j, ++M) sum += *M / (lambda[i] + lambda[j]) * *M;
-    *energy = sum / 2;
-  });
-  graph.define("spectrum", numbered(whole_numbers(n)), [n](auto needs, double* moduli) { Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n)); });
-  graph.define("casimir", numbered(casimir_numbers(n)), [n](auto needs, double* casimirs) {
-    for (int k = 1; k <= n / 2; ++k) {
-      casimirs[k - 1] = 0;
-      for (int i = 0; i < n; ++i) casimirs[k - 1] += std::pow(needs[0][i], 2 * k);
-    }
-  });
-}
-
-/// Turns of 0.05 radians in the plane that turns fastest, or a little less, so that rows are at multiples of the step.
-double default_step(Schedule const& schedule, double fastest) {
-  double const divisor = schedule.common_divisor() > 0 ? schedule.common_divisor() : schedule.until();
-  return divisor / std::max(1.0, std::ceil(divisor * fastest / 0.05));
+Start read_start(SceneTable const& system, SceneTable const& initial, bool casimirs, std::vector<std::string>& remarks) {
+  Start start{read_lambda(system), {}, {}, {}};
+  int const n = start.inertia.group.n;
+  start.attitude = read_attitude_n(initial, n, remarks);
+  start.velocity = read_velocity_n(initial, n);
+  start.momentum = start.inertia.lambda.asDiagonal() * start.velocity + start.velocity * start.inertia.lambda.asDiagonal();
+  require_finite_start(initial, start, casimirs);
+  return start;
 }
 
 /// Name and order; others are refused by name.
@@ -127,22 +90,21 @@ std::string read_method(SceneTable method) {
   return name;
 }
 
-/// @throws SceneError  where energy, |M|^2 or a Casimir that was asked for is beyond the numbers
-void require_finite_start(Request const& request, SceneTable const& initial, MatrixXd const& momentum, MatrixXd const& velocity) {
-  bool const finite = is_finite(momentum.squaredNorm()) && is_finite(momentum.cwiseProduct(velocity).sum()) && is_finite(velocity.squaredNorm());
-  if (!finite) initial.fail("angular_velocity", "angular_velocity: the numbers are too large: energy and |M|^2 are beyond 1e308");
-  auto const& asked = request.quantities;
-  int const n = static_cast<int>(momentum.rows());
-  if (std::find(asked.begin(), asked.end(), "casimir") == asked.end()) return;
-  double const largest = skew_spectrum(momentum).maxCoeff(), most = std::pow(1e300, 1.0 / (n / 2 * 2)) / n;
-  if (largest > most)
-    initial.fail("angular_velocity", fmt::format("angular_velocity: casimir_{} is beyond 1e300; the largest modulus in the spectrum of M is {}, where {} is taken; spectrum says the same",
-                                                 n / 2 * 2, largest, most));
+/// Turns of 0.05 radians in the plane that turns fastest, or a little less, so that rows are at multiples of the step.
+double default_step(Schedule const& schedule, double fastest) {
+  double const divisor = schedule.common_divisor() > 0 ? schedule.common_divisor() : schedule.until();
+  return divisor / std::max(1.0, std::ceil(divisor * fastest / 0.05));
 }
 
-std::unique_ptr<TurningBodyN> motion_of(std::string const& method, Inertia<Eigen::Dynamic> const& inertia, double step, MatrixXd const& attitude, MatrixXd const& momentum, bool with_attitude) {
-  (void)method;
-  return std::make_unique<SteppedMotion<FastMoserVeselov>>(FastMoserVeselov(inertia, step, Sweeps::beyond_rounding), attitude, momentum, with_attitude);
+/// As many steps as take 5 ms or so: what a step takes beside its products, and n^3 times what these take.
+long steps_in_5_ms(bool chart, int n) {
+  double const cube = std::pow(n, 3), seconds = chart ? 7e-6 + 1e-8 * cube : 2e-7 + 7e-10 * cube;
+  return std::max(1L, static_cast<long>(5e-3 / seconds));
+}
+
+std::unique_ptr<TurningBodyN> motion_of(bool chart, Start const& start, double step, bool with_attitude) {
+  if (chart) return std::make_unique<SteppedMotion<FastNaturalChart>>(FastNaturalChart(start.inertia, step), start, with_attitude);
+  return std::make_unique<SteppedMotion<FastMoserVeselov>>(FastMoserVeselov(start.inertia, step, Sweeps::beyond_rounding), start, with_attitude);
 }
 
 Simulation prepare(Request const& request) {
@@ -150,36 +112,49 @@ Simulation prepare(Request const& request) {
   system.allow({"kind", "lambda"});
   initial.allow({"attitude", "angular_velocity"});
   method.allow({"name", "order", "step"});
+  auto const asked = [&](char const* name) { return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end(); };
+  bool const with_attitude = asked("attitude");
 
-  Simulation simulation(quantities());
-  Inertia<Eigen::Dynamic> const inertia = read_lambda(system);
-  int const n = inertia.group.n;
-  MatrixXd const attitude = read_attitude_n(initial, n, simulation.remarks), velocity = read_velocity_n(initial, n);
-  MatrixXd const momentum = inertia.lambda.asDiagonal() * velocity + velocity * inertia.lambda.asDiagonal();
-  require_finite_start(request, initial, momentum, velocity);
-
-  std::string const name = read_method(method);
-  if (!method.has("step")) method.set("step", default_step(request.schedule, skew_spectrum(velocity).maxCoeff()));
+  Simulation simulation(turning_body_n_quantities());
+  Start const start = read_start(system, initial, asked("casimir"), simulation.remarks);
+  bool const chart = read_method(method) == "natural_chart";
+  if (!method.has("step")) method.set("step", default_step(request.schedule, skew_spectrum(start.velocity).maxCoeff()));
   simulation.step = method.positive("step");
-
-  auto const& asked = request.quantities;
-  bool const with_attitude = std::find(asked.begin(), asked.end(), "attitude") != asked.end();
-  bool const equal_moments = inertia.moments.maxCoeff() == inertia.moments.minCoeff();
+  simulation.steps_at_once = steps_in_5_ms(chart, start.inertia.group.n);
   std::unique_ptr<TurningBodyN> motion;
   try {
-    motion = motion_of(name, inertia, simulation.step, attitude, momentum, with_attitude);
+    motion = motion_of(chart, start, simulation.step, with_attitude);
   } catch (Error const& error) {
     throw NumericsError(method.place("step").text() + ": " + error.what());
   }
+
   if (!with_attitude) simulation.shortcuts.push_back("momentum only: no attitude is reconstructed");
-  if (!with_attitude && equal_moments) {
+  if (!with_attitude && start.inertia.moments.maxCoeff() == start.inertia.moments.minCoeff()) {
     simulation.shortcuts.push_back("all moments are equal: the momentum is constant");
-    motion = std::make_unique<ConstantMomentum>(momentum);
+    motion = std::make_unique<ConstantMomentum>(start.momentum);
   }
-  define_quantities(simulation.quantities, *motion, inertia);
-  simulation.quantities.ask(asked);
+  define_turning_body_n(simulation.quantities, *motion, start.inertia);
+  simulation.quantities.ask(request.quantities);
   simulation.motion = std::move(motion);
   return simulation;
+}
+
+std::vector<Parameter> parameters() {
+  return {
+      {"system.lambda", fmt::format("n numbers, n from 2 to {}", most_dimensions), "needed",
+       "The diagonal of Lambda: second moments of the mass along the body axes; mass x length^2. The sum of any two is positive, and is the moment of inertia in their plane."},
+      {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity", "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said."},
+      {"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
+       "The upper triangle of the body velocity g^-1 g', row by row: xi_12, xi_13, ..., xi_23, ...; 1/time. For n = 3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x)."},
+      {"method.step", "a number > 0", "0.05 radians of the plane that turns fastest, or a little less, in a whole number of steps to each row", "The time that a step takes."},
+  };
+}
+
+std::vector<Method> methods() {
+  return {
+      {"moser_veselov", {"2"}, "The scheme of Moser and Veselov: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T. It keeps the spectrum of M, and that of a matrix polynomial with it.", "thm_5_2_1"},
+      {"natural_chart", {"2"}, "The scheme of the natural chart: the action of a step is that of a turn with constant velocity. It keeps the spectrum of M.", "eq_5_4"},
+  };
 }
 
 }  // namespace
@@ -189,9 +164,9 @@ System rigid_body_n_system() {
           "Free rigid body in n dimensions",
           "A rigid body that turns freely about its centre of mass in a space of n dimensions.",
           "chapter 5",
-          {},
-          {},
-          quantities(),
+          parameters(),
+          methods(),
+          turning_body_n_quantities(),
           prepare};
 }
 

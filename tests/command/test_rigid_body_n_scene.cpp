@@ -1,0 +1,366 @@
+// Bodies in n dimensions from scenes: held to bodies in space, to the equations of motion integrated here, to what is kept, and to what is refused.
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "command.hpp"
+
+using command::Folder;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+using Numbers = std::vector<double>;
+/// Row by row.
+using Square = std::vector<Numbers>;
+
+std::string listed(Numbers const& numbers) {
+  std::ostringstream out;
+  out.precision(17);
+  for (double const x : numbers) out << (out.tellp() > 0 ? ", " : "[") << x;
+  return out.str() + "]";
+}
+std::string listed(Square const& rows) {
+  std::string out;
+  for (auto const& row : rows) out += (out.empty() ? "[" : ", ") + listed(row);
+  return out + "]";
+}
+std::string number(double x) {
+  std::string const text = listed(Numbers{x});
+  return text.substr(1, text.size() - 2);
+}
+
+/// A body, how it turns, and what is wanted of it.
+struct Case {
+  Numbers lambda, velocity;
+  std::string method = "moser_veselov", step = {}, until = "2", every = "0.5", quantities = "\"momentum\"", attitude = {};
+  int n() const { return static_cast<int>(lambda.size()); }
+  std::string text() const {
+    return "[system]\nkind = \"rigid_body_n\"\nlambda = " + listed(lambda) + "\n[initial]\nangular_velocity = " + listed(velocity) + "\n" + (attitude.empty() ? "" : "attitude = " + attitude + "\n") +
+           "[method]\nname = \"" + method + "\"\n" + (step.empty() ? "" : "step = " + step + "\n") + "[run]\nuntil = " + until + "\nevery = " + every + "\n[output]\nquantities = [" + quantities + "]\n";
+  }
+};
+Case four(std::string method = "moser_veselov") { return {{1, 2, 3, 4}, {0.9, -0.2, 0.3, 0.1, 0.4, -0.5}, std::move(method)}; }
+Case eight(std::string method = "moser_veselov") {
+  Case body{{}, {}, std::move(method)};
+  for (int i = 0; i < 8; ++i) body.lambda.push_back(1 + i / 4.0);
+  for (int a = 0; a < 28; ++a) body.velocity.push_back(0.3 * std::sin(1 + 2 * a));
+  return body;
+}
+
+command::Table run(std::string const& scene) {
+  Folder const folder;
+  auto const outcome = command::actio({"run", folder.write("body.toml", scene), "--out", folder / "out"});
+  BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
+  return command::read_csv(folder / "out/series.csv");
+}
+
+std::string index(int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); }
+/// One row of a skew quantity, in full.
+Square skew(command::Table const& table, std::string const& name, int n, std::size_t row) {
+  Square m(n, Numbers(n, 0));
+  for (int i = 1; i <= n; ++i)
+    for (int j = i + 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row], m[j - 1][i - 1] = -m[i - 1][j - 1];
+  return m;
+}
+Square matrix(command::Table const& table, std::string const& name, int n, std::size_t row) {
+  Square m(n, Numbers(n, 0));
+  for (int i = 1; i <= n; ++i)
+    for (int j = 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row];
+  return m;
+}
+Square times(Square const& a, Square const& b) {
+  Square c(a.size(), Numbers(a.size(), 0));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a.size(); ++k)
+      for (std::size_t j = 0; j < a.size(); ++j) c[i][j] += a[i][k] * b[k][j];
+  return c;
+}
+Square transposed(Square a) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) std::swap(a[i][j], a[j][i]);
+  return a;
+}
+double trace(Square const& a) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i][i];
+  return sum;
+}
+double norm(Square const& a) { return std::sqrt(trace(times(a, transposed(a)))); }
+Square plus(Square a, double factor, Square const& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j) a[i][j] += factor * b[i][j];
+  return a;
+}
+double difference(Square const& a, Square const& b) { return norm(plus(a, -1, b)); }
+Square unit(int n) {
+  Square one(n, Numbers(n, 0));
+  for (int i = 0; i < n; ++i) one[i][i] = 1;
+  return one;
+}
+
+Square velocity_of(Case const& body) {
+  Square xi(body.n(), Numbers(body.n(), 0));
+  std::size_t a = 0;
+  for (int i = 0; i < body.n(); ++i)
+    for (int j = i + 1; j < body.n(); ++j, ++a) xi[i][j] = body.velocity[a], xi[j][i] = -xi[i][j];
+  return xi;
+}
+Square times_inertia(Case const& body, Square xi, double power) {
+  for (int i = 0; i < body.n(); ++i)
+    for (int j = 0; j < body.n(); ++j) xi[i][j] *= std::pow(body.lambda[i] + body.lambda[j], power);
+  return xi;
+}
+/// Momentum and attitude at time t by the equations of motion M' = [M, xi], g' = g xi, with the classical rule of Runge and Kutta of order 4.
+struct State {
+  Square momentum, attitude;
+};
+State moved(Case const& body, double t) {
+  auto const rate = [&](State const& s) {
+    Square const xi = times_inertia(body, s.momentum, -1);
+    return State{plus(times(s.momentum, xi), -1, times(xi, s.momentum)), times(s.attitude, xi)};
+  };
+  auto const ahead = [](State const& s, double h, State const& r) { return State{plus(s.momentum, h, r.momentum), plus(s.attitude, h, r.attitude)}; };
+  State s{times_inertia(body, velocity_of(body), 1), unit(body.n())};
+  int const count = static_cast<int>(std::lround(t * 400));
+  double const h = t / count;
+  for (int k = 0; k < count; ++k) {
+    State const a = rate(s), b = rate(ahead(s, h / 2, a)), c = rate(ahead(s, h / 2, b)), d = rate(ahead(s, h, c));
+    for (auto const& [r, w] : {std::pair{a, 1.0}, {b, 2.0}, {c, 2.0}, {d, 1.0}}) s = ahead(s, h * w / 6, r);
+  }
+  return s;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(rigid_body_n_scene)
+
+BOOST_AUTO_TEST_CASE(in_three_dimensions_it_is_the_body_in_space) {
+  // Lambda_i = (I_j + I_k - I_i)/2.
+  std::string const space = command::apophis({{"body", ""}, {"kind", "\"rigid_body\"\ninertia = [2.5, 2.25, 1.25]"}, {"order", "2"}, {"step", "0.05"}, {"until", "10.0"}, {"every", "0.5"},
+                                              {"angular_velocity", "[0.3, 1.1, -0.4]"}});
+  Case const body{{0.5, 0.75, 1.75}, {0.4, 1.1, -0.3}, "moser_veselov", "0.05", "10", "0.5", "\"momentum\", \"energy\", \"casimir\", \"spectrum\""};
+  auto const a = run(space), b = run(body.text());
+  BOOST_REQUIRE(a.rows.size() == b.rows.size());
+  for (std::size_t row = 0; row < a.rows.size(); ++row) {
+    Numbers const M{a["body_momentum_x"][row], a["body_momentum_y"][row], a["body_momentum_z"][row]};
+    double const size = std::sqrt(M[0] * M[0] + M[1] * M[1] + M[2] * M[2]);
+    // Two solvers of one equation: 8 n roundings of a step, which over 200 steps may add up.
+    double const bound = 8 * 3 * eps * 200 * size;
+    BOOST_TEST(std::abs(b["momentum_12"][row] + M[2]) <= bound);
+    BOOST_TEST(std::abs(b["momentum_13"][row] - M[1]) <= bound);
+    BOOST_TEST(std::abs(b["momentum_23"][row] + M[0]) <= bound);
+    BOOST_TEST(std::abs(b["energy"][row] / a["energy"][row] - 1) <= 200 * 24 * eps);
+    // The eigenvalues of the cross product with M: 0 and +-i|M|.
+    BOOST_TEST(b["spectrum_1"][row] == 0);
+    BOOST_TEST(std::abs(b["spectrum_2"][row] / size - 1) <= 200 * 24 * eps);
+    BOOST_TEST(b["spectrum_3"][row] == b["spectrum_2"][row]);
+    BOOST_TEST(std::abs(b["casimir_2"][row] / (2 * size * size) - 1) <= 200 * 24 * eps);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(both_methods_are_of_order_2) {
+  for (std::string const method : {"moser_veselov", "natural_chart"})
+    for (Case body : {four(method), eight(method)}) {
+      body.quantities = "\"momentum\", \"attitude\", \"energy\"", body.every = body.until;
+      State const exact = moved(body, 2);
+      double momentum[2], attitude[2], energy[2];
+      for (int k : {0, 1}) {
+        body.step = k ? "0.01" : "0.02";
+        auto const table = run(body.text());
+        momentum[k] = difference(skew(table, "momentum", body.n(), 1), exact.momentum) / norm(exact.momentum);
+        attitude[k] = difference(matrix(table, "attitude", body.n(), 1), exact.attitude);
+        energy[k] = std::abs(table["energy"][1] / table["energy"][0] - 1);
+      }
+      BOOST_TEST_MESSAGE("SO(" << body.n() << "), " << method << ", steps of 0.02 and 0.01: momentum off by " << momentum[0] << ", " << momentum[1] << ", attitude by " << attitude[0] << ", " << attitude[1]
+                               << ", energy by " << energy[0] << ", " << energy[1]);
+      // A ratio of 4, and 1 + O(h^2) of that.
+      for (auto const* error : {momentum, attitude, energy}) {
+        // That of Moser and Veselov keeps the energy: it is one of the integrals of its matrix polynomial.
+        if (error == energy && method == "moser_veselov") {
+          BOOST_TEST(energy[1] <= 200 * body.n() * eps);
+          continue;
+        }
+        BOOST_TEST(error[0] / error[1] > 3.9);
+        BOOST_TEST(error[0] / error[1] < 4.1);
+      }
+      BOOST_TEST(momentum[1] < 1e-3);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(casimirs_spectrum_and_momentum_in_space_stay) {
+  for (std::string const method : {"moser_veselov", "natural_chart"})
+    for (Case body : {four(method), eight(method)}) {
+      int const n = body.n(), steps = 4000;
+      double const h = 0.025;
+      body.step = "0.025", body.until = "100", body.every = "10", body.quantities = "\"attitude\", \"momentum\", \"casimir\", \"spectrum\", \"energy\"";
+      auto const table = run(body.text());
+      Square const start = skew(table, "momentum", n, 0);
+      double const fastest = table["spectrum_" + std::to_string(n)][0] / (2 * body.lambda[0]);
+      // Were all roundings of the relative motion, h xi eps each, to pull the same way; and n for what is made of the momentum in a row.
+      double const bound = n * eps * (h * fastest * steps + n);
+      double drift = 0;
+      for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        Square const m = skew(table, "momentum", n, row), g = matrix(table, "attitude", n, row), minus_square = times(m, transposed(m));
+        BOOST_TEST(difference(times(g, transposed(g)), unit(n)) <= bound);
+        BOOST_TEST(difference(times(times(g, m), transposed(g)), start) <= bound * norm(start));
+        Square power = unit(n);
+        for (int k = 1; k <= n / 2; ++k) {
+          std::string const name = "casimir_" + std::to_string(2 * k);
+          power = times(power, minus_square);
+          // As traces of products, here; each factor adds n roundings.
+          BOOST_TEST(std::abs(table[name][row] / trace(power) - 1) <= 4 * k * n * eps);
+          drift = std::max(drift, std::abs(table[name][row] / table[name][0] - 1));
+          BOOST_TEST(std::abs(table[name][row] / table[name][0] - 1) <= 2 * k * bound);
+        }
+        for (int k = 1; k <= n; ++k) BOOST_TEST(std::abs(table["spectrum_" + std::to_string(k)][row] - table["spectrum_" + std::to_string(k)][0]) <= bound * norm(start));
+        // Kept by one; of order 2 in the other, and it does not leave.
+        BOOST_TEST(std::abs(table["energy"][row] / table["energy"][0] - 1) <= (method == "moser_veselov" ? 2 * bound : h * h));
+      }
+      BOOST_TEST(difference(skew(table, "momentum", n, table.rows.size() - 1), start) > 0.1 * norm(start));
+      BOOST_TEST_MESSAGE("SO(" << n << "), " << method << ", " << steps << " steps: Casimirs drift by " << drift);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(indices_of_two_digits_are_kept_apart) {
+  Case body{Numbers(11, 1.0), Numbers(55, 0.01)};
+  body.lambda[3] = 2, body.quantities = "\"momentum\", \"attitude\", \"casimir\", \"spectrum\"", body.step = "0.5";
+  auto const table = run(body.text());
+  for (std::string const name : {"momentum_12", "momentum_19", "momentum_1_10", "momentum_1_11", "momentum_10_11", "attitude_11", "attitude_1_11", "attitude_11_1", "attitude_99", "casimir_10", "spectrum_11"})
+    BOOST_TEST(std::count(table.columns.begin(), table.columns.end(), name) == 1, name);
+  BOOST_TEST(table.columns.size() == 1u + 55 + 121 + 5 + 11);
+}
+
+BOOST_AUTO_TEST_CASE(defaults_are_written_back_and_repeat_the_run) {
+  Folder const folder;
+  Case body = four();
+  std::string text = body.text();
+  text.erase(text.find("[method]"), text.find("[run]") - text.find("[method]"));
+  BOOST_TEST(command::actio({"run", folder.write("body.toml", text)}).status == 0);
+  std::string const copy = command::contents(folder / "body/scene.toml");
+  BOOST_TEST(copy.find("name = \"moser_veselov\"\norder = 2\nstep = 0.0") != std::string::npos, copy);
+  BOOST_TEST(copy.find("attitude = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]") != std::string::npos, copy);
+  BOOST_TEST(command::actio({"run", folder / "body/scene.toml", "--out", folder / "again"}).status == 0);
+  BOOST_TEST(command::contents(folder / "again/scene.toml") == copy);
+  BOOST_TEST(command::contents(folder / "again/series.csv") == command::contents(folder / "body/series.csv"));
+}
+
+BOOST_AUTO_TEST_CASE(an_attitude_turns_all_that_follows) {
+  Case body = four();
+  body.quantities = "\"attitude\", \"momentum\"", body.step = "0.05";
+  Square turned = unit(4);
+  turned[0][0] = 0.6, turned[0][2] = -0.8, turned[2][0] = 0.8, turned[2][2] = 0.6;
+  auto const plain = run(body.text());
+  // Off by less than 1e-9: normalised, and said.
+  for (double const off : {0.0, 1e-10}) {
+    Square given = turned;
+    given[0][0] += off;
+    body.attitude = listed(given);
+    Folder const folder;
+    BOOST_TEST(command::actio({"run", folder.write("body.toml", body.text())}).status == 0);
+    auto const table = command::read_csv(folder / "body/series.csv");
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      BOOST_TEST(difference(matrix(table, "attitude", 4, row), times(turned, matrix(plain, "attitude", 4, row))) <= 1e-9 * (off > 0) + 100 * eps);
+      BOOST_TEST(difference(times(matrix(table, "attitude", 4, row), transposed(matrix(table, "attitude", 4, row))), unit(4)) <= 100 * eps);
+      BOOST_TEST(difference(skew(table, "momentum", 4, row), skew(plain, "momentum", 4, row)) == 0);
+    }
+    bool const said = command::contents(folder / "body/summary.json").find("normalised") != std::string::npos;
+    BOOST_TEST(said == (off > 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(where_all_moments_are_equal_the_momentum_rests) {
+  for (Case body : {Case{{1.5, 1.5, 1.5, 1.5}, four().velocity}, Case{{0.5, 2.0}, {0.7}}})
+    for (std::string const quantities : {"\"momentum\"", "\"momentum\", \"attitude\""}) {
+      body.quantities = quantities, body.step = "0.05";
+      auto const table = run(body.text());
+      for (std::size_t row = 0; row < table.rows.size(); ++row)
+        BOOST_TEST(difference(skew(table, "momentum", body.n(), row), skew(table, "momentum", body.n(), 0)) <= 40 * body.n() * eps * norm(skew(table, "momentum", body.n(), 0)));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_step_too_long_is_refused_with_the_largest_that_would_do) {
+  for (std::string const method : {"moser_veselov", "natural_chart"})
+    for (Case body : {four(method), eight(method)}) {
+      Folder const folder;
+      body.step = "20", body.until = "20", body.every = "20";
+      std::string const scene = folder.write("body.toml", body.text());
+      auto const outcome = command::actio({"run", scene});
+      BOOST_TEST(outcome.status == 3, outcome.err);
+      BOOST_TEST(outcome.err.starts_with(scene + ":8:8: "), outcome.err);
+      std::string const before = "the largest step that would do is ";
+      std::size_t const at = outcome.err.find(before);
+      BOOST_REQUIRE(at != std::string::npos);
+      double const largest = std::stod(outcome.err.substr(at + before.size()));
+      // That step, and not one a hundredth longer.
+      for (double const factor : {1 - 1e-6, 1.01}) {
+        body.step = body.until = body.every = number(largest * factor);
+        auto const second = command::actio({"run", folder.write("second.toml", body.text()), "--out", folder / (factor < 1 ? "taken" : "refused")});
+        BOOST_TEST(second.status == (factor < 1 ? 0 : 3), second.err);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(what_no_body_has_is_refused_at_its_place) {
+  struct Refusal {
+    std::string from, to, message;
+  };
+  std::string const good = four().text();
+  for (auto const& [from, to, message] : std::vector<Refusal>{
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, -1, 4]", ":3:10: inertia: Lambda_1 + Lambda_3 must be positive"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, -2, 3, 4]", ":3:10: inertia: Lambda_1 + Lambda_2 must be positive"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [0, 0, 0, 0]", ":3:10: inertia: Lambda_1 + Lambda_2 must be positive"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, nan, 4]", ":3:17: lambda: a finite number is expected, found nan"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1e308, 1e308, 1e308, 1e308]", ":3:10: inertia: sums of Lambda"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1]", ":3:10: lambda: from 2 to 512 numbers are expected, found 1"},
+           {"lambda = [1, 2, 3, 4]", "lambda = []", ":3:10: lambda: from 2 to 512 numbers are expected, found 0"},
+           {"lambda = [1, 2, 3, 4]", "lambda = " + listed(Numbers(513, 1.0)), ":3:10: lambda: from 2 to 512 numbers are expected, found 513"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, 3]", "angular_velocity: the upper triangle of a matrix with 3 rows is expected, 3 numbers, found 6"},
+           {"lambda = [1, 2, 3, 4]", "body = \"apophis\"", "unknown key 'body' in [system]"},
+           {"lambda = [1, 2, 3, 4]\n", "", "[system] needs 'lambda'"},
+           {"angular_velocity = [", "angular_velocity = [inf, ", ":5:21: "},
+           {"angular_velocity = [", "angular_velocity = [\"a\", ", ":5:21: "},
+           {"[0.90000000000000002,", "[1e200,", "the numbers are too large"},
+           {"angular_velocity", "angular_momentum", "unknown key 'angular_momentum'"},
+           {"[method]", "attitude = [1, 0, 0, 0]\n[method]", ":6:"},
+           {"[method]", "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]", "4 rows are expected, found 3"},
+           {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, -1]]\n[method]", ":6:12: attitude: a rotation is expected, with determinant 1"},
+           {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.00001]]\n[method]",
+            ":6:12: attitude: a rotation is expected; the largest entry of g^T g - 1 is 2e-05 where 1e-9 is taken; normalised it is [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
+           {"[method]", "attitude = [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]\n[method]", "the largest entry of g^T g - 1 is 1 where"},
+           {"[method]", "attitude = [[1e300, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n[method]", "a rotation is expected"},
+           {"name = \"moser_veselov\"", "name = \"variational\"", ":7:8: unknown method 'variational'"},
+           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\norder = 4", ":8:9: order: rigid_body_n takes order 2 of moser_veselov, found 4"},
+           {"name = \"moser_veselov\"", "name = \"natural_chart\"\norder = \"exact\"", ":8:9: order: rigid_body_n takes order 2 of natural_chart, found \"exact\""},
+           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = -0.1", ":8:8: step: a number > 0"},
+           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = 0.03", "the nearest step that would do is"},
+           {"\"momentum\"", "\"angular_velocity\"", "unknown quantity 'angular_velocity'"},
+       }) {
+    Folder const folder;
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    std::string const scene = folder.write("body.toml", text);
+    auto const outcome = command::actio({"run", scene});
+    BOOST_TEST_CONTEXT(to.substr(0, 100)) {
+      BOOST_TEST(outcome.status == 2);
+      BOOST_TEST(outcome.err.starts_with(scene + ":"), outcome.err);
+      BOOST_TEST(outcome.err.find(message) != std::string::npos, outcome.err);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(casimirs_beyond_all_numbers_are_refused_and_the_spectrum_is_not) {
+  Case body{Numbers(40, 1.0), Numbers(780, 1e8)};
+  body.lambda[0] = 2, body.until = "1e-9", body.every = "1e-9";
+  for (bool const casimir : {true, false}) {
+    Folder const folder;
+    body.quantities = casimir ? "\"casimir\"" : "\"spectrum\"";
+    auto const outcome = command::actio({"run", folder.write("body.toml", body.text())});
+    BOOST_TEST(outcome.status == (casimir ? 2 : 0), outcome.err);
+    if (casimir) BOOST_TEST(outcome.err.find("casimir_40 is beyond 1e300") != std::string::npos, outcome.err);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
