@@ -27,7 +27,7 @@ Scene Scene::read(SceneFile file) {
   file.allow({"scene", "system", "initial", "method", "run", "output"});
   SceneTable head = file.section("scene"), output = file.section("output");
   head.allow({"title", "seed"});
-  if (!head.has("title")) head.set("title", std::filesystem::path(file.name()).stem().string());
+  if (!head.has("title")) head.set("title", printable(std::filesystem::path(file.name()).stem().string()));
   if (!head.has("seed")) head.set("seed", 1L);
   std::string const title = head.text("title");
   long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
