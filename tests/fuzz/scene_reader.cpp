@@ -1,7 +1,8 @@
 // The reader of scenes, fed with anything: it answers with a scene or with one line that points at the place, and takes no time over it.
 //
-// The bytes are a scene; lines at the end that begin with `--set ` are overrides. A sanitiser watches, and what is checked here besides holds for every input.
+// The bytes are a scene; lines at the end that begin with `--set ` are overrides. Where they begin with `=`, the rest is a formula. A sanitiser watches, and what is checked here besides holds for every input.
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "actio/scene/expression.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scene.hpp"
 
@@ -53,6 +55,22 @@ void reads_back(SceneFile const& file) {
   require(again == once, "what was written is not what is read from it", once + "\n-- and then --\n" + again);
 }
 
+void is_in_order(SceneError const& error) {
+  std::string const what = error.what();
+  require(what == printable(what), "a complaint is no line for a terminal", what);
+  require(what.starts_with("scene.toml") || what.starts_with("--set "), "a complaint names no file and no argument", what);
+  require(what.size() < 2000, "a complaint is very long", what);
+}
+
+void read_formula(std::string const& text) {
+  try {
+    Expression formula(text, {"X", "Y", "Z"}, {{"scene.toml", 1, 1}, true});
+    for (double const x : {0.0, -1.5, 1e300}) require(std::isfinite(formula(std::vector<double>{x, 1, -x})), "the value of a formula is no number", text);
+  } catch (SceneError const& error) {
+    is_in_order(error);
+  }
+}
+
 void read(Input const& input) {
   try {
     SceneFile const file = SceneFile::parse(input.text, "scene.toml", input.overrides);
@@ -63,10 +81,7 @@ void read(Input const& input) {
     Scene const copy = Scene::read(SceneFile::parse(scene.file.written(), "scene.toml"));
     require(copy.file.written() == scene.file.written(), "the copy of a scene is another scene", scene.file.written());
   } catch (SceneError const& error) {
-    std::string const what = error.what();
-    require(what == printable(what), "a complaint is no line for a terminal", what);
-    require(what.starts_with("scene.toml") || what.starts_with("--set "), "a complaint names no file and no argument", what);
-    require(what.size() < 2000, "a complaint is very long", what);
+    is_in_order(error);
   } catch (NumericsError const& error) {
     require(std::string(error.what()) == printable(error.what()), "a complaint is no line for a terminal", error.what());
   }
@@ -77,7 +92,9 @@ void read(Input const& input) {
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   using Clock = std::chrono::steady_clock;
   auto const begun = Clock::now();
-  read(input_of({reinterpret_cast<char const*>(data), size}));
+  std::string_view const bytes(reinterpret_cast<char const*>(data), size);
+  if (bytes.starts_with('=')) read_formula(std::string(bytes.substr(1)));
+  else read(input_of(bytes));
   double const seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   // A second on a machine that does nothing else, ten where it is busy and every access is watched.
   require(seconds < 10, "the reader takes its time", std::to_string(seconds) + " s");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "actio/foundations/errors.hpp"
 #include "actio/scene/printable.hpp"
@@ -22,6 +23,15 @@ struct Place {
 struct SceneError : Error {
   Place place;  ///< where
   SceneError(Place where, std::string const& what) : Error(printable(where.text() + ": " + what)), place(std::move(where)) {}
+};
+
+/// Where a text stands, so that a complaint can point into it.
+struct TextPlace {
+  Place begin;          ///< of the text with its quotes
+  bool plain = false;   ///< whether it stands there as it is, one character for each, after one quote
+
+  /// @throws SceneError  at the character so many bytes into the text; where it does not stand there as it is, at its beginning, with that number in words
+  [[noreturn]] void fail(std::string_view text, std::size_t offset, std::string const& what) const;
 };
 
 /// The numerics failed: a step too long for its scheme, no convergence. Status 3 of the command.

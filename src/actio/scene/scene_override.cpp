@@ -24,15 +24,16 @@ toml::table read_override(std::string const& argument, std::string const& name) 
   return detail::parse_toml(argument, name);
 }
 
-void merge(toml::table& into, toml::table const& from, std::string const& name) {
-  for (auto const& [key, node] : from) {
+/// Moves what is in `from`, with its places, over what is in `into`.
+void merge(toml::table& into, toml::table&& from, std::string const& name) {
+  for (auto&& [key, node] : from) {
     toml::node* const there = into.get(key.str());
     if (node.is_table() && there && there->is_table())
-      merge(*there->as_table(), *node.as_table(), name);
+      merge(*there->as_table(), std::move(*node.as_table()), name);
     else if (node.is_table() && there)
       throw SceneError(detail::place_of(key.source(), name), "'" + shown(key.str()) + "' is no table, so nothing in it can be set");
     else
-      into.insert_or_assign(key, node);
+      into.insert_or_assign(key, std::move(node));
   }
 }
 

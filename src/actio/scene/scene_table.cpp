@@ -47,6 +47,17 @@ std::vector<double> numbers_in(toml::array const& list, Place const& place, std:
   throw SceneError(place, fmt::format("unknown {} '{}'{} ({})", what, shown(word), did_you_mean(word, allowed), see.empty() ? "known: " + listed(allowed) : see));
 }
 
+/// Whether a text stands in the file as it is shows in its width: with a quote on either side, and none of its characters written as several.
+TextPlace text_place_of(toml::node const* node, Place const& place) {
+  auto const* const text = node ? node->as_string() : nullptr;
+  if (!text) return {place, false};
+  auto const [begin, end] = std::pair(node->source().begin, node->source().end);
+  auto const characters = std::count_if(text->get().begin(), text->get().end(), [](char c) { return (c & 0xC0) != 0x80; });
+  // A bare word of the command line has no quotes there.
+  bool const bare = place.file.starts_with("--set ") && place.file.ends_with("=" + text->get());
+  return {place, !bare && begin.line == end.line && end.column == begin.column + static_cast<unsigned>(characters) + 2};
+}
+
 bool is_before(toml::key const& a, toml::key const& b) {
   auto const p = a.source().begin, q = b.source().begin;
   return std::pair(p.line, p.column) < std::pair(q.line, q.column);
@@ -89,6 +100,12 @@ Place SceneTable::place(std::string const& key, std::size_t item) const {
   toml::array const* const list = node ? node->as_array() : nullptr;
   return list && item < list->size() ? place_of(list->get(item)->source(), document_->name) : place(key);
 }
+TextPlace SceneTable::text_place(std::string const& key) const { return text_place_of(document_->value(path_, key), place(key)); }
+TextPlace SceneTable::text_place(std::string const& key, std::size_t item) const {
+  toml::node const* const node = document_->value(path_, key);
+  toml::array const* const list = node ? node->as_array() : nullptr;
+  return text_place_of(list ? list->get(item) : nullptr, place(key, item));
+}
 void SceneTable::fail(std::string const& key, std::string const& what) const { throw SceneError(place(key), what); }
 
 double SceneTable::number(std::string const& key) const { return finite_number(value_of(*document_, path_, key, *this), place(key), key); }
@@ -120,17 +137,22 @@ std::string SceneTable::choice(std::string const& key, std::string const& what, 
   return word;
 }
 
+std::vector<std::string> SceneTable::texts(std::string const& key) const {
+  std::vector<std::string> out;
+  for (auto const& item : list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of texts")) {
+    auto const* const text = item.as_string();
+    if (!text) throw SceneError(place_of(item.source(), document_->name), fmt::format("{}: a text is expected, found {}", key, described(item)));
+    out.push_back(text->get());
+  }
+  return out;
+}
 std::vector<std::string> SceneTable::choices(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see) const {
-  auto const& list = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of texts");
-  if (list.empty()) fail(key, fmt::format("{}: at least one {} is expected ({})", key, what, see.empty() ? "known: " + listed(allowed) : see));
-  std::vector<std::string> words;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    auto const* const text = list.get(i)->as_string();
-    if (!text) throw SceneError(place(key, i), fmt::format("{}: a text is expected, found {}", key, described(*list.get(i))));
-    std::string const& word = text->get();
-    if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) fail_unknown(place(key, i), what, word, allowed, see);
-    if (std::find(words.begin(), words.end(), word) != words.end()) throw SceneError(place(key, i), fmt::format("{}: '{}' is there twice", key, word));
-    words.push_back(word);
+  std::vector<std::string> const words = texts(key);
+  if (words.empty()) fail(key, fmt::format("{}: at least one {} is expected ({})", key, what, see.empty() ? "known: " + listed(allowed) : see));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (std::find(allowed.begin(), allowed.end(), words[i]) == allowed.end()) fail_unknown(place(key, i), what, words[i], allowed, see);
+    if (std::find(words.begin(), words.begin() + static_cast<long>(i), words[i]) != words.begin() + static_cast<long>(i))
+      throw SceneError(place(key, i), fmt::format("{}: '{}' is there twice", key, words[i]));
   }
   return words;
 }

@@ -69,6 +69,27 @@ class Scan {
   int dots_ = 0;
 };
 
+/// The bytes that the first so many characters take.
+std::size_t bytes_of(std::string_view text, unsigned characters) {
+  std::size_t bytes = 0;
+  for (; bytes < text.size() && characters > 0; ++bytes)
+    if (bytes + 1 == text.size() || (text[bytes + 1] & 0xC0) != 0x80) --characters;
+  return bytes;
+}
+
+/// Where the reader of TOML stopped; where that is behind a number that it complains of, where the number begins.
+Place failure_place(toml::parse_error const& error, std::string_view text, std::string const& name) {
+  Place place = place_of(error.source(), name);
+  std::string_view const what = error.description();
+  std::size_t const open = what.find('\''), close = what.rfind('\'');
+  if (place.line == 0 || open == close) return place;
+  std::string_view const word = what.substr(open + 1, close - open - 1);
+  if (word.size() < 2 || word.find_first_not_of("+-.0123456789_abcdefABCDEFxo") != std::string_view::npos) return place;
+  for (unsigned line = 1; line < place.line; ++line) text.remove_prefix(text.find('\n') + 1);
+  if (text.substr(0, bytes_of(text, place.column - 1)).ends_with(word)) place.column -= static_cast<unsigned>(word.size());
+  return place;
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string const& name) {
@@ -77,7 +98,7 @@ toml::table parse_toml(std::string_view text, std::string const& name) {
   try {
     return toml::parse(text, std::string_view(name));
   } catch (toml::parse_error const& error) {
-    throw SceneError(place_of(error.source(), name), shown(error.description(), 300));
+    throw SceneError(failure_place(error, text, name), shown(error.description(), 300));
   }
 }
 
