@@ -21,13 +21,30 @@ std::vector<std::string> names(std::vector<Quantity> const& quantities) {
   return out;
 }
 
+/// What the system makes of the scene. What it does not place itself is wrong with the whole of it.
+Simulation prepared(System const& system, Request const& request) {
+  try {
+    Simulation simulation = system.prepare(request);
+    if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));
+    return simulation;
+  } catch (SceneError const&) {
+    throw;
+  } catch (NumericsError const&) {
+    throw;
+  } catch (FileError const&) {
+    throw;
+  } catch (Error const& error) {
+    throw SceneError(request.file.section("system").place(), error.what());
+  }
+}
+
 }  // namespace
 
 Scene Scene::read(SceneFile file) {
   file.allow({"scene", "system", "initial", "method", "run", "output"});
   SceneTable head = file.section("scene"), output = file.section("output");
   head.allow({"title", "seed"});
-  if (!head.has("title")) head.set("title", std::filesystem::path(file.name()).stem().string());
+  if (!head.has("title")) head.set("title", printable(std::filesystem::path(file.name()).stem().string()));
   if (!head.has("seed")) head.set("seed", 1L);
   std::string const title = head.text("title");
   long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
@@ -42,9 +59,7 @@ Scene Scene::read(SceneFile file) {
   auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
   bool const plots = output.boolean("plots");
 
-  Simulation simulation = system.prepare({file, schedule, quantities});
-  if (!simulation.exact) StepsToRows(schedule, simulation.step, file.section("method"));  // refuses a step that does not meet the rows
-  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation)};
+  return {file, &system, title, seed, schedule, quantities, formats, plots, prepared(system, {file, schedule, quantities})};
 }
 
 }  // namespace actio::scene

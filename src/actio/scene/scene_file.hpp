@@ -49,6 +49,8 @@ class SceneTable {
   std::string choice(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
   /// A list of texts, each one of `allowed`, none twice, at least one.
   std::vector<std::string> choices(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
+  /// A list of texts.
+  std::vector<std::string> texts(std::string const& key) const;
   /// A list of finite numbers; `size` of them, or any number where it is negative.
   std::vector<double> numbers(std::string const& key, long size = -1) const;
   Eigen::Vector3d vector(std::string const& key) const;
@@ -72,6 +74,9 @@ class SceneTable {
   Place place(std::string const& key) const;
   /// The place of one item of a list.
   Place place(std::string const& key, std::size_t item) const;
+  /// The place of a text, or of one in a list of texts, for what is to point into it.
+  TextPlace text_place(std::string const& key) const;
+  TextPlace text_place(std::string const& key, std::size_t item) const;
   /// The place of the table.
   Place place() const;
   /// @throws SceneError  with the place of the key

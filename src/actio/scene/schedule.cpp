@@ -21,12 +21,12 @@ Schedule::Schedule(SceneTable run) {
     if (run.has("every")) run.fail("at", "at and every exclude each other: rows at the times listed, or at the multiples of every");
     at_ = run.numbers("at");
     if (at_.empty()) run.fail("at", "at: at least one time is expected");
-    if (run.has("until")) until_ = run.positive("until");
-    else if (until_ = at_.back(); until_ > 0) run.set("until", until_);
+    until_ = run.has("until") ? run.positive("until") : at_.back();
     for (std::size_t i = 0; i < at_.size(); ++i) {
       if (at_[i] < 0 || (run.has("until") && at_[i] > until_)) throw SceneError(run.place("at", i), fmt::format("at: times from 0 to until = {} are expected, found {}", until_, at_[i]));
       if (i > 0 && !(at_[i] > at_[i - 1])) throw SceneError(run.place("at", i), fmt::format("at: each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
     }
+    if (!(until_ > 0)) run.fail("at", fmt::format("at: a last time > 0 is expected where until is left out, found {}", until_));
     if (!run.has("until")) run.set("until", until_);
     rows_ = static_cast<long>(at_.size());
     return;
@@ -40,7 +40,7 @@ Schedule::Schedule(SceneTable run) {
   double const ratio = until_ / every_;
   if (!(ratio < most)) run.fail("every", fmt::format("every: at most 2^53 rows are possible; until/every is {}", ratio));
   // A quarter: the last multiple of a short interval is not mistaken for another one.
-  last_beside_ = !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
+  last_beside_ = std::round(ratio) < 1 || !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
   rows_ = static_cast<long>(last_beside_ ? std::floor(ratio) + 2 : std::round(ratio) + 1);
 }
 

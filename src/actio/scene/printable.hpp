@@ -1,0 +1,16 @@
+// Text of anybody's making, as a terminal and a log may show it.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace actio::scene {
+
+/// The text in one line of UTF-8: what would command a terminal, break the line or turn the direction of writing is told as `\u001b`, a byte that is no UTF-8
+/// as `\xff`.
+std::string printable(std::string_view text);
+
+/// The same, and after so many characters `...`.
+std::string shown(std::string_view text, std::size_t longest = 60);
+
+}  // namespace actio::scene

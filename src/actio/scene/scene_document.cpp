@@ -1,0 +1,44 @@
+#include "actio/scene/scene_document.hpp"
+
+#include <fmt/format.h>
+
+namespace actio::scene::detail {
+
+toml::table* SceneDocument::table(Path const& path) {
+  toml::table* table = &root;
+  for (auto const& key : path) {
+    toml::node* const node = table->get(key);
+    table = node ? node->as_table() : nullptr;
+    if (!table) return nullptr;
+  }
+  return table;
+}
+toml::node const* SceneDocument::value(Path const& path, std::string const& key) {
+  toml::table const* const found = table(path);
+  return found ? found->get(key) : nullptr;
+}
+toml::table& SceneDocument::made(Path const& path) {
+  toml::table* table = &root;
+  for (auto const& key : path) {
+    if (!table->get(key)) table->insert(key, toml::table{});
+    table = table->get(key)->as_table();
+  }
+  return *table;
+}
+
+Place place_of(toml::source_region const& region, std::string const& otherwise) {
+  if (!region.begin) return {otherwise};
+  return {region.path ? *region.path : otherwise, region.begin.line, region.begin.column};
+}
+
+std::string described(toml::node const& node) {
+  if (auto const* text = node.as_string()) return "'" + shown(text->get(), 40) + "' (a text)";
+  if (auto const* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (auto const* number = node.as_integer()) return fmt::format("{}", number->get());
+  if (auto const* truth = node.as_boolean()) return truth->get() ? "true" : "false";
+  if (auto const* list = node.as_array()) return fmt::format("a list of {}", list->size());
+  if (node.is_table()) return "a table";
+  return "a date or a time";
+}
+
+}  // namespace actio::scene::detail

@@ -1,0 +1,102 @@
+// The reader of scenes, fed with anything: it answers with a scene or with one line that points at the place, and takes no time over it.
+//
+// The bytes are a scene; lines at the end that begin with `--set ` are overrides. Where they begin with `=`, the rest is a formula. A sanitiser watches, and what is checked here besides holds for every input.
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actio/scene/expression.hpp"
+#include "actio/scene/printable.hpp"
+#include "actio/scene/scene.hpp"
+
+namespace {
+
+using namespace actio::scene;
+
+void require(bool holds, char const* law, std::string const& about) {
+  if (holds) return;
+  std::fprintf(stderr, "scene_reader: %s\n%s\n", law, about.c_str());
+  std::abort();
+}
+
+struct Input {
+  std::string text;
+  std::vector<std::string> overrides;
+};
+
+Input input_of(std::string_view bytes) {
+  constexpr std::string_view mark = "--set ";
+  Input input;
+  for (;;) {
+    std::size_t const line = bytes.rfind('\n');
+    std::string_view const last = bytes.substr(line == std::string_view::npos ? 0 : line + 1);
+    if (!last.starts_with(mark)) break;
+    input.overrides.emplace(input.overrides.begin(), last.substr(mark.size()));
+    bytes = bytes.substr(0, line == std::string_view::npos ? 0 : line);
+  }
+  input.text = std::string(bytes);
+  return input;
+}
+
+/// What is written is read again as the same, and so is what is written of that.
+void reads_back(SceneFile const& file) {
+  std::string const once = file.written();
+  std::string again;
+  try {
+    again = SceneFile::parse(once, file.name()).written();
+  } catch (SceneError const& error) {
+    again = error.what();
+  }
+  require(again == once, "what was written is not what is read from it", once + "\n-- and then --\n" + again);
+}
+
+void is_in_order(SceneError const& error) {
+  std::string const what = error.what();
+  require(what == printable(what), "a complaint is no line for a terminal", what);
+  require(what.starts_with("scene.toml") || what.starts_with("--set "), "a complaint names no file and no argument", what);
+  require(what.size() < 2000, "a complaint is very long", what);
+}
+
+void read_formula(std::string const& text) {
+  try {
+    Expression formula(text, {"X", "Y", "Z"}, {{"scene.toml", 1, 1}, true});
+    for (double const x : {0.0, -1.5, 1e300}) require(std::isfinite(formula(std::vector<double>{x, 1, -x})), "the value of a formula is no number", text);
+  } catch (SceneError const& error) {
+    is_in_order(error);
+  }
+}
+
+void read(Input const& input) {
+  try {
+    SceneFile const file = SceneFile::parse(input.text, "scene.toml", input.overrides);
+    reads_back(file);
+    Scene const scene = Scene::read(file);
+    reads_back(scene.file);
+    // The copy of a scene is a scene that is in order, and complete.
+    Scene const copy = Scene::read(SceneFile::parse(scene.file.written(), "scene.toml"));
+    require(copy.file.written() == scene.file.written(), "the copy of a scene is another scene", scene.file.written());
+  } catch (SceneError const& error) {
+    is_in_order(error);
+  } catch (NumericsError const& error) {
+    require(std::string(error.what()) == printable(error.what()), "a complaint is no line for a terminal", error.what());
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
+  using Clock = std::chrono::steady_clock;
+  auto const begun = Clock::now();
+  std::string_view const bytes(reinterpret_cast<char const*>(data), size);
+  if (bytes.starts_with('=')) read_formula(std::string(bytes.substr(1)));
+  else read(input_of(bytes));
+  double const seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+  // A second on a machine that does nothing else, ten where it is busy and every access is watched.
+  require(seconds < 10, "the reader takes its time", std::to_string(seconds) + " s");
+  return 0;
+}
