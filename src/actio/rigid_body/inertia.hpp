@@ -78,16 +78,17 @@ Inertia<3, S> inertia_from_moments(Eigen::Matrix<S, 3, 1> const& moments) {
   S const scale = magnitude(moments);
   // Halve before adding: the largest numbers of the scalar do not overflow.
   Inertia<3, S> inertia{{}, {}, moments};
-  for (int i = 0; i < 3; ++i) {
-    std::string const name = "I_" + std::to_string(i + 1);
+  auto const name = [](int i) { return "I_" + std::to_string(i + 1); };
+  for (int i = 0; i < 3; ++i)
     if (!(moments[i] > inertia_tolerance<S>() * scale))
-      throw UnphysicalInertia("inertia", name + " must be positive: a body with extent has inertia about every axis; in units of the largest moment",
+      throw UnphysicalInertia("inertia", name(i) + " must be positive: a body with extent has inertia about every axis; in units of the largest moment",
                               scale > S(0) ? to_double(S(moments[i] / scale)) : 0.0, to_double(inertia_tolerance<S>()));
+  for (int i = 0; i < 3; ++i) {
     int const j = (i + 1) % 3, k = (i + 2) % 3;
     S const lambda = moments[j] / S(2) + moments[k] / S(2) - moments[i] / S(2);
     if (lambda < -inertia_tolerance<S>() * scale)
       throw UnphysicalInertia("inertia",
-                              name + " must not exceed the sum of the other two (triangle inequality): no distribution of mass has such moments; "
+                              name(i) + " must not exceed the sum of the other two (triangle inequality): no distribution of mass has such moments; "
                                      "excess in units of the largest moment",
                               to_double(S(-S(2) * lambda / scale)), to_double(S(S(2) * inertia_tolerance<S>())));
     inertia.lambda[i] = magnitude(lambda) <= inertia_tolerance<S>() * scale ? S(0) : lambda;
