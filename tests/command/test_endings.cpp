@@ -31,10 +31,11 @@ BOOST_AUTO_TEST_SUITE(endings)
 
 BOOST_AUTO_TEST_CASE(an_interrupted_run_keeps_whole_rows_says_so_and_goes_on_to_the_same_end) {
   command::Folder const folder;
-  std::string const scene = folder.write("long.toml", apophis(long_run)), whole = folder / "whole", out = folder / "long";
+  std::string const scene = folder.write("long.toml", apophis(long_run)), whole = folder / "whole";
   BOOST_REQUIRE(command::actio({"run", scene, "--out", whole}).status == 0);
   for (int const signal : {SIGINT, SIGTERM, SIGHUP}) {
-    command::Process process({"run", scene, "--force"});
+    std::string const out = folder / "signal_" + std::to_string(signal);
+    command::Process process({"run", scene, "--out", out});
     BOOST_REQUIRE(command::appears(out + "/checkpoint"));
     command::sleep_for(0.05);
     process.send(signal);

@@ -8,15 +8,25 @@ using command::apophis, command::contents;
 
 namespace {
 
+/// Some tenths of a second of steps, with attitude.
+std::map<std::string, std::string> const steps{{"order", "2"}, {"step", "0.25"}, {"until", "6000000.0"}, {"every", "500.0"}, {"quantities", "[\"attitude\", \"energy\"]"}};
+
 /// A scene of about a second.
 struct Long {
   char const* name;
-  std::map<std::string, std::string> changes;
+  std::string scene;
 };
 std::vector<Long> const& long_scenes() {
   static std::vector<Long> const scenes{
-      {"rigid_body, order 2", {{"order", "2"}, {"step", "0.25"}, {"until", "12000000.0"}, {"every", "1000.0"}, {"quantities", "[\"body_momentum\", \"energy\"]"}}},
-      {"rigid_body, exact", {{"until", "50000.0"}, {"every", "0.25"}, {"quantities", "[\"attitude\", \"spatial_momentum\"]"}}},
+      {"rigid_body, order 2, with attitude", apophis(steps)},
+      {"rigid_body, exact", apophis({{"until", "50000.0"}, {"every", "0.25"}, {"quantities", "[\"attitude\", \"spatial_momentum\"]"}})},
+      {"rigid_body, natural chart of order 4", apophis({{"name", "\"natural_chart\""}, {"order", "4"}, {"until", "100000.0"}, {"every", "2.5"}, {"quantities", "[\"attitude\", \"energy\"]"}})},
+      {"rigid_body_n",
+       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4, 5.5]\n[initial]\nangular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, -0.1, 0.2, 0.7, -0.3, 0.1]\n"
+       "[method]\nstep = 0.02\n[run]\nuntil = 8000\nevery = 0.8\n[output]\nquantities = [\"attitude\", \"momentum\", \"casimir\"]\n"},
+      {"heavy_top",
+       "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0.1, 0, 0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
+       "[method]\norder = 4\nstep = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\nquantities = [\"attitude\", \"body_momentum\", \"energy\"]\n"},
   };
   return scenes;
 }
@@ -32,7 +42,7 @@ std::map<std::string, std::pair<std::string, std::filesystem::file_time_type>> a
 /// A run that was interrupted about in the middle.
 struct Interrupted {
   command::Folder folder;
-  std::string const scene = folder.write("long.toml", apophis(long_scenes()[0].changes)), out = folder / "long";
+  std::string const scene = folder.write("long.toml", apophis(steps)), out = folder / "long";
   Interrupted() {
     command::Process process({"run", scene, "--quiet"});
     BOOST_REQUIRE(command::appears(out + "/checkpoint"));
@@ -54,9 +64,9 @@ BOOST_AUTO_TEST_SUITE(resume)
 BOOST_AUTO_TEST_CASE(a_run_that_is_killed_again_and_again_equals_an_unbroken_one_bit_for_bit) {
   unsigned const seed = command::seed();
   std::mt19937 random(seed);
-  for (auto const& [name, changes] : long_scenes()) {
+  for (auto const& [name, text] : long_scenes()) {
     command::Folder const folder;
-    std::string const scene = folder.write("scene.toml", apophis(changes)), unbroken = folder / "unbroken", broken = folder / "broken";
+    std::string const scene = folder.write("scene.toml", text), unbroken = folder / "unbroken", broken = folder / "broken";
     auto const began = std::chrono::steady_clock::now();
     auto const whole = command::actio({"run", scene, "--out", unbroken, "--quiet"}, "ACTIO_CHECKPOINT_SECONDS=0.03");
     BOOST_REQUIRE_MESSAGE(whole.status == 0, whole.err);
@@ -154,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_table_that_was_cut_or_is_missing_is_refused_and_not_fille
 
 BOOST_AUTO_TEST_CASE(no_two_processes_run_in_one_folder) {
   command::Folder const folder;
-  std::string const scene = folder.write("long.toml", apophis(long_scenes()[0].changes)), out = folder / "long";
+  std::string const scene = folder.write("long.toml", apophis(steps)), out = folder / "long";
   command::Process process({"run", scene, "--quiet"});
   BOOST_REQUIRE(command::appears(out + "/checkpoint"));
   for (auto const& arguments : std::vector<std::vector<std::string>>{{"resume", out}, {"run", scene, "--force"}}) {

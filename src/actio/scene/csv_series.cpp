@@ -64,7 +64,7 @@ class CsvSeries : public Series {
     memory(size_);
     if (!memory.reading()) return;
     off_t const found = ::lseek(file_, 0, SEEK_END);
-    if (size_ < 0 || found < size_) throw FileError(path_ + ": has " + std::to_string(found) + " bytes, where the checkpoint needs " + std::to_string(size_) + "; it was cut since");
+    if (size_ < 0 || found < size_) fail("has " + std::to_string(found) + " bytes, where the checkpoint needs " + std::to_string(size_) + "; it was cut since", 0);
     if (::ftruncate(file_, size_) != 0) fail("cannot be cut back", errno);
   }
 

@@ -107,7 +107,8 @@ struct TopScene {
   }
 };
 
-std::unique_ptr<TurningBody> motion_of(TopScene const& scene) {
+/// @param failure  why it cannot take a step; then it is the start alone, that of a free body
+std::unique_ptr<TurningBody> motion_of(TopScene const& scene, std::string& failure) {
   PrincipalStart const start(scene.inertia, scene.momentum, scene.attitude);
   Inertia<3> const& inertia = scene.inertia.principal;
   try {
@@ -116,7 +117,8 @@ std::unique_ptr<TurningBody> motion_of(TopScene const& scene) {
     auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
     return std::make_unique<TopMotion>(TorquedBody(inertia, start.momentum, start.attitude, gravity, scene.step, method), scene.inertia);
   } catch (Error const& error) {
-    throw NumericsError(scene.method.place("step").text() + ": " + error.what());
+    failure = scene.method.place("step").text() + ": " + error.what();
+    return exact_motion(FreeBody(inertia, start.momentum, start.attitude), scene.inertia);
   }
 }
 
@@ -136,8 +138,8 @@ void define_top(QuantityGraph& graph, TopScene const& scene) {
 
 Simulation prepare(Request const& request) {
   TopScene const scene(request);
-  auto motion = motion_of(scene);
   Simulation simulation(quantities());
+  auto motion = motion_of(scene, simulation.failure);
   define_turning_body(simulation.quantities, *motion, scene.inertia);
   define_top(simulation.quantities, scene);
   simulation.quantities.ask(request.quantities);

@@ -47,15 +47,15 @@ class SteppedMotion : public TurningBodyN {
   bool with_attitude_;
 };
 
-/// The momentum alone of a body all whose moments are equal: it rests.
+/// What does not move: the momentum, without an attitude, of a body all whose moments are equal; and the start of a motion that can take no step.
 class ConstantMomentum : public TurningBodyN {
  public:
-  explicit ConstantMomentum(MatrixXd momentum) : momentum_(std::move(momentum)) {}
+  explicit ConstantMomentum(MatrixXd momentum, MatrixXd attitude = {}) : momentum_(std::move(momentum)), attitude_(std::move(attitude)) {}
   MatrixXd body_momentum() const override { return momentum_; }
-  MatrixXd attitude() const override { return {}; }
+  MatrixXd attitude() const override { return attitude_; }
 
  private:
-  MatrixXd momentum_;
+  MatrixXd momentum_, attitude_;
 };
 
 /// @throws SceneError  where energy, |M|^2 or a Casimir that was asked for is beyond the numbers
@@ -125,7 +125,8 @@ Simulation prepare(Request const& request) {
   try {
     motion = motion_of(chart, start, simulation.step, with_attitude);
   } catch (Error const& error) {
-    throw NumericsError(method.place("step").text() + ": " + error.what());
+    simulation.failure = method.place("step").text() + ": " + error.what();
+    motion = std::make_unique<ConstantMomentum>(start.momentum, start.attitude);
   }
 
   if (!with_attitude) simulation.shortcuts.push_back("momentum only: no attitude is reconstructed");
