@@ -1,7 +1,10 @@
 // The command actio: scenes, run and looked at. Here are its arguments; what it does is in the files beside this one.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <functional>
+#include <new>
+#include <system_error>
 
 #include "actio/scene/progress.hpp"
 #include "actio/scene/scene_error.hpp"
@@ -110,7 +113,9 @@ int main(int argc, char** argv) {
       return 2;
     }
     command.parse(argc, argv);
-    return action();
+    int const status = action();
+    if (std::fflush(stdout) != 0) throw scene::FileError("standard output: cannot be written");
+    return status;
   } catch (CLI::Success const& help) {
     return command.exit(help);
   } catch (CLI::ParseError const& error) {
@@ -124,6 +129,12 @@ int main(int argc, char** argv) {
     return 3;
   } catch (scene::FileError const& error) {
     scene::say(stderr, std::string(error.what()) + "\n");
+    return 4;
+  } catch (std::system_error const& error) {
+    scene::say(stderr, std::string("standard output: ") + error.what() + "\n");
+    return 4;
+  } catch (std::bad_alloc const&) {
+    scene::say(stderr, "The memory does not suffice.\n");
     return 4;
   }
 }

@@ -64,7 +64,8 @@ std::string about(System const& system) {
   account.tell("statement", statement_in_words(system.statement));
   std::vector<std::vector<std::string>> parameters, methods, quantities;
   for (auto const& p : system.parameters) {
-    std::string const fallback = p.fallback.empty() ? "" : p.fallback == "needed" ? "needed" : "otherwise " + p.fallback;
+    bool const as_it_is = p.fallback.empty() || p.fallback == "needed" || p.fallback.starts_with("or ");
+    std::string const fallback = (as_it_is ? "" : "otherwise ") + p.fallback;
     parameters.push_back({p.key, p.expects, fallback, p.meaning});
   }
   for (auto const& m : system.methods) methods.push_back({m.name, orders_of(m), m.meaning});
