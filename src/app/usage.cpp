@@ -66,11 +66,14 @@ std::string Help::make_help(CLI::App const* app, std::string, CLI::AppFormatMode
 
 namespace {
 
-/// The option that a message of CLI11 begins with.
+/// The option that a message of CLI11 is about: it begins with the name, or with that of a flag without its dashes.
 CLI::Option const* option_in(CLI::App const& app, std::string const& message) {
   CLI::Option const* found = nullptr;
-  for (auto const* const option : app.get_options())
-    if (message.starts_with(option->get_name()) && (!found || option->get_name().size() > found->get_name().size())) found = option;
+  for (auto const* const option : app.get_options()) {
+    std::string const name = option->get_name();
+    bool const about = message.starts_with(name) || ("--" + message).starts_with(name + " was given");
+    if (about && (!found || name.size() > found->get_name().size())) found = option;
+  }
   return found;
 }
 

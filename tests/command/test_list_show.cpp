@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(groups_are_found_however_they_are_written) {
   BOOST_TEST(actio({"show", "SU2"}).out.starts_with("SU(2), a group"));
   BOOST_TEST(actio({"show", "su5"}).out.starts_with("SU(n), a group"));
   BOOST_TEST(actio({"show", "Sp(4)"}).out.starts_with("Sp(2n), a group"));
-  BOOST_TEST(has(actio({"show", "se"}).out, "SE(2), a group") && has(actio({"show", "se"}).out, "SE(3), a group"));
+  for (auto const& part : {"SE(2), a group", "SE(3), a group"}) BOOST_TEST(has(actio({"show", "se"}).out, part), part);
   BOOST_TEST(actio({"show", "se7"}).status == 2);
 }
 

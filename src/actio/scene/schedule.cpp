@@ -60,7 +60,7 @@ double Schedule::common_divisor() const {
   for (double const t : landmarks()) {
     // Euclid, with remainders below rounding taken for zero.
     double a = std::max(divisor, t), b = std::min(divisor, t);
-    double const nothing = near * b;
+    double const nothing = near * a;
     while (b > nothing && b > 0) {
       double rest = a - b * std::floor(a / b);
       if (rest > b - nothing) rest = 0;
