@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "actio/scene/nearest_name.hpp"
 #include "actio/scene/scene_error.hpp"
@@ -72,6 +73,15 @@ std::string how_to_build(std::vector<std::string> const& chapters) {
                      places, folder_of_this_program().string(), targets);
 }
 
+/// The statements that a program has checks of.
+std::set<std::string> held_by(fs::path const& program) {
+  std::set<std::string> ids;
+  std::istringstream lines(run_child({program.string(), "--list_content"}).output);  // a suite for each scalar, a case for each statement: "double*", "    eq_3_1*"
+  for (std::string line; std::getline(lines, line);)
+    if (std::size_t const first = line.find_first_not_of(' '); first != 0 && first != std::string::npos) ids.insert(line.substr(first, line.find('*') - first));
+  return ids;
+}
+
 /// Adds what a program reported of its statements.
 void read_reports(fs::path const& folder, Results& results) {
   for (auto const& entry : fs::directory_iterator(folder)) {
@@ -105,7 +115,7 @@ int run_checks(fs::path const& program, std::vector<std::string> const& ids, Res
   }
   bool const explained = std::any_of(here.begin(), here.end(), [](auto const& entry) { return !entry.second.failures.empty(); });
   for (auto const& id : ids)
-    if (!here.count(id)) here[id].failures.push_back(fmt::format("{} ended with status {} and told nothing of it; it may be older than the sources", program.filename().string(), outcome.status));
+    if (!here.count(id)) here[id].failures.push_back(fmt::format("{} ended with status {} and told nothing of it", program.filename().string(), outcome.status));
   if (outcome.status != 0 && !explained) fmt::print(stderr, "{} ended with status {}:\n{}", program.filename().string(), outcome.status, outcome.output);
   results.merge(here);
   return 0;
@@ -124,13 +134,14 @@ bool tell(Statement const& statement, Result const& result, std::size_t width) {
 }  // namespace
 
 int check(std::vector<std::string> const& ids) {
-  auto const asked = wanted(ids);
   auto const programs = programs_beside();
-  std::vector<std::string> chapters, missing;
+  std::map<std::string, std::vector<Statement const*>> by_chapter;
+  std::vector<std::string> chapters, missing, stale;
   std::size_t width = 0;
-  for (auto const* const statement : asked) {
-    auto& list = programs.count(statement->chapter) ? chapters : missing;
-    if (std::find(list.begin(), list.end(), statement->chapter) == list.end()) list.push_back(statement->chapter);
+  for (auto const* const statement : wanted(ids)) {
+    auto& chapter = by_chapter[statement->chapter];
+    if (chapter.empty()) (programs.count(statement->chapter) ? chapters : missing).push_back(statement->chapter);
+    chapter.push_back(statement);
     width = std::max(width, statement->id.size());
   }
   if (chapters.empty() || (!ids.empty() && !missing.empty())) throw FileError(how_to_build(missing));
@@ -138,21 +149,20 @@ int check(std::vector<std::string> const& ids) {
   std::size_t well = 0, failed = 0;
   std::set<std::string> scalars;
   for (auto const& chapter : chapters) {
+    auto const held = held_by(programs.at(chapter));
     std::vector<std::string> here;
-    for (auto const* const statement : asked)
-      if (statement->chapter == chapter) here.push_back(statement->id);
+    for (auto const* const statement : by_chapter[chapter]) (held.count(statement->id) ? here : stale).push_back(statement->id);
     Results results;
-    if (run_checks(programs.at(chapter), here, results) == 130) return 130;
-    for (auto const* const statement : asked) {
-      if (statement->chapter != chapter) continue;
-      Result const& result = results[statement->id];
-      ++(tell(*statement, result, width) ? well : failed);
-      scalars.insert(result.scalars.begin(), result.scalars.end());
+    if (!here.empty() && run_checks(programs.at(chapter), here, results) == 130) return 130;
+    for (auto const& id : here) {
+      ++(tell(*find_statement(id), results[id], width) ? well : failed);
+      scalars.insert(results[id].scalars.begin(), results[id].scalars.end());
     }
   }
-  fmt::print(stderr, "{} passed, {} failed, over {}\n", well, failed, listed({scalars.begin(), scalars.end()}));
+  fmt::print(stderr, "{} passed, {} failed{}\n", well, failed, scalars.empty() ? "" : ", over " + listed({scalars.begin(), scalars.end()}));
   if (failed) return 1;
   if (!missing.empty()) throw FileError(how_to_build(missing));
+  if (!stale.empty()) throw FileError(fmt::format("actio check: the programs in {} are older than the sources and have no check of {}; build them again", folder_of_this_program().string(), listed(stale)));
   return 0;
 }
 

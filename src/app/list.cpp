@@ -56,6 +56,15 @@ Rows list_of_bodies() {
   return rows;
 }
 
+/// `bodies` for `body`: the one that begins alike, where none is nearest.
+std::string meant(std::string const& what) {
+  std::string const near = did_you_mean(what, kinds_of_lists());
+  if (!near.empty() || what.size() < 3) return near;
+  for (auto const& kind : kinds_of_lists())
+    if (kind.starts_with(what.substr(0, 3))) return "; did you mean '" + kind + "'?";
+  return "";
+}
+
 }  // namespace
 
 int list(std::string const& what) {
@@ -66,7 +75,7 @@ int list(std::string const& what) {
   else if (what == "quantities") rows = list_of_quantities();
   else if (what == "bodies") rows = list_of_bodies();
   else if (what == "materials") fmt::print(stderr, "There are no materials yet: they come with the systems of continua.\n");
-  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", what, did_you_mean(what, kinds_of_lists()), listed(kinds_of_lists())));
+  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", what, meant(what), listed(kinds_of_lists())));
   fmt::print("{}", aligned(rows));
   return 0;
 }

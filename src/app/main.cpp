@@ -1,7 +1,10 @@
 // The command actio: scenes, run and looked at. Here are its arguments; what it does is in the files beside this one.
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <functional>
+#include <new>
+#include <system_error>
 
 #include "actio/scene/progress.hpp"
 #include "actio/scene/scene_error.hpp"
@@ -27,6 +30,7 @@ CLI::App* add_part(CLI::App& command, std::string const& name, std::string const
   return added;
 }
 
+std::string not_empty(std::string& text) { return text.empty() ? "a name is expected, found ''" : ""; }
 /// At least one run at a time.
 std::string whole_and_positive(std::string& text) {
   bool const whole = !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos && std::stol(text) > 0;
@@ -37,31 +41,31 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   auto* const part = add_part(command, "run", "run a scene",
                               "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives series.csv, summary.json and scene.toml, in which every default is written out.",
                               action, [&run] { return app::run(run); });
-  part->add_option("SCENE", run.scene, "a scene, in TOML")->required();
+  part->add_option("SCENE", run.scene, "a scene, in TOML")->required()->check(CLI::Validator(not_empty, ""));
   part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR");
   part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
-  part->add_flag("--quiet", run.quiet, "no progress");
-  part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing");
-  part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion");
-  part->add_flag("--force", run.force, "replace the run that is in the folder");
+  part->add_flag("--quiet", run.quiet, "no progress")->disable_flag_override();
+  part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing")->disable_flag_override();
+  part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion")->disable_flag_override();
+  part->add_flag("--force", run.force, "replace the run that is in the folder")->disable_flag_override();
 }
 
 void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action) {
   auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit.", action,
                               [&resume] { return app::resume(resume); });
-  part->add_option("DIR", resume.folder, "the folder of the run")->required();
-  part->add_flag("--quiet", resume.quiet, "no progress");
+  part->add_option("DIR", resume.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_flag("--quiet", resume.quiet, "no progress")->disable_flag_override();
 }
 
 void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
   auto* const part = add_part(command, "sweep", "run a scene for each of many values, into one table", "Example: actio sweep apophis.toml --over method.step=0.1,0.2,0.4", action, [&sweep] { return app::sweep(sweep); });
-  part->add_option("SCENE", sweep.scene, "a scene, in TOML")->required();
+  part->add_option("SCENE", sweep.scene, "a scene, in TOML")->required()->check(CLI::Validator(not_empty, ""));
   part->add_option("--over", sweep.over, "a key and its values; several: all combinations")->type_name("KEY=a,b,c")->required()->allow_extra_args(false);
   part->add_option("--out", sweep.out, "the folder for the runs and their table")->type_name("DIR");
   part->add_option("--set", sweep.set, "override a key in all of them")->type_name("KEY=VALUE")->allow_extra_args(false);
   part->add_option("--jobs", sweep.jobs, "runs at the same time; otherwise one for each core")->type_name("N")->check(CLI::Validator(whole_and_positive, ""));
-  part->add_flag("--quiet", sweep.quiet, "no progress");
-  part->add_flag("--force", sweep.force, "replace the runs that are in the folder");
+  part->add_flag("--quiet", sweep.quiet, "no progress")->disable_flag_override();
+  part->add_flag("--force", sweep.force, "replace the runs that are in the folder")->disable_flag_override();
 }
 
 /// What the parts that look things up are asked.
@@ -74,19 +78,19 @@ struct Questions {
 void add_questions(CLI::App& command, Questions& asked, Action& action) {
   auto* part = add_part(command, "list", "list what there is: systems, groups, methods, quantities, bodies, materials", "Example: actio list bodies\n\nA line for each; its first word is the name.", action,
                         [&asked] { return app::list(asked.list); });
-  part->add_option("WHAT", asked.list, "systems, groups, methods, quantities, bodies or materials")->required();
+  part->add_option("WHAT", asked.list, "systems, groups, methods, quantities, bodies or materials")->required()->check(CLI::Validator(not_empty, ""));
   part = add_part(command, "show", "tell what something is: meaning, units, source, statement of the thesis", "Example: actio show apophis", action, [&asked] { return app::show(asked.name); });
-  part->add_option("NAME", asked.name, "a system, group, method, quantity, body, material or statement")->required();
+  part->add_option("NAME", asked.name, "a system, group, method, quantity, body, material or statement")->required()->check(CLI::Validator(not_empty, ""));
   part = add_part(command, "check", "run the theorem checks", "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no check, 4 the checks are not built.", action,
                   [&asked] { return asked.list_statements ? app::list_statements() : app::check(asked.ids); });
   part->add_option("ID", asked.ids, "statements of the thesis, for example thm_3_2_1; none: all");
-  part->add_flag("--list", asked.list_statements, "list the statements that have a check, and run none");
+  part->add_flag("--list", asked.list_statements, "list the statements that have a check, and run none")->disable_flag_override();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App command{"Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at.", "actio"};
+  CLI::App command{"Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at", "actio"};
   command.require_subcommand(1);
   command.formatter(std::make_shared<app::Help>());
   command.set_help_flag("-h,--help", "this text");
@@ -109,7 +113,9 @@ int main(int argc, char** argv) {
       return 2;
     }
     command.parse(argc, argv);
-    return action();
+    int const status = action();
+    if (std::fflush(stdout) != 0) throw scene::FileError("standard output: cannot be written");
+    return status;
   } catch (CLI::Success const& help) {
     return command.exit(help);
   } catch (CLI::ParseError const& error) {
@@ -123,6 +129,12 @@ int main(int argc, char** argv) {
     return 3;
   } catch (scene::FileError const& error) {
     scene::say(stderr, std::string(error.what()) + "\n");
+    return 4;
+  } catch (std::system_error const& error) {
+    scene::say(stderr, std::string("standard output: ") + error.what() + "\n");
+    return 4;
+  } catch (std::bad_alloc const&) {
+    scene::say(stderr, "The memory does not suffice.\n");
     return 4;
   }
 }

@@ -35,7 +35,7 @@ class Account {
   std::string const& text() const { return out_; }
 
  private:
-  static constexpr std::size_t label = 13;
+  static constexpr std::size_t label = 14;
   std::string out_;
 };
 
@@ -44,8 +44,10 @@ std::string in_toml(Eigen::Vector3d const& v) { return fmt::format("[{}, {}, {}]
 std::string about(LibraryBody const& body) {
   Account account(body.name, "a body: " + body.title);
   account.tell("moments", in_toml(body.inertia.moments) + (body.unit == "ratio" ? ", of which only the ratios are known" : " " + body.unit));
-  if (!body.axes.isIdentity(0))
-    for (int k = 0; k < 3; ++k) account.tell(fmt::format("axis {}", k + 1), in_toml(body.axes.col(k)) + ", in the frame of the catalogue, which is that of a scene with this body");
+  if (!body.axes.isIdentity(0)) {
+    account.tell("axes", "of these moments, in the frame of the catalogue, which is that of a scene with this body:");
+    for (int k = 0; k < 3; ++k) account.tell("", in_toml(body.axes.col(k)));
+  }
   account.tell("unit of time", body.time);
   account.tell("spin", in_toml(body.spin) + " rad/" + body.time);
   account.tell("source", body.source);
@@ -62,7 +64,8 @@ std::string about(System const& system) {
   account.tell("statement", statement_in_words(system.statement));
   std::vector<std::vector<std::string>> parameters, methods, quantities;
   for (auto const& p : system.parameters) {
-    std::string const fallback = p.fallback.empty() ? "" : p.fallback == "needed" ? "needed" : "otherwise " + p.fallback;
+    bool const as_it_is = p.fallback.empty() || p.fallback == "needed" || p.fallback.starts_with("or ");
+    std::string const fallback = (as_it_is ? "" : "otherwise ") + p.fallback;
     parameters.push_back({p.key, p.expects, fallback, p.meaning});
   }
   for (auto const& m : system.methods) methods.push_back({m.name, orders_of(m), m.meaning});
@@ -141,7 +144,7 @@ int show(std::string const& name) {
   if (accounts.empty())
     for (auto const* const group : find_groups(name)) accounts.push_back(about(*group));
   if (auto const* const statement = find_statement(name)) accounts.push_back(about(*statement));
-  if (accounts.empty()) throw SceneError({"actio show"}, fmt::format("unknown name '{}'{} (actio list {})", name, did_you_mean(name, all_names()), "systems|groups|methods|quantities|bodies"));
+  if (accounts.empty()) throw SceneError({"actio show"}, fmt::format("unknown name '{}'{} (actio list systems|groups|methods|quantities|bodies|materials)", name, did_you_mean(name, all_names())));
   for (std::size_t i = 0; i < accounts.size(); ++i) fmt::print("{}{}", i ? "\n" : "", accounts[i]);
   return 0;
 }

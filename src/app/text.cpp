@@ -89,9 +89,15 @@ class Formula {
     std::string const name(tex_.substr(at_, end - at_));
     at_ = end;
     while (at_ < tex_.size() && tex_[at_] == ' ') ++at_;
+    named(name);
+    // TeX leaves out the space after a command; before a sign it is easier to read with it.
+    if (at_ > end && at_ < tex_.size() && std::string_view("=+-<>").find(tex_[at_]) != std::string_view::npos) space();
+  }
+
+  void named(std::string const& name) {
     static std::map<std::string, std::string> const signs{
         {"langle", "<"}, {"rangle", ">"}, {"cdot", "."}, {"times", " x "}, {"le", " <= "}, {"ge", " >= "}, {"lVert", "|"}, {"rVert", "|"}, {"lvert", "|"}, {"rvert", "|"}, {"to", " -> "},
-        {"top", "T"}, {"quad", "  "}, {"qquad", "   "}, {"dots", "..."}, {"ldots", "..."}, {"cdots", "..."}, {"infty", "infinity"}, {"left", ""}, {"right", ""}, {"bigl", ""}, {"bigr", ""},
+        {"top", "T"}, {"quad", "  "}, {"qquad", "   "}, {"dots", "..."}, {"ldots", "..."}, {"cdots", "..."}, {"infty", "infinity"}, {"lfloor", "floor("}, {"rfloor", ")"}, {"left", ""}, {"right", ""}, {"bigl", ""}, {"bigr", ""},
         {"operatorname", ""}, {"mathrm", ""}, {"text", ""}, {"mathbf", ""}, {"hat", "hat "}, {"dot", "d/dt "}, {"dotproduct", "."}};
     if (name == "frac" || name == "tfrac" || name == "dfrac") {
       std::string const above = argument(), below = argument();

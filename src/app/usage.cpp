@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "actio/scene/nearest_name.hpp"
 #include "app/text.hpp"
@@ -27,11 +28,13 @@ std::string in_usage(CLI::Option const& option) {
 }
 
 std::vector<CLI::Option const*> options_of(CLI::App const& app, bool positional) {
-  return app.get_options([positional](CLI::Option const* option) { return option->get_positional() == positional; });
+  auto options = app.get_options([positional](CLI::Option const* option) { return option->get_positional() == positional; });
+  std::stable_partition(options.begin(), options.end(), [&](CLI::Option const* option) { return option != app.get_help_ptr(); });
+  return options;
 }
 
 std::string usage_of(CLI::App const& app) {
-  std::string line = app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name() + " COMMAND";
+  std::string line = app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name() + " COMMAND ...";
   for (auto const* const option : options_of(app, true)) line += " " + in_usage(*option);
   for (auto const* const option : options_of(app, false))
     if (option->get_required()) line += " " + written(*option);
@@ -48,7 +51,9 @@ std::string paragraph(std::vector<std::vector<std::string>> rows) {
 }  // namespace
 
 std::string Help::make_help(CLI::App const* app, std::string, CLI::AppFormatMode) const {
-  std::string out = "usage: " + usage_of(*app) + "\n\n" + app->get_description() + "\n";
+  std::string meaning = app->get_description();
+  meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
+  std::string out = "usage: " + usage_of(*app) + "\n\n" + meaning + ".\n";
   std::vector<std::vector<std::string>> rows;
   for (auto const* const part : app->get_subcommands([](CLI::App const*) { return true; })) rows.push_back({part->get_name(), part->get_description()});
   out += paragraph(rows), rows.clear();
@@ -61,11 +66,14 @@ std::string Help::make_help(CLI::App const* app, std::string, CLI::AppFormatMode
 
 namespace {
 
-/// The option that a message of CLI11 begins with.
+/// The option that a message of CLI11 is about: it begins with the name, or with that of a flag without its dashes.
 CLI::Option const* option_in(CLI::App const& app, std::string const& message) {
   CLI::Option const* found = nullptr;
-  for (auto const* const option : app.get_options())
-    if (message.starts_with(option->get_name()) && (!found || option->get_name().size() > found->get_name().size())) found = option;
+  for (auto const* const option : app.get_options()) {
+    std::string const name = option->get_name();
+    bool const about = message.starts_with(name) || ("--" + message).starts_with(name + " was given");
+    if (about && (!found || name.size() > found->get_name().size())) found = option;
+  }
   return found;
 }
 
@@ -93,7 +101,7 @@ std::string unknown_option(CLI::App const& command, CLI::App const& part, std::s
 /// A word that is one too many.
 std::string unknown_word(CLI::App const& command, CLI::App const& part, std::string const& word) {
   if (&part != &command) return fmt::format("'{}' is one too many; usage: {}", word, usage_of(part));
-  std::vector<std::string> known;
+  std::vector<std::string> known{"--help", "--version"};
   for (auto const* const other : command.get_subcommands([](CLI::App const*) { return true; })) known.push_back(other->get_name());
   bool const scene = word.ends_with(".toml");
   return fmt::format("unknown command '{}'{}", word, scene ? "; did you mean 'actio run " + word + "'?" : did_you_mean(word, known));

@@ -11,17 +11,21 @@
 
 namespace command {
 
-Outcome actio(std::vector<std::string> const& arguments, std::string const& before) {
+Outcome shell(std::string const& line) {
   Folder const folder;
+  std::string const whole = "ACTIO='" ACTIO_COMMAND "'\n{ " + line + "\n} >'" + folder / "out" + "' 2>'" + folder / "err" + "' </dev/null";
+  int const status = std::system(whole.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(folder / "out"), contents(folder / "err")};
+}
+
+Outcome actio(std::vector<std::string> const& arguments, std::string const& before) {
   std::string line = before + " '" ACTIO_COMMAND "'";
   for (auto const& argument : arguments) {
     line += " '";
     for (char const c : argument) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
     line += "'";
   }
-  line += " >'" + folder / "out" + "' 2>'" + folder / "err" + "' </dev/null";
-  int const status = std::system(line.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(folder / "out"), contents(folder / "err")};
+  return shell(line);
 }
 
 Folder::Folder() {

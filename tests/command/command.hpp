@@ -19,6 +19,9 @@ struct Outcome {
 /// @param before  what the shell does first, for example "ulimit -f 10;" or "NO_COLOR=1"
 Outcome actio(std::vector<std::string> const& arguments, std::string const& before = "");
 
+/// Runs a line of the shell; `$ACTIO` is the command.
+Outcome shell(std::string const& line);
+
 /// A folder of its own, gone afterwards.
 class Folder {
  public:

@@ -21,13 +21,14 @@ Schedule::Schedule(SceneTable run) {
     if (run.has("every")) run.fail("at", "at and every exclude each other: rows at the times listed, or at the multiples of every");
     at_ = run.numbers("at");
     if (at_.empty()) run.fail("at", "at: at least one time is expected");
-    until_ = run.has("until") ? run.positive("until") : at_.back();
+    bool const bounded = run.has("until");
+    until_ = bounded ? run.positive("until") : at_.back();
     for (std::size_t i = 0; i < at_.size(); ++i) {
-      if (at_[i] < 0 || (run.has("until") && at_[i] > until_)) throw SceneError(run.place("at", i), fmt::format("at: times from 0 to until = {} are expected, found {}", until_, at_[i]));
+      if (at_[i] < 0 || (bounded && at_[i] > until_)) throw SceneError(run.place("at", i), fmt::format("at: times from 0 {} are expected, found {}", bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
       if (i > 0 && !(at_[i] > at_[i - 1])) throw SceneError(run.place("at", i), fmt::format("at: each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
     }
-    if (!(until_ > 0)) run.fail("at", fmt::format("at: a last time > 0 is expected where until is left out, found {}", until_));
-    if (!run.has("until")) run.set("until", until_);
+    if (!(until_ > 0)) run.fail("at", "at: where 0 is the only time, [run] needs 'until', for example until = 1");
+    if (!bounded) run.set("until", until_);
     rows_ = static_cast<long>(at_.size());
     return;
   }
@@ -59,7 +60,7 @@ double Schedule::common_divisor() const {
   for (double const t : landmarks()) {
     // Euclid, with remainders below rounding taken for zero.
     double a = std::max(divisor, t), b = std::min(divisor, t);
-    double const nothing = near * b;
+    double const nothing = near * a;
     while (b > nothing && b > 0) {
       double rest = a - b * std::floor(a / b);
       if (rest > b - nothing) rest = 0;
@@ -68,19 +69,44 @@ double Schedule::common_divisor() const {
     divisor = a;
   }
   double const longest = landmarks().back();
-  return divisor * most > longest && divisor > 1e-7 * longest ? divisor : 0;
+  if (!(divisor * most > longest && divisor > 1e-7 * longest)) return 0;
+  return longest / std::round(longest / divisor);  // the rounding of the remainders is gone
 }
+
+bool Schedule::met_by(double step) const {
+  for (double const t : landmarks())
+    if (!is_multiple(t / step) || (t > 0 && std::round(t / step) < 1)) return false;
+  return true;
+}
+
+double Schedule::step_up_to(double longest) const {
+  double const divisor = common_divisor(), step = divisor / std::ceil(divisor / longest);
+  return divisor > 0 && met_by(step) ? step : 0;
+}
+
+double Schedule::step_from(double shortest) const {
+  double const divisor = common_divisor(), parts = std::floor(divisor / shortest);
+  return parts >= 1 && met_by(divisor / parts) ? divisor / parts : 0;
+}
+
+namespace {
+
+/// `; the nearest step that would do is 0.25`, and where that is longer than asked also a shorter one, for the method may not take it.
+std::string step_that_would_do(Schedule const& schedule, double step) {
+  double const below = schedule.step_up_to(step), above = schedule.step_from(step);
+  if (below == 0 && above == 0) return "; the times of the rows have no divisor in common";
+  if (above == 0 || (below > 0 && step - below <= above - step)) return fmt::format("; the nearest step that would do is {}", below);
+  return fmt::format("; the nearest step that would do is {}", above) + (below > 0 ? fmt::format(", the nearest shorter one {}", below) : "");
+}
+
+}  // namespace
 
 StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const& method) : schedule_(schedule), step_(step) {
   for (double const t : schedule.landmarks()) {
     double const ratio = t / step;
     if (!(ratio < most)) method.fail("step", fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
     if (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1)) continue;
-    double const divisor = schedule.common_divisor();
-    if (divisor == 0) method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}; the times of the rows have no divisor in common", t, ratio, step));
-    double const below = std::max(1.0, std::floor(divisor / step)), h1 = divisor / below, h2 = divisor / (below + 1);
-    double const nearest = std::abs(h1 - step) <= std::abs(h2 - step) ? h1 : h2;
-    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}; the nearest step that would do is {}", t, ratio, step, nearest));
+    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}{}", t, ratio, step, step_that_would_do(schedule, step)));
   }
 }
 

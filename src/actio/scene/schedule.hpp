@@ -23,6 +23,12 @@ class Schedule {
   std::vector<double> landmarks() const;
   /// The longest time that divides all others; zero where they have none in common.
   double common_divisor() const;
+  /// Whether every row is at a multiple of the step, |t/h - round| <= 1e-9 max(1, t/h).
+  bool met_by(double step) const;
+  /// The longest step of which every row is a multiple and that is at most this long; zero where there is none.
+  double step_up_to(double longest) const;
+  /// The shortest that is at least this long; zero where there is none.
+  double step_from(double shortest) const;
 
  private:
   double until_ = 0, every_ = 0;

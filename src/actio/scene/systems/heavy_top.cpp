@@ -159,7 +159,8 @@ Simulation prepare(Request const& request) {
 }  // namespace
 
 System heavy_top_system() {
-  return {"heavy_top", "Heavy top", "A rigid body held at a point under uniform gravity.", "chapter 3", parameters(), methods(), quantities(), prepare};
+  return {"heavy_top", "Heavy top", "A rigid body held at a point under uniform gravity.", "chapter 3", parameters(), methods(), quantities(), prepare,
+          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n"};
 }
 
 }  // namespace actio::scene

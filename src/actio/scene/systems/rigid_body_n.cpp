@@ -168,7 +168,8 @@ System rigid_body_n_system() {
           parameters(),
           methods(),
           turning_body_n_quantities(),
-          prepare};
+          prepare,
+          "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\nangular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"momentum\", \"energy\"]\n"};
 }
 
 }  // namespace actio::scene

@@ -1,0 +1,68 @@
+# bash completion for actio: its parts, their options, what can be listed and shown, the statements, scenes and folders.
+
+# The lines of standard input that begin with the word, as the shell writes them.
+_actio_reply() { # WORD
+  local name
+  while IFS= read -r name; do
+    [[ $name == "${1//\\/}"* ]] && COMPREPLY+=("$(printf '%q' "$name")")
+  done
+}
+
+_actio_options() { # PART
+  case $1 in
+    run) echo "--out --set --quiet --dry-run --plots --force --help" ;;
+    resume) echo "--quiet --help" ;;
+    sweep) echo "--over --out --set --jobs --quiet --force --help" ;;
+    list | show) echo "--help" ;;
+    check) echo "--list --help" ;;
+    *) echo "--help --version" ;;
+  esac
+}
+
+_actio_names() { # PROGRAM
+  local list
+  for list in systems groups methods quantities bodies materials; do
+    "$1" list "$list" 2>/dev/null
+  done | cut -d ' ' -f 1 | sort -u
+}
+
+_actio_files() { # WORD SUFFIX: files that end so, and folders
+  local path
+  compopt -o filenames 2>/dev/null
+  while IFS= read -r path; do
+    [[ -d $path || ($2 && $path == *"$2") ]] && COMPREPLY+=("$path")
+  done < <(compgen -f -- "$1")
+}
+
+_actio() {
+  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]} part=${COMP_WORDS[1]} program=${COMP_WORDS[0]}
+  COMPREPLY=()
+  # --out=DIR comes in three words.
+  if [[ $word == "=" ]]; then before=${COMP_WORDS[COMP_CWORD - 1]} word=""
+  elif [[ $before == "=" ]]; then before=${COMP_WORDS[COMP_CWORD - 2]}; fi
+
+  if ((COMP_CWORD > 1)); then
+    case $before in
+      --out) _actio_files "$word" ""; return ;;
+      --set | --over | --jobs) return ;;
+    esac
+  fi
+  if [[ $word == -* ]]; then
+    ((COMP_CWORD > 1)) || part=
+    _actio_reply "$word" < <(_actio_options "$part" | tr ' ' '\n')
+    return
+  fi
+  if ((COMP_CWORD == 1)); then
+    _actio_reply "$word" < <(printf '%s\n' run resume sweep list show check)
+    return
+  fi
+  case $part in
+    run | sweep) _actio_files "$word" .toml ;;
+    resume) _actio_files "$word" "" ;;
+    list) _actio_reply "$word" < <(printf '%s\n' systems groups methods quantities bodies materials) ;;
+    show) _actio_reply "$word" < <(_actio_names "$program") ;;
+    check) _actio_reply "$word" < <("$program" check --list 2>/dev/null | cut -d ' ' -f 1) ;;
+  esac
+}
+
+complete -F _actio actio
