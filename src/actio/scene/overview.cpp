@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "actio/scene/drift.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/series_reader.hpp"
 
 namespace actio::scene {
@@ -23,7 +24,7 @@ class ReadingProgress {
  public:
   explicit ReadingProgress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
   ~ReadingProgress() {
-    if (shown_ && terminal_) std::fputs("\r\x1b[K", stderr);
+    if (shown_ && terminal_) say(stderr, "\r" + std::string(40, ' ') + "\r");
   }
   void show(double fraction) {
     auto const now = Clock::now();
@@ -31,8 +32,7 @@ class ReadingProgress {
     // On a terminal five times a second, in a pipe every ten.
     next_ = now + std::chrono::milliseconds(terminal_ ? 200 : 10000);
     shown_ = true;
-    fmt::print(stderr, "{}pictures: {:.0f} % of the rows are read{}", terminal_ ? "\r" : "", 100 * fraction, terminal_ ? "\x1b[K" : "\n");
-    std::fflush(stderr);
+    say(stderr, fmt::format("{}pictures: {:3.0f} % of the rows are read{}", terminal_ ? "\r" : "", 100 * fraction, terminal_ ? "" : "\n"));
   }
 
  private:
