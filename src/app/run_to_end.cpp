@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "actio/scene/pictures.hpp"
 #include "actio/scene/progress.hpp"
 
 namespace actio::app {
@@ -27,6 +28,7 @@ int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet) {
   if (report.ending == Ending::interrupted) say(stderr, fmt::format("{}; actio resume {} goes on from there\n", report.message, folder.path()));
   else if (!report.message.empty()) say(stderr, report.message + "\n");
   else if (!quiet) say(stdout, closing_line(scene, folder, report) + "\n");
+  if (scene.plots && (report.ending == Ending::done || report.ending == Ending::interrupted)) draw_pictures(scene, folder.path(), quiet);
   return static_cast<int>(report.ending);
 }
 

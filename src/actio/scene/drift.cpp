@@ -24,6 +24,10 @@ double length(std::size_t n, Component const& component) {
 
 }  // namespace
 
+double length_of(std::span<double const> quantity) {
+  return length(quantity.size(), [&](std::size_t i) { return quantity[i]; });
+}
+
 Drift::Drift(std::vector<QuantityGraph::Conserved> quantities) : quantities_(std::move(quantities)), seen_(quantities_.size()) {
   std::size_t size = 0;
   for (auto const& q : quantities_) size += q.size;

@@ -6,6 +6,9 @@
 
 namespace actio::scene {
 
+/// The Euclidean length of a quantity, which neither overflows nor vanishes before the length does.
+double length_of(std::span<double const> quantity);
+
 /// The drift of the conserved quantities in a row.
 class Drift {
  public:

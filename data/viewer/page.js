@@ -1,0 +1,166 @@
+// The page itself: what was run, the stages, the curves and the summary, and one clock for all of them.
+
+const run = JSON.parse(document.getElementById("run").textContent);
+const byId = (id) => document.getElementById(id);
+function element(name, text, ...children) {
+  const out = document.createElement(name);
+  if (text !== null && text !== undefined) out.textContent = text;
+  out.append(...children);
+  return out;
+}
+const withTime = (text) => text + (run.scene.time_unit ? " " + run.scene.time_unit : "");
+
+/** One drawing for all that changed since the last frame. */
+const stages = [], panels = [];
+let player = null, dirty = true;
+const changed = () => { dirty = true; };
+
+function tellScene() {
+  const { scene } = run, order = scene.order && (scene.order === "exact" ? "exact" : "order " + scene.order);
+  byId("title").textContent = scene.title;
+  byId("subtitle").textContent = [scene.system, scene.method, order, scene.step && "step " + withTime(shownNumber(scene.step)), "until " + withTime(shownNumber(scene.until, 8)), run.times && run.times.rows + " rows"]
+    .filter(Boolean).join(" · ");
+  byId("subtitle").title = scene.meaning;
+}
+
+const view = {
+  times: run.times || { from: [0], to: [0] },
+  pointer: null, drag: null, now: null, changed,
+  look(from, to) {
+    Object.assign(this, { from, to });
+    byId("whole").hidden = from === this.whole[0] && to === this.whole[1];
+    changed();
+  },
+  go(t) { if (player) player.go(t); else { this.now = t; changed(); } },
+  /** The first and the last piece that are seen, and one on either side. */
+  indices() {
+    const last = this.times.from.length - 1;
+    return [Math.max(0, bracket(this.times.from, this.from)[0] - 1), Math.min(last, bracket(this.times.from, this.to)[0] + 2)];
+  },
+};
+
+function layOutCurves() {
+  const end = view.times.to[view.times.to.length - 1];
+  view.whole = [view.times.from[0], end > view.times.from[0] ? end : view.times.from[0] + 1];
+  view.look(...view.whole);
+  for (const q of run.quantities) {
+    const heading = q.words + (q.of > q.components.length ? ` (${q.components.length} of ${q.of} components)` : "");
+    panels.push(new Panel(view, { heading, unit: q.unit, meaning: q.meaning, components: q.components }));
+  }
+  if (run.drifts.length) panels.push(new Panel(view, { heading: "relative drift", meaning: "|Q(t) − Q(0)| / |Q(0)|", components: run.drifts, log: true }));
+  if (run.scene.time_unit) byId("over-time").textContent = `Curves over time, ${run.scene.time_unit}`;
+  byId("curves").append(...panels.map((panel) => panel.element));
+  byId("whole").addEventListener("click", () => view.look(...view.whole));
+  document.addEventListener("keydown", (event) => { if (event.key === "Escape") view.look(...view.whole); });
+  if (run.times && run.times.rows_per_piece > 1) {
+    byId("curves-note").hidden = false;
+    byId("curves-note").textContent = `Each curve is the band from the lowest to the highest of ${run.times.rows_per_piece} rows at a time; all ${run.times.rows} rows are in the series of the run.`;
+  }
+}
+
+/** Buttons that show and hide what is on a stage. */
+function addToggles(place, theatre) {
+  for (const name of Object.keys(theatre.shown)) {
+    const key = element("span");
+    key.className = "key";
+    key.style.color = `var(--${theatre.colours[name]})`;
+    const button = element("button", null, key, name);
+    button.type = "button";
+    button.setAttribute("aria-pressed", String(theatre.shown[name]));
+    button.addEventListener("click", () => {
+      theatre.shown[name] = !theatre.shown[name];
+      button.setAttribute("aria-pressed", String(theatre.shown[name]));
+      changed();
+    });
+    place.append(button);
+  }
+}
+function addShapes(place, space) {
+  const choice = element("select");
+  choice.setAttribute("aria-label", "Shape of the body");
+  for (const { name } of space.shapes) choice.append(element("option", name === "its parts" ? name : name + " of the same inertia"));
+  choice.addEventListener("change", () => { space.show(space.shapes[choice.selectedIndex].name); changed(); });
+  place.append(choice);
+}
+
+function raiseStages() {
+  const motion = run.body && run.motion.columns.t.length > 1 ? new Motion(run) : null;
+  if (!motion || !motion.playable) return;
+  byId("motion").hidden = false;
+  if (motion.attitudes) {
+    const space = new SpaceView(byId("space").querySelector("canvas"), motion, changed);
+    stages.push(space);
+    addShapes(byId("space-toggles"), space);
+    addToggles(byId("space-toggles"), space);
+  } else byId("space").hidden = true;
+  if (motion.momenta && !run.body.top) {
+    const sphere = new MomentumView(byId("sphere").querySelector("canvas"), motion, changed);
+    stages.push(sphere);
+    addToggles(byId("sphere-toggles"), sphere);
+  } else byId("sphere").hidden = true;
+  tellLimits(motion);
+  player = new Player(motion, run.scene.time_unit, (t) => { view.now = t; changed(); });
+  player.motionNow = () => motion.at(player.time);
+}
+function tellLimits(motion) {
+  const said = [];
+  if (run.motion.beginning_only) said.push(`The motion is played until t = ${withTime(shownNumber(motion.to))}: the body turns too fast for more of it to be on this page.`);
+  if (run.motion.stride > 1) said.push(`It is played from every ${run.motion.stride}th row.`);
+  if (!motion.smooth) said.push(`The rows are up to ${Math.round((motion.widest * 180) / Math.PI)}° of turning apart, too far to tell what is between them: the body is shown at the rows alone.`);
+  byId("motion-note").hidden = said.length === 0;
+  byId("motion-note").textContent = said.join(" ");
+}
+
+function card(title, rows) {
+  const out = element("div", null, element("h3", title));
+  out.className = "card";
+  const table = element("table");
+  for (const [name, value] of rows) table.append(element("tr", null, element("th", name), element("td", value)));
+  out.append(table);
+  return out;
+}
+function tellSummary() {
+  const s = run.summary;
+  if (!s) return;
+  const took = [["status", s.status], ["steps", s.steps], ["rows", s.rows], ["wall time", s.wall_seconds !== undefined ? shownNumber(s.wall_seconds, 3) + " s" : null]];
+  byId("summary").append(card("Run", took.filter(([, value]) => value !== null && value !== undefined).map(([n, v]) => [n, String(v)])));
+  const drift = Object.entries(s.drift || {});
+  if (drift.length) byId("summary").append(card("Largest relative drift", drift.map(([n, v]) => [n.replaceAll("_", " "), shownNumber(v, 3)])));
+  const evaluated = Object.entries(s.evaluations || {}).map(([n, v]) => [n.replaceAll("_", " "), v ? String(v) : "skipped"]);
+  if (evaluated.length) byId("summary").append(card("Evaluations", evaluated));
+  const said = [s.message, ...(s.shortcuts || []), ...(s.remarks || [])].filter(Boolean);
+  if (said.length) {
+    const remarks = card("Remarks", []);
+    remarks.append(...said.map((text) => element("p", text)));
+    byId("summary").append(remarks);
+  }
+}
+
+function drawAll(milliseconds) {
+  if (player) player.frame(milliseconds);
+  if (dirty) {
+    dirty = false;
+    const now = player && player.motionNow();
+    for (const stage of stages) stage.draw(now);
+    for (const panel of panels) panel.draw();
+  }
+  requestAnimationFrame(drawAll);
+}
+
+/** #t=12.5 stands for a moment, #play for playing from it. */
+function begin() {
+  tellScene();
+  layOutCurves();
+  raiseStages();
+  tellSummary();
+  const asked = /[#&]t=([-+.\deE]+)/.exec(location.hash);
+  if (player) {
+    player.go(asked ? Number(asked[1]) : player.motion.from);
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (!still && (!asked || location.hash.includes("play"))) player.toggle(true);
+  }
+  addEventListener("resize", changed);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { ink.forget(); changed(); });
+  requestAnimationFrame(drawAll);
+}
+begin();

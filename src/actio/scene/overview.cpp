@@ -1,0 +1,124 @@
+#include "actio/scene/overview.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <numbers>
+
+#include "actio/scene/drift.hpp"
+#include "actio/scene/progress.hpp"
+#include "actio/scene/series_reader.hpp"
+
+namespace actio::scene {
+namespace {
+
+/// Columns of a row that a motion is played from.
+struct Direction {
+  std::size_t first, size;
+  bool two_signs;  ///< a quaternion and its negative are one attitude
+};
+
+/// Says how much has been read, where that takes more than a second.
+class ReadingProgress {
+ public:
+  explicit ReadingProgress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
+  ~ReadingProgress() {
+    if (shown_ && terminal_) say(stderr, "\r" + std::string(40, ' ') + "\r");
+  }
+  void show(double fraction) {
+    auto const now = Clock::now();
+    if (quiet_ || now < next_) return;
+    // On a terminal five times a second, in a pipe every ten.
+    next_ = now + std::chrono::milliseconds(terminal_ ? 200 : 10000);
+    shown_ = true;
+    say(stderr, fmt::format("{}pictures: {:3.0f} % of the rows are read{}", terminal_ ? "\r" : "", 100 * fraction, terminal_ ? "" : "\n"));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool quiet_, terminal_, shown_ = false;
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
+};
+
+/// The quantities of a scene with their columns.
+std::vector<Overview::Drawn> drawn_quantities(Scene const& scene) {
+  std::vector<Overview::Drawn> out;
+  std::size_t at = 0;
+  for (auto const& group : scene.simulation.quantities.column_groups()) {
+    Overview::Drawn drawn{group.quantity, at, group.columns.size(), {}, {}};
+    for (auto const& column : group.columns) drawn.ends.push_back(column.substr(group.quantity.name.size()));
+    drawn.components.resize(std::min(drawn.size, Overview::most_components));
+    at += drawn.size;
+    out.push_back(std::move(drawn));
+  }
+  return out;
+}
+
+/// The quantities that a body in space is played from.
+bool of_motion(Quantity const& q) {
+  return q.kind == Quantity::Kind::quaternion || (q.kind == Quantity::Kind::vector && (q.name == "body_momentum" || q.name == "angular_velocity" || q.name == "spatial_momentum"));
+}
+
+/// Two rows are near where no direction in them has turned by more than thirty degrees.
+Excerpt::Near near(std::vector<Direction> directions) {
+  return [directions = std::move(directions)](std::vector<double> const& a, std::vector<double> const& b) {
+    for (auto const& d : directions) {
+      double dot = 0;
+      for (std::size_t i = d.first; i < d.first + d.size; ++i) dot += a[i] * b[i];
+      double const lengths = length_of(std::span(a).subspan(d.first, d.size)) * length_of(std::span(b).subspan(d.first, d.size));
+      // A rotation by an angle is a quaternion by its half.
+      double const most = (d.two_signs ? 15 : 30) * std::numbers::pi / 180;
+      if (!((d.two_signs ? std::abs(dot) : dot) >= std::cos(most) * lengths)) return false;
+    }
+    return true;
+  };
+}
+
+}  // namespace
+
+Overview::Drawn const* Overview::find(std::string const& name) const {
+  auto const found = std::ranges::find(quantities, name, [](Drawn const& d) { return d.quantity.name; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+Overview read_overview(Scene const& scene, std::string const& folder, bool quiet) {
+  auto quantities = drawn_quantities(scene);
+  std::vector<Direction> directions;
+  std::vector<std::string> motion, columns{"t"};
+  for (auto const& name : scene.simulation.quantities.columns()) columns.push_back(name);
+  std::vector<std::size_t> moving{0};  // columns that are in the excerpt
+  for (auto const& drawn : quantities) {
+    if (!of_motion(drawn.quantity)) continue;
+    if (drawn.quantity.name != "spatial_momentum") directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
+    for (std::size_t i = 0; i < drawn.size; ++i) moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
+  }
+
+  Overview out{std::move(quantities), {}, std::move(motion), Excerpt(near(std::move(directions))), 0};
+  auto const conserved = scene.simulation.quantities.conserved();
+  for (auto const& c : conserved) out.drifts.push_back({c.name, {}, 0});
+  auto const reader = read_series(folder, scene.simulation.quantities.column_groups());
+  ReadingProgress progress(quiet);
+  std::vector<double> row(columns.size()), first, difference, moved(moving.size());
+  for (; reader->next(row); ++out.rows) {
+    double const t = row[0];
+    std::span<double const> const values = std::span(row).subspan(1);
+    if (first.empty()) first.assign(values.begin(), values.end());
+    for (auto& drawn : out.quantities)
+      for (std::size_t i = 0; i < drawn.components.size(); ++i) drawn.components[i].add(t, values[drawn.first + i]);
+    for (std::size_t k = 0; k < conserved.size(); ++k) {
+      auto const now = values.subspan(conserved[k].first, conserved[k].size);
+      difference.assign(now.begin(), now.end());
+      for (std::size_t i = 0; i < now.size(); ++i) difference[i] -= first[conserved[k].first + i];
+      out.drifts[k].difference.add(t, length_of(difference));
+      double const start = length_of(std::span<double const>(first).subspan(conserved[k].first, conserved[k].size));
+      out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
+    }
+    for (std::size_t i = 0; i < moving.size(); ++i) moved[i] = row[moving[i]];
+    if (!out.motion.empty()) out.excerpt.add(moved);
+    if (out.rows % 1024 == 0) progress.show(reader->fraction());
+  }
+  return out;
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,45 @@
+// What is drawn of a run, however long it is: outlines of its columns, of the drift of what it conserves, and rows to play it from.
+#pragma once
+
+#include <cmath>
+
+#include "actio/scene/envelope.hpp"
+#include "actio/scene/excerpt.hpp"
+#include "actio/scene/scene.hpp"
+
+namespace actio::scene {
+
+/// A run, in bounded memory.
+struct Overview {
+  /// A quantity that was asked for.
+  struct Drawn {
+    Quantity quantity;
+    std::size_t first, size;            ///< its columns in a row without the time
+    std::vector<std::string> ends;      ///< of the names of its columns: "_x", or "" of a scalar
+    std::vector<Envelope> components;   ///< the first `most_components` of them
+  };
+  /// How far a conserved quantity is from where it began.
+  struct Drifting {
+    std::string name;
+    Envelope difference;                ///< |Q(t) - Q(0)|
+    double unit = 0;                    ///< |Q(0)|, or the largest |Q| where that is zero: what the difference is relative to
+  };
+  /// A picture with more curves tells nothing.
+  static constexpr std::size_t most_components = 12;
+
+  std::vector<Drawn> quantities;
+  std::vector<Drifting> drifts;
+  std::vector<std::string> motion;      ///< columns of `excerpt` after the time
+  Excerpt excerpt;
+  long rows = 0;
+
+  /// The quantity of that name; null where it was not asked for.
+  Drawn const* find(std::string const& name) const;
+};
+
+/// Reads the rows of a run from the disk, once.
+/// @param quiet  nothing on standard error, even where it takes long
+/// @throws FileError  where the table is not there, or is not that of the scene
+Overview read_overview(Scene const& scene, std::string const& folder, bool quiet);
+
+}  // namespace actio::scene

@@ -1,0 +1,85 @@
+// viewer_check.mjs PAGE: runs the script of a page on a stand-in for a browser, and holds it to some laws. Prints what it measured; status 1 where a law is broken.
+//
+// The stand-in takes every call and answers with more of itself, but it looks at the numbers that are drawn: each of them is finite.
+import fs from 'node:fs';
+import vm from 'node:vm';
+
+const page = fs.readFileSync(process.argv[2], 'utf8');
+const fail = (what) => { console.error(what); process.exit(1); };
+const one = (pattern, what) => {
+  const found = [...page.matchAll(pattern)];
+  if (found.length !== 1) fail(`${what}: ${found.length} where one is expected`);
+  return found[0][1];
+};
+const json = one(/<script type="application\/json" id="run">([\s\S]*?)<\/script>/g, 'data');
+const script = one(/<script>([\s\S]*?)<\/script>/g, 'script');
+const run = JSON.parse(json);
+
+let drawn = 0;
+const frames = [], listeners = {};
+const look = (values, what) => {
+  for (const x of values)
+    if (typeof x === 'number') {
+      ++drawn;
+      if (!Number.isFinite(x)) fail(`${what}: drawn with ${x}`);
+    }
+};
+function standIn(known = {}) {
+  const target = function () {};
+  return new Proxy(Object.assign(target, known), {
+    get: (of, key) => (key in of && key !== 'name' && key !== 'length' ? of[key] : key === Symbol.toPrimitive ? () => 0 : key === Symbol.iterator ? undefined : (of[key] = standIn())),
+    set: (of, key, value) => { Object.defineProperty(of, key, { value, writable: true, configurable: true }); return true; },
+    apply: () => standIn(),
+  });
+}
+function pen() {
+  const calls = {};
+  for (const name of ['moveTo', 'lineTo', 'arc', 'rect', 'fillRect', 'fillText', 'strokeText', 'createRadialGradient'])
+    calls[name] = (...values) => { look(values, name); return { addColorStop() {} }; };
+  calls.measureText = (text) => ({ width: 6 * text.length });
+  calls.setLineDash = () => {};
+  return standIn(calls);
+}
+function element() {
+  const own = { clientWidth: 640, clientHeight: 400, hidden: false, textContent: '', value: '0', children: [], listeners: {} };
+  return standIn({
+    ...own, append() {}, setAttribute() {}, setPointerCapture() {}, getContext: ((one) => () => one)(pen()), querySelector: () => element(),
+    getBoundingClientRect: () => ({ left: 0, top: 0 }), addEventListener(type, does) { (listeners[type] ??= []).push(does); },
+  });
+}
+const byId = new Map();
+const sandbox = {
+  document: { getElementById: (id) => byId.get(id) ?? byId.set(id, id === 'run' ? { textContent: json } : element()).get(id), createElement: element, documentElement: element(), addEventListener: (type, does) => (listeners[type] ??= []).push(does) },
+  window: { devicePixelRatio: 2 }, location: { hash: process.argv[3] ?? '' }, getComputedStyle: () => ({ getPropertyValue: () => ' #4080c0' }),
+  matchMedia: () => ({ matches: false, addEventListener() {} }), addEventListener() {}, requestAnimationFrame: (frame) => frames.push(frame), console, Math, JSON,
+};
+vm.createContext(sandbox);
+vm.runInContext(script + '\n;globalThis.made = { panels, stages, player, view, run };', sandbox);
+
+const { panels, stages, player } = sandbox.made;
+const frame = (milliseconds) => frames.pop()(milliseconds);
+frame(0);
+if (player) {
+  const { motion } = player;
+  player.toggle(true);
+  for (let k = 1; k <= 30; ++k) frame(1000 + 50 * k);
+  if (!(player.time > motion.from)) fail('the clock stands still while it plays');
+  player.go(Infinity);
+  if (player.time !== motion.to) fail('the clock goes past the end');
+  // At a row the attitude is that of the row; between two rows it is of unit length.
+  for (let i = 0; motion.attitudes && i < motion.times.length; i += 1 + (motion.times.length >> 6)) {
+    const q = motion.at(motion.times[i]).attitude;
+    if (!(Math.abs(q.reduce((sum, x, k) => sum + x * motion.attitudes[i][k], 0)) > 1 - 1e-5)) fail(`row ${i}: the attitude is ${q}, in the run it is ${motion.attitudes[i]}`);
+    const between = motion.at(motion.times[i] + 0.37 * ((motion.times[i + 1] ?? motion.to) - motion.times[i])).attitude;
+    if (!(Math.abs(Math.hypot(...between) - 1) < 1e-12)) fail(`after row ${i}: the attitude has length ${Math.hypot(...between)}`);
+  }
+}
+// Looking at a tenth of the run, with a component hidden, and at a shape that is not the first.
+sandbox.made.view.look(sandbox.made.view.whole[0], sandbox.made.view.whole[0] + 0.1 * (sandbox.made.view.whole[1] - sandbox.made.view.whole[0]));
+if (panels[0]) panels[0].shown[0] = false;
+for (const stage of stages) if (stage.shapes) stage.show(stage.shapes.at(-1).name);
+frame(4000);
+if (panels.length !== run.quantities.length + (run.drifts.length > 0)) fail('a panel for each quantity is expected');
+if (!(drawn > 100)) fail(`only ${drawn} numbers were drawn`);
+const largest = Object.fromEntries(run.drifts.map(({ label, curve }) => [label, Math.max(0, ...curve.value)]));
+console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, largest }));
