@@ -115,9 +115,10 @@ class FreeBody {
   FreeState state(BodyPlace<double> const& place) const {
     return {momentum_along(place.direction), {SU2{}, frame_.leave(place.attitude).normalized()}};
   }
+  /// The body momentum in the direction of such a place.
+  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
 
  private:
-  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
   double half(double t) const {
     double const angle = t / 2 * rate_;
     if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");

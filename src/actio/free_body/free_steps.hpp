@@ -58,7 +58,11 @@ class FreeSteps {
     return seen();
   }
   /// The body momentum now.
-  Momentum<SO<3>, double> body_momentum() const { return seen().body_momentum; }
+  Momentum<SO<3>, double> body_momentum() const {
+    Three<double> seen = now_.place.direction;
+    for (int i = 0; i < 3; ++i) seen[i] += now_.carry.direction[i];
+    return body_.momentum_along(seen);
+  }
 
  private:
   static Flight<double> checked(FreeBody const& body, double h) {

@@ -46,8 +46,10 @@ std::string message(Library const& library) {
 }  // namespace
 
 Library::Library() {
-  void* const library = ::dlopen(ACTIO_HDF5_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
-  if (!library) throw FileError(std::string("HDF5 cannot be loaded: ") + ::dlerror());
+  // A program that is linked with HDF5 has it already, and variables of its own copy.
+  bool const linked = ::dlsym(RTLD_DEFAULT, "H5open");
+  void* const library = linked ? RTLD_DEFAULT : ::dlopen(ACTIO_HDF5_LIBRARY, RTLD_LAZY | RTLD_LOCAL);
+  if (!linked && !library) throw FileError(std::string("HDF5 cannot be loaded: ") + ::dlerror());
 #define ACTIO_HDF5_FUNCTION(name) name = reinterpret_cast<decltype(name)>(found(library, #name));
 #define ACTIO_HDF5_VARIABLE(name) name##_value = *static_cast<hid_t const*>(found(library, #name));
   ACTIO_HDF5_FUNCTIONS(ACTIO_HDF5_FUNCTION)

@@ -68,7 +68,6 @@ class Hdf5Series : public Series {
     rethrow();
     Session const h5;
     write(h5);
-    check(h5, h5->H5Fflush(file_, H5F_SCOPE_LOCAL), "cannot be written");
   }
   void sync() override {
     flush();
@@ -165,7 +164,7 @@ class Hdf5Series : public Series {
     for (auto& set : sets_) set.id = Handle(check(h5, h5->H5Dopen2(file_, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
   }
 
-  /// What waits goes to the library.
+  /// What waits goes to the file.
   void write(Session const& h5) {
     if (waiting_ == 0) return;
     for (auto& set : sets_) {
@@ -179,6 +178,8 @@ class Hdf5Series : public Series {
       check(h5, h5->H5Dwrite(set.id, h5->H5T_NATIVE_DOUBLE_g_value, memory, space, H5P_DEFAULT, set.waiting.data()), "cannot be written");
       set.waiting.clear();
     }
+    // Rows of a full disk are lost from the last whole block on; and those before it are found in the file whatever happens.
+    check(h5, h5->H5Fflush(file_, H5F_SCOPE_LOCAL), "cannot be written");
     written_ += waiting_, waiting_ = 0;
   }
 

@@ -1,0 +1,243 @@
+// Scenes: what they cost beside the bare loop of steps, how soon they start, how fast rows reach the disk; and that what is not asked for costs nothing.
+//
+// For the counts the program starts itself under valgrind, as `instructions` does, with the words `--steps KIND N`. Everything is written to a folder of its
+// own among the temporary files and removed at the end: a table of ten million rows takes half a gigabyte there.
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+
+#include "actio/free_body/free_steps.hpp"
+#include "actio/scene/run.hpp"
+#include "book/machine.hpp"
+#include "timing.hpp"
+
+using namespace actio;
+using namespace benchmark;
+
+// So that no compiler leaves out what is computed.
+double volatile sink;
+
+FreeBody body() { return FreeBody(inertia_from_moments(0.6, 0.8, 1), {SO<3>{}, Eigen::Vector3d(1.8, 0.4, -0.9)}); }
+
+/// A scene of that body in steps of the scheme of Moser and Veselov, with a row every so many steps.
+std::string scene(long steps, long every, std::string const& quantities, std::string const& format = "csv") {
+  return "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[initial]\nangular_momentum = [1.8, 0.4, -0.9]\n[method]\nname = \"moser_veselov\"\norder = 2\nstep = 0.125\n[run]\nuntil = " +
+         std::to_string(steps / 8) + "." + std::to_string(steps % 8 * 125) + "\nevery = " + std::to_string(every / 8) + "." + std::to_string(1000 + every % 8 * 125).substr(1) +
+         "\n[output]\nquantities = [" + quantities + "]\nformats = [\"" + format + "\"]\n";
+}
+
+class Folder {
+ public:
+  Folder() {
+    if (!::mkdtemp(path_.data())) throw std::runtime_error("no folder among the temporary files");
+  }
+  ~Folder() { clear(), std::filesystem::remove(path_); }
+  /// An empty folder in it.
+  std::string empty() const {
+    clear();
+    std::filesystem::create_directory(path_ + "/run");
+    return path_ + "/run";
+  }
+  std::string write(std::string const& text) const {
+    std::ofstream(path_ + "/scene.toml") << text;
+    return path_ + "/scene.toml";
+  }
+  void clear() const {
+    for (auto const& entry : std::filesystem::directory_iterator(path_)) std::filesystem::remove_all(entry);
+  }
+
+ private:
+  std::string path_ = (std::filesystem::temp_directory_path() / "actio_bench_XXXXXX").string();
+};
+
+void run(std::string const& text, std::string const& folder) {
+  scene::Scene scene = scene::Scene::read(scene::SceneFile::parse(text, "scene.toml"));
+  auto const report = scene::run_scene(scene, folder, false, {true});
+  if (report.ending != scene::Ending::done) throw std::runtime_error(report.message);
+}
+
+double seconds_of(clockid_t clock) {
+  timespec now;
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// ---- Beside the bare loop
+
+/// Of the thread that steps, of the whole process, and by the clock on the wall.
+constexpr std::array<clockid_t, 3> clocks{CLOCK_THREAD_CPUTIME_ID, CLOCK_PROCESS_CPUTIME_ID, CLOCK_MONOTONIC};
+using Times = std::array<double, 3>;
+
+template <class Work>
+Times times_of(Work const& work) {
+  Times times;
+  for (std::size_t i = 0; i < 3; ++i) times[i] = -seconds_of(clocks[i]);
+  work();
+  for (std::size_t i = 0; i < 3; ++i) times[i] += seconds_of(clocks[i]);
+  return times;
+}
+
+void overhead(book::Program& program, Folder const& folder) {
+  constexpr long steps = 80000000, every = 1000;
+  constexpr int rounds = 7;
+  std::string const text = scene(steps, every, "\"body_momentum\"");
+  std::array<std::vector<double>, 3> ratios;
+  std::vector<double> step;
+  for (int round = -1; round < rounds; ++round) {
+    Times const bare = times_of([&] {
+      FreeSteps motion(body(), 0.125, body().moser_veselov_flight(0.125, 2));
+      motion.advance_momentum(steps);
+      sink = motion.body_momentum().components[0];
+    });
+    std::string const empty = folder.empty();
+    Times const whole = times_of([&] { run(text, empty); });
+    if (round < 0) continue;
+    step.push_back(bare[0] / steps);
+    for (std::size_t i = 0; i < 3; ++i) ratios[i].push_back(100 * (whole[i] / bare[i] - 1));
+  }
+  double const percent = median(ratios[0]);
+  program.figure("bare_ns", 1e9 * median(step), "step of the bare loop, momentum alone, ns");
+  program.figure("overhead", percent, book::number(percent, 2), "what a scene adds, momentum alone and a row every 1000 steps, per cent of the time of the thread that steps");
+  program.figure("overhead_low", quantile(ratios[0], 0.1), book::number(quantile(ratios[0], 0.1), 2), "the same, a tenth of the rounds below");
+  program.figure("overhead_high", quantile(ratios[0], 0.9), book::number(quantile(ratios[0], 0.9), 2), "the same, a tenth of the rounds above");
+  program.figure("overhead_process", median(ratios[1]), book::number(median(ratios[1]), 2), "the same with the thread that writes, per cent of processor time");
+  program.figure("overhead_elapsed", median(ratios[2]), book::number(median(ratios[2]), 2), "the same by the clock on the wall, per cent");
+  program.claim(percent <= 2, "a scene adds at most 2 % to the bare loop; measured " + book::number(percent, 2) + " %");
+}
+
+// ---- The built command
+
+struct Process {
+  double seconds, megabytes;
+};
+/// `actio run` of a scene: elapsed time and peak memory.
+Process command(Folder const& folder, std::string const& text) {
+  folder.clear();
+  std::string const scene = folder.write(text);
+  double const began = seconds_of(CLOCK_MONOTONIC);
+  pid_t const child = ::fork();
+  if (child == 0) {
+    ::execl(ACTIO_COMMAND, ACTIO_COMMAND, "run", scene.c_str(), "--quiet", static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  int status = 1;
+  rusage usage{};
+  ::wait4(child, &status, 0, &usage);
+  double const seconds = seconds_of(CLOCK_MONOTONIC) - began;
+  if (status != 0) throw std::runtime_error("actio run failed");
+  return {seconds, static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+void start(book::Program& program, Folder const& folder) {
+  std::vector<double> seconds;
+  for (int i = 0; i < 20; ++i) seconds.push_back(command(folder, scene(1, 1, "\"body_momentum\"")).seconds);
+  double const ms = 1e3 * median(seconds);
+  program.figure("start_ms", ms, "a scene of one step, start of the command to its end, median of 20, milliseconds");
+  program.claim(ms <= 20, "a scene of one step takes at most 20 ms; measured " + book::number(ms));
+}
+
+void rows(book::Program& program, Folder const& folder) {
+  constexpr long rows = 10000000;
+  std::vector<book::Program::Row> lines;
+  for (std::string const format : {"csv", "hdf5"}) {
+    double const few = command(folder, scene(rows / 100, 1, "\"energy\", \"casimir\"", format)).megabytes;
+    Process const process = command(folder, scene(rows, 1, "\"energy\", \"casimir\"", format));
+    double const rate = static_cast<double>(rows) / process.seconds;
+    double const megabytes = static_cast<double>(std::filesystem::file_size(std::filesystem::path(folder.write("")).replace_extension("") / (format == "csv" ? "series.csv" : "series.h5"))) / 1e6;
+    lines.push_back({format, book::number(rate / 1e6), book::number(megabytes), book::number(process.megabytes), book::number(few)});
+    program.figure(format + "_rows", rate / 1e6, "ten million rows of three columns, " + format + ", million rows a second");
+    program.figure(format + "_memory", process.megabytes, "its peak memory, MB");
+    program.claim(rate >= 1.5e6, format + ": at least 1.5 million rows a second; measured " + book::number(rate / 1e6) + " million");
+    program.claim(process.megabytes <= few + 4, format + ": ten million rows take no more memory than a hundredth of them, but for 4 MB; measured " + book::number(process.megabytes) + " against " + book::number(few) + " MB");
+  }
+  program.table("rows", {"format", "million rows a second", "size, MB", "peak memory, MB", "for a hundredth of the rows, MB"}, lines,
+                "Ten million rows of time, energy and Casimir, a row after each step; elapsed time of the command, start to end.");
+}
+
+// ---- What is not asked for
+
+struct Kind {
+  char const* key;
+  char const* name;
+  char const* quantities;  // none: the bare loop
+  bool attitude;
+};
+Kind const kinds[] = {{"bare_momentum", "bare loop, momentum alone", nullptr, false},
+                      {"momentum", "scene, momentum alone", "\"body_momentum\"", false},
+                      {"bare_attitude", "bare loop, momentum and attitude", nullptr, true},
+                      {"attitude", "scene, attitude", "\"attitude\"", true},
+                      {"everything", "scene, all quantities", "\"attitude\", \"angular_velocity\", \"body_momentum\", \"spatial_momentum\", \"energy\", \"casimir\"", true}};
+
+int count_steps(char const* key, long steps) {
+  for (Kind const& kind : kinds) {
+    if (std::strcmp(kind.key, key)) continue;
+    if (kind.quantities) {
+      Folder const folder;
+      run(scene(steps, 1000, kind.quantities), folder.empty());
+    } else {
+      FreeSteps motion(body(), 0.125, body().moser_veselov_flight(0.125, 2));
+      kind.attitude ? motion.advance(steps) : motion.advance_momentum(steps);
+      sink = motion.body_momentum().components[0];
+    }
+    return 0;
+  }
+  return 2;
+}
+
+/// Instructions of a whole run, all threads; negative where valgrind did not give a count.
+double instructions(std::string const& self, char const* kind, long steps) {
+  std::string const command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null '" + self + "' --steps " + kind + " " + std::to_string(steps) + " 2>&1";
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (!pipe) return -1;
+  double count = -1;
+  for (char line[512]; std::fgets(line, sizeof line, pipe);)
+    if (char const* const at = std::strstr(line, "Collected :")) count = std::atof(at + std::strlen("Collected :"));
+  return pclose(pipe) == 0 ? count : -1;
+}
+
+void count(book::Program& program) {
+  if (std::system("valgrind --version >/dev/null 2>&1") != 0) {
+    program.say("valgrind is not there, so nothing was counted. On Debian: apt-get install valgrind");
+    return;
+  }
+  std::string const self = std::filesystem::canonical("/proc/self/exe").string();
+  constexpr long few = 200000, many = 2 * few;
+  std::array<double, std::size(kinds)> counts;
+  std::vector<book::Program::Row> lines;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    double const a = instructions(self, kinds[i].key, few), b = instructions(self, kinds[i].key, many);
+    program.claim(a > 0 && b > a, std::string("valgrind counts the steps of: ") + kinds[i].name);
+    counts[i] = (b - a) / (many - few);
+    lines.push_back({kinds[i].name, book::number(counts[i], 4)});
+    program.figure(std::string("count_") + kinds[i].key, counts[i], book::number(counts[i], 4), std::string(kinds[i].name) + ", instructions a step");
+  }
+  program.table("instructions", {"a step of", "instructions"}, lines, "Instructions a step, counted by valgrind, a row every 1000 steps; the formatting and writing of rows is in them, set-up cancels in the difference of two runs.");
+  auto const beside = [&](std::size_t scene, std::size_t bare, double bound) {
+    double const percent = 100 * (counts[scene] / counts[bare] - 1);
+    program.claim(percent <= bound, std::string(kinds[scene].name) + ": at most " + book::number(bound) + " % more instructions than: " + kinds[bare].name + "; measured " + book::number(percent, 2) + " %");
+  };
+  beside(1, 0, 2);
+  beside(3, 2, 2);
+  program.claim(counts[1] < counts[3], "a scene that asks for no attitude takes fewer instructions than one that does");
+  program.claim(counts[3] < counts[4], "a scene that asks for the attitude alone takes fewer instructions than one that asks for everything");
+}
+
+int main(int argc, char** argv) {
+  if (argc == 4 && !std::strcmp(argv[1], "--steps")) return count_steps(argv[2], std::atol(argv[3]));
+  book::Program program(argc, argv, "scenes: what they add to the bare loop, how soon they start, how fast rows are written");
+  book::report_machine(program);
+  Folder const folder;
+  start(program, folder);
+  count(program);
+  rows(program, folder);
+  overhead(program, folder);
+  program.headline("to be told", 1);
+  return program.finish();
+}

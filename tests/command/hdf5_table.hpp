@@ -1,0 +1,22 @@
+// A table in HDF5, read by the library itself.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+
+namespace command {
+
+/// A table in HDF5, and what it says of itself.
+struct Hdf5Table : Table {
+  std::map<std::string, std::vector<unsigned long long>> extents;                ///< of each data set
+  std::map<std::string, std::map<std::string, std::string>> attributes;          ///< of each data set, and of the file under ""
+};
+/// Reads it strictly.
+/// @param writing  whether it is open for writing, or its writer was killed: rows are then counted up to the shortest data set
+/// @throws std::runtime_error  where it cannot be read
+Hdf5Table read_hdf5(std::string const& path, bool writing = false);
+
+}  // namespace command
