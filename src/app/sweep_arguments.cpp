@@ -1,0 +1,37 @@
+#include "app/sweep_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+#include "actio/scene/sweep.hpp"
+
+namespace actio::app {
+
+void add_sweep_options(CLI::App& command, SweepArguments& arguments) {
+  command.add_option("SCENE", arguments.scene, "a scene, in TOML")->required();
+  command.add_option("--over", arguments.over, "a key and its values; of several the last is the fastest")->type_name("KEY=a,b,c")->required()->allow_extra_args(false);
+  command.add_option("--out", arguments.out, "the folder for the runs and their table; otherwise the scene's name beside it")->type_name("DIR");
+  command.add_option("--set", arguments.set, "override a key in all of them")->type_name("KEY=VALUE")->allow_extra_args(false);
+  command.add_option("--jobs", arguments.jobs, "runs at the same time; otherwise one for each core")->check(CLI::PositiveNumber);
+  command.add_flag("--quiet", arguments.quiet, "no progress");
+  command.add_flag("--force", arguments.force, "replace the runs that are in the folder");
+}
+
+std::optional<int> read_sweep_arguments(int argc, char** argv, char const* name, char const* meaning, SweepArguments& arguments) {
+  CLI::App command{meaning, name};
+  add_sweep_options(command, arguments);
+  try {
+    command.parse(argc, argv);
+    return {};
+  } catch (CLI::ParseError const& error) {
+    return command.exit(error) == 0 ? 0 : 2;
+  }
+}
+
+scene::SweepPlan sweep_plan(SweepArguments const& arguments) {
+  std::string const folder = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
+  return {arguments.scene, arguments.over, arguments.set, folder};
+}
+
+}  // namespace actio::app
