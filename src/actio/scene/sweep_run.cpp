@@ -82,6 +82,7 @@ class SweepRun {
     if (!able.empty()) round(MemberTask::run, able);
     if (!sharing_.speaks()) return 0;
     progress_.clear();
+    if (interrupted()) tell_what_is_done();
     if (!able.empty()) write_whole_file(plan_.folder() + "/sweep.csv", sweep_table(plan_, results_));
     return status();
   }
@@ -114,6 +115,7 @@ class SweepRun {
   void take(MemberTask task, MemberResult const& result) {
     results_[static_cast<std::size_t>(result.member)] = result;
     if (task == MemberTask::check) return;
+    if (result.status == static_cast<int>(Ending::interrupted)) return;
     if (result.status != 0) name_failure(result);
     progress_.one_more(result.status != 0);
   }
@@ -143,6 +145,11 @@ class SweepRun {
     bool const all_alike = std::all_of(results_.begin(), results_.end(), [&](MemberResult const& r) { return r.message == first.message; });
     if (all_alike) fmt::print(stderr, "{}\n", first.message);
     else fmt::print(stderr, "{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message, results_.size());
+  }
+
+  void tell_what_is_done() const {
+    auto const done = std::count_if(results_.begin(), results_.end(), [](MemberResult const& r) { return r.status == 0 && !r.columns.empty(); });
+    fmt::print(stderr, "interrupted: {} of {} members are done\n", done, results_.size());
   }
 
   int status() const {
