@@ -5,13 +5,14 @@
 // Each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has finished another, so that none waits for slow ones. What
 // a member tells goes to rank 0, which writes the table. Members run in processes of their own (SweepCrew) that were made before MPI began and know
 // nothing of it.
-#include <fmt/format.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
 #include "actio/scene/interrupt.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/sweep_run.hpp"
 #include "app/sweep_arguments.hpp"
 
@@ -112,10 +113,10 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
   try {
     status = run_sweep(plan, crew, ranks, {arguments.quiet, arguments.force});
   } catch (SceneError const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    say(stderr, error.what() + std::string("\n"));
     status = 2;
   } catch (FileError const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    say(stderr, error.what() + std::string("\n"));
     status = 4;
   }
   // Others may have been ended and will never answer: to take leave of them would wait for ever. The table is written.
@@ -126,18 +127,19 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   app::SweepArguments arguments;
   if (auto const status = app::read_sweep_arguments(argc, argv, "actio-mpi", "Run a scene for each of many values, into one table, on all ranks of mpirun.", arguments)) return *status;
   try {
     SweepPlan const plan = app::sweep_plan(arguments);
     listen_for_interrupts();
-    SweepCrew crew([&](MemberTask task, long member) { return work_on_member(plan, task, member); }, std::max(1, arguments.jobs));
+    SweepCrew crew([&](MemberTask task, long member) { return work_on_member(plan, task, member, SweepCrew::told_to_stop); }, std::max(1, arguments.jobs));
     MPI_Init(&argc, &argv);
     int const status = sweep(plan, crew, arguments);
     MPI_Finalize();
     return status;
   } catch (Error const& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    say(stderr, error.what() + std::string("\n"));
     return 2;
   }
 }

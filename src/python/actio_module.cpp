@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "python/in_toml.hpp"
 #include "python/memory_run.hpp"
@@ -58,14 +59,12 @@ py::array view(py::object const& self, std::size_t first, std::vector<py::ssize_
 
 /// A quantity, each in its shape, or a single column.
 py::array item(py::object const& self, std::string const& name) {
-  using Kind = scene::Quantity::Kind;
   auto const& run = self.cast<MemoryRun const&>();
-  for (auto const& part : run.parts) {
-    if (part.name != name) continue;
-    auto const size = static_cast<py::ssize_t>(part.size), n = static_cast<py::ssize_t>(std::lround(std::sqrt(static_cast<double>(size))));
-    if (part.kind == Kind::scalar) return view(self, 1 + part.first, {});
-    if (part.kind == Kind::matrix && n * n == size) return view(self, 1 + part.first, {n, n});
-    return view(self, 1 + part.first, {size});
+  std::size_t first = 1;
+  for (auto const& group : run.groups) {
+    auto const shape = group.shape();
+    if (group.quantity.name == name) return view(self, first, {shape.begin(), shape.end()});
+    first += group.columns.size();
   }
   auto const column = std::find(run.columns.begin(), run.columns.end(), name);
   if (column == run.columns.end()) throw py::key_error(name);
@@ -74,7 +73,7 @@ py::array item(py::object const& self, std::string const& name) {
 
 std::vector<std::string> quantities(MemoryRun const& run) {
   std::vector<std::string> out;
-  for (auto const& part : run.parts) out.push_back(part.name);
+  for (auto const& group : run.groups) out.push_back(group.quantity.name);
   return out;
 }
 

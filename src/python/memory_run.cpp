@@ -14,7 +14,7 @@ MemoryRun run_in_memory(SceneFile file, std::function<bool()> stop) {
   if (report.ending == Ending::file_failed) throw FileError(report.message);
   out.columns = {"t"};
   for (auto const& name : scene.simulation.quantities.columns()) out.columns.push_back(name);
-  out.parts = scene.simulation.quantities.parts();
+  out.groups = scene.simulation.quantities.column_groups();
   out.summary = report.summary;
   out.scene = scene.file.written();
   return out;

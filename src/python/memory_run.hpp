@@ -12,10 +12,10 @@ namespace actio::python {
 /// The table of a run, and what belongs to it. The rows lie one after the other in `table`, which no one changes any more: arrays look into it.
 struct MemoryRun {
   std::vector<double> table;
-  std::vector<std::string> columns;              ///< the time first
-  std::vector<scene::QuantityGraph::Part> parts;  ///< columns of each quantity, the time not counted
-  std::string summary;                           ///< JSON
-  std::string scene;                             ///< with every default written out
+  std::vector<std::string> columns;        ///< the time first
+  std::vector<scene::ColumnGroup> groups;  ///< the columns after the time, quantity by quantity
+  std::string summary;                     ///< JSON
+  std::string scene;                       ///< with every default written out
 
   std::size_t rows() const { return table.size() / columns.size(); }
 };

@@ -95,16 +95,6 @@ std::vector<std::string> QuantityGraph::columns() const {
   return out;
 }
 
-std::vector<QuantityGraph::Part> QuantityGraph::parts() const {
-  std::vector<Part> out;
-  std::size_t at = 0;
-  for (Node const* n : asked_) {
-    out.push_back({n->quantity.name, n->quantity.kind, at, n->value.size()});
-    at += n->value.size();
-  }
-  return out;
-}
-
 void QuantityGraph::evaluate(std::span<double> row) {
   for (Node* n : plan_) {
     n->evaluate(n->needs, n->value.data());

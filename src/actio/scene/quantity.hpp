@@ -73,14 +73,6 @@ class QuantityGraph {
   /// The same, quantity by quantity.
   std::vector<ColumnGroup> column_groups() const;
   std::size_t row_size() const { return row_size_; }
-  /// Columns of a row that hold one quantity.
-  struct Part {
-    std::string name;
-    Quantity::Kind kind;
-    std::size_t first, size;
-  };
-  /// The quantities of a row, in its order.
-  std::vector<Part> parts() const;
   /// Evaluates what is needed for a row, each quantity once.
   void evaluate(std::span<double> row);
   /// For each quantity of the system, in its order.

@@ -8,13 +8,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <utility>
-
-#include "actio/scene/interrupt.hpp"
 
 namespace actio::scene {
 namespace {
@@ -75,16 +74,9 @@ MemberResult ended_without_result(long member, int status) {
   return out;
 }
 
-/// From here on an interrupt ends the run between two steps, however often it is told; so does the end of the foreman.
-void be_member(pid_t foreman) {
-  listen_for_interrupts();
-  struct sigaction action = {};
-  ::sigaction(SIGTERM, nullptr, &action);
-  action.sa_flags = 0;
-  ::sigaction(SIGTERM, &action, nullptr);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (::getppid() != foreman) ::_exit(1);
-}
+std::atomic<bool> told = false;
+void remember_to_stop(int) { told = true; }
+constexpr int stop_signal = SIGUSR1;
 
 /// Waits until the member tells its result or has gone. Where the sweep asks for an end, or is no more, the member is asked as well; in the second case not for long.
 void wait_for_member(int sweep, int member, pid_t process) {
@@ -98,7 +90,7 @@ void wait_for_member(int sweep, int member, pid_t process) {
       orphaned = !read_all(sweep, &order, sizeof order);
       ending = true;
     }
-    if (ending) ::kill(process, patience > 0 ? SIGTERM : SIGKILL);
+    if (ending) ::kill(process, patience > 0 ? stop_signal : SIGKILL);
   }
 }
 
@@ -114,7 +106,8 @@ MemberResult in_own_process(SweepCrew::Work const& work, Order const& order, int
   }
   if (process == 0) {
     ::close(ends[0]), ::close(sweep);
-    be_member(foreman);
+    ::prctl(PR_SET_PDEATHSIG, stop_signal);
+    if (::getppid() != foreman) ::_exit(1);
     ::_exit(send_text(ends[1], work(order.task, order.member).packed()) ? 0 : 1);
   }
   ::close(ends[1]);
@@ -126,9 +119,10 @@ MemberResult in_own_process(SweepCrew::Work const& work, Order const& order, int
   return text ? MemberResult::unpacked(*text) : ended_without_result(order.member, status);
 }
 
-/// Takes orders until the sweep closes its side. Interrupts are for the sweep, which passes them on.
+/// Takes orders until the sweep closes its side. What it does with signals its members inherit.
 [[noreturn]] void be_foreman(SweepCrew::Work const& work, int sweep) {
-  std::signal(SIGINT, SIG_IGN), std::signal(SIGTERM, SIG_IGN);
+  for (int const interrupt : {SIGINT, SIGTERM, SIGHUP}) std::signal(interrupt, SIG_IGN);
+  std::signal(stop_signal, remember_to_stop);
   for (Order order; read_all(sweep, &order, sizeof order);)
     if (order.member != stop_order && !send_text(sweep, in_own_process(work, order, sweep).packed())) break;
   ::_exit(0);
@@ -197,6 +191,8 @@ std::vector<MemberResult> SweepCrew::finished(int milliseconds) {
   std::erase_if(foremen_, [](Foreman const& f) { return f.socket < 0; });
   return out;
 }
+
+bool SweepCrew::told_to_stop() { return told; }
 
 void SweepCrew::stop() {
   Order const order{MemberTask::check, stop_order};

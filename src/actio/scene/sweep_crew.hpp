@@ -39,6 +39,8 @@ class SweepCrew {
   std::vector<MemberResult> finished(int milliseconds);
   /// Asks all who are at work to end between two steps. Their results come as others do.
   void stop();
+  /// In the process of a member: whether it is to end. Interrupts are for the sweep, which passes them on.
+  static bool told_to_stop();
 
  private:
   struct Foreman {

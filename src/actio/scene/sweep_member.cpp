@@ -1,6 +1,6 @@
 #include "actio/scene/sweep_member.hpp"
 
-#include <filesystem>
+#include "actio/scene/run_folder.hpp"
 
 namespace actio::scene {
 namespace {
@@ -14,7 +14,7 @@ template <class T, class RememberOne>
 void remember(Memory& memory, std::vector<T>& list, RememberOne const& one) {
   std::size_t size = list.size();
   memory(size);
-  if (memory.reading() && size > memory.bytes().size()) throw std::runtime_error("the result of a member is damaged");
+  if (memory.reading() && size > memory.bytes().size()) throw Error("the result of a member is damaged");
   list.resize(size);
   for (T& item : list) one(item);
 }
@@ -25,14 +25,17 @@ void remember(Memory& memory, MemberResult& result) {
   remember(memory, result.columns, [&](std::string& name) { remember(memory, name); });
 }
 
-void run_member(SweepPlan const& plan, Scene& scene, MemberResult& result) {
-  std::string const folder = plan.folder(result.member);
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder + ": cannot be made: " + error.message());
+/// What a run would refuse only after it has begun.
+void check_member(Scene const& scene) {
+  if (!scene.simulation.exact) StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"));
+  if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
+}
+
+void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const& stop, MemberResult& result) {
+  RunFolder const folder = RunFolder::create(plan.folder(result.member), false);
   RunOptions options;
-  options.quiet = true;
-  RunReport const report = run_scene(scene, folder, false, options);
+  options.quiet = true, options.checkpoint_interval = checkpoint_interval(), options.stop = stop;
+  RunReport const report = run_scene(scene, folder.path(), false, options);
   result.status = static_cast<int>(report.ending), result.message = report.message;
   result.steps = report.steps, result.seconds = report.seconds;
   result.drift = report.drift, result.last_row = report.last_row;
@@ -52,17 +55,18 @@ MemberResult MemberResult::unpacked(std::string const& bytes) {
   MemberResult out;
   Memory memory(bytes);
   remember(memory, out);
+  memory.end();
   return out;
 }
 
-MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member) {
+MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member, std::function<bool()> const& stop) {
   MemberResult result;
   result.member = member;
   auto const failed = [&](Ending ending, std::exception const& error) { result.status = static_cast<int>(ending), result.message = error.what(); };
   try {
     Scene scene = plan.read(member);
-    if (!scene.simulation.exact) StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"));
-    if (task == MemberTask::run) run_member(plan, scene, result);
+    check_member(scene);
+    if (task == MemberTask::run) run_member(plan, scene, stop, result);
   } catch (SceneError const& error) {
     failed(Ending::scene_wrong, error);
   } catch (FileError const& error) {

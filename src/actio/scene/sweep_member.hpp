@@ -19,7 +19,7 @@ struct MemberResult {
 
   /// As bytes, for another process.
   std::string packed() const;
-  /// @throws std::runtime_error  where the bytes are not those of a result
+  /// @throws Error  where the bytes are not those of a result
   static MemberResult unpacked(std::string const& bytes);
 };
 
@@ -27,6 +27,7 @@ struct MemberResult {
 enum class MemberTask { check, run };
 
 /// Does it; whatever goes wrong is in the result.
-MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member);
+/// @param stop  whether to end between two steps
+MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member, std::function<bool()> const& stop = interrupted);
 
 }  // namespace actio::scene

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "actio/scene/checkpoint.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/sweep_table.hpp"
 
 namespace actio::scene {
@@ -30,12 +31,12 @@ class SweepProgress {
     long const tenth = done_ * 10 / std::max(all_, 1L);
     if (quiet_ || seconds < 0.5 || (terminal_ ? now - last_ < std::chrono::milliseconds(200) : tenth == tenth_)) return;
     last_ = now, tenth_ = tenth, shown_ = terminal_;
-    std::string const line = fmt::format("{} of {} members  {} failed  {:.0f} s left", done_, all_, failed_, seconds * static_cast<double>(all_ - done_) / static_cast<double>(done_));
-    fmt::print(stderr, "{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\x1b[K" : "\n");
-    std::fflush(stderr);
+    double const left = seconds * static_cast<double>(all_ - done_) / static_cast<double>(done_);
+    std::string const line = fmt::format("{} of {} members   {} failed   {} left", done_, all_, failed_, duration_text(left));
+    say(stderr, (terminal_ ? "\r" : "") + line + (terminal_ ? "\x1b[K" : "\n"));
   }
   void clear() {
-    if (std::exchange(shown_, false)) fmt::print(stderr, "\r\x1b[K");
+    if (std::exchange(shown_, false)) say(stderr, "\r\x1b[K");
   }
 
  private:
@@ -121,7 +122,7 @@ class SweepRun {
   }
   void name_failure(MemberResult const& result) {
     progress_.clear();
-    fmt::print(stderr, "{}: {}\n", plan_.described(result.member), result.message);
+    say(stderr, plan_.described(result.member) + ": " + result.message + "\n");
   }
 
   /// After all scenes were read: those in order. Where there is none, nothing is written.
@@ -143,13 +144,13 @@ class SweepRun {
   void tell_that_none_is_able() {
     MemberResult const& first = results_.front();
     bool const all_alike = std::all_of(results_.begin(), results_.end(), [&](MemberResult const& r) { return r.message == first.message; });
-    if (all_alike) fmt::print(stderr, "{}\n", first.message);
-    else fmt::print(stderr, "{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message, results_.size());
+    if (all_alike) say(stderr, first.message + "\n");
+    else say(stderr, fmt::format("{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message, results_.size()));
   }
 
   void tell_what_is_done() const {
     auto const done = std::count_if(results_.begin(), results_.end(), [](MemberResult const& r) { return r.status == 0 && !r.columns.empty(); });
-    fmt::print(stderr, "interrupted: {} of {} members are done\n", done, results_.size());
+    say(stderr, fmt::format("interrupted: {} of {} members are done\n", done, results_.size()));
   }
 
   int status() const {
