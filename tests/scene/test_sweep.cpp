@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <set>
 
 #include "actio/scene/sweep_crew.hpp"
@@ -85,7 +86,7 @@ BOOST_AUTO_TEST_CASE(a_member_that_crashes_or_is_killed_takes_no_other_with_it) 
   SweepCrew crew(
       [](MemberTask, long member) {
         if (member == 1) std::raise(SIGKILL);
-        if (member == 2) std::abort();
+        if (member == 2) std::signal(SIGABRT, SIG_DFL), std::abort();
         if (member == 3) ::_exit(5);
         return result_of(member);
       },
