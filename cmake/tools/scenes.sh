@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scenes.sh BUILD: runs every scene of data/scenes with the built command, for the book: BUILD/report/scenes/NAME holds what the run left, NAME.txt what it said,
-# and systems.json what the command knows of its systems.
+# and systems.json what the command knows of its systems. Then every program of data/scenes in Python, where the module is built: BUILD/report/python/NAME.txt.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -21,6 +21,18 @@ for scene in data/scenes/*.toml; do
     tail -n 20 "$reports/$name.log" >&2
   fi
 done
+
+python=$(sed -n 's/^Python_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt" 2>/dev/null || true)
+for module in "$build"/python/actio.*.so; do
+  [[ -f $module ]] || continue
+  for program in data/scenes/*.py; do
+    name=$(basename "$program" .py) folder=$build/report/python
+    mkdir -p "$folder"
+    PYTHONPATH=$build/python bash cmake/tools/once.sh "$folder/$name.stamp" --keep "$folder/$name.txt" "$program" data/scenes "$module" -- "$python" "$program" >"$folder/$name.log" 2>&1 ||
+      { failed+=("$name.py"); tail -n 20 "$folder/$name.log" >&2; }
+  done
+done
+
 # What is left of scenes that are no more.
 for stamp in "$reports"/*.stamp; do
   name=$(basename "$stamp" .stamp)

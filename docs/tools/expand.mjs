@@ -7,7 +7,7 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
-import { readScenes, sceneCard, scenePicture, sceneTable, systemPage } from './scenes.mjs';
+import { pythonCard, readScenes, sceneCard, scenePicture, sceneTable, systemPage } from './scenes.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
@@ -253,6 +253,11 @@ for (const p of pages) {
       if (!html) return errors.add(p.file, line, `scene ${name} has drawn no picture ${picture}`);
       block(html);
     },
+    python(name) {
+      const file = at('data/scenes', `${name}.py`), said = path.join(opt.build, 'report/python', `${name}.txt`);
+      if (!fs.existsSync(file)) return errors.add(p.file, line, `there is no data/scenes/${name}.py`);
+      block(pythonCard(`data/scenes/${name}.py`, fs.readFileSync(file, 'utf8'), fs.existsSync(said) ? fs.readFileSync(said, 'utf8') : null));
+    },
     scenes() { block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`); },
     systems() {
       if (!book.systems) return block(`<p>${notRun('the command')}</p>`);
@@ -314,7 +319,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|scene|scenepicture|scenes|systems)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|scene|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');

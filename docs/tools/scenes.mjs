@@ -31,6 +31,12 @@ export function sceneCard(book, scene) {
     `<pre class="fragment scene-text">${escapeHtml(scene.text)}</pre>${output}</div>`;
 }
 
+/// A program in Python and what it said; null where the module was not built.
+export function pythonCard(file, text, said) {
+  const output = said === null ? '<span class="notrun">not run: the module is not built</span>' : `<pre class="output">${escapeHtml(said.trimEnd())}</pre>`;
+  return `<div class="program scene"><div class="program-head"><span class="program-name">python3 ${escapeHtml(file)}</span></div><pre class="fragment scene-text">${escapeHtml(text.trimEnd())}</pre>${output}</div>`;
+}
+
 /// A picture that a run drew.
 export function scenePicture(scene, name, caption, prefix) {
   const file = path.join(scene.folder, 'plots', `${name}.svg`);

@@ -8,7 +8,7 @@
 
 #include "actio/scene/progress.hpp"
 #include "actio/scene/scene_error.hpp"
-#include "app/commands.hpp"
+#include "app/sweep_arguments.hpp"
 #include "app/usage.hpp"
 
 using namespace actio;
@@ -31,11 +31,6 @@ CLI::App* add_part(CLI::App& command, std::string const& name, std::string const
 }
 
 std::string not_empty(std::string& text) { return text.empty() ? "a name is expected, found ''" : ""; }
-/// At least one run at a time.
-std::string whole_and_positive(std::string& text) {
-  bool const whole = !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos && std::stol(text) > 0;
-  return whole ? "" : "a whole number from 1 on is expected, found '" + text + "'";
-}
 
 void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   auto* const part = add_part(command, "run", "run a scene",
@@ -59,13 +54,7 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
 
 void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
   auto* const part = add_part(command, "sweep", "run a scene for each of many values, into one table", "Example: actio sweep apophis.toml --over method.step=0.1,0.2,0.4", action, [&sweep] { return app::sweep(sweep); });
-  part->add_option("SCENE", sweep.scene, "a scene, in TOML")->required()->check(CLI::Validator(not_empty, ""));
-  part->add_option("--over", sweep.over, "a key and its values; several: all combinations")->type_name("KEY=a,b,c")->required()->allow_extra_args(false);
-  part->add_option("--out", sweep.out, "the folder for the runs and their table")->type_name("DIR");
-  part->add_option("--set", sweep.set, "override a key in all of them")->type_name("KEY=VALUE")->allow_extra_args(false);
-  part->add_option("--jobs", sweep.jobs, "runs at the same time; otherwise one for each core")->type_name("N")->check(CLI::Validator(whole_and_positive, ""));
-  part->add_flag("--quiet", sweep.quiet, "no progress")->disable_flag_override();
-  part->add_flag("--force", sweep.force, "replace the runs that are in the folder")->disable_flag_override();
+  app::add_sweep_options(*part, sweep);
 }
 
 /// What the parts that look things up are asked.

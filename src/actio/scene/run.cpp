@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "actio/scene/checkpoint.hpp"
+#include "actio/scene/memory_series.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/rhythm.hpp"
 
@@ -31,10 +32,17 @@ class Run {
         progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()) {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
+    if (in_memory()) return;
     if (!resume) write_whole_file(folder + "/scene.toml", written_);
     SeriesHead const head{scene.title, scene.system->name, written_, simulation_.quantities.column_groups(), scene.schedule.rows()};
     for (auto const& format : scene.formats) series_.push_back(open_series(folder, format, head, resume));
     if (resume) restore();
+  }
+
+  /// Into a table in memory, without a folder.
+  Run(Scene& scene, std::vector<double>& table, RunOptions const& options) : Run(scene, "", false, options) {
+    table.reserve(static_cast<std::size_t>(scene.schedule.rows()) * row_.size());
+    series_.push_back(memory_series(table));
   }
 
   RunReport go() {
@@ -55,6 +63,8 @@ class Run {
   }
 
  private:
+  bool in_memory() const { return folder_.empty(); }
+
   /// The first checkpoint, before the first step; and what the drift is measured from, where there is no row at t = 0.
   void start() {
     if (resumed_) {
@@ -130,6 +140,7 @@ class Run {
   }
 
   void checkpoint() {
+    if (in_memory()) return;
     for (auto& series : series_) series->sync();
     Memory memory;
     remember(memory);
@@ -179,7 +190,7 @@ class Run {
     report.steps = at_.steps, report.rows = at_.rows, report.seconds = seconds(), report.drift = drift_.entries();
     if (wrote_) report.last_row = row_;
     report.summary = summary_json(scene_, report, drift_);
-    attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary); });
+    if (!in_memory()) attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary); });
   }
 
   /// Steps, or rows where there are no steps: so far, and of the whole run.
@@ -209,6 +220,7 @@ class Run {
 }  // namespace
 
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options) { return Run(scene, folder, resume, options).go(); }
+RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) { return Run(scene, table, options).go(); }
 
 bool run_is_finished(Scene const& scene, std::string const& folder) {
   std::string const path = folder + "/checkpoint";

@@ -40,6 +40,9 @@ struct RunReport {
 /// @throws FileError  where its files cannot be made, or those that are there are not those of the checkpoint
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});
 
+/// Runs a scene into a table in memory, row after row, the time first; leaves no file.
+RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options = {});
+
 /// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is told.
 /// @throws FileError  where the checkpoint cannot be read, is damaged, or belongs to another scene
 bool run_is_finished(Scene const& scene, std::string const& folder);

@@ -1,0 +1,80 @@
+#include "actio/scene/sweep_member.hpp"
+
+#include "actio/scene/run_folder.hpp"
+
+namespace actio::scene {
+namespace {
+
+void remember(Memory& memory, std::string& text) {
+  std::vector<char> letters(text.begin(), text.end());
+  memory(letters);
+  text.assign(letters.begin(), letters.end());
+}
+template <class T, class RememberOne>
+void remember(Memory& memory, std::vector<T>& list, RememberOne const& one) {
+  std::size_t size = list.size();
+  memory(size);
+  if (memory.reading() && size > memory.bytes().size()) throw Error("the result of a member is damaged");
+  list.resize(size);
+  for (T& item : list) one(item);
+}
+void remember(Memory& memory, MemberResult& result) {
+  memory(result.member, result.status, result.steps, result.seconds, result.last_row);
+  remember(memory, result.message);
+  remember(memory, result.drift, [&](Drift::Entry& entry) { remember(memory, entry.name), memory(entry.relative); });
+  remember(memory, result.columns, [&](std::string& name) { remember(memory, name); });
+}
+
+/// What a run would refuse only after it has begun.
+void check_member(Scene const& scene) {
+  if (!scene.simulation.exact) StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"));
+  if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
+}
+
+void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const& stop, MemberResult& result) {
+  RunFolder const folder = RunFolder::create(plan.folder(result.member), false);
+  RunOptions options;
+  options.quiet = true, options.checkpoint_interval = checkpoint_interval(), options.stop = stop;
+  RunReport const report = run_scene(scene, folder.path(), false, options);
+  result.status = static_cast<int>(report.ending), result.message = report.message;
+  result.steps = report.steps, result.seconds = report.seconds;
+  result.drift = report.drift, result.last_row = report.last_row;
+  result.columns = {"t"};
+  for (auto const& name : scene.simulation.quantities.columns()) result.columns.push_back(name);
+}
+
+}  // namespace
+
+std::string MemberResult::packed() const {
+  Memory memory;
+  MemberResult copy = *this;
+  remember(memory, copy);
+  return memory.bytes();
+}
+MemberResult MemberResult::unpacked(std::string const& bytes) {
+  MemberResult out;
+  Memory memory(bytes);
+  remember(memory, out);
+  memory.end();
+  return out;
+}
+
+MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member, std::function<bool()> const& stop) {
+  MemberResult result;
+  result.member = member;
+  auto const failed = [&](Ending ending, std::exception const& error) { result.status = static_cast<int>(ending), result.message = error.what(); };
+  try {
+    Scene scene = plan.read(member);
+    check_member(scene);
+    if (task == MemberTask::run) run_member(plan, scene, stop, result);
+  } catch (SceneError const& error) {
+    failed(Ending::scene_wrong, error);
+  } catch (FileError const& error) {
+    failed(Ending::file_failed, error);
+  } catch (std::exception const& error) {
+    failed(Ending::numerics_failed, error);
+  }
+  return result;
+}
+
+}  // namespace actio::scene

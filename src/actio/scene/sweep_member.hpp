@@ -1,0 +1,33 @@
+// One member of a sweep: read, run, and told of.
+#pragma once
+
+#include "actio/scene/run.hpp"
+#include "actio/scene/sweep.hpp"
+
+namespace actio::scene {
+
+/// How a member went.
+struct MemberResult {
+  long member = -1;
+  int status = 0;                    ///< the exit status that `actio run` would have; 128 + signal where one ended it
+  std::string message;               ///< where it did not end well: what went wrong
+  long steps = 0;
+  double seconds = 0;
+  std::vector<Drift::Entry> drift;   ///< of each conserved quantity
+  std::vector<std::string> columns;  ///< of its series, the time first
+  std::vector<double> last_row;      ///< one for each of them
+
+  /// As bytes, for another process.
+  std::string packed() const;
+  /// @throws Error  where the bytes are not those of a result
+  static MemberResult unpacked(std::string const& bytes);
+};
+
+/// What is done with a member: its scene is read, or it is run.
+enum class MemberTask { check, run };
+
+/// Does it; whatever goes wrong is in the result.
+/// @param stop  whether to end between two steps
+MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member, std::function<bool()> const& stop = interrupted);
+
+}  // namespace actio::scene

@@ -1,0 +1,45 @@
+// A sweep on its way: first every scene is read, so that a mistyped value is known before hours have passed, then those that are in order are run, as processes
+// on one machine or on many.
+#pragma once
+
+#include "actio/scene/sweep_crew.hpp"
+
+namespace actio::scene {
+
+/// Who else works on the sweep, and how the work is shared. Alone: nobody.
+class SweepSharing {
+ public:
+  virtual ~SweepSharing() = default;
+  /// Whether this process speaks for the sweep: it gets all results, and writes the table.
+  virtual bool speaks() const { return true; }
+  /// The next member that nobody has taken; any number beyond the last where there is none.
+  virtual long next() { return next_++; }
+  /// Tells the one who speaks. Called by the others.
+  virtual void deliver(MemberResult const&) {}
+  /// What was delivered since. Called by the one who speaks, every few milliseconds.
+  virtual std::vector<MemberResult> delivered() { return {}; }
+  /// This process takes no more members, and has delivered its last result.
+  virtual void leave() {}
+  /// Whether all others have left.
+  virtual bool all_left() { return true; }
+  /// What the one who speaks says, for all; then members are counted from 0 again.
+  virtual std::string agree(std::string const& said) {
+    next_ = 0;
+    return said;
+  }
+
+ private:
+  long next_ = 0;
+};
+
+/// How a sweep is run.
+struct SweepOptions {
+  bool quiet = false, force = false;
+};
+
+/// Runs a sweep, tells failed members on standard error, and leaves the table `sweep.csv`.
+/// @return the exit status: 0 where all members are done, 130 where it was interrupted, otherwise the largest of theirs
+/// @throws FileError, SceneError  in the process that speaks
+int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options);
+
+}  // namespace actio::scene

@@ -1,0 +1,211 @@
+// Sweeps, driven through the command.
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "command.hpp"
+
+BOOST_AUTO_TEST_SUITE(sweep)
+
+namespace {
+
+namespace fs = std::filesystem;
+using Row = std::vector<std::string>;
+
+/// A table whose cells may be texts or empty; commas between quotes do not part cells.
+std::vector<Row> read_table(std::string const& path) {
+  std::vector<Row> out;
+  std::istringstream lines(command::contents(path));
+  for (std::string line; std::getline(lines, line);) {
+    out.emplace_back(1);
+    bool quoted = false;
+    for (char const c : line) {
+      if (c == '"') quoted = !quoted;
+      else if (c == ',' && !quoted) out.back().emplace_back();
+      else out.back().back() += c;
+    }
+  }
+  return out;
+}
+std::string cell(std::vector<Row> const& table, std::size_t member, std::string const& column) {
+  auto const found = std::find(table.at(0).begin(), table[0].end(), column);
+  if (found == table[0].end()) throw std::runtime_error("no column " + column);
+  return table.at(member + 1).at(static_cast<std::size_t>(found - table[0].begin()));
+}
+/// The same without the one column that tells of the clock.
+std::vector<Row> timeless(std::vector<Row> table) {
+  auto const at = std::find(table.at(0).begin(), table[0].end(), "wall_seconds") - table[0].begin();
+  for (Row& row : table) row.erase(row.begin() + at);
+  return table;
+}
+void check_same_table(std::vector<Row> const& a, std::vector<Row> const& b) {
+  BOOST_TEST_REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) BOOST_TEST(a[i] == b[i], boost::test_tools::per_element());
+}
+
+std::string const series = "series.csv", scene_copy = "scene.toml";
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(every_combination_is_the_run_that_it_would_be_alone) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis({{"order", "2"}}));
+  auto const outcome = command::actio({"sweep", scene, "--over", "method.step=0.125,0.25", "--over", "run.until=5.0,10.0,15.0", "--set", "scene.title=swept", "--out", folder / "sweep", "--quiet"});
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  BOOST_TEST(outcome.err == "");
+  std::vector<std::string> const steps{"0.125", "0.25"}, ends{"5.0", "10.0", "15.0"};
+  auto const table = read_table(folder / "sweep/sweep.csv");
+  BOOST_TEST(table.size() == 7u);
+  for (std::size_t member = 0; member < 6; ++member) {
+    std::string const step = steps[member / 3], end = ends[member % 3], name = "sweep/00000" + std::to_string(member) + "/";
+    BOOST_TEST(cell(table, member, "member") == std::to_string(member));
+    BOOST_TEST(cell(table, member, "method.step") == step);
+    BOOST_TEST(cell(table, member, "run.until") == end);
+    std::string const alone = "alone" + std::to_string(member) + "/";
+    command::actio({"run", scene, "--set", "scene.title=swept", "--set", "method.step=" + step, "--set", "run.until=" + end, "--out", folder / alone, "--quiet"});
+    BOOST_TEST(!command::contents(folder / (alone + series)).empty());
+    for (auto const& file : {series, scene_copy}) BOOST_TEST(command::contents(folder / (name + file)) == command::contents(folder / (alone + file)));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_table_holds_status_steps_drift_and_the_last_row_of_each_member) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis({{"order", "2"}}));
+  auto const outcome = command::actio({"sweep", scene, "--over", "method.step=0.125,0.25", "--quiet"});
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  auto const table = read_table(folder / "apophis/sweep.csv");
+  Row const heading{"member", "method.step", "status", "steps", "wall_seconds", "drift_energy", "last_t", "last_body_momentum_x", "last_body_momentum_y", "last_body_momentum_z", "last_energy"};
+  BOOST_TEST(table.at(0) == heading, boost::test_tools::per_element());
+  for (std::size_t member = 0; member < 2; ++member) {
+    BOOST_TEST(cell(table, member, "status") == "0");
+    BOOST_TEST(cell(table, member, "steps") == (member == 0 ? "200" : "100"));
+    std::string const name = "apophis/00000" + std::to_string(member);
+    auto const rows = command::read_csv(folder / (name + "/series.csv"));
+    for (std::string const column : {"t", "body_momentum_x", "body_momentum_y", "body_momentum_z", "energy"}) BOOST_TEST(std::stod(cell(table, member, "last_" + column)) == rows[column].back());
+    // The drift over the rows, as anybody would work it out from them.
+    auto const energy = rows["energy"];
+    double drift = 0;
+    for (double const e : energy) drift = std::max(drift, std::abs(e - energy[0]) / energy[0]);
+    BOOST_TEST(std::stod(cell(table, member, "drift_energy")) == drift);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_jobs_changes_no_digit) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis());
+  for (std::string const jobs : {"1", "3"}) {
+    auto const outcome = command::actio({"sweep", scene, "--over", "scene.seed=1,2,3", "--over", "method.order=2,4,\"exact\"", "--jobs", jobs, "--out", folder / jobs, "--quiet"});
+    BOOST_TEST(outcome.status == 0, outcome.err);
+  }
+  check_same_table(timeless(read_table(folder / "1/sweep.csv")), timeless(read_table(folder / "3/sweep.csv")));
+  int compared = 0;
+  for (auto const& entry : fs::directory_iterator(folder / "1")) {
+    if (!entry.is_directory()) continue;
+    std::string const other = folder / ("3/" + entry.path().filename().string() + "/");
+    for (auto const& file : {series, scene_copy}) BOOST_TEST(command::contents((entry.path() / file).string()) == command::contents(other + file));
+    ++compared;
+  }
+  BOOST_TEST(compared == 9);
+}
+
+BOOST_AUTO_TEST_CASE(a_failed_member_is_named_and_the_others_are_kept) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis({{"order", "2"}, {"every", "25.0"}}));
+  // In order; no number; a step in which the body turns too far for the scheme; not met by the rows.
+  auto const outcome = command::actio({"sweep", scene, "--over", "method.step=0.25,fast,25.0,0.3,0.125", "--out", folder / "sweep", "--quiet"});
+  auto const table = read_table(folder / "sweep/sweep.csv");
+  Row const expected{"0", "2", "3", "2", "0"};
+  for (std::size_t member = 0; member < 5; ++member) {
+    BOOST_TEST(cell(table, member, "status") == expected[member]);
+    bool const done = expected[member] == "0";
+    for (std::string const column : {"steps", "wall_seconds", "drift_energy", "last_t", "last_energy"}) BOOST_TEST(cell(table, member, column).empty() == !done);
+    std::string const name = "00000" + std::to_string(member) + " (method.step=" + cell(table, member, "method.step") + "): ";
+    BOOST_TEST((outcome.err.find(name) == std::string::npos) == done, outcome.err);
+  }
+  BOOST_TEST(outcome.status == 3);
+  BOOST_TEST(outcome.err.find("000001 (method.step=fast): ") != std::string::npos);
+  BOOST_TEST(outcome.err.find("a number is expected, found 'fast'") != std::string::npos, outcome.err);
+}
+
+BOOST_AUTO_TEST_CASE(a_member_that_cannot_write_takes_no_other_with_it) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis());
+  // The shell counts in pieces of 512 bytes: the table of the first member is longer, all that the second leaves is shorter.
+  auto const outcome = command::actio({"sweep", scene, "--over", "run.every=0.25,12.5", "--out", folder / "sweep", "--quiet"}, "ulimit -f 8;");
+  auto const table = read_table(folder / "sweep/sweep.csv");
+  BOOST_TEST(cell(table, 0, "status") != "0");
+  BOOST_TEST(outcome.status == std::stoi(cell(table, 0, "status")));
+  BOOST_TEST(outcome.err.find("000000 (run.every=0.25): ") != std::string::npos, outcome.err);
+  BOOST_TEST(cell(table, 1, "status") == "0");
+  BOOST_TEST(cell(table, 1, "last_t") == "25");
+}
+
+BOOST_AUTO_TEST_CASE(a_sweep_without_a_member_in_order_leaves_nothing) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis());
+  auto const status_of = [&](std::string const& over, std::string const& says) {
+    auto const outcome = command::actio({"sweep", scene, "--over", over, "--out", folder / "sweep"});
+    BOOST_TEST(outcome.err.find(says) != std::string::npos, outcome.err);
+    BOOST_TEST(!fs::exists(folder / "sweep"));
+    return outcome.status;
+  };
+  BOOST_TEST(status_of("method.stp=0.125,0.25", "unknown key 'stp' in [method]; did you mean 'step'?") == 2);
+  BOOST_TEST(status_of("system.body=apophi,apofis", "did you mean 'apophis'?") == 2);
+  BOOST_TEST(status_of("method.step", "KEY=a,b,c is expected") == 2);
+  BOOST_TEST(status_of("method.step=0.1,,0.2", "value 2 of 'method.step' is empty") == 2);
+  auto const twice = command::actio({"sweep", scene, "--over", "method.step=1", "--over", "method.step=2"});
+  BOOST_TEST(twice.status == 2);
+  BOOST_TEST(twice.err.find("'method.step' is swept twice") != std::string::npos, twice.err);
+  auto const nowhere = command::actio({"sweep", folder / "apofis.toml", "--over", "method.step=1,2"});
+  BOOST_TEST(nowhere.status == 2);
+  BOOST_TEST(nowhere.err == folder / "apofis.toml" + ": there is no such file; did you mean '" + scene + "'?\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_with_something_in_it_is_refused_unless_it_is_to_be_replaced) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis());
+  auto const sweep = [&](std::string const& over, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"sweep", scene, "--over", over, "--quiet"});
+    return command::actio(more);
+  };
+  BOOST_TEST(sweep("scene.seed=1,2,3").status == 0);
+  std::string const before = command::contents(folder / "apophis/sweep.csv");
+  auto const refused = sweep("scene.seed=4,5");
+  BOOST_TEST(refused.status == 2);
+  BOOST_TEST(refused.err.find("the folder is not empty; --force replaces") != std::string::npos, refused.err);
+  BOOST_TEST(command::contents(folder / "apophis/sweep.csv") == before);
+  BOOST_TEST(sweep("scene.seed=4,5", {"--force"}).status == 0);
+  BOOST_TEST(read_table(folder / "apophis/sweep.csv").size() == 3u);
+  BOOST_TEST(!fs::exists(folder / "apophis/000002"));
+}
+
+BOOST_AUTO_TEST_CASE(an_interrupted_sweep_keeps_what_is_done) {
+  command::Folder const folder;
+  // Rows at the start and at the end alone: the second and the third member would take days.
+  std::string const scene = folder.write("apophis.toml", command::apophis({{"order", "2"}, {"every", ""}}));
+  auto const outcome = command::actio({"sweep", scene, "--over", "run.until=25.0,2.5e13,2.5e14", "--jobs", "2", "--out", folder / "sweep", "--quiet"}, "timeout --preserve-status -s INT 2");
+  BOOST_TEST(outcome.status == 130);
+  BOOST_TEST(outcome.err == "interrupted: 1 of 3 members are done\n");
+  auto const table = read_table(folder / "sweep/sweep.csv");
+  BOOST_TEST(cell(table, 0, "status") == "0");
+  BOOST_TEST(cell(table, 0, "last_t") == "25");
+  for (std::size_t member : {1, 2}) {
+    BOOST_TEST(cell(table, member, "status") == "130");
+    BOOST_TEST(cell(table, member, "last_t") == "");
+    BOOST_TEST(command::read_csv(folder / ("sweep/00000" + std::to_string(member) + "/series.csv")).rows.size() == 1u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(values_with_commas_are_quoted_in_the_table) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis());
+  auto const outcome = command::actio({"sweep", scene, "--over", "initial.angular_velocity=[0.1,0.2,0.3],[0.3,0.2,0.1]", "--over", "scene.title=\"a, b\"", "--out", folder / "sweep", "--quiet"});
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  std::string const table = command::contents(folder / "sweep/sweep.csv");
+  BOOST_TEST(table.find("\n0,\"[0.1,0.2,0.3]\",\"\"\"a, b\"\"\",0,") != std::string::npos, table);
+  BOOST_TEST(table.find("\n1,\"[0.3,0.2,0.1]\",\"\"\"a, b\"\"\",0,") != std::string::npos, table);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# mpi_sweep.sh ACTIO ACTIO_MPI MPIRUN: a sweep on two ranks leaves what the same sweep leaves on one machine, and a rank that dies leaves nobody waiting.
+set -euo pipefail
+actio=$1 actio_mpi=$2 mpirun=$3
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ASAN_OPTIONS=detect_leaks=0
+ranks() { timeout 60 "$mpirun" --oversubscribe -n 2 "$actio_mpi" "$@"; }
+fail() { printf '%s\n' "$1"; exit 1; }
+
+cat >apophis.toml <<'TOML'
+[system]
+kind = "rigid_body"
+body = "apophis"
+[initial]
+angular_velocity = [0.0649, 0.001, 0.22321]
+[method]
+order = 2
+step = 0.25
+[run]
+until = 25.0
+every = 2.5
+[output]
+quantities = ["body_momentum", "energy"]
+TOML
+
+# The same members, one of them wrong.
+over=(--over method.step=0.125,0.25,fast --over run.until=10,15,20)
+timeless() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "wall_seconds") clock = i } { $clock = ""; print }' "$1/sweep.csv"; }
+one=0 two=0
+"$actio" sweep apophis.toml "${over[@]}" --out one --quiet 2>one.err || one=$?
+ranks apophis.toml "${over[@]}" --out two --quiet 2>two.err || two=$?
+[[ $one == 2 && $two == 2 ]] || { cat two.err; fail "a wrong member ends a sweep with status 2, not $one on one machine and $two on ranks"; }
+diff <(timeless one) <(timeless two) || fail "the tables differ in more than the time"
+for member in one/0*; do
+  for file in series.csv scene.toml; do cmp "$member/$file" "two/${member#one/}/$file"; done
+done
+[[ $(ls -d one/0* | wc -l) == 6 && $(wc -l <two/sweep.csv) == 10 ]] || fail "six members run and three are told of alone, not $(ls -d one/0*)"
+diff <(sort one.err) <(grep '^00000' two.err | sort) || fail "the failed members are not named alike"
+
+# Without one member in order nothing is left, and the ranks do not wait for each other.
+two=0
+ranks apophis.toml --over method.stp=1,2,3 --out none >none.err 2>&1 || two=$?
+[[ $two == 2 && ! -e none ]] && grep -q "did you mean 'step'?" none.err || { cat none.err; fail "a key that nobody knows ended with status $two"; }
+
+# One member at a time and two at a time on each rank, more ranks than members.
+ranks apophis.toml --over method.step=0.125 --jobs 2 --out single --quiet
+[[ $(wc -l <single/sweep.csv) == 2 ]] || fail "a sweep of one member on two ranks leaves another table"
+
+# A rank, and then mpirun itself, is killed in the midst of members that would take days.
+killed() { # FOLDER rank|mpirun
+  local mpirun_process members status=0
+  "$mpirun" --oversubscribe -n 2 "$actio_mpi" apophis.toml --over scene.seed=1,2,3,4 --set run.until=2.5e13 --set run.every=2.5e12 --out "$1" >"$1.err" 2>&1 &
+  mpirun_process=$!
+  for _ in $(seq 100); do [[ -e $1/000000/checkpoint && -e $1/000001/checkpoint ]] && break || sleep 0.1; done
+  read -r -a members <"/proc/$mpirun_process/task/$mpirun_process/children"
+  if [[ $2 == rank ]]; then kill -KILL "${members[1]}"; else kill -KILL "$mpirun_process"; fi
+  for process in "$mpirun_process" "${members[@]}"; do
+    timeout 30 tail --pid="$process" -f /dev/null || { kill -KILL "$process"; fail "30 s after the death of $2 a process of the sweep was still there"; }
+  done
+  wait "$mpirun_process" || status=$?
+  ((status != 0)) || { cat "$1.err"; fail "a sweep whose $2 was killed ended with status 0"; }
+  [[ $(head -c 1 "$1/000000/series.csv") == t ]] || fail "the members of a sweep whose $2 was killed are gone"
+}
+killed one_rank_less rank
+killed no_mpirun mpirun
+
+echo "Six members are the same on one machine and on two ranks; a sweep that loses a rank or mpirun ends."
