@@ -35,7 +35,8 @@ struct SweepArguments {
 int sweep(SweepArguments const& arguments);
 
 /// @param what  systems, groups, methods, quantities, bodies, materials
-int list(std::string const& what);
+/// @param json  for other programs: systems, with all that is known of them
+int list(std::string const& what, bool json = false);
 /// @param name  of a body, a material, a system, a method, a quantity, a group or a statement
 int show(std::string const& name);
 /// @param ids  of statements; none: all

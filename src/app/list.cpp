@@ -4,6 +4,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/registry_json.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/text.hpp"
@@ -67,7 +68,12 @@ std::string meant(std::string const& what) {
 
 }  // namespace
 
-int list(std::string const& what) {
+int list(std::string const& what, bool json) {
+  if (json && what != "systems") throw SceneError({"actio list"}, "--json tells of systems alone: actio list systems --json");
+  if (json) {
+    fmt::print("{}", registry_json());
+    return 0;
+  }
   Rows rows;
   if (what == "systems") rows = list_of_systems();
   else if (what == "groups") rows = list_of_groups();

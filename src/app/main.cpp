@@ -61,13 +61,14 @@ void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
 struct Questions {
   std::string list, name;
   std::vector<std::string> ids;
-  bool list_statements = false;
+  bool list_statements = false, json = false;
 };
 
 void add_questions(CLI::App& command, Questions& asked, Action& action) {
   auto* part = add_part(command, "list", "list what there is: systems, groups, methods, quantities, bodies, materials", "Example: actio list bodies\n\nA line for each; its first word is the name.", action,
-                        [&asked] { return app::list(asked.list); });
+                        [&asked] { return app::list(asked.list, asked.json); });
   part->add_option("WHAT", asked.list, "systems, groups, methods, quantities, bodies or materials")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_flag("--json", asked.json, "systems, with all that is known of them, for other programs")->disable_flag_override();
   part = add_part(command, "show", "tell what something is: meaning, units, source, statement of the thesis", "Example: actio show apophis", action, [&asked] { return app::show(asked.name); });
   part->add_option("NAME", asked.name, "a system, group, method, quantity, body, material or statement")->required()->check(CLI::Validator(not_empty, ""));
   part = add_part(command, "check", "run the theorem checks", "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no check, 4 the checks are not built.", action,
