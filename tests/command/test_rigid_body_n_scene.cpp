@@ -6,15 +6,12 @@
 #include <sstream>
 
 #include "command.hpp"
-
-using command::Folder;
+#include "square.hpp"
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-using Numbers = std::vector<double>;
-/// Row by row.
-using Square = std::vector<Numbers>;
+using namespace command;
 
 std::string listed(Numbers const& numbers) {
   std::ostringstream out;
@@ -55,50 +52,6 @@ command::Table run(std::string const& scene) {
   auto const outcome = command::actio({"run", folder.write("body.toml", scene), "--out", folder / "out"});
   BOOST_REQUIRE_MESSAGE(outcome.status == 0, outcome.err);
   return command::read_csv(folder / "out/series.csv");
-}
-
-std::string index(int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); }
-/// One row of a skew quantity, in full.
-Square skew(command::Table const& table, std::string const& name, int n, std::size_t row) {
-  Square m(n, Numbers(n, 0));
-  for (int i = 1; i <= n; ++i)
-    for (int j = i + 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row], m[j - 1][i - 1] = -m[i - 1][j - 1];
-  return m;
-}
-Square matrix(command::Table const& table, std::string const& name, int n, std::size_t row) {
-  Square m(n, Numbers(n, 0));
-  for (int i = 1; i <= n; ++i)
-    for (int j = 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row];
-  return m;
-}
-Square times(Square const& a, Square const& b) {
-  Square c(a.size(), Numbers(a.size(), 0));
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t k = 0; k < a.size(); ++k)
-      for (std::size_t j = 0; j < a.size(); ++j) c[i][j] += a[i][k] * b[k][j];
-  return c;
-}
-Square transposed(Square a) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) std::swap(a[i][j], a[j][i]);
-  return a;
-}
-double trace(Square const& a) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i][i];
-  return sum;
-}
-double norm(Square const& a) { return std::sqrt(trace(times(a, transposed(a)))); }
-Square plus(Square a, double factor, Square const& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < a.size(); ++j) a[i][j] += factor * b[i][j];
-  return a;
-}
-double difference(Square const& a, Square const& b) { return norm(plus(a, -1, b)); }
-Square unit(int n) {
-  Square one(n, Numbers(n, 0));
-  for (int i = 0; i < n; ++i) one[i][i] = 1;
-  return one;
 }
 
 Square velocity_of(Case const& body) {
@@ -281,6 +234,19 @@ BOOST_AUTO_TEST_CASE(where_all_moments_are_equal_the_momentum_rests) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_body_at_rest_stays) {
+  for (std::string const method : {"moser_veselov", "natural_chart"}) {
+    Case body{{1, 2, 3}, {0, 0, 0}, method};
+    body.quantities = "\"momentum\", \"attitude\", \"energy\", \"casimir\", \"spectrum\"";
+    auto const table = run(body.text());
+    BOOST_TEST(table.rows.size() == 5u);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      BOOST_TEST(difference(matrix(table, "attitude", 3, row), unit(3)) == 0);
+      for (std::string const name : {"momentum_12", "momentum_23", "energy", "casimir_2", "spectrum_3"}) BOOST_TEST(table[name][row] == 0);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_step_too_long_is_refused_with_the_largest_that_would_do) {
   for (std::string const method : {"moser_veselov", "natural_chart"})
     for (Case body : {four(method), eight(method)}) {
@@ -332,8 +298,8 @@ BOOST_AUTO_TEST_CASE(what_no_body_has_is_refused_at_its_place) {
            {"[method]", "attitude = [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]\n[method]", "the largest entry of g^T g - 1 is 1 where"},
            {"[method]", "attitude = [[1e300, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n[method]", "a rotation is expected"},
            {"name = \"moser_veselov\"", "name = \"variational\"", ":7:8: unknown method 'variational'"},
-           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\norder = 4", ":8:9: order: rigid_body_n takes order 2 of moser_veselov, found 4"},
-           {"name = \"moser_veselov\"", "name = \"natural_chart\"\norder = \"exact\"", ":8:9: order: rigid_body_n takes order 2 of natural_chart, found \"exact\""},
+           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\norder = 4", ":8:9: order: moser_veselov takes 2, found 4"},
+           {"name = \"moser_veselov\"", "name = \"natural_chart\"\norder = \"exact\"", ":8:9: order: natural_chart takes 2, found \"exact\""},
            {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = -0.1", ":8:8: step: a number > 0"},
            {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = 0.03", "the nearest step that would do is"},
            {"\"momentum\"", "\"angular_velocity\"", "unknown quantity 'angular_velocity'"},

@@ -4,6 +4,7 @@
 #include "actio/large_body/moser_veselov_n.hpp"
 #include "actio/large_body/natural_chart_n.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
+#include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/turning_body_n.hpp"
 
 namespace actio::scene {
@@ -79,21 +80,11 @@ Start read_start(SceneTable const& system, SceneTable const& initial, bool casim
   return start;
 }
 
-/// Name and order; others are refused by name.
-std::string read_method(SceneTable method) {
-  if (!method.has("name")) method.set("name", "moser_veselov");
-  if (!method.has("order")) method.set("order", 2L);
-  std::string const name = method.choice("name", "method", {"moser_veselov", "natural_chart"}, "actio list methods");
-  if (method.is_text("order")) method.fail("order", fmt::format("order: rigid_body_n takes order 2 of {}, found \"{}\"", name, method.text("order")));
-  if (long const order = method.integer("order", std::numeric_limits<long>::min(), std::numeric_limits<long>::max()); order != 2)
-    method.fail("order", fmt::format("order: rigid_body_n takes order 2 of {}, found {}", name, order));
-  return name;
-}
-
-/// Turns of 0.05 radians in the plane that turns fastest, or a little less, so that rows are at multiples of the step.
-double default_step(Schedule const& schedule, double fastest) {
-  double const divisor = schedule.common_divisor() > 0 ? schedule.common_divisor() : schedule.until();
-  return divisor / std::max(1.0, std::ceil(divisor * fastest / 0.05));
+std::vector<Method> methods() {
+  return {
+      {"moser_veselov", {"2"}, "The scheme of Moser and Veselov: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T. It keeps the spectrum of M, and that of a matrix polynomial with it.", "thm_5_2_1"},
+      {"natural_chart", {"2"}, "The scheme of the natural chart: the action of a step is that of a turn with constant velocity. It keeps the spectrum of M.", "eq_5_4"},
+  };
 }
 
 /// As many steps as take 5 ms or so: what a step takes beside its products, and n^3 times what these take.
@@ -117,13 +108,14 @@ Simulation prepare(Request const& request) {
 
   Simulation simulation(turning_body_n_quantities());
   Start const start = read_start(system, initial, asked("casimir"), simulation.remarks);
-  bool const chart = read_method(method) == "natural_chart";
-  if (!method.has("step")) method.set("step", default_step(request.schedule, skew_spectrum(start.velocity).maxCoeff()));
-  simulation.step = method.positive("step");
+  bool const chart = read_method(method, methods()).name == "natural_chart";
+  simulation.step = read_step(method, request.schedule, skew_spectrum(start.velocity).maxCoeff());
   simulation.steps_at_once = steps_in_5_ms(chart, start.inertia.group.n);
   std::unique_ptr<TurningBodyN> motion;
   try {
     motion = motion_of(chart, start, simulation.step, with_attitude);
+  } catch (StepTooLong const& error) {
+    fail_for_long_step(method, request.schedule, error);
   } catch (Error const& error) {
     simulation.failure = method.place("step").text() + ": " + error.what();
     motion = std::make_unique<ConstantMomentum>(start.momentum, start.attitude);
@@ -147,14 +139,7 @@ std::vector<Parameter> parameters() {
       {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity", "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said."},
       {"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
        "The upper triangle of the body velocity g^-1 g', row by row: xi_12, xi_13, ..., xi_23, ...; 1/time. For n = 3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x)."},
-      {"method.step", "a number > 0", "0.05 radians of the plane that turns fastest, or a little less, in a whole number of steps to each row", "The time that a step takes."},
-  };
-}
-
-std::vector<Method> methods() {
-  return {
-      {"moser_veselov", {"2"}, "The scheme of Moser and Veselov: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T. It keeps the spectrum of M, and that of a matrix polynomial with it.", "thm_5_2_1"},
-      {"natural_chart", {"2"}, "The scheme of the natural chart: the action of a step is that of a turn with constant velocity. It keeps the spectrum of M.", "eq_5_4"},
+      {"method.step", "a number > 0", "0.05 radians or less", "The time that a step takes; by default the plane that turns fastest turns by 0.05 radians or a little less, in a whole number of steps to each row."},
   };
 }
 
