@@ -17,13 +17,13 @@ using Square = std::vector<Numbers>;
 
 inline std::string index(int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); }
 /// One row of a skew quantity, in full.
-inline Square skew(command::Table const& table, std::string const& name, int n, std::size_t row) {
+inline Square skew(Table const& table, std::string const& name, int n, std::size_t row) {
   Square m(n, Numbers(n, 0));
   for (int i = 1; i <= n; ++i)
     for (int j = i + 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row], m[j - 1][i - 1] = -m[i - 1][j - 1];
   return m;
 }
-inline Square matrix(command::Table const& table, std::string const& name, int n, std::size_t row) {
+inline Square matrix(Table const& table, std::string const& name, int n, std::size_t row) {
   Square m(n, Numbers(n, 0));
   for (int i = 1; i <= n; ++i)
     for (int j = 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row];
