@@ -26,19 +26,24 @@ double volatile sink;
 
 FreeBody body() { return FreeBody(inertia_from_moments(0.6, 0.8, 1), {SO<3>{}, Eigen::Vector3d(1.8, 0.4, -0.9)}); }
 
+/// n eighths of a unit of time: a step takes one.
+std::string eighths(long n) { return std::to_string(n / 8) + "." + std::to_string(1000 + n % 8 * 125).substr(1); }
+
 /// A scene of that body in steps of the scheme of Moser and Veselov, with a row every so many steps.
-std::string scene(long steps, long every, std::string const& quantities, std::string const& format = "csv") {
-  return "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[initial]\nangular_momentum = [1.8, 0.4, -0.9]\n[method]\nname = \"moser_veselov\"\norder = 2\nstep = 0.125\n[run]\nuntil = " +
-         std::to_string(steps / 8) + "." + std::to_string(steps % 8 * 125) + "\nevery = " + std::to_string(every / 8) + "." + std::to_string(1000 + every % 8 * 125).substr(1) +
+std::string scene_of(long steps, long every, std::string const& quantities, std::string const& format = "csv") {
+  return "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[initial]\nangular_momentum = [1.8, 0.4, -0.9]\n"
+         "[method]\nname = \"moser_veselov\"\norder = 2\nstep = 0.125\n[run]\nuntil = " + eighths(steps) + "\nevery = " + eighths(every) +
          "\n[output]\nquantities = [" + quantities + "]\nformats = [\"" + format + "\"]\n";
 }
 
+/// A folder among the temporary files, gone at the end.
 class Folder {
  public:
   Folder() {
     if (!::mkdtemp(path_.data())) throw std::runtime_error("no folder among the temporary files");
   }
   ~Folder() { clear(), std::filesystem::remove(path_); }
+  std::string const& path() const { return path_; }
   /// An empty folder in it.
   std::string empty() const {
     clear();
@@ -58,8 +63,8 @@ class Folder {
 };
 
 void run(std::string const& text, std::string const& folder) {
-  scene::Scene scene = scene::Scene::read(scene::SceneFile::parse(text, "scene.toml"));
-  auto const report = scene::run_scene(scene, folder, false, {true});
+  scene::Scene read = scene::Scene::read(scene::SceneFile::parse(text, "scene.toml"));
+  auto const report = scene::run_scene(read, folder, false, {true});
   if (report.ending != scene::Ending::done) throw std::runtime_error(report.message);
 }
 
@@ -87,7 +92,7 @@ Times times_of(Work const& work) {
 void overhead(book::Program& program, Folder const& folder) {
   constexpr long steps = 80000000, every = 1000;
   constexpr int rounds = 7;
-  std::string const text = scene(steps, every, "\"body_momentum\"");
+  std::string const text = scene_of(steps, every, "\"body_momentum\"");
   std::array<std::vector<double>, 3> ratios;
   std::vector<double> step;
   for (int round = -1; round < rounds; ++round) {
@@ -137,7 +142,7 @@ Process command(Folder const& folder, std::string const& text) {
 
 void start(book::Program& program, Folder const& folder) {
   std::vector<double> seconds;
-  for (int i = 0; i < 20; ++i) seconds.push_back(command(folder, scene(1, 1, "\"body_momentum\"")).seconds);
+  for (int i = 0; i < 20; ++i) seconds.push_back(command(folder, scene_of(1, 1, "\"body_momentum\"")).seconds);
   double const ms = 1e3 * median(seconds);
   program.figure("start_ms", ms, "a scene of one step, start of the command to its end, median of 20, milliseconds");
   program.claim(ms <= 20, "a scene of one step takes at most 20 ms; measured " + book::number(ms));
@@ -147,10 +152,10 @@ void rows(book::Program& program, Folder const& folder) {
   constexpr long rows = 10000000;
   std::vector<book::Program::Row> lines;
   for (std::string const format : {"csv", "hdf5"}) {
-    double const few = command(folder, scene(rows / 100, 1, "\"energy\", \"casimir\"", format)).megabytes;
-    Process const process = command(folder, scene(rows, 1, "\"energy\", \"casimir\"", format));
+    double const few = command(folder, scene_of(rows / 100, 1, "\"energy\", \"casimir\"", format)).megabytes;
+    Process const process = command(folder, scene_of(rows, 1, "\"energy\", \"casimir\"", format));
     double const rate = static_cast<double>(rows) / process.seconds;
-    double const megabytes = static_cast<double>(std::filesystem::file_size(std::filesystem::path(folder.write("")).replace_extension("") / (format == "csv" ? "series.csv" : "series.h5"))) / 1e6;
+    double const megabytes = static_cast<double>(std::filesystem::file_size(folder.path() + (format == "csv" ? "/scene/series.csv" : "/scene/series.h5"))) / 1e6;
     lines.push_back({format, book::number(rate / 1e6), book::number(megabytes), book::number(process.megabytes), book::number(few)});
     program.figure(format + "_rows", rate / 1e6, "ten million rows of three columns, " + format + ", million rows a second");
     program.figure(format + "_memory", process.megabytes, "its peak memory, MB");
@@ -180,7 +185,7 @@ int count_steps(char const* key, long steps) {
     if (std::strcmp(kind.key, key)) continue;
     if (kind.quantities) {
       Folder const folder;
-      run(scene(steps, 1000, kind.quantities), folder.empty());
+      run(scene_of(steps, 1000, kind.quantities), folder.empty());
     } else {
       FreeSteps motion(body(), 0.125, body().moser_veselov_flight(0.125, 2));
       kind.attitude ? motion.advance(steps) : motion.advance_momentum(steps);

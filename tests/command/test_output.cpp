@@ -49,7 +49,8 @@ BOOST_AUTO_TEST_CASE(numbers_are_written_with_17_significant_digits) {
   command::actio({"run", folder.write("apophis.toml", apophis()), "--quiet"});
   std::string const text = command::contents(folder / "apophis/series.csv");
   long numbers = 0;
-  for (std::sregex_iterator at(text.begin(), text.end(), std::regex("[-0-9][^,\n]*")), end; at != end; ++at, ++numbers) {
+  std::regex const number("[-0-9][^,\n]*");
+  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at, ++numbers) {
     char expected[40];
     std::snprintf(expected, sizeof expected, "%.17g", std::strtod(at->str().c_str(), nullptr));
     BOOST_TEST(at->str() == expected);

@@ -87,12 +87,12 @@ BOOST_AUTO_TEST_CASE(columns_are_named_by_their_kind) {
   BOOST_CHECK_THROW(column_ends(Kind::list), std::logic_error);
 }
 
-BOOST_AUTO_TEST_CASE(an_index_of_two_digits_sets_the_two_apart) {
-  auto const nine = column_ends(Quantity::Kind::matrix, 9), ten = column_ends(Quantity::Kind::matrix, 10);
-  BOOST_TEST(nine.back() == "_99");
-  BOOST_TEST(ten.front() == "_1_1");
+BOOST_AUTO_TEST_CASE(an_index_of_two_digits_is_set_apart_from_the_other) {
+  auto const ten = column_ends(Quantity::Kind::matrix, 10);
+  BOOST_TEST(ten.front() == "_11");
   BOOST_TEST(ten[9] == "_1_10");
-  BOOST_TEST(ten[10] == "_2_1");
+  BOOST_TEST(ten[90] == "_10_1");
+  BOOST_TEST(ten.back() == "_10_10");
   BOOST_TEST(column_ends(Quantity::Kind::skew, 12).back() == "_11_12");
 }
 
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_table_that_lost_rows_since_is_refused) {
     }
     auto const series = open_series(folder / "", format, head(), true);
     Memory back(memory.bytes());
-    BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) { return std::string(error.what()).ends_with("holds fewer rows than were written"); });
+    BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) { return std::string(error.what()).ends_with("; it was cut since"); });
   }
 }
 

@@ -151,8 +151,8 @@ class Hdf5Series : public Series {
       Handle const id(check(h5, h5->H5Dopen2(file_, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
       Handle const space(check(h5, h5->H5Dget_space(id), "cannot be opened"), h5->H5Sclose);
       std::vector<hsize_t> there(set.extent.size());
-      if (h5->H5Sget_simple_extent_ndims(space) != static_cast<int>(there.size()) || h5->H5Sget_simple_extent_dims(space, there.data(), nullptr) < 0) fail(path_ + ": is not the table of this scene");
-      if (there[0] < written_) fail(path_ + ": holds fewer rows than were written");
+      if (h5->H5Sget_simple_extent_ndims(space) != static_cast<int>(there.size()) || h5->H5Sget_simple_extent_dims(space, there.data(), nullptr) < 0) refuse(path_ + ": is not the table of this scene");
+      if (there[0] < written_) refuse(path_ + ": has " + std::to_string(there[0]) + " rows, where the checkpoint needs " + std::to_string(written_) + "; it was cut since");
       set.extent[0] = written_;
       check(h5, h5->H5Dset_extent(id, set.extent.data()), "cannot be cut back");
     }
@@ -192,9 +192,12 @@ class Hdf5Series : public Series {
   }
   /// The library does not close a file that it could not write. It is left as it is: what was flushed before is in it, and consistent.
   [[noreturn]] void fail(std::string const& what) {
-    failure_ = what;
     for (auto& set : sets_) set.id.abandon();
     file_.abandon();
+    refuse(what);
+  }
+  [[noreturn]] void refuse(std::string const& what) {
+    failure_ = what;
     throw FileError(what);
   }
   void rethrow() const {
