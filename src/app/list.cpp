@@ -4,6 +4,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/printable.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/text.hpp"
@@ -75,7 +76,7 @@ int list(std::string const& what) {
   else if (what == "quantities") rows = list_of_quantities();
   else if (what == "bodies") rows = list_of_bodies();
   else if (what == "materials") fmt::print(stderr, "There are no materials yet: they come with the systems of continua.\n");
-  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", what, meant(what), listed(kinds_of_lists())));
+  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what), listed(kinds_of_lists())));
   fmt::print("{}", aligned(rows));
   return 0;
 }
