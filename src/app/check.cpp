@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/printable.hpp"
 #include "actio/scene/scene_error.hpp"
 #include "actio/scene/statements.hpp"
 #include "app/child.hpp"
@@ -41,7 +42,7 @@ std::vector<Statement const*> wanted(std::vector<std::string> const& ids) {
   for (auto const& statement : statements()) known.push_back(statement.id);
   for (auto const& id : ids) {
     Statement const* const statement = find_statement(id);
-    if (!statement) throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)", id, did_you_mean(id, known)));
+    if (!statement) throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)", shown(id), did_you_mean(id, known)));
     if (!statement->checked) throw SceneError({"actio check"}, fmt::format("{} is a statement of the thesis ({}), but has no check yet", id, statement->subject));
     if (std::find(out.begin(), out.end(), statement) == out.end()) out.push_back(statement);
   }

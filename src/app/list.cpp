@@ -4,6 +4,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/printable.hpp"
 #include "actio/scene/registry_json.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
@@ -81,7 +82,7 @@ int list(std::string const& what, bool json) {
   else if (what == "quantities") rows = list_of_quantities();
   else if (what == "bodies") rows = list_of_bodies();
   else if (what == "materials") fmt::print(stderr, "There are no materials yet: they come with the systems of continua.\n");
-  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", what, meant(what), listed(kinds_of_lists())));
+  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what), listed(kinds_of_lists())));
   fmt::print("{}", aligned(rows));
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/printable.hpp"
 #include "actio/scene/scene.hpp"
 #include "app/commands.hpp"
 #include "app/text.hpp"
@@ -67,7 +68,7 @@ std::string files_of(Scene const& scene, RunArguments const& arguments) {
 }  // namespace
 
 int plan(Scene const& scene, RunArguments const& arguments, std::string const& out) {
-  fmt::print("{}\n", heading(scene.title));
+  fmt::print("{}\n", heading(printable(scene.title)));
   tell("system", scene.system->name + ": " + scene.system->title);
   tell("method", method_of(scene));
   tell("rows", rows_of(scene.schedule));

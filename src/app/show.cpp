@@ -6,6 +6,7 @@
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/printable.hpp"
 #include "actio/scene/statements.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
@@ -144,7 +145,7 @@ int show(std::string const& name) {
   if (accounts.empty())
     for (auto const* const group : find_groups(name)) accounts.push_back(about(*group));
   if (auto const* const statement = find_statement(name)) accounts.push_back(about(*statement));
-  if (accounts.empty()) throw SceneError({"actio show"}, fmt::format("unknown name '{}'{} (actio list systems|groups|methods|quantities|bodies|materials)", name, did_you_mean(name, all_names())));
+  if (accounts.empty()) throw SceneError({"actio show"}, fmt::format("unknown name '{}'{} (actio list systems|groups|methods|quantities|bodies|materials)", shown(name), did_you_mean(name, all_names())));
   for (std::size_t i = 0; i < accounts.size(); ++i) fmt::print("{}{}", i ? "\n" : "", accounts[i]);
   return 0;
 }

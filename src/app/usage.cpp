@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/printable.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {
@@ -123,7 +124,7 @@ std::string usage_error(CLI::App const& command, CLI::ParseError const& error) {
   else if (!left.empty()) what = unknown_word(command, part, left.front());
   else if (dynamic_cast<CLI::ArgumentMismatch const*>(&error) && known)
     what = known->get_expected_min() == 0 ? known->get_name() + " takes no value" : known->count() > 0 && !known->results().empty() ? known->get_name() + " is there twice" : written(*known) + ": " + known->get_type_name() + " is missing";
-  return fmt::format("{}: {} ({} --help)", name, what, name);
+  return fmt::format("{}: {} ({} --help)", name, scene::printable(what), name);
 }
 
 }  // namespace actio::app

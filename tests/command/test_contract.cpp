@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(unknown_keys_are_refused_in_every_section_with_the_nearest_
     std::size_t const at = whole.find("\n" + key + " = ") + 1;
     std::string const text = whole.substr(0, at) + line + whole.substr(whole.find('\n', at));
     std::string const said = complaint(text);
-    BOOST_TEST(has(said, ":1: unknown key '" + line.substr(0, line.find(' ')) + "'"), said);
-    BOOST_TEST(has(said, "did you mean '" + meant + "'?"), said);
+    BOOST_TEST(has(said, ":1: unknown key of ["), said);
+    BOOST_TEST(has(said, "'" + line.substr(0, line.find(' ')) + "'; did you mean '" + meant + "'?"), said);
   }
   BOOST_TEST(has(complaint(with(apophis(), "[method]", "[methods]")), "unknown section 'methods'; did you mean 'method'?"));
 }
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(errors_of_an_override_point_at_the_argument) {
   };
   for (auto const& [argument, said] : std::vector<Wrong>{{"system.body=apofis", ":1:13: unknown body 'apofis'; did you mean 'apophis'? (actio list bodies)\n"},
                                                          {"method.step=-1", ":1:13: step: a number > 0 is expected, found -1\n"},
-                                                         {"method.stp=1", ":1:8: unknown key 'stp'"},
+                                                         {"method.stp=1", ":1:8: unknown key of [method] 'stp'; did you mean 'step'?"},
                                                          {"output.quantities=[\"energy\", \"enrgy\"]", ":1:30: unknown quantity 'enrgy'"},
                                                          {"run.until=[1", ":1:"},
                                                          {"method.step=nan", "finite"}}) {
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(a_scene_that_is_not_there_or_is_no_toml_is_status_2) {
   folder.write("apophis.toml", minimal);
   auto const outcome = actio({"run", folder / "apofis.toml"});
   BOOST_TEST(outcome.status == 2);
-  BOOST_TEST(has(outcome.err, "did you mean '" + (folder / "apophis.toml") + "'?"), outcome.err);
+  BOOST_TEST(has(outcome.err, "did you mean 'apophis.toml'?"), outcome.err);
   BOOST_TEST(actio({"run", folder / ""}).status == 2);
   BOOST_TEST(complaint("[system\nkind = 1\n").starts_with(":1:8: "));
 }

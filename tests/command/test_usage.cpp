@@ -51,6 +51,15 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
   }
 }
 
+BOOST_AUTO_TEST_CASE(what_was_typed_cannot_command_the_terminal) {
+  for (auto const& arguments : {std::vector<std::string>{"\x1b[31m"}, {"show", "\x1b[31m"}, {"list", "\x1b[31m"}, {"check", "\x1b[31m"}, {"run", "a", "\x1b[31m"}, {"run", "--\x1b[31m"}}) {
+    auto const outcome = actio(arguments);
+    BOOST_TEST(outcome.status == 2);
+    BOOST_TEST(!has(outcome.err, "\x1b"));
+    BOOST_TEST(has(outcome.err, "\\u001b[31m"), outcome.err);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(options_stand_before_and_after_the_scene) {
   command::Folder const folder;
   std::string const scene = folder.write("a.toml", command::apophis());
