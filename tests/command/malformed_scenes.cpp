@@ -39,7 +39,7 @@ void add_values(Scenes& out, GoodScene const& scene) {
   }
   for (char const* key : {"attitude", "angular_velocity", "centre_of_mass", "gravity"}) {
     if (!scene.has(key)) continue;
-    for (Wrong const& w : {Wrong{"[]", "numbers are expected, found 0"}, {"1", "a list of numbers is expected"}, {"[1, 2]", "found 2"}, {"'x'", "list"},
+    for (Wrong const& w : {Wrong{"[]", "found 0"}, {"1", "a list of numbers is expected"}, {"[1, 2]", "found 2"}, {"'x'", "list"},
                            {"[1, 0, 0, 0, 0, 0, 0]", "found 7"}})
       out.push_back(scene.with(key, w.value, w.says));
   }
@@ -151,8 +151,8 @@ void add_bodies(Scenes& out, GoodScene const& scene) {
     else if (scene.has("body")) out.push_back(scene.with_line_instead("body", "inertia = " + value, 11 + offset, says));
   };
   inertia("[1, 2, 3.1]", "triangle inequality");
-  inertia("[1, 2, -1]", "measured -");
-  inertia("[0, 1, 1]", "");
+  inertia("[1, 2, -1]", "inertia: ");
+  inertia("[0, 1, 1]", "inertia: ");
   inertia("[[1, 0.1, 0], [0, 1, 0], [0, 0, 1]]", "symmetric");
   inertia("[[1, 0, 0], [0, 1, 0]]", "3 rows are expected, found 2");
   inertia("[[1, 0, 0], [0, 1], [0, 0, 1]]", "3 numbers are expected, found 2", 12);

@@ -18,7 +18,7 @@ unsigned seed() {
 
 std::vector<command::GoodScene> good_scenes() {
   auto const scene = [](std::string const& name) { return command::GoodScene(name, command::contents(ACTIO_DATA "/scenes/" + name + ".toml")); };
-  return {{"made up", command::apophis()}, scene("thin_rod")};
+  return {{"made up", command::apophis()}, scene("thin_rod"), scene("so4_body"), scene("nodding_top")};
 }
 
 /// Seconds of work of all that was started and has ended.
@@ -84,6 +84,31 @@ BOOST_AUTO_TEST_CASE(every_fault_is_refused_at_its_place_and_leaves_nothing) {
     BOOST_TEST(wrong.empty(), wrong);
   }
   BOOST_TEST_MESSAGE(faults.size() << " malformed scenes, seed " << seed() << " (ACTIO_TEST_SEED): each refused at its place");
+}
+
+BOOST_AUTO_TEST_CASE(what_a_complaint_offers_instead_is_taken_as_it_is_written) {
+  // A key, a value of it that is refused, and the words before the one that would do.
+  struct Offer {
+    std::string key, wrong, before, after;
+  };
+  for (auto const& scene : good_scenes())
+    for (Offer const& offer : {Offer{"attitude", "[0.3, -0.7, 0.1, 0.4]", "normalised it is ", "\n"},
+                               {"attitude", "[1e-200, 2e-200, 0, 1e-210]", "normalised it is ", "\n"},
+                               {"attitude", "[1.000000002, 0, 0, 0]", "normalised it is ", "\n"},
+                               {"step", "0.0123456789", "the nearest step that would do is ", "\n"},
+                               {"step", "0.00077", "the nearest step that would do is ", "\n"},
+                               {"quantities", "[\"enrgy\"]", "did you mean '", "'?"}}) {
+      if (!scene.has(offer.key) || (offer.key == "step" && scene.is_exact())) continue;
+      command::Folder const folder;
+      auto const refused = command::actio({"run", folder.write("scene.toml", scene.with(offer.key, offer.wrong).text)});
+      auto const at = refused.err.find(offer.before);
+      BOOST_REQUIRE_MESSAGE(at != std::string::npos, scene.name << ": " << refused.err);
+      std::string value = refused.err.substr(at + offer.before.size());
+      value = value.substr(0, value.find(offer.after));
+      if (offer.key == "quantities") value = "[\"" + value + "\"]";
+      auto const taken = command::actio({"run", folder.write("scene.toml", scene.with(offer.key, value).text), "--set", "run.until=1", "--quiet"});
+      BOOST_TEST(taken.status == 0, scene.name << ", " << offer.key << " = " << value << ": " << taken.err);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

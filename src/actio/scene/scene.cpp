@@ -25,7 +25,7 @@ std::vector<std::string> names(std::vector<Quantity> const& quantities) {
 Simulation prepared(System const& system, Request const& request) {
   try {
     Simulation simulation = system.prepare(request);
-    if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));
+    if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));  // refuses a step that does not meet the rows
     return simulation;
   } catch (SceneError const&) {
     throw;
