@@ -50,7 +50,11 @@ command::Outcome page_in_node(std::string const& page) {
   int const status = std::system(line.c_str());
   return {WEXITSTATUS(status), command::contents(folder / "out"), command::contents(folder / "err")};
 }
-bool there_is_node() { return std::system("node --version >/dev/null 2>&1") == 0; }
+bool there_is_node() {
+  bool const there = std::system("node --version >/dev/null 2>&1") == 0;
+  if (!there) BOOST_TEST_MESSAGE("no node here: the script of the page is not run");
+  return there;
+}
 
 /// The number after `"key":` in a JSON text.
 double number_after(std::string const& text, std::string const& key, std::size_t from = 0) {
@@ -166,7 +170,7 @@ BOOST_AUTO_TEST_CASE(a_title_cannot_break_out_of_a_picture_or_of_the_page) {
   for (std::size_t at = 0; (at = page.find("</script", at)) != std::string::npos; ++at) ++ends;
   BOOST_TEST(ends == 2u);  // of the data and of the script
   BOOST_TEST(page.find("alert(1)</") == std::string::npos);
-  if (!there_is_node()) return BOOST_TEST_MESSAGE("no node here: the script of the page is not run");
+  if (!there_is_node()) return;
   auto const said = page_in_node(folder / "apophis/plots/index.html");
   BOOST_TEST(said.status == 0, said.err);
   BOOST_TEST(said.out.find(R"("title":"</script><script>alert(1)</script>\"&<!-- run --> /* script */ <b>")") != std::string::npos, said.out);
@@ -180,7 +184,7 @@ BOOST_AUTO_TEST_CASE(the_page_needs_nothing_beside_itself) {
 }
 
 BOOST_AUTO_TEST_CASE(the_page_plays_bodies_tops_and_momenta) {
-  if (!there_is_node()) return BOOST_TEST_MESSAGE("no node here: the script of the page is not run");
+  if (!there_is_node()) return;
   command::Folder const folder;
   struct Played {
     std::string scene, quantities;
@@ -198,7 +202,7 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_tops_and_momenta) {
 }
 
 BOOST_AUTO_TEST_CASE(the_page_shows_the_drift_of_the_summary) {
-  if (!there_is_node()) return BOOST_TEST_MESSAGE("no node here: the script of the page is not run");
+  if (!there_is_node()) return;
   command::Folder const folder;
   BOOST_TEST_REQUIRE(command::actio({"run", ACTIO_DATA "/scenes/thin_rod.toml", "--out", folder / "rod", "--plots"}).status == 0);
   std::string const summary = command::contents(folder / "rod/summary.json"), said = page_in_node(folder / "rod/plots/index.html").out;
