@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_sweep_without_a_member_in_order_leaves_nothing) {
     BOOST_TEST(!fs::exists(folder / "sweep"));
     return outcome.status;
   };
-  BOOST_TEST(status_of("method.stp=0.125,0.25", "unknown key 'stp' in [method]; did you mean 'step'?") == 2);
+  BOOST_TEST(status_of("method.stp=0.125,0.25", "'stp'; did you mean 'step'?") == 2);
   BOOST_TEST(status_of("system.body=apophi,apofis", "did you mean 'apophis'?") == 2);
   BOOST_TEST(status_of("method.step", "KEY=a,b,c is expected") == 2);
   BOOST_TEST(status_of("method.step=0.1,,0.2", "value 2 of 'method.step' is empty") == 2);
@@ -160,7 +160,8 @@ BOOST_AUTO_TEST_CASE(a_sweep_without_a_member_in_order_leaves_nothing) {
   BOOST_TEST(twice.err.find("'method.step' is swept twice") != std::string::npos, twice.err);
   auto const nowhere = command::actio({"sweep", folder / "apofis.toml", "--over", "method.step=1,2"});
   BOOST_TEST(nowhere.status == 2);
-  BOOST_TEST(nowhere.err == folder / "apofis.toml" + ": there is no such file; did you mean '" + scene + "'?\n");
+  BOOST_TEST(nowhere.err.starts_with(folder / "apofis.toml" + ": there is no such file"), nowhere.err);
+  BOOST_TEST(std::count(nowhere.err.begin(), nowhere.err.end(), '\n') == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_with_something_in_it_is_refused_unless_it_is_to_be_replaced) {

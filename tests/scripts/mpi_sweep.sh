@@ -54,7 +54,7 @@ killed() { # FOLDER rank|mpirun
   "$mpirun" --oversubscribe -n 2 "$actio_mpi" apophis.toml --over scene.seed=1,2,3,4 --set run.until=2.5e13 --set run.every=2.5e12 --out "$1" >"$1.err" 2>&1 &
   mpirun_process=$!
   for _ in $(seq 100); do [[ -e $1/000000/checkpoint && -e $1/000001/checkpoint ]] && break || sleep 0.1; done
-  read -r -a members <"/proc/$mpirun_process/task/$mpirun_process/children"
+  read -r -a members <"/proc/$mpirun_process/task/$mpirun_process/children" || true  # no end of line
   if [[ $2 == rank ]]; then kill -KILL "${members[1]}"; else kill -KILL "$mpirun_process"; fi
   for process in "$mpirun_process" "${members[@]}"; do
     timeout 30 tail --pid="$process" -f /dev/null || { kill -KILL "$process"; fail "30 s after the death of $2 a process of the sweep was still there"; }

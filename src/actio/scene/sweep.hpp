@@ -11,8 +11,8 @@ namespace actio::scene {
 
 /// A key of the scene and the values it goes through, as they were written.
 struct SweptKey {
-  std::string key;
-  std::vector<std::string> values;
+  std::string key;                  ///< `method.step`
+  std::vector<std::string> values;  ///< at least one
 };
 
 /// What is to be run: which scene, with which values, and where each member goes.
@@ -24,12 +24,16 @@ class SweepPlan {
   /// @throws SceneError  where one of `over` has no key, no value or a key that another has; where there are more than 10^6 members
   SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set, std::string folder);
 
+  /// The number of members.
   long size() const { return size_; }
+  /// In the order in which they were given.
   std::vector<SweptKey> const& keys() const { return keys_; }
+  /// That of the sweep, with the table and the folders of the members in it.
   std::string const& folder() const { return folder_; }
 
   /// `000012`: the name of a member, and of its folder.
   static std::string name(long member);
+  /// That of a member.
   std::string folder(long member) const { return folder_ + "/" + name(member); }
   /// One value for each key.
   std::vector<std::string> values(long member) const;

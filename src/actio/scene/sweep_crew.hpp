@@ -17,6 +17,7 @@ namespace actio::scene {
 /// Processes that work on members of a sweep, each on one at a time.
 class SweepCrew {
  public:
+  /// What is done with a member.
   using Work = std::function<MemberResult(MemberTask, long member)>;
 
   /// @param work  what is done with a member, in a process of its own

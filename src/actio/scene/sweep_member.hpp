@@ -8,11 +8,11 @@ namespace actio::scene {
 
 /// How a member went.
 struct MemberResult {
-  long member = -1;
+  long member = -1;                  ///< its number
   int status = 0;                    ///< the exit status that `actio run` would have; 128 + signal where one ended it
   std::string message;               ///< where it did not end well: what went wrong
-  long steps = 0;
-  double seconds = 0;
+  long steps = 0;                    ///< that were made
+  double seconds = 0;                ///< that it took
   std::vector<Drift::Entry> drift;   ///< of each conserved quantity
   std::vector<std::string> columns;  ///< of its series, the time first
   std::vector<double> last_row;      ///< one for each of them
@@ -23,8 +23,11 @@ struct MemberResult {
   static MemberResult unpacked(std::string const& bytes);
 };
 
-/// What is done with a member: its scene is read, or it is run.
-enum class MemberTask { check, run };
+/// What is done with a member.
+enum class MemberTask {
+  check,  ///< its scene is read
+  run     ///< and run
+};
 
 /// Does it; whatever goes wrong is in the result.
 /// @param stop  whether to end between two steps

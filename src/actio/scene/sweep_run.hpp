@@ -34,7 +34,8 @@ class SweepSharing {
 
 /// How a sweep is run.
 struct SweepOptions {
-  bool quiet = false, force = false;
+  bool quiet = false;  ///< no progress
+  bool force = false;  ///< replaces the sweep that is in the folder
 };
 
 /// Runs a sweep, tells failed members on standard error, and leaves the table `sweep.csv`.
