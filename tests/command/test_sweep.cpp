@@ -199,6 +199,14 @@ BOOST_AUTO_TEST_CASE(an_interrupted_sweep_keeps_what_is_done) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(members_draw_the_pictures_that_their_scene_asks_for) {
+  command::Folder const folder;
+  auto const outcome = command::actio({"sweep", folder.write("apophis.toml", command::apophis()), "--over", "output.plots=true,false", "--out", folder / "sweep", "--quiet"});
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  BOOST_TEST(!command::contents(folder / "sweep/000000/plots/energy.svg").empty());
+  BOOST_TEST(!fs::exists(folder / "sweep/000001/plots"));
+}
+
 BOOST_AUTO_TEST_CASE(values_with_commas_are_quoted_in_the_table) {
   command::Folder const folder;
   std::string const scene = folder.write("apophis.toml", command::apophis());

@@ -1,5 +1,6 @@
 #include "actio/scene/sweep_member.hpp"
 
+#include "actio/scene/pictures.hpp"
 #include "actio/scene/run_folder.hpp"
 
 namespace actio::scene {
@@ -36,6 +37,7 @@ void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const
   RunOptions options;
   options.quiet = true, options.checkpoint_interval = checkpoint_interval(), options.stop = stop;
   RunReport const report = run_scene(scene, folder.path(), false, options);
+  if (scene.plots && report.ending == Ending::done) draw_pictures(scene, folder.path(), true);
   result.status = static_cast<int>(report.ending), result.message = report.message;
   result.steps = report.steps, result.seconds = report.seconds;
   result.drift = report.drift, result.last_row = report.last_row;
