@@ -13,7 +13,8 @@ _actio_options() { # PART
     run) echo "--out --set --quiet --dry-run --plots --force --help" ;;
     resume) echo "--quiet --help" ;;
     sweep) echo "--over --out --set --jobs --quiet --force --help" ;;
-    list | show) echo "--help" ;;
+    list) echo "--json --help" ;;
+    show) echo "--help" ;;
     check) echo "--list --help" ;;
     *) echo "--help --version" ;;
   esac

@@ -4,15 +4,27 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <ctime>
 
 namespace actio::scene {
 namespace {
 
 volatile std::sig_atomic_t came = 0;
+struct timespec first_came;
 
-void remember_signal(int) {
-  came = 1;
-  std::signal(SIGINT, SIG_DFL), std::signal(SIGTERM, SIG_DFL);
+/// One request may come twice within a moment: `timeout` sends it to the process and to its group. Only what comes later means that somebody is impatient.
+void remember_signal(int signal) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (came == 0) {
+    first_came = now;
+    came = 1;
+    return;
+  }
+  double const seconds = static_cast<double>(now.tv_sec - first_came.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec - first_came.tv_nsec);
+  if (seconds < 0.25) return;
+  std::signal(signal, SIG_DFL);
+  ::raise(signal);
 }
 
 }  // namespace
