@@ -82,7 +82,8 @@ Malformed GoodScene::with_byte(char byte, std::mt19937& random) const {
   while (lines[line].empty());
   std::size_t const at = random() % (lines[line].size() + 1);
   lines[line].insert(at, 1, byte);
-  return {name + ", byte " + std::to_string(static_cast<unsigned char>(byte)) + " in line " + std::to_string(line + 1), joined(lines), {}, static_cast<unsigned>(line) + 1, 0};
+  return {name + ", byte " + std::to_string(static_cast<unsigned char>(byte)) + " in line " + std::to_string(line + 1), joined(lines), {}, static_cast<unsigned>(line) + 1,
+          byte == '\xff' ? static_cast<unsigned>(at) + 1 : 0};
 }
 
 }  // namespace command

@@ -110,7 +110,8 @@ BOOST_AUTO_TEST_CASE(what_is_no_toml_is_pointed_at) {
   BOOST_TEST(begins(complaint("[a]\n\"\xc3\xa9\" = 123456789012345678901\n"), "f:2:7: "));
   BOOST_TEST(begins(complaint("[a]\nx = \"open\ny = 1\n"), "f:2:"));
   BOOST_TEST(begins(complaint(std::string("[a]\nx = \"\0\"\n", 11)), "f:2:"));
-  BOOST_TEST(begins(complaint("[a]\nx = \"\xff\"\n"), "f:2:"));
+  BOOST_TEST(complaint("[a]\nx = \"\xc3\xa9\xff\"\n") == "f:2:7: UTF-8 is expected, found the byte 0xff");
+  BOOST_TEST(complaint("[a]\n\xc3") == "f:2:1: UTF-8 is expected, found the byte 0xc3");
   BOOST_TEST(complaint("[a]\nx = 1\n y = \"\"\"\nabc\n\n") == "f:3:6: this text in three quotes never ends");
   BOOST_TEST(complaint("[a]\nx = '''\nabc\\'''\ny = '''") == "f:4:5: this text in three quotes never ends");
 }

@@ -49,6 +49,16 @@ std::string shown(std::string_view text, std::size_t longest) {
   return out;
 }
 
+std::size_t length_in_utf8(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    Character const c = character_at(text, at);
+    if (!c.valid) break;
+    at += c.bytes;
+  }
+  return at;
+}
+
 std::string printable(std::string_view text) { return shown(text, text.size()); }
 
 }  // namespace actio::scene

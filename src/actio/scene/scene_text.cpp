@@ -8,12 +8,14 @@ namespace {
 
 constexpr int most_names = 32;  // a.b.c...: each is a table in a table, and the stack is spent on taking them down
 
-/// Looks for names that are joined by too many dots, and for texts in three quotes that never end.
+/// Looks for bytes of another encoding, for names that are joined by too many dots, and for texts in three quotes that never end.
 class Scan {
  public:
   Scan(std::string_view text, std::string const& name) : text_(text), name_(name) {}
 
   void run() {
+    if (std::size_t const valid = length_in_utf8(text_); valid < text_.size())
+      throw SceneError(place(mark_at(valid)), fmt::format("UTF-8 is expected, found the byte 0x{:02x}", static_cast<unsigned char>(text_[valid])));
     while (at_ < text_.size()) {
       char const c = text_[at_];
       if (c == '#') skip_to_end_of_line();
@@ -56,6 +58,12 @@ class Scan {
     std::size_t at = 0, start_of_line = 0;
     unsigned line = 1;
   };
+  Mark mark_at(std::size_t at) const {
+    Mark mark;
+    for (; mark.at < at; ++mark.at)
+      if (text_[mark.at] == '\n') ++mark.line, mark.start_of_line = mark.at + 1;
+    return mark;
+  }
   Place place(Mark const& mark) const {
     unsigned column = 1;
     for (char const c : text_.substr(mark.start_of_line, mark.at - mark.start_of_line)) column += (c & 0xC0) != 0x80;
