@@ -1,4 +1,6 @@
 // A data set for each quantity, in a file that is consistent at any instant: HDF5's mode of a single writer and many readers.
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -72,9 +74,7 @@ class Hdf5Series : public Series {
   void sync() override {
     flush();
     Session const h5;
-    void* descriptor = nullptr;
-    check(h5, h5->H5Fget_vfd_handle(file_, H5P_DEFAULT, &descriptor), "cannot be written");
-    if (::fdatasync(*static_cast<int*>(descriptor)) != 0 && errno != EINVAL) fail(path_ + ": cannot be written: " + std::strerror(errno));
+    if (::fdatasync(descriptor(h5)) != 0 && errno != EINVAL) fail(path_ + ": cannot be written: " + std::strerror(errno));
   }
   void remember(Memory& memory) override {
     rethrow();
@@ -114,6 +114,7 @@ class Hdf5Series : public Series {
     Handle const space(h5->H5Screate_simple(rank, set.extent.data(), most.data()), h5->H5Sclose);
     Handle const how(h5->H5Pcreate(h5->H5P_CLS_DATASET_CREATE_ID_g_value), h5->H5Pclose);
     check(h5, h5->H5Pset_chunk(how, rank, chunk_extent.data()), "cannot be written");
+    h5->H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);  // there are no rows but those that are written
     Handle const id(check(h5, h5->H5Dcreate2(file_, set.name().c_str(), h5->H5T_IEEE_F64LE_g_value, space, H5P_DEFAULT, how, H5P_DEFAULT), "cannot be written"), h5->H5Dclose);
     Quantity const& quantity = set.group.quantity;
     tell(h5, id, "meaning", quantity.meaning);
@@ -161,7 +162,10 @@ class Hdf5Series : public Series {
   void start(Session const& h5) {
     check(h5, file_.close(), "cannot be written");
     file_ = Handle(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDWR | H5F_ACC_SWMR_WRITE, access(h5)), "cannot be opened"), h5->H5Fclose);
-    for (auto& set : sets_) set.id = Handle(check(h5, h5->H5Dopen2(file_, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
+    // Numbers go to the file at once, past the library's cache: of those that it keeps back it would tell readers even where the disk then refuses them.
+    Handle const how(h5->H5Pcreate(h5->H5P_CLS_DATASET_ACCESS_ID_g_value), h5->H5Pclose);
+    h5->H5Pset_chunk_cache(how, 0, 0, 1);
+    for (auto& set : sets_) set.id = Handle(check(h5, h5->H5Dopen2(file_, set.name().c_str(), how), "cannot be opened"), h5->H5Dclose);
   }
 
   /// What waits goes to the file.
@@ -178,9 +182,25 @@ class Hdf5Series : public Series {
       check(h5, h5->H5Dwrite(set.id, h5->H5T_NATIVE_DOUBLE_g_value, memory, space, H5P_DEFAULT, set.waiting.data()), "cannot be written");
       set.waiting.clear();
     }
-    // Rows of a full disk are lost from the last whole block on; and those before it are found in the file whatever happens.
+    // Numbers first, then room for all that the library has laid out, and only then what tells readers of them: at whatever point the disk is full, the file is
+    // as it was before these rows.
+    reserve(h5);
     check(h5, h5->H5Fflush(file_, H5F_SCOPE_LOCAL), "cannot be written");
     written_ += waiting_, waiting_ = 0;
+  }
+
+  void reserve(Session const& h5) {
+    hsize_t size = 0;
+    check(h5, h5->H5Fget_filesize(file_, &size), "cannot be written");
+    struct stat now;
+    if (::fstat(descriptor(h5), &now) != 0) fail(path_ + ": cannot be written: " + std::strerror(errno));
+    off_t const missing = static_cast<off_t>(size) - now.st_size;
+    if (int const error = missing > 0 ? ::posix_fallocate(descriptor(h5), now.st_size, missing) : 0) fail(path_ + ": cannot be written: " + std::strerror(error));
+  }
+  int descriptor(Session const& h5) {
+    void* at = nullptr;
+    check(h5, h5->H5Fget_vfd_handle(file_, H5P_DEFAULT, &at), "cannot be written");
+    return *static_cast<int*>(at);
   }
 
   hid_t check(Session const& h5, hid_t result, char const* what) {
