@@ -20,8 +20,8 @@ void keep_the_scene(RunArguments const& arguments, std::string const& out, Scene
 
 int run(RunArguments const& arguments) {
   open_standard_streams();
-  auto changes = arguments.set;
-  if (arguments.plots) changes.push_back("output.plots=true");
+  std::vector<std::string> changes = arguments.plots ? std::vector<std::string>{"output.plots=true"} : std::vector<std::string>{};
+  changes.insert(changes.begin(), arguments.set.begin(), arguments.set.end());
   Scene scene = Scene::read(SceneFile::read(arguments.scene, changes));
   std::string const out = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
   if (arguments.dry_run) {

@@ -149,6 +149,8 @@ BOOST_AUTO_TEST_CASE(the_first_signal_is_remembered_and_the_second_ends_the_proc
         bool const before = actio::scene::interrupted();
         ::raise(first);
         if (before || !actio::scene::interrupted()) ::_exit(1);
+        ::raise(second);      // within a moment: the same request once more
+        ::usleep(300 * 1000);  // later: somebody is impatient
         ::raise(second);
         ::_exit(2);
       }

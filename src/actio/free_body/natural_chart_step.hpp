@@ -18,8 +18,10 @@ namespace actio {
 
 /// The two factors of the momentum of a step, as functions of \f$s=|v|^2\f$, and their slopes.
 struct ChartFactors {
-  double a, c;              ///< \f$a = \frac{|v|}2\cot\frac{|v|}2\f$ and \f$c = (1-a)/s\f$
-  double slope_a, slope_c;  ///< \f$da/ds\f$ and \f$dc/ds\f$
+  double a,        ///< \f$\frac{|v|}2\cot\frac{|v|}2\f$
+      c;           ///< \f$(1-a)/s\f$
+  double slope_a,  ///< \f$da/ds\f$
+      slope_c;     ///< \f$dc/ds\f$
 
   /// @param s  from 0 up to, but not including, \f$4\pi^2\f$
   explicit ChartFactors(double s) {
@@ -47,9 +49,9 @@ class NaturalChartStep {
 
   /// What a rotation of the body over a step came to.
   struct Turn {
-    Three<double> v;   ///< rotation vector, body frame
-    double angle_squared;
-    bool found;        ///< whether v is less than half a turn, on the branch that grows out of the identity
+    Three<double> v;       ///< rotation vector, body frame
+    double angle_squared;  ///< \f$|v|^2\f$
+    bool found;            ///< whether v is less than half a turn, on the branch that grows out of the identity
   };
 
   /// \f$\chi(\mathrm{ad}^*_v)\,Iv\f$: step times momentum before a step that turns by v; after it, the same at -v with the other sign.

@@ -27,6 +27,7 @@ class ChartedBody {
   /// The attitude, body to space. It stays where it is under steps of the momentum alone.
   Element<Group, double> attitude() const { return {Group{size()}, whole(attitude_)}; }
   int size() const { return shape_.n; }
+  /// How many steps it has made.
   long steps() const { return steps_; }
   /// How many sweeps the last step took.
   int sweeps() const { return sweeps_; }

@@ -10,7 +10,10 @@ namespace actio::scene {
 
 /// A body of the catalogue, as scenes and `actio show` need it.
 struct LibraryBody {
-  std::string name, title, source, derived;
+  std::string name,           ///< as scenes write it
+      title,                  ///< for people
+      source,                 ///< where its numbers are from
+      derived;                ///< what was computed from the numbers of the source, and how
   std::string time;           ///< unit of time of `spin`
   std::string unit;           ///< of the moments: "kg m^2" or "ratio"
   Inertia<3> inertia;         ///< along the principal axes

@@ -13,20 +13,22 @@ namespace actio::scene {
 struct BodyShape {
   /// A solid cylinder about `along`, or a ball.
   struct Part {
-    bool cylinder;
-    double radius, length;
-    Eigen::Vector3d at, along;  ///< from the centre of mass
+    bool cylinder;       ///< else a ball
+    double radius,       ///< of either
+        length;          ///< of the cylinder
+    Eigen::Vector3d at,  ///< its centre, from the centre of mass
+        along;           ///< the axis of the cylinder, a unit vector
   };
   Eigen::Vector3d moments;      ///< principal, about the centre of mass
   Eigen::Matrix3d axes;         ///< principal axes as columns
   std::vector<Part> parts;      ///< of a body of the catalogue that is made of such
   /// A body with a fixed point, in a uniform field.
   struct Top {
-    double mass;
+    double mass;                     ///< of the body
     Eigen::Vector3d centre_of_mass;  ///< from the fixed point
     Eigen::Vector3d gravity;         ///< in space
   };
-  std::optional<Top> top;
+  std::optional<Top> top;       ///< of a body with a fixed point
 };
 
 /// The body that turns in a scene; none where none does.

@@ -7,7 +7,7 @@
 namespace actio::scene {
 
 /// Writes `path` anew: to a file beside it, to the disk, then renamed.
-/// @param what  the scene it belongs to, to the letter
+/// @param scene  it belongs to, to the letter
 /// @throws FileError
 void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state);
 /// The state in `path`.

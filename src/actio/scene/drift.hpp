@@ -12,19 +12,23 @@ double length_of(std::span<double const> quantity);
 /// The drift of the conserved quantities in a row.
 class Drift {
  public:
+  /// @param quantities  where they are in a row
   explicit Drift(std::vector<QuantityGraph::Conserved> quantities);
 
   /// Whether there is nothing to look at.
   bool empty() const { return quantities_.empty(); }
   /// One row more, without its time. The first one is that of t = 0, even where it is not written.
   void see(std::span<double const> row);
+  /// How far one quantity has drifted.
   struct Entry {
-    std::string name;
-    double relative;
+    std::string name;  ///< of the quantity
+    double relative;   ///< the largest difference from the start, over the modulus there
   };
+  /// The drift so far, quantity by quantity.
   std::vector<Entry> entries() const;
   /// The largest of all; zero where nothing is conserved.
   double worst() const;
+  /// Saves, or restores, the start and what was seen since.
   void remember(Memory& memory) { memory(started_, start_, seen_); }
 
  private:

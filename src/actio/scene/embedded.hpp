@@ -10,7 +10,16 @@ extern std::string_view const registry_tsv;        ///< proofs_checks/registry.t
 extern std::string_view const checked_statements;  ///< ids of those that have a check, one a line
 
 // The page that plays a run: data/viewer/viewer.html, .css, and the parts of its script.
-extern std::string_view const viewer_html, viewer_css;
-extern std::string_view const viewer_algebra, viewer_stage, viewer_shapes, viewer_motion, viewer_space, viewer_momentum_sphere, viewer_curves, viewer_player, viewer_page;
+extern std::string_view const viewer_html,  ///< data/viewer/viewer.html
+    viewer_css;                             ///< data/viewer/viewer.css
+extern std::string_view const viewer_algebra, ///< data/viewer/algebra.js
+    viewer_stage,                             ///< data/viewer/stage.js
+    viewer_shapes,                            ///< data/viewer/shapes.js
+    viewer_motion,                            ///< data/viewer/motion.js
+    viewer_space,                             ///< data/viewer/space.js
+    viewer_momentum_sphere,                   ///< data/viewer/momentum_sphere.js
+    viewer_curves,                            ///< data/viewer/curves.js
+    viewer_player,                            ///< data/viewer/player.js
+    viewer_page;                              ///< data/viewer/page.js
 
 }  // namespace actio::scene::embedded

@@ -15,11 +15,17 @@ class Envelope {
   /// There are never more pieces; up to so many rows each is a piece of its own, and the curve is kept whole.
   static constexpr std::size_t most_pieces = 2048;
 
+  /// A point of the curve.
   struct Point {
-    double t, value;
+    double t,   ///< time
+        value;  ///< of the curve then
   };
+  /// The curve over some neighbouring rows.
   struct Piece {
-    Point first, low, high, last;
+    Point first,  ///< of its points, in the order of time
+        low,      ///< the lowest
+        high,     ///< the highest
+        last;     ///< in the order of time
   };
 
   /// One point more, later than all before.
@@ -35,10 +41,13 @@ class Envelope {
     ++in_last_;
   }
 
+  /// The pieces, in the order of time.
   std::vector<Piece> const& pieces() const { return pieces_; }
   /// Of every piece but the last, which may have fewer. One: nothing is left out.
   long rows_per_piece() const { return rows_per_piece_; }
+  /// The lowest value of the curve, which has a point.
   double lowest() const { return std::ranges::min(pieces_, {}, [](Piece const& p) { return p.low.value; }).low.value; }
+  /// The highest value of the curve, which has a point.
   double highest() const { return std::ranges::max(pieces_, {}, [](Piece const& p) { return p.high.value; }).high.value; }
 
   /// The points that are kept, in the order of time.

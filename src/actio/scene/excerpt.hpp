@@ -11,10 +11,12 @@ namespace actio::scene {
 /// A few thousand rows of a run of any length.
 class Excerpt {
  public:
+  /// There are never more rows.
   static constexpr std::size_t most_rows = 3000;
   /// Whether one can go from one row to another without those between them.
   using Near = std::function<bool(std::vector<double> const&, std::vector<double> const&)>;
 
+  /// Of a run whose neighbouring rows are told by `near`.
   explicit Excerpt(Near near) : near_(std::move(near)) {}
 
   /// One row more.
@@ -28,6 +30,7 @@ class Excerpt {
     rows_.emplace_back(row.begin(), row.end());
   }
 
+  /// The rows that are kept, in the order of time.
   std::vector<std::vector<double>> const& rows() const { return rows_; }
   /// Every so many rows of the run one is kept.
   long stride() const { return stride_; }

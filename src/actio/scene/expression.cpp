@@ -134,9 +134,10 @@ class Inspection {
 
 /// The parser looks at the variables where they are.
 struct Expression::Parser {
-  mu::Parser mu;
-  std::vector<double> values;
+  mu::Parser mu;               ///< of the library
+  std::vector<double> values;  ///< of the variables, in their order
 
+  /// @throws mu::ParserError  where it is no formula
   Parser(std::string const& text, std::vector<std::string> const& variables) : values(variables.size(), 0.0) {
     mu.ClearConst(), mu.ClearFun();
     mu.DefineConst("pi", std::numbers::pi);

@@ -21,9 +21,9 @@ class Expression {
   /// @param place      where the text stands
   /// @throws SceneError  where it is no formula, pointing into the text; where it has more than 2000 characters or more than 50 brackets in brackets
   Expression(std::string text, std::vector<std::string> variables, TextPlace place);
-  Expression(Expression const& other);
-  Expression(Expression&&) noexcept;
-  Expression& operator=(Expression) noexcept;
+  Expression(Expression const& other);         ///< a copy, read anew
+  Expression(Expression&&) noexcept;           ///< takes over the other one
+  Expression& operator=(Expression) noexcept;  ///< by exchange with a copy
   ~Expression();
 
   /// The value at a point.
@@ -31,6 +31,7 @@ class Expression {
   double operator()(std::span<double const> point);
   /// Whether a variable occurs in it.
   bool uses(std::string const& variable) const;
+  /// The formula, as it is written.
   std::string const& text() const { return text_; }
 
  private:

@@ -13,21 +13,23 @@
 #include <utility>
 
 // Constants of HDF5 call it, through these two, before they give their value. It is open when they are used.
+/// \cond
 #undef H5OPEN
 #undef H5CHECK
 #define H5OPEN
 #define H5CHECK
+/// \endcond
 
 namespace actio::scene::hdf5 {
 
-// The functions of HDF5 that the series calls.
+/// The functions of HDF5 that the series calls: `of` is put round each name.
 #define ACTIO_HDF5_FUNCTIONS(of)                                                                                                                       \
   of(H5open) of(H5dont_atexit) of(H5Eget_auto2) of(H5Eset_auto2) of(H5Ewalk2) of(H5Acreate2) of(H5Aclose) of(H5Awrite) of(H5Dcreate2) of(H5Dopen2)     \
   of(H5Dclose) of(H5Dget_space) of(H5Dset_extent) of(H5Dwrite) of(H5Dread) of(H5Fcreate) of(H5Fopen) of(H5Fclose) of(H5Fflush) of(H5Fget_filesize)     \
   of(H5Fget_vfd_handle) of(H5Fincrement_filesize) of(H5Pcreate) of(H5Pclose) of(H5Pset) of(H5Pset_chunk) of(H5Pset_chunk_cache)                        \
   of(H5Pset_fill_time) of(H5Pset_file_locking) of(H5Pset_libver_bounds) of(H5Screate) of(H5Screate_simple) of(H5Sclose)                                \
   of(H5Sget_simple_extent_dims) of(H5Sget_simple_extent_ndims) of(H5Sselect_hyperslab) of(H5Tcopy) of(H5Tclose) of(H5Tset_cset) of(H5Tset_size)
-// Its classes of properties and types of numbers, which are variables in it.
+/// Its classes of properties and types of numbers, which are variables in it: `of` is put round each name.
 #define ACTIO_HDF5_VARIABLES(of)                                                                                                                       \
   of(H5P_CLS_FILE_ACCESS_ID_g) of(H5P_CLS_DATASET_CREATE_ID_g) of(H5P_CLS_DATASET_ACCESS_ID_g) of(H5T_C_S1_g) of(H5T_IEEE_F64LE_g)                     \
   of(H5T_NATIVE_DOUBLE_g)
@@ -36,12 +38,14 @@ namespace actio::scene::hdf5 {
 struct Library {
   /// @throws FileError  where it is not on this machine
   Library();
+/// \cond
 #define ACTIO_HDF5_FUNCTION(name) decltype(&::name) name;
 #define ACTIO_HDF5_VARIABLE(name) hid_t name##_value;
   ACTIO_HDF5_FUNCTIONS(ACTIO_HDF5_FUNCTION)
   ACTIO_HDF5_VARIABLES(ACTIO_HDF5_VARIABLE)
 #undef ACTIO_HDF5_FUNCTION
 #undef ACTIO_HDF5_VARIABLE
+  /// \endcond
 };
 
 /// While it lives the calling thread alone uses the library, which prints no errors of its own.
@@ -53,6 +57,7 @@ class Session {
   Session(Session const&) = delete;
   Session& operator=(Session const&) = delete;
 
+  /// The functions of the library.
   Library const* operator->() const { return &library_; }
   /// What an operation returned, where it went well.
   /// @throws FileError  otherwise: the path, what was tried, and the innermost message of the library
@@ -68,17 +73,22 @@ class Session {
 /// Something of the library that is closed at the end.
 class Handle {
  public:
+  /// The function of the library that closes it.
   using Close = herr_t (*)(hid_t);
 
   Handle() = default;
+  /// @param id  negative: nothing to close
   Handle(hid_t id, Close close) : id_(id), close_(close) {}
+  /// Takes over what the other one would close.
   Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  /// Exchanges the two: the other one closes what this one had.
   Handle& operator=(Handle&& other) noexcept {
     std::swap(id_, other.id_), std::swap(close_, other.close_);
     return *this;
   }
   ~Handle() { close(); }
 
+  /// Its number in the library; negative where there is nothing to close.
   operator hid_t() const { return id_; }
   /// @return negative where the library could not
   herr_t close() { return id_ < 0 ? 0 : close_(std::exchange(id_, -1)); }

@@ -23,7 +23,9 @@ class Memory {
   /// To be read back.
   explicit Memory(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
+  /// Whether it restores what was saved.
   bool reading() const { return reading_; }
+  /// All that was saved.
   std::string const& bytes() const { return bytes_; }
 
   /// Saves each value, or restores it. A list that is not empty keeps its size.

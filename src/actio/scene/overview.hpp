@@ -13,25 +13,26 @@ namespace actio::scene {
 struct Overview {
   /// A quantity that was asked for.
   struct Drawn {
-    Quantity quantity;
-    std::size_t first, size;            ///< its columns in a row without the time
+    Quantity quantity;                  ///< what is drawn
+    std::size_t first,                  ///< its first column in a row without the time
+        size;                           ///< how many columns it has
     std::vector<std::string> ends;      ///< of the names of its columns: "_x", or "" of a scalar
     std::vector<Envelope> components;   ///< the first `most_components` of them
   };
   /// How far a conserved quantity is from where it began.
   struct Drifting {
-    std::string name;
+    std::string name;                   ///< of the quantity
     Envelope difference;                ///< |Q(t) - Q(0)|
     double unit = 0;                    ///< |Q(0)|, or the largest |Q| where that is zero: what the difference is relative to
   };
   /// A picture with more curves tells nothing.
   static constexpr std::size_t most_components = 12;
 
-  std::vector<Drawn> quantities;
-  std::vector<Drifting> drifts;
+  std::vector<Drawn> quantities;        ///< that were asked for, in that order
+  std::vector<Drifting> drifts;         ///< of what is conserved
   std::vector<std::string> motion;      ///< columns of `excerpt` after the time
-  Excerpt excerpt;
-  long rows = 0;
+  Excerpt excerpt;                      ///< rows to play the run from
+  long rows = 0;                        ///< of the run
 
   /// The quantity of that name; null where it was not asked for.
   Drawn const* find(std::string const& name) const;

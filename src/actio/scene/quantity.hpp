@@ -17,10 +17,18 @@ namespace actio::scene {
 
 /// A quantity of a system, as `actio show` and the book tell it.
 struct Quantity {
-  enum class Kind { scalar, vector, quaternion, matrix, skew, list };
+  /// What its numbers are.
+  enum class Kind {
+    scalar,      ///< one number
+    vector,      ///< three components
+    quaternion,  ///< four components, the scalar part first
+    matrix,      ///< n by n, row by row
+    skew,        ///< the upper triangle of a skew matrix, row by row
+    list         ///< any number of numbers
+  };
 
-  std::string name;
-  Kind kind;
+  std::string name;                ///< as scenes write it
+  Kind kind;                       ///< what its numbers are
   std::string meaning;             ///< one sentence
   std::string formula;             ///< TeX
   std::string unit;                ///< in words: "energy x time"
@@ -31,8 +39,8 @@ struct Quantity {
 
 /// One quantity of a row, with the names of its columns.
 struct ColumnGroup {
-  Quantity quantity;
-  std::vector<std::string> columns;
+  Quantity quantity;                 ///< whose columns they are
+  std::vector<std::string> columns;  ///< their names, in the order of the row
 
   /// Of the value: nothing for a number, n by n for a matrix, otherwise as many as there are columns.
   std::vector<std::size_t> shape() const;
@@ -51,15 +59,16 @@ class QuantityGraph {
 
   /// How often a quantity was evaluated.
   struct Count {
-    std::string name;
-    bool asked;
-    long evaluations;
+    std::string name;  ///< of the quantity
+    bool asked;        ///< whether the rows hold it
+    long evaluations;  ///< of the run so far
   };
 
   /// @param known  of the system, each after what it needs
   explicit QuantityGraph(std::vector<Quantity> known);
-  QuantityGraph(QuantityGraph&&) = default;  // nodes are looked at by pointers, which moving keeps and copying would not
-  QuantityGraph& operator=(QuantityGraph&&) = default;
+  /// Nodes are looked at by pointers, which moving keeps and copying would not.
+  QuantityGraph(QuantityGraph&&) = default;
+  QuantityGraph& operator=(QuantityGraph&&) = default;  ///< moves as well
 
   /// How a quantity comes from what it needs; `ends` name its columns.
   void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate);
@@ -72,6 +81,7 @@ class QuantityGraph {
   std::vector<std::string> columns() const;
   /// The same, quantity by quantity.
   std::vector<ColumnGroup> column_groups() const;
+  /// How many numbers a row has, without the time.
   std::size_t row_size() const { return row_size_; }
   /// Evaluates what is needed for a row, each quantity once.
   void evaluate(std::span<double> row);
@@ -82,9 +92,11 @@ class QuantityGraph {
 
   /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a list one by one.
   struct Conserved {
-    std::string name;
-    std::size_t first, size;
+    std::string name;   ///< of the quantity; of a list, with the end of the column
+    std::size_t first,  ///< its first column in a row without the time
+        size;           ///< how many columns it has
   };
+  /// The conserved quantities that the rows hold.
   std::vector<Conserved> conserved() const;
 
  private:

@@ -14,21 +14,27 @@
 namespace actio::scene {
 
 /// How a run ended: the exit status of the command.
-enum class Ending { done = 0, scene_wrong = 2, numerics_failed = 3, file_failed = 4, interrupted = 130 };
+enum class Ending {
+  done = 0,             ///< all rows are there
+  scene_wrong = 2,      ///< the scene is wrong
+  numerics_failed = 3,  ///< a step too long for its scheme, no convergence
+  file_failed = 4,      ///< the disk is full, a file is not there or not permitted
+  interrupted = 130     ///< stopped before its end
+};
 
 /// What is to be done with a run besides the scene.
 struct RunOptions {
-  bool quiet = false;
+  bool quiet = false;                        ///< nothing on standard error
   double checkpoint_interval = 2;            ///< seconds
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
 };
 
 /// How a run went.
 struct RunReport {
-  Ending ending = Ending::done;
+  Ending ending = Ending::done;     ///< how it ended
   std::string message;              ///< where it did not end well: what went wrong
   long steps = 0;                   ///< of the whole run, those before a resumption included
-  long rows = 0;
+  long rows = 0;                    ///< of the whole run, that of t = 0 included
   double seconds = 0;               ///< of all its processes
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
   std::vector<double> last_row;     ///< that this process wrote, the time first

@@ -18,11 +18,13 @@ class RunFolder {
   /// @throws FileError   where another process runs in it
   static RunFolder open(std::string const& path);
 
+  /// Takes over the lock.
   RunFolder(RunFolder&& other) noexcept : path_(std::move(other.path_)), handle_(other.handle_) { other.handle_ = -1; }
   RunFolder(RunFolder const&) = delete;
   RunFolder& operator=(RunFolder const&) = delete;
   ~RunFolder();
 
+  /// The path of the folder.
   std::string const& path() const { return path_; }
   /// A file in it.
   std::string operator/(std::string const& name) const { return path_ + "/" + name; }

@@ -7,15 +7,15 @@ namespace actio::scene {
 
 /// A scene that is in order.
 struct Scene {
-  SceneFile file;
-  System const* system;
-  std::string title;
-  long seed;
-  Schedule schedule;
-  std::vector<std::string> quantities;
-  std::vector<std::string> formats;  ///< of the series: "csv", "hdf5"
-  bool plots;
-  Simulation simulation;
+  SceneFile file;                       ///< as written, with its defaults
+  System const* system;                 ///< its kind of system
+  std::string title;                    ///< for people
+  long seed;                            ///< not negative
+  Schedule schedule;                    ///< when there are rows
+  std::vector<std::string> quantities;  ///< names of those that the rows hold
+  std::vector<std::string> formats;     ///< of the series: "csv", "hdf5"
+  bool plots;                           ///< whether its pictures are drawn
+  Simulation simulation;                ///< ready to run
 
   /// @throws SceneError, NumericsError, FileError
   static Scene read(SceneFile file);

@@ -27,11 +27,13 @@ struct SceneDocument;
 /// One table of a scene.
 class SceneTable {
  public:
+  /// @param path  names of the tables that lead to it, from the top
   SceneTable(std::shared_ptr<detail::SceneDocument> document, std::vector<std::string> path) : document_(std::move(document)), path_(std::move(path)) {}
 
   /// Refuses every key but these.
   /// @throws SceneError  at the first other key, with the nearest of these
   void allow(std::vector<std::string> const& keys) const;
+  /// Whether the key is there.
   bool has(std::string const& key) const;
   /// `system.mesh`
   std::string name() const;
@@ -43,8 +45,8 @@ class SceneTable {
   double positive(std::string const& key) const;
   /// A whole number within [least, most].
   long integer(std::string const& key, long least, long most) const;
-  bool boolean(std::string const& key) const;
-  std::string text(std::string const& key) const;
+  bool boolean(std::string const& key) const;      ///< true or false
+  std::string text(std::string const& key) const;  ///< a text
   /// A text that is one of `allowed`; `what` it is called in the complaint, `see` where they are listed.
   std::string choice(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
   /// A list of texts, each one of `allowed`, none twice, at least one.
@@ -53,22 +55,24 @@ class SceneTable {
   std::vector<std::string> texts(std::string const& key) const;
   /// A list of finite numbers; `size` of them, or any number where it is negative.
   std::vector<double> numbers(std::string const& key, long size = -1) const;
+  /// A list of three finite numbers.
   Eigen::Vector3d vector(std::string const& key) const;
   /// A list of rows, n by n.
   Eigen::MatrixXd matrix(std::string const& key, long n) const;
   /// Whether the value is a list whose first item is a list.
   bool is_matrix(std::string const& key) const;
+  /// Whether the value is a text.
   bool is_text(std::string const& key) const;
 
   /// Writes a default, for the copy of the scene.
   void set(std::string const& key, double value);
-  void set(std::string const& key, long value);
-  void set(std::string const& key, bool value);
-  void set(std::string const& key, std::string const& value);
-  void set(std::string const& key, char const* value) { set(key, std::string(value)); }
-  void set(std::string const& key, std::vector<double> const& values);
-  void set(std::string const& key, Eigen::MatrixXd const& values);
-  void set(std::string const& key, std::vector<std::string> const& values);
+  void set(std::string const& key, long value);                                           ///< a whole number
+  void set(std::string const& key, bool value);                                           ///< true or false
+  void set(std::string const& key, std::string const& value);                             ///< a text
+  void set(std::string const& key, char const* value) { set(key, std::string(value)); }   ///< a text
+  void set(std::string const& key, std::vector<double> const& values);                    ///< a list of numbers
+  void set(std::string const& key, Eigen::MatrixXd const& values);                        ///< a list of rows
+  void set(std::string const& key, std::vector<std::string> const& values);               ///< a list of texts
 
   /// The place of a value, of its key, of the table where there is no such key.
   Place place(std::string const& key) const;
@@ -76,7 +80,7 @@ class SceneTable {
   Place place(std::string const& key, std::size_t item) const;
   /// The place of a text, or of one in a list of texts, for what is to point into it.
   TextPlace text_place(std::string const& key) const;
-  TextPlace text_place(std::string const& key, std::size_t item) const;
+  TextPlace text_place(std::string const& key, std::size_t item) const;  ///< of one item of a list
   /// The place of the table.
   Place place() const;
   /// @throws SceneError  with the place of the key

@@ -15,8 +15,8 @@ class Schedule {
   /// @throws SceneError  where a time is not positive, beyond `until`, or not later than the one before; where there are more than 2^53 rows
   explicit Schedule(SceneTable run);
 
-  double until() const { return until_; }
-  long rows() const { return rows_; }
+  double until() const { return until_; }  ///< the time of the last row
+  long rows() const { return rows_; }      ///< how many rows there are, that of t = 0 included
   /// Of row 0, 1, ..., `rows()` - 1.
   double time(long row) const;
   /// Times of which all others are multiples or that stand alone: `every` and `until`, or those of `at`.
@@ -43,7 +43,7 @@ class StepsToRows {
   /// @param method  where the step was read from, for the complaint
   /// @throws SceneError  where a row is at no multiple of the step, |t/h - round| <= 1e-9 max(1, t/h), with the nearest step that would do
   StepsToRows(Schedule const& schedule, double step, SceneTable const& method);
-  long operator()(long row) const;
+  long operator()(long row) const;  ///< from t = 0
 
  private:
   Schedule const& schedule_;

@@ -41,7 +41,8 @@ class Series {
 
 /// What a table tells besides its numbers.
 struct SeriesHead {
-  std::string title, system;
+  std::string title,                 ///< of the scene
+      system;                        ///< the name of its kind of system
   std::string scene;                 ///< in TOML, defaults written out
   std::vector<ColumnGroup> groups;   ///< the columns after the time
   long rows = 0;                     ///< expected; a matter of speed alone

@@ -30,8 +30,8 @@ struct Simulation {
   /// Of a system with these quantities.
   explicit Simulation(std::vector<Quantity> known) : quantities(std::move(known)) {}
 
-  std::unique_ptr<Motion> motion;
-  QuantityGraph quantities;
+  std::unique_ptr<Motion> motion;                ///< how its state moves on
+  QuantityGraph quantities;                      ///< what can be told of it
   bool exact = false;                            ///< goes to any time at once, and has no steps
   double step = std::numeric_limits<double>::quiet_NaN();  ///< time; of a method with steps
   long steps_at_once = 1 << 14;                  ///< so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the machine, since the digits may depend on it

@@ -18,7 +18,7 @@ struct Parameter {
 
 /// A method that a system can be stepped by.
 struct Method {
-  std::string name;
+  std::string name;                 ///< as scenes write it
   std::vector<std::string> orders;  ///< as the scene writes them: "2", "exact"
   std::string meaning;              ///< one sentence
   std::string statement;            ///< of the thesis, or of the literature
@@ -26,20 +26,20 @@ struct Method {
 
 /// What a scene asks of a system.
 struct Request {
-  SceneFile file;
-  Schedule const& schedule;
-  std::vector<std::string> quantities;
+  SceneFile file;                       ///< whose sections the system reads
+  Schedule const& schedule;             ///< when there are rows
+  std::vector<std::string> quantities;  ///< names of those that the rows hold
 };
 
 /// A kind of system.
 struct System {
-  std::string name;
-  std::string title;
+  std::string name;         ///< as scenes write it
+  std::string title;        ///< for people
   std::string meaning;      ///< a sentence or two
   std::string statement;    ///< of the thesis
-  std::vector<Parameter> parameters;
-  std::vector<Method> methods;
-  std::vector<Quantity> quantities;
+  std::vector<Parameter> parameters;  ///< of [system] and [initial]
+  std::vector<Method> methods;        ///< the default first
+  std::vector<Quantity> quantities;   ///< each after what it needs
   /// Reads [system], [initial] and [method], writes their defaults back, and sets up what was asked for.
   /// @throws SceneError     where a value is missing or wrong
   /// @throws NumericsError  where the step is too long for the method
@@ -52,8 +52,8 @@ std::vector<System> const& systems();
 /// The one of that name; null where there is none.
 System const* find_system(std::string const& name);
 
-System rigid_body_system();
-System rigid_body_n_system();
-System heavy_top_system();
+System rigid_body_system();    ///< a free rigid body in space
+System rigid_body_n_system();  ///< a free rigid body in n dimensions
+System heavy_top_system();     ///< a rigid body held at a point under gravity
 
 }  // namespace actio::scene

@@ -8,13 +8,15 @@ namespace actio::scene {
 
 /// The inertia of a body, in the frame in which the scene gives it, and in its own.
 struct GivenInertia {
-  Inertia<3> principal;
+  Inertia<3> principal;                                 ///< along its principal axes
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< principal axes as columns, in the frame as given; a rotation
   bool turned = false;                                  ///< whether the two frames differ
 
   /// In the frame as given.
   Eigen::Matrix3d tensor() const { return axes * principal.moments.asDiagonal() * axes.transpose(); }
+  /// Of the body with this angular velocity, both in the frame as given; energy x time.
   Eigen::Vector3d momentum(Eigen::Vector3d const& velocity) const { return axes * principal.moments.cwiseProduct(axes.transpose() * velocity); }
+  /// Of the body with this momentum, both in the frame as given; 1/time.
   Eigen::Vector3d velocity(Eigen::Vector3d const& momentum) const { return axes * (axes.transpose() * momentum).cwiseQuotient(principal.moments); }
 };
 

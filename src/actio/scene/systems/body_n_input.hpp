@@ -23,8 +23,9 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
 /// @throws SceneError  where it has another length than n(n-1)/2
 Eigen::MatrixXd read_velocity_n(SceneTable const& initial, int n);
 
-/// The upper triangle of a skew matrix, row by row, and back.
+/// The upper triangle of a skew matrix, row by row.
 std::vector<double> upper_triangle(Eigen::MatrixXd const& skew);
+/// The skew matrix with this upper triangle, row by row.
 Eigen::MatrixXd skew_matrix(double const* upper, int n);
 
 }  // namespace actio::scene

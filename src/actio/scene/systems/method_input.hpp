@@ -8,7 +8,8 @@ namespace actio::scene {
 
 /// A method and an order, as a scene writes them: "4", "exact".
 struct MethodChoice {
-  std::string name, order;
+  std::string name,  ///< of the method
+      order;         ///< a number, or "exact"
 
   /// The order as a number; zero for an exact method.
   int number() const { return order == "exact" ? 0 : std::stoi(order); }

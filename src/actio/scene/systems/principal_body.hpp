@@ -9,8 +9,8 @@ namespace actio::scene {
 
 /// The way to the principal axes.
 struct PrincipalStart {
-  Momentum<SO<3>, double> momentum;
-  Element<SU2, double> attitude;
+  Momentum<SO<3>, double> momentum;  ///< along the principal axes
+  Element<SU2, double> attitude;     ///< principal axes to space
 
   /// @param momentum,attitude  in the frame as given
   PrincipalStart(GivenInertia const& inertia, Eigen::Vector3d const& momentum, Eigen::Vector4d const& attitude);
@@ -19,13 +19,14 @@ struct PrincipalStart {
 /// And back from them.
 class PrincipalBody : public TurningBody {
  public:
+  /// @param inertia  says how the two frames differ
   explicit PrincipalBody(GivenInertia const& inertia);
-  Eigen::Vector3d body_momentum() const override;
+  Eigen::Vector3d body_momentum() const override;  ///< in the frame as given
   Eigen::Vector4d attitude() const override;
 
  protected:
-  virtual Eigen::Vector3d principal_momentum() const = 0;
-  virtual Eigen::Vector4d principal_attitude() const = 0;
+  virtual Eigen::Vector3d principal_momentum() const = 0;  ///< along the principal axes
+  virtual Eigen::Vector4d principal_attitude() const = 0;  ///< principal axes to space
 
  private:
   GivenInertia inertia_;
@@ -36,6 +37,7 @@ class PrincipalBody : public TurningBody {
 std::unique_ptr<TurningBody> exact_motion(FreeBody body, GivenInertia const& inertia);
 /// A free body in steps.
 std::unique_ptr<TurningBody> stepped_motion(FreeSteps steps, GivenInertia const& inertia);
+/// The same by the natural-chart scheme.
 std::unique_ptr<TurningBody> stepped_motion(NaturalChartSteps steps, GivenInertia const& inertia);
 
 }  // namespace actio::scene

@@ -8,6 +8,7 @@ namespace actio::scene {
 /// A motion of a body in space, seen in the frame in which the scene gives its inertia.
 class TurningBody : public Motion {
  public:
+  /// In the frame of the body; energy x time.
   virtual Eigen::Vector3d body_momentum() const = 0;
   /// Unit quaternion, body to space, its sign continuous in time.
   virtual Eigen::Vector4d attitude() const = 0;
@@ -16,6 +17,7 @@ class TurningBody : public Motion {
   void leave_attitude_out() { attitude_wanted_ = false; }
 
  protected:
+  /// Whether the attitude is asked for as well.
   bool attitude_wanted() const { return attitude_wanted_; }
 
  private:

@@ -9,6 +9,7 @@ namespace actio::scene {
 /// The motion of a body in n dimensions.
 class TurningBodyN : public Motion {
  public:
+  /// A skew matrix, in the frame of the body; energy x time.
   virtual Eigen::MatrixXd body_momentum() const = 0;
   /// Body to space.
   virtual Eigen::MatrixXd attitude() const = 0;
