@@ -1,65 +1,23 @@
-// The natural-chart scheme on SO(n), n at run time: held to the general road, to its own equations, and to what it must refuse.
+// The natural-chart scheme on SO(n), n at run time: held to its own equations, and to what it must refuse.
 #include <boost/test/unit_test.hpp>
 
-#include "../rigid_body/random_bodies.hpp"
-#include "actio/large_body/natural_chart_n.hpp"
-#include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "bytes.hpp"
+#include "chart_cases.hpp"
 
 using namespace actio;
+using actio::testing::Case, actio::testing::difference, actio::testing::n_, actio::testing::random_case;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
 
-constexpr int n_ = Eigen::Dynamic;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-struct Case {
-  Inertia<n_> inertia;
-  Momentum<SO<n_>, double> pi;
-};
-/// A random body whose velocity, as a matrix, has the norm 1.
-Case random_case(std::mt19937& random, int n) {
-  auto const [inertia, spin] = testing::random_body<n_>(random, n);
-  return {inertia, body_momentum(inertia, spin / skew_spectrum(inertia.group.hat(spin.coordinates)).maxCoeff())};
-}
-double difference(MatrixXd const& a, MatrixXd const& b) { return (a - b).norm(); }
 MatrixXd hat(Momentum<SO<n_>, double> const& pi) { return pi.group.hat(pi.components); }
-
-/// Steps of one body, each held to the general road from the same momentum.
-template <int n>
-void agrees_with_the_general_road(std::mt19937& random, double h) {
-  auto const [inertia, pi] = random_case(random, n);
-  NaturalChartScheme<n> const general(inertia_from_lambda<n, double>(Eigen::Matrix<double, n, 1>(inertia.lambda)), h);
-  FastNaturalChart scheme(inertia, h);
-  auto body = scheme.release(pi);
-  for (int k = 0; k < 3; ++k) {
-    Momentum<SO<n>, double> const before{{}, body.momentum().components};
-    auto const f = general.relative_motion(before).value;
-    scheme.step_with_attitude(body);
-    // The general road ends where each residual is within 16 roundings of its row, for n > 4 after a logarithm with a few roundings more; n rows.
-    double const bound = 16 * n * eps;
-    BOOST_TEST(difference(scheme.last_relative_motion(body).value, f.value) <= bound);
-    BOOST_TEST((general.momentum_after(f).components - body.momentum().components).norm() <= 2 * bound * before.components.norm());
-  }
-}
 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(natural_chart_of_any_size)
-
-BOOST_AUTO_TEST_CASE(is_the_general_road) {
-  std::mt19937 random(testing::seed);
-  // Up to steps of which some are beyond the reach of sweeps.
-  for (double h : {0.01, 0.3, 1.0, 2.5}) {
-    BOOST_TEST_CONTEXT("h = " << h) {
-      agrees_with_the_general_road<3>(random, h);
-      agrees_with_the_general_road<4>(random, h);
-      agrees_with_the_general_road<5>(random, h);
-    }
-  }
-}
 
 BOOST_AUTO_TEST_CASE(solves_the_equations_themselves) {
   std::mt19937 random(testing::seed + 1);

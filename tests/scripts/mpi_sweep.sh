@@ -26,7 +26,7 @@ quantities = ["body_momentum", "energy"]
 TOML
 
 # The same members, one of them wrong.
-over=(--over method.step=0.125,0.25,fast --over run.until=10,15,20)
+over=(--over "method.step=0.125,0.25,fast" --over "run.until=10,15,20")
 timeless() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "wall_seconds") clock = i } { $clock = ""; print }' "$1/sweep.csv"; }
 one=0 two=0
 "$actio" sweep apophis.toml "${over[@]}" --out one --quiet 2>one.err || one=$?
@@ -36,13 +36,17 @@ diff <(timeless one) <(timeless two) || fail "the tables differ in more than the
 for member in one/0*; do
   for file in series.csv scene.toml; do cmp "$member/$file" "two/${member#one/}/$file"; done
 done
-[[ $(ls -d one/0* | wc -l) == 6 && $(wc -l <two/sweep.csv) == 10 ]] || fail "six members run and three are told of alone, not $(ls -d one/0*)"
+members=(one/0*)
+[[ ${#members[@]} == 6 && $(wc -l <two/sweep.csv) == 10 ]] || fail "six members run and three are told of alone, not ${members[*]}"
 diff <(sort one.err) <(grep '^00000' two.err | sort) || fail "the failed members are not named alike"
 
 # Without one member in order nothing is left, and the ranks do not wait for each other.
 two=0
 ranks apophis.toml --over method.stp=1,2,3 --out none >none.err 2>&1 || two=$?
-[[ $two == 2 && ! -e none ]] && grep -q "did you mean 'step'?" none.err || { cat none.err; fail "a key that nobody knows ended with status $two"; }
+if ! [[ $two == 2 && ! -e none ]] || ! grep -q "did you mean 'step'?" none.err; then
+  cat none.err
+  fail "a key that nobody knows ended with status $two"
+fi
 
 # One member at a time and two at a time on each rank, more ranks than members.
 ranks apophis.toml --over method.step=0.125 --jobs 2 --out single --quiet
@@ -53,7 +57,10 @@ killed() { # FOLDER rank|mpirun
   local mpirun_process members status=0
   "$mpirun" --oversubscribe -n 2 "$actio_mpi" apophis.toml --over scene.seed=1,2,3,4 --set run.until=2.5e13 --set run.every=2.5e12 --out "$1" >"$1.err" 2>&1 &
   mpirun_process=$!
-  for _ in $(seq 100); do [[ -e $1/000000/checkpoint && -e $1/000001/checkpoint ]] && break || sleep 0.1; done
+  for _ in $(seq 100); do
+    [[ -e $1/000000/checkpoint && -e $1/000001/checkpoint ]] && break
+    sleep 0.1
+  done
   read -r -a members <"/proc/$mpirun_process/task/$mpirun_process/children" || true  # no end of line
   if [[ $2 == rank ]]; then kill -KILL "${members[1]}"; else kill -KILL "$mpirun_process"; fi
   for process in "$mpirun_process" "${members[@]}"; do
