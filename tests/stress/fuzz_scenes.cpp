@@ -40,5 +40,6 @@ int main(int argc, char** argv) {
   program.figure("places", places, "places of the program that they reached");
   program.claim(executions > 1000, "more than a thousand inputs were fed");
   program.claim(WIFEXITED(status) && WEXITSTATUS(status) == 0, "nothing was found; what is, is in " + (folder / "found").string());
+  program.headline(book::number(executions, 3) + " inputs were fed", executions);
   return program.finish();
 }
