@@ -2,6 +2,9 @@
 //
 // The body is compiled once for the scalar of its unit (ACTIO_SCALAR: double, dec50, dec100 or rational) as a function template over S, with `claim` (claim.hpp)
 // and `draw` (random points, draw.hpp) at hand; `if constexpr (Real<S>)` leaves out what needs a root. It gives a verdict, evidence and a control.
+//
+// A source all of whose statements are identities that the rationals decide exactly says so in its head, `// Scalars: rational, double`: it is compiled for
+// these alone. Without such a line it is compiled for all four.
 #pragma once
 
 #include <cstdint>
