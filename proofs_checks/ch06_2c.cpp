@@ -4,6 +4,7 @@
 
 #include "actio/jets/cartan.hpp"
 #include "actio/jets/field_equations.hpp"
+#include "statement.hpp"
 
 namespace {
 
