@@ -12,14 +12,14 @@ namespace actio {
 /// @tparam Medium  L, a density on jets over (n, n), such as \ref Continuum
 template <class Medium, class BodyMetric, class SpaceMetric>
 struct IncompressibleDensity {
-  Medium medium;
+  Medium density;
   VolumeConstraint<BodyMetric, SpaceMetric> constraint;
 
   template <class S, int n, int M>
   S operator()(Jet<S, n, M> const& j) const {
     auto const below = deformation(j);
     // [eq_8_3]
-    return medium(below) + j.y[M - 1] * constraint(below);
+    return density(below) + j.y[M - 1] * constraint(below)[0];
     // [eq_8_3]
   }
   /// @throws NotAMetric, VolumeNotPositive; and what the medium refuses
@@ -27,7 +27,7 @@ struct IncompressibleDensity {
   void examine(Jet<S, n, M> const& j) const {
     auto const below = deformation(j);
     constraint.examine(below);
-    detail::examine(medium, below);
+    detail::examine(density, below);
   }
 };
 
@@ -78,7 +78,7 @@ Eigen::Matrix<S, n, n> volume_slope(Medium const& medium, Jet<S, n, n> const& j)
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
 DualJet<S, n, M> incompressible_momenta(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, Jet<S, n, M> const& extended) {
   detail::examine(density, extended);
-  auto const& medium = density.medium;
+  auto const& medium = density.density;
   auto const j = deformation(extended);
   Eigen::Matrix<S, n, 1> const x = j.particle(), velocity = j.velocity();
   auto const G = medium.G(x);

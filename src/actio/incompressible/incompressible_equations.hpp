@@ -66,7 +66,7 @@ Eigen::Matrix<S, n, 1> metric_force(Medium const& medium, Jet<S, n, n> const& j)
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
 Eigen::Matrix<S, n, 1> motion_residual(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, SecondJet<S, n, M> const& extended) {
   detail::examine(density, static_cast<Jet<S, n, M> const&>(extended));
-  auto const& medium = density.medium;
+  auto const& medium = density.density;
   auto const j = deformation(extended);
   S const rho = medium.rho(j.particle());
   // [eq_8_7]
@@ -94,6 +94,50 @@ Eigen::Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetri
   // [eq_8_11]
   return material_acceleration(g, j) + raised(g(j.y), spatial_pressure_gradient(G, extended));
   // [eq_8_11]
+}
+
+/// The covariant divergence \f$\mathcal P_a{}^i{}_{|i} = \partial_i\mathcal P_a{}^i + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j\,\gamma^b_{ac}F^c{}_j\f$ of the first
+/// Piola-Kirchhoff stress \f$\mathcal P_a{}^i = \rho\,\partial W/\partial v^a{}_i\f$, along the section.
+template <class Medium, class S, int n>
+Eigen::Matrix<S, n, 1> piola_divergence(Medium const& medium, SecondJet<S, n, n> const& j) {
+  // The first two terms are those of a density: the trace of Gamma is the logarithmic derivative of the volume.
+  Eigen::Matrix<S, n, 1> sum = stress_divergence(medium, j);
+  if constexpr (!is_constant_metric<std::remove_cvref_t<decltype(medium.g)>>) {
+    Eigen::Matrix<S, n, n> const piola = detail::energy_slope(medium, static_cast<Jet<S, n, n> const&>(j)) * S(medium.rho(j.particle()));
+    auto const gamma = christoffel(medium.g, j.y);
+    Eigen::Matrix<S, n, n> const stress = piola * j.gradient().transpose();
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b)
+        for (int c = 0; c < n; ++c) sum[a] -= gamma[b](a, c) * stress(b, c);
+  }
+  return sum;
+}
+
+/// What is left of the equation of an incompressible solid in components (section 8.4); its stored energy is a function of the Green tensor.
+///
+/// \implements{claim_8_4_elasticity_components}
+template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> elastic_residual(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, SecondJet<S, n, M> const& extended) {
+  auto const& medium = density.density;
+  auto const j = deformation(extended);
+  S const rho = medium.rho(j.particle());
+  // [claim_8_4_elasticity_components]
+  return rho * lowered_acceleration(medium.g, j) - piola_divergence(medium, j) + pressure_term(medium.G, medium.g, extended);
+  // [claim_8_4_elasticity_components]
+}
+
+/// The same as vectors, \f$\rho\,D_gV/Dt - \mathrm{DIV}\,\mathcal P + \mathrm{grad}\,p\circ\phi\f$. It supposes J = 1.
+///
+/// \implements{claim_8_4_elasticity_covariant}
+template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> covariant_elastic_residual(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, SecondJet<S, n, M> const& extended) {
+  auto const& medium = density.density;
+  auto const j = deformation(extended);
+  auto const g = medium.g(j.y);
+  S const rho = medium.rho(j.particle());
+  // [claim_8_4_elasticity_covariant]
+  return rho * material_acceleration(medium.g, j) - raised(g, piola_divergence(medium, j)) + raised(g, spatial_pressure_gradient(medium.G, extended));
+  // [claim_8_4_elasticity_covariant]
 }
 
 }  // namespace actio

@@ -21,6 +21,7 @@ struct VolumeNotPositive : NotOrientationPreserving {
 /// @tparam SpaceMetric  g, a callable on places
 template <class BodyMetric, class SpaceMetric>
 struct VolumeConstraint {
+  static constexpr int components = 1;
   BodyMetric G;
   SpaceMetric g;
 
@@ -29,11 +30,13 @@ struct VolumeConstraint {
   S volume_ratio(Jet<S, n, n> const& j) const {
     return jacobian(G(j.particle()), g(j.y), j.gradient());
   }
+  /// \f$\Phi\f$, a column of one component as all constraints are.
   template <class S, int n>
-  S operator()(Jet<S, n, n> const& j) const {
+  Eigen::Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
     // [eq_8_1]
-    return volume_ratio(j) - S(1);
+    S const Phi = volume_ratio(j) - S(1);
     // [eq_8_1]
+    return Eigen::Matrix<S, 1, 1>(Phi);
   }
   /// Refuses what is no metric, and a jet whose Jacobian is not positive: there \f$\partial\Phi/\partial v\f$ may vanish, and no pressure holds the volume.
   /// @throws NotAMetric, VolumeNotPositive
