@@ -74,6 +74,39 @@ struct ChartOfSpaceTime {
   }
 };
 
+/// The volume form of a metric.
+template <class Metric>
+struct VolumeForm {
+  Metric metric;
+  template <class T, int n>
+  T operator()(Eigen::Matrix<T, n, 1> const& at, Tangents<T, n, n> const& V) const {
+    return volume<T>(metric(at)) * determinant(V);
+  }
+};
+/// A motion at one time, a map from the body to space.
+template <class S, class Phi>
+struct AtTime {
+  S time;
+  Phi phi;
+  template <class V>
+  auto operator()(V const& at) const {
+    Eigen::Matrix<ScalarOf<V>, V::RowsAtCompileTime + 1, 1> event;
+    event << ScalarOf<V>(time), at;
+    return phi(event);
+  }
+};
+/// A metric in another chart.
+template <class Metric, class Map>
+struct PulledBack {
+  Metric metric;
+  Map chi;
+  template <class T, int n>
+  Eigen::Matrix<T, n, n> operator()(Eigen::Matrix<T, n, 1> const& x) const {
+    Tangents<T, n, n> const one = Tangents<T, n, n>::Identity();
+    return pulled_back(metric(chi(x)), Eigen::Matrix<T, n, n>(pushed(chi, x, one)));
+  }
+};
+
 }  // namespace
 
 STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multiplier among the fields") {
@@ -147,16 +180,9 @@ STATEMENT(eq_8_1, "the constraint on the volume") {
     Event<S, n> const x = draw_event<S, n>(draw);
     Eigen::Matrix<S, n, 1> const particle = x.template tail<n>();
     // The volume forms of body and space, and the second pulled back by the motion at this time.
-    auto const volume_form = [](auto const& metric) {
-      return [metric]<class T>(Eigen::Matrix<T, n, 1> const& at, Tangents<T, n, n> const& V) -> T { return volume<T>(metric(at)) * determinant(V); };
-    };
-    auto const at_time = [&]<class T>(Eigen::Matrix<T, n, 1> const& at) {
-      Eigen::Matrix<T, n + 1, 1> event;
-      event << T(x[0]), at;
-      return phi(event);
-    };
+    AtTime<S, AnySection<S, n, n>> const at_time{x[0], phi};
     auto const V = draw_tangents<S, n, n>(draw);
-    S const pulled = pull_back(at_time, volume_form(constraint.g))(particle, V), own = volume_form(constraint.G)(particle, V);
+    S const pulled = pull_back(at_time, VolumeForm<AnyMetric<S, n>>{constraint.g})(particle, V), own = VolumeForm<AnyMetric<S, n>>{constraint.G}(particle, V);
     auto const j = first_jet(phi, x);
     S const Phi = constraint(j)[0];
     claim.equal("volume pulled back, minus volume", model, S(pulled - own), S(Phi * own));
@@ -180,10 +206,7 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
     ChartOfSpaceTime<S, n> chi{};
     for (auto& c : chi.chi.added) c = draw_cubic<S, n>(draw, ratio<S>(1, 5));
     // The body in another chart: the metric pulled back, the motion and the pressure composed.
-    auto const G = [&]<class T>(Eigen::Matrix<T, n, 1> const& x) {
-      Eigen::Matrix<T, n, n> const one = Eigen::Matrix<T, n, n>::Identity();
-      return pulled_back(constraint.G(chi.chi(x)), pushed(chi.chi, x, Tangents<T, n, n>(one)));
-    };
+    PulledBack<AnyMetric<S, n>, Chart<S, n>> const G{constraint.G, chi.chi};
     auto const moved = [&](auto const& x) { return phi(chi(x)); };
     auto const pressure = [&](auto const& x) { return P(chi(x)); };
     Event<S, n> const x = draw_event<S, n>(draw);
@@ -192,7 +215,7 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
     S const stretch = determinant(pushed(chi.chi, particle, Tangents<S, n, n>(one)));
     auto const here = first_jet(with_pressure(moved, pressure, G), x);
     auto const there = first_jet(with_pressure(phi, P, constraint.G), chi(x));
-    VolumeConstraint<decltype(G), AnyMetric<S, n>> const in_chart{G, constraint.g};
+    VolumeConstraint<PulledBack<AnyMetric<S, n>, Chart<S, n>>, AnyMetric<S, n>> const in_chart{G, constraint.g};
     S const pairing_here = here.y[n] * in_chart(deformation(here))[0], pairing_there = there.y[n] * constraint(deformation(there))[0];
     claim.equal("multiplier times constraint in another chart", model, pairing_here, S(pairing_there * stretch));
     claim.differs("the multiplier as a function", model, S(there.y[n] * in_chart(deformation(here))[0]), S(pairing_there * stretch));
@@ -201,7 +224,7 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
     auto const fluid = draw_barotropic<S, n>(draw);
     auto const held = incompressible(fluid);
     auto const j = deformation(there);
-    S const rho = fluid.rho(j.particle()), P_W = stored_pressure(fluid.W.w, rho, held.constraint.volume_ratio(j));
+    S const P_W = material_pressure(fluid, j);
     Jet<S, n, n + 1> still = there;
     still.y[n] = volume<S>(fluid.G(j.particle())) * P_W;
     auto const by_energy = momenta(fluid, j);

@@ -114,9 +114,8 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
     for (int k = 0; k < n; ++k) {
       auto moved = below.template cast<Dual<S>>();
       for (int b = 0; b < n; ++b) moved.y[b].part[0] = below.v(b, k + 1);
-      auto const slope = detail::volume_slope(density.density, moved);
-      // The cofactor is taken with the volume of the body held, which it is: x does not move.
-      for (int a = 0; a < n; ++a) from_momenta[a] += lambda * slope(k, a).part[0];
+      auto const slope = area_transformation(constraint.G(moved.particle()), constraint.g(moved.y), moved.gradient());
+      for (int a = 0; a < n; ++a) from_momenta[a] += lambda * slope(a, k).part[0];
     }
     Eigen::Matrix<S, n, n> const inverse = inverse_matrix(Eigen::Matrix<S, n, n>(constraint.g(below.y)));
     auto const rates = metric_derivatives(constraint.g, below.y);
@@ -146,7 +145,7 @@ STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
       Eigen::Matrix<S, n, 1> stress = Eigen::Matrix<S, n, 1>::Zero();
       for (int k = 0; k < n; ++k) {
         auto const moved = along(j, k + 1);
-        auto const slope = detail::energy_slope(medium, moved);
+        auto const slope = detail::strain_derivative(medium, moved);
         Dual<S> const mass = medium.rho(moved.particle());
         for (int a = 0; a < n; ++a) stress[a] += (mass * slope(a, k)).part[0];
       }
