@@ -110,6 +110,22 @@ struct VelocityInSpace {
   }
 };
 
+/// A field or function of time and space at the place of a particle: from (t, x) to its value at (t, phi(t, x)).
+template <class Field, class Phi>
+struct CarriedBy {
+  Field field;
+  Phi phi;
+  template <class V>
+  auto operator()(V const& x) const {
+    auto const place = phi(x).eval();
+    Eigen::Matrix<ScalarOf<V>, V::RowsAtCompileTime, 1> at;
+    at << x[0], place;
+    return field(at);
+  }
+};
+template <class Field, class Phi>
+CarriedBy(Field, Phi) -> CarriedBy<Field, Phi>;
+
 /// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric cubics \f$\psi\f$: its divergence vanishes everywhere.
 template <class S, int n, class Metric>
 struct SolenoidalField {
