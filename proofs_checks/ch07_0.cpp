@@ -72,11 +72,11 @@ struct QuadraticDensity {
   }
 };
 
-/// Both sides of Hamilton's principle on the constrained sections, integrated over the unit box.
+/// Three principles for one motion, integrated over the unit box.
 template <class S>
 struct Principles {
   S restricted;      ///< derivative of the action along sections that satisfy the constraint
-  S multiplier;      ///< minus the pairing of the equations with multiplier, which vanish in w, with the variation of u
+  S multiplier;      ///< pairing of the equations with multiplier, which hold in w, with the variation of u
   S virtual_work;    ///< work of the free equations on displacements that satisfy the constraint at each time
 };
 template <class S>
@@ -87,7 +87,7 @@ Principles<S> principles(QuadraticDensity<S> const& L, SpatialConstraint<S> cons
   Dual<S> step(0);
   step.part[0] = S(1);
   Satisfying<S, MovedField<S, Dual<S>>> const moved{Phi, {u, step}};
-  // The multiplier that makes the equation in w hold: as the constraint is w - F, it is E_w with the sign of the augmented density.
+  // The multiplier that makes the equation in w hold: as the constraint is w - F, it is -E_w.
   auto const lambda = [&](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 1, 1>(-euler_lagrange(L, phi, x)[1]); };
   // Places of degree 4 in each coordinate, quadratic, times a bump of degree 4.
   int const degree = 14;
@@ -145,7 +145,7 @@ STATEMENT(claim_7_0_spatial_constraints, "constraints with spatial derivatives o
   // A particle under dz = y dx, a constraint on velocities. Along the motion by virtual work the equations with multiplier are
   // x'' = (lambda y)', y'' = -lambda x', z'' = -lambda'. As y'' = 0 the second leaves lambda = 0, and the third a z'' that is not zero.
   S const y = draw.number<S>() + S(2);
-  Eigen::Matrix<S, 2, 1> const velocity(draw.number<S>() + S(2), draw.number<S>() + S(2));
+  Eigen::Matrix<S, 2, 1> const velocity = draw.vector<S, Eigen::Matrix<S, 2, 1>>(2) + Eigen::Matrix<S, 2, 1>(S(2), S(2));
   auto const acceleration = virtual_work_acceleration(y, velocity);
   claim.zero("the constraint along the motion by virtual work", "particle under dz = y dx", S(acceleration[2] - velocity[1] * velocity[0] - y * acceleration[0]), S(1), 10);
   S const lambda = -acceleration[1] / velocity[0];

@@ -120,27 +120,29 @@ STATEMENT(thm_7_1_1, "Lagrange multiplier theorem for sections of an inner produ
   claim.convention(
       "An extremum is a point where the derivative vanishes, and the derivative of $\\Psi$ is onto at $\\varphi$; without the second hypothesis, which is not named, "
       "the first statement does not imply the second, as the tip of a cusp shows.");
-  // Cubics composed with cubics, an inner product of degree 4, elimination in 4 unknowns.
-  claim.degree(60);
-  GraphModel<S> const model(draw);
-  std::string const name = "graph in R^4, inner product that varies";
-  Point<S, 2> const u = draw.vector<S, Point<S, 2>>(2) / S(2), lambda = draw.vector<S, Point<S, 2>>(2);
-  Point<S, 4> const q = model.Psi.over(u);
-  // Elimination of matrices of size one whose pivots are of size one tenth and more.
-  double const condition = 100;
+  // The normal equations: twice the inner product (26) and the derivative of the constraint (9), squared by the determinant, and as much for the right side.
+  claim.degree(500);
+  for (int point = 0; point < exact_points; ++point) {
+    GraphModel<S> const model(draw);
+    std::string const name = "graph in R^4, inner product that varies";
+    Point<S, 2> const u = draw.vector<S, Point<S, 2>>(2) / S(2), lambda = draw.vector<S, Point<S, 2>>(2);
+    Point<S, 4> const q = model.Psi.over(u);
+    // Elimination of matrices of size one whose pivots are of size one tenth and more.
+    double const condition = 100;
 
-  // Second to first and back.
-  auto const critical = model.with(model.critical_at(q, lambda));
-  claim.zero("the restriction is critical where the augmented function is", name, critical.restricted_differential(q), S(1), condition);
-  claim.zero("its multiplier is the one that was chosen", name, Point<S, 2>(critical.multiplier(q) - lambda), S(1), condition);
-  auto const restricted = model.with(model.restriction_critical_over(u));
-  claim.zero("the augmented function is critical where the restriction is", name, restricted.augmented_differential(q, restricted.multiplier(q)), S(1), condition);
+    // Second to first and back.
+    auto const critical = model.with(model.critical_at(q, lambda));
+    claim.zero("the restriction is critical where the augmented function is", name, critical.restricted_differential(q), S(1), condition);
+    claim.zero("its multiplier is the one that was chosen", name, Point<S, 2>(critical.multiplier(q) - lambda), S(1), condition);
+    auto const restricted = model.with(model.restriction_critical_over(u));
+    claim.zero("the augmented function is critical where the restriction is", name, restricted.augmented_differential(q, restricted.multiplier(q)), S(1), condition);
 
-  // Neither holds at another point.
-  Tilted<S, 4> const any{model.c, draw.vector<S, Point<S, 4>>(4)};
-  auto const f = model.with(any);
-  claim.refutes("first statement for another function", name, f.restricted_differential(q), S(1));
-  claim.refutes("second statement for another function", name, f.augmented_differential(q, f.multiplier(q)), S(1));
+    // Neither holds at another point.
+    Tilted<S, 4> const any{model.c, draw.vector<S, Point<S, 4>>(4)};
+    auto const f = model.with(any);
+    claim.refutes("first statement for another function", name, f.restricted_differential(q), S(1));
+    claim.refutes("second statement for another function", name, f.augmented_differential(q, f.multiplier(q)), S(1));
+  }
   refute_without_regularity(claim, draw);
 }
 
@@ -148,56 +150,60 @@ STATEMENT(claim_7_1_first_to_second, "from a constrained extremum to an extremum
   claim.convention(
       "The derivative of $\\Psi$ is onto at the point, and the second extremum is a point where the derivative vanishes: $\\bar h$ is affine in the multiplier and rises and falls near "
       "every point, so it has no minimum or maximum there even where $h|_{\\mathcal N}$ has one.");
-  claim.degree(60);
-  GraphModel<S> const model(draw);
-  std::string const name = "graph in R^4, inner product that varies";
-  Point<S, 2> const u = draw.vector<S, Point<S, 2>>(2) / S(2);
-  Point<S, 4> const q = model.Psi.over(u);
-  auto const h = model.restriction_critical_over(u);
-  claim.zero("derivative along the graph", name, model.along_graph(h, u), S(1), 30);
-  auto const f = model.with(h);
-  // The normal equations square the condition of the derivative.
-  Point<S, 2> const lambda = f.multiplier(q);
-  claim.zero("derivative of the augmented function in point and multiplier", name, f.augmented_differential(q, lambda), S(1), 100);
-  claim.refutes("with another multiplier", name, f.augmented_differential(q, Point<S, 2>(lambda[0] + S(1), lambda[1])), S(1));
+  claim.degree(500);
+  for (int point = 0; point < exact_points; ++point) {
+    GraphModel<S> const model(draw);
+    std::string const name = "graph in R^4, inner product that varies";
+    Point<S, 2> const u = draw.vector<S, Point<S, 2>>(2) / S(2);
+    Point<S, 4> const q = model.Psi.over(u);
+    auto const h = model.restriction_critical_over(u);
+    claim.zero("derivative along the graph", name, model.along_graph(h, u), S(1), 30);
+    auto const f = model.with(h);
+    // The normal equations square the condition of the derivative.
+    Point<S, 2> const lambda = f.multiplier(q);
+    claim.zero("derivative of the augmented function in point and multiplier", name, f.augmented_differential(q, lambda), S(1), 100);
+    claim.refutes("with another multiplier", name, f.augmented_differential(q, Point<S, 2>(lambda[0] + S(1), lambda[1])), S(1));
 
-  // Along (p, s DPsi p) the second derivative is p.A.p - 2 s |DPsi p|^2: of either sign.
-  Point<S, 4> const p = f.constraint_derivative(q).row(0).transpose();
-  Point<S, 2> const mu = f.constraint_derivative(q) * p;
-  auto const second = [&](S const& s) {
-    using D = SecondOrder<S, 1>;
-    D const t = D::variable(S(0), 0);
-    Point<D, 4> moved;
-    Point<D, 2> multiplier;
-    for (int i = 0; i < 4; ++i) moved[i] = D(q[i]) + t * D(p[i]);
-    for (int i = 0; i < 2; ++i) multiplier[i] = D(lambda[i]) + t * D(S(s * mu[i]));
-    return f.augmented(moved, multiplier).second[0];
-  };
-  claim.fact("the augmented function rises and falls near its critical point", name, second(S(1000)) * second(S(-1000)) < S(0));
+    // Along (p, s DPsi p) the second derivative is p.A.p - 2 s |DPsi p|^2: of either sign.
+    Point<S, 4> const p = f.constraint_derivative(q).row(0).transpose();
+    Point<S, 2> const mu = f.constraint_derivative(q) * p;
+    auto const second = [&](S const& s) {
+      using D = SecondOrder<S, 1>;
+      D const t = D::variable(S(0), 0);
+      Point<D, 4> moved;
+      Point<D, 2> multiplier;
+      for (int i = 0; i < 4; ++i) moved[i] = D(q[i]) + t * D(p[i]);
+      for (int i = 0; i < 2; ++i) multiplier[i] = D(lambda[i]) + t * D(S(s * mu[i]));
+      return f.augmented(moved, multiplier).second[0];
+    };
+    claim.fact("the augmented function rises and falls near its critical point", name, second(S(1000)) * second(S(-1000)) < S(0));
+  }
   refute_without_regularity(claim, draw);
 }
 
 STATEMENT(claim_7_1_second_to_first, "from an extremum with multiplier to a constrained extremum") {
   claim.holds("No regularity is needed in this direction.");
-  claim.degree(60);
-  GraphModel<S> const model(draw);
-  std::string const name = "graph in R^4, inner product that varies";
-  Point<S, 2> const u = draw.vector<S, Point<S, 2>>(2) / S(2), lambda = draw.vector<S, Point<S, 2>>(2);
-  Point<S, 4> const q = model.Psi.over(u);
-  auto const h = model.critical_at(q, lambda);
-  claim.zero("derivative in point and multiplier", name, model.with(h).augmented_differential(q, lambda), S(1), 30);
-  claim.zero("derivative along the graph", name, model.along_graph(h, u), S(1), 30);
+  claim.degree(500);
+  for (int point = 0; point < exact_points; ++point) {
+    GraphModel<S> const model(draw);
+    std::string const name = "graph in R^4, inner product that varies";
+    Point<S, 2> const u = draw.vector<S, Point<S, 2>>(2) / S(2), lambda = draw.vector<S, Point<S, 2>>(2);
+    Point<S, 4> const q = model.Psi.over(u);
+    auto const h = model.critical_at(q, lambda);
+    claim.zero("derivative in point and multiplier", name, model.with(h).augmented_differential(q, lambda), S(1), 30);
+    claim.zero("derivative along the graph", name, model.along_graph(h, u), S(1), 30);
 
-  // y = 0 and x y = 0 are dependent at the origin; the second multiplier is any number.
-  auto const f = constrained<2>([]<class T>(Point<T, 2> const& p) { return T(p[0] * p[0] + p[1] * T(3)); },
-                                []<class T>(Point<T, 2> const& p) { return Point<T, 2>(p[1], p[0] * p[1]); });
-  Point<S, 2> const origin = Point<S, 2>::Zero(), multipliers(S(3), draw.number<S>());
-  claim.zero("dependent constraints: derivative in point and multiplier", "R^2", f.augmented_differential(origin, multipliers), S(1));
-  claim.zero("dependent constraints: derivative along their zeros, the first axis", "R^2", f.differential(origin)[0], S(1));
-  claim.template refuses<NotRegular>("the way back, where the constraints are dependent", "R^2", [&] { f.multiplier(origin); });
+    // y = 0 and x y = 0 are dependent at the origin; the second multiplier is any number.
+    auto const f = constrained<2>([]<class T>(Point<T, 2> const& p) { return T(p[0] * p[0] + p[1] * T(3)); },
+                                  []<class T>(Point<T, 2> const& p) { return Point<T, 2>(p[1], p[0] * p[1]); });
+    Point<S, 2> const origin = Point<S, 2>::Zero(), multipliers(S(3), draw.number<S>());
+    claim.zero("dependent constraints: derivative in point and multiplier", "R^2", f.augmented_differential(origin, multipliers), S(1));
+    claim.zero("dependent constraints: derivative along their zeros, the first axis", "R^2", f.differential(origin)[0], S(1));
+    claim.template refuses<NotRegular>("the way back, where the constraints are dependent", "R^2", [&] { f.multiplier(origin); });
 
-  // Without the derivative in the multiplier the point need not satisfy the constraint, and over it the restriction is not critical.
-  Point<S, 4> const beside = q + Point<S, 4>(S(0), S(0), S(1), ratio<S>(1, 2));
-  auto const off = model.critical_at(beside, lambda);
-  claim.refutes("derivative along the graph for a critical point beside it", name, model.along_graph(off, u), S(1));
+    // Without the derivative in the multiplier the point need not satisfy the constraint, and over it the restriction is not critical.
+    Point<S, 4> const beside = q + Point<S, 4>(S(0), S(0), S(1), ratio<S>(1, 2));
+    auto const off = model.critical_at(beside, lambda);
+    claim.refutes("derivative along the graph for a critical point beside it", name, model.along_graph(off, u), S(1));
+  }
 }

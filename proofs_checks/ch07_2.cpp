@@ -158,34 +158,49 @@ Quadratic<S, n, N> draw_quadratic(Draw& draw) {
   return {a, b, draw.number<S>()};
 }
 
+/// The same as a constraint.
+template <class S, int n, int N>
+struct QuadraticConstraint {
+  static constexpr int components = 1;
+  Quadratic<S, n, N> c;
+  template <class T>
+  Eigen::Matrix<T, 1, 1> operator()(Jet<T, n, N> const& j) const {
+    return Eigen::Matrix<T, 1, 1>(c(j));
+  }
+};
+
 template <class S, int n>
 Box<S, n> unit_box() {
   return {Event<S, n>::Zero(), Event<S, n>::Ones()};
 }
 
+/// A body as large as its space, and one that is smaller.
+using TwoDimensions = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>;
+
 }  // namespace
 
 STATEMENT(eq_7_1, "induced constraint function on sections") {
   claim.holds("The number of components of $\\Phi$ is the rank of $\\mathcal V$, which the thesis calls $n$; it need not be the dimension of the body.");
-  claim.degree(30);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n;
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
-    auto const phi = draw_section<S, n, n>(draw);
-    auto const x = draw_event<S, n>(draw);
-    // J by the definition of a volume: that of the image of the coordinate vectors, which are pushed forward.
-    Tangents<S, n + 1, n> sides = Tangents<S, n + 1, n>::Zero();
-    for (int i = 0; i < n; ++i) sides(i + 1, i) = S(1);
-    auto const image = pushed(phi, x, sides);
-    Eigen::Matrix<S, n, n> const pulled = image.transpose() * Phi.g(phi(x)) * image;
-    Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
-    S const J = square_root(determinant(pulled)) / square_root(determinant(Phi.G(body)));
-    claim.equal("J - 1 along a section, and from the pulled-back volume", name, S(induced_constraint(Phi, phi)(x)[0] + S(1)), J);
-    // A jet that is that of no section: the velocities of another one.
-    auto j = first_jet(phi, x);
-    j.v = first_jet(draw_section<S, n, n>(draw), x).v;
-    claim.differs("at a jet that is not the section's", name, S(Phi(j)[0] + S(1)), J);
-  });
+  claim.degree(100);
+  for (int point = 0; point < exact_points; ++point)
+    over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
+      constexpr int n = D::n;
+      VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
+      auto const phi = draw_section<S, n, n>(draw);
+      auto const x = draw_event<S, n>(draw);
+      // J by the definition of a volume: that of the image of the coordinate vectors, which are pushed forward.
+      Tangents<S, n + 1, n> sides = Tangents<S, n + 1, n>::Zero();
+      for (int i = 0; i < n; ++i) sides(i + 1, i) = S(1);
+      auto const image = pushed(phi, x, sides);
+      Eigen::Matrix<S, n, n> const pulled = image.transpose() * Phi.g(phi(x)) * image;
+      Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
+      S const J = square_root(determinant(pulled)) / square_root(determinant(Phi.G(body)));
+      claim.equal("J - 1 along a section, and from the pulled-back volume", name, S(induced_constraint(Phi, phi)(x)[0] + S(1)), J);
+      // A jet that is that of no section: the velocities of another one.
+      auto j = first_jet(phi, x);
+      j.v = first_jet(draw_section<S, n, n>(draw), x).v;
+      claim.differs("at a jet that is not the section's", name, S(Phi(j)[0] + S(1)), J);
+    });
 }
 
 STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the multiplier") {
@@ -194,8 +209,8 @@ STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the
   claim.degree(24);
   constexpr int n = 1, N = 2;
   std::string const name = "n = 1, N = 2, on a box";
-  auto const L = draw_quadratic<S, n, N>(draw), P = draw_quadratic<S, n, N>(draw);
-  auto const Phi = constraint<1>([P](auto const& j) { return Eigen::Matrix<typename std::remove_cvref_t<decltype(j)>::Scalar, 1, 1>(P(j)); });
+  auto const L = draw_quadratic<S, n, N>(draw);
+  QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
   auto const phi = draw_section<S, n, N>(draw);
   auto const lambda = draw_multiplier<S, n, 1>(draw);
   auto const box = unit_box<S, n>();
@@ -222,34 +237,35 @@ STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the
 
 STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
   claim.holds("They are those of $L - \\langle\\lambda, \\Phi\\rangle$.");
-  claim.degree(40);
-  over_dimensions(FewDimensions{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n, N = D::N;
-    auto const L = draw_density<S, n, N>(draw);
-    auto const Phi = draw_constraint<S, n, N>(draw);
-    auto const phi = draw_section<S, n, N>(draw);
-    auto const lambda = draw_multiplier<S, n, 2>(draw);
-    auto const x = draw_event<S, n>(draw);
-    // L - <lambda, Phi> as a density that knows lambda as a function of x.
-    auto const minus = [&]<class T>(Jet<T, n, N> const& j) {
-      auto const l = lambda(j.x);
-      auto const c = Phi(j);
-      return T(L(j) - l[0] * c[0] - l[1] * c[1]);
-    };
-    auto const printed = constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x));
-    claim.equal("(7.2), and the field equations of the density", name, printed, (-euler_lagrange(minus, phi, x)).eval());
-    auto const other = opposite<S>(lambda);
-    claim.differs("with the multiplier's sign changed", name, constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(other, x)), printed);
-    auto outside = first_jet(lambda, x);
-    outside.v.setZero();
-    claim.differs("with the multiplier outside of the derivative", name, constrained_field_equations(L, Phi, second_jet(phi, x), outside), printed);
-  });
+  claim.degree(45);
+  for (int point = 0; point < exact_points; ++point)
+    over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
+      constexpr int n = D::n, N = D::N;
+      auto const L = draw_density<S, n, N>(draw);
+      auto const Phi = draw_constraint<S, n, N>(draw);
+      auto const phi = draw_section<S, n, N>(draw);
+      auto const lambda = draw_multiplier<S, n, 2>(draw);
+      auto const x = draw_event<S, n>(draw);
+      // L - <lambda, Phi> as a density that knows lambda as a function of x.
+      auto const minus = [&]<class T>(Jet<T, n, N> const& j) {
+        auto const l = lambda(j.x);
+        auto const c = Phi(j);
+        return T(L(j) - l[0] * c[0] - l[1] * c[1]);
+      };
+      auto const printed = constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x));
+      claim.equal("(7.2), and the field equations of the density", name, printed, (-euler_lagrange(minus, phi, x)).eval());
+      auto const other = opposite<S>(lambda);
+      claim.differs("with the multiplier's sign changed", name, constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(other, x)), printed);
+      auto outside = first_jet(lambda, x);
+      outside.v.setZero();
+      claim.differs("with the multiplier outside of the derivative", name, constrained_field_equations(L, Phi, second_jet(phi, x), outside), printed);
+    });
 
   // The variation of the augmented action on a box, with fixed boundary.
   constexpr int n = 1, N = 2;
   std::string const name = "n = 1, N = 2, on a box";
-  auto const L = draw_quadratic<S, n, N>(draw), P = draw_quadratic<S, n, N>(draw);
-  auto const Phi = constraint<1>([P](auto const& j) { return Eigen::Matrix<typename std::remove_cvref_t<decltype(j)>::Scalar, 1, 1>(P(j)); });
+  auto const L = draw_quadratic<S, n, N>(draw);
+  QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
   auto const phi = draw_section<S, n, N>(draw);
   auto const lambda = draw_multiplier<S, n, 1>(draw);
   Bump<S, N> const w{draw.vector<S, Eigen::Matrix<S, N, 1>>(N)};
@@ -265,31 +281,32 @@ STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and
   claim.corrected("L_\\Phi = L + \\langle\\lambda, \\Phi\\rangle", "L_\\Phi = L - \\langle\\lambda, \\Phi\\rangle",
                   "The equations of the printed density are (7.2) with $-\\lambda$ for $\\lambda$; chapter 8 keeps the printed density, whose multiplier is the pressure, positive in compression.");
   claim.maybe_scan();
-  claim.degree(40);
-  over_dimensions(FewDimensions{}, [&]<class D>(D, std::string const& name) {
-    constexpr int n = D::n, N = D::N;
-    auto const L = draw_density<S, n, N>(draw);
-    auto const Phi = draw_constraint<S, n, N>(draw);
-    auto const phi = draw_section<S, n, N>(draw);
-    auto const lambda = draw_multiplier<S, n, 2>(draw);
-    auto const x = draw_event<S, n>(draw);
-    auto const equations = constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x));
-    auto const plus = augmented(L, Phi);
-    auto const minus = opposite<S>(lambda);
-    // In the fibre coordinates, the multipliers among them.
-    Eigen::Matrix<S, N + 2, 1> const right = -euler_lagrange(plus, extended(phi, minus), x);
-    Eigen::Matrix<S, N + 2, 1> const printed = -euler_lagrange(plus, extended(phi, lambda), x);
-    claim.equal("(7.2), and the field equations of the density with a minus", name, equations, Eigen::Matrix<S, N, 1>(right.template head<N>()));
-    claim.equal("the field equations in the multipliers, and the constraint", name, Eigen::Matrix<S, 2, 1>(-right.template tail<2>()), induced_constraint(Phi, phi)(x));
-    claim.differs("the field equations of the printed density", name, equations, Eigen::Matrix<S, N, 1>(printed.template head<N>()));
-  });
+  claim.degree(45);
+  for (int point = 0; point < exact_points; ++point)
+    over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
+      constexpr int n = D::n, N = D::N;
+      auto const L = draw_density<S, n, N>(draw);
+      auto const Phi = draw_constraint<S, n, N>(draw);
+      auto const phi = draw_section<S, n, N>(draw);
+      auto const lambda = draw_multiplier<S, n, 2>(draw);
+      auto const x = draw_event<S, n>(draw);
+      auto const equations = constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x));
+      auto const plus = augmented(L, Phi);
+      auto const minus = opposite<S>(lambda);
+      // In the fibre coordinates, the multipliers among them.
+      Eigen::Matrix<S, N + 2, 1> const right = -euler_lagrange(plus, extended(phi, minus), x);
+      Eigen::Matrix<S, N + 2, 1> const printed = -euler_lagrange(plus, extended(phi, lambda), x);
+      claim.equal("(7.2), and the field equations of the density with a minus", name, equations, Eigen::Matrix<S, N, 1>(right.template head<N>()));
+      claim.equal("the field equations in the multipliers, and the constraint", name, Eigen::Matrix<S, 2, 1>(-right.template tail<2>()), induced_constraint(Phi, phi)(x));
+      claim.differs("the field equations of the printed density", name, equations, Eigen::Matrix<S, N, 1>(printed.template head<N>()));
+    });
 }
 
 STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of the multiplier theorem") {
   claim.convention(
       "With a fixed boundary the total volume is fixed: the derivative of $J - 1$ reaches the functions with zero mean against $\\sqrt{\\det G}$ and no others, at each time. With these as the fibre "
       "the theorem applies, and the multiplier is free up to $c(t)\\sqrt{\\det G}$.");
-  claim.degree(60);
+  claim.degree(80);
   constexpr int n = 2;
   std::string const name = "n = N = 2, metrics that vary";
   auto const G = draw_metric<S, n>(draw);
