@@ -84,8 +84,8 @@ S volume(Eigen::Matrix<S, n, n> const& g) {
   return square_root(determinant(g));
 }
 template <class S, int n>
-S volume(Kronecker<n>) {
-  return S(1);
+Base<S> volume(Kronecker<n>) {
+  return Base<S>(1);
 }
 
 /// The pulled-back metric \f$g_{ab}F^a{}_iF^b{}_j\f$.
@@ -95,7 +95,14 @@ Eigen::Matrix<S, n, n> pulled_back(Eigen::Matrix<S, N, N> const& g, Eigen::Matri
 }
 template <class S, int N, int n>
 Eigen::Matrix<S, n, n> pulled_back(Kronecker<N>, Eigen::Matrix<S, N, n> const& F) {
-  return F.transpose() * F;
+  Eigen::Matrix<S, n, n> C;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      S sum = F(0, i) * F(0, j);
+      for (int a = 1; a < N; ++a) add_product(sum, F(a, i), F(a, j));
+      C(i, j) = C(j, i) = sum;
+    }
+  return C;
 }
 
 /// \f$G^{-1}C\f$: the first index raised.

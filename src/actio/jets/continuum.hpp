@@ -75,12 +75,8 @@ template <class S>
 struct Homogeneous {
   S value = S(1);  ///< mass per volume of the body
   template <class V>
-  auto operator()(V const&) const {
-    using T = typename V::Scalar;
-    if constexpr (std::same_as<S, Base<T>>)
-      return T(value);
-    else
-      return T(Base<T>(value));
+  Base<typename V::Scalar> operator()(V const&) const {
+    return Base<typename V::Scalar>(value);
   }
 };
 
@@ -106,7 +102,7 @@ struct Continuum {
     auto const there = g(j.y);
     Eigen::Matrix<S, N, 1> const velocity = j.velocity();
     // [eq_6_3]
-    return volume<S>(here) * rho(x) * (inner(there, velocity, velocity) / S(2) - W(x, here, there, j.gradient()));
+    return volume<S>(here) * rho(x) * (inner(there, velocity, velocity) / Base<S>(2) - W(x, here, there, j.gradient()));
     // [eq_6_3]
   }
 
