@@ -1,0 +1,99 @@
+// The equations of motion of incompressible media, as section 8.2 to 8.4 of the thesis write them.
+//
+// Each function returns what is left of an equation: left side minus right side, zero along solutions. Arguments are second jets of the extended
+// section (phi, lambda). Off the constraint, where J is not 1, (8.7) to (8.9) keep their J and (8.11) does not; the Euler-Lagrange derivative of the density
+// is \f$-\sqrt{\det G}\f$ times (8.7) whatever J is.
+#pragma once
+
+#include "actio/incompressible/incompressible_density.hpp"
+
+namespace actio {
+
+/// \f$\partial P/\partial x^k\,(F^{-1})^k{}_a\f$: the derivatives in space, at the place of the particle, of the pressure \f$p = P\circ\phi_t^{-1}\f$.
+/// @throws Singular  where the deformation gradient has no inverse
+template <class BodyMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> spatial_pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
+  return inverse_matrix(deformation(j).gradient(), "deformation gradient").transpose() * pressure_gradient(G, j);
+}
+
+/// The force of the pressure on a unit of volume of the body, \f$\frac{\partial P}{\partial x^k}\,(v^{-1})^k{}_a\,J\f$ of (8.7) and (8.9).
+template <class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> pressure_term(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
+  auto const j = deformation(extended);
+  S const J = jacobian(G(j.particle()), g(j.y), j.gradient());
+  return spatial_pressure_gradient(G, extended) * J;
+}
+
+/// \f$g_{ab}(D_g\dot\phi/Dt)^b\f$, the material acceleration with its index lowered.
+template <class SpaceMetric, class S, int n>
+Eigen::Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n, n> const& j) {
+  return lowered(g(j.y), material_acceleration(g, j));
+}
+
+/// \f$\frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr)\f$, the derivative being along the section.
+template <class Medium, class S, int n>
+Eigen::Matrix<S, n, 1> stress_divergence(Medium const& medium, SecondJet<S, n, n> const& j) {
+  Eigen::Matrix<S, n, 1> sum = Eigen::Matrix<S, n, 1>::Zero();
+  for (int k = 0; k < n; ++k) {
+    auto const moved = along(j, k + 1);
+    Eigen::Matrix<Dual<S>, n, 1> const x = moved.particle();
+    Dual<S> const factor = volume<Dual<S>>(medium.G(x)) * medium.rho(x);
+    Eigen::Matrix<Dual<S>, n, n> const slope = detail::energy_slope(medium, moved);
+    for (int a = 0; a < n; ++a) sum[a] += (slope(a, k) * factor).part[0];
+  }
+  return sum / volume<S>(medium.G(j.particle()));
+}
+
+/// \f$\rho\,\frac{\partial W}{\partial g_{bc}}\frac{\partial g_{bc}}{\partial y^a}\f$: how the stored energy changes with the metric of space, the deformation gradient held.
+template <class Medium, class S, int n>
+Eigen::Matrix<S, n, 1> metric_force(Medium const& medium, Jet<S, n, n> const& j) {
+  using D = Dual<S, n>;
+  Eigen::Matrix<D, n, 1> const x = j.particle().template cast<D>();
+  Eigen::Matrix<D, n, 1> y = j.y.template cast<D>();
+  for (int a = 0; a < n; ++a) y[a].part[a] = S(1);
+  D const W = medium.W(x, medium.G(x), medium.g(y), Eigen::Matrix<D, n, n>(j.gradient().template cast<D>()));
+  S const rho = medium.rho(j.particle());
+  Eigen::Matrix<S, n, 1> force;
+  for (int a = 0; a < n; ++a) force[a] = rho * W.part[a];
+  return force;
+}
+
+/// What is left of the equation of motion with stored energy and pressure (8.7), a component for each a.
+///
+/// \implements{eq_8_7}
+/// @throws Singular  where the deformation gradient has no inverse; VolumeNotPositive where it turns the body inside out
+/// Accuracy: exact but for rounding.
+template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> motion_residual(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, SecondJet<S, n, M> const& extended) {
+  detail::examine(density, static_cast<Jet<S, n, M> const&>(extended));
+  auto const& medium = density.medium;
+  auto const j = deformation(extended);
+  S const rho = medium.rho(j.particle());
+  // [eq_8_7]
+  return rho * lowered_acceleration(medium.g, j) - stress_divergence(medium, j) + metric_force(medium, static_cast<Jet<S, n, n> const&>(j)) +
+         pressure_term(medium.G, medium.g, extended);
+  // [eq_8_7]
+}
+
+/// What is left of the equation of an ideal homogeneous fluid with the material pressure (8.9), the density of mass being 1.
+///
+/// \implements{eq_8_9}
+template <class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> ideal_fluid_residual(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
+  // [eq_8_9]
+  return lowered_acceleration(g, deformation(extended)) + pressure_term(G, g, extended);
+  // [eq_8_9]
+}
+
+/// What is left of the same with the spatial pressure \f$p = P\circ\phi_t^{-1}\f$ (8.11): \f$D_g\dot\phi/Dt + \mathrm{grad}\,p\circ\phi\f$, a vector. It supposes J = 1.
+///
+/// \implements{eq_8_11,eq_8_13}
+template <class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
+  auto const j = deformation(extended);
+  // [eq_8_11]
+  return material_acceleration(g, j) + raised(g(j.y), spatial_pressure_gradient(G, extended));
+  // [eq_8_11]
+}
+
+}  // namespace actio
