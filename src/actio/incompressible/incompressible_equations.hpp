@@ -6,6 +6,7 @@
 #pragma once
 
 #include "actio/incompressible/incompressible_density.hpp"
+#include "actio/jets/continuum_equations.hpp"
 
 namespace actio {
 
@@ -30,48 +31,17 @@ Eigen::Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n
   return lowered(g(j.y), material_acceleration(g, j));
 }
 
-/// \f$\frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr)\f$, the derivative being along the section.
-template <class Medium, class S, int n>
-Eigen::Matrix<S, n, 1> stress_divergence(Medium const& medium, SecondJet<S, n, n> const& j) {
-  Eigen::Matrix<S, n, 1> sum = Eigen::Matrix<S, n, 1>::Zero();
-  for (int k = 0; k < n; ++k) {
-    auto const moved = along(j, k + 1);
-    Eigen::Matrix<Dual<S>, n, 1> const x = moved.particle();
-    Dual<S> const factor = volume<Dual<S>>(medium.G(x)) * medium.rho(x);
-    Eigen::Matrix<Dual<S>, n, n> const slope = detail::energy_slope(medium, moved);
-    for (int a = 0; a < n; ++a) sum[a] += (slope(a, k) * factor).part[0];
-  }
-  return sum / volume<S>(medium.G(j.particle()));
-}
-
-/// \f$\rho\,\frac{\partial W}{\partial g_{bc}}\frac{\partial g_{bc}}{\partial y^a}\f$: how the stored energy changes with the metric of space, the deformation gradient held.
-template <class Medium, class S, int n>
-Eigen::Matrix<S, n, 1> metric_force(Medium const& medium, Jet<S, n, n> const& j) {
-  using D = Dual<S, n>;
-  Eigen::Matrix<D, n, 1> const x = j.particle().template cast<D>();
-  Eigen::Matrix<D, n, 1> y = j.y.template cast<D>();
-  for (int a = 0; a < n; ++a) y[a].part[a] = S(1);
-  D const W = medium.W(x, medium.G(x), medium.g(y), Eigen::Matrix<D, n, n>(j.gradient().template cast<D>()));
-  S const rho = medium.rho(j.particle());
-  Eigen::Matrix<S, n, 1> force;
-  for (int a = 0; a < n; ++a) force[a] = rho * W.part[a];
-  return force;
-}
-
 /// What is left of the equation of motion with stored energy and pressure (8.7), a component for each a.
 ///
 /// \implements{eq_8_7}
-/// @throws Singular  where the deformation gradient has no inverse; VolumeNotPositive where it turns the body inside out
+/// @throws Singular  where the deformation gradient has no inverse; NotOrientationPreserving where it turns the body inside out
 /// Accuracy: exact but for rounding.
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> motion_residual(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, SecondJet<S, n, M> const& extended) {
+Eigen::Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
   detail::examine(density, static_cast<Jet<S, n, M> const&>(extended));
-  auto const& medium = density.medium;
-  auto const j = deformation(extended);
-  S const rho = medium.rho(j.particle());
+  auto const& medium = density.density;
   // [eq_8_7]
-  return rho * lowered_acceleration(medium.g, j) - stress_divergence(medium, j) + metric_force(medium, static_cast<Jet<S, n, n> const&>(j)) +
-         pressure_term(medium.G, medium.g, extended);
+  return medium_equation(medium, deformation(extended)) + pressure_term(medium.G, medium.g, extended);
   // [eq_8_7]
 }
 
@@ -94,6 +64,30 @@ Eigen::Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetri
   // [eq_8_11]
   return material_acceleration(g, j) + raised(g(j.y), spatial_pressure_gradient(G, extended));
   // [eq_8_11]
+}
+
+/// What is left of the equation of an incompressible solid in components (section 8.4); its stored energy is a function of the Green tensor.
+///
+/// \implements{claim_8_4_elasticity_components}
+template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
+  auto const& medium = density.density;
+  auto const j = deformation(extended);
+  // [claim_8_4_elasticity_components]
+  return inertia(medium, j) - stress_divergence(medium, j) + pressure_term(medium.G, medium.g, extended);
+  // [claim_8_4_elasticity_components]
+}
+
+/// The same as vectors, \f$\rho\,D_gV/Dt - \mathrm{DIV}\,\mathcal P + \mathrm{grad}\,p\circ\phi\f$. It supposes J = 1.
+///
+/// \implements{claim_8_4_elasticity_covariant}
+template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
+Eigen::Matrix<S, n, 1> covariant_elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
+  auto const& medium = density.density;
+  auto const j = deformation(extended);
+  // [claim_8_4_elasticity_covariant]
+  return solid_equation(medium, j) + raised(medium.g(j.y), spatial_pressure_gradient(medium.G, extended));
+  // [claim_8_4_elasticity_covariant]
 }
 
 }  // namespace actio

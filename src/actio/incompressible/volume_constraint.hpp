@@ -3,16 +3,10 @@
 // The extended bundle E has the fibre coordinates (y^1, ..., y^n, lambda): its sections are a deformation and a multiplier, its jets are jets over (n, n + 1).
 #pragma once
 
-#include <string>
-
+#include "actio/constraints/augmented.hpp"
 #include "actio/jets/continuum.hpp"
 
 namespace actio {
-
-/// A motion that has the volume of a part of the body shrink to nothing, or turned inside out: the constraint is not regular there.
-struct VolumeNotPositive : NotOrientationPreserving {
-  using NotOrientationPreserving::NotOrientationPreserving;
-};
 
 /// The constraint \f$\Phi = J - 1\f$ of an incompressible medium (8.1), a function of first jets over (n, n).
 ///
@@ -21,6 +15,7 @@ struct VolumeNotPositive : NotOrientationPreserving {
 /// @tparam SpaceMetric  g, a callable on places
 template <class BodyMetric, class SpaceMetric>
 struct VolumeConstraint {
+  static constexpr int components = 1;
   BodyMetric G;
   SpaceMetric g;
 
@@ -29,23 +24,22 @@ struct VolumeConstraint {
   S volume_ratio(Jet<S, n, n> const& j) const {
     return jacobian(G(j.particle()), g(j.y), j.gradient());
   }
+  /// \f$\Phi\f$, a column of one component as all constraints are.
   template <class S, int n>
-  S operator()(Jet<S, n, n> const& j) const {
+  Eigen::Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
     // [eq_8_1]
-    return volume_ratio(j) - S(1);
+    S const Phi = volume_ratio(j) - S(1);
     // [eq_8_1]
+    return Eigen::Matrix<S, 1, 1>(Phi);
   }
   /// Refuses what is no metric, and a jet whose Jacobian is not positive: there \f$\partial\Phi/\partial v\f$ may vanish, and no pressure holds the volume.
-  /// @throws NotAMetric, VolumeNotPositive
+  /// @throws NotAMetric, NotOrientationPreserving
   template <class S, int n>
   void examine(Jet<S, n, n> const& j) const {
     Eigen::Matrix<S, n, 1> const x = j.particle();
     require_metric(G(x), x, "metric of the body");
     require_metric(g(j.y), j.y, "metric of the space");
-    S const J = volume_ratio(j);
-    if (!is_finite(base_value(J))) throw NotFinite("volume constraint at x = " + detail::shown(j.x));
-    if (!(base_value(J) > Base<S>(0)))
-      throw VolumeNotPositive("volume constraint at x = " + detail::shown(j.x), "the Jacobian of the motion of a medium is positive", to_double(base_value(J)), 0);
+    detail::require_orientation(volume_ratio(j), x, "volume constraint");
   }
 };
 template <class BodyMetric, class SpaceMetric>
@@ -54,13 +48,13 @@ VolumeConstraint(BodyMetric, SpaceMetric) -> VolumeConstraint<BodyMetric, SpaceM
 /// The deformation of a jet of the extended bundle: the multiplier and its derivatives are left out.
 template <class S, int n, int M>
 Jet<S, n, M - 1> deformation(Jet<S, n, M> const& j) {
-  return {j.x, j.y.template head<M - 1>(), j.v.template topRows<M - 1>()};
+  return configuration<M - 1>(j);
 }
 /// The same of a second jet.
 template <class S, int n, int M>
 SecondJet<S, n, M - 1> deformation(SecondJet<S, n, M> const& j) {
   SecondJet<S, n, M - 1> below;
-  static_cast<Jet<S, n, M - 1>&>(below) = deformation(static_cast<Jet<S, n, M> const&>(j));
+  static_cast<Jet<S, n, M - 1>&>(below) = configuration<M - 1>(static_cast<Jet<S, n, M> const&>(j));
   for (int mu = 0; mu <= n; ++mu) below.w[mu] = j.w[mu].template topRows<M - 1>();
   return below;
 }
@@ -87,7 +81,7 @@ auto with_pressure(Phi const& phi, Pressure const& P, BodyMetric const& G) {
 
 /// The material pressure \f$P = \lambda/\sqrt{\det G}\f$ of a jet of the extended bundle (8.2).
 template <class BodyMetric, class S, int n, int M>
-S material_pressure(BodyMetric const& G, Jet<S, n, M> const& j) {
+S multiplier_pressure(BodyMetric const& G, Jet<S, n, M> const& j) {
   return j.y[M - 1] / volume<S>(G(j.particle()));
 }
 
@@ -95,7 +89,7 @@ S material_pressure(BodyMetric const& G, Jet<S, n, M> const& j) {
 template <class BodyMetric, class S, int n, int M>
 Eigen::Matrix<S, n, 1> pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
   Eigen::Matrix<S, n, 1> rates;
-  for (int k = 0; k < n; ++k) rates[k] = material_pressure(G, along(j, k + 1)).part[0];
+  for (int k = 0; k < n; ++k) rates[k] = multiplier_pressure(G, along(j, k + 1)).part[0];
   return rates;
 }
 
