@@ -58,7 +58,7 @@ Eigen::Matrix<S, n, n> tangent_of(Stretch<S, n> const& eta, Jet<S, n, N> const& 
 STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
   claim.convention("Leaving $\\lambda$ as it is suits only coordinates in which $\\det G$ is constant: there a volume-preserving map has determinant 1. In others $\\lambda=\\sqrt{\\det G}\\,P$ goes over as a density, and $P$ is what stays.");
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_jet<S, n, N>(draw);
@@ -85,7 +85,7 @@ STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
   claim.holds();
   // A cubic of a cubic, of the inverse of a map of second degree.
   claim.degree(60);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const any = draw_automorphism<S, n, N>(draw);
     auto const eta = Automorphism{[any](auto const& x) { return any.base(x); }, [any](auto const& point) { return any.fibre(point); }};
@@ -105,7 +105,7 @@ STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
 STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinates") {
   claim.holds("For the lift (9.1); with a multiplier that is carried as a density, its rates have a term more.");
   claim.degree(20);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     Stretch<S, n> const eta{ratio<S>(3, 2), ratio<S>(4, 9)};
     auto const j = draw_jet<S, n, N>(draw);
@@ -122,7 +122,7 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.holds("The field is divergence-free with respect to $\\sqrt{\\det G}$; the formula holds for any field on the body.");
   claim.degree(20);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const xi = draw_relabelling<S, n>(draw_metric<S, n>(draw), draw);
     auto const j = draw_jet<S, n, N>(draw);
@@ -155,7 +155,7 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
 STATEMENT(claim_9_1_prolonged_velocities, "velocity components of the infinitesimal prolongation") {
   claim.holds("A relabelling that changes in time would add $-v^a{}_m\\,\\partial_t\\xi^m$.");
   claim.degree(20);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const j = draw_jet<S, n, N>(draw);
     auto const any = draw_field<S, n, N>(draw);
@@ -181,7 +181,7 @@ STATEMENT(claim_9_1_prolonged_velocities, "velocity components of the infinitesi
 STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a group") {
   claim.convention("Equivalent to invariance of the action over every region, which moves with $\\eta_X$; invariance up to what happens at the boundary allows a divergence, as under Galileo's boosts.");
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     fluid.G = draw_stretchable_metric<S, n>(draw);

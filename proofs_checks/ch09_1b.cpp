@@ -44,26 +44,27 @@ STATEMENT(eq_9_4, "covariant momentum map and the multisymplectic form") {
   claim.holds("With $\\Omega=-d\\Theta$; the momentum map is defined up to a closed form.");
   // Momenta of a fluid, differentiated: some 60 with denominators, times a potential and four vectors.
   claim.degree(120);
-  auto const fluid = draw_homogeneous_fluid<S, 2>(draw);
-  std::string const model = "homogeneous fluid, n = 2, N = 2";
-  auto const field = relabelling_field<2>(draw_relabelling<S, 2>(fluid.G, draw));
-  auto const at = coordinates(draw_jet<S, 2, 2>(draw));
-  auto const V = draw_tangents<S, 11, 3>(draw);
-  auto const both = [&](AnyFluid<S, 2> const& L) {
-    S const left = contract(prolonged<2, 2>(field), multisymplectic_form<2, 2>(L))(at, V);
-    return std::pair(left, S(exterior_derivative(covariant_momentum_map<2, 2>(L, field))(at, V)));
-  };
-  auto const [left, right] = both(fluid);
-  claim.equal("dJ is the contraction of Omega", model, left, right, 10);
-  claim.differs("with the other sign of Omega", model, S(-left), right);
-  auto const [varying_left, varying_right] = both(with_varying_mass(fluid, draw));
-  claim.differs("mass that varies", model, varying_left, varying_right);
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+    auto const fluid = draw_homogeneous_fluid<S, 2>(draw);
+    auto const field = relabelling_field<2>(draw_relabelling<S, 2>(fluid.G, draw));
+    auto const at = coordinates(draw_jet<S, 2, 2>(draw));
+    auto const V = draw_tangents<S, 11, 3>(draw);
+    auto const both = [&](AnyFluid<S, 2> const& L) {
+      S const left = contract(prolonged<2, 2>(field), multisymplectic_form<2, 2>(L))(at, V);
+      return std::pair(left, S(exterior_derivative(covariant_momentum_map<2, 2>(L, field))(at, V)));
+    };
+    auto const [left, right] = both(fluid);
+    claim.equal("dJ is the contraction of Omega", model, left, right, 10);
+    claim.differs("with the other sign of Omega", model, S(-left), right);
+    auto const [varying_left, varying_right] = both(with_varying_mass(fluid, draw));
+    claim.differs("mass that varies", model, varying_left, varying_right);
+  });
 }
 
 STATEMENT(thm_9_1_1, "covariant Noether theorem") {
   claim.holds("Off shell, for any density and any field: $d(j^1\\phi)^*J=\\bigl(r-E_a(\\xi^a-v^a{}_\\mu\\xi^\\mu)\\bigr)\\,d^{n+1}x$ with the rate r of equivariance.");
   claim.degree(80);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     auto const L = draw_density<S, D::n, D::N>(draw);
     auto const xi = draw_field<S, D::n, D::N>(draw);
     auto const j = draw_second_jet<S, D::n, D::N>(draw);
@@ -71,7 +72,7 @@ STATEMENT(thm_9_1_1, "covariant Noether theorem") {
     claim.equal("any density, any field, any section", model, divergence, S(equivariance_rate(L, xi, first(j)) + noether_identity(L, xi, j)), 10);
     claim.differs("without the rate of equivariance", model, divergence, noether_identity(L, xi, j));
   });
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const field = relabelling_field<n>(draw_relabelling<S, n>(fluid.G, draw));
@@ -90,7 +91,7 @@ STATEMENT(thm_9_1_1, "covariant Noether theorem") {
 STATEMENT(eq_9_5, "exterior derivative of the Noether current on solutions") {
   claim.holds("For relabelling it is $\\xi^kF^a{}_kE_a\\,d^{n+1}x$ off shell.");
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const xi = draw_relabelling<S, n>(fluid.G, draw);
@@ -181,7 +182,7 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
 STATEMENT(eq_9_7, "momentum map from the Cartan form") {
   claim.convention("The density must be equivariant; for others the form is there, and its differential is not $j^1\\xi\\lrcorner\\,\\Omega_{\\mathcal L}$.");
   claim.degree(60);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
     auto const xi = draw_field<S, n, N>(draw);

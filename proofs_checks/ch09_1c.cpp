@@ -16,7 +16,7 @@ STATEMENT(prop_9_1_1, "equivariance of the two fluid Lagrangians under relabelli
   claim.convention("With the same density everywhere, an energy that sees the body through J alone, fields that are divergence-free with respect to $\\sqrt{\\det G}$, and, where $\\det G$ varies, a multiplier that goes over as a density.");
   // Each density is of degree some 24 with its denominators, a field 12.
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const xi = draw_relabelling<S, n>(fluid.G, draw);
@@ -35,7 +35,7 @@ STATEMENT(prop_9_1_1, "equivariance of the two fluid Lagrangians under relabelli
 STATEMENT(claim_9_1_barotropic_equivariance, "equivariance of the barotropic Lagrangian under relabelling") {
   claim.holds("For every metric of the body, where volume-preserving means $\\sqrt{\\det G(\\eta(x))}\\,\\det\\partial\\eta=\\sqrt{\\det G(x)}$.");
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     fluid.G = draw_stretchable_metric<S, n>(draw);
@@ -50,7 +50,7 @@ STATEMENT(claim_9_1_barotropic_equivariance, "equivariance of the barotropic Lag
 STATEMENT(claim_9_1_incompressible_equivariance, "equivariance of the incompressible Lagrangian under relabelling") {
   claim.convention("With the multiplier fixed, as (9.1) has it, only in coordinates with constant $\\det G$; otherwise with $\\lambda=\\sqrt{\\det G}\\,P$ carried as a density, P fixed.");
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_jet<S, n, N>(draw);
@@ -66,7 +66,7 @@ STATEMENT(claim_9_1_incompressible_equivariance, "equivariance of the incompress
 STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the determinant of a relabelling") {
   claim.convention("That the determinant is 1, and the displayed equality without $\\sqrt{\\det G}$, need coordinates in which $\\det G$ is constant. In any, J is the same before and after, and $f(J)\\sqrt{\\det G}\\,d^{n+1}x$ is equivariant.");
   claim.degree(60);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const G = draw_stretchable_metric<S, n>(draw), g = fluid.g;

@@ -53,7 +53,7 @@ struct FlowingFluid {
 STATEMENT(eq_9_8, "relabelling current of a barotropic fluid") {
   claim.holds();
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     FlowingFluid<S, D::n> const flow(draw);
     claim.equal("(9.8) is the contraction of the Cartan form", model, barotropic_relabelling_current(flow.fluid, flow.field, first(flow.j)), flow.current(), 10);
     auto turned = flow.current();
@@ -65,7 +65,7 @@ STATEMENT(eq_9_8, "relabelling current of a barotropic fluid") {
 STATEMENT(claim_9_1_barotropic_current_space, "spatial components of the barotropic relabelling current") {
   claim.holds();
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
     S const kinetic = flow.rho * inner(flow.fluid.g(flow.j.y), flow.j.velocity(), flow.j.velocity()) / S(2);
@@ -80,7 +80,7 @@ STATEMENT(claim_9_1_barotropic_current_space, "spatial components of the barotro
 STATEMENT(claim_9_1_barotropic_current_time, "time component of the barotropic relabelling current") {
   claim.holds();
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
     Eigen::Matrix<S, n, 1> const pushed_field = flow.j.gradient() * flow.field;
@@ -96,7 +96,7 @@ STATEMENT(claim_9_1_barotropic_current_differential, "exterior derivative of the
                   "\\rho\\,g_{ab}\\left(\\frac{D_g\\dot\\phi}{Dt}\\right)^b=-\\frac{\\partial P}{\\partial x^k}\\,J\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
                   "The density is missing: print holds for $\\rho=1$. The differential is $-\\sqrt{\\det G}\\,\\xi^k\\bigl(\\rho\\,g_{ab}(D_g\\dot\\phi/Dt)^b\\phi^a{}_{,k}+J\\,\\partial_kP\\bigr)d^{n+1}x$; closed at a point for all divergence-free fields it gives back the field equations there, since F is invertible.");
   claim.degree(120);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
     Eigen::Matrix<S, n, 1> const push = flow.pressure_slope() * flow.J(), inertia = flow.inertia();
@@ -122,7 +122,7 @@ STATEMENT(claim_9_1_barotropic_current_differential, "exterior derivative of the
 STATEMENT(eq_9_9, "relabelling current of an incompressible fluid") {
   claim.convention("The constant stored energy is put to zero; another one would add a closed form. It holds off shell too: $\\lambda(J-1)-\\lambda J=-\\lambda$.");
   claim.degree(80);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
     S const P = flow.extended.y[n] / flow.root;
@@ -139,7 +139,7 @@ STATEMENT(claim_9_1_incompressible_current_differential, "exterior derivative of
                   "\\rho\\,g_{ab}\\left(\\frac{D_g\\dot\\phi}{Dt}\\right)^b=-\\frac{\\partial P}{\\partial x^k}\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
                   "The density is missing: print holds for $\\rho=1$. That there is no J is right, constraint or not.");
   claim.degree(120);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
     auto const push = pressure_gradient(flow.fluid.G, flow.extended);
@@ -153,7 +153,7 @@ STATEMENT(claim_9_1_incompressible_current_differential, "exterior derivative of
 STATEMENT(claim_9_1_constraint_from_current, "constraint and the vanishing of the current differential") {
   claim.holds("A motion whose volumes change has closed currents for all fields once its acceleration fits the pressure.");
   claim.degree(120);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> flow(draw);
     // Let the acceleration be what makes every current closed; the volumes do what they do.

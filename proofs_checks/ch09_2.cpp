@@ -43,7 +43,7 @@ S energy_rate(Medium const& medium, SecondJet<S, n, N> const& j) {
 STATEMENT(claim_9_2_time_invariance, "time translation and the two Lagrangian densities") {
   claim.holds("Mass, metrics and energy are those of the body and know no time.");
   claim.degree(60);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
     auto const j = draw_jet<S, n, n + 1>(draw);
@@ -57,7 +57,7 @@ STATEMENT(claim_9_2_time_invariance, "time translation and the two Lagrangian de
 STATEMENT(claim_9_2_time_current, "Noether current of time translation") {
   claim.holds("With the energy density of (6.5), which has $\\sqrt{\\det G}$ in it already.");
   claim.degree(60);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
     auto const j = draw_jet<S, n, n>(draw);
@@ -75,7 +75,7 @@ STATEMENT(claim_9_2_time_current, "Noether current of time translation") {
 STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
   claim.holds("Along solutions; off shell the two sides differ by $\\dot\\phi^aE_a$. DIV is $\\frac1{\\sqrt{\\det G}}\\partial_j(\\sqrt{\\det G}\\;\\cdot^{\\,j})$.");
   claim.degree(100);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
     auto const off = draw_second_jet<S, n, n>(draw);

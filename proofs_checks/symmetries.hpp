@@ -9,6 +9,14 @@
 
 namespace actio::checks {
 
+/// Calls `visit` for each of the dimensions, at three random points.
+template <class Dims, class Visit>
+void over_points(Dims dimensions, Visit const& visit) {
+  for (int point = 0; point < 3; ++point) over_dimensions(dimensions, visit);
+}
+/// The plane alone, for what costs much.
+using Plane = std::tuple<Dimensions<2, 2>>;
+
 /// A polynomial that is the same everywhere.
 template <class S, int m>
 Cubic<S, m> constant_cubic(S const& value) {
@@ -31,10 +39,10 @@ AnyFluid<S, n> draw_homogeneous_fluid(Draw& draw) {
   auto const G = draw_metric<S, n>(draw), g = draw_metric<S, n>(draw);
   return {G, g, even_mass<S, n>(ratio<S>(7, 5)), draw_fluid<S>(draw)};
 }
-/// The same with mass that varies.
+/// The same with mass that varies, by a good part of it.
 template <class S, int n>
 AnyFluid<S, n> with_varying_mass(AnyFluid<S, n> fluid, Draw& draw) {
-  fluid.rho = draw_mass<S, n>(draw);
+  fluid.rho.added = draw_cubic<S, n>(draw, ratio<S>(1, 2));
   return fluid;
 }
 /// The ideal incompressible fluid: no stored energy.

@@ -8,7 +8,7 @@ namespace actio {
 /// The field \f$(\zeta, 0, 0)\f$ on Y, with \f$\zeta = 1\f$: time runs on, body and space stay.
 struct TimeTranslation {
   template <class V>
-  auto operator()(V const& point) const {
+  auto operator()(V const&) const {
     using T = typename V::Scalar;
     Eigen::Matrix<T, V::RowsAtCompileTime, 1> rate = Eigen::Matrix<T, V::RowsAtCompileTime, 1>::Zero();
     rate[0] = T(1);
