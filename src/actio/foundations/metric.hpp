@@ -42,7 +42,7 @@ struct ConstantMetric {
 template <class Metric>
 inline constexpr bool is_constant_metric = false;
 template <class Metric>
-  requires requires { Metric::constant; }
+  requires requires { typename std::bool_constant<Metric::constant>; }
 inline constexpr bool is_constant_metric<Metric> = Metric::constant;
 
 /// A matrix that is no metric: not symmetric, or not positive definite.
@@ -117,16 +117,22 @@ Eigen::Matrix<S, n, k> lowered(Kronecker<n>, Eigen::Matrix<S, n, k> const& T) {
   return T;
 }
 
+namespace detail {
+/// A metric and the point that it is taken at, for a message.
+template <class V>
+std::string metric_at(char const* which, V const& at) {
+  std::string text = std::string(which) + " at (";
+  for (Eigen::Index i = 0; i < at.size(); ++i) text += (i ? ", " : "") + show(to_double(at[i]));
+  return text + ")";
+}
+}  // namespace detail
+
 /// Refuses a matrix that is not symmetric to rounding, or not positive definite.
 /// @param at  the point, for the message
 /// @throws NotAMetric  with the asymmetry over the largest entry, or the pivot of the elimination that is not positive
 template <class S, int n, class V>
 void require_metric(Eigen::Matrix<S, n, n> const& g, V const& at, char const* which) {
-  auto const where = [&] {
-    std::string text = std::string(which) + " at (";
-    for (Eigen::Index i = 0; i < at.size(); ++i) text += (i ? ", " : "") + show(to_double(at[i]));
-    return text + ")";
-  };
+  auto const where = [&] { return detail::metric_at(which, at); };
   if (!is_finite(g)) throw NotFinite(where());
   Base<S> const size = magnitude(g);
   // Entries come out of a computation: some tens of roundings.
@@ -150,6 +156,23 @@ void require_metric(Eigen::Matrix<S, n, n> const& g, V const& at, char const* wh
 }
 template <int n, class V>
 void require_metric(Kronecker<n>, V const&, char const*) {}
+
+/// Refuses, over the rationals, a matrix whose volume is irrational.
+/// @param at  the point, for the message
+/// @throws NotASquare  with the determinant
+template <class S, int n, class V>
+void require_volume(Eigen::Matrix<S, n, n> const& g, V const& at, char const* which) {
+  if constexpr (is_exact<S>) {
+    S const square = determinant(g);
+    try {
+      square_root(base_value(square));
+    } catch (NotASquare const&) {
+      throw NotASquare(detail::metric_at(which, at), "over the rationals the determinant is the square of a rational number", to_double(square), 0);
+    }
+  }
+}
+template <int n, class V>
+void require_volume(Kronecker<n>, V const&, char const*) {}
 
 // ---- Fields of metrics.
 

@@ -14,6 +14,20 @@ struct NotOrientationPreserving : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
+/// A density of mass that is not positive.
+struct NotAMassDensity : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
+/// A medium with an n-dimensional body in an N-dimensional space: metrics of those dimensions, a mass density, and a stored energy that takes their values.
+template <class Medium, class S, int n, int N>
+concept MediumOver = requires(Medium const& medium, Eigen::Matrix<S, n, 1> const& x, Eigen::Matrix<S, N, 1> const& y, Eigen::Matrix<S, N, n> const& F) {
+  { as_matrix<S>(medium.G(x)) } -> std::same_as<Eigen::Matrix<S, n, n>>;
+  { as_matrix<S>(medium.g(y)) } -> std::same_as<Eigen::Matrix<S, N, N>>;
+  { medium.rho(x) } -> std::convertible_to<S>;
+  { medium.W(x, medium.G(x), medium.g(y), F) } -> std::convertible_to<S>;
+};
+
 /// The Jacobian \f$J = \det F\,\sqrt{\det g/\det G}\f$ of a deformation, n = N (6.1).
 ///
 /// \implements{eq_6_1}
@@ -29,6 +43,15 @@ template <int n, class S>
 S jacobian(Kronecker<n>, Kronecker<n>, Eigen::Matrix<S, n, n> const& F) {
   return determinant(F);
 }
+
+namespace detail {
+/// @throws NotOrientationPreserving  with J, where it is not positive
+template <class S, int n>
+void require_orientation(S const& J, Eigen::Matrix<S, n, 1> const& x, char const* which) {
+  if (!(base_value(J) > Base<S>(0)))
+    throw NotOrientationPreserving(std::string(which) + " at x = " + shown(x), "the Jacobian of a motion is positive", to_double(J), 0);
+}
+}  // namespace detail
 
 /// The Green deformation tensor \f$C_{ij} = g_{ab}F^a{}_iF^b{}_j\f$ (6.2), the metric of space pulled back to the body.
 ///
@@ -76,6 +99,7 @@ struct Continuum {
   Energy W;
 
   template <class S, int n, int N>
+    requires MediumOver<Continuum, S, n, N>
   S operator()(Jet<S, n, N> const& j) const {
     Eigen::Matrix<S, n, 1> const x = j.particle();
     auto const here = G(x);
@@ -86,8 +110,8 @@ struct Continuum {
     // [eq_6_3]
   }
 
-  /// Refuses what is no metric at this jet, and what the energy refuses: the body turned inside out.
-  /// @throws NotAMetric, NotOrientationPreserving
+  /// Refuses what is no metric or no mass at this jet, and what the energy refuses: the body turned inside out.
+  /// @throws NotAMetric, NotAMassDensity, NotOrientationPreserving; NotASquare over the rationals, where the volume of the body is irrational
   template <class S, int n, int N>
   void examine(Jet<S, n, N> const& j) const {
     Eigen::Matrix<S, n, 1> const x = j.particle();
@@ -95,6 +119,9 @@ struct Continuum {
     auto const there = g(j.y);
     require_metric(here, x, "metric of the body");
     require_metric(there, j.y, "metric of the space");
+    require_volume(here, x, "metric of the body");
+    S const mass = rho(x);
+    if (!(base_value(mass) > Base<S>(0))) throw NotAMassDensity("mass density at x = " + detail::shown(x), "mass is positive", to_double(mass), 0);
     if constexpr (requires { W.examine(x, here, there, j.gradient()); }) W.examine(x, here, there, j.gradient());
   }
 };
