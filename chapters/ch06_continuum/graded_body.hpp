@@ -20,13 +20,13 @@ typename V::Scalar fading(V const& X) {
   return typename V::Scalar(1) - X.dot(X);
 }
 
-// Mass per volume of the body.
+// Mass per volume of the body; with k = 0 it is `Homogeneous`.
 struct GradedMass {
-  double exponent = 0;  // k
+  double exponent;  // k
   template <class V>
   typename V::Scalar operator()(V const& X) const {
     using std::pow;
-    return exponent == 0 ? typename V::Scalar(1) : pow(fading(X), exponent);
+    return pow(fading(X), exponent);
   }
 };
 

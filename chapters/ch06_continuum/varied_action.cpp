@@ -17,6 +17,7 @@ constexpr int nodes = 14;  // of Gauss's rule along each side
 
 EllipticGas const gas{0.2, 1.4};
 Box<double, 2> const box{{0.02, -0.45, -0.3}, {0.22, 0.35, 0.4}};
+double const middle = 0.12;  // of the time of the box: the power series of the motion starts there
 
 // A variation that bends everything: horizontal components times `across`, vertical ones times `upward`.
 auto variation(double across, double upward) {
@@ -29,11 +30,11 @@ auto variation(double across, double upward) {
 }
 
 // The cloud as it moves, and one that is pushed about and solves nothing.
-auto solution() { return linear_motion<2>(gas, thrown_gas()); }
+auto solution() { return linear_motion<2>(gas, thrown_gas(), middle); }
 auto pushed_about() {
   return [phi = solution()]<class V>(V const& x) {
     auto y = phi(x);
-    y[0] += x[0] * x[0] * x[2] * 0.5, y[1] += x[1] * x[1] * 0.2;
+    y[0] += x[0] * x[0] * x[2] * 2.0, y[1] += x[1] * x[1] * 0.5;
     return y;
   };
 }
@@ -66,8 +67,8 @@ LinearMotion<double, 2> neighbour(std::uint64_t seed) {
   auto state = thrown_gas().cast<Dual<double>>().eval();
   for (auto& s : state) s.part[0] = draw.number<double>();
   // The series of a dual motion: its rates of change are a linear motion again.
-  LinearMotion<double, 2> variation{0, {}};
-  for (auto const& term : linear_motion<2>(gas, state).terms) variation.terms.emplace_back(term.unaryExpr([](Dual<double> const& a) { return a.part[0]; }));
+  LinearMotion<double, 2> variation{middle, {}};
+  for (auto const& term : linear_motion<2>(gas, state, middle).terms) variation.terms.emplace_back(term.unaryExpr([](Dual<double> const& a) { return a.part[0]; }));
   return variation;
 }
 template <class V, class W>

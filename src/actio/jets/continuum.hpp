@@ -75,7 +75,7 @@ template <class S>
 struct Homogeneous {
   S value = S(1);  ///< mass per volume of the body
   template <class V>
-  auto operator()(V const& x) const {
+  auto operator()(V const&) const {
     using T = typename V::Scalar;
     if constexpr (std::same_as<S, Base<T>>)
       return T(value);
