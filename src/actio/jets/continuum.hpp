@@ -58,7 +58,9 @@ void require_orientation(S const& J, Eigen::Matrix<S, n, 1> const& x, char const
 /// \implements{eq_6_2}
 template <class SpaceMetric, class S, int N, int n>
 Eigen::Matrix<S, n, n> green_tensor(SpaceMetric const& g, Eigen::Matrix<S, N, n> const& F) {
+  // [eq_6_2]
   return pulled_back(g, F);
+  // [eq_6_2]
 }
 
 /// The inverse Finger tensor \f$c_{ab} = G_{ij}(F^{-1})^i{}_a(F^{-1})^j{}_b\f$ (6.2), the metric of the body pushed forward to space.
