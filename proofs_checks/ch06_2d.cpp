@@ -59,7 +59,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
                   "The free index b of the left side is summed on the right, where a is left over: the names of a and b are exchanged in the last term.");
   // A metric of degree 4 and its inverse, a section of degree 3, a chart of degree 3.
   claim.degree(120);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points([&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const dust = draw_continuum<S, n>(draw, NoEnergy{});
     auto const j = draw_second_jet<S, n>(draw);
@@ -84,7 +84,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
 STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") {
   claim.holds("The symmetric symbols under which the metric is parallel; that fixes them.");
   claim.degree(60);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points([&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
     Eigen::Matrix<S, n, 1> const y = draw.vector<S, Eigen::Matrix<S, n, 1>>(n) * ratio<S>(1, 2);
@@ -122,7 +122,7 @@ STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
   claim.holds("In coordinates in which g and G are constant; the mass density, which may vary, stays inside the derivative.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   claim.degree(60);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points([&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const W = draw_energy<S, n, n>(draw);
     auto const flat = draw_flat_continuum<S, n>(draw, W);
@@ -144,7 +144,7 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
                   "In the last term i and j are left over; they are one index, summed. The divergence is fixed by Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
   claim.degree(120);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points([&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using Column = Eigen::Matrix<S, n, 1>;
     auto const medium = draw_any_medium<S, n>(draw);
@@ -189,7 +189,7 @@ STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from t
   claim.holds("Piola's identity. Each of the two terms alone is not zero; the section must be one: mixed derivatives commute.");
   // Determinant and inverse of a gradient of degree 2 in the body, n = 3.
   claim.degree(60);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points([&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using Column = Eigen::Matrix<S, n, 1>;
     auto const fluid = draw_fluid_medium<S, n>(draw);

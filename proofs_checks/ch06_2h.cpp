@@ -51,7 +51,7 @@ SecondJet<S, 2, 2> draw_jet_on_sphere(Draw& draw) {
 template <class S, class Visit>
 void over_media(Draw& draw, Visit const& visit) {
   if constexpr (is_exact<S>) {
-    over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+    over_points([&]<class D>(D, std::string const& model) {
       auto const any = draw_any_medium<S, D::n>(draw);
       auto const fluid = draw_fluid_medium<S, D::n>(draw);
       visit(any, fluid, draw_second_jet<S, D::n>(draw), model);
