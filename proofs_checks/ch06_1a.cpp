@@ -2,7 +2,6 @@
 // Section 6.1: the jet bundle, the dual jet bundle and their forms.
 #include "fields.hpp"
 
-#include "actio/foundations/wedge.hpp"
 #include "statement.hpp"
 #include "variations.hpp"
 

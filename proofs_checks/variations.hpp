@@ -3,6 +3,7 @@
 
 #include "fields.hpp"
 
+#include "actio/foundations/wedge.hpp"
 #include "actio/jets/cartan.hpp"
 #include "actio/jets/prolongation.hpp"
 #include "actio/jets/tilted_section.hpp"
@@ -96,6 +97,22 @@ template <class S, int rows, class Form>
 S coefficient_of(Form const& alpha, Eigen::Matrix<S, rows, 1> const& x) {
   Tangents<S, rows, rows> const all = Tangents<S, rows, rows>::Identity();
   return alpha(x, all);
+}
+
+/// \f$p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ by exterior products, on coordinates of jets.
+template <int n, int N, class S, int D>
+S by_exterior_products(Eigen::Matrix<S, N, n + 1> const& p, S const& Pi, Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) {
+  S sum = Pi * determinant(Eigen::Matrix<S, n + 1, n + 1>(V.template topRows<n + 1>()));
+  for (int mu = 0; mu <= n; ++mu) {
+    auto const below = [mu]<class T, int E>(Eigen::Matrix<T, E, 1> const&, Tangents<T, E, n> const& U) -> T {
+      Eigen::Matrix<T, n + 1, n + 1> all = Eigen::Matrix<T, n + 1, n + 1>::Zero();
+      all(mu, 0) = T(1);
+      all.template rightCols<n>() = U.template topRows<n + 1>();
+      return determinant(all);
+    };
+    for (int a = 0; a < N; ++a) sum += p(a, mu) * wedge(differential_of_coordinate(n + 1 + a), below)(at, V);
+  }
+  return sum;
 }
 
 /// A box about the origin, its sides not alike.
