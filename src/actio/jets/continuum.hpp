@@ -39,6 +39,7 @@ S jacobian(BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> con
   return determinant(F) * volume<S>(g) / volume<S>(G);
   // [eq_6_1]
 }
+/// The same between Euclidean spaces.
 template <int n, class S>
 S jacobian(Kronecker<n>, Kronecker<n>, Eigen::Matrix<S, n, n> const& F) {
   return determinant(F);
@@ -95,10 +96,10 @@ struct Homogeneous {
 /// @tparam Energy       W, a callable (x, G, g, F) over any scalar: stored energy per unit mass
 template <class BodyMetric, class SpaceMetric, class Mass, class Energy>
 struct Continuum {
-  BodyMetric G;
-  SpaceMetric g;
-  Mass rho;
-  Energy W;
+  BodyMetric G;   ///< metric of the body
+  SpaceMetric g;  ///< metric of the space
+  Mass rho;       ///< mass per volume of the body
+  Energy W;       ///< stored energy per unit mass
 
   template <class S, int n, int N>
     requires MediumOver<Continuum, S, n, N>
