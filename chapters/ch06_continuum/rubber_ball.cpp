@@ -118,14 +118,18 @@ int main(int argc, char** argv) {
     return m;
   };
   Misses const a = show("neo-Hookean", misses(rubber, thrown)), b = show("St Venant and Kirchhoff", misses(stiff, thrown)), c = show("lopsided", misses(lopsided, thrown));
-  program.table("roads", {"material", "field equations", "minus momenta", "Piola's transformation", "Cauchy stress not symmetric", "angular momentum"}, rows,
-                "A ball that is thrown and turns: what is left of the field equations, and the difference of the first Piola-Kirchhoff stress from what it should be; all relative.");
+  program.table("roads", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
+                "A ball that is thrown and turns: what is left of the field equations; the first Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; asymmetry of that stress carried to space; change of the angular momentum. All relative.");
 
   Swing const s = swing(rubber, 1.6);
-  program.picture("swing", book::Plot("time, radii over the speed of shear waves", "").curve(s.time, s.length, "half length").curve(s.time, s.width, "half width").curve(s.time, s.piola, "first Piola-Kirchhoff stress", {.dashed = true}).curve(s.time, s.cauchy, "Cauchy stress", {.dashed = true}).svg(),
+  auto axes = book::Plot("time, radii over the speed of shear waves", "half axes; stress over mass density");
+  axes.curve(s.time, s.length, "half length").curve(s.time, s.width, "half width").curve(s.time, s.piola, "first Piola-Kirchhoff stress", {.dashed = true}).curve(s.time, s.cauchy, "Cauchy stress", {.dashed = true});
+  program.picture("swing", axes.svg(),
                   "A neo-Hookean ball pulled to 1.6 times its length and let go; stresses at its centre along it, over the mass density.");
   Breath const bounces = breath(rubber, 1.6), collapses = breath(stiff, 1.6);
-  program.picture("breath", book::Plot("time, radii over the speed of shear waves", "radius").curve(bounces.time, bounces.radius, "neo-Hookean").curve(collapses.time, collapses.radius, "St Venant and Kirchhoff").svg(),
+  auto radii = book::Plot("time, radii over the speed of shear waves", "radius");
+  radii.curve(bounces.time, bounces.radius, "neo-Hookean").curve(collapses.time, collapses.radius, "St Venant and Kirchhoff");
+  program.picture("breath", radii.svg(),
                   "Blown up to 1.6 times its radius and let go. Below zero the ball is inside out.");
 
   double const exact = std::max(a.equation, b.equation), roads = std::max({a.momenta, b.momenta, a.piola, b.piola, a.symmetry, b.symmetry});
