@@ -97,7 +97,9 @@ Eigen::Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, 
 /// Its divergence is \f$V\cdot\delta_WE - W\cdot\delta_VE\f$: it vanishes for two first variations, which is the multisymplectic form formula.
 ///
 /// \implements{eq_6_11}
-/// @param j  first jet of the section, @param V @param W  first jets of the variations
+/// @param j  first jet of the section
+/// @param V  first jet of one variation
+/// @param W  first jet of the other
 /// @throws NoDerivative  where the density has no second derivative; and what the density itself refuses
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
