@@ -20,7 +20,7 @@ struct Kronecker {};
 /// The Euclidean metric in Cartesian coordinates.
 template <int n>
 struct Euclidean {
-  static constexpr bool constant = true;
+  static constexpr bool constant = true;  ///< its derivatives vanish
   template <class V>
   Kronecker<n> operator()(V const&) const {
     return {};
@@ -30,7 +30,7 @@ struct Euclidean {
 /// A metric whose matrix is the same everywhere.
 template <class S, int n>
 struct ConstantMetric {
-  static constexpr bool constant = true;
+  static constexpr bool constant = true;  ///< its derivatives vanish
   Eigen::Matrix<S, n, n> matrix;  ///< symmetric, positive definite
   template <class V>
   Eigen::Matrix<typename V::Scalar, n, n> operator()(V const&) const {
@@ -41,6 +41,7 @@ struct ConstantMetric {
 /// Whether a metric is known to have vanishing derivatives.
 template <class Metric>
 inline constexpr bool is_constant_metric = false;
+/// What the metric says of itself.
 template <class Metric>
   requires requires { typename std::bool_constant<Metric::constant>; }
 inline constexpr bool is_constant_metric<Metric> = Metric::constant;
@@ -57,6 +58,7 @@ template <class S, int n>
 Eigen::Matrix<S, n, n> as_matrix(Eigen::Matrix<S, n, n> const& g) {
   return g;
 }
+/// The same for the Euclidean metric.
 template <class S, int n>
 Eigen::Matrix<S, n, n> as_matrix(Kronecker<n>) {
   return Eigen::Matrix<S, n, n>::Identity();
@@ -70,6 +72,7 @@ S inner(Eigen::Matrix<S, n, n> const& g, Eigen::Matrix<S, n, 1> const& u, Eigen:
     for (int b = 0; b < n; ++b) sum += g(a, b) * u[a] * w[b];
   return sum;
 }
+/// The same for the Euclidean metric.
 template <class S, int n>
 S inner(Kronecker<n>, Eigen::Matrix<S, n, 1> const& u, Eigen::Matrix<S, n, 1> const& w) {
   S sum(0);
@@ -83,9 +86,10 @@ template <class S, int n>
 S volume(Eigen::Matrix<S, n, n> const& g) {
   return square_root(determinant(g));
 }
+/// The same for the Euclidean metric.
 template <class S, int n>
-S volume(Kronecker<n>) {
-  return S(1);
+Base<S> volume(Kronecker<n>) {
+  return Base<S>(1);
 }
 
 /// The pulled-back metric \f$g_{ab}F^a{}_iF^b{}_j\f$.
@@ -93,9 +97,17 @@ template <class S, int N, int n>
 Eigen::Matrix<S, n, n> pulled_back(Eigen::Matrix<S, N, N> const& g, Eigen::Matrix<S, N, n> const& F) {
   return F.transpose() * (g * F).eval();
 }
+/// The same for the Euclidean metric.
 template <class S, int N, int n>
 Eigen::Matrix<S, n, n> pulled_back(Kronecker<N>, Eigen::Matrix<S, N, n> const& F) {
-  return F.transpose() * F;
+  Eigen::Matrix<S, n, n> C;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j <= i; ++j) {
+      S sum = F(0, i) * F(0, j);
+      for (int a = 1; a < N; ++a) add_product(sum, F(a, i), F(a, j));
+      C(i, j) = C(j, i) = sum;
+    }
+  return C;
 }
 
 /// \f$G^{-1}C\f$: the first index raised.
@@ -103,6 +115,7 @@ template <class S, int n, int k>
 Eigen::Matrix<S, n, k> raised(Eigen::Matrix<S, n, n> const& G, Eigen::Matrix<S, n, k> const& C) {
   return solve_linear(G, C, "raised");
 }
+/// The same for the Euclidean metric.
 template <class S, int n, int k>
 Eigen::Matrix<S, n, k> raised(Kronecker<n>, Eigen::Matrix<S, n, k> const& C) {
   return C;
@@ -112,6 +125,7 @@ template <class S, int n, int k>
 Eigen::Matrix<S, n, k> lowered(Eigen::Matrix<S, n, n> const& g, Eigen::Matrix<S, n, k> const& T) {
   return g * T;
 }
+/// The same for the Euclidean metric.
 template <class S, int n, int k>
 Eigen::Matrix<S, n, k> lowered(Kronecker<n>, Eigen::Matrix<S, n, k> const& T) {
   return T;
@@ -154,6 +168,7 @@ void require_metric(Eigen::Matrix<S, n, n> const& g, V const& at, char const* wh
     }
   }
 }
+/// The same for the Euclidean metric.
 template <int n, class V>
 void require_metric(Kronecker<n>, V const&, char const*) {}
 
@@ -171,6 +186,7 @@ void require_volume(Eigen::Matrix<S, n, n> const& g, V const& at, char const* wh
     }
   }
 }
+/// The same for the Euclidean metric.
 template <int n, class V>
 void require_volume(Kronecker<n>, V const&, char const*) {}
 

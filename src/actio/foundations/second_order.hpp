@@ -24,7 +24,7 @@ inline constexpr bool detail::own_arithmetic<SecondOrder<S, m>> = true;
 /// A number \f$x + \sum_i x_i\,s_i + \tfrac12\sum_{ij} x_{ij}\,s_is_j\f$ up to terms of third degree.
 template <class S, int m>
 struct SecondOrder {
-  static constexpr int pairs = m * (m + 1) / 2;
+  static constexpr int pairs = m * (m + 1) / 2;  ///< how many second derivatives there are
 
   S value{};                   ///< the number itself
   std::array<S, m> first{};      ///< \f$x_i\f$, its first derivatives

@@ -17,13 +17,15 @@ namespace actio {
 /// A box of space-time: \f$[x^\mu_-, x^\mu_+]\f$ in each coordinate, time first.
 template <class S, int n>
 struct Box {
-  Event<S, n> low, high;
+  Event<S, n> low;   ///< its lower corner
+  Event<S, n> high;  ///< its upper corner
 };
 
 /// A rule on the unit interval: \f$\int_0^1 f \approx \sum_i b_i f(c_i)\f$.
 template <class S>
 struct IntervalRule {
-  std::vector<S> nodes, weights;
+  std::vector<S> nodes;    ///< \f$c_i\f$, between 0 and 1
+  std::vector<S> weights;  ///< \f$b_i\f$
 };
 
 /// A rule that is exact for polynomials of the given degree: Gauss's, and over the rationals the one with degree + 1 equally spaced nodes.

@@ -37,8 +37,10 @@ S affine_form(Eigen::Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n
 template <int n, int N>
 auto canonical_form() {
   return []<class S, int D>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
+    // [claim_6_1_canonical_forms]
     auto const z = dual_jet_at<n, N>(at);
     return detail::affine_form<n, N>(z.p, z.Pi, V);
+    // [claim_6_1_canonical_forms]
   };
 }
 

@@ -39,6 +39,7 @@ S jacobian(BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> con
   return determinant(F) * volume<S>(g) / volume<S>(G);
   // [eq_6_1]
 }
+/// The same between Euclidean spaces.
 template <int n, class S>
 S jacobian(Kronecker<n>, Kronecker<n>, Eigen::Matrix<S, n, n> const& F) {
   return determinant(F);
@@ -58,7 +59,9 @@ void require_orientation(S const& J, Eigen::Matrix<S, n, 1> const& x, char const
 /// \implements{eq_6_2}
 template <class SpaceMetric, class S, int N, int n>
 Eigen::Matrix<S, n, n> green_tensor(SpaceMetric const& g, Eigen::Matrix<S, N, n> const& F) {
+  // [eq_6_2]
   return pulled_back(g, F);
+  // [eq_6_2]
 }
 
 /// The inverse Finger tensor \f$c_{ab} = G_{ij}(F^{-1})^i{}_a(F^{-1})^j{}_b\f$ (6.2), the metric of the body pushed forward to space.
@@ -75,12 +78,8 @@ template <class S>
 struct Homogeneous {
   S value = S(1);  ///< mass per volume of the body
   template <class V>
-  auto operator()(V const& x) const {
-    using T = typename V::Scalar;
-    if constexpr (std::same_as<S, Base<T>>)
-      return T(value);
-    else
-      return T(Base<T>(value));
+  Base<typename V::Scalar> operator()(V const&) const {
+    return Base<typename V::Scalar>(value);
   }
 };
 
@@ -93,10 +92,10 @@ struct Homogeneous {
 /// @tparam Energy       W, a callable (x, G, g, F) over any scalar: stored energy per unit mass
 template <class BodyMetric, class SpaceMetric, class Mass, class Energy>
 struct Continuum {
-  BodyMetric G;
-  SpaceMetric g;
-  Mass rho;
-  Energy W;
+  BodyMetric G;   ///< metric of the body
+  SpaceMetric g;  ///< metric of the space
+  Mass rho;       ///< mass per volume of the body
+  Energy W;       ///< stored energy per unit mass
 
   template <class S, int n, int N>
     requires MediumOver<Continuum, S, n, N>
@@ -106,7 +105,7 @@ struct Continuum {
     auto const there = g(j.y);
     Eigen::Matrix<S, N, 1> const velocity = j.velocity();
     // [eq_6_3]
-    return volume<S>(here) * rho(x) * (inner(there, velocity, velocity) / S(2) - W(x, here, there, j.gradient()));
+    return volume<S>(here) * rho(x) * (inner(there, velocity, velocity) / Base<S>(2) - W(x, here, there, j.gradient()));
     // [eq_6_3]
   }
 

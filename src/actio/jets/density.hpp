@@ -68,7 +68,9 @@ template <class S, int n, int N, class L>
 Eigen::Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
   detail::examine(density, jet);
   Eigen::Matrix<S, N, n + 1> p;
+  // [eq_6_4]
   for (int mu = 0; mu <= n; ++mu) p.col(mu) = detail::momentum_column(density, jet, mu);
+  // [eq_6_4]
   detail::require_derivative(p, jet, "momenta");
   return p;
 }

@@ -50,6 +50,7 @@ Barotropic(Law) -> Barotropic<Law>;
 /// Whether a stored energy is a function of the Jacobian alone.
 template <class Energy>
 inline constexpr bool is_barotropic = false;
+/// These are.
 template <class Law>
 inline constexpr bool is_barotropic<Barotropic<Law>> = true;
 
@@ -151,7 +152,8 @@ std::array<T, 2> traces(Eigen::Matrix<T, n, n> const& C) {
 /// St Venant and Kirchhoff's solid: \f$w = \tfrac\lambda2(\Tr E)^2 + \mu\Tr E^2\f$ with \f$E = \tfrac12(C - 1)\f$. It does not resist collapse.
 template <class S>
 struct StVenantKirchhoff {
-  S lambda, mu;  ///< Lame's moduli over the mass density
+  S lambda;  ///< Lame's first modulus over the mass density
+  S mu;      ///< shear modulus over the mass density
   template <class T, int n>
   T operator()(Eigen::Matrix<T, n, n> const& C) const {
     Eigen::Matrix<T, n, n> E = C;
@@ -186,7 +188,7 @@ struct PowerVolume {
 /// A neo-Hookean solid: \f$w = \tfrac\mu2(\Tr C - n) + U(\det C)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct NeoHookean {
-  static constexpr bool resists_collapse = true;
+  static constexpr bool resists_collapse = true;  ///< the energy grows beyond all bounds where the volume vanishes
   S mu;           ///< shear modulus over the mass density
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
@@ -202,8 +204,9 @@ NeoHookean(S, Volume) -> NeoHookean<S, Volume>;
 /// modulus is \f$2(c_1 + (n - 2)\,c_2)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct MooneyRivlin {
-  static constexpr bool resists_collapse = true;
-  S c1, c2;       ///< moduli over the mass density
+  static constexpr bool resists_collapse = true;  ///< the energy grows beyond all bounds where the volume vanishes
+  S c1;           ///< modulus of the first invariant, over the mass density
+  S c2;           ///< modulus of the second
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
   T operator()(Eigen::Matrix<T, n, n> const& C) const {
