@@ -162,10 +162,10 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     auto const density = incompressible(Continuum{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{}, NoStoredEnergy{}});
     auto const force = [&](S const& factor) { return euler_lagrange(density, jet_of_drop<S, n>(A, V, factor * inverse.transpose(), m, X)); };
     S const size = size_of(m) * size_of(inverse) * size_of(X) + S(1);
-    claim.zero("the field equations, with the drop's pressure", model, force(m), size, 32);
+    claim.zero("the field equations, with the drop's pressure", model, force(m), size);
     claim.refutes("an acceleration the other way", model, force(-m), size);
     Matrix const rate = V * inverse;
-    claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate), 32);
+    claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate));
 
     // What the discrete equations say of three places: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
     auto const a0 = draw.element<S>(SL<n>{}), a1 = draw.element<S>(SL<n>{}), a2 = draw.element<S>(SL<n>{});
@@ -174,13 +174,12 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     Matrix const moment = (S(2) * a1.value - a0.value - a2.value) * a1.value.transpose() / h;
     Eigen::Matrix<S, Eigen::Dynamic, 1> paired(SL<n>{}.dimension());
     for (int a = 0; a < paired.size(); ++a) paired[a] = (moment.transpose() * SL<n>{}.hat(Coordinates<SL<n>, S>(Coordinates<SL<n>, S>::Unit(a)))).trace();
-    claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval(), 8);
+    claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval());
     auto const reduced = advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(a0.value * a0.value.transpose()), a1 * actio::inverse(a2), OnSquares<n>{});
-    // Inverses of places are multiplied by places again.
-    claim.equal("and the reduced ones with the square carried along", model, size_of(reduced.components), size_of(residual.components), 1024);
-    claim.differs("the square held fixed", model, size_of(advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components),
-                  size_of(residual.components));
-    if constexpr (std::same_as<S, double>) {
+    claim.equal("and the reduced ones with the square carried along", model, reduced.components.eval(), residual.components.eval());
+    claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
+                  residual.components.eval());
+    if constexpr (std::same_as<S, double> && n == 3) {
       Matrix velocity = draw.vector<S, Eigen::Matrix<S, Eigen::Dynamic, 1>>(n * n).reshaped(n, n);
       velocity -= Matrix::Identity() * (velocity.trace() / n);
       std::vector<double> steps, errors;
