@@ -57,7 +57,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
   claim.maybe_scan();
   // A stored energy of third degree in metrics of degree 26.
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     MediumAtAJet<S, n, N> const m(draw);
     S const K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
@@ -86,7 +86,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
 STATEMENT(eq_6_4, "conjugate momenta of the continuum Lagrangian") {
   claim.holds();
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     MediumAtAJet<S, n, N> const m(draw);
     auto const p = momenta(m.L, m.j);
@@ -107,7 +107,7 @@ STATEMENT(eq_6_4, "conjugate momenta of the continuum Lagrangian") {
 STATEMENT(claim_6_2_affine_momentum, "affine component of the continuum Legendre transformation") {
   claim.holds();
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, gradient = m.energy_gradient().cwiseProduct(m.j.gradient()).sum(), weight = m.mass * m.root;
     // Three terms cancel in Pi: their sizes are within ten times its own.
@@ -119,7 +119,7 @@ STATEMENT(claim_6_2_affine_momentum, "affine component of the continuum Legendre
 STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
   claim.holds("The factor sqrt(det G) is part of e, which is a density: (6.5) makes e d^{n+1}x the sum of K and P.");
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const e = energy_density(m.L, m.j), K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
     claim.zero("p^0 v_0 - L is K + P", model, S(e - K - P), S(magnitude(K) + magnitude(P)));
@@ -131,7 +131,7 @@ STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
 STATEMENT(claim_6_2_energy_two_expressions, "the two expressions of the energy density compared") {
   claim.holds("They agree because K is quadratic in the velocity and P does not depend on it.");
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     MediumAtAJet<S, n, N> const m(draw);
     S const K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
@@ -152,7 +152,7 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
   claim.corrected("\\Pi = -p_a{}^jv^a{}_j - \\sqrt{\\det G}\\,e", "\\Pi = -p_a{}^jv^a{}_j - e",
                   "The energy density of (6.5) already carries sqrt(det G); the printed form is right where det G = 1.");
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, e = energy_density(m.L, m.j), sum = m.sum_of_spatial_momenta();
     S const scale = magnitude(sum) + magnitude(m.mass * m.root) * (magnitude(m.kinetic()) + magnitude(m.energy()));
@@ -164,7 +164,7 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
 STATEMENT(eq_6_6, "Cartan form of the continuum Lagrangian") {
   claim.holds();
   claim.degree(220);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
     MediumAtAJet<S, n, N> const m(draw);
     auto p = m.printed_momenta();
