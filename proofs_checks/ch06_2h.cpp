@@ -46,12 +46,12 @@ SecondJet<S, 2, 2> draw_jet_on_sphere(Draw& draw) {
   return second_jet(south, x);
 }
 
-/// Over the rationals any medium in n = 2 and 3, elsewhere one on the sphere.
+/// Over the rationals any medium in space, elsewhere one on the sphere.
 /// @param visit  called with a medium with a general W, a fluid, a second jet, and the name of the model
 template <class S, class Visit>
 void over_media(Draw& draw, Visit const& visit) {
   if constexpr (is_exact<S>) {
-    over_points([&]<class D>(D, std::string const& model) {
+    over_points(std::tuple<Dimensions<3, 3>>{}, [&]<class D>(D, std::string const& model) {
       auto const any = draw_medium<S, D::n>(draw, Kind::any);
       auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
       visit(any, fluid, draw_second_jet<S, D::n>(draw), model);
