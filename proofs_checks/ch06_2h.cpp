@@ -138,7 +138,6 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
     claim.differs("without J", model, (mass + at.inverse.transpose() * slope).eval(), E);
     // The pressure of a fluid of constant mass density, that at the particle.
     Fluid even = fluid;
-    even.rho = {};
     even.rho.added.constant = at.rho - S(2);
     for (auto* c : {&even.rho.added.a, &even.rho.added.b, &even.rho.added.d, &even.rho.added.e}) c->setZero();
     Column const level = pressure_slopes(even, j);
