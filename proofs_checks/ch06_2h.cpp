@@ -21,12 +21,12 @@ struct Sphere {
   }
 };
 
-/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^2{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
+/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^1{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
 struct PowerOfStrain {
   template <class BodyMetric, class T>
   T operator()(Eigen::Matrix<T, 2, 1> const&, BodyMetric const&, Eigen::Matrix<T, 2, 2> const& g, Eigen::Matrix<T, 2, 2> const& F) const {
     using std::pow;
-    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(1, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
+    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(0, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
   }
 };
 
