@@ -51,7 +51,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
                   "The free index b of the left side is summed on the right, where a is left over: the names of a and b are exchanged in the last term.");
   // A metric of degree 4 and its inverse, a section of degree 3, a chart of degree 3.
   claim.degree(120);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const dust = draw_medium<S, n>(draw, Kind::dust);
     auto const j = draw_second_jet<S, n>(draw);
@@ -60,7 +60,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
     for (int a = 0; a < n; ++a)
       claim.differs("as printed, a given the value " + std::to_string(a + 1), model, raised(dust.g(j.y), E), (printed_acceleration(dust, j, a) * -S(dust.rho(j.particle()))).eval());
   });
-  over_dimensions(std::tuple<Dimensions<2, 2>>{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     AnyChart<S, 2> chart;
     for (auto& c : chart.added) c = draw_cubic<S, 2>(draw, ratio<S>(1, 5));
     auto const g = draw_metric<S, 2>(draw);
@@ -76,7 +76,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
 STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") {
   claim.holds("The symmetric symbols under which the metric is parallel; that fixes them.");
   claim.degree(60);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
     Eigen::Matrix<S, n, 1> const y = draw.vector<S, Eigen::Matrix<S, n, 1>>(n) * ratio<S>(1, 2);
@@ -114,7 +114,7 @@ STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
   claim.holds("In coordinates in which g and G are constant; the mass density, which may vary, stays inside the derivative.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   claim.degree(60);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const curved = draw_medium<S, n>(draw, Kind::any), flat = flattened(curved);
     auto const j = draw_second_jet<S, n>(draw);
@@ -134,7 +134,7 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
                   "In the last term i and j are left over; they are one index, summed. The divergence is fixed by Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
   claim.degree(120);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using Column = Eigen::Matrix<S, n, 1>;
     auto const medium = draw_medium<S, n>(draw, Kind::any);
@@ -179,10 +179,10 @@ STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from t
   claim.holds("Piola's identity. Each of the two terms alone is not zero; the section must be one: mixed derivatives commute.");
   // Determinant and inverse of a gradient of degree 2 in the body, n = 3.
   claim.degree(60);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using Column = Eigen::Matrix<S, n, 1>;
-    auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
+    auto const G = draw_metric<S, n>(draw), g = draw_metric<S, n>(draw);
     auto const j = draw_second_jet<S, n>(draw);
     // Up to the common factor P sqrt(det g) / sqrt(det G).
     auto const terms = [&](SecondJet<S, n, n> const& at) {
@@ -200,7 +200,7 @@ STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from t
     auto const [one, two] = terms(j);
     claim.equal("(I) and (II)", model, one, (-two).eval());
     claim.refutes("(I) alone", model, one, S(1));
-    claim.zero("the covariant divergence of J / F", model, piola_identity(fluid.G, fluid.g, j), S(1));
+    claim.zero("the covariant divergence of J / F", model, piola_identity(G, g, j), S(1));
     auto broken = j;
     broken.w[1](0, 2) += S(1);
     auto const [first, second] = terms(broken);

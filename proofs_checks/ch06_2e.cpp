@@ -16,7 +16,7 @@ STATEMENT(eq_6_19, "the first Piola-Kirchhoff stress from the stored energy") {
   claim.holds();
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   claim.degree(60);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
     auto const medium = draw_medium<S, n>(draw, Kind::any);
@@ -37,7 +37,7 @@ STATEMENT(eq_6_19, "the first Piola-Kirchhoff stress from the stored energy") {
 STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
   claim.holds();
   claim.degree(60);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw, Kind::any);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
@@ -51,7 +51,7 @@ STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
 STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
   claim.convention("W depends on F and g through the Green tensor alone (on x and G as it likes); the index is lowered with g, and F has an inverse.");
   claim.degree(120);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const solid = draw_medium<S, n>(draw, Kind::solid);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
@@ -71,7 +71,7 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
   claim.convention("With the symmetric derivative in g it is so by definition. The balance of moment of momentum, that the Piola-Kirchhoff stress times F is symmetric, "
                    "needs a W of the Green tensor.");
   claim.degree(120);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
@@ -99,7 +99,7 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
 STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
   claim.convention("The left side is a vector and the right a covector: one index is raised with g. W is a function of the Green tensor.");
   claim.degree(160);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const j = draw_second_jet<S, n>(draw);
     auto const E = [&](auto const& medium) { return raised(medium.g(j.y), Eigen::Matrix<S, n, 1>(euler_lagrange(medium, j) / body_volume(medium, j))); };
@@ -115,7 +115,7 @@ STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
 STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
   claim.holds("In coordinates in which g and G are constant; the first index of the stress is raised with g.");
   claim.degree(60);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const j = draw_second_jet<S, n>(draw);
     // Both sides of the equation, their difference, and what it should be.

@@ -54,7 +54,7 @@ STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
                   "The last term of the middle line lacks the root over det g. The first and the last line are right.");
   claim.maybe_scan();
   claim.degree(160);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
     auto const j = draw_second_jet<S, D::n>(draw);
     Expansion<S, D::n> const lines(fluid, j);
@@ -67,7 +67,7 @@ STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
 STATEMENT(claim_6_2_barotropic_expansion_end, "the first and the last expression of the expansion") {
   claim.holds();
   claim.degree(160);
-  over_points([&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
     auto const j = draw_second_jet<S, D::n>(draw);
     Expansion<S, D::n> const lines(fluid, j);

@@ -21,12 +21,12 @@ struct Sphere {
   }
 };
 
-/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^2{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
+/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^1{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
 struct PowerOfStrain {
   template <class BodyMetric, class T>
   T operator()(Eigen::Matrix<T, 2, 1> const&, BodyMetric const&, Eigen::Matrix<T, 2, 2> const& g, Eigen::Matrix<T, 2, 2> const& F) const {
     using std::pow;
-    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(1, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
+    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(0, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
   }
 };
 
@@ -46,12 +46,12 @@ SecondJet<S, 2, 2> draw_jet_on_sphere(Draw& draw) {
   return second_jet(south, x);
 }
 
-/// Over the rationals any medium in n = 2 and 3, elsewhere one on the sphere.
+/// Over the rationals any medium in space, elsewhere one on the sphere.
 /// @param visit  called with a medium with a general W, a fluid, a second jet, and the name of the model
 template <class S, class Visit>
 void over_media(Draw& draw, Visit const& visit) {
   if constexpr (is_exact<S>) {
-    over_points([&]<class D>(D, std::string const& model) {
+    over_points(std::tuple<Dimensions<3, 3>>{}, [&]<class D>(D, std::string const& model) {
       auto const any = draw_medium<S, D::n>(draw, Kind::any);
       auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
       visit(any, fluid, draw_second_jet<S, D::n>(draw), model);
@@ -138,7 +138,6 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
     claim.differs("without J", model, (mass + at.inverse.transpose() * slope).eval(), E);
     // The pressure of a fluid of constant mass density, that at the particle.
     Fluid even = fluid;
-    even.rho = {};
     even.rho.added.constant = at.rho - S(2);
     for (auto* c : {&even.rho.added.a, &even.rho.added.b, &even.rho.added.d, &even.rho.added.e}) c->setZero();
     Column const level = pressure_slopes(even, j);
