@@ -1,12 +1,12 @@
 // Scalars: rational, double
 // Section 7.0: constraints without derivatives in time, and which principle gives the equations.
-#include "fields.hpp"
+#include "statement.hpp"
 
 #include "actio/constraints/augmented.hpp"
 #include "actio/constraints/constrained_equations.hpp"
 #include "actio/constraints/multiplier_theorem.hpp"
 #include "actio/jets/action.hpp"
-#include "statement.hpp"
+#include "fields.hpp"
 
 namespace {
 
