@@ -211,7 +211,7 @@ STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical var
 STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the variational principle") {
   claim.convention("Unique among the forms a_a^mu dy^a ^ d^nx_mu + b d^{n+1}x, and only if variations are not all vertical; a product of contact forms may be added to Theta otherwise.");
   claim.degree(80);
-  over_points<S>(std::tuple<Dimensions<1, 2>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(std::tuple<Dimensions<1, 2>>{}, [&](auto, std::string const& model) {
     auto const L = draw_density<S, 1, 2>(draw);
     auto const phi = draw_section<S, 1, 2>(draw);
     auto const x = draw_event<S, 1>(draw);

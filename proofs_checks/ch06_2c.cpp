@@ -1,6 +1,6 @@
 // Scalars: rational, double
 // Section 6.2: the Cartan form of a general density and its field equations.
-#include "variations.hpp"
+#include "off_shell.hpp"
 
 #include "statement.hpp"
 
@@ -34,38 +34,6 @@ Eigen::Matrix<S, N, 1> expanded_divergence(L const& density, SecondJet<S, n, N> 
     }
   return sum;
 }
-
-/// A section of the jet bundle that is no jet: the places of one section and the derivatives of another.
-template <class Phi, class Psi>
-auto not_holonomic(Phi const& phi, Psi const& psi) {
-  return [phi, psi]<class T, int rows>(Eigen::Matrix<T, rows, 1> const& x) {
-    auto j = first_jet(phi, x);
-    j.v = first_jet(psi, x).v;
-    return coordinates(j);
-  };
-}
-
-/// A density, a section and a point of space-time, with the second jet there.
-template <class S, int n, int N>
-struct OffShell {
-  static constexpr int dimension = Jet<S, n, N>::dimension;
-  AnyDensity<S, n, N> L;
-  AnySection<S, n, N> phi;
-  Event<S, n> x;
-  SecondJet<S, n, N> j;
-  Eigen::Matrix<S, N, 1> E;
-
-  explicit OffShell(Draw& draw)
-      : L(draw_density<S, n, N>(draw)), phi(draw_section<S, n, N>(draw)), x(draw_event<S, n>(draw)), j(second_jet(phi, x)), E(euler_lagrange(L, j)) {}
-
-  /// The coefficient of \f$(j^1\phi)^*(W\lrcorner\,\Omega)\f$, or of a pull-back by another section of the jet bundle, for a constant field W on it.
-  S contraction(Eigen::Matrix<S, dimension, 1> const& W) const { return contraction(W, jet_extension(phi), L); }
-  template <class Map, class Density>
-  S contraction(Eigen::Matrix<S, dimension, 1> const& W, Map const& map, Density const& density) const {
-    return coefficient_of(pull_back(map, contract(ConstantField<S, dimension>{W}, multisymplectic_form<n, N>(density))), x);
-  }
-  Jet<S, n, N> const& first() const { return j; }
-};
 
 using Two = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>;
 

@@ -1,6 +1,7 @@
 // Integrals over boxes of space-time and over their boundaries, and the variation of the action.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/jets/prolongation.hpp"
 #include "actio/jets/tilted_section.hpp"
 #include "polynomial_models.hpp"
 
@@ -13,7 +14,7 @@ using Q = rational;
 
 template <class S>
 Box<S, 1> box() {
-  return {{ratio<S>(-1, 2), ratio<S>(1, 3)}, {ratio<S>(3, 2), ratio<S>(2)}};
+  return {{ratio<S>(-1, 2), ratio<S>(1, 3)}, {ratio<S>(3, 2), S(2)}};
 }
 
 template <class S>
