@@ -81,6 +81,7 @@ struct DivergenceNumber {
   S sum(int a) const { return head[1 + a]; }                          ///< \f$x^a\f$
   S rate(int mu) const { return row[mu][0]; }                         ///< \f$x_\mu\f$
   S slope(int mu, int a) const { return row[mu][1 + a]; }             ///< \f$x^a{}_\mu\f$
+  void set_value(S const& x) { head.set(0, x); }                      ///< sets \f$x\f$
   void set_sum(int a, S const& x) { head.set(1 + a, x); }             ///< sets \f$x^a\f$
   void set_rate(int mu, S const& x) { row[mu].set(0, x); }            ///< sets \f$x_\mu\f$
   void set_slope(int mu, int a, S const& x) { row[mu].set(1 + a, x); }  ///< sets \f$x^a{}_\mu\f$

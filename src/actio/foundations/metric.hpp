@@ -76,7 +76,7 @@ S inner(Eigen::Matrix<S, n, n> const& g, Eigen::Matrix<S, n, 1> const& u, Eigen:
 template <class S, int n>
 S inner(Kronecker<n>, Eigen::Matrix<S, n, 1> const& u, Eigen::Matrix<S, n, 1> const& w) {
   S sum(0);
-  for (int a = 0; a < n; ++a) sum += u[a] * w[a];
+  for (int a = 0; a < n; ++a) add_product(sum, u[a], w[a]);
   return sum;
 }
 

@@ -13,13 +13,18 @@ namespace detail {
 /// On them a density has \f$D_\mu(\partial L/\partial v^a{}_\mu)\f$ at \f$\tau_a = \delta_\mu\varepsilon_a{}^\mu\f$.
 template <class S, int n, int N>
 Jet<DivergenceNumber<S, n + 1, N>, n, N> all_ways(SecondJet<S, n, N> const& j) {
-  Jet<DivergenceNumber<S, n + 1, N>, n, N> moved = static_cast<Jet<S, n, N> const&>(j).template cast<DivergenceNumber<S, n + 1, N>>();
+  Jet<DivergenceNumber<S, n + 1, N>, n, N> moved;
   for (int mu = 0; mu <= n; ++mu) {
+    moved.x[mu].set_value(j.x[mu]);
     moved.x[mu].set_rate(mu, S(1));
-    for (int a = 0; a < N; ++a) {
+  }
+  for (int a = 0; a < N; ++a) {
+    moved.y[a].set_value(j.y[a]);
+    for (int mu = 0; mu <= n; ++mu) {
       moved.y[a].set_rate(mu, j.v(a, mu));
-      for (int nu = 0; nu <= n; ++nu) moved.v(a, nu).set_rate(mu, j.w[mu](a, nu));
+      moved.v(a, mu).set_value(j.v(a, mu));
       moved.v(a, mu).set_slope(mu, a, S(1));
+      for (int nu = 0; nu <= n; ++nu) moved.v(a, mu).set_rate(nu, j.w[nu](a, mu));
     }
   }
   return moved;

@@ -140,12 +140,15 @@ namespace detail {
 /// \f$\mathrm{tr}\,C\f$ and \f$\mathrm{tr}\,C^2\f$.
 template <class T, int n>
 std::array<T, 2> traces(Eigen::Matrix<T, n, n> const& C) {
-  std::array<T, 2> sums{T(0), T(0)};
+  T trace(0), square(0), crossed(0);
   for (int i = 0; i < n; ++i) {
-    sums[0] += C(i, i);
-    for (int k = 0; k < n; ++k) sums[1] += C(i, k) * C(k, i);
+    trace += C(i, i);
+    add_product(square, C(i, i), C(i, i));
+    for (int k = 0; k < i; ++k) add_product(crossed, C(i, k), C(k, i));
   }
-  return sums;
+  square += crossed;
+  square += crossed;
+  return {trace, square};
 }
 }  // namespace detail
 
@@ -157,7 +160,7 @@ struct StVenantKirchhoff {
   template <class T, int n>
   T operator()(Eigen::Matrix<T, n, n> const& C) const {
     Eigen::Matrix<T, n, n> E = C;
-    for (int i = 0; i < n; ++i) E(i, i) -= T(1);
+    for (int i = 0; i < n; ++i) E(i, i) = E(i, i) - Base<T>(1);
     auto const [trace, square] = detail::traces(E);
     return trace * trace * Base<T>(lambda / S(8)) + square * Base<T>(mu / S(4));
   }
@@ -188,7 +191,7 @@ struct PowerVolume {
 /// A neo-Hookean solid: \f$w = \tfrac\mu2(\Tr C - n) + U(\det C)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct NeoHookean {
-  static constexpr bool resists_collapse = true;  ///< the energy grows beyond all bounds where the volume vanishes
+  static constexpr bool resists_collapse = true;  ///< there is no energy without volume
   S mu;           ///< shear modulus over the mass density
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
@@ -204,7 +207,7 @@ NeoHookean(S, Volume) -> NeoHookean<S, Volume>;
 /// modulus is \f$2(c_1 + (n - 2)\,c_2)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct MooneyRivlin {
-  static constexpr bool resists_collapse = true;  ///< the energy grows beyond all bounds where the volume vanishes
+  static constexpr bool resists_collapse = true;  ///< there is no energy without volume
   S c1;           ///< modulus of the first invariant, over the mass density
   S c2;           ///< modulus of the second
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
