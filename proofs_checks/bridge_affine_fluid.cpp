@@ -152,7 +152,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
   claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the place is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
   claim.degree(400);
-  auto const in_dimension = [&]<int n>() {
+  auto const in_dimension = [&]<int n>(int point) {
     using Matrix = Eigen::Matrix<S, n, n>;
     std::string const model = "SL(" + std::to_string(n) + ")";
     auto const place = draw.element<S>(SL<n>{});
@@ -180,6 +180,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
                   residual.components.eval());
     if constexpr (std::same_as<S, double> && n == 3) {
+      if (point > 0) return;
       Matrix velocity = draw.vector<S, Eigen::Matrix<S, Eigen::Dynamic, 1>>(n * n).reshaped(n, n);
       velocity -= Matrix::Identity() * (velocity.trace() / n);
       std::vector<double> steps, errors;
@@ -193,6 +194,8 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
       claim.order("the discrete motion and the fluid's", model, steps, errors, 2, 0.1);
     }
   };
-  in_dimension.template operator()<2>();
-  in_dimension.template operator()<3>();
+  for (int point = 0; point < 3; ++point) {
+    in_dimension.template operator()<2>(point);
+    in_dimension.template operator()<3>(point);
+  }
 }
