@@ -24,12 +24,14 @@ Eigen::Matrix<S, rows - 1, 1> place_of(Eigen::Matrix<S, rows, 1> const& at) {
 }
 }  // namespace detail
 
-/// The covariant derivatives of a velocity field: `slope(a, b)` is \f$u^a{}_{;b}\f$, `rate` is \f$\partial_tu\f$.
+/// A velocity field at a point, and its derivatives there.
 template <class S, int n>
 struct VelocityGradient {
-  Eigen::Matrix<S, n, 1> value, rate;
-  Eigen::Matrix<S, n, n> slope;
+  Eigen::Matrix<S, n, 1> value;  ///< \f$u\f$
+  Eigen::Matrix<S, n, 1> rate;   ///< \f$\partial_tu\f$
+  Eigen::Matrix<S, n, n> slope;  ///< the covariant derivatives \f$u^a{}_{;b}\f$, a row for each a
 };
+/// The value of a velocity field at a point (t, y), its rate, and its covariant derivatives.
 template <class SpaceMetric, class Field, class S, int rows>
 VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;

@@ -16,8 +16,8 @@ namespace actio {
 template <class BodyMetric, class SpaceMetric>
 struct VolumeConstraint {
   static constexpr int components = 1;
-  BodyMetric G;
-  SpaceMetric g;
+  BodyMetric G;   ///< metric of the body
+  SpaceMetric g;  ///< metric of the space
 
   /// The Jacobian of the motion at a jet.
   template <class S, int n>
