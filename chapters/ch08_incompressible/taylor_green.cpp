@@ -117,13 +117,13 @@ void draw_paths(book::Program& program) {
     }
     plot.curve(x, y, k == 0.05 ? "paths, by elliptic functions" : "", {.colour = 6, .width = 1.2}).dots(dots_x, dots_y, k == 0.05 ? "particles, every half unit of time" : "", {.colour = 1});
   }
-  // Isobars: cos 2 y1 + cos 2 y2 = c.
+  // Isobars: cos 2 y1 + cos 2 y2 = c. Where one ends or turns back, the next point beyond closes it.
   for (double const c : {-1.2, -0.4, 0.4, 1.2}) {
     std::vector<double> x, y;
     for (int branch = 0; branch < 2; ++branch) {
       for (int i = 0; i <= 400; ++i) {
         double const at = pi * i / 400, rest = c - std::cos(2 * at), half = std::acos(std::clamp(rest, -1.0, 1.0)) / 2;
-        x.push_back(at), y.push_back(std::abs(rest) > 1 ? NAN : branch ? pi - half : half);
+        x.push_back(at), y.push_back(std::abs(rest) > 1.016 ? NAN : branch ? pi - half : half);
       }
       x.push_back(NAN), y.push_back(NAN);
     }
