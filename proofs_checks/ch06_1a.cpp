@@ -84,7 +84,7 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
   claim.maybe_scan();
   // Jets of degree 6 in polynomials of second degree.
   claim.degree(40);
-  over_dimensions(FewDimensions{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     BundleCharts<S, n, N> const charts(draw);
     Event<S, n> const x = draw_event<S, n>(draw), at = charts.before(x);
@@ -114,7 +114,7 @@ STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on
   claim.maybe_scan();
   // Determinants of up to four drawn columns.
   claim.degree(8);
-  over_dimensions(std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{}, [&]<class D>(D, std::string const&) {
+  over_points<S>(std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{}, [&]<class D>(D, std::string const&) {
     constexpr int n = D::n;
     std::string const model = "n = " + std::to_string(n);
     auto const x = draw_event<S, n>(draw);
@@ -141,7 +141,7 @@ STATEMENT(claim_6_1_canonical_forms, "canonical forms on the dual jet bundle in 
   claim.holds();
   // Products of at most five drawn columns and a coordinate.
   claim.degree(16);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<1, 2>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = DualJet<S, n, N>::dimension;
     Eigen::Matrix<S, all, 1> const at = draw.vector<S, Eigen::Matrix<S, all, 1>>(all);
     auto const z = dual_jet_at<n, N>(at);

@@ -84,7 +84,7 @@ STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
   claim.convention("[v] is the square block v^a_j, n = N: with the velocity it is n by n + 1 and has no determinant. The metric of space is taken at the place, that of the body at the particle.");
   // Frames of degree 13 in a section of degree 6, two determinants of them.
   claim.degree(160);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     TwoMetrics<S, n, n> const m(draw);
     Tangents<S, n, n> const all = Tangents<S, n, n>::Identity();
@@ -98,7 +98,7 @@ STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
 STATEMENT(eq_6_2, "Green and Finger deformation tensors in coordinates") {
   claim.holds("g is taken at the place, G at the particle; C is defined whether or not the deformation is regular, c where n = N and F has an inverse.");
   claim.degree(160);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     TwoMetrics<S, n, N> const m(draw);
     Eigen::Matrix<S, n, n> sum = Eigen::Matrix<S, n, n>::Zero(), elsewhere = sum;
@@ -130,7 +130,7 @@ STATEMENT(eq_6_2, "Green and Finger deformation tensors in coordinates") {
 STATEMENT(claim_6_1_green_tensor, "Green tensor as a pulled-back metric") {
   claim.holds();
   claim.degree(80);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     TwoMetrics<S, n, N> const m(draw);
     auto const pulled = matrix_of(pull_back(m.deformation(), as_form(m.space)), m.x);
@@ -144,7 +144,7 @@ STATEMENT(claim_6_1_green_tensor, "Green tensor as a pulled-back metric") {
 STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward metric") {
   claim.holds("The inverse is that of mixed tensors, or of c_ab and b^ab; lowering both indices of b with g does not invert the matrix of c.");
   claim.degree(300);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     // Draw the inverse of a deformation, which takes places to particles: the push-forward by the one is the pull-back by the other.
     TwoMetrics<S, n, n> const m(draw);
@@ -165,7 +165,7 @@ STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward me
 STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spatial metric compared") {
   claim.convention("They differ for a general deformation; they agree exactly where the deformation is an isometry, C = G.");
   claim.degree(300);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using M = Eigen::Matrix<S, n, n>;
     TwoMetrics<S, n, n> const m(draw);
@@ -183,7 +183,7 @@ STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spati
 STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate changes") {
   claim.convention("Charts of body and space are to keep the orientation: a reflection changes the sign of det F and not of the roots.");
   claim.degree(300);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using M = Eigen::Matrix<S, n, n>;
     TwoMetrics<S, n, n> const m(draw);
@@ -208,7 +208,7 @@ STATEMENT(claim_6_1_initial_jacobian, "Jacobian of a regular motion at and after
   claim.corrected("J(x,0) = 1", "J(x,0) = \\sqrt{\\det g(x)/\\det G(x)}",
                   "It is 1 where the two metrics have the same volume, as for a fluid in its container. That J stays positive for a regular motion is right in either case.");
   claim.degree(160);
-  over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     TwoMetrics<S, n, n> const m(draw);
     auto const motion = [&m]<class T>(Event<T, n> const& x) {

@@ -1,6 +1,6 @@
 // Scalars: rational, double
 // Section 6.2: the density of a continuous medium, its Legendre transformation, its energy and its Cartan form.
-#include "fields.hpp"
+#include "medium_at_a_jet.hpp"
 
 #include "statement.hpp"
 #include "variations.hpp"
@@ -9,44 +9,6 @@ namespace {
 
 using namespace actio;
 using namespace actio::checks;
-
-/// A medium of the most general kind at a jet, and the parts that its formulas are made of, each computed by itself.
-template <class S, int n, int N>
-struct MediumAtAJet {
-  Continuum<AnyMetric<S, n>, AnyMetric<S, N>, AnyMass<S, n>, AnyEnergy<S, n, N>> L;
-  Jet<S, n, N> j;
-  Eigen::Matrix<S, n, 1> x;
-  Eigen::Matrix<S, n, n> G;
-  Eigen::Matrix<S, N, N> g;
-  S mass, root;  // rho and the root of det G
-
-  explicit MediumAtAJet(Draw& draw)
-      : L{draw_metric<S, n>(draw), draw_metric<S, N>(draw), draw_mass<S, n>(draw), draw_energy<S, n, N>(draw)}, j(draw_jet<S, n, N>(draw)),
-        x(j.particle()), G(L.G(x)), g(L.g(j.y)), mass(L.rho(x)), root(magnitude(determinant(L.G.frame(x)))) {}
-
-  S energy() const { return L.W(x, G, g, j.gradient()); }
-  /// \f$\tfrac12g_{ab}v^a{}_0v^b{}_0\f$.
-  S kinetic() const { return j.velocity().dot(g * j.velocity()) / S(2); }
-  /// \f$\partial W/\partial v^a{}_i\f$, one after the other.
-  Eigen::Matrix<S, N, n> energy_gradient() const {
-    using T = Dual<S>;
-    Eigen::Matrix<S, N, n> rate;
-    for (int a = 0; a < N; ++a)
-      for (int i = 0; i < n; ++i) {
-        Eigen::Matrix<T, N, n> F = j.gradient().template cast<T>();
-        F(a, i).part[0] = S(1);
-        rate(a, i) = L.W(x.template cast<T>().eval(), G.template cast<T>().eval(), g.template cast<T>().eval(), F).part[0];
-      }
-    return rate;
-  }
-  /// \f$p_a{}^\mu\f$ as (6.4) has them.
-  Eigen::Matrix<S, N, n + 1> printed_momenta() const {
-    Eigen::Matrix<S, N, n + 1> p;
-    p << g * j.velocity() * (mass * root), energy_gradient() * S(-mass * root);
-    return p;
-  }
-  S sum_of_spatial_momenta() const { return printed_momenta().template rightCols<n>().cwiseProduct(j.gradient()).sum(); }
-};
 
 using Media = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>;
 
@@ -57,7 +19,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
   claim.maybe_scan();
   // A stored energy of third degree in metrics of degree 26.
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     MediumAtAJet<S, n, N> const m(draw);
     S const K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
@@ -86,7 +48,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
 STATEMENT(eq_6_4, "conjugate momenta of the continuum Lagrangian") {
   claim.holds();
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     MediumAtAJet<S, n, N> const m(draw);
     auto const p = momenta(m.L, m.j);
@@ -107,7 +69,7 @@ STATEMENT(eq_6_4, "conjugate momenta of the continuum Lagrangian") {
 STATEMENT(claim_6_2_affine_momentum, "affine component of the continuum Legendre transformation") {
   claim.holds();
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, gradient = m.energy_gradient().cwiseProduct(m.j.gradient()).sum(), weight = m.mass * m.root;
     // Three terms cancel in Pi: their sizes are within ten times its own.
@@ -119,7 +81,7 @@ STATEMENT(claim_6_2_affine_momentum, "affine component of the continuum Legendre
 STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
   claim.holds("The factor sqrt(det G) is part of e, which is a density: (6.5) makes e d^{n+1}x the sum of K and P.");
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const e = energy_density(m.L, m.j), K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
     claim.zero("p^0 v_0 - L is K + P", model, S(e - K - P), S(magnitude(K) + magnitude(P)));
@@ -131,7 +93,7 @@ STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
 STATEMENT(claim_6_2_energy_two_expressions, "the two expressions of the energy density compared") {
   claim.holds("They agree because K is quadratic in the velocity and P does not depend on it.");
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     MediumAtAJet<S, n, N> const m(draw);
     S const K = m.root * m.mass * m.kinetic(), P = m.root * m.mass * m.energy();
@@ -152,7 +114,7 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
   claim.corrected("\\Pi = -p_a{}^jv^a{}_j - \\sqrt{\\det G}\\,e", "\\Pi = -p_a{}^jv^a{}_j - e",
                   "The energy density of (6.5) already carries sqrt(det G); the printed form is right where det G = 1.");
   claim.degree(200);
-  over_dimensions(Media{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
     S const Pi = legendre(m.L, m.j).Pi, e = energy_density(m.L, m.j), sum = m.sum_of_spatial_momenta();
     S const scale = magnitude(sum) + magnitude(m.mass * m.root) * (magnitude(m.kinetic()) + magnitude(m.energy()));
@@ -164,7 +126,7 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
 STATEMENT(eq_6_6, "Cartan form of the continuum Lagrangian") {
   claim.holds();
   claim.degree(220);
-  over_dimensions(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
     MediumAtAJet<S, n, N> const m(draw);
     auto p = m.printed_momenta();

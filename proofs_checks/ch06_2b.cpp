@@ -1,9 +1,8 @@
 // Scalars: rational, double
-// Section 6.2: the variational principle. Variations move space-time as well; integrals over boxes are exact.
-#include "fields.hpp"
+// Section 6.2: the variational principle and the multisymplectic form formula. Variations move space-time as well; integrals over boxes are exact.
+#include "variations.hpp"
 
 #include "statement.hpp"
-#include "variations.hpp"
 
 namespace {
 
@@ -62,15 +61,8 @@ struct Inside {
 template <class S, int n, int N, class L, class Phi>
 Event<S, n> symbol_of_variation(L const& density, Phi const& phi, Event<S, n> const& x, int i) {
   Event<S, n> symbol;
-  for (int mu = 0; mu <= n; ++mu) {
-    // With f = x^mu less its value here, the part that is proportional to f vanishes.
-    auto const V = [&, mu, i]<class T>(Eigen::Matrix<T, n + 1 + N, 1> const& point) {
-      Variation<T, n, N> rate = Variation<T, n, N>::Zero();
-      rate[i] = point[mu] - T(x[mu]);
-      return rate;
-    };
-    symbol[mu] = density_variation(density, phi, V, x);
-  }
+  // With f = x^mu less its value here, the part that is proportional to f vanishes.
+  for (int mu = 0; mu <= n; ++mu) symbol[mu] = density_variation(density, phi, AnyVariation<S, n, N>::coordinate(i, S(-x[mu]), S(1), mu), x);
   return symbol;
 }
 
@@ -94,13 +86,32 @@ inline auto contact_product() {
   };
 }
 
+/// The variation along a section of first degree, with derivatives v, that has a given vertical part and moves space-time by any field: \f$(V^\mu, Q^a + v^a{}_\mu V^\mu)\f$.
+template <class S, int n, int N>
+struct WithVerticalPart {
+  Accelerated<S, n, N> vertical;
+  AnyVariation<S, n, N> along;
+  Eigen::Matrix<S, N, n + 1> v;
+  template <class X>
+  auto operator()(X const& point) const {
+    using T = ScalarOf<X>;
+    Variation<T, n, N> rate = along(point);
+    Eigen::Matrix<T, N, 1> const y = vertical(Event<T, n>(point.template head<n + 1>()));
+    for (int a = 0; a < N; ++a) {
+      rate[n + 1 + a] = y[a];
+      for (int mu = 0; mu <= n; ++mu) rate[n + 1 + a] += rate[mu] * T(v(a, mu));
+    }
+    return rate;
+  }
+};
+
 }  // namespace
 
 STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
   claim.convention("The derivative D_EL L . V contracts V into dy^a ^ d^{n+1}x and pulls back: it is E_a(V^a - phi^a_{,mu}V^mu), and E_aV^a for vertical variations alone.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field on Y of degree 21.
   claim.degree(80);
-  over_dimensions(FewDimensions{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
@@ -114,7 +125,7 @@ STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
     claim.refutes("E_aV^a for a variation that is not vertical", model, S(left - bulk(L, j, rate, false) - boundary), scale);
     claim.refutes("without the term d^{n+1}x of the Cartan form", model, S(left - inside - divergence(current_along(L, phi, V, false), x)), scale);
     claim.refutes("without the boundary term", model, S(left - inside), scale);
-    if constexpr (n == 2 && N == 2) {
+    if constexpr (n == 1) {
       auto const form = pull_back(jet_extension(phi), contract(prolonged<n, N>(V), cartan_form<n, N>(L)));
       claim.equal("the boundary term is the pull-back of j1V hook Theta", model, components_of(form, x), Event<S, n>(boundary_current(L, first_jet(phi, x), rate)));
     }
@@ -126,7 +137,7 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
                   "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with Omega = -dTheta, and the form is unique among those with at most one vertical leg.");
   // Integrals of polynomials of degree 6 in x over a drawn box.
   claim.degree(120);
-  over_dimensions(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     // A section of second degree, a field on Y of first: the density's variation and both terms are of degree 5 at most.
     constexpr int degree = 5;
@@ -157,7 +168,7 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
 STATEMENT(claim_6_2_critical_point, "critical points of the action and admissible variations") {
   claim.convention("Admissible variations vanish on the boundary of U; with all variations, natural boundary conditions are imposed as well.");
   claim.degree(160);
-  over_dimensions(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_uniform_density<S, n, N>(draw);
     auto const solution = draw_section_of_degree<S, n, N>(draw, 1), other = draw_section_of_degree<S, n, N>(draw, 2);
@@ -178,7 +189,7 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
 STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical variations only") {
   claim.holds("The missing term is the whole of (L - p v)d^{n+1}x, which no vertical variation sees.");
   claim.degree(80);
-  over_dimensions(FewDimensions{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
@@ -189,7 +200,7 @@ STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical var
     claim.differs("boundary term of any variation", model, with(V, true), with(V, false));
     auto const j = second_jet(phi, x);
     // Same field equations from both: a variation along time alone gives them contracted with the velocity.
-    ConstantField<S, n + 1 + N> const along_time{Variation<S, n, N>::Unit(0)};
+    auto const along_time = AnyVariation<S, n, N>::coordinate(0, S(1));
     S const rate = density_variation(L, phi, along_time, x), boundary = divergence(current_along(L, phi, along_time), x), power = euler_lagrange(L, j).dot(j.velocity());
     S const scale = magnitude(rate) + magnitude(boundary) + magnitude(power);
     claim.zero("field equations from a horizontal variation", model, S(rate - boundary + power), scale);
@@ -200,47 +211,48 @@ STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical var
 STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the variational principle") {
   claim.convention("Unique among the forms a_a^mu dy^a ^ d^nx_mu + b d^{n+1}x, and only if variations are not all vertical; a product of contact forms may be added to Theta otherwise.");
   claim.degree(80);
-  std::string const model = "n = 1, N = 2";
-  auto const L = draw_density<S, 1, 2>(draw);
-  auto const phi = draw_section<S, 1, 2>(draw);
-  auto const x = draw_event<S, 1>(draw);
-  auto const kappa = contact_product();
-  auto const theta = cartan_form<1, 2>(L);
-  auto const sum = [&]<class T, int D>(Eigen::Matrix<T, D, 1> const& at, Tangents<T, D, 2> const& V) -> T { return theta(at, V) + kappa(at, V); };
-  auto const seen = [&](auto const& field, auto const& form) { return components_of(pull_back(jet_extension(phi), contract(field, form)), x); };
-  // Any vectors on the jet bundle, prolonged or not.
-  ConstantField<S, 8> const W{draw.vector<S, Eigen::Matrix<S, 8, 1>>(8)};
-  claim.equal("boundary terms of Theta and of Theta + kappa", model, seen(W, theta), seen(W, sum));
-  auto const at = coordinates(first_jet(phi, x));
-  auto const U = draw_tangents<S, 8, 2>(draw);
-  claim.differs("Theta and Theta + kappa are one form", model, theta(at, U), sum(at, U));
-  // Within the class: a variation that sees nothing of a form means that the form is zero. Its coefficients are read off coordinate fields.
-  auto z = legendre(L, first_jet(phi, x));
-  auto const j = first_jet(phi, x);
-  auto const other = draw.vector<S, Eigen::Matrix<S, 5, 1>>(5);
-  z.Pi = other[4];
-  for (int a = 0; a < 2; ++a)
-    for (int mu = 0; mu < 2; ++mu) z.p(a, mu) = other[2 * a + mu];
-  auto const in_class = [&z]<class T, int D>(Eigen::Matrix<T, D, 1> const&, Tangents<T, D, 2> const& V) -> T {
-    return actio::detail::affine_form<1, 2>(z.p.template cast<T>().eval(), T(z.Pi), V);
-  };
-  auto const along = [&](int i) { return seen(ConstantField<S, 8>{Eigen::Matrix<S, 8, 1>::Unit(i)}, in_class); };
-  Eigen::Matrix<S, 2, 2> read;
-  for (int a = 0; a < 2; ++a) read.row(a) = along(2 + a).transpose();
-  claim.equal("coefficients of dy^a ^ d^nx_mu, from vertical fields", model, read, z.p);
-  S const b = along(0)[0] + z.p.col(0).dot(j.v.col(0)) - (pairing(z, j) - z.Pi);
-  claim.zero("coefficient of d^{n+1}x, from a horizontal field", model, S(b - z.Pi), S(4));
-  z.Pi = S(0);
-  Eigen::Matrix<S, 2, 2> again;
-  for (int a = 0; a < 2; ++a) again.row(a) = along(2 + a).transpose();
-  claim.equal("vertical fields do not see that coefficient", model, again, read);
-  claim.refutes("vertical fields fix it", model, b, S(1));
+  over_points<S>(std::tuple<Dimensions<1, 2>>{}, [&](auto, std::string const& model) {
+    auto const L = draw_density<S, 1, 2>(draw);
+    auto const phi = draw_section<S, 1, 2>(draw);
+    auto const x = draw_event<S, 1>(draw);
+    auto const kappa = contact_product();
+    auto const theta = cartan_form<1, 2>(L);
+    auto const sum = [&]<class T, int D>(Eigen::Matrix<T, D, 1> const& at, Tangents<T, D, 2> const& V) -> T { return theta(at, V) + kappa(at, V); };
+    auto const seen = [&](auto const& field, auto const& form) { return components_of(pull_back(jet_extension(phi), contract(field, form)), x); };
+    // Any vectors on the jet bundle, prolonged or not.
+    ConstantField<S, 8> const W{draw.vector<S, Eigen::Matrix<S, 8, 1>>(8)};
+    claim.equal("boundary terms of Theta and of Theta + kappa", model, seen(W, theta), seen(W, sum));
+    auto const at = coordinates(first_jet(phi, x));
+    auto const U = draw_tangents<S, 8, 2>(draw);
+    claim.differs("Theta and Theta + kappa are one form", model, theta(at, U), sum(at, U));
+    // Within the class: a variation that sees nothing of a form means that the form is zero. Its coefficients are read off coordinate fields.
+    auto z = legendre(L, first_jet(phi, x));
+    auto const j = first_jet(phi, x);
+    auto const other = draw.vector<S, Eigen::Matrix<S, 5, 1>>(5);
+    z.Pi = other[4];
+    for (int a = 0; a < 2; ++a)
+      for (int mu = 0; mu < 2; ++mu) z.p(a, mu) = other[2 * a + mu];
+    auto const in_class = [&z]<class T, int D>(Eigen::Matrix<T, D, 1> const&, Tangents<T, D, 2> const& V) -> T {
+      return actio::detail::affine_form<1, 2>(z.p.template cast<T>().eval(), T(z.Pi), V);
+    };
+    auto const along = [&](int i) { return seen(ConstantField<S, 8>{Eigen::Matrix<S, 8, 1>::Unit(i)}, in_class); };
+    Eigen::Matrix<S, 2, 2> read;
+    for (int a = 0; a < 2; ++a) read.row(a) = along(2 + a).transpose();
+    claim.equal("coefficients of dy^a ^ d^nx_mu, from vertical fields", model, read, z.p);
+    S const b = along(0)[0] + z.p.col(0).dot(j.v.col(0)) - (pairing(z, j) - z.Pi);
+    claim.zero("coefficient of d^{n+1}x, from a horizontal field", model, S(b - z.Pi), S(4));
+    z.Pi = S(0);
+    Eigen::Matrix<S, 2, 2> again;
+    for (int a = 0; a < 2; ++a) again.row(a) = along(2 + a).transpose();
+    claim.equal("vertical fields do not see that coefficient", model, again, read);
+    claim.refutes("vertical fields fix it", model, b, S(1));
+  });
 }
 
 STATEMENT(claim_6_2_cartan_form_two_routes, "variational and Legendre routes to the Cartan form compared") {
   claim.holds("The boundary term is the part of the action's variation that depends on the derivatives of a factor of V; no Cartan form is needed to find it.");
   claim.degree(80);
-  over_dimensions(FewDimensions{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
@@ -252,5 +264,59 @@ STATEMENT(claim_6_2_cartan_form_two_routes, "variational and Legendre routes to 
     claim.zero("coefficient of d^{n+1}x", model, S(from_action.Pi - from_legendre.Pi), scale);
     claim.refutes("L alone as that coefficient", model, S(from_action.Pi - L(j)), scale);
     claim.refutes("nothing there, as vertical variations would have it", model, from_action.Pi, scale);
+  });
+}
+
+STATEMENT(thm_6_2_2, "multisymplectic form formula") {
+  claim.holds("Off shell the divergence of the current is V . dE[W] - W . dE[V] for vertical variations, so both are to solve the linearised equations.");
+  claim.degree(160);
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n, N = D::N;
+    // The linearised equations are to have a solution for the accelerations.
+    auto const L = draw_regular_density<S, n, N>(draw);
+    auto const phi = draw_section<S, n, N>(draw);
+    auto const at = second_jet(phi, draw_event<S, n>(draw));
+    auto const V = not_accelerated(draw_section<S, n, N>(draw)), W = not_accelerated(draw_section<S, n, N>(draw));
+    auto const divergence_of = [&](auto const& v, auto const& w) {
+      return divergence([&]<class T>(Event<T, n> const& x) { return multisymplectic_current(L, first_jet(phi, x), first_jet(v, x), first_jet(w, x)); }, at.x);
+    };
+    auto const j = second_jet(V, at.x), k = second_jet(W, at.x);
+    S const left = divergence_of(V, W), first = j.y.dot(linearised_euler_lagrange(L, at, k)), second = k.y.dot(linearised_euler_lagrange(L, at, j));
+    S const scale = magnitude(left) + magnitude(first) + magnitude(second);
+    claim.zero("off shell: divergence V . dE[W] - W . dE[V]", model, S(left - first + second), scale);
+    // First variations at this point, of the section as it is: a force of the section's own changes nothing in the linearised equations.
+    auto const v = first_variation_at(L, at, V), w = first_variation_at(L, at, W);
+    // Accelerations from one elimination.
+    claim.zero("divergence for two first variations", model, divergence_of(v, w), scale, 10);
+    claim.refutes("one of them not a first variation", model, divergence_of(v, W), scale);
+    claim.refutes("none of them a first variation", model, left, scale);
+  });
+}
+
+STATEMENT(eq_6_11, "boundary integral of two first variations and the multisymplectic form") {
+  claim.holds("For variations that move space-time as well, the vertical parts are to solve the linearised equations.");
+  // Integrals of polynomials of degree 5 over a drawn box, with accelerations from two equations.
+  claim.degree(300);
+  over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n, N = D::N;
+    // In a medium that is the same everywhere, uniform strain is a solution, and variations of second degree solve the linearised equations.
+    auto const L = draw_uniform_density<S, n, N>(draw);
+    auto const phi = draw_section_of_degree<S, n, N>(draw, 1);
+    auto const box = draw_box<S, n>(draw);
+    auto const j = second_jet(phi, Event<S, n>(Event<S, n>::Zero()));
+    auto const draw_vertical = [&] { return not_accelerated(draw_section_of_degree<S, n, N>(draw, 2)); };
+    auto const any = draw_vertical();
+    auto const field_of = [&j](Accelerated<S, n, N> const& Q, AnyVariation<S, n, N> const& along) { return WithVerticalPart<S, n, N>{Q, along, j.v}; };
+    auto const horizontal = [&] { return draw_variation<S, n, N>(draw, 2); };
+    auto const V = field_of(first_variation_at(L, j, draw_vertical()), horizontal());
+    auto const through = [&](auto const& W) {
+      auto const form = contract(prolonged<n, N>(V), contract(prolonged<n, N>(W), multisymplectic_form<n, N>(L)));
+      return boundary_integral(pull_back(jet_extension(phi), form), box, 4);
+    };
+    auto const along = horizontal();
+    S const scale = magnitude(through(field_of(any, along)));
+    // Sums over up to 25 nodes on each side, and accelerations from one elimination.
+    claim.zero("two first variations, horizontal parts included", model, through(field_of(first_variation_at(L, j, any), along)), scale, 10);
+    claim.refutes("one of them not a first variation", model, scale, S(1));
   });
 }

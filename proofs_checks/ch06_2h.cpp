@@ -21,12 +21,12 @@ struct Sphere {
   }
 };
 
-/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^2{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
+/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^1{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
 struct PowerOfStrain {
   template <class BodyMetric, class T>
   T operator()(Eigen::Matrix<T, 2, 1> const&, BodyMetric const&, Eigen::Matrix<T, 2, 2> const& g, Eigen::Matrix<T, 2, 2> const& F) const {
     using std::pow;
-    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(1, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
+    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(0, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
   }
 };
 
@@ -46,14 +46,14 @@ SecondJet<S, 2, 2> draw_jet_on_sphere(Draw& draw) {
   return second_jet(south, x);
 }
 
-/// Over the rationals any medium in n = 2 and 3, elsewhere one on the sphere.
+/// Over the rationals any medium in space, elsewhere one on the sphere.
 /// @param visit  called with a medium with a general W, a fluid, a second jet, and the name of the model
 template <class S, class Visit>
 void over_media(Draw& draw, Visit const& visit) {
   if constexpr (is_exact<S>) {
-    over_points([&]<class D>(D, std::string const& model) {
-      auto const any = draw_any_medium<S, D::n>(draw);
-      auto const fluid = draw_fluid_medium<S, D::n>(draw);
+    over_points(std::tuple<Dimensions<3, 3>>{}, [&]<class D>(D, std::string const& model) {
+      auto const any = draw_medium<S, D::n>(draw, Kind::any);
+      auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
       visit(any, fluid, draw_second_jet<S, D::n>(draw), model);
     });
   } else {
@@ -79,7 +79,7 @@ STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
     using Column = Eigen::Matrix<S, n, 1>;
     Jet<S, n, n> const& first = j;
     Column const E = field_equations(medium, j), force = metric_force(medium, first);
-    claim.equal("(6.13) and (6.12)", model, medium_equation(medium, j), E, 10);  // sines, powers and an inverse, each a few roundings
+    claim.equal("(6.13) and (6.12)", model, medium_equation(medium, j), E);
     claim.differs("the force with the other sign", model, (medium_equation(medium, j) + force * S(2)).eval(), E);
     auto const outside = [&](auto const& weight) {
       auto const stress = [&](auto const& jet) { return (detail::strain_derivative(medium, jet) * weight(jet)).eval(); };
@@ -108,15 +108,16 @@ STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
     S const rate = medium.W(moved.particle(), medium.G(moved.particle()), g, moved.gradient()).part[0];
     Matrix const sigma = cauchy_stress(medium, first);
     S const power = sigma.cwiseProduct(h).sum();
-    claim.equal("power of the stress along a metric", model, power, S(rate * S(2) * at.rho / at.J), 10);  // sines and powers, a few roundings each
+    claim.equal("power of the stress along a metric", model, power, S(rate * S(2) * at.rho / at.J));
     claim.differs("without J", model, power, S(rate * S(2) * at.rho));
     claim.differs("without the 2", model, power, S(rate * at.rho / at.J));
     S upper(0);
     for (int a = 0; a < n; ++a)
       for (int b = a; b < n; ++b) upper += sigma(a, b) * h(a, b);
-    claim.differs("each pair of indices once", model, upper, S(rate * S(2) * at.rho / at.J));
+    // Off the diagonal the derivative along one pair is twice as large.
+    claim.refutes("each pair of indices once", model, S(upper - power), magnitude(sigma));
     Matrix const pressure = inverse_matrix(Matrix(fluid.g(j.y))) * S(-material_pressure(fluid, first));
-    claim.equal("of a fluid, the pressure", model, cauchy_stress(fluid, first), pressure, 10);
+    claim.equal("of a fluid, the pressure", model, cauchy_stress(fluid, first), pressure);
   });
 }
 
@@ -131,13 +132,15 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
     Jet<S, n, n> const& first = j;
     auto const at = point_of_medium(fluid, first);
     Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j), mass = inertia(fluid, j);
-    claim.equal("(6.18) and (6.12)", model, fluid_equation(fluid, j), E, 10);  // sines, powers and an inverse, each a few roundings
+    claim.equal("(6.18) and (6.12)", model, fluid_equation(fluid, j), E);
     claim.differs("as printed, with the only index contracted", model, (mass + Column::Constant((at.inverse * slope).sum() * at.J)).eval(), E);
     claim.differs("the inverse transposed", model, (mass + at.inverse * slope * at.J).eval(), E);
     claim.differs("without J", model, (mass + at.inverse.transpose() * slope).eval(), E);
     // The pressure of a fluid of constant mass density, that at the particle.
-    auto const even = [&](auto const& x) { return typename std::remove_cvref_t<decltype(x)>::Scalar(at.rho); };
-    Column const level = pressure_slopes(Continuum{fluid.G, fluid.g, even, fluid.W}, j);
+    Fluid even = fluid;
+    even.rho.added.constant = at.rho - S(2);
+    for (auto* c : {&even.rho.added.a, &even.rho.added.b, &even.rho.added.d, &even.rho.added.e}) c->setZero();
+    Column const level = pressure_slopes(even, j);
     claim.differs("the mass density outside the derivative", model, (mass + at.inverse.transpose() * level * at.J).eval(), E);
   });
 }
@@ -150,7 +153,7 @@ STATEMENT(eq_6_20, "the equation of motion with stresses, general stored energy"
     Jet<S, n, n> const& first = j;
     auto const at = point_of_medium(medium, first);
     Column const E = field_equations(medium, j), balance = inertia(medium, j) - stress_divergence(medium, j);
-    claim.equal("(6.20) and (6.12)", model, stress_equation(medium, j), E, 10);  // sines, powers and an inverse, each a few roundings
+    claim.equal("(6.20) and (6.12)", model, stress_equation(medium, j), E);
     claim.differs("without the symbols of space", model, balance, E);
     auto const gamma = christoffel(medium.g, j.y);
     Eigen::Matrix<S, n, n> const plus = first_piola_kirchhoff_stress(medium, first) * at.F.transpose() + at.g * cauchy_stress(medium, first) * at.J;

@@ -1,9 +1,9 @@
 // Scalars: rational, double
 // Section 7.1: the theorem of Lagrange multipliers, with the hypothesis that it needs.
-#include "fields.hpp"
+#include "statement.hpp"
 
 #include "actio/constraints/multiplier_theorem.hpp"
-#include "statement.hpp"
+#include "fields.hpp"
 
 namespace {
 

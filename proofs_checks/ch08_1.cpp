@@ -150,7 +150,7 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
   claim.corrected("\\mathfrak C\\ \\text{corresponds to the incompressibility constraint}", "\\mathfrak C = \\{\\pi^\\mu = 0\\}",
                   "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. $J = 1$ comes later, as the field equation of $\\lambda$.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
@@ -173,7 +173,7 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
 STATEMENT(eq_8_1, "the constraint on the volume") {
   claim.convention("The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the body, in charts of one orientation.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
@@ -198,7 +198,7 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
   claim.convention("The sign goes with $L + \\lambda\\Phi$ of (8.3): then $P$ is positive in compression. With $h - \\langle\\lambda, \\Psi\\rangle$ of chapter 7 it would be $-\\sqrt{\\det G}\\,P$.");
   // A section of a chart of degree 6 has degree 6 * 7, where fields of motions have 6.
   claim.degree(7 * degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);

@@ -49,7 +49,7 @@ struct WithMovingMultiplier {
 STATEMENT(eq_8_3, "the density with the constraint added") {
   claim.convention("The multiplier adds to the density, where chapter 7 subtracts: with (8.2) this makes $P$ the pressure. $d^{n+1}x$ belongs to all three terms.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -69,7 +69,7 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
 STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -85,7 +85,7 @@ STATEMENT(claim_8_2_restricted_legendre, "what is left of the Legendre transform
                   "Restricting the target makes the map onto where $\\partial^2L_\\Phi/\\partial v\\partial v$ is invertible, but derivatives of $\\lambda$ stay in its kernel. "
                   "The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -107,7 +107,7 @@ STATEMENT(claim_8_2_restricted_legendre, "what is left of the Legendre transform
 STATEMENT(eq_8_4, "the momenta of an incompressible medium") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -129,7 +129,7 @@ STATEMENT(eq_8_4, "the momenta of an incompressible medium") {
 STATEMENT(claim_8_2_affine_momentum, "the affine momentum of an incompressible medium") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);

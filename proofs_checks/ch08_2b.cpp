@@ -47,7 +47,7 @@ struct WithSquaredMultiplier {
 STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const phi = with_pressure(draw_section<S, n, n>(draw), draw_cubic<S, n + 1>(draw), density.constraint.G);
@@ -70,7 +70,7 @@ STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
 STATEMENT(eq_8_6, "the field equation of the multiplier") {
   claim.convention("The middle member equates a number with a form: both sides are coefficients of $d^{n+1}x$. The equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
@@ -86,7 +86,7 @@ STATEMENT(eq_8_6, "the field equation of the multiplier") {
 STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
   claim.holds("It holds off the constraint too: the Euler-Lagrange derivative is $-\\sqrt{\\det G}$ times it for every $J$.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
@@ -102,7 +102,7 @@ STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
 STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space is differentiated") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const& constraint = density.constraint;
@@ -135,7 +135,7 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
 STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const residual = [&](Medium<S, n> const& medium, SecondJet<S, n, n + 1> const& extended) {
       auto const j = deformation(extended);

@@ -45,7 +45,7 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
                   "\\rho(x)\\,g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial P}{\\partial x^k}\\,J(F^{-1})^k{}_a",
                   "No other pressure takes the density in: $dP/\\rho$ is closed only where $d\\rho\\wedge dP = 0$.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const G = draw_metric<S, n>(draw), g = draw_metric<S, n>(draw);
     auto const rho = draw_mass<S, n>(draw);
@@ -78,7 +78,7 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
 STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
   claim.convention("For a homogeneous fluid of density 1, which the text sets just before. It holds off the constraint too.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = ideal_fluid<S, n>(draw_metric<S, n>(draw), draw_metric<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), fluid.G);
@@ -94,7 +94,7 @@ STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
 STATEMENT(eq_8_10, "the constraint where body and space have one metric") {
   claim.holds();
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const G = draw_metric<S, n>(draw);
     VolumeConstraint const constraint{G, G};
@@ -114,7 +114,7 @@ STATEMENT(eq_8_10, "the constraint where body and space have one metric") {
 STATEMENT(eq_8_11, "the equation with the pressure in space") {
   claim.holds("It uses $J = 1$: off the constraint the gradient has the factor $J$ of (8.9).");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = ideal_fluid<S, n>(draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw));
     auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
@@ -137,7 +137,7 @@ STATEMENT(eq_8_11, "the equation with the pressure in space") {
 STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two pressures") {
   claim.convention("The density is 1; otherwise $\\rho(x)$ stands before the acceleration. The second b in $(D_g\\dot\\phi^b/Dt)^b$ is a slip of the pen.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto fluid = draw_barotropic<S, n>(draw);
     auto const varying = fluid.rho;
@@ -159,7 +159,7 @@ STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two
 STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
   claim.holds("The momenta and the field equations of the motion know the sum alone; the affine momentum, an energy, tells the two apart.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_barotropic<S, n>(draw);
     S const c = draw.number<S>() + S(2);
@@ -186,7 +186,7 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
 STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where the volume is held") {
   claim.convention("For a homogeneous fluid: $P_W = -\\rho\\,W'(1)$ varies with $\\rho(x)$, and with the point where W sees it. The multiplier takes it in all the same.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const law = draw_fluid<S>(draw);
     auto const G = draw_unimodular_metric<S, n>(draw), g = draw_unimodular_metric<S, n>(draw);

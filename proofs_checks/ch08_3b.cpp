@@ -83,7 +83,7 @@ Event<S, n> event_in_space(Jet<S, n, n> const& j) {
 STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the volume") {
   claim.holds("It is the bracket of left-invariant fields on the group; with right-invariant ones, which hydrodynamics uses otherwise, it would be the bracket of Jacobi and Lie itself.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
     S const t = draw.number<S>();
@@ -113,7 +113,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
 STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms") {
   claim.convention("One metric on body and space, mass 1, and variations along the walls: then fields without divergence are orthogonal to gradients alone.");
   claim.degree(degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
     auto const w = draw_solenoidal<S, n>(draw, g);
@@ -151,7 +151,7 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
 STATEMENT(eq_8_14, "the equation of the pressure") {
   claim.convention("It needs $\\mathrm{div}\\,u = 0$ at all times, and the slope of p at the walls to have one solution. On a curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
   claim.degree(2 * degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
     auto const u = draw_solenoidal<S, n>(draw, g);

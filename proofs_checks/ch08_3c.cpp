@@ -35,7 +35,7 @@ Event<S, n> event_in_space(Jet<S, n, n> const& j) {
 STATEMENT(claim_8_3_euler_equations, "the fluid as space sees it") {
   claim.holds("$(u\\cdot\\nabla)u$ is covariant, and so is the divergence.");
   claim.degree(5 * degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const phi = draw_shears<S, n>(draw);
     VelocityInSpace<S, n> const u{phi};
@@ -59,7 +59,7 @@ STATEMENT(claim_8_3_euler_equations, "the fluid as space sees it") {
 STATEMENT(claim_8_3_two_descriptions_agree, "one fluid, seen from the body and as a curve of diffeomorphisms") {
   claim.convention("Body and space are one Riemannian manifold, mass is 1, and the motion begins at the identity: then $J = 1$ says that it stays in $\\mathcal D_\\mu$.");
   claim.degree(5 * degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_unimodular_metric<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw);
@@ -82,7 +82,7 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
   claim.corrected("\\mathrm{div}\\text{ of both sides of (8.11)}", "(F^{-1})^k{}_a\\,\\nabla_k\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^a = -(\\Delta p)\\circ\\phi",
                   "(8.11) is an equation between vectors of space at points of the body: compose with $\\phi_t^{-1}$ first. Differentiated in x without $F^{-1}$ it gives another number.");
   claim.degree(5 * degree_of_fields);
-  over_dimensions(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_unimodular_metric<S, n>(draw);
     auto const phi = draw_shears<S, n>(draw);

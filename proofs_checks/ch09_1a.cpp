@@ -85,7 +85,7 @@ STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
   claim.holds();
   // A cubic of a cubic, of the inverse of a map of second degree.
   claim.degree(60);
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(std::tuple<Dimensions<2, 2>, Dimensions<3, 1>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const any = draw_automorphism<S, n, N>(draw);
     auto const eta = Automorphism{[any](auto const& x) { return any.base(x); }, [any](auto const& point) { return any.fibre(point); }};
@@ -122,7 +122,7 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.holds("The field is divergence-free with respect to $\\sqrt{\\det G}$; the formula holds for any field on the body.");
   claim.degree(20);
-  over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const xi = draw_relabelling<S, n>(draw_metric<S, n>(draw), draw);
     auto const j = draw_jet<S, n, N>(draw);
@@ -139,7 +139,7 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
       return moved;
     };
     auto const moved = prolongation(relabelling<N>(flow), j.template cast<T>());
-    Eigen::Matrix<S, N, n + 1> rate, swapped = Eigen::Matrix<S, N, n + 1>::Zero();
+    Eigen::Matrix<S, N, n + 1> rate;
     for (int a = 0; a < N; ++a)
       for (int mu = 0; mu <= n; ++mu) rate(a, mu) = moved.v(a, mu).part[0];
     claim.equal("the flow of the prolongations", model, lift.v, rate);

@@ -8,40 +8,55 @@
 namespace actio::checks {
 
 /// Calls `visit(dimensions, name)` for bodies as large as their space, at three random points each: the probability that a false identity of degree 200 is zero
-/// at all of them is \f$10^{-8}\f$.
-template <class Visit>
-void over_points(Visit const& visit) {
-  for (int point = 0; point < 3; ++point) over_dimensions(PlaneAndSpace{}, visit);
+/// at all of them is \f$10^{-8}\f$. What follows from an identity that has been checked in space is checked in the plane alone.
+template <class... D, class Visit>
+void over_points(std::tuple<D...> dimensions, Visit const& visit) {
+  for (int point = 0; point < 3; ++point) over_dimensions(dimensions, visit);
 }
+using Plane = std::tuple<Dimensions<2, 2>>;
+
+/// What the energy of a medium knows.
+enum class Kind { any, fluid, solid, dust };
+
+/// A stored energy of one of these kinds, chosen when it is drawn: one type for all of them, so that what is made of a medium is compiled once.
+template <class S, int n>
+struct EnergyOfKind {
+  Kind kind;
+  AnyEnergy<S, n, n> any;
+  AnyFluidLaw<S> w;  ///< of a fluid
+  AnySolidLaw<S> solid;
+  template <class T>
+  T operator()(Eigen::Matrix<T, n, 1> const& x, Eigen::Matrix<T, n, n> const& G, Eigen::Matrix<T, n, n> const& g, Eigen::Matrix<T, n, n> const& F) const {
+    switch (kind) {
+      case Kind::any: return any(x, G, g, F);
+      case Kind::fluid: return w(jacobian(G, g, F));
+      case Kind::solid: return solid(raised(G, green_tensor(g, F)));
+      default: return T(0);
+    }
+  }
+};
 
 /// A medium on a body with metric and mass that vary, in a space with another such metric.
-template <class S, int n, class Energy>
-using AnyContinuum = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, Energy>;
-template <class S, int n, class Energy>
-AnyContinuum<S, n, Energy> draw_continuum(Draw& draw, Energy const& W) {
+template <class S, int n>
+using AnyContinuum = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, EnergyOfKind<S, n>>;
+template <class S, int n>
+AnyContinuum<S, n> draw_medium(Draw& draw, Kind kind) {
   auto const G = draw_metric<S, n>(draw);
   auto const g = draw_metric<S, n>(draw);
-  return {G, g, draw_mass<S, n>(draw), W};
-}
-template <class S, int n>
-auto draw_any_medium(Draw& draw) {
-  return draw_continuum<S, n>(draw, draw_energy<S, n, n>(draw));
-}
-template <class S, int n>
-auto draw_fluid_medium(Draw& draw) {
-  return draw_continuum<S, n>(draw, draw_fluid<S>(draw));
-}
-template <class S, int n>
-auto draw_solid_medium(Draw& draw) {
-  return draw_continuum<S, n>(draw, draw_solid<S>(draw));
+  auto const rho = draw_mass<S, n>(draw);
+  auto const any = draw_energy<S, n, n>(draw);
+  auto const fluid = draw_fluid<S>(draw);
+  return {G, g, rho, {kind, any, fluid.w, draw_solid<S>(draw).w}};
 }
 
-/// The same with constant metrics, neither of them the identity.
-template <class S, int n, class Energy>
-auto draw_flat_continuum(Draw& draw, Energy const& W) {
-  auto const G = draw_constant_metric<S, n>(draw);
-  auto const g = draw_constant_metric<S, n>(draw);
-  return Continuum<ConstantMetric<S, n>, ConstantMetric<S, n>, AnyMass<S, n>, Energy>{G, g, draw_mass<S, n>(draw), W};
+/// The same medium with the metrics that it has at the origin everywhere.
+template <class S, int n>
+AnyContinuum<S, n> flattened(AnyContinuum<S, n> medium) {
+  for (auto* metric : {&medium.G, &medium.g}) {
+    for (auto& slope : metric->slope) slope.setZero();
+    metric->bend.setZero();
+  }
+  return medium;
 }
 
 /// The second jet of a section that solves nothing.
@@ -78,3 +93,9 @@ Eigen::Matrix<S, n, 1> pressure_slopes(Medium const& fluid, SecondJet<S, n, n> c
 }
 
 }  // namespace actio::checks
+
+namespace actio {
+/// Those that are drawn as fluids are.
+template <class S, int n>
+inline constexpr bool is_barotropic<checks::EnergyOfKind<S, n>> = true;
+}  // namespace actio

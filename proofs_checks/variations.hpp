@@ -10,12 +10,27 @@
 
 namespace actio::checks {
 
+/// Calls `visit(dimensions, name)` for each of the dimensions, as often as an exact identity is tried; twice over rounded scalars.
+template <class S, class All, class Visit>
+void over_points(All const& dimensions, Visit const& visit) {
+  for (int point = 0; point < (is_exact<S> ? exact_points : 2); ++point) over_dimensions(dimensions, visit);
+}
+/// Few coordinates in all, for what differentiates many times.
+using SmallDimensions = std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>;
+
 /// A polynomial without its terms above a degree.
 template <class S, int m>
 Cubic<S, m> cut(Cubic<S, m> c, int degree) {
   if (degree < 3) c.e.setZero();
   if (degree < 2) c.d.setZero();
   return c;
+}
+
+/// The polynomial that is zero.
+template <class S, int m>
+Cubic<S, m> no_polynomial() {
+  using V = Eigen::Matrix<S, m, 1>;
+  return {S(0), V::Zero(), V::Zero(), V::Zero(), V::Zero()};
 }
 
 /// A section of second degree at most; of first degree it is a state of uniform strain.
@@ -31,6 +46,39 @@ template <class S, int n, int N>
 AnyDensity<S, n, N> draw_low_density(Draw& draw) {
   auto L = draw_density<S, n, N>(draw);
   return {cut(L.l, 2), cut(L.m, 1)};
+}
+
+/// Where \f$v^a{}_\mu\f$ stands among the coordinates of a jet.
+template <int n, int N>
+constexpr int place_of_derivative(int a, int mu) {
+  return n + 1 + N + N * mu + a;
+}
+
+/// A density whose second derivatives in the velocities have an inverse: the product of the first velocity and the last, four times, and what is small beside it.
+template <class S, int n, int N>
+AnyDensity<S, n, N> draw_regular_density(Draw& draw) {
+  static_assert(N <= 2);
+  auto L = draw_density<S, n, N>(draw);
+  L.l.b[place_of_derivative<n, N>(0, 0)] += S(2);
+  L.l.d[place_of_derivative<n, N>(N - 1, 0)] += S(2);
+  return L;
+}
+
+/// The density of a medium that is the same everywhere: a cubic in the derivatives alone. Every section of first degree solves its field equations, and the
+/// linearised ones then have constant coefficients.
+template <class S, int n, int N>
+AnyDensity<S, n, N> draw_uniform_density(Draw& draw) {
+  auto L = draw_regular_density<S, n, N>(draw);
+  for (auto* c : {&L.l.a, &L.l.b, &L.l.d, &L.l.e}) c->template head<n + 1 + N>().setZero();
+  L.m = no_polynomial<S, Jet<S, n, N>::dimension>();
+  return L;
+}
+
+/// A density with a force that is the same everywhere added to its field equations.
+template <class S, int n, int N>
+AnyDensity<S, n, N> with_force(AnyDensity<S, n, N> L, Eigen::Matrix<S, N, 1> const& force) {
+  L.l.a.template segment<N>(n + 1) += force;
+  return L;
 }
 
 /// A vector field on Y that covers one on space-time: \f$V^\mu(x)\f$ and \f$V^a(x, y)\f$.
@@ -50,7 +98,18 @@ struct AnyVariation {
   /// The same field, its part along space-time left out.
   AnyVariation upright() const {
     AnyVariation V = *this;
-    for (auto& c : V.horizontal) c = {S(0), Event<S, n>::Zero(), Event<S, n>::Zero(), Event<S, n>::Zero(), Event<S, n>::Zero()};
+    for (auto& c : V.horizontal) c = no_polynomial<S, n + 1>();
+    return V;
+  }
+  /// The i-th coordinate field times \f$c + s\,x^\mu\f$.
+  static AnyVariation coordinate(int i, S const& constant, S const& slope = S(0), int mu = 0) {
+    AnyVariation V;
+    for (auto& c : V.horizontal) c = no_polynomial<S, n + 1>();
+    for (auto& c : V.vertical) c = no_polynomial<S, n + 1 + N>();
+    if (i <= n)
+      V.horizontal[i].constant = constant, V.horizontal[i].a[mu] = slope;
+    else
+      V.vertical[i - n - 1].constant = constant, V.vertical[i - n - 1].a[mu] = slope;
     return V;
   }
 };
@@ -126,46 +185,6 @@ Box<S, n> draw_box(Draw& draw) {
   return box;
 }
 
-/// A density with a force that is the same everywhere added to its field equations.
-template <class Density, class S, int N>
-struct Forced {
-  Density density;
-  Eigen::Matrix<S, N, 1> force;
-  template <class T, int n>
-  T operator()(Jet<T, n, N> const& j) const {
-    T sum = density(j);
-    for (int a = 0; a < N; ++a) sum += j.y[a] * T(force[a]);
-    return sum;
-  }
-};
-
-/// A regular density: twice the square of the velocity added to any.
-template <class Density>
-struct Regular {
-  Density density;
-  template <class T, int n, int N>
-  T operator()(Jet<T, n, N> const& j) const {
-    T sum = density(j);
-    for (int a = 0; a < N; ++a) sum += j.v(a, 0) * j.v(a, 0) * T(2);
-    return sum;
-  }
-};
-
-/// A medium that is the same everywhere: a cubic in the derivatives alone. Every section of first degree solves its field equations, and the linearised ones
-/// then have constant coefficients.
-template <class S, int n, int N>
-struct Uniform {
-  Cubic<S, N*(n + 1)> l;
-  template <class T>
-  T operator()(Jet<T, n, N> const& j) const {
-    return l(Eigen::Matrix<T, N*(n + 1), 1>(coordinates(j).template tail<N*(n + 1)>()));
-  }
-};
-template <class S, int n, int N>
-Regular<Uniform<S, n, N>> draw_uniform_density(Draw& draw) {
-  return {{draw_cubic<S, N*(n + 1)>(draw, ratio<S>(1, 2))}};
-}
-
 /// A vertical variation of second degree in x with \f$\tfrac12k\,(t - t_0)^2\f$ added.
 template <class S, int n, int N>
 struct Accelerated {
@@ -182,9 +201,14 @@ struct Accelerated {
   }
 };
 
+template <class S, int n, int N>
+Accelerated<S, n, N> not_accelerated(AnySection<S, n, N> const& V) {
+  return {V, Eigen::Matrix<S, N, 1>::Zero(), S(0)};
+}
+
 /// A variation that solves the linearised field equations at a point: the second time derivatives are solved for.
 template <class S, int n, int N, class L>
-Accelerated<S, n, N> first_variation_at(L const& density, SecondJet<S, n, N> const& j, AnySection<S, n, N> const& V) {
+Accelerated<S, n, N> first_variation_at(L const& density, SecondJet<S, n, N> const& j, Accelerated<S, n, N> const& V) {
   Eigen::Matrix<S, N, N> mass;
   for (int b = 0; b < N; ++b) {
     SecondJet<S, n, N> unit{};
@@ -194,7 +218,7 @@ Accelerated<S, n, N> first_variation_at(L const& density, SecondJet<S, n, N> con
     mass.col(b) = -linearised_euler_lagrange(density, j, unit);
   }
   auto const excess = linearised_euler_lagrange(density, j, second_jet(V, j.x));
-  return {V, solve_linear(mass, excess, "first_variation_at"), j.x[0]};
+  return {V.V, solve_linear(mass, excess, "first_variation_at"), j.x[0]};
 }
 
 }  // namespace actio::checks

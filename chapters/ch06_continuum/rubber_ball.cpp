@@ -107,7 +107,6 @@ int main(int argc, char** argv) {
   Ball const rubber{neo_hookean};
   Ball const stiff{st_venant_kirchhoff};
   Ball const lopsided{Lopsided{}};
-
   Matrix3d A0, V0;
   A0 << 1.4, 0.2, 0, -0.1, 0.8, 0.1, 0, 0, 0.9;
   V0 << 0, -0.5, 0.2, 0.6, 0, 0, 0.1, 0, 0;

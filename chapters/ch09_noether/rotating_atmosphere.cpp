@@ -1,6 +1,6 @@
 // An atmosphere that turns about a sphere as a whole: an exact motion of a barotropic gas, and the currents of its symmetries.
 //
-// What is shown. The gas has the pressure P = K rho (rho/J)^2/rho of a polytropic gas of exponent 2 and turns with the angular velocity Omega. The pressure holds it at its latitudes: the density is
+// What is shown. The gas has the pressure P = K rho/J^2 of a polytropic gas of exponent 2 and turns with the angular velocity Omega. The pressure holds it at its latitudes: the density is
 // 1 + s (1/3 - z^2), z the sine of the latitude and s = Omega^2/(4K) (radius 1). Labels are chosen so that the mass of the body is its area. Then every stream function has a closed current, every loop of
 // particles keeps its circulation, and each rotation of the sphere has a current of angular momentum; with labels by place only the relabellings along latitudes are left.
 //
@@ -130,30 +130,31 @@ void show_circulation(book::Program& program, Turning const& phi) {
   program.claim(worst < 1e-13, "circulations are constant and have their closed forms");
 }
 
-void draw(book::Program& program) {
-  auto sphere = book::Sphere(20, 24).axes({"", "", "N"});
+void draw_profile(book::Program& program) {
   std::vector<double> latitude;
   for (double d = -90; d <= 90; d += 1.5) latitude.push_back(d);
   auto plot = book::Plot("latitude, degrees", "density over its mean");
   for (double const M : {0.0, 0.8, 1.2, 1.6}) {
-    double const s = M * M / 2;
     std::vector<double> density;
-    for (double const d : latitude) density.push_back(Density{s}(Eigen::Vector2d(std::sin(d * pi / 180), 0)));
+    for (double const d : latitude) density.push_back(Density{M * M / 2}(Eigen::Vector2d(std::sin(d * pi / 180), 0)));
     plot.curve(latitude, density, "M = " + book::number(M));
-    if (M != 0 && M != 1.6) continue;
-    for (double const Z : {-std::sqrt(0.75), -0.5, 0.5, std::sqrt(0.75)}) {
-      std::vector<std::array<double, 3>> circle;
-      for (int i = 0; i <= 120; ++i) circle.push_back(on_sphere(place_of_mass(Z, s), i * pi / 60));
-      sphere.curve(circle, Z > 0.6 ? (M == 0 ? "a quarter and 7 % of the mass to the pole, at rest" : "the same, M = 1.6") : "", {.colour = M == 0 ? 6 : 2, .width = 1.6, .dashed = M == 0});
-    }
-  }
-  for (double const turned : {0.0, 1.2}) {
-    std::vector<std::array<double, 3>> loop;
-    for (int i = 0; i < 60; ++i) loop.push_back(on_sphere(0.18 * std::sin(i * pi / 10), -0.6 + turned + 0.3 * std::cos(i * pi / 30) + 0 * turned));
-    for (int i = 0; i < 60; ++i) loop[i] = on_sphere(0.05 + 0.22 * std::sin(i * pi / 30), -0.6 + turned + 0.35 * std::cos(i * pi / 30));
-    sphere.dots(loop, turned == 0 ? "a loop of particles" : "the same loop later", {.colour = turned == 0 ? 1 : 3, .radius = 2});
   }
   program.picture("profile", plot.svg(), "Density by latitude of an atmosphere that turns as a whole, M times as fast at the equator as sound.");
+}
+
+void draw_sphere(book::Program& program) {
+  auto sphere = book::Sphere(20, 24).axes({"", "", "N"});
+  for (double const M : {0.0, 1.6})
+    for (double const Z : {-std::sqrt(0.75), -0.5, 0.5, std::sqrt(0.75)}) {
+      std::vector<std::array<double, 3>> circle;
+      for (int i = 0; i <= 120; ++i) circle.push_back(on_sphere(place_of_mass(Z, M * M / 2), i * pi / 60));
+      sphere.curve(circle, Z > 0.6 ? (M == 0 ? "a quarter and 7 % of the mass towards the pole, at rest" : "the same, M = 1.6") : "", {.colour = M == 0 ? 6 : 2, .width = 1.6, .dashed = M == 0});
+    }
+  for (double const turned : {0.0, 1.2}) {
+    std::vector<std::array<double, 3>> loop;
+    for (int i = 0; i < 60; ++i) loop.push_back(on_sphere(0.05 + 0.22 * std::sin(i * pi / 30), -0.6 + turned + 0.35 * std::cos(i * pi / 30)));
+    sphere.dots(loop, turned == 0 ? "a loop of particles" : "the same loop later", {.colour = turned == 0 ? 1 : 3, .radius = 2});
+  }
   program.picture("sphere", sphere.svg(), "Circles that hold the same mass at rest and at M = 1.6, and a loop of particles that is carried along.");
 }
 
@@ -188,7 +189,8 @@ int main(int argc, char** argv) {
 
   // 3. Loops and pictures.
   show_circulation(program, phi);
-  draw(program);
+  draw_profile(program);
+  draw_sphere(program);
 
   program.claim(field < 1e-11, "the motion is exact");
   program.claim(closed < 1e-11, "the currents of the symmetries are closed");

@@ -1,6 +1,8 @@
 // Laws of continuous media: metrics as types and as matrices, Christoffel symbols, materials at rest, under small strains, turned, and compressed.
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
+
 #include "actio/foundations/draw.hpp"
 #include "actio/jets/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
@@ -34,11 +36,6 @@ Jet<S, n, n> strained(Square<S, n> const& F) {
   Jet<S, n, n> j{Event<S, n>::Zero(), Eigen::Matrix<S, n, 1>::Zero(), Eigen::Matrix<S, n, n + 1>::Zero()};
   j.v.template rightCols<n>() = F;
   return j;
-}
-
-template <class S>
-auto flat_mass(S const& value) {
-  return Homogeneous<S>{value};
 }
 
 /// The identity as a matrix that is the same everywhere, and as a function that the compiler knows nothing about.
@@ -165,14 +162,12 @@ BOOST_AUTO_TEST_CASE(solids_are_free_of_stress_at_rest_and_obey_hooke_nearby) {
   // Exactly: moduli of size 1, mass 3.
   using S = rational;
   S const lambda = ratio<S>(7, 3), mu = ratio<S>(5, 4), c1 = ratio<S>(2, 3), c2 = ratio<S>(1, 5);
-  is_a_solid<3>(StVenantKirchhoff<S>{lambda, mu}, lambda, mu, 0);
-  is_a_solid<3>(NeoHookean<S, PowerVolume<2>>{mu, {}}, S(4 * mu), mu, 0);
-  is_a_solid<2>(NeoHookean<S, PowerVolume<1>>{mu, {}}, S(2 * mu), mu, 0);
+  is_a_solid<2>(StVenantKirchhoff<S>{lambda, mu}, lambda, mu, 0);
+  is_a_solid<2>(NeoHookean<S, PowerVolume<2>>{mu, {}}, S(4 * mu), mu, 0);
   // lambda = 4 U'' - 2 mu with U'' = (m + 1) (c1 + 2 c2), mu = 2 (c1 + c2).
   is_a_solid<3>(MooneyRivlin<S, PowerVolume<1>>{c1, c2, {}}, S(8 * (c1 + 2 * c2) - 4 * (c1 + c2)), S(2 * (c1 + c2)), 0);
   // With logarithms, in double: stresses of size 10, some hundred operations.
-  is_a_solid<3>(NeoHookean{1.25, LogarithmicVolume<double>{7.0 / 3}}, 7.0 / 3, 1.25, 1000 * eps);
-  is_a_solid<3>(MooneyRivlin{0.75, 0.25, LogarithmicVolume<double>{2.0}}, 2.0 + 4 * 0.25, 2.0, 1000 * eps);
+  is_a_solid<2>(NeoHookean{1.25, LogarithmicVolume<double>{7.0 / 3}}, 7.0 / 3, 1.25, 1000 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(fluids_have_the_pressures_that_their_names_say) {

@@ -28,6 +28,7 @@ struct ExtendedSection {
   Section phi;        ///< \f$\phi\f$
   Multiplier lambda;  ///< \f$\lambda\f$, a callable on points of space-time that returns a column of k numbers
 
+  /// Place and multiplier at a point of space-time, in one column.
   template <class V>
   auto operator()(V const& x) const {
     auto const y = phi(x);
@@ -38,6 +39,7 @@ struct ExtendedSection {
     return both;
   }
 };
+/// The section of E that its parts make.
 template <class Section, class Multiplier>
 ExtendedSection(Section, Multiplier) -> ExtendedSection<Section, Multiplier>;
 
@@ -48,10 +50,11 @@ ExtendedSection(Section, Multiplier) -> ExtendedSection<Section, Multiplier>;
 /// @tparam Phi  constraint over the same jets, with k components
 template <class L, class Phi>
 struct AugmentedDensity {
-  static constexpr int components = Phi::components;
-  L density;
-  Phi constraint;
+  static constexpr int components = Phi::components;  ///< how many multipliers there are
+  L density;                                          ///< over jets with (n, N)
+  Phi constraint;                                     ///< over the same jets
 
+  /// Its value at a jet of E.
   template <class S, int n, int M>
   S operator()(Jet<S, n, M> const& jet) const {
     auto const j = configuration<M - components>(jet);
@@ -71,6 +74,7 @@ struct AugmentedDensity {
     detail::examine(constraint, j);
   }
 };
+/// The augmented density of a density and a constraint.
 template <class L, class Phi>
 AugmentedDensity(L, Phi) -> AugmentedDensity<L, Phi>;
 

@@ -19,9 +19,10 @@ concept ConstraintOver = requires(Phi const& phi, Jet<S, n, N> const& jet) {
 /// A callable with k components as a constraint.
 template <int k, class F>
 struct Constraint {
-  static constexpr int components = k;
+  static constexpr int components = k;  ///< how many numbers it has
   F phi;  ///< a callable on first jets that returns a column of k numbers
 
+  /// Its components at a jet.
   template <class S, int n, int N>
   Eigen::Matrix<S, k, 1> operator()(Jet<S, n, N> const& jet) const {
     return phi(jet);

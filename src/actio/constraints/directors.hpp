@@ -29,8 +29,9 @@ template <class S, class Energy>
 struct DirectedBody {
   S rho;   ///< mass per length of a rod, per area of a shell
   S iota;  ///< inertia of the director: mass times the square of half the thickness, per length or area
-  Energy W;
+  Energy W;  ///< strain energy per length or area
 
+  /// Kinetic energy minus strain energy.
   template <class T, int n>
   T operator()(Jet<T, n, 6> const& j) const {
     auto const frame = director_frame(j);
@@ -42,7 +43,8 @@ struct DirectedBody {
 
 /// The constraint \f$\tfrac12(|d|^2 - 1) = 0\f$ of a director of fixed length.
 struct UnitDirector {
-  static constexpr int components = 1;
+  static constexpr int components = 1;  ///< one multiplier
+  /// Half of the excess of the squared length.
   template <class S, int n>
   Eigen::Matrix<S, 1, 1> operator()(Jet<S, n, 6> const& j) const {
     Eigen::Matrix<S, 3, 1> const d = j.y.template tail<3>();
@@ -55,7 +57,8 @@ struct UnitDirector {
 /// The constraint \f$d\cdot r_{,i} = 0,\ \tfrac12(|d|^2 - 1) = 0\f$ of a director that is the unit normal: no shear (Kirchhoff and Love).
 template <int n>
 struct NormalDirector {
-  static constexpr int components = n + 1;
+  static constexpr int components = n + 1;  ///< the shear forces, and one for the length
+  /// The products with the tangents, and half of the excess of the squared length.
   template <class S>
   Eigen::Matrix<S, n + 1, 1> operator()(Jet<S, n, 6> const& j) const {
     Eigen::Matrix<S, 3, 1> const d = j.y.template tail<3>();

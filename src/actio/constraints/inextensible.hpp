@@ -10,9 +10,10 @@ namespace actio {
 /// @tparam SpaceMetric  g, a callable on places
 template <class SpaceMetric>
 struct Inextensible {
-  static constexpr int components = 1;
-  SpaceMetric g;
+  static constexpr int components = 1;  ///< one multiplier, the tension
+  SpaceMetric g;                        ///< metric of the space
 
+  /// Half of what is missing in the squared length of the tangent.
   template <class S, int N>
   Eigen::Matrix<S, 1, 1> operator()(Jet<S, 1, N> const& j) const {
     Eigen::Matrix<S, N, 1> const along = j.v.col(1);
@@ -21,6 +22,7 @@ struct Inextensible {
     return value;
   }
 };
+/// The constraint in a space with a metric.
 template <class SpaceMetric>
 Inextensible(SpaceMetric) -> Inextensible<SpaceMetric>;
 
@@ -30,6 +32,7 @@ struct HeavyString {
   S rho;                          ///< mass per length
   Eigen::Matrix<S, N, 1> gravity;  ///< acceleration of a free fall
 
+  /// Kinetic energy and potential per length.
   template <class T>
   T operator()(Jet<T, 1, N> const& j) const {
     T sum(0);

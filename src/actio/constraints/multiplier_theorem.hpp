@@ -29,9 +29,9 @@ Eigen::Matrix<Dual<S, m>, m, 1> all_directions(Eigen::Matrix<S, m, 1> const& q) 
 /// @tparam Fibre  the inner product of the fibres: a metric over points of R^m
 template <int k, class H, class Psi, class Fibre = Euclidean<k>>
 struct ConstrainedFunction {
-  H h;
-  Psi constraint;
-  Fibre fibre = {};
+  H h;               ///< the function
+  Psi constraint;    ///< what vanishes
+  Fibre fibre = {};  ///< inner product of the fibres
 
   /// \f$dh\f$ at a point.
   template <class S, int m>

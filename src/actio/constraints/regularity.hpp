@@ -14,6 +14,7 @@ namespace actio {
 /// A constraint whose derivative is not onto at a point: its zeros need not be a submanifold there, and a multiplier need not exist.
 struct NotRegular : OutsideDomain {
   std::vector<double> point;  ///< where
+  /// @param at  the point, @param pivot  the smallest one over its terms, @param bound  what it has to exceed
   NotRegular(std::string const& where, std::vector<double> at, double pivot, double bound)
       : OutsideDomain(where + " at " + shown(at), "the derivative of the constraint is onto; smallest pivot over the terms it is made from", pivot, bound),
         point(std::move(at)) {}

@@ -65,7 +65,7 @@ template <class SpaceMetric, class Field, class S, int rows>
 S divergence(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;
   auto const moved = detail::in_all_directions(at);
-  auto const root = volume<Dual<S, rows>>(g(detail::place_of(moved)));
+  Dual<S, rows> const root = volume<Dual<S, rows>>(g(detail::place_of(moved)));
   auto const flow = u(moved).eval();
   S sum(0);
   for (int a = 0; a < n; ++a) sum += (root * flow[a]).part[a + 1];

@@ -45,6 +45,18 @@ Eigen::Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint
   // [eq_8_7]
 }
 
+/// The derivatives \f$\partial_kP\f$ on the body that (8.7) asks of the pressure along a motion: what holds the volume, were it held.
+///
+/// They are those of a function where the motion is one of the medium, and of none where it is not.
+/// @param density  medium and constraint; @param j  second jet of the deformation, without a multiplier
+/// @throws NotOrientationPreserving  where the body is turned inside out
+template <class Medium, class BodyMetric, class SpaceMetric, class S, int n>
+Eigen::Matrix<S, n, 1> required_pressure_gradient(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, n> const& j) {
+  detail::examine(density.constraint, static_cast<Jet<S, n, n> const&>(j));
+  Eigen::Matrix<S, n, 1> const force = medium_equation(density.density, j);
+  return -(j.gradient().transpose() * force) / density.constraint.volume_ratio(j);
+}
+
 /// What is left of the equation of an ideal homogeneous fluid with the material pressure (8.9), the density of mass being 1.
 ///
 /// \implements{eq_8_9}

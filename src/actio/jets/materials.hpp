@@ -191,7 +191,7 @@ struct PowerVolume {
 /// A neo-Hookean solid: \f$w = \tfrac\mu2(\Tr C - n) + U(\det C)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct NeoHookean {
-  static constexpr bool resists_collapse = true;  ///< the energy grows beyond all bounds where the volume vanishes
+  static constexpr bool resists_collapse = true;  ///< there is no energy without volume
   S mu;           ///< shear modulus over the mass density
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
@@ -207,7 +207,7 @@ NeoHookean(S, Volume) -> NeoHookean<S, Volume>;
 /// modulus is \f$2(c_1 + (n - 2)\,c_2)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct MooneyRivlin {
-  static constexpr bool resists_collapse = true;  ///< the energy grows beyond all bounds where the volume vanishes
+  static constexpr bool resists_collapse = true;  ///< there is no energy without volume
   S c1;           ///< modulus of the first invariant, over the mass density
   S c2;           ///< modulus of the second
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest

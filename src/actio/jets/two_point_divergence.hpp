@@ -71,7 +71,9 @@ Eigen::Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric con
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class SpaceMetric, class S, int n>
 Eigen::Matrix<S, n, 1> piola_identity(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, n> const& j) {
+  // [claim_6_2_cancelling_terms]
   return two_point_divergence(G, g, j, [&](auto const& jet) { return area_transformation(G(jet.particle()), g(jet.y), jet.gradient()); });
+  // [claim_6_2_cancelling_terms]
 }
 
 }  // namespace actio

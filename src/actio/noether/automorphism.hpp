@@ -15,15 +15,17 @@ namespace actio {
 /// @tparam Fibre  \f$\eta_Y\f$, a callable from points (x, y) of Y, one column, to places
 template <class Base, class Fibre>
 struct Automorphism {
-  Base base;
-  Fibre fibre;
+  Base base;    ///< \f$\eta_X\f$
+  Fibre fibre;  ///< \f$\eta_Y\f$
 };
+/// The automorphism of two maps.
 template <class Base, class Fibre>
 Automorphism(Base, Fibre) -> Automorphism<Base, Fibre>;
 
 /// Leaves the last N coordinates of a point (x, y) as they are: what the relabelling action does to fibres (9.1).
 template <int N>
 struct FixedFibre {
+  /// y of a point (x, y).
   template <class V>
   auto operator()(V const& point) const {
     return Eigen::Matrix<typename V::Scalar, N, 1>(point.template tail<N>());

@@ -11,15 +11,17 @@ namespace actio {
 /// The density \f$\eta^*L\f$, \f$(\eta^*L)(\gamma) = \det(T\eta_X)\,L(\eta_{J^1Y}(\gamma))\f$: what a moved section acts with, seen from where it came.
 template <class L, class Eta>
 struct PulledBackDensity {
-  L density;
-  Eta eta;
+  L density;  ///< L
+  Eta eta;    ///< the automorphism
 
+  /// Its value at the jet before it is moved.
   template <class S, int n, int N>
   S operator()(Jet<S, n, N> const& j) const {
     auto const d = tangent<n, N>(eta, j.x, j.y);
     return determinant(d.base) * density(prolongation(eta, j));
   }
 };
+/// The density pulled back by an automorphism.
 template <class L, class Eta>
 PulledBackDensity(L, Eta) -> PulledBackDensity<L, Eta>;
 

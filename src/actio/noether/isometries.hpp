@@ -47,6 +47,7 @@ template <class S, int N>
 struct RigidMotion {
   Eigen::Matrix<S, N, N> turn;   ///< A, skew
   Eigen::Matrix<S, N, 1> shift;  ///< velocity of the origin
+  /// The field at a place.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
@@ -62,7 +63,8 @@ struct RigidMotion {
 /// The metric \f$4R^2\,\delta_{ab}/(1+|y|^2)^2\f$ of the sphere of radius R in stereographic coordinates; rational, with a rational volume.
 template <class S, int N>
 struct StereographicSphere {
-  S radius = S(1);
+  S radius = S(1);  ///< R
+  /// The metric at a place.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
@@ -80,6 +82,7 @@ template <class S, int N>
 struct SphereRotation {
   Eigen::Matrix<S, N, N> turn;  ///< A, skew
   Eigen::Matrix<S, N, 1> tilt;  ///< b
+  /// The field at a place.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
@@ -100,7 +103,8 @@ struct SphereRotation {
 /// The field \f$(0, 0, k(y))\f$ on Y that moves places and leaves space-time alone.
 template <int N, class Field>
 struct SpaceMotion {
-  Field k;
+  Field k;  ///< field on space
+  /// The field at a point (x, y) of Y.
   template <class V>
   auto operator()(V const& point) const {
     using T = typename V::Scalar;

@@ -20,9 +20,10 @@ struct NotDivergenceFree : OutsideDomain {
 /// @tparam Potential  a callable on points of the body, over any scalar: a column with 1 component for n = 2 and 3 for n = 3
 template <class Metric, class Potential>
 struct RelabellingField {
-  Metric G;
-  Potential A;
+  Metric G;     ///< metric of the body
+  Potential A;  ///< stream function or vector potential
 
+  /// The field at a point of the body.
   template <class S, int n>
   Eigen::Matrix<S, n, 1> operator()(Eigen::Matrix<S, n, 1> const& x) const {
     static_assert(n == 2 || n == 3, "potentials are written out for bodies of two and three dimensions");
@@ -39,6 +40,7 @@ struct RelabellingField {
     return xi / density;
   }
 };
+/// The field of a potential on a body with this metric.
 template <class Metric, class Potential>
 RelabellingField(Metric, Potential) -> RelabellingField<Metric, Potential>;
 
@@ -74,8 +76,9 @@ void require_divergence_free(Metric const& G, Xi const& xi, Eigen::Matrix<S, n, 
 /// \implements{eq_9_1}
 template <int N, class Xi>
 struct Relabelling {
-  Xi xi;
+  Xi xi;  ///< field on the body
 
+  /// The field at a point (x, y) of Y.
   template <class V>
   auto operator()(V const& point) const {
     using T = typename V::Scalar;
@@ -96,8 +99,9 @@ Relabelling<N, Xi> relabelling_field(Xi const& xi) {
 /// @tparam N  dimension of the fibre with the multiplier
 template <int N, class Xi>
 struct DensityRelabelling {
-  Xi xi;
+  Xi xi;  ///< field on the body
 
+  /// The field at a point of the extended bundle.
   template <class V>
   auto operator()(V const& point) const {
     using T = typename V::Scalar;
@@ -123,8 +127,8 @@ DensityRelabelling<N, Xi> density_relabelling_field(Xi const& xi) {
   return {xi};
 }
 
-/// The current of a relabelling of a fluid with pressure term `head`: \f$(0, \mathit{head}\;\sqrt{\det G}\,\xi^k)\f$ and \f$-g_{ab}\dot\phi^b\phi^a{}_{,k}\,\rho\sqrt{\det G}\,\xi^k\f$ in the time component.
 namespace detail {
+/// The current of a fluid whose spatial components are `head` \f$\sqrt{\det G}\,\xi^k\f$.
 template <class G, class g, class S, int n>
 Event<S, n> fluid_current(G const& body, g const& space, S const& rho, S const& head, Eigen::Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
   S const density = volume<S>(body);
@@ -159,7 +163,7 @@ Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Ma
 /// The relabelling current of an ideal incompressible fluid, written out (9.9), with the constant stored energy put to zero.
 ///
 /// \implements{eq_9_9}
-/// @param G, g  values of the metrics of the body and of space
+/// @param body, space  values of their metrics
 /// @param rho   mass density of the body, @param P pressure
 /// @param j     first jet of the placement alone, without the multiplier
 template <class G, class g, class S, int n>

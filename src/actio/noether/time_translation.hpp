@@ -7,6 +7,7 @@ namespace actio {
 
 /// The field \f$(\zeta, 0, 0)\f$ on Y, with \f$\zeta = 1\f$: time runs on, body and space stay.
 struct TimeTranslation {
+  /// The field at a point (x, y) of Y.
   template <class V>
   auto operator()(V const&) const {
     using T = typename V::Scalar;
