@@ -152,7 +152,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
   claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the place is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
   claim.degree(400);
-  auto const in_dimension = [&]<int n>() {
+  auto const in_dimension = [&]<int n>(int point) {
     using Matrix = Eigen::Matrix<S, n, n>;
     std::string const model = "SL(" + std::to_string(n) + ")";
     auto const place = draw.element<S>(SL<n>{});
@@ -162,10 +162,10 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     auto const density = incompressible(Continuum{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{}, NoStoredEnergy{}});
     auto const force = [&](S const& factor) { return euler_lagrange(density, jet_of_drop<S, n>(A, V, factor * inverse.transpose(), m, X)); };
     S const size = size_of(m) * size_of(inverse) * size_of(X) + S(1);
-    claim.zero("the field equations, with the drop's pressure", model, force(m), size, 32);
+    claim.zero("the field equations, with the drop's pressure", model, force(m), size);
     claim.refutes("an acceleration the other way", model, force(-m), size);
     Matrix const rate = V * inverse;
-    claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate), 32);
+    claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate));
 
     // What the discrete equations say of three places: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
     auto const a0 = draw.element<S>(SL<n>{}), a1 = draw.element<S>(SL<n>{}), a2 = draw.element<S>(SL<n>{});
@@ -174,13 +174,13 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     Matrix const moment = (S(2) * a1.value - a0.value - a2.value) * a1.value.transpose() / h;
     Eigen::Matrix<S, Eigen::Dynamic, 1> paired(SL<n>{}.dimension());
     for (int a = 0; a < paired.size(); ++a) paired[a] = (moment.transpose() * SL<n>{}.hat(Coordinates<SL<n>, S>(Coordinates<SL<n>, S>::Unit(a)))).trace();
-    claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval(), 8);
+    claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval());
     auto const reduced = advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(a0.value * a0.value.transpose()), a1 * actio::inverse(a2), OnSquares<n>{});
-    // Inverses of places are multiplied by places again.
-    claim.equal("and the reduced ones with the square carried along", model, size_of(reduced.components), size_of(residual.components), 1024);
-    claim.differs("the square held fixed", model, size_of(advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components),
-                  size_of(residual.components));
-    if constexpr (std::same_as<S, double>) {
+    claim.equal("and the reduced ones with the square carried along", model, reduced.components.eval(), residual.components.eval());
+    claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
+                  residual.components.eval());
+    if constexpr (std::same_as<S, double> && n == 3) {
+      if (point > 0) return;
       Matrix velocity = draw.vector<S, Eigen::Matrix<S, Eigen::Dynamic, 1>>(n * n).reshaped(n, n);
       velocity -= Matrix::Identity() * (velocity.trace() / n);
       std::vector<double> steps, errors;
@@ -194,6 +194,8 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
       claim.order("the discrete motion and the fluid's", model, steps, errors, 2, 0.1);
     }
   };
-  in_dimension.template operator()<2>();
-  in_dimension.template operator()<3>();
+  for (int point = 0; point < 3; ++point) {
+    in_dimension.template operator()<2>(point);
+    in_dimension.template operator()<3>(point);
+  }
 }

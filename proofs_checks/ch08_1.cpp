@@ -173,7 +173,7 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
 STATEMENT(eq_8_1, "the constraint on the volume") {
   claim.convention("The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the body, in charts of one orientation.");
   claim.degree(degree_of_fields);
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);

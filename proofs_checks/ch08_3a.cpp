@@ -78,7 +78,7 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
 STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
   claim.convention("For a homogeneous fluid of density 1, which the text sets just before. It holds off the constraint too.");
   claim.degree(degree_of_fields);
-  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = ideal_fluid<S, n>(draw_metric<S, n>(draw), draw_metric<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), fluid.G);
@@ -144,14 +144,14 @@ STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two
     fluid.rho = unit_mass<S, n>();
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), fluid.G);
     auto const forces = per_volume(incompressible(fluid), j);
-    claim.equal("the sum of the pressures pushes", model, two_pressures_residual(fluid, j), forces, 8);
+    claim.equal("the sum of the pressures pushes", model, two_pressures_residual(fluid, j), forces);
     auto const multiplier = pressure_term(fluid.G, fluid.g, j);
     claim.differs("their difference", model, (two_pressures_residual(fluid, j) - S(2) * multiplier).eval(), forces);
     auto const inertia = lowered_acceleration(fluid.g, deformation(j));
     fluid.rho = varying;
     S const rho = varying(j.particle());
     auto const with_mass = per_volume(incompressible(fluid), j);
-    claim.equal("with mass that varies, beside the acceleration", model, two_pressures_residual(fluid, j), with_mass, 8);
+    claim.equal("with mass that varies, beside the acceleration", model, two_pressures_residual(fluid, j), with_mass);
     claim.differs("and without it there", model, (two_pressures_residual(fluid, j) - (rho - S(1)) * inertia).eval(), with_mass);
   });
 }
@@ -176,8 +176,8 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
     auto const one = second_jet(with_pressure(phi, P, fluid.G), x), other = second_jet(with_pressure(phi, relieved, fluid.G), x);
     auto const here = incompressible(fluid), there = incompressible(pressed);
     claim.equal("the total pressure", model, pressures(fluid, one).total(), pressures(pressed, other).total());
-    claim.equal("the same forces", model, per_volume(there, other), per_volume(here, one), 8);
-    claim.equal("the same momenta", model, momenta(there, static_cast<Jet<S, n, n + 1> const&>(other)), momenta(here, static_cast<Jet<S, n, n + 1> const&>(one)), 4);
+    claim.equal("the same forces", model, per_volume(there, other), per_volume(here, one));
+    claim.equal("the same momenta", model, momenta(there, static_cast<Jet<S, n, n + 1> const&>(other)), momenta(here, static_cast<Jet<S, n, n + 1> const&>(one)));
     claim.differs("the law alone changed", model, per_volume(there, one), per_volume(here, one));
     claim.differs("the affine momentum", model, legendre(there, static_cast<Jet<S, n, n + 1> const&>(other)).Pi, legendre(here, static_cast<Jet<S, n, n + 1> const&>(one)).Pi);
   });

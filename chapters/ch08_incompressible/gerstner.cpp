@@ -61,6 +61,7 @@ struct Pressure {
 // dP/da and dP/db from the material equation of the motion alone: the force of the density without a multiplier, through F.
 Eigen::Vector2d required_slope(Eigen::Vector3d const& x) {
   auto const j = second_jet(Wave{}, x);
+  water.constraint.examine(static_cast<Jet<double, 2, 2> const&>(j));
   Eigen::Vector2d const force = -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
   return -(j.gradient().transpose() * force) / water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
 }

@@ -31,7 +31,7 @@ for (const [name, html] of text)
 
 const anchorPage = new Map();
 for (const [name, html] of text)
-  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|rem|claim|program|erratum|ledger)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
+  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|rem|claim|bridge|program|erratum|ledger)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
 
 function resolve(page, kind, target) {
   if (kind === 'source') {
@@ -81,7 +81,7 @@ if (text.has('implements.html')) {
   for (const m of html.matchAll(/<dt>([\s\S]*?)<\/dt>\s*<dd>([\s\S]*?)<\/dd>/g)) {
     const declaration = /<a class="el" href="[^"]*">[^<]*<\/a>/.exec(m[1])?.[0].replace('>actio::', '>');
     let anchor = [...m[2].matchAll(/<a class="anchor" id="[^"]*"><\/a>/g)].map(a => a[0]).join('');
-    for (const s of m[2].matchAll(/<a class="el" href="[^"]*">((?:eq|thm|prop|lem|cor|def|rem|claim)_\w+)<\/a>/g)) {
+    for (const s of m[2].matchAll(/<a class="el" href="[^"]*">((?:eq|thm|prop|lem|cor|def|rem|claim|bridge)_\w+)<\/a>/g)) {
       places.set(s[1], [...(places.get(s[1]) ?? []), anchor + declaration]);
       anchor = '';
     }
@@ -96,7 +96,7 @@ for (const [name, original] of text) {
   let html = original;
   html = html.replace(/href="@(source|ref):([^"]*)"/g, (_, kind, target) => `href="${resolve(name, kind, target)}"`);
   // A reference to a statement reads as the thesis numbers it.
-  html = html.replace(/(<a class="el" href="[^"]*">)((?:eq|thm|prop|lem|cor|def|rem|claim)_\w+)(<\/a>)/g, (all, a, id, b) => ids.has(id) ? a + escapeHtml(label(id)) + b : all);
+  html = html.replace(/(<a class="el" href="[^"]*">)((?:eq|thm|prop|lem|cor|def|rem|claim|bridge)_\w+)(<\/a>)/g, (all, a, id, b) => ids.has(id) ? a + escapeHtml(label(id)) + b : all);
   // In sources and listings the mark of a snippet leads to its statement.
   html = html.replace(/(<span class="comment">\/\/ \[)(\w+)(\]<\/span>)/g, (all, a, id, b) => anchorPage.has(id) ? `${a}<a class="statement-tag" href="${anchorPage.get(id)}#${id}">${id}</a>${b}` : all);
   // Doxygen announces a list of nested classes even where all of them are private.

@@ -105,7 +105,7 @@ export function inEpsilons(measured, epsilon) {
 
 // ---- Statements
 
-const kindWord = { eq: '', thm: 'Theorem', prop: 'Proposition', lem: 'Lemma', cor: 'Corollary', def: 'Definition', rem: 'Remark', claim: 'Claim' };
+const kindWord = { eq: '', thm: 'Theorem', prop: 'Proposition', lem: 'Lemma', cor: 'Corollary', def: 'Definition', rem: 'Remark', claim: 'Claim', bridge: 'Bridge' };
 
 /// eq_3_10 -> (3.10), thm_3_2_3 -> Theorem 3.2.3, claim_3_1_action_split -> Claim 3.1: action split.
 export function label(id) {
