@@ -11,6 +11,7 @@
 
 #include "actio/free_body/free_steps.hpp"
 #include "book/machine.hpp"
+#include "callgrind.hpp"
 
 using namespace actio;
 
@@ -67,14 +68,7 @@ Kind const kinds[] = {{"momentum", "momentum alone", momentum},
 
 // Instructions of a whole run; negative where valgrind did not give a count.
 double instructions(std::string const& self, char const* kind, long steps) {
-  std::string const command =
-      "valgrind --tool=callgrind --callgrind-out-file=/dev/null '" + self + "' --steps " + kind + " " + std::to_string(steps) + " 2>&1";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (!pipe) return -1;
-  double count = -1;
-  for (char line[512]; std::fgets(line, sizeof line, pipe);)
-    if (char const* const at = std::strstr(line, "Collected :")) count = std::atof(at + std::strlen("Collected :"));
-  return pclose(pipe) == 0 ? count : -1;
+  return benchmark::instructions_of("'" + self + "' --steps " + kind + " " + std::to_string(steps));
 }
 
 int count_steps(char const* key, long steps) {

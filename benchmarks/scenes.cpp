@@ -16,6 +16,7 @@
 #include "actio/free_body/free_steps.hpp"
 #include "actio/scene/run.hpp"
 #include "book/machine.hpp"
+#include "callgrind.hpp"
 #include "timing.hpp"
 
 using namespace actio;
@@ -199,13 +200,7 @@ int count_steps(char const* key, long steps, long every) {
 
 /// Instructions of a whole run, all threads; negative where valgrind did not give a count.
 double instructions(std::string const& self, char const* kind, long steps, long every) {
-  std::string const command = "valgrind --tool=callgrind --callgrind-out-file=/dev/null '" + self + "' --steps " + kind + " " + std::to_string(steps) + " " + std::to_string(every) + " 2>&1";
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (!pipe) return -1;
-  double count = -1;
-  for (char line[512]; std::fgets(line, sizeof line, pipe);)
-    if (char const* const at = std::strstr(line, "Collected :")) count = std::atof(at + std::strlen("Collected :"));
-  return pclose(pipe) == 0 ? count : -1;
+  return benchmark::instructions_of("'" + self + "' --steps " + kind + " " + std::to_string(steps) + " " + std::to_string(every));
 }
 
 /// Instructions of a step, in the difference of two runs with rows far apart, and of a row, in the difference of two with rows nearer and farther.

@@ -16,6 +16,8 @@ exec awk -v name="${1##*/}" '
     }
     sub(/^ *template *<[^;{]*> +/, " ", text)
     if (text ~ /(^| )(struct|class|concept|enum) /) return ""
+    if (text ~ /operator *\( *\) *\(/) return "operator()"
+    if (text ~ /^ *[A-Z][A-Za-z0-9]*\([^;{]*\) *-> /) return "deduction"
     if (match(text, /operator *[-+*\/<>=]+ *\(/)) { text = substr(text, RSTART, RLENGTH - 1); gsub(/ /, "", text); return text }
     if (match(text, /using +[A-Za-z_0-9]+ *=/)) { text = substr(text, RSTART + 6, RLENGTH - 7); gsub(/ /, "", text); return text }
     sub(/[({;=].*/, "", text)

@@ -1,30 +1,23 @@
 #include <boost/test/unit_test.hpp>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 
 #include "actio/scene/run.hpp"
+#include "command.hpp"
 
 using namespace actio::scene;
 
 namespace {
 
-/// A folder of its own, gone afterwards.
-struct Folder {
-  std::string path = (std::filesystem::temp_directory_path() / "actio_run_XXXXXX").string();
-  Folder() { BOOST_REQUIRE(::mkdtemp(path.data())); }
-  ~Folder() { std::filesystem::remove_all(path); }
-  std::string operator()(std::string const& name) const {
-    std::ifstream in(path + "/" + name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+/// A folder of its own, gone afterwards, that reads its files.
+struct Folder : command::Folder {
+  std::string const path = *this / "";
+  std::string operator()(std::string const& name) const { return command::contents(*this / name); }
 };
 
 /// Something that counts its steps, and stumbles at one of them.

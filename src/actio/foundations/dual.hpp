@@ -116,6 +116,8 @@ struct Dual {
   friend Dual operator*(T const& c, Dual x) { return x *= c; }
   template <ConstantOver<S> T>
   friend Dual operator/(Dual x, T const& c) { return x /= c; }
+  template <ConstantOver<S> T>
+  friend Dual operator/(T const& c, Dual const& x) { return Dual(S(c)) / x; }
 
   // Order is that of the values; equality is that of everything.
   friend bool operator<(Dual const& x, Dual const& y) { return x.value < y.value; }
@@ -167,6 +169,13 @@ Dual<S, N> atan2(Dual<S, N> const& y, Dual<S, N> const& x) {
   Dual<S, N> angle(S(atan2(y.value, x.value)));
   for (int a = 0; a < N; ++a) angle.part[a] = (x.value * y.part[a] - y.value * x.part[a]) / square;
   return angle;
+}
+/// \f$x^e\f$ with a constant exponent, x > 0.
+template <class S, int N>
+Dual<S, N> pow(Dual<S, N> const& x, Base<S> const& exponent) {
+  using std::pow;
+  S const power = pow(x.value, exponent);
+  return chain(x, power, S(power * exponent / x.value));
 }
 template <class S, int N>
 Dual<S, N> abs(Dual<S, N> const& x) {

@@ -1,0 +1,161 @@
+// Scalars: rational, double
+// Section 8.2: the field equations of an incompressible medium.
+#include "incompressible_models.hpp"
+
+#include "statement.hpp"
+
+namespace {
+
+using namespace actio;
+using namespace actio::checks;
+
+/// The rate at which the density changes along a section that moves as V, and the rate \f$D_\mu(p_a{}^\mu V^a)\f$ at which the momenta carry the change away.
+template <class S>
+struct Variation {
+  S of_density, carried_away;
+};
+template <class L, class Phi, class V, class S, int rows>
+Variation<S> variation(L const& density, Phi const& phi, V const& field, Eigen::Matrix<S, rows, 1> const& x) {
+  auto const j = first_jet(phi, x);
+  auto const change = first_jet(field, x);
+  auto moved = j.template cast<Dual<S>>();
+  for (int a = 0; a < j.y.size(); ++a) {
+    moved.y[a].part[0] = change.y[a];
+    for (int mu = 0; mu < rows; ++mu) moved.v(a, mu).part[0] = change.v(a, mu);
+  }
+  Variation<S> out{density(moved).part[0], S(0)};
+  auto const jet = second_jet(phi, x);
+  for (int mu = 0; mu < rows; ++mu) {
+    auto const p = detail::momentum_column(density, along(jet, mu), mu);
+    for (int a = 0; a < j.y.size(); ++a) out.carried_away += p[a].part[0] * change.y[a] + p[a].value * change.v(a, mu);
+  }
+  return out;
+}
+
+/// A density in which the multiplier is squared.
+template <class L>
+struct WithSquaredMultiplier {
+  L density;
+  template <class S, int n, int M>
+  S operator()(Jet<S, n, M> const& j) const {
+    return density(j) + j.y[M - 1] * j.y[M - 1] / S(2);
+  }
+};
+
+}  // namespace
+
+STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
+  claim.holds();
+  claim.degree(degree_of_fields);
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const density = incompressible(draw_medium<S, n>(draw));
+    auto const phi = with_pressure(draw_section<S, n, n>(draw), draw_cubic<S, n + 1>(draw), density.constraint.G);
+    // Places are varied, the multiplier is not.
+    auto const change = draw_section<S, n, n + 1>(draw);
+    auto const of_places = [&](auto const& x) {
+      auto V = change(x);
+      V[n] = ScalarOf<decltype(x)>(0);
+      return V;
+    };
+    Event<S, n> const x = draw_event<S, n>(draw);
+    auto const E = euler_lagrange(density, phi, x);
+    auto const rates = variation(density, phi, of_places, x);
+    S const left = E.dot(of_places(x)), scale = size_of(rates.of_density) + size_of(rates.carried_away);
+    claim.zero("variation of the action, but for a divergence", model, S(rates.of_density - rates.carried_away - left), scale, 8);
+    claim.refutes("the divergence with the other sign", model, S(rates.of_density + rates.carried_away - left), scale);
+  });
+}
+
+STATEMENT(eq_8_6, "the field equation of the multiplier") {
+  claim.convention("The middle member equates a number with a form: both sides are coefficients of $d^{n+1}x$. The equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$.");
+  claim.degree(degree_of_fields);
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const density = incompressible(draw_medium<S, n>(draw));
+    auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
+    S const Phi = density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0];
+    claim.equal("the last Euler-Lagrange derivative is J - 1", model, euler_lagrange(density, j)[n], Phi);
+    claim.differs("with a square of the multiplier", model, euler_lagrange(WithSquaredMultiplier<decltype(density)>{density}, j)[n], Phi);
+    auto const ideal = incompressible(ideal_fluid<S, n>(draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw)));
+    auto const held = draw_extended_jet<S, n>(draw, draw_shears<S, n>(draw), ideal.constraint.G);
+    claim.zero("for motions that keep the volume", model, euler_lagrange(ideal, held)[n], S(1));
+  });
+}
+
+STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
+  claim.holds("It holds off the constraint too: the Euler-Lagrange derivative is $-\\sqrt{\\det G}$ times it for every $J$.");
+  claim.degree(degree_of_fields);
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const density = incompressible(draw_medium<S, n>(draw));
+    auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
+    auto const forces = per_volume(density, j);
+    auto const pressure = pressure_term(density.density.G, density.density.g, j);
+    // The stress is differentiated along the section: its terms come to some ten times their sum.
+    claim.equal("(8.7) and the Euler-Lagrange derivative", model, motion_residual(density, j), forces, 32);
+    claim.differs("the pressure with the other sign", model, (motion_residual(density, j) - S(2) * pressure).eval(), forces);
+    claim.differs("without J", model, (motion_residual(density, j) - pressure + spatial_pressure_gradient(density.density.G, j)).eval(), forces);
+  });
+}
+
+STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space is differentiated") {
+  claim.holds();
+  claim.degree(degree_of_fields);
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const density = incompressible(draw_medium<S, n>(draw));
+    auto const& constraint = density.constraint;
+    Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), constraint.G);
+    auto const below = deformation(j);
+    S const lambda = j.y[n];
+    // From the momenta: the place moves as the motion does along x^j, and the deformation gradient is held.
+    Eigen::Matrix<S, n, 1> from_momenta = Eigen::Matrix<S, n, 1>::Zero(), from_constraint, printed;
+    for (int k = 0; k < n; ++k) {
+      auto moved = below.template cast<Dual<S>>();
+      for (int b = 0; b < n; ++b) moved.y[b].part[0] = below.v(b, k + 1);
+      auto const slope = area_transformation(constraint.G(moved.particle()), constraint.g(moved.y), moved.gradient());
+      for (int a = 0; a < n; ++a) from_momenta[a] += lambda * slope(a, k).part[0];
+    }
+    Eigen::Matrix<S, n, n> const inverse = inverse_matrix(Eigen::Matrix<S, n, n>(constraint.g(below.y)));
+    auto const rates = metric_derivatives(constraint.g, below.y);
+    auto const places = place_derivative([&](auto const& jet) { return constraint(jet)[0]; }, below);
+    S const J = constraint.volume_ratio(below);
+    for (int a = 0; a < n; ++a) {
+      from_constraint[a] = lambda * places[a];
+      printed[a] = lambda * J / S(2) * (inverse * rates[a]).trace();
+    }
+    claim.equal("derivative of the momenta's part and of the constraint", model, from_momenta, from_constraint, 4);
+    claim.equal("the printed form of both", model, from_constraint, printed, 4);
+    claim.refutes("one without the other", model, from_constraint, size_of(lambda * J));
+    claim.differs("without the half", model, from_constraint, (S(2) * printed).eval());
+  });
+}
+
+STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
+  claim.holds();
+  claim.degree(degree_of_fields);
+  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const residual = [&](Medium<S, n> const& medium, SecondJet<S, n, n + 1> const& extended) {
+      auto const j = deformation(extended);
+      S const rho = medium.rho(j.particle());
+      // Neither the volume nor the metric of space is differentiated here.
+      Eigen::Matrix<S, n, 1> const inertia = lowered(medium.g(j.y), j.acceleration()) * rho;
+      Eigen::Matrix<S, n, 1> stress = Eigen::Matrix<S, n, 1>::Zero();
+      for (int k = 0; k < n; ++k) {
+        auto const moved = along(j, k + 1);
+        auto const slope = detail::strain_derivative(medium, moved);
+        Dual<S> const mass = medium.rho(moved.particle());
+        for (int a = 0; a < n; ++a) stress[a] += (mass * slope(a, k)).part[0];
+      }
+      return (inertia - stress + pressure_term(medium.G, medium.g, extended)).eval();
+    };
+    auto const curved = draw_medium<S, n>(draw);
+    Medium<S, n> const flat{constant_metric(curved.G), constant_metric(curved.g), curved.rho, curved.W};
+    auto const phi = draw_section<S, n, n>(draw);
+    auto const j = draw_extended_jet<S, n>(draw, phi, flat.G);
+    claim.equal("(8.8) and the Euler-Lagrange derivative", model, residual(flat, j), per_volume(incompressible(flat), j), 32);
+    claim.differs("metrics that vary", model, residual(curved, j), per_volume(incompressible(curved), j));
+  });
+}

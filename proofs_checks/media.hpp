@@ -1,0 +1,101 @@
+// Continuous media for the checks of chapter 6: any metrics, any mass, and a stored energy of the most general form, of a fluid, or of a solid.
+#pragma once
+
+#include "actio/jets/continuum_equations.hpp"
+#include "actio/jets/field_equations.hpp"
+#include "fields.hpp"
+
+namespace actio::checks {
+
+/// Calls `visit(dimensions, name)` for bodies as large as their space, at three random points each: the probability that a false identity of degree 200 is zero
+/// at all of them is \f$10^{-8}\f$. What follows from an identity that has been checked in space is checked in the plane alone.
+template <class... D, class Visit>
+void over_points(std::tuple<D...> dimensions, Visit const& visit) {
+  for (int point = 0; point < 3; ++point) over_dimensions(dimensions, visit);
+}
+using Plane = std::tuple<Dimensions<2, 2>>;
+
+/// What the energy of a medium knows.
+enum class Kind { any, fluid, solid, dust };
+
+/// A stored energy of one of these kinds, chosen when it is drawn: one type for all of them, so that what is made of a medium is compiled once.
+template <class S, int n>
+struct EnergyOfKind {
+  Kind kind;
+  AnyEnergy<S, n, n> any;
+  AnyFluidLaw<S> w;  ///< of a fluid
+  AnySolidLaw<S> solid;
+  template <class T>
+  T operator()(Eigen::Matrix<T, n, 1> const& x, Eigen::Matrix<T, n, n> const& G, Eigen::Matrix<T, n, n> const& g, Eigen::Matrix<T, n, n> const& F) const {
+    switch (kind) {
+      case Kind::any: return any(x, G, g, F);
+      case Kind::fluid: return w(jacobian(G, g, F));
+      case Kind::solid: return solid(raised(G, green_tensor(g, F)));
+      default: return T(0);
+    }
+  }
+};
+
+/// A medium on a body with metric and mass that vary, in a space with another such metric.
+template <class S, int n>
+using AnyContinuum = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, EnergyOfKind<S, n>>;
+template <class S, int n>
+AnyContinuum<S, n> draw_medium(Draw& draw, Kind kind) {
+  auto const G = draw_metric<S, n>(draw);
+  auto const g = draw_metric<S, n>(draw);
+  auto const rho = draw_mass<S, n>(draw);
+  auto const any = draw_energy<S, n, n>(draw);
+  auto const fluid = draw_fluid<S>(draw);
+  return {G, g, rho, {kind, any, fluid.w, draw_solid<S>(draw).w}};
+}
+
+/// The same medium with the metrics that it has at the origin everywhere.
+template <class S, int n>
+AnyContinuum<S, n> flattened(AnyContinuum<S, n> medium) {
+  for (auto* metric : {&medium.G, &medium.g}) {
+    for (auto& slope : metric->slope) slope.setZero();
+    metric->bend.setZero();
+  }
+  return medium;
+}
+
+/// The second jet of a section that solves nothing.
+template <class S, int n>
+SecondJet<S, n, n> draw_second_jet(Draw& draw) {
+  auto const phi = draw_section<S, n, n>(draw);
+  return second_jet(phi, draw_event<S, n>(draw));
+}
+
+/// What the thesis divides by: \f$\sqrt{\det G}\f$ at the particle.
+template <class Medium, class S, int n, int N>
+S body_volume(Medium const& medium, Jet<S, n, N> const& j) {
+  return volume<S>(medium.G(j.particle()));
+}
+
+/// The values that a medium has at a jet, all as matrices.
+template <class S, int n>
+struct PointOfMedium {
+  Eigen::Matrix<S, n, n> G, g, F, inverse;  ///< metrics, deformation gradient and its inverse
+  S rho, J;
+};
+template <class Medium, class S, int n>
+PointOfMedium<S, n> point_of_medium(Medium const& medium, Jet<S, n, n> const& j) {
+  Eigen::Matrix<S, n, n> const G = as_matrix<S>(medium.G(j.particle())), g = as_matrix<S>(medium.g(j.y)), F = j.gradient();
+  return {G, g, F, inverse_matrix(F), S(medium.rho(j.particle())), jacobian(G, g, F)};
+}
+
+/// The slopes \f$\partial P/\partial x^k\f$ of a fluid's material pressure along a section.
+template <class Medium, class S, int n>
+Eigen::Matrix<S, n, 1> pressure_slopes(Medium const& fluid, SecondJet<S, n, n> const& j) {
+  Eigen::Matrix<S, n, 1> slope;
+  for (int k = 0; k < n; ++k) slope[k] = material_pressure(fluid, along(j, k + 1)).part[0];
+  return slope;
+}
+
+}  // namespace actio::checks
+
+namespace actio {
+/// Those that are drawn as fluids are.
+template <class S, int n>
+inline constexpr bool is_barotropic<checks::EnergyOfKind<S, n>> = true;
+}  // namespace actio

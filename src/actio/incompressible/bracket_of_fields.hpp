@@ -1,0 +1,36 @@
+// The Lie algebra of the volume preserving diffeomorphisms (section 8.3 of the thesis).
+#pragma once
+
+#include "actio/foundations/dual.hpp"
+
+namespace actio {
+
+/// The bracket of Jacobi and Lie, \f$[X, Y]^a = X^b\,\partial_bY^a - Y^b\,\partial_bX^a\f$, of two vector fields: again a field, a callable over any scalar.
+///
+/// The Lie algebra of a group of diffeomorphisms, with composition as product, has minus this bracket.
+template <class X, class Y>
+auto jacobi_lie_bracket(X const& x, Y const& y) {
+  return [x, y]<class S, int n>(Eigen::Matrix<S, n, 1> const& at) {
+    auto const rate_along = [&at](auto const& field, Eigen::Matrix<S, n, 1> const& direction) {
+      Eigen::Matrix<Dual<S>, n, 1> moved = at.template cast<Dual<S>>();
+      for (int a = 0; a < n; ++a) moved[a].part[0] = direction[a];
+      Eigen::Matrix<Dual<S>, n, 1> const value = field(moved);
+      Eigen::Matrix<S, n, 1> rate;
+      for (int a = 0; a < n; ++a) rate[a] = value[a].part[0];
+      return rate;
+    };
+    return Eigen::Matrix<S, n, 1>(rate_along(y, x(at)) - rate_along(x, y(at)));
+  };
+}
+
+/// The bracket of the Lie algebra of a group of diffeomorphisms: \f$-[X, Y]\f$.
+///
+/// \implements{claim_8_3_lie_algebra_bracket}
+template <class X, class Y>
+auto diffeomorphism_bracket(X const& x, Y const& y) {
+  // [claim_8_3_lie_algebra_bracket]
+  return jacobi_lie_bracket(y, x);
+  // [claim_8_3_lie_algebra_bracket]
+}
+
+}  // namespace actio

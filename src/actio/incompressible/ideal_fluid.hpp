@@ -1,0 +1,133 @@
+// The ideal incompressible fluid seen from space: Eulerian velocity, the equation of Euler and the equation of the pressure (section 8.3 of the thesis).
+//
+// A velocity field is a callable from points (t, y^1, ..., y^n) of time and space to vectors, over any scalar; a pressure is one to numbers. All derivatives are
+// covariant, those of the metric g of space; points are given as (t, y).
+#pragma once
+
+#include "actio/foundations/metric.hpp"
+#include "actio/jets/jet.hpp"
+
+namespace actio {
+
+namespace detail {
+/// A place that moves along all coordinates of space, with its time.
+template <class S, int rows>
+Eigen::Matrix<Dual<S, rows>, rows, 1> in_all_directions(Eigen::Matrix<S, rows, 1> const& at) {
+  auto moved = at.template cast<Dual<S, rows>>().eval();
+  for (int i = 0; i < rows; ++i) moved[i].part[i] = S(1);
+  return moved;
+}
+/// The place of a point (t, y).
+template <class S, int rows>
+Eigen::Matrix<S, rows - 1, 1> place_of(Eigen::Matrix<S, rows, 1> const& at) {
+  return at.template tail<rows - 1>();
+}
+}  // namespace detail
+
+/// The covariant derivatives of a velocity field: `slope(a, b)` is \f$u^a{}_{;b}\f$, `rate` is \f$\partial_tu\f$.
+template <class S, int n>
+struct VelocityGradient {
+  Eigen::Matrix<S, n, 1> value, rate;
+  Eigen::Matrix<S, n, n> slope;
+};
+template <class SpaceMetric, class Field, class S, int rows>
+VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+  constexpr int n = rows - 1;
+  auto const j = first_jet(u, at);
+  VelocityGradient<S, n> out{j.y, j.velocity(), j.gradient()};
+  if constexpr (!is_constant_metric<SpaceMetric>) {
+    auto const gamma = christoffel(g, detail::place_of(at));
+    for (int a = 0; a < n; ++a) out.slope.row(a) += (gamma[a] * j.y).transpose();
+  }
+  return out;
+}
+
+/// The acceleration \f$\partial_tu + \nabla_uu\f$ of the fluid at a point.
+///
+/// \implements{claim_8_3_euler_equations}
+template <class SpaceMetric, class Field, class S, int rows>
+Eigen::Matrix<S, rows - 1, 1> eulerian_acceleration(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+  auto const d = velocity_gradient(g, u, at);
+  // [claim_8_3_euler_equations]
+  return d.rate + d.slope * d.value;
+  // [claim_8_3_euler_equations]
+}
+
+/// \f$\nabla_uu\f$, what of the acceleration a steady flow has.
+template <class SpaceMetric, class Field, class S, int rows>
+Eigen::Matrix<S, rows - 1, 1> self_advection(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+  auto const d = velocity_gradient(g, u, at);
+  return d.slope * d.value;
+}
+
+/// The divergence \f$\frac{1}{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a field at a point (t, y).
+template <class SpaceMetric, class Field, class S, int rows>
+S divergence(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+  constexpr int n = rows - 1;
+  auto const moved = detail::in_all_directions(at);
+  Dual<S, rows> const root = volume<Dual<S, rows>>(g(detail::place_of(moved)));
+  auto const flow = u(moved).eval();
+  S sum(0);
+  for (int a = 0; a < n; ++a) sum += (root * flow[a]).part[a + 1];
+  return sum / root.value;
+}
+
+/// The gradient \f$g^{ab}\partial_bp\f$ of a function at a point (t, y).
+template <class SpaceMetric, class Pressure, class S, int rows>
+Eigen::Matrix<S, rows - 1, 1> gradient(SpaceMetric const& g, Pressure const& p, Eigen::Matrix<S, rows, 1> const& at) {
+  constexpr int n = rows - 1;
+  auto const value = p(detail::in_all_directions(at));
+  Eigen::Matrix<S, n, 1> rates;
+  for (int a = 0; a < n; ++a) rates[a] = value.part[a + 1];
+  return raised(g(detail::place_of(at)), rates);
+}
+
+/// \f$\Delta p = \mathrm{div}\,\mathrm{grad}\,p\f$.
+template <class SpaceMetric, class Pressure, class S, int rows>
+S laplacian(SpaceMetric const& g, Pressure const& p, Eigen::Matrix<S, rows, 1> const& at) {
+  return divergence(g, [&](auto const& y) { return gradient(g, p, y); }, at);
+}
+
+/// The right side \f$-\mathrm{div}(\nabla_uu)\f$ of the equation of the pressure (8.14).
+///
+/// \implements{eq_8_14}
+template <class SpaceMetric, class Field, class S, int rows>
+S pressure_source(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+  // [eq_8_14]
+  return -divergence(g, [&](auto const& y) { return self_advection(g, u, y); }, at);
+  // [eq_8_14]
+}
+
+/// The slope \f$\partial_cp\,g^{cb}\,\partial_bf\f$ of the pressure through a wall f = 0 that the fluid does not cross: \f$-df(\partial_tu + \nabla_uu)\f$.
+///
+/// It is the boundary condition that goes with (8.14), and with which it has one solution but for a function of time.
+/// @param f  a callable on places, zero on the wall
+template <class SpaceMetric, class Field, class Wall, class S, int rows>
+S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Eigen::Matrix<S, rows, 1> const& at) {
+  constexpr int n = rows - 1;
+  auto const along_wall = f(detail::in_all_directions(detail::place_of(at)));
+  auto const acceleration = eulerian_acceleration(g, u, at);
+  S sum(0);
+  for (int a = 0; a < n; ++a) sum -= along_wall.part[a] * acceleration[a];
+  return sum;
+}
+
+/// The Ricci tensor \f$R_{bd} = \partial_a\gamma^a_{bd} - \partial_d\gamma^a_{ba} + \gamma^a_{ae}\gamma^e_{bd} - \gamma^a_{de}\gamma^e_{ba}\f$ of a metric at a place.
+///
+/// With it the source of (8.14) is \f$-u^a{}_{;b}u^b{}_{;a} - R_{ab}u^au^b\f$ wherever \f$\mathrm{div}\,u = 0\f$ around.
+template <class SpaceMetric, class S, int n>
+Eigen::Matrix<S, n, n> ricci_tensor(SpaceMetric const& g, Eigen::Matrix<S, n, 1> const& y) {
+  Eigen::Matrix<S, n, n> ricci = Eigen::Matrix<S, n, n>::Zero();
+  if constexpr (!is_constant_metric<SpaceMetric>) {
+    auto const moved = christoffel(g, detail::in_all_directions(y));
+    for (int b = 0; b < n; ++b)
+      for (int d = 0; d < n; ++d)
+        for (int a = 0; a < n; ++a) {
+          ricci(b, d) += moved[a](b, d).part[a] - moved[a](b, a).part[d];
+          for (int e = 0; e < n; ++e) ricci(b, d) += moved[a](a, e).value * moved[e](b, d).value - moved[a](d, e).value * moved[e](b, a).value;
+        }
+  }
+  return ricci;
+}
+
+}  // namespace actio

@@ -1,0 +1,161 @@
+// Lagrangian densities, their momenta and the covariant Legendre transformation (sections 6.1 and 6.2 of the thesis).
+//
+// A density is a callable L on first jets, written once for every scalar; the (n+1)-form is L d^{n+1}x with d^{n+1}x = dt ^ dx^1 ^ ... ^ dx^n.
+// It may have a member `examine(jet)` that refuses a jet at which it is not defined; it is asked once, on plain numbers, before L is differentiated.
+#pragma once
+
+#include <string>
+
+#include "actio/jets/jet.hpp"
+
+namespace actio {
+
+/// A Lagrangian density over jets with n and N: `L(jet)` is the coefficient of \f$d^{n+1}x\f$, over any scalar.
+template <class L, class S, int n, int N>
+concept DensityOver = requires(L const& density, Jet<S, n, N> const& jet) {
+  { density(jet) } -> std::convertible_to<S>;
+};
+
+/// A density that has no derivative at a jet: the root of a strain that vanishes, for instance.
+struct NoDerivative : NotFinite {
+  using NotFinite::NotFinite;
+};
+
+namespace detail {
+
+/// Coordinates for a message.
+template <class V>
+std::string shown(Eigen::MatrixBase<V> const& v) {
+  std::string text = "(";
+  for (Eigen::Index i = 0; i < v.size(); ++i) text += (i ? ", " : "") + show(to_double(v(i)));
+  return text + ")";
+}
+
+/// Asks the density whether it is defined at a jet.
+template <class L, class S, int n, int N>
+void examine(L const& density, Jet<S, n, N> const& jet) {
+  if constexpr (requires { density.examine(jet); }) density.examine(jet);
+}
+
+template <class M, class S, int n, int N>
+void require_derivative(Eigen::MatrixBase<M> const& derivative, Jet<S, n, N> const& jet, char const* where) {
+  if constexpr (!is_exact<S>)
+    if (!is_finite(derivative))
+      throw NoDerivative(std::string(where) + " at x = " + shown(jet.x) + ", y = " + shown(jet.y) + ": the density has no derivative there");
+}
+
+/// \f$\partial L/\partial v^a{}_\mu\f$ for all a and one \f$\mu\f$.
+template <class S, int n, int N, class L>
+Eigen::Matrix<S, N, 1> momentum_column(L const& density, Jet<S, n, N> const& jet, int mu) {
+  using D = Dual<S, N>;
+  Jet<D, n, N> moved = jet.template cast<D>();
+  for (int a = 0; a < N; ++a) moved.v(a, mu).part[a] = S(1);
+  D const value = density(moved);
+  Eigen::Matrix<S, N, 1> p;
+  for (int a = 0; a < N; ++a) p[a] = value.part[a];
+  return p;
+}
+
+}  // namespace detail
+
+/// The momenta \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$ at a jet: a row for each a, a column for each \f$\mu\f$ (6.4).
+///
+/// \implements{eq_6_4}
+/// @throws NoDerivative  where the density has none; and what the density itself refuses
+/// Accuracy: exact but for the rounding of L.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Eigen::Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
+  detail::examine(density, jet);
+  Eigen::Matrix<S, N, n + 1> p;
+  // [eq_6_4]
+  for (int mu = 0; mu <= n; ++mu) p.col(mu) = detail::momentum_column(density, jet, mu);
+  // [eq_6_4]
+  detail::require_derivative(p, jet, "momenta");
+  return p;
+}
+
+/// \f$\partial L/\partial y^a\f$ at a jet.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Eigen::Matrix<S, N, 1> place_derivative(L const& density, Jet<S, n, N> const& jet) {
+  using D = Dual<S, N>;
+  Jet<D, n, N> moved = jet.template cast<D>();
+  for (int a = 0; a < N; ++a) moved.y[a].part[a] = S(1);
+  D const value = density(moved);
+  Eigen::Matrix<S, N, 1> rate;
+  for (int a = 0; a < N; ++a) rate[a] = value.part[a];
+  return rate;
+}
+
+/// A point of the dual jet bundle \f$J^1Y^*\f$: the affine map \f$v \mapsto (\Pi + p_a{}^\mu v^a{}_\mu)\,d^{n+1}x\f$ on the jets over (x, y).
+template <class S, int n, int N>
+struct DualJet {
+  static constexpr int dimension = n + 1 + N + 1 + N * (n + 1);  ///< of the dual jet bundle
+
+  Event<S, n> x;                 ///< point of space-time, t first
+  Eigen::Matrix<S, N, 1> y;      ///< place
+  S Pi;                          ///< \f$\Pi\f$, the affine component
+  Eigen::Matrix<S, N, n + 1> p;  ///< \f$p_a{}^\mu\f$, a row for each a
+};
+
+/// The value \f$\Pi + p_a{}^\mu v^a{}_\mu\f$ of a dual jet on a jet over the same place.
+template <class S, int n, int N>
+S pairing(DualJet<S, n, N> const& z, Jet<S, n, N> const& jet) {
+  S sum = z.Pi;
+  for (int mu = 0; mu <= n; ++mu)
+    for (int a = 0; a < N; ++a) sum += z.p(a, mu) * jet.v(a, mu);
+  return sum;
+}
+
+/// The covariant Legendre transformation \f$J^1Y\to J^1Y^*\f$: \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$, \f$\Pi = L - p_a{}^\mu v^a{}_\mu\f$.
+///
+/// \implements{eq_6_4,claim_6_2_affine_momentum}
+/// @throws NoDerivative  where the density has none
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+DualJet<S, n, N> legendre(L const& density, Jet<S, n, N> const& jet) {
+  DualJet<S, n, N> z{jet.x, jet.y, S(0), momenta(density, jet)};
+  // [claim_6_2_affine_momentum]
+  z.Pi = density(jet) - pairing(z, jet);
+  // [claim_6_2_affine_momentum]
+  return z;
+}
+
+/// The energy density \f$e = p_a{}^0 v^a{}_0 - L\f$ (6.5), per unit of \f$d^{n+1}x\f$.
+///
+/// \implements{eq_6_5}
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+S energy_density(L const& density, Jet<S, n, N> const& jet) {
+  detail::examine(density, jet);
+  Eigen::Matrix<S, N, 1> const p0 = detail::momentum_column(density, jet, 0);
+  detail::require_derivative(p0, jet, "energy_density");
+  // [eq_6_5]
+  return p0.dot(jet.velocity()) - density(jet);
+  // [eq_6_5]
+}
+
+/// The coordinates of a dual jet in one column: \f$x^\mu\f$, \f$y^a\f$, \f$\Pi\f$, then \f$p_a{}^\mu\f$ with \f$\mu\f$ slowest.
+template <class S, int n, int N>
+Eigen::Matrix<S, DualJet<S, n, N>::dimension, 1> coordinates(DualJet<S, n, N> const& z) {
+  Eigen::Matrix<S, DualJet<S, n, N>::dimension, 1> c;
+  c.template head<n + 1>() = z.x;
+  c.template segment<N>(n + 1) = z.y;
+  c[n + 1 + N] = z.Pi;
+  for (int mu = 0; mu <= n; ++mu) c.template segment<N>(n + 2 + N + N * mu) = z.p.col(mu);
+  return c;
+}
+
+/// The dual jet with these coordinates.
+template <int n, int N, class C>
+DualJet<typename C::Scalar, n, N> dual_jet_at(Eigen::MatrixBase<C> const& c) {
+  DualJet<typename C::Scalar, n, N> z;
+  z.x = c.template head<n + 1>();
+  z.y = c.template segment<N>(n + 1);
+  z.Pi = c[n + 1 + N];
+  for (int mu = 0; mu <= n; ++mu) z.p.col(mu) = c.template segment<N>(n + 2 + N + N * mu);
+  return z;
+}
+
+}  // namespace actio

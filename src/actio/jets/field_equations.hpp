@@ -1,0 +1,79 @@
+// The Euler-Lagrange derivative of a density (section 6.2 of the thesis).
+#pragma once
+
+#include "actio/foundations/divergence_number.hpp"
+#include "actio/jets/density.hpp"
+
+namespace actio {
+
+namespace detail {
+
+/// The first jets around j: along \f$x^\mu\f$ by \f$\delta_\mu\f$ as the section goes, and by \f$\varepsilon_a{}^\mu\f$ in \f$v^a{}_\mu\f$.
+///
+/// On them a density has \f$D_\mu(\partial L/\partial v^a{}_\mu)\f$ at \f$\tau_a = \delta_\mu\varepsilon_a{}^\mu\f$.
+template <class S, int n, int N>
+Jet<DivergenceNumber<S, n + 1, N>, n, N> all_ways(SecondJet<S, n, N> const& j) {
+  Jet<DivergenceNumber<S, n + 1, N>, n, N> moved;
+  for (int mu = 0; mu <= n; ++mu) {
+    moved.x[mu].set_value(j.x[mu]);
+    moved.x[mu].set_rate(mu, S(1));
+  }
+  for (int a = 0; a < N; ++a) {
+    moved.y[a].set_value(j.y[a]);
+    for (int mu = 0; mu <= n; ++mu) {
+      moved.y[a].set_rate(mu, j.v(a, mu));
+      moved.v(a, mu).set_value(j.v(a, mu));
+      moved.v(a, mu).set_slope(mu, a, S(1));
+      for (int nu = 0; nu <= n; ++nu) moved.v(a, mu).set_rate(nu, j.w[nu](a, mu));
+    }
+  }
+  return moved;
+}
+
+template <int N, class S, int m>
+Eigen::Matrix<S, N, 1> sums(DivergenceNumber<S, m, N> const& x) {
+  Eigen::Matrix<S, N, 1> all;
+  for (int a = 0; a < N; ++a) all[a] = x.sum(a);
+  return all;
+}
+
+}  // namespace detail
+
+/// The total derivative along a section of the momenta, summed: \f$D_\mu\,(\partial L/\partial v^a{}_\mu)\f$.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Eigen::Matrix<S, N, 1> momentum_divergence(L const& density, SecondJet<S, n, N> const& j) {
+  DivergenceNumber<S, n + 1, N> const value = density(detail::all_ways(j));
+  return detail::sums<N>(value);
+}
+
+/// The Euler-Lagrange derivative \f$\partial L/\partial y^a - D_\mu\,(\partial L/\partial v^a{}_\mu)\f$ at a second jet (6.12): the left side of the field equations.
+///
+/// L is evaluated once.
+/// \implements{eq_6_12,eq_6_9}
+/// @param j  second jet of a section, \ref second_jet
+/// @return   a component for each a, per unit of \f$d^{n+1}x\f$: zero along solutions
+/// @throws NoDerivative  where the density has no second derivative; and what the density itself refuses
+/// Accuracy: exact but for the rounding of L.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Eigen::Matrix<S, N, 1> euler_lagrange(L const& density, SecondJet<S, n, N> const& j) {
+  detail::examine(density, static_cast<Jet<S, n, N> const&>(j));
+  // [eq_6_12]
+  // With y^a moved by -tau_a as well, L has D_mu(dL/dv^a_mu) - dL/dy^a at tau_a.
+  auto moved = detail::all_ways(j);
+  for (int a = 0; a < N; ++a) moved.y[a].set_sum(a, S(-1));
+  DivergenceNumber<S, n + 1, N> const value = density(moved);
+  Eigen::Matrix<S, N, 1> const r = -detail::sums<N>(value);
+  // [eq_6_12]
+  detail::require_derivative(r, static_cast<Jet<S, n, N> const&>(j), "euler_lagrange");
+  return r;
+}
+
+/// The same along a section, at a point of space-time.
+template <class S, int rows, class L, class Phi>
+Eigen::Matrix<S, detail::fibre_dimension<Phi, S, rows - 1>, 1> euler_lagrange(L const& density, Phi const& phi, Eigen::Matrix<S, rows, 1> const& x) {
+  return euler_lagrange(density, second_jet(phi, x));
+}
+
+}  // namespace actio
