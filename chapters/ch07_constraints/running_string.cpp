@@ -8,8 +8,6 @@
 //   s      length along the string, m            rho    mass per length, kg/m
 //   phi    place, m                              T      tension, N: the multiplier of (1 - |phi_s|^2)/2
 //   X      shape, by arc length                  v      speed along itself, m/s
-#include <Eigen/LU>
-
 #include "actio/constraints/constrained_equations.hpp"
 #include "actio/constraints/inextensible.hpp"
 #include "actio/foundations/gauss_quadrature.hpp"
@@ -32,7 +30,7 @@ struct Loop {
   Vector2d place(double s) const {
     static auto const rule = gauss_quadrature<double>(10);
     Vector2d sum(0, 0);
-    int const pieces = 8;
+    int const pieces = 16;
     for (int p = 0; p < pieces; ++p)
       for (int i = 0; i < 10; ++i) sum += rule.weights[i] * s / pieces * direction((p + rule.nodes[i]) * s / pieces);
     return sum;
@@ -129,7 +127,7 @@ Points from_boundary_values(Running<Shape> const& phi, Points const& s, bool clo
       else
         A(i, k) = 1 / (h * h);
   }
-  Eigen::VectorXd const T = A.partialPivLu().solve(b);
+  Eigen::VectorXd const T = solve_linear(A, b);
   return {T.data(), T.data() + count};
 }
 

@@ -39,7 +39,7 @@ sync_copy() {
   local line
   for line in "${lines[@]}"; do [[ ! -f $copy/${line%%$'\t'*} ]] || touch "$copy/${line%%$'\t'*}"; done
   cmake -S "$copy" -B "$work" -G Ninja -DCMAKE_BUILD_TYPE=Release -DACTIO_BUILD_CHAPTERS=OFF -DACTIO_BUILD_BENCHMARKS=OFF \
-    -DACTIO_CHECK_SCALARS="rational;double" -DACTIO_CHECKS_PER_UNIT=1 >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
+    -DACTIO_CHECK_SCALARS="rational;double" -DACTIO_CHECK_UNIT_BYTES=1 >"$log" 2>&1 || { cat "$log" >&2; exit 1; }
 }
 
 compile() { ninja -C "$work" -j "$jobs" "$@" >"$log" 2>&1; }

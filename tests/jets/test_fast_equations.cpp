@@ -114,10 +114,10 @@ BOOST_AUTO_TEST_CASE(numbers_that_carry_a_divergence_are_dual_numbers_of_dual_nu
   for (int i = 0; i < 3; ++i) {
     moved[i] = T(at[i]);
     for (int mu = 0; mu < 3; ++mu) {
-      moved[i].set_rate(mu, draw.uniform());
-      for (int a = 0; a < 2; ++a) moved[i].set_slope(mu, a, draw.uniform());
+      moved[i].set_rate(mu, draw.number<double>());
+      for (int a = 0; a < 2; ++a) moved[i].set_slope(mu, a, draw.number<double>());
     }
-    for (int a = 0; a < 2; ++a) moved[i].set_sum(a, draw.uniform());
+    for (int a = 0; a < 2; ++a) moved[i].set_sum(a, draw.number<double>());
   }
   T const value = medley(moved[0], moved[1], moved[2]);
   for (int a = 0; a < 2; ++a) {

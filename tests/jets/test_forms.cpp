@@ -24,7 +24,7 @@ struct Surface {
 };
 
 /// A vector field on 4-space.
-struct Field {
+struct Stream {
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(a_form_differentiated_twice_is_zero) {
   });
   BOOST_TEST(d(at, tangents<Q, 4, 2>()) != 0);
   BOOST_TEST(exterior_derivative(d)(at, tangents<Q, 4, 3>()) == 0);
-  BOOST_TEST(exterior_derivative(once)(at, tangents<Q, 4, 4>()) == 0);
+  BOOST_TEST(exterior_derivative(once)(at, Tangents<Q, 4, 4>(Tangents<Q, 4, 4>::Identity())) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(pull_back_commutes_with_the_exterior_derivative) {
@@ -58,10 +58,10 @@ BOOST_AUTO_TEST_CASE(pull_back_commutes_with_the_exterior_derivative) {
 }
 
 BOOST_AUTO_TEST_CASE(a_vector_contracted_twice_gives_zero_and_two_anticommute) {
-  auto const other = [](auto const& x) { return Field{}(Field{}(x)); };
+  auto const other = [](auto const& x) { return Stream{}(Stream{}(x)); };
   Tangents<Q, 4, 0> const none;
-  BOOST_TEST(contract(Field{}, contract(Field{}, TwoForm{}))(at, none) == 0);
-  Q const one = contract(Field{}, contract(other, TwoForm{}))(at, none), two = contract(other, contract(Field{}, TwoForm{}))(at, none);
+  BOOST_TEST(contract(Stream{}, contract(Stream{}, TwoForm{}))(at, none) == 0);
+  Q const one = contract(Stream{}, contract(other, TwoForm{}))(at, none), two = contract(other, contract(Stream{}, TwoForm{}))(at, none);
   BOOST_TEST(one == -two);
   BOOST_TEST(one != 0);
 }
@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(a_vector_contracted_twice_gives_zero_and_two_anticommute) {
 BOOST_AUTO_TEST_CASE(contraction_fills_the_first_slot) {
   auto const V = tangents<Q, 4, 1>();
   Tangents<Q, 4, 2> both;
-  both << Field{}(at), V;
-  BOOST_TEST(contract(Field{}, TwoForm{})(at, V) == TwoForm{}(at, both));
+  both << Stream{}(at), V;
+  BOOST_TEST(contract(Stream{}, TwoForm{})(at, V) == TwoForm{}(at, both));
 }
 
 BOOST_AUTO_TEST_CASE(exterior_products_are_alternating_and_obey_the_product_rule) {
@@ -83,9 +83,9 @@ BOOST_AUTO_TEST_CASE(exterior_products_are_alternating_and_obey_the_product_rule
   BOOST_TEST(product(at, V) == -product(at, swapped));
   BOOST_TEST(product(at, V) != 0);
   BOOST_TEST(product(at, twice) == 0);
-  BOOST_TEST(wedge(dx, wedge(dx, TwoForm{}))(at, tangents<Q, 4, 4>()) == 0);
   // d(dx ^ omega) = -dx ^ d omega.
-  auto const W = tangents<Q, 4, 4>();
+  Tangents<Q, 4, 4> const W = Tangents<Q, 4, 4>::Identity();
+  BOOST_TEST(wedge(dx, wedge(dx, TwoForm{}))(at, W) == 0);
   BOOST_TEST(exterior_derivative(product)(at, W) == -wedge(dx, exterior_derivative(TwoForm{}))(at, W));
   BOOST_TEST(exterior_derivative(product)(at, W) != 0);
 }

@@ -100,8 +100,10 @@ BOOST_AUTO_TEST_CASE(a_density_without_a_derivative_says_so_and_where) {
   BOOST_CHECK_EXCEPTION(legendre(RootOfStrain{}, j), NoDerivative, at_the_point);
   auto const flat = [](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0]); };
   BOOST_CHECK_THROW(euler_lagrange(RootOfStrain{}, flat, Eigen::Vector2d(0.25, 0.5)), NoDerivative);
-  // The energy takes no derivative by the strain, and there is nothing wrong with it.
-  BOOST_TEST(energy_density(RootOfStrain{}, j) == 1.0);
+  // The derivative by the velocity is taken through the root as well.
+  BOOST_CHECK_EXCEPTION(energy_density(RootOfStrain{}, j), NoDerivative, at_the_point);
+  j.v(0, 1) = -0.5;
+  BOOST_TEST(energy_density(RootOfStrain{}, j) == 1.5);
 }
 
 BOOST_AUTO_TEST_CASE(a_fluid_turned_inside_out_and_a_matrix_that_is_no_metric_are_refused) {

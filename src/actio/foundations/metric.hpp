@@ -101,9 +101,12 @@ Eigen::Matrix<S, n, n> pulled_back(Eigen::Matrix<S, N, N> const& g, Eigen::Matri
 template <class S, int N, int n>
 Eigen::Matrix<S, n, n> pulled_back(Kronecker<N>, Eigen::Matrix<S, N, n> const& F) {
   Eigen::Matrix<S, n, n> C;
+#pragma GCC unroll 3
   for (int i = 0; i < n; ++i)
+#pragma GCC unroll 3
     for (int j = 0; j <= i; ++j) {
       S sum = F(0, i) * F(0, j);
+#pragma GCC unroll 3
       for (int a = 1; a < N; ++a) add_product(sum, F(a, i), F(a, j));
       C(i, j) = C(j, i) = sum;
     }

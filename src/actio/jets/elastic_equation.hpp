@@ -72,12 +72,11 @@ template <class S, int n, class Law>
   requires(SplitLaw<Law>::known)
 Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
   using Split = SplitLaw<Law>;
-  Eigen::Matrix<S, n, n> const F = j.gradient();
-  S trace(0);
-#pragma GCC unroll 9
-  for (int i = 0; i < n * n; ++i) add_product(trace, F(i % n, i / n), F(i % n, i / n));
-  S const stretch = Split::template stretch<n>(energy.w, trace);
+  Eigen::Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
+  S const stretch = Split::template stretch<n>(energy.w, S(C.trace()));
   Base<S> const slope(Split::template stretch_slope<n>(energy.w));
+  Base<S> b(0);
+  if constexpr (Split::has_square) b = Base<S>(Split::square(energy.w));
 
   Eigen::Matrix<S, n, 1> laplacian, d, sum;
 #pragma GCC unroll 3
@@ -87,25 +86,21 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
     for (int i = 1; i < n; ++i) laplacian[a] += bend(j, a, i, i);
     sum[a] = laplacian[a] * stretch;
   }
-  // d_k = 4f'' F_bi phi^b_,ik + b D_i C_ik, of which F makes what comes from the change of f' and C.
+  // d_k = 4f'' F_ci phi^c_,ik + b D_i C_ik, of which F makes what comes from the change of f' and C.
 #pragma GCC unroll 3
   for (int k = 0; k < n; ++k) {
-    S bending(0);
+    S bending(0), along(0);
 #pragma GCC unroll 3
-    for (int i = 0; i < n; ++i)
+    for (int c = 0; c < n; ++c) {
+      if constexpr (Split::has_square) add_product(along, F(c, k), laplacian[c]);
 #pragma GCC unroll 3
-      for (int b = 0; b < n; ++b) add_product(bending, F(b, i), bend(j, b, i, k));
-    d[k] = bending * slope;
-    if constexpr (Split::has_square) {
-#pragma GCC unroll 3
-      for (int b = 0; b < n; ++b) add_product(bending, F(b, k), laplacian[b]);
-      d[k] += bending * Base<S>(Split::square(energy.w));
+      for (int i = 0; i < n; ++i) add_product(bending, F(c, i), bend(j, c, i, k));
     }
+    d[k] = bending * (slope + b);
+    if constexpr (Split::has_square) d[k] += along * b;
   }
   add_along(sum, F, d);
-  if constexpr (Split::has_square) {
-    Base<S> const b(Split::square(energy.w));
-    Eigen::Matrix<S, n, n> const C = green_tensor(Kronecker<n>{}, F);
+  if constexpr (Split::has_square)
 #pragma GCC unroll 3
     for (int a = 0; a < n; ++a) {
       S bent(0), crossed(0);
@@ -117,7 +112,6 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
       }
       sum[a] += (bent + crossed + crossed) * b;
     }
-  }
   if constexpr (Split::has_volume)
     add_volume_divergence(sum, [&](auto const& J) { return Split::template volume<n>(energy.w, J); }, F, j);
   return sum;
@@ -163,7 +157,7 @@ Eigen::Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJe
 
 /// The Euler-Lagrange derivative \f$\rho\,(\mathrm{Div}\,P - \ddot\phi)\f$ of a homogeneous medium between Euclidean spaces, that of \ref euler_lagrange.
 ///
-/// \implements{eq_6_12,claim_6_2_elasticity_equation}
+/// \implements{claim_6_2_euclidean_elasticity}
 /// @param medium  its energy `OfGreenTensor` or `Barotropic`, with any law
 /// @param j       second jet of a section, \ref second_jet; n = 1, 2 or 3
 /// @throws NotAMassDensity, NotOrientationPreserving, NoDerivative

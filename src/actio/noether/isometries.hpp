@@ -15,6 +15,8 @@ struct NotKilling : OutsideDomain {
 };
 
 /// The Lie derivative \f$k^c\partial_cg_{ab} + g_{cb}\,\partial_ak^c + g_{ac}\,\partial_bk^c\f$ of a metric along a field: zero for Killing fields.
+///
+/// \implements{claim_9_0_isometries}
 template <class Metric, class Field, class S, int N>
 Eigen::Matrix<S, N, N> lie_derivative(Metric const& g, Field const& k, Eigen::Matrix<S, N, 1> const& y) {
   using T = Dual<S, N>;

@@ -6,6 +6,8 @@
 namespace actio {
 
 /// The field \f$(\zeta, 0, 0)\f$ on Y, with \f$\zeta = 1\f$: time runs on, body and space stay.
+///
+/// \implements{claim_9_2_time_invariance}
 struct TimeTranslation {
   /// The field at a point (x, y) of Y.
   template <class V>
