@@ -48,6 +48,36 @@ AnyAutomorphism<S, n, N> draw_automorphism(Draw& draw) {
 }
 
 
+/// Any field on the body.
+template <class S, int n>
+struct BodyField {
+  std::array<Cubic<S, n>, n> components;
+  template <class V>
+  auto operator()(V const& x) const {
+    Eigen::Matrix<ScalarOf<V>, n, 1> rate;
+    for (int i = 0; i < n; ++i) rate[i] = components[i](x);
+    return rate;
+  }
+};
+template <class S, int n>
+BodyField<S, n> draw_body_field(Draw& draw) {
+  BodyField<S, n> xi;
+  for (auto& c : xi.components) c = draw_cubic<S, n>(draw);
+  return xi;
+}
+/// Its flow, to first order in an infinitesimal.
+template <class S, int n>
+auto flow_of(BodyField<S, n> const& xi) {
+  return [xi](auto const& x) {
+    Dual<S> epsilon(S(0));
+    epsilon.part[0] = S(1);
+    auto moved = x.eval();
+    auto const rate = xi(x);
+    for (int i = 0; i < n; ++i) moved[i] += rate[i] * ScalarOf<decltype(x)>(epsilon);
+    return moved;
+  };
+}
+
 template <class S, int n, int N>
 Eigen::Matrix<S, n, n> tangent_of(Stretch<S, n> const& eta, Jet<S, n, N> const& j) {
   return tangent<n, N>(relabelling<N>(eta), j.x, j.y).base.template bottomRightCorner<n, n>();
@@ -124,26 +154,17 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.degree(20);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
-    auto const xi = draw_relabelling<S, n>(draw_metric<S, n>(draw), draw);
+    auto const xi = draw_body_field<S, n>(draw);
     auto const j = draw_jet<S, n, N>(draw);
     auto const lift = jet_at<n, N>(prolonged<n, N>(relabelling_field<N>(xi))(coordinates(j)));
     // The flow to first order in an infinitesimal.
     using T = Dual<S>;
-    auto const flow = [&](auto const& x) {
-      using U = ScalarOf<decltype(x)>;
-      T epsilon(S(0));
-      epsilon.part[0] = S(1);
-      auto const rate = xi(x).eval();
-      auto moved = x.eval();
-      for (int i = 0; i < n; ++i) moved[i] += rate[i] * U(epsilon);
-      return moved;
-    };
-    auto const moved = prolongation(relabelling<N>(flow), j.template cast<T>());
+    auto const moved = prolongation(relabelling<N>(flow_of(xi)), j.template cast<T>());
     Eigen::Matrix<S, N, n + 1> rate;
     for (int a = 0; a < N; ++a)
       for (int mu = 0; mu <= n; ++mu) rate(a, mu) = moved.v(a, mu).part[0];
     claim.equal("the flow of the prolongations", model, lift.v, rate);
-    auto const slope = tangent<n, N>(relabelling<N>([&](auto const& x) { return xi(x).eval(); }), j.x, j.y).base.template bottomRightCorner<n, n>().eval();
+    auto const slope = tangent<n, N>(relabelling<N>(xi), j.x, j.y).base.template bottomRightCorner<n, n>().eval();
     Eigen::Matrix<S, N, n> const formula = -j.gradient() * slope;
     claim.equal("minus the gradient times the slope of the field", model, lift.gradient(), formula);
     claim.zero("the components in time, of place and multiplier", model, S(lift.x[0] + lift.y.squaredNorm() + lift.velocity().squaredNorm()), S(1));
@@ -195,18 +216,9 @@ STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a 
     claim.equal("forms at the moved point", model, left, right, 10);
     claim.differs("a map that does not preserve the volume", model, S(equivariance_defect(fluid, relabelling<n>(Stretch<S, n>{S(2), S(1)}), j) + fluid(j)), fluid(j));
     // The derivative of the defect along a flow is the rate.
-    auto const xi = draw_compression<S, n>(draw);
+    auto const xi = draw_body_field<S, n>(draw);
     using T = Dual<S>;
-    auto const flow = [&](auto const& x) {
-      using U = ScalarOf<decltype(x)>;
-      T epsilon(S(0));
-      epsilon.part[0] = S(1);
-      auto const rate = xi(x).eval();
-      auto moved = x.eval();
-      for (int i = 0; i < n; ++i) moved[i] += rate[i] * U(epsilon);
-      return moved;
-    };
-    T const along_flow = PulledBackDensity{fluid, relabelling<n>(flow)}(j.template cast<T>());
+    T const along_flow = PulledBackDensity{fluid, relabelling<n>(flow_of(xi))}(j.template cast<T>());
     claim.equal("the rate is the derivative of the defect", model, along_flow.part[0], equivariance_rate(fluid, relabelling_field<n>(xi), j), 10);
   });
 }
