@@ -35,8 +35,8 @@ Cubic<S, m> no_polynomial() {
 
 /// A section of second degree at most; of first degree it is a state of uniform strain.
 template <class S, int n, int N>
-AnySection<S, n, N> draw_section_of_degree(Draw& draw, int degree) {
-  auto phi = draw_section<S, n, N>(draw);
+AnySection<S, n, N> draw_section_of_degree(Draw& draw, int degree, S const& size = ratio<S>(1, 5)) {
+  auto phi = draw_section<S, n, N>(draw, size);
   for (auto& c : phi.added) c = cut(c, degree);
   return phi;
 }
