@@ -1,8 +1,8 @@
 // What the field equations of an elastic medium in space cost at a point, in hand-written ones: St Venant and Kirchhoff's solid, Euclidean metrics, homogeneous.
 //
 // Two things are timed. From given second jets of a section: the equation alone. And with the section evaluated too: its second jet by truncated polynomials from a
-// callable, beside one that is differentiated by hand. All contestants run in turns over the same points, a million of them each in the whole run; a ratio is the
-// median of those within the rounds. Started with `--points KIND N` the program does N points and no more, for valgrind to count.
+// callable, beside one that is differentiated by hand. All contestants run in turns over the same 250 points, to a million evaluations each in the whole run; a ratio is
+// the median of those within the rounds. Started with `--points KIND N` the program does N points and no more, for valgrind to count.
 #include <array>
 
 #include "actio/foundations/draw.hpp"
@@ -19,7 +19,7 @@ using SecondJet3 = SecondJet<double, 3, 3>;
 namespace {
 
 constexpr double density = 1.3, lambda = 2.0, mu = 0.7;
-constexpr int block = 250, rounds = 41, repeats = 100;  // 41 x 100 x 250 points: a million
+constexpr int block = 250, rounds = 41, repeats = 100;  // 41 x 100 x 250 evaluations: a million
 
 /// The hand-written equation, rho (Div P - acceleration), in the fewest operations we know; T counts them where it is not double.
 template <class T>

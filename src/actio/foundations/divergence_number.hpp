@@ -64,13 +64,15 @@ struct Row {
 /// \f$\delta_\mu\varepsilon_a{}^\mu = \tau_a\f$ and all other products are zero.
 template <class S, int m, int N>
 struct DivergenceNumber {
-  using Row = detail::Row<S, N + 1>;
+  using Row = detail::Row<S, N + 1>;  ///< what belongs to one mu
 
   Row head;                ///< \f$x\f$, then \f$x^a\f$
   std::array<Row, m> row;  ///< for each mu \f$x_\mu\f$, then \f$x^a{}_\mu\f$
 
   DivergenceNumber() = default;
+  /// A constant.
   DivergenceNumber(S const& v) { head.set(0, v); }
+  /// A constant.
   template <ConstantOver<S> T>
     requires(!std::same_as<T, S>)
   DivergenceNumber(T v) {

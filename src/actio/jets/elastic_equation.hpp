@@ -67,16 +67,15 @@ void add_volume_divergence(Eigen::Matrix<S, n, 1>& sum, U const& u, Eigen::Matri
   add_along(sum, K, gradient);
 }
 
-/// Div P of a law of \ref SplitLaw, which has the stress \f$P = 2f'F + b\,FC + U'\,\mathrm{cof}F\f$.
+/// Div P of a law that \ref split_law knows, which has the stress \f$P = 2f'F + b\,FC + U'\,\mathrm{cof}F\f$.
 template <class S, int n, class Law>
-  requires(SplitLaw<Law>::known)
+  requires requires(Law const& law, S const& trace) { split_law(law, trace, n); }
 Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
-  using Split = SplitLaw<Law>;
   Eigen::Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
-  S const stretch = Split::template stretch<n>(energy.w, S(C.trace()));
-  Base<S> const slope(Split::template stretch_slope<n>(energy.w));
+  auto const law = split_law(energy.w, S(C.trace()), n);
+  constexpr bool has_square = !std::same_as<decltype(law.square), Absent>, has_volume = !std::same_as<decltype(law.volume), Absent>;
   Base<S> b(0);
-  if constexpr (Split::has_square) b = Base<S>(Split::square(energy.w));
+  if constexpr (has_square) b = law.square;
 
   Eigen::Matrix<S, n, 1> laplacian, d, sum;
 #pragma GCC unroll 3
@@ -84,7 +83,7 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
     laplacian[a] = bend(j, a, 0, 0);
 #pragma GCC unroll 3
     for (int i = 1; i < n; ++i) laplacian[a] += bend(j, a, i, i);
-    sum[a] = laplacian[a] * stretch;
+    sum[a] = laplacian[a] * law.stretch;
   }
   // d_k = 4f'' F_ci phi^c_,ik + b D_i C_ik, of which F makes what comes from the change of f' and C.
 #pragma GCC unroll 3
@@ -92,15 +91,15 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
     S bending(0), along(0);
 #pragma GCC unroll 3
     for (int c = 0; c < n; ++c) {
-      if constexpr (Split::has_square) add_product(along, F(c, k), laplacian[c]);
+      if constexpr (has_square) add_product(along, F(c, k), laplacian[c]);
 #pragma GCC unroll 3
       for (int i = 0; i < n; ++i) add_product(bending, F(c, i), bend(j, c, i, k));
     }
-    d[k] = bending * (slope + b);
-    if constexpr (Split::has_square) d[k] += along * b;
+    d[k] = bending * (law.slope + b);
+    if constexpr (has_square) d[k] += along * b;
   }
   add_along(sum, F, d);
-  if constexpr (Split::has_square)
+  if constexpr (has_square)
 #pragma GCC unroll 3
     for (int a = 0; a < n; ++a) {
       S bent(0), crossed(0);
@@ -112,8 +111,7 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
       }
       sum[a] += (bent + crossed + crossed) * b;
     }
-  if constexpr (Split::has_volume)
-    add_volume_divergence(sum, [&](auto const& J) { return Split::template volume<n>(energy.w, J); }, F, j);
+  if constexpr (has_volume) add_volume_divergence(sum, law.volume, F, j);
   return sum;
 }
 

@@ -8,64 +8,42 @@
 
 namespace actio {
 
-/// A law \f$w = f(\Tr C) + \tfrac b4\Tr C^2 + U(J)\f$ by its derivatives. Specialise it for a law of your own that has this form:
-/// `stretch(law, trace)` is \f$2f'\f$ and `stretch_slope(law)` is \f$4f''\f$, a constant; `square(law)` is b where `has_square`; `volume(law, J)` is U where `has_volume`.
-template <class Law>
+/// Where a law has no such part.
+struct Absent {};
+
+/// A law \f$w = f(\Tr C) + \tfrac b4\Tr C^2 + U(J)\f$ at a deformation.
+/// @tparam Square  the plain number of S, or Absent
+/// @tparam Volume  a callable, or Absent
+template <class S, class Square, class Volume>
 struct SplitLaw {
-  static constexpr bool known = false;
+  S stretch;      ///< \f$2f'\f$
+  Base<S> slope;  ///< \f$4f''\f$, a constant
+  Square square;  ///< b
+  Volume volume;  ///< U, a callable on J over any scalar
 };
 
-/// f and b of St Venant and Kirchhoff's solid: \f$f = \tfrac\lambda8(\Tr C - n)^2 - \tfrac\mu2\Tr C\f$, \f$b = \mu\f$.
-template <class R>
-struct SplitLaw<StVenantKirchhoff<R>> {
-  static constexpr bool known = true, has_square = true, has_volume = false;
-  template <int n, class S>
-  static S stretch(StVenantKirchhoff<R> const& law, S const& trace) {
-    return (trace - Base<S>(n)) * Base<S>(law.lambda / R(2)) - Base<S>(law.mu);
-  }
-  template <int n>
-  static R stretch_slope(StVenantKirchhoff<R> const& law) {
-    return law.lambda;
-  }
-  static R square(StVenantKirchhoff<R> const& law) { return law.mu; }
-};
+/// St Venant and Kirchhoff's solid: \f$f = \tfrac\lambda8(\Tr C - n)^2 - \tfrac\mu2\Tr C\f$ and \f$b = \mu\f$. Overload this for a law of your own that has this form.
+/// @param trace  \f$\Tr C\f$, @param n dimension of the body
+template <class S, class R>
+auto split_law(StVenantKirchhoff<R> const& law, S const& trace, int n) {
+  using B = Base<S>;
+  return SplitLaw<S, B, Absent>{(trace - B(n)) * B(law.lambda / R(2)) - B(law.mu), B(law.lambda), B(law.mu), {}};
+}
 
-/// f and U of a neo-Hookean solid: \f$f = \tfrac\mu2\Tr C\f$.
-template <class R, class Volume>
-struct SplitLaw<NeoHookean<R, Volume>> {
-  static constexpr bool known = true, has_square = false, has_volume = true;
-  template <int n, class S>
-  static S stretch(NeoHookean<R, Volume> const& law, S const&) {
-    return S(Base<S>(law.mu));
-  }
-  template <int n>
-  static R stretch_slope(NeoHookean<R, Volume> const&) {
-    return R(0);
-  }
-  template <int n, class T>
-  static T volume(NeoHookean<R, Volume> const& law, T const& J) {
-    return law.volume(T(J * J), Base<T>(law.mu) / Base<T>(2));
-  }
-};
+/// A neo-Hookean solid: \f$f = \tfrac\mu2\Tr C\f$ and U.
+template <class S, class R, class Volume>
+auto split_law(NeoHookean<R, Volume> const& law, S const&, int) {
+  auto const volume = [&law]<class T>(T const& J) { return law.volume(T(J * J), Base<T>(law.mu) / Base<T>(2)); };
+  return SplitLaw<S, Absent, decltype(volume)>{S(Base<S>(law.mu)), Base<S>(0), {}, volume};
+}
 
-/// f, b and U of Mooney and Rivlin's solid: \f$f = c_1\Tr C + \tfrac{c_2}2(\Tr C)^2\f$, \f$b = -2c_2\f$.
-template <class R, class Volume>
-struct SplitLaw<MooneyRivlin<R, Volume>> {
-  static constexpr bool known = true, has_square = true, has_volume = true;
-  template <int n, class S>
-  static S stretch(MooneyRivlin<R, Volume> const& law, S const& trace) {
-    return trace * Base<S>(R(2) * law.c2) + Base<S>(R(2) * law.c1);
-  }
-  template <int n>
-  static R stretch_slope(MooneyRivlin<R, Volume> const& law) {
-    return R(4) * law.c2;
-  }
-  static R square(MooneyRivlin<R, Volume> const& law) { return R(-2) * law.c2; }
-  template <int n, class T>
-  static T volume(MooneyRivlin<R, Volume> const& law, T const& J) {
-    return law.volume(T(J * J), Base<T>(law.c1) + Base<T>(law.c2) * Base<T>(n - 1));
-  }
-};
+/// Mooney and Rivlin's solid: \f$f = c_1\Tr C + \tfrac{c_2}2(\Tr C)^2\f$, \f$b = -2c_2\f$ and U.
+template <class S, class R, class Volume>
+auto split_law(MooneyRivlin<R, Volume> const& law, S const& trace, int n) {
+  using B = Base<S>;
+  auto const volume = [&law, n]<class T>(T const& J) { return law.volume(T(J * J), Base<T>(law.c1) + Base<T>(law.c2) * Base<T>(n - 1)); };
+  return SplitLaw<S, B, decltype(volume)>{trace * B(R(2) * law.c2) + B(R(2) * law.c1), B(R(4) * law.c2), B(R(-2) * law.c2), volume};
+}
 
 /// The second derivative of a function of one number, any callable, by one evaluation.
 template <class S, class F>
