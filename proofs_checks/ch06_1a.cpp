@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.1: the jet bundle, the dual jet bundle and their forms.
 #include "fields.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.1: two metrics, the deformation tensors and the Jacobian.
 #include "fields.hpp"
 

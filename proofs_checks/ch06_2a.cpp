@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: the density of a continuous medium, its Legendre transformation, its energy and its Cartan form.
 #include "medium_at_a_jet.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: the variational principle and the multisymplectic form formula. Variations move space-time as well; integrals over boxes are exact.
 #include "variations.hpp"
 

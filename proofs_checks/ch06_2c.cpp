@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: the Cartan form of a general density and its field equations.
 #include "off_shell.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: acceleration and Christoffel symbols, constant metrics, the covariant divergence, Piola's identity.
 #include "fields.hpp"
 

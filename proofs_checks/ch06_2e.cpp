@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: the first Piola-Kirchhoff stress, and elasticity.
 #include "fields.hpp"
 

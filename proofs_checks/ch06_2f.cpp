@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: momenta, pressure, stress and metric force of a barotropic fluid.
 #include "fields.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 6.2: the expansion of the left side of the barotropic equation, step by step.
 #include "fields.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 7.0: constraints without derivatives in time, and which principle gives the equations.
 #include "statement.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 7.1: the theorem of Lagrange multipliers, with the hypothesis that it needs.
 #include "statement.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 7.2: pointwise constraints, the augmented action, the constrained field equations and the extended bundle.
 #include "fields.hpp"
 

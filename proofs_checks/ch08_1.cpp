@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.1: the extended bundle, its canonical forms, the constraint and its multiplier.
 #include "incompressible_models.hpp"
 

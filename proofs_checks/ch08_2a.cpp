@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.2: the density of an incompressible medium, its momenta and what its Legendre transformation loses.
 #include "incompressible_models.hpp"
 

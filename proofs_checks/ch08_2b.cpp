@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.2: the field equations of an incompressible medium.
 #include "incompressible_models.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.3: the ideal incompressible fluid on the body, and its two pressures.
 #include "incompressible_models.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.3: the group of volume preserving diffeomorphisms, its geodesics and their pressure.
 #include "incompressible_models.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.3: the ideal incompressible fluid as space sees it, and as the body does.
 #include "incompressible_models.hpp"
 

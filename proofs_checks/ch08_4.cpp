@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 8.4: incompressible elastic solids.
 #include "incompressible_models.hpp"
 

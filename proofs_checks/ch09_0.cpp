@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Chapter 9, introduction: relabelling of inhomogeneous fluids and isometries of space.
 #include "fields.hpp"
 

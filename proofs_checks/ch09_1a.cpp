@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 9.1: the relabelling action, its prolongations and equivariance.
 #include "fields.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 9.1: the covariant momentum map as a form, lifted actions, and the action itself.
 #include "fields.hpp"
 

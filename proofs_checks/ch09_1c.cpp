@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 9.1: equivariance of the two fluid Lagrangians under relabelling, and Noether's theorem.
 #include "fields.hpp"
 

@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 9.1: the relabelling currents of the two fluids, their differentials and what these say.
 #include "fields.hpp"
 

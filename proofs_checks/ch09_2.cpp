@@ -1,4 +1,4 @@
-// Scalars: rational, double
+// Scalars: rational (long: double)
 // Section 9.2: translations of time and the continuity of energy.
 #include "fields.hpp"
 
