@@ -110,7 +110,7 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
 }
 
 STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on space-time") {
-  claim.convention("d^nx_mu is the contraction of d^{n+1}x with the coordinate field along x^mu: the hook between the two is not printed.");
+  claim.convention("$d^nx_\\mu$ is the contraction of $d^{n+1}x$ with the coordinate field along $x^\\mu$: the hook between the two is not printed.");
   claim.maybe_scan();
   // Determinants of up to four drawn columns.
   claim.degree(8);

@@ -81,7 +81,7 @@ Eigen::Matrix<S, n, n> draw_matrix(Draw& draw) {
 }  // namespace
 
 STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
-  claim.convention("[v] is the square block v^a_j, n = N: with the velocity it is n by n + 1 and has no determinant. The metric of space is taken at the place, that of the body at the particle.");
+  claim.convention("$[v]$ is the square block $v^a{}_j$, $n = N$: with the velocity it is $n$ by $n + 1$ and has no determinant. The metric of space is taken at the place, that of the body at the particle.");
   // Frames of degree 13 in a section of degree 6, two determinants of them.
   claim.degree(160);
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
@@ -96,7 +96,7 @@ STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
 }
 
 STATEMENT(eq_6_2, "Green and Finger deformation tensors in coordinates") {
-  claim.holds("g is taken at the place, G at the particle; C is defined whether or not the deformation is regular, c where n = N and F has an inverse.");
+  claim.holds("$g$ is taken at the place, $G$ at the particle; $C$ is defined whether or not the deformation is regular, $c$ where $n = N$ and $F$ has an inverse.");
   claim.degree(160);
   over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -142,7 +142,7 @@ STATEMENT(claim_6_1_green_tensor, "Green tensor as a pulled-back metric") {
 }
 
 STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward metric") {
-  claim.holds("The inverse is that of mixed tensors, or of c_ab and b^ab; lowering both indices of b with g does not invert the matrix of c.");
+  claim.holds("The inverse is that of mixed tensors, or of $c_{ab}$ and $b^{ab}$; lowering both indices of $b$ with $g$ does not invert the matrix of $c$.");
   claim.degree(300);
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -163,7 +163,7 @@ STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward me
 }
 
 STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spatial metric compared") {
-  claim.convention("They differ for a general deformation; they agree exactly where the deformation is an isometry, C = G.");
+  claim.convention("They differ for a general deformation; they agree exactly where the deformation is an isometry, $C = G$.");
   claim.degree(300);
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -181,7 +181,7 @@ STATEMENT(claim_6_1_sharp_of_pullback, "index raising and pull-back of the spati
 }
 
 STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate changes") {
-  claim.convention("Charts of body and space are to keep the orientation: a reflection changes the sign of det F and not of the roots.");
+  claim.convention("Charts of body and space are to keep the orientation: a reflection changes the sign of $\\det F$ and not of the roots.");
   claim.degree(300);
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

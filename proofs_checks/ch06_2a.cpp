@@ -79,7 +79,7 @@ STATEMENT(claim_6_2_affine_momentum, "affine component of the continuum Legendre
 }
 
 STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
-  claim.holds("The factor sqrt(det G) is part of e, which is a density: (6.5) makes e d^{n+1}x the sum of K and P.");
+  claim.holds("The factor $\\sqrt{\\det G}$ is part of $e$, which is a density: (6.5) makes $e\\,d^{n+1}x$ the sum of $\\mathbb K$ and $\\mathbb P$.");
   claim.degree(200);
   over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);
@@ -91,7 +91,7 @@ STATEMENT(eq_6_5, "energy density of the continuum Lagrangian") {
 }
 
 STATEMENT(claim_6_2_energy_two_expressions, "the two expressions of the energy density compared") {
-  claim.holds("They agree because K is quadratic in the velocity and P does not depend on it.");
+  claim.holds("They agree because $\\mathbb K$ is quadratic in the velocity and $\\mathbb P$ does not depend on it.");
   claim.degree(200);
   over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -112,7 +112,7 @@ STATEMENT(claim_6_2_energy_two_expressions, "the two expressions of the energy d
 
 STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms of the energy density") {
   claim.corrected("\\Pi = -p_a{}^jv^a{}_j - \\sqrt{\\det G}\\,e", "\\Pi = -p_a{}^jv^a{}_j - e",
-                  "The energy density of (6.5) already carries sqrt(det G); the printed form is right where det G = 1.");
+                  "The energy density of (6.5) already carries $\\sqrt{\\det G}$; the printed form is right where $\\det G = 1$.");
   claim.degree(200);
   over_points<S>(Media{}, [&]<class D>(D, std::string const& model) {
     MediumAtAJet<S, D::n, D::N> const m(draw);

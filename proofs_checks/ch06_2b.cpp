@@ -108,7 +108,7 @@ struct WithVerticalPart {
 }  // namespace
 
 STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
-  claim.convention("The derivative D_EL L . V contracts V into dy^a ^ d^{n+1}x and pulls back: it is E_a(V^a - phi^a_{,mu}V^mu), and E_aV^a for vertical variations alone.");
+  claim.convention("The derivative $D_{EL}\\mathcal L\\cdot V$ contracts $V$ into $dy^a\\wedge d^{n+1}x$ and pulls back: it is $E_a(V^a - \\phi^a{}_{,\\mu}V^\\mu)$, and $E_aV^a$ for vertical variations alone.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field on Y of degree 21.
   claim.degree(80);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
@@ -134,7 +134,7 @@ STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
 
 STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variational principle") {
   claim.corrected("D_{EL}\\mathcal L\\cdot\\mathcal V = (j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]", "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
-                  "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with Omega = -dTheta, and the form is unique among those with at most one vertical leg.");
+                  "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with $\\Omega = -d\\Theta$, and the form is unique among those with at most one vertical leg.");
   // Integrals of polynomials of degree 6 in x over a drawn box.
   claim.degree(120);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
@@ -166,7 +166,7 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
 }
 
 STATEMENT(claim_6_2_critical_point, "critical points of the action and admissible variations") {
-  claim.convention("Admissible variations vanish on the boundary of U; with all variations, natural boundary conditions are imposed as well.");
+  claim.convention("Admissible variations vanish on the boundary of $U$; with all variations, natural boundary conditions are imposed as well.");
   claim.degree(160);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -187,7 +187,7 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
 }
 
 STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical variations only") {
-  claim.holds("The missing term is the whole of (L - p v)d^{n+1}x, which no vertical variation sees.");
+  claim.holds("The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$, which no vertical variation sees.");
   claim.degree(80);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -209,7 +209,7 @@ STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical var
 }
 
 STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the variational principle") {
-  claim.convention("Unique among the forms a_a^mu dy^a ^ d^nx_mu + b d^{n+1}x, and only if variations are not all vertical; a product of contact forms may be added to Theta otherwise.");
+  claim.convention("Unique among the forms $a_a{}^\\mu\\,dy^a\\wedge d^nx_\\mu + b\\,d^{n+1}x$, and only if variations are not all vertical; a product of contact forms may be added to $\\Theta$ otherwise.");
   claim.degree(80);
   over_points<S>(std::tuple<Dimensions<1, 2>>{}, [&](auto, std::string const& model) {
     auto const L = draw_density<S, 1, 2>(draw);
@@ -250,7 +250,7 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
 }
 
 STATEMENT(claim_6_2_cartan_form_two_routes, "variational and Legendre routes to the Cartan form compared") {
-  claim.holds("The boundary term is the part of the action's variation that depends on the derivatives of a factor of V; no Cartan form is needed to find it.");
+  claim.holds("The boundary term is the part of the action's variation that depends on the derivatives of a factor of $V$; no Cartan form is needed to find it.");
   claim.degree(80);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -268,7 +268,7 @@ STATEMENT(claim_6_2_cartan_form_two_routes, "variational and Legendre routes to 
 }
 
 STATEMENT(thm_6_2_2, "multisymplectic form formula") {
-  claim.holds("Off shell the divergence of the current is V . dE[W] - W . dE[V] for vertical variations, so both are to solve the linearised equations.");
+  claim.holds("Off shell the divergence of the current is $V\\cdot\\delta_WE - W\\cdot\\delta_VE$ for vertical variations, so both are to solve the linearised equations.");
   claim.degree(160);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;

@@ -41,7 +41,7 @@ using Two = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>;
 
 STATEMENT(eq_6_8, "Euler-Lagrange derivative through the multisymplectic form") {
   claim.corrected("D_{EL}\\mathcal L\\cdot\\mathcal V = (j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]", "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
-                  "With Omega = -dTheta, as it is set after (6.6), the sign is the other one.");
+                  "With $\\Omega = -d\\Theta$, as it is set after (6.6), the sign is the other one.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field of degree 21.
   claim.degree(80);
   over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
@@ -57,7 +57,7 @@ STATEMENT(eq_6_8, "Euler-Lagrange derivative through the multisymplectic form") 
 }
 
 STATEMENT(eq_6_9, "Euler-Lagrange derivative in coordinates") {
-  claim.holds("The wedge with d^{n+1}x is contracted with the variation and pulled back.");
+  claim.holds("The wedge with $d^{n+1}x$ is contracted with the variation and pulled back.");
   claim.degree(60);
   over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
     OffShell<S, D::n, D::N> const m(draw);
@@ -104,7 +104,7 @@ STATEMENT(cor_6_2_1, "Lagrangian density recovered from the Cartan form") {
 }
 
 STATEMENT(claim_6_2_el_by_contraction, "field equations as contractions with arbitrary vector fields on the jet bundle") {
-  claim.holds("The sections are those of Y: for sections of the jet bundle that are no jets, the density has to be regular.");
+  claim.holds("The sections are those of $Y$: for sections of the jet bundle that are no jets, the density has to be regular.");
   claim.degree(80);
   over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = OffShell<S, n, N>::dimension;

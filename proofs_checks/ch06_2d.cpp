@@ -48,7 +48,7 @@ Eigen::Matrix<S, n, 1> printed_acceleration(Medium const& medium, SecondJet<S, n
 STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordinates") {
   claim.corrected(R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^a_{bc}\,\dot\phi^b\dot\phi^c)",
                   R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^b_{ac}\,\dot\phi^a\dot\phi^c)",
-                  "The free index b of the left side is summed on the right, where a is left over: the names of a and b are exchanged in the last term.");
+                  "The free index $b$ of the left side is summed on the right, where $a$ is left over: the names of $a$ and $b$ are exchanged in the last term.");
   // A metric of degree 4 and its inverse, a section of degree 3, a chart of degree 3.
   claim.degree(120);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
@@ -111,7 +111,7 @@ STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") 
 }
 
 STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
-  claim.holds("In coordinates in which g and G are constant; the mass density, which may vary, stays inside the derivative.");
+  claim.holds("In coordinates in which $g$ and $G$ are constant; the mass density, which may vary, stays inside the derivative.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   claim.degree(60);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
@@ -131,7 +131,7 @@ STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
 STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-point tensor") {
   claim.corrected(R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c)",
                   R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j)",
-                  "In the last term i and j are left over; they are one index, summed. The divergence is fixed by Leibniz' rule with vector fields of space.");
+                  "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence is fixed by Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
   claim.degree(120);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {

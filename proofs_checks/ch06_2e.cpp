@@ -49,7 +49,7 @@ STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
 }
 
 STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
-  claim.convention("W depends on F and g through the Green tensor alone (on x and G as it likes); the index is lowered with g, and F has an inverse.");
+  claim.convention("$W$ depends on $F$ and $g$ through the Green tensor alone (on $x$ and $G$ as it likes); the index is lowered with $g$, and $F$ has an inverse.");
   claim.degree(120);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -68,8 +68,8 @@ STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
 }
 
 STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
-  claim.convention("With the symmetric derivative in g it is so by definition. The balance of moment of momentum, that the Piola-Kirchhoff stress times F is symmetric, "
-                   "needs a W of the Green tensor.");
+  claim.convention("With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, that the Piola-Kirchhoff stress times $F$ is symmetric, "
+                   "needs a $W$ of the Green tensor.");
   claim.degree(120);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -97,7 +97,7 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
 }
 
 STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
-  claim.convention("The left side is a vector and the right a covector: one index is raised with g. W is a function of the Green tensor.");
+  claim.convention("The left side is a vector and the right a covector: one index is raised with $g$. $W$ is a function of the Green tensor.");
   claim.degree(160);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -113,7 +113,7 @@ STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
 }
 
 STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
-  claim.holds("In coordinates in which g and G are constant; the first index of the stress is raised with g.");
+  claim.holds("In coordinates in which $g$ and $G$ are constant; the first index of the stress is raised with $g$.");
   claim.degree(60);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

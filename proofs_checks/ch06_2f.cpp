@@ -42,7 +42,7 @@ STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic flu
 }
 
 STATEMENT(eq_6_16, "the material pressure from the stored energy") {
-  claim.holds("With the density of space rho/J it is the pressure of thermodynamics, the square of that density times the derivative of W in it.");
+  claim.holds("With the density of space $\\rho/J$ it is the pressure of thermodynamics, the square of that density times the derivative of $W$ in it.");
   claim.degree(60);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -59,7 +59,7 @@ STATEMENT(eq_6_16, "the material pressure from the stored energy") {
 }
 
 STATEMENT(claim_6_2_barotropic_stress, "the Cauchy stress of a barotropic fluid") {
-  claim.holds("With the symmetric derivative in g, of which J has half of J times the inverse of g.");
+  claim.holds("With the symmetric derivative in $g$, of which $J$ has half of $J$ times the inverse of $g$.");
   claim.degree(100);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -96,7 +96,7 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
 }
 
 STATEMENT(claim_6_2_barotropic_spatial_form, "the barotropic equation with spatial density and spatial pressure") {
-  claim.holds("Motions of a fluid have an inverse; the spatial density is rho/J carried to the particle, and the gradient is that of g.");
+  claim.holds("Motions of a fluid have an inverse; the spatial density is $\\rho/J$ carried to the particle, and the gradient is that of $g$.");
   claim.degree(200);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

@@ -51,7 +51,7 @@ struct Expansion {
 STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
   claim.corrected(R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\det[g]}{\partial x^k})",
                   R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\sqrt{\det[g]}}{\partial x^k})",
-                  "The last term of the middle line lacks the root over det g. The first and the last line are right.");
+                  "The last term of the middle line lacks the root over $\\det g$. The first and the last line are right.");
   claim.maybe_scan();
   claim.degree(160);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {

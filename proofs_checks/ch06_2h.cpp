@@ -72,7 +72,7 @@ Eigen::Matrix<S, n, 1> field_equations(Medium const& medium, SecondJet<S, n, n> 
 }  // namespace
 
 STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
-  claim.holds("The derivative in x is the total one and acts on the mass density too; that in g is the symmetric one, summed over both indices.");
+  claim.holds("The derivative in $x$ is the total one and acts on the mass density too; that in $g$ is the symmetric one, summed over both indices.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3, and inverses of metrics.
   claim.degree(160);
   over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&, SecondJet<S, n, n> const& j, std::string const& model) {
@@ -91,7 +91,7 @@ STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
 }
 
 STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
-  claim.convention("W is per unit mass, rho the mass per volume of the body, and the derivative in g the symmetric one. J stays; it disappears where rho/J, the "
+  claim.convention("$W$ is per unit mass, $\\rho$ the mass per volume of the body, and the derivative in $g$ the symmetric one. $J$ stays; it disappears where $\\rho/J$, the "
                    "spatial density, is written.");
   claim.degree(120);
   over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const& fluid, SecondJet<S, n, n> const& j, std::string const& model) {
@@ -124,7 +124,7 @@ STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
 STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
   claim.corrected(R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k)",
                   R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a)",
-                  "The inverse gradient lacks its lower index a. Otherwise right, with a mass density that varies.");
+                  "The inverse gradient lacks its lower index $a$. Otherwise right, with a mass density that varies.");
   claim.maybe_scan();
   claim.degree(160);
   over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const&, Fluid const& fluid, SecondJet<S, n, n> const& j, std::string const& model) {

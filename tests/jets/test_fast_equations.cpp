@@ -38,10 +38,12 @@ void agree(Energy const& energy, char const* name) {
   for (int sample = 0; sample < 5; ++sample) {
     auto const j = second_jet_near_rest<S, n>(draw);
     auto const fast = elastic_equation(medium, j);
-    auto const general = euler_lagrange(medium, j);
+    auto const general = euler_lagrange(medium, j), by_terms = euler_lagrange_by_terms(medium, j);
     // Both sum some hundred products of moderate numbers, of which logarithms and inverse powers of J, not far from 1, are the largest.
     S const gap = magnitude(Eigen::Matrix<S, n, 1>(fast - general)), bound = S(500) * epsilon<S>() * (S(1) + magnitude(general));
     BOOST_TEST((gap <= bound), name << ", n = " << n << ": " << to_double(gap) << " over " << to_double(bound));
+    S const between = magnitude(Eigen::Matrix<S, n, 1>(general - by_terms));
+    BOOST_TEST((between <= bound), name << ", n = " << n << ", one evaluation and term by term: " << to_double(between) << " over " << to_double(bound));
     BOOST_TEST((magnitude(general) > ratio<S>(1, 100)), name << ", n = " << n << ": the equation says something");
   }
 }

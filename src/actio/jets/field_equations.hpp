@@ -30,6 +30,16 @@ Jet<DivergenceNumber<S, n + 1, N>, n, N> all_ways(SecondJet<S, n, N> const& j) {
   return moved;
 }
 
+/// How a matrix changes in the direction of its dual numbers.
+template <class S, int rows, int columns>
+Eigen::Matrix<S, rows, columns> rates(Eigen::Matrix<Dual<S>, rows, columns> const& moved) {
+  Eigen::Matrix<S, rows, columns> rate;
+  for (int i = 0; i < rows; ++i)
+    for (int k = 0; k < columns; ++k) rate(i, k) = moved(i, k).part[0];
+  return rate;
+}
+
+/// What stands at \f$\tau_a\f$, for each a.
 template <int N, class S, int m>
 Eigen::Matrix<S, N, 1> sums(DivergenceNumber<S, m, N> const& x) {
   Eigen::Matrix<S, N, 1> all;
@@ -47,9 +57,28 @@ Eigen::Matrix<S, N, 1> momentum_divergence(L const& density, SecondJet<S, n, N> 
   return detail::sums<N>(value);
 }
 
+/// The Euler-Lagrange derivative term by term, as (6.12) is written: dual numbers along each \f$x^\mu\f$ around the momenta.
+///
+/// \implements{eq_6_12}
+/// @param j  second jet of a section, \ref second_jet
+/// @return   a component for each a, per unit of \f$d^{n+1}x\f$. \ref euler_lagrange is quicker and is held to this.
+/// @throws NoDerivative  where the density has no second derivative; and what the density itself refuses
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Eigen::Matrix<S, N, 1> euler_lagrange_by_terms(L const& density, SecondJet<S, n, N> const& j) {
+  Jet<S, n, N> const& first = j;
+  detail::examine(density, first);
+  // [eq_6_12]
+  Eigen::Matrix<S, N, 1> r = place_derivative(density, first);
+  for (int mu = 0; mu <= n; ++mu) r -= detail::rates<S, N, 1>(detail::momentum_column(density, along(j, mu), mu));
+  // [eq_6_12]
+  detail::require_derivative(r, first, "euler_lagrange_by_terms");
+  return r;
+}
+
 /// The Euler-Lagrange derivative \f$\partial L/\partial y^a - D_\mu\,(\partial L/\partial v^a{}_\mu)\f$ at a second jet (6.12): the left side of the field equations.
 ///
-/// L is evaluated once.
+/// L is evaluated once; \ref euler_lagrange_by_terms is the same in plain words.
 /// \implements{eq_6_12,eq_6_9}
 /// @param j  second jet of a section, \ref second_jet
 /// @return   a component for each a, per unit of \f$d^{n+1}x\f$: zero along solutions
@@ -59,13 +88,11 @@ template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Eigen::Matrix<S, N, 1> euler_lagrange(L const& density, SecondJet<S, n, N> const& j) {
   detail::examine(density, static_cast<Jet<S, n, N> const&>(j));
-  // [eq_6_12]
   // With y^a moved by -tau_a as well, L has D_mu(dL/dv^a_mu) - dL/dy^a at tau_a.
   auto moved = detail::all_ways(j);
   for (int a = 0; a < N; ++a) moved.y[a].set_sum(a, S(-1));
   DivergenceNumber<S, n + 1, N> const value = density(moved);
   Eigen::Matrix<S, N, 1> const r = -detail::sums<N>(value);
-  // [eq_6_12]
   detail::require_derivative(r, static_cast<Jet<S, n, N> const&>(j), "euler_lagrange");
   return r;
 }

@@ -68,17 +68,6 @@ SecondJet<Dual<S>, n, N> varied(SecondJet<S, n, N> const& j, SecondJet<S, n, N> 
   return moved;
 }
 
-namespace detail {
-/// The rates of a column of dual numbers.
-template <class S, int rows, int columns>
-Eigen::Matrix<S, rows, columns> rates(Eigen::Matrix<Dual<S>, rows, columns> const& moved) {
-  Eigen::Matrix<S, rows, columns> rate;
-  for (int i = 0; i < rows; ++i)
-    for (int k = 0; k < columns; ++k) rate(i, k) = moved(i, k).part[0];
-  return rate;
-}
-}  // namespace detail
-
 /// The linearised field equations \f$\frac{d}{d\epsilon}E[\phi + \epsilon V]\f$: V is a first variation of a solution where they vanish.
 ///
 /// \implements{thm_6_2_2}

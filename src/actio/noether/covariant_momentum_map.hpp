@@ -5,6 +5,7 @@
 #pragma once
 
 #include "actio/jets/cartan.hpp"
+#include "actio/jets/first_variation.hpp"
 #include "actio/jets/prolongation.hpp"
 
 namespace actio {
@@ -27,17 +28,10 @@ namespace detail {
 /// One component of the Noether current, without asking the density whether it is defined.
 template <class L, class Xi, class S, int n, int N>
 S current_component(L const& density, Xi const& xi, Jet<S, n, N> const& j, int mu) {
-  Eigen::Matrix<S, n + 1 + N, 1> const rate = xi(point_of(j));
-  Eigen::Matrix<S, N, 1> const p = momentum_column(density, j, mu);
+  Variation<S, n, N> const V = xi(point_of(j));
   // [thm_9_1_1]
-  S sum = density(j) * rate[mu];
-  for (int a = 0; a < N; ++a) {
-    S vertical = rate[n + 1 + a];
-    for (int nu = 0; nu <= n; ++nu) vertical -= j.v(a, nu) * rate[nu];
-    sum += p[a] * vertical;
-  }
+  return density(j) * V[mu] + momentum_column(density, j, mu).dot(vertical_part(j, V));
   // [thm_9_1_1]
-  return sum;
 }
 
 }  // namespace detail

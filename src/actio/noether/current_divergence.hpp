@@ -31,15 +31,9 @@ S current_divergence(L const& density, Xi const& xi, SecondJet<S, n, N> const& j
 /// @throws what \ref euler_lagrange does
 template <class L, class Xi, class S, int n, int N>
 S noether_identity(L const& density, Xi const& xi, SecondJet<S, n, N> const& j) {
-  Eigen::Matrix<S, n + 1 + N, 1> const rate = xi(point_of(static_cast<Jet<S, n, N> const&>(j)));
-  Eigen::Matrix<S, N, 1> const E = euler_lagrange(density, j);
-  S sum(0);
-  for (int a = 0; a < N; ++a) {
-    S vertical = rate[n + 1 + a];
-    for (int mu = 0; mu <= n; ++mu) vertical -= j.v(a, mu) * rate[mu];
-    sum -= E[a] * vertical;
-  }
-  return sum;
+  Jet<S, n, N> const& first = j;
+  Variation<S, n, N> const V = xi(point_of(first));
+  return -euler_lagrange(density, j).dot(vertical_part(first, V));
 }
 
 }  // namespace actio
