@@ -2,6 +2,7 @@
 // Section 9.1: equivariance of the two fluid Lagrangians under relabelling, and Noether's theorem.
 #include "fields.hpp"
 
+#include "actio/noether/isometries.hpp"
 #include "actio/noether/time_translation.hpp"
 #include "statement.hpp"
 #include "symmetries.hpp"
@@ -113,7 +114,7 @@ STATEMENT(thm_9_1_1, "covariant Noether theorem") {
 }
 
 STATEMENT(eq_9_5, "exterior derivative of the Noether current on solutions") {
-  claim.holds("For relabelling it is $\\xi^kF^a{}_kE_a\\,d^{n+1}x$ off shell.");
+  claim.holds("For relabelling it is $\\xi^kF^a{}_kE_a\\,d^{n+1}x$ off shell, for time translation $\\dot\\phi^aE_a$, for an isometry $k$ of space $-k^aE_a$.");
   claim.degree(80);
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -128,5 +129,13 @@ STATEMENT(eq_9_5, "exterior derivative of the Noether current on solutions") {
     claim.differs("the other sign", model, current_divergence(fluid, field, j), S(-expected));
     auto const squeezing = relabelling_field<n>(draw_compression<S, n>(draw));
     claim.refutes("a field with divergence, on solutions", model, current_divergence(fluid, squeezing, of_a_solution(fluid, j)), expected);
+
+    auto const power = j.velocity().dot(euler_lagrange(fluid, j));
+    claim.equal("time translation, off shell", model, current_divergence(fluid, TimeTranslation{}, j), power, 10);
+    auto const shift = motion_of_space<n>(FirstShift<n>{});
+    auto symmetric = fluid;
+    symmetric.g = draw_shiftable_metric<S, n>(draw);
+    claim.equal("isometry of space, off shell", model, current_divergence(symmetric, shift, j), S(-euler_lagrange(symmetric, j)[0]), 10);
+    claim.differs("the same shift where the metric depends on the coordinate", model, current_divergence(fluid, shift, j), S(-euler_lagrange(fluid, j)[0]));
   });
 }

@@ -146,6 +146,27 @@ AnyMetric<S, n> draw_stretchable_metric(Draw& draw, bool even = false) {
   return G;
 }
 
+/// A curved metric that does not depend on the first coordinate: to shift that is an isometry.
+template <class S, int n>
+AnyMetric<S, n> draw_shiftable_metric(Draw& draw) {
+  auto g = draw_metric<S, n>(draw);
+  g.slope[0].setZero();
+  g.bend.row(0).setZero();
+  g.bend.col(0).setZero();
+  return g;
+}
+/// The field of that shift.
+template <int N>
+struct FirstShift {
+  template <class V>
+  auto operator()(V const&) const {
+    using T = ScalarOf<V>;
+    Eigen::Matrix<T, N, 1> k = Eigen::Matrix<T, N, 1>::Zero();
+    k[0] = T(1);
+    return k;
+  }
+};
+
 /// The second jet of a solution through a first jet: of the second derivatives all but the acceleration as given, and the acceleration that the field equations want.
 template <class Medium, class S, int n, int N>
 SecondJet<S, n, N> of_a_solution(Medium const& medium, SecondJet<S, n, N> j) {
