@@ -1,3 +1,4 @@
+// Scalars: rational, double (long: dec50, dec100)
 // Section 2.1, over finite times: the action of a curve and its variation. Compiled once per scalar.
 //
 // Curves are polynomials in time (exact_motions.hpp), integrals are exact, so every residual is zero over the rationals. Degrees: the entries of a flow are

@@ -1,3 +1,4 @@
+// Scalars: rational, double (long: dec50, dec100)
 // Section 2.1, at a point: the theorem on the variation of the action, and that its map and its form are the only ones. Compiled once per scalar.
 //
 // Every identity is one between derivatives at a random point, so it is exact over the rationals on every group. Degrees: an element is a product of at most five

@@ -1,3 +1,4 @@
+// Scalars: rational, double (long: dec50, dec100)
 // Section 2.2: Lie-Poisson reduction and coadjoint orbits. Compiled once per scalar.
 //
 // The canonical bracket and Hamilton's equations are taken in coordinates (q, p) of T*G, {q, p} = 1, and carried to the reduced ones. Degrees: an element is a quotient of polynomials of

@@ -1,3 +1,4 @@
+// Scalars: rational, double (long: dec50, dec100)
 // Section 2.2: coadjoint orbits, their symplectic forms, and motion along them. Compiled once per scalar.
 //
 // Degrees: an element is a product of at most three quotients of polynomials of degree 4, Ad of it has degree 48; the generator of a tangent vector comes from eliminating at most six

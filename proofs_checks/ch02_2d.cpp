@@ -1,3 +1,4 @@
+// Scalars: rational, double (long: dec50, dec100)
 // Section 2.2: the variations of the reduced velocity. Compiled once per scalar.
 //
 // Degrees: an element is a product of at most five quotients of polynomials of degree 4, its second rates have degree below 60.

@@ -1,3 +1,3 @@
-#include "laws_of_the_groups.hpp"
+#include "../laws_of_the_groups.hpp"
 
 BOOST_AUTO_TEST_CASE(laws_in_five_dimensions_hold_over_dec50) { actio::laws::laws_in_five_dimensions<actio::dec50>(); }

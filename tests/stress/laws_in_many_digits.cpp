@@ -1,5 +1,5 @@
-// The laws of the larger groups in a hundred digits. The unit tests hold the same laws over the rationals, in 16 and in 50 digits, and those of the small
-// groups in a hundred, too; these take a minute to compile.
+// The laws of the larger groups in fifty and a hundred digits. The unit tests hold the same laws over the rationals and in double, and those of the small
+// groups and of the motions of space in many digits, too; these take two minutes to compile.
 #define BOOST_TEST_NO_MAIN
 #define BOOST_TEST_ALTERNATIVE_INIT_API
 #include <boost/test/unit_test.hpp>
