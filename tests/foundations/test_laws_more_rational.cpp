@@ -28,7 +28,7 @@ Q special_unitary_defect(Matrix const& a) {
   return std::max({unitary_defect(a), magnitude(Q(d.re - Q(1))), magnitude(d.im)});
 }
 Q special_linear_defect(Matrix const& a) {
-  return magnitude(Q(determinant(a) - Q(1)));
+  return magnitude(Q(determinant_by_elimination(a) - Q(1)));
 }
 Q symplectic_defect(Matrix const& a) {
   int const n = static_cast<int>(a.rows()) / 2;

@@ -63,7 +63,7 @@ struct Spoilt : SL<> {
     Matrix<S> g = SL<>::retract(v);
     // Both factors on the left, or only the first half of the way.
     if (fault == Fault::lopsided) {
-      S const inverse = S(1) / determinant(cayley(Matrix<S>(hat(v) / S(2))));
+      S const inverse = S(1) / determinant_by_elimination(cayley(Matrix<S>(hat(v) / S(2))));
       g.row(0) *= inverse;
       g.col(0) /= inverse;
     }

@@ -12,8 +12,9 @@ namespace actio {
 template <class S, int D, int k>
 using Tangents = Eigen::Matrix<S, D, k>;
 
-/// The determinant of a square matrix, by elimination without division where it is small: over any field.
+/// The determinant of a small square matrix whose size the compiler knows, along its first column: without a division, over any ring.
 template <class S, int k>
+  requires(k >= 0)
 S determinant(Eigen::Matrix<S, k, k> const& m) {
   if constexpr (k == 0) {
     return S(1);

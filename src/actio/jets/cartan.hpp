@@ -15,7 +15,7 @@ namespace detail {
 template <int n, int N, class S, int D>
 S affine_form(Eigen::Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n + 1> const& V) {
   Eigen::Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
-  S sum = Pi * actio::determinant(dx);
+  S sum = Pi * determinant(dx);
   for (int mu = 0; mu <= n; ++mu) {
     // The determinant is linear in the row: one for all a.
     Eigen::Matrix<S, n + 1, n + 1> replaced = dx;
@@ -24,7 +24,7 @@ S affine_form(Eigen::Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n
       for (int a = 0; a < N; ++a) entry += p(a, mu) * V(n + 1 + a, c);
       replaced(mu, c) = entry;
     }
-    sum += actio::determinant(replaced);
+    sum += determinant(replaced);
   }
   return sum;
 }

@@ -44,7 +44,7 @@ Base<S> size_of_pivot(Complex<S> const& z) {
 
 /// The determinant of the n by n entries a, row by row.
 template <class K>
-K determinant(std::vector<K> a, int n) {
+K eliminated(std::vector<K> a, int n) {
   K product(1);
   for (int k = 0; k < n; ++k) {
     int pivot = k;
@@ -68,12 +68,12 @@ K determinant(std::vector<K> a, int n) {
 
 /// The determinant of a square matrix. Its derivative is right where the matrix has an inverse.
 template <class M>
-typename M::Scalar determinant(Eigen::MatrixBase<M> const& a) {
+typename M::Scalar determinant_by_elimination(Eigen::MatrixBase<M> const& a) {
   int const n = static_cast<int>(a.rows());
   std::vector<typename M::Scalar> entries;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) entries.push_back(a(i, j));
-  return detail::determinant(std::move(entries), n);
+  return detail::eliminated(std::move(entries), n);
 }
 
 /// The determinant of the complex matrix A + i B, given by the first half of the columns of its real form ((A, -B), (B, A)).
@@ -83,7 +83,7 @@ Complex<typename M::Scalar> complex_determinant(Eigen::MatrixBase<M> const& a) {
   std::vector<Complex<typename M::Scalar>> entries;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) entries.emplace_back(a(i, j), a(n + i, j));
-  return detail::determinant(std::move(entries), n);
+  return detail::eliminated(std::move(entries), n);
 }
 
 }  // namespace actio

@@ -64,7 +64,7 @@ struct SL : Order<n, 2> {
     if (order() == 2) return cayley(a);
     Matrix<S> const half = cayley(Matrix<S>(a / S(2)));
     Matrix<S> g = half * half;
-    S const inverse = S(1) / determinant(half);
+    S const inverse = S(1) / determinant_by_elimination(half);
     g.row(0) *= inverse;
     g.col(0) *= inverse;
     return g;
@@ -78,7 +78,7 @@ struct SL : Order<n, 2> {
   /// @throws OutsideDomain  where the determinant is not even near 1
   template <Real S>
   Matrix<S> restore(Matrix<S> const& a) const {
-    S const d = determinant(a);
+    S const d = determinant_by_elimination(a);
     double const distance = std::abs(to_double(d) - 1);
     if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near SL(n) is needed; |determinant - 1|", distance, 0.1);
     S const less(order() - 1), more(order() + 1);
