@@ -134,7 +134,7 @@ STATEMENT(eq_6_7, "variation of the field action for arbitrary variations") {
 
 STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variational principle") {
   claim.corrected("D_{EL}\\mathcal L\\cdot\\mathcal V = (j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]", "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
-                  "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with $\\Omega = -d\\Theta$, and the form is unique among those with at most one vertical leg.");
+                  "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with $\\Omega = -d\\Theta$, and the form is unique among the forms $a_a{}^\\mu\\,dy^a\\wedge d^nx_\\mu + b\\,d^{n+1}x$.");
   // Integrals of polynomials of degree 6 in x over a drawn box.
   claim.degree(120);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {

@@ -82,7 +82,7 @@ STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
 
 STATEMENT(claim_8_2_restricted_legendre, "what is left of the Legendre transformation") {
   claim.corrected("\\text{restricted to }\\{\\pi^\\mu = 0\\}\\text{ it is non-degenerate}", "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
-                  "Restricting the target makes the map onto where $\\partial^2L_\\Phi/\\partial v\\partial v$ is invertible, but derivatives of $\\lambda$ stay in its kernel. "
+                  "Restricting the target, all momenta $p$ nearby are reached where $\\partial^2L_\\Phi/\\partial v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay in its kernel. "
                   "The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
   claim.degree(degree_of_fields);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {

@@ -111,7 +111,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
 }
 
 STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms") {
-  claim.convention("One metric on body and space, mass 1, and variations along the walls: then fields without divergence are orthogonal to gradients alone.");
+  claim.convention("One metric on body and space, mass 1, and variations along the walls: then fields without divergence are orthogonal to gradients; that nothing else is orthogonal to all of them is the decomposition of Helmholtz and Hodge.");
   claim.degree(degree_of_fields);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

@@ -81,7 +81,7 @@ STATEMENT(eq_9_6, "invariance of the action under a group") {
 }
 
 STATEMENT(claim_9_1_invariance_integrals, "boundary and volume integrals from invariance of the action") {
-  claim.holds("With $\\Omega=-d\\Theta$; both integrals are equal for every section, and zero along solutions.");
+  claim.holds("With $\\Omega=-d\\Theta$; for an equivariant density both integrals are equal along every section, and zero along solutions.");
   claim.degree(40);
   auto const fluid = draw_polynomial_fluid<S>(draw);
   auto const phi = draw_quadratic_section<S>(draw);
@@ -101,7 +101,7 @@ STATEMENT(claim_9_1_invariance_integrals, "boundary and volume integrals from in
   claim.differs("with the other sign of Omega", model, boundary, S(-inside));
   Event<S, 2> const x = draw_event<S, 2>(draw);
   auto const on = of_a_solution(fluid, second_jet(phi, x));
-  claim.zero("integrand along solutions", model, current_divergence(fluid, field, on), boundary, 100);
+  claim.zero("divergence of the current along solutions", model, current_divergence(fluid, field, on), boundary, 100);
 }
 
 STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformations of the jet bundle") {

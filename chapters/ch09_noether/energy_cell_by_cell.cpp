@@ -73,7 +73,7 @@ void show_rings(book::Program& program) {
   }
   program.table("rings", {"ring, r", "energy at t = 0", "at t = 1.6", "left through its faces", "balance"}, rows,
                 "Rings of the body: energy at two times, and what went through their faces meanwhile.");
-  program.figure("over_time", over_time, "largest balance of a ring over the whole energy, over the time");
+  program.figure("over_time", over_time, "largest balance of a ring, over the time, over the energy of the rings up to it");
   program.figure("total", std::abs(total_after / total_before - 1), "relative change of the whole energy");
   program.figure("outermost", growth, "energy of the outermost ring at the end over that at the beginning");
   program.claim(over_time < 1e-10, "over a time as well");

@@ -64,7 +64,9 @@ std::pair<double, double> show_currents(book::Program& program) {
                  {"a field that is not Killing", "by mass", number(no_rotation)}},
                 "Largest divergence of a current at 400 points of space-time, over its largest size.");
   program.figure("broken", broken, "the relabelling current where the density of the labels varies");
-  program.figure("emptying", std::sqrt(3.0), "M at which the poles are empty");
+  // The density at a pole is linear in s = M^2/2.
+  Eigen::Matrix<double, 1, 1> const pole(1.0);
+  program.figure("emptying", std::sqrt(2 / (1 - Density{1}(pole))), "M at which the poles are empty");
   program.figure("closed", closed, "largest divergence of the currents that are closed");
   return {closed, std::min(broken, no_rotation)};
 }
@@ -123,7 +125,7 @@ int main(int argc, char** argv) {
   program.figure("field_equations", field, "largest remainder of the field equations at 400 points");
   auto const [closed, open] = show_currents(program);
   show_circulation(program);
-  program.picture("profile", profile(), "Density by latitude of an atmosphere that turns as a whole, M times as fast at the equator as sound.");
+  program.picture("profile", profile(), "Density by latitude of an atmosphere that turns as a whole, M times as fast at the equator as sound in the gas at rest.");
   program.picture("sphere", sphere(), "Circles that hold the same mass at rest and at M = 1.6, and a loop of particles that is carried along.");
   program.claim(field < 1e-11, "the motion is exact");
   program.claim(closed < 1e-11, "the currents of the symmetries are closed");

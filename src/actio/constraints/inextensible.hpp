@@ -26,7 +26,7 @@ struct Inextensible {
 template <class SpaceMetric>
 Inextensible(SpaceMetric) -> Inextensible<SpaceMetric>;
 
-/// A string that resists nothing but stretching: \f$L = \rho\,(\tfrac12|\phi_t|^2 + \mathbf g\cdot\phi)\f$, in flat space with a uniform gravity.
+/// The density of a string without stiffness, which the constraint alone keeps from stretching: \f$L = \rho\,(\tfrac12|\phi_t|^2 + \mathbf g\cdot\phi)\f$, in flat space with a uniform gravity.
 template <class S, int N>
 struct HeavyString {
   S rho;                          ///< mass per length
