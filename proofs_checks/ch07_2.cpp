@@ -207,75 +207,79 @@ STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the
   claim.holds("The three forms of the action are equal, and the variation in the multiplier is minus the pairing with $\\Psi$.");
   // Integrands: a quadratic density on quadratic sections times a multiplier of degree 3, in 2 coordinates; coefficients enter with degree 5.
   claim.degree(24);
-  constexpr int n = 1, N = 2;
-  std::string const name = "n = 1, N = 2, on a box";
-  auto const L = draw_quadratic<S, n, N>(draw);
-  QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
-  auto const phi = draw_section<S, n, N>(draw);
-  auto const lambda = draw_multiplier<S, n, 1>(draw);
-  auto const box = unit_box<S, n>();
-  auto const Psi = induced_constraint(Phi, phi);
-  int const degree = 9;
-  S const split = action(L, phi, box, degree) - integral([&](Event<S, n> const& x) { return S(lambda(x)[0] * Psi(x)[0]); }, box.low, box.high, degree);
-  // The extended density has the other sign of the multiplier.
-  auto const minus = opposite<S>(lambda);
-  S const whole = action(augmented(L, Phi), extended(phi, minus), box, degree);
-  claim.equal("two integrals, and one over the extended bundle", name, split, whole, 10);
-  claim.differs("with the multiplier's sign changed", name, action(augmented(L, Phi), extended(phi, lambda), box, degree), split);
+  for (int point = 0; point < 3; ++point) {
+    constexpr int n = 1, N = 2;
+    std::string const name = "n = 1, N = 2, on a box";
+    auto const L = draw_quadratic<S, n, N>(draw);
+    QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
+    auto const phi = draw_section<S, n, N>(draw);
+    auto const lambda = draw_multiplier<S, n, 1>(draw);
+    auto const box = unit_box<S, n>();
+    auto const Psi = induced_constraint(Phi, phi);
+    int const degree = 9;
+    S const split = action(L, phi, box, degree) - integral([&](Event<S, n> const& x) { return S(lambda(x)[0] * Psi(x)[0]); }, box.low, box.high, degree);
+    // The extended density has the other sign of the multiplier.
+    auto const minus = opposite<S>(lambda);
+    S const whole = action(augmented(L, Phi), extended(phi, minus), box, degree);
+    claim.equal("two integrals, and one over the extended bundle", name, split, whole, 10);
+    claim.differs("with the multiplier's sign changed", name, action(augmented(L, Phi), extended(phi, lambda), box, degree), split);
 
-  // The variation in the multiplier, taken on dual numbers, is minus the pairing with Psi.
-  Bump<S, 1> const delta{Eigen::Matrix<S, 1, 1>(draw.number<S>() + S(2))};
-  auto const varied = [&](auto const& added) {
-    return integral([&](Event<S, n> const& x) { return rate_in_multiplier(L, Phi, phi, lambda, added, x); }, box.low, box.high, 16);
-  };
-  S const paired = integral([&](Event<S, n> const& x) { return S(delta(x)[0] * Psi(x)[0]); }, box.low, box.high, 16);
-  claim.equal("derivative of the augmented action in the multiplier", name, varied(delta), S(-paired), 10);
-  // With Psi times a bump as variation it is minus the integral of a square: zero only where Psi is.
-  auto const own = [&](auto const& x) { return (delta(x) * Phi(first_jet(phi, x))[0]).eval(); };
-  // Over the integral of the bump, 1/36 times its size.
-  claim.refutes("variation along the constraint itself, where it does not vanish", name, varied(own), S(delta.size[0] / S(36)));
+    // The variation in the multiplier, taken on dual numbers, is minus the pairing with Psi.
+    Bump<S, 1> const delta{Eigen::Matrix<S, 1, 1>(draw.number<S>() + S(2))};
+    auto const varied = [&](auto const& added) {
+      return integral([&](Event<S, n> const& x) { return rate_in_multiplier(L, Phi, phi, lambda, added, x); }, box.low, box.high, 16);
+    };
+    S const paired = integral([&](Event<S, n> const& x) { return S(delta(x)[0] * Psi(x)[0]); }, box.low, box.high, 16);
+    claim.equal("derivative of the augmented action in the multiplier", name, varied(delta), S(-paired), 10);
+    // With Psi times a bump as variation it is minus the integral of a square: zero only where Psi is.
+    auto const own = [&](auto const& x) { return (delta(x) * Phi(first_jet(phi, x))[0]).eval(); };
+    // Over the integral of the bump, 1/36 times its size.
+    claim.refutes("variation along the constraint itself, where it does not vanish", name, varied(own), S(delta.size[0] / S(36)));
+  }
 }
 
 STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
   claim.holds("They are those of $L - \\langle\\lambda, \\Phi\\rangle$.");
   claim.degree(45);
-  for (int point = 0; point < exact_points; ++point)
-    over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
-      constexpr int n = D::n, N = D::N;
-      auto const L = draw_density<S, n, N>(draw);
-      auto const Phi = draw_constraint<S, n, N>(draw);
-      auto const phi = draw_section<S, n, N>(draw);
-      auto const lambda = draw_multiplier<S, n, 2>(draw);
-      auto const x = draw_event<S, n>(draw);
-      // L - <lambda, Phi> as a density that knows lambda as a function of x.
-      auto const minus = [&]<class T>(Jet<T, n, N> const& j) {
-        auto const l = lambda(j.x);
-        auto const c = Phi(j);
-        return T(L(j) - l[0] * c[0] - l[1] * c[1]);
-      };
-      auto const printed = constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x));
-      claim.equal("(7.2), and the field equations of the density", name, printed, (-euler_lagrange(minus, phi, x)).eval());
-      auto const other = opposite<S>(lambda);
-      claim.differs("with the multiplier's sign changed", name, constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(other, x)), printed);
-      auto outside = first_jet(lambda, x);
-      outside.v.setZero();
-      claim.differs("with the multiplier outside of the derivative", name, constrained_field_equations(L, Phi, second_jet(phi, x), outside), printed);
-    });
+  for (int point = 0; point < 3; ++point) {
+    for (int point = 0; point < exact_points; ++point)
+      over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
+        constexpr int n = D::n, N = D::N;
+        auto const L = draw_density<S, n, N>(draw);
+        auto const Phi = draw_constraint<S, n, N>(draw);
+        auto const phi = draw_section<S, n, N>(draw);
+        auto const lambda = draw_multiplier<S, n, 2>(draw);
+        auto const x = draw_event<S, n>(draw);
+        // L - <lambda, Phi> as a density that knows lambda as a function of x.
+        auto const minus = [&]<class T>(Jet<T, n, N> const& j) {
+          auto const l = lambda(j.x);
+          auto const c = Phi(j);
+          return T(L(j) - l[0] * c[0] - l[1] * c[1]);
+        };
+        auto const printed = constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x));
+        claim.equal("(7.2), and the field equations of the density", name, printed, (-euler_lagrange(minus, phi, x)).eval());
+        auto const other = opposite<S>(lambda);
+        claim.differs("with the multiplier's sign changed", name, constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(other, x)), printed);
+        auto outside = first_jet(lambda, x);
+        outside.v.setZero();
+        claim.differs("with the multiplier outside of the derivative", name, constrained_field_equations(L, Phi, second_jet(phi, x), outside), printed);
+      });
 
-  // The variation of the augmented action on a box, with fixed boundary.
-  constexpr int n = 1, N = 2;
-  std::string const name = "n = 1, N = 2, on a box";
-  auto const L = draw_quadratic<S, n, N>(draw);
-  QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
-  auto const phi = draw_section<S, n, N>(draw);
-  auto const lambda = draw_multiplier<S, n, 1>(draw);
-  Bump<S, N> const w{draw.vector<S, Eigen::Matrix<S, N, 1>>(N)};
-  auto const box = unit_box<S, n>();
-  int const degree = 13;
-  S const variation = integral([&](Event<S, n> const& x) { return rate_of_augmented(L, Phi, phi, lambda, w, x); }, box.low, box.high, degree);
-  S const paired = integral(
-      [&](Event<S, n> const& x) { return S(constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x)).dot(w(x))); }, box.low, box.high, degree);
-  claim.equal("derivative of the augmented action, and the pairing with (7.2)", name, variation, S(-paired), 100);
+    // The variation of the augmented action on a box, with fixed boundary.
+    constexpr int n = 1, N = 2;
+    std::string const name = "n = 1, N = 2, on a box";
+    auto const L = draw_quadratic<S, n, N>(draw);
+    QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
+    auto const phi = draw_section<S, n, N>(draw);
+    auto const lambda = draw_multiplier<S, n, 1>(draw);
+    Bump<S, N> const w{draw.vector<S, Eigen::Matrix<S, N, 1>>(N)};
+    auto const box = unit_box<S, n>();
+    int const degree = 13;
+    S const variation = integral([&](Event<S, n> const& x) { return rate_of_augmented(L, Phi, phi, lambda, w, x); }, box.low, box.high, degree);
+    S const paired = integral(
+        [&](Event<S, n> const& x) { return S(constrained_field_equations(L, Phi, second_jet(phi, x), first_jet(lambda, x)).dot(w(x))); }, box.low, box.high, degree);
+    claim.equal("derivative of the augmented action, and the pairing with (7.2)", name, variation, S(-paired), 100);
+  }
 }
 
 STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and its field equations") {
@@ -308,67 +312,69 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
       "With a fixed boundary the total volume is fixed: the derivative of $J - 1$ reaches the functions with zero mean against $\\sqrt{\\det G}$ and no others, at each time. With these as the fibre "
       "the theorem applies, and the multiplier is free up to $c(t)\\sqrt{\\det G}$.");
   claim.degree(80);
-  constexpr int n = 2;
-  std::string const name = "n = N = 2, metrics that vary";
-  auto const G = draw_metric<S, n>(draw);
-  auto const g = draw_metric<S, n>(draw);
-  auto const root = [](auto const& metric) {
-    return [metric]<class V>(V const& at) { return volume<ScalarOf<V>>(metric(at)); };
-  };
-
-  // 1. Any motion and any displacement that vanishes on the sides of the unit square: the volume it makes adds up to nothing.
-  VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{G, g};
-  auto const made = [&](auto const& phi, auto const& w) {
-    return [&](Eigen::Matrix<S, n, 1> const& body) {
-      Event<S, n> const at(ratio<S>(1, 3), body[0], body[1]);
-      return S(root(G)(body) * rate_of_constraint(Phi, phi, w, at));
+  for (int point = 0; point < 3; ++point) {
+    constexpr int n = 2;
+    std::string const name = "n = N = 2, metrics that vary";
+    auto const G = draw_metric<S, n>(draw);
+    auto const g = draw_metric<S, n>(draw);
+    auto const root = [](auto const& metric) {
+      return [metric]<class V>(V const& at) { return volume<ScalarOf<V>>(metric(at)); };
     };
-  };
-  auto const phi = [c = draw_cubic<S, 3>(draw, ratio<S>(1, 5)).a, d = draw_cubic<S, 3>(draw, ratio<S>(1, 5)).a]<class V>(V const& x) {
-    using T = ScalarOf<V>;
-    return Eigen::Matrix<T, 2, 1>(x[1] + x[1] * x[2] * T(c[0]) + x[0] * T(c[1]), x[2] + x[1] * x[1] * T(d[0]) + x[0] * x[2] * T(d[1]));
-  };
-  auto const sides = [s = draw.vector<S, Eigen::Matrix<S, 2, 1>>(2)]<class V>(V const& x) {
-    using T = ScalarOf<V>;
-    T const b = x[1] * (T(1) - x[1]) * x[2] * (T(1) - x[2]);
-    return Eigen::Matrix<T, 2, 1>(b * T(s[0]), b * x[1] * T(s[1]));
-  };
-  auto const loose = [&]<class V>(V const& x) { return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
-  Eigen::Matrix<S, n, 1> const low = Eigen::Matrix<S, n, 1>::Zero(), high = Eigen::Matrix<S, n, 1>::Ones();
-  // sqrt(det g) is of degree 4 in places of degree 2, its derivative is no higher, F adds 2 and the displacement 5.
-  int const degree = 14;
-  claim.zero("total volume made with a fixed boundary", name, integral(made(phi, sides), low, high, degree), S(1), 10);
-  claim.refutes("with a boundary that moves, so that a constant is reached as well", name, integral(made(phi, loose), low, high, degree), S(1));
 
-  // 2. Every function with zero mean is reached. In a body that is at rest in its own space sqrt(det G) div w = p has this solution, tangent to the sides.
-  auto const c = draw.vector<S, Eigen::Matrix<S, 3, 1>>(3);
-  // p = c0 (x - 1/2) + c1 (x y - 1/4) + c2 (y^2 - 1/3), and the part of it that does not depend on y goes sideways.
-  auto const p = [&]<class V>(V const& b) { return S((b[0] - ratio<S>(1, 2)) * c[0] + (b[0] * b[1] - ratio<S>(1, 4)) * c[1] + (b[1] * b[1] - ratio<S>(1, 3)) * c[2]); };
-  auto const solution = [&]<class V>(V const& x) {
-    using T = ScalarOf<V>;
-    Eigen::Matrix<T, 2, 1> const b(x[1], x[2]);
-    T const sideways = (b[0] * b[0] - b[0]) * T(S(c[0] / S(2) + c[1] / S(4)));
-    T const upwards = b[0] * (b[1] * b[1] - b[1]) * T(S(c[1] / S(2))) + (b[1] * b[1] * b[1] - b[1]) * T(S(c[2] / S(3)));
-    T const density = root(g)(b);
-    return Eigen::Matrix<T, 2, 1>(sideways / density, upwards / density);
-  };
-  auto const rest = []<class V>(V const& x) { return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
-  VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const at_rest{g, g};
-  Event<S, n> const x = draw_event<S, n>(draw);
-  Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
-  claim.zero("a body at rest in its own space keeps its volume", name, induced_constraint(at_rest, rest)(x), S(1), 10);
-  // Near a zero of p its terms are still of size one tenth.
-  claim.zero("a displacement that makes a given volume with zero mean", name, S(root(g)(body) * rate_of_constraint(at_rest, rest, solution, x) - p(body)), S(1), 10);
-
-  // 3. The multiplier is free up to c(t) sqrt(det G), and up to nothing else.
-  auto const j = second_jet(draw_section<S, n, n>(draw), x);
-  auto const against = [&](auto const& factor) {
-    auto const field = [&]<class V>(V const& at) {
+    // 1. Any motion and any displacement that vanishes on the sides of the unit square: the volume it makes adds up to nothing.
+    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{G, g};
+    auto const made = [&](auto const& phi, auto const& w) {
+      return [&](Eigen::Matrix<S, n, 1> const& body) {
+        Event<S, n> const at(ratio<S>(1, 3), body[0], body[1]);
+        return S(root(G)(body) * rate_of_constraint(Phi, phi, w, at));
+      };
+    };
+    auto const phi = [c = draw_cubic<S, 3>(draw, ratio<S>(1, 5)).a, d = draw_cubic<S, 3>(draw, ratio<S>(1, 5)).a]<class V>(V const& x) {
       using T = ScalarOf<V>;
-      return Eigen::Matrix<T, 1, 1>(root(G)(Eigen::Matrix<T, 2, 1>(at[1], at[2])) * factor(at));
+      return Eigen::Matrix<T, 2, 1>(x[1] + x[1] * x[2] * T(c[0]) + x[0] * T(c[1]), x[2] + x[1] * x[1] * T(d[0]) + x[0] * x[2] * T(d[1]));
     };
-    return reaction(Phi, j, first_jet(field, x));
-  };
-  claim.zero("reaction of a pressure that depends on time alone", name, against([](auto const& at) { return at[0] * at[0] + at[0] + 1; }), S(1), 30);
-  claim.refutes("reaction of a pressure that depends on the point of the body", name, against([](auto const& at) { return at[1] * at[1] + at[0] + 1; }), S(1));
+    auto const sides = [s = draw.vector<S, Eigen::Matrix<S, 2, 1>>(2)]<class V>(V const& x) {
+      using T = ScalarOf<V>;
+      T const b = x[1] * (T(1) - x[1]) * x[2] * (T(1) - x[2]);
+      return Eigen::Matrix<T, 2, 1>(b * T(s[0]), b * x[1] * T(s[1]));
+    };
+    auto const loose = [&]<class V>(V const& x) { return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
+    Eigen::Matrix<S, n, 1> const low = Eigen::Matrix<S, n, 1>::Zero(), high = Eigen::Matrix<S, n, 1>::Ones();
+    // sqrt(det g) is of degree 4 in places of degree 2, its derivative is no higher, F adds 2 and the displacement 5.
+    int const degree = 14;
+    claim.zero("total volume made with a fixed boundary", name, integral(made(phi, sides), low, high, degree), S(1), 10);
+    claim.refutes("with a boundary that moves, so that a constant is reached as well", name, integral(made(phi, loose), low, high, degree), S(1));
+
+    // 2. Every function with zero mean is reached. In a body that is at rest in its own space sqrt(det G) div w = p has this solution, tangent to the sides.
+    auto const c = draw.vector<S, Eigen::Matrix<S, 3, 1>>(3);
+    // p = c0 (x - 1/2) + c1 (x y - 1/4) + c2 (y^2 - 1/3), and the part of it that does not depend on y goes sideways.
+    auto const p = [&]<class V>(V const& b) { return S((b[0] - ratio<S>(1, 2)) * c[0] + (b[0] * b[1] - ratio<S>(1, 4)) * c[1] + (b[1] * b[1] - ratio<S>(1, 3)) * c[2]); };
+    auto const solution = [&]<class V>(V const& x) {
+      using T = ScalarOf<V>;
+      Eigen::Matrix<T, 2, 1> const b(x[1], x[2]);
+      T const sideways = (b[0] * b[0] - b[0]) * T(S(c[0] / S(2) + c[1] / S(4)));
+      T const upwards = b[0] * (b[1] * b[1] - b[1]) * T(S(c[1] / S(2))) + (b[1] * b[1] * b[1] - b[1]) * T(S(c[2] / S(3)));
+      T const density = root(g)(b);
+      return Eigen::Matrix<T, 2, 1>(sideways / density, upwards / density);
+    };
+    auto const rest = []<class V>(V const& x) { return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
+    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const at_rest{g, g};
+    Event<S, n> const x = draw_event<S, n>(draw);
+    Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
+    claim.zero("a body at rest in its own space keeps its volume", name, induced_constraint(at_rest, rest)(x), S(1), 10);
+    // Near a zero of p its terms are still of size one tenth.
+    claim.zero("a displacement that makes a given volume with zero mean", name, S(root(g)(body) * rate_of_constraint(at_rest, rest, solution, x) - p(body)), S(1), 10);
+
+    // 3. The multiplier is free up to c(t) sqrt(det G), and up to nothing else.
+    auto const j = second_jet(draw_section<S, n, n>(draw), x);
+    auto const against = [&](auto const& factor) {
+      auto const field = [&]<class V>(V const& at) {
+        using T = ScalarOf<V>;
+        return Eigen::Matrix<T, 1, 1>(root(G)(Eigen::Matrix<T, 2, 1>(at[1], at[2])) * factor(at));
+      };
+      return reaction(Phi, j, first_jet(field, x));
+    };
+    claim.zero("reaction of a pressure that depends on time alone", name, against([](auto const& at) { return at[0] * at[0] + at[0] + 1; }), S(1), 30);
+    claim.refutes("reaction of a pressure that depends on the point of the body", name, against([](auto const& at) { return at[1] * at[1] + at[0] + 1; }), S(1));
+  }
 }

@@ -113,61 +113,65 @@ STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multipli
   claim.holds();
   // Coordinates and tangent vectors are drawn themselves: a product of n + 2 of them and one momentum.
   claim.degree(8);
-  auto const at_dimensions = [&]<int n, int N>() {
-    constexpr int M = N + 1, D = DualJet<S, n, M>::dimension;
-    std::string const model = Dimensions<n, N>::name() + " and a multiplier";
-    Eigen::Matrix<S, D, 1> const at = draw.vector<S, Eigen::Matrix<S, D, 1>>(D);
-    auto const z = dual_jet_at<n, M>(at);
-    auto const V = draw_tangents<S, D, n + 1>(draw);
-    Eigen::Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
-    S places(0), multiplier(0);
-    for (int mu = 0; mu <= n; ++mu) {
-      for (int a = 0; a < N; ++a) places += z.p(a, mu) * one_and_face<n>(n + 1 + a, mu, V);
-      multiplier += z.p(N, mu) * one_and_face<n>(n + 1 + N, mu, V);
-    }
-    S const theta = canonical_form<n, M>()(at, V), volume_part = z.Pi * determinant(dx);
-    claim.equal("the canonical form", model, theta, S(places + multiplier + volume_part));
-    claim.differs("without the multiplier's part", model, theta, S(places + volume_part));
+  for (int point = 0; point < 3; ++point) {
+    auto const at_dimensions = [&]<int n, int N>() {
+      constexpr int M = N + 1, D = DualJet<S, n, M>::dimension;
+      std::string const model = Dimensions<n, N>::name() + " and a multiplier";
+      Eigen::Matrix<S, D, 1> const at = draw.vector<S, Eigen::Matrix<S, D, 1>>(D);
+      auto const z = dual_jet_at<n, M>(at);
+      auto const V = draw_tangents<S, D, n + 1>(draw);
+      Eigen::Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
+      S places(0), multiplier(0);
+      for (int mu = 0; mu <= n; ++mu) {
+        for (int a = 0; a < N; ++a) places += z.p(a, mu) * one_and_face<n>(n + 1 + a, mu, V);
+        multiplier += z.p(N, mu) * one_and_face<n>(n + 1 + N, mu, V);
+      }
+      S const theta = canonical_form<n, M>()(at, V), volume_part = z.Pi * determinant(dx);
+      claim.equal("the canonical form", model, theta, S(places + multiplier + volume_part));
+      claim.differs("without the multiplier's part", model, theta, S(places + volume_part));
 
-    auto const W = draw_tangents<S, D, n + 2>(draw);
-    S omega(0), wedge_of_Pi(0);
-    for (int mu = 0; mu <= n; ++mu)
-      for (int a = 0; a < M; ++a) omega += two_and_face<n>(n + 1 + a, momentum_index(n, M, a, mu), mu, W);
-    for (int c = 0; c < n + 2; ++c) {
-      Eigen::Matrix<S, n + 1, n + 1> const rest = without(W, c).template topRows<n + 1>();
-      S const term = W(n + 1 + M, c) * determinant(rest);
-      wedge_of_Pi += c % 2 == 0 ? term : S(-term);
-    }
-    S const two_form = canonical_two_form<n, M>()(at, W);
-    claim.equal("minus its differential", model, two_form, S(omega - wedge_of_Pi));
-    claim.differs("the affine part with the other sign", model, two_form, S(omega + wedge_of_Pi));
-  };
-  at_dimensions.template operator()<1, 1>();
-  at_dimensions.template operator()<2, 2>();
+      auto const W = draw_tangents<S, D, n + 2>(draw);
+      S omega(0), wedge_of_Pi(0);
+      for (int mu = 0; mu <= n; ++mu)
+        for (int a = 0; a < M; ++a) omega += two_and_face<n>(n + 1 + a, momentum_index(n, M, a, mu), mu, W);
+      for (int c = 0; c < n + 2; ++c) {
+        Eigen::Matrix<S, n + 1, n + 1> const rest = without(W, c).template topRows<n + 1>();
+        S const term = W(n + 1 + M, c) * determinant(rest);
+        wedge_of_Pi += c % 2 == 0 ? term : S(-term);
+      }
+      S const two_form = canonical_two_form<n, M>()(at, W);
+      claim.equal("minus its differential", model, two_form, S(omega - wedge_of_Pi));
+      claim.differs("the affine part with the other sign", model, two_form, S(omega + wedge_of_Pi));
+    };
+    at_dimensions.template operator()<1, 1>();
+    at_dimensions.template operator()<2, 2>();
+  }
 }
 
 STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
   claim.corrected("\\mathfrak C\\ \\text{corresponds to the incompressibility constraint}", "\\mathfrak C = \\{\\pi^\\mu = 0\\}",
                   "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. $J = 1$ comes later, as the field equation of $\\lambda$.");
   claim.degree(degree_of_fields);
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
-    auto const density = incompressible(draw_medium<S, n>(draw));
-    auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
-    auto const z = legendre(density, static_cast<Jet<S, n, n + 1> const&>(j));
-    claim.zero("momenta of the multiplier in the image", model, z.p.row(n).eval(), size_of(z.p));
-    claim.refutes("J = 1 in the image", model, density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0], S(1));
-    claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n], density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
-  });
-  // The form on the primary constraint manifold does not see the direction of lambda; off it, it does.
-  constexpr int n = 2, M = 3, D = DualJet<S, n, M>::dimension;
-  Eigen::Matrix<S, D, 1> at = draw.vector<S, Eigen::Matrix<S, D, 1>>(D);
-  auto V = draw_tangents<S, D, n + 2>(draw);
-  V.col(0).setZero();
-  V(n + 1 + 2, 0) = S(1);
-  claim.refutes("d/dlambda in the form before it is restricted", "n = 2", S(canonical_two_form<n, M>()(at, V)), S(1));
-  for (int mu = 0; mu <= n; ++mu) at[momentum_index(n, M, 2, mu)] = S(0), V.row(momentum_index(n, M, 2, mu)).setZero();
-  claim.zero("d/dlambda is in the kernel of the restricted form", "n = 2", S(canonical_two_form<n, M>()(at, V)), S(1));
+  for (int point = 0; point < 3; ++point) {
+    over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+      constexpr int n = D::n;
+      auto const density = incompressible(draw_medium<S, n>(draw));
+      auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
+      auto const z = legendre(density, static_cast<Jet<S, n, n + 1> const&>(j));
+      claim.zero("momenta of the multiplier in the image", model, z.p.row(n).eval(), size_of(z.p));
+      claim.refutes("J = 1 in the image", model, density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0], S(1));
+      claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n], density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
+    });
+    // The form on the primary constraint manifold does not see the direction of lambda; off it, it does.
+    constexpr int n = 2, M = 3, D = DualJet<S, n, M>::dimension;
+    Eigen::Matrix<S, D, 1> at = draw.vector<S, Eigen::Matrix<S, D, 1>>(D);
+    auto V = draw_tangents<S, D, n + 2>(draw);
+    V.col(0).setZero();
+    V(n + 1 + 2, 0) = S(1);
+    claim.refutes("d/dlambda in the form before it is restricted", "n = 2", S(canonical_two_form<n, M>()(at, V)), S(1));
+    for (int mu = 0; mu <= n; ++mu) at[momentum_index(n, M, 2, mu)] = S(0), V.row(momentum_index(n, M, 2, mu)).setZero();
+    claim.zero("d/dlambda is in the kernel of the restricted form", "n = 2", S(canonical_two_form<n, M>()(at, V)), S(1));
+  }
 }
 
 STATEMENT(eq_8_1, "the constraint on the volume") {

@@ -101,35 +101,39 @@ STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
 STATEMENT(claim_9_2_elastic_energy, "energy continuity of standard elasticity") {
   claim.holds("For any stored energy W(x, G, g, F), along solutions.");
   claim.degree(100);
-  std::string const model = "n = 2, N = 2";
-  auto const medium = draw_medium<S>(draw);
-  auto const off = draw_second_jet<S, 2, 2>(draw);
-  auto const on = of_a_solution(medium, off);
-  auto const outflow = [&](SecondJet<S, 2, 2> const& j) {
-    S sum(0);
-    for (int k = 1; k <= 2; ++k) {
-      auto const moved = along(j, k);
-      sum += (volume<Dual<S>>(medium.G(moved.particle())) * detail::piola_kirchhoff(medium, moved).col(k - 1).dot(moved.velocity())).part[0];
-    }
-    return sum;
-  };
-  claim.equal("along solutions", model, energy_rate(medium, on), outflow(on), 100);
-  claim.equal("off shell", model, S(energy_rate(medium, off) - outflow(off)), S(-off.velocity().dot(euler_lagrange(medium, off))), 100);
-  claim.differs("the other sign", model, energy_rate(medium, on), S(-outflow(on)));
+  for (int point = 0; point < 3; ++point) {
+    std::string const model = "n = 2, N = 2";
+    auto const medium = draw_medium<S>(draw);
+    auto const off = draw_second_jet<S, 2, 2>(draw);
+    auto const on = of_a_solution(medium, off);
+    auto const outflow = [&](SecondJet<S, 2, 2> const& j) {
+      S sum(0);
+      for (int k = 1; k <= 2; ++k) {
+        auto const moved = along(j, k);
+        sum += (volume<Dual<S>>(medium.G(moved.particle())) * detail::piola_kirchhoff(medium, moved).col(k - 1).dot(moved.velocity())).part[0];
+      }
+      return sum;
+    };
+    claim.equal("along solutions", model, energy_rate(medium, on), outflow(on), 100);
+    claim.equal("off shell", model, S(energy_rate(medium, off) - outflow(off)), S(-off.velocity().dot(euler_lagrange(medium, off))), 100);
+    claim.differs("the other sign", model, energy_rate(medium, on), S(-outflow(on)));
+  }
 }
 
 STATEMENT(claim_9_2_energy_converse, "consequence of requiring a closed time-translation current") {
   claim.holds("It is the one equation $\\dot\\phi^aE_a=0$, the energy continuity: it does not give back the field equations.");
   claim.degree(100);
-  std::string const model = "n = 2, N = 2";
-  auto const medium = draw_medium<S>(draw);
-  auto j = draw_second_jet<S, 2, 2>(draw);
-  Eigen::Matrix<S, 2, 1> const E = euler_lagrange(medium, j);
-  claim.equal("differential of the current, off shell", model, current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
-  // Add to a solution an acceleration across the velocity: the current stays closed, and nothing is solved.
-  auto const solved = of_a_solution(medium, j);
-  Eigen::Matrix<S, 2, 1> const covector = lowered(medium.g(j.y), j.velocity());
-  j.w[0].col(0) = solved.w[0].col(0) + Eigen::Matrix<S, 2, 1>(-covector[1], covector[0]);
-  claim.zero("closed, with a force across the velocity", model, current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
-  claim.refutes("closed, therefore a solution", model, euler_lagrange(medium, j), magnitude(E));
+  for (int point = 0; point < 3; ++point) {
+    std::string const model = "n = 2, N = 2";
+    auto const medium = draw_medium<S>(draw);
+    auto j = draw_second_jet<S, 2, 2>(draw);
+    Eigen::Matrix<S, 2, 1> const E = euler_lagrange(medium, j);
+    claim.equal("differential of the current, off shell", model, current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
+    // Add to a solution an acceleration across the velocity: the current stays closed, and nothing is solved.
+    auto const solved = of_a_solution(medium, j);
+    Eigen::Matrix<S, 2, 1> const covector = lowered(medium.g(j.y), j.velocity());
+    j.w[0].col(0) = solved.w[0].col(0) + Eigen::Matrix<S, 2, 1>(-covector[1], covector[0]);
+    claim.zero("closed, with a force across the velocity", model, current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
+    claim.refutes("closed, therefore a solution", model, euler_lagrange(medium, j), magnitude(E));
+  }
 }
