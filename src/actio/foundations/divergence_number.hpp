@@ -8,7 +8,7 @@
 #include <array>
 
 #include "actio/foundations/dual.hpp"
-#include "actio/foundations/square_root.hpp"
+#include "actio/foundations/number_row.hpp"
 
 namespace actio {
 
@@ -22,43 +22,6 @@ struct BaseOf<DivergenceNumber<S, m, N>> {
 
 template <class S, int m, int N>
 inline constexpr bool detail::own_arithmetic<DivergenceNumber<S, m, N>> = true;
-
-namespace detail {
-
-/// k numbers side by side; an even number of doubles in pairs, which plain x86-64 multiplies at once.
-template <class S, int k>
-struct Row {
-  static constexpr bool in_pairs = std::same_as<S, double> && k % 2 == 0;
-  using Pair [[gnu::vector_size(16)]] = double;
-  using Piece = std::conditional_t<in_pairs, Pair, S>;
-  static constexpr int pieces = in_pairs ? k / 2 : k;
-
-  std::array<Piece, pieces> piece{};
-
-  S operator[](int j) const {
-    if constexpr (in_pairs)
-      return piece[j / 2][j % 2];
-    else
-      return piece[j];
-  }
-  void set(int j, S const& x) {
-    if constexpr (in_pairs)
-      piece[j / 2][j % 2] = x;
-    else
-      piece[j] = x;
-  }
-  /// Adds c y.
-  void add(S const& c, Row const& y) {
-    for (int j = 0; j < pieces; ++j) piece[j] += c * y.piece[j];
-  }
-  /// Does to each piece what `f` does to it and to the piece of y.
-  template <class F>
-  void each(Row const& y, F const& f) {
-    for (int j = 0; j < pieces; ++j) f(piece[j], y.piece[j]);
-  }
-};
-
-}  // namespace detail
 
 /// A number \f$x + \sum_\mu x_\mu\delta_\mu + \sum_{a\mu} x^a{}_\mu\,\varepsilon_a{}^\mu + \sum_a x^a\,\tau_a\f$ with m values of mu and N of a, where
 /// \f$\delta_\mu\varepsilon_a{}^\mu = \tau_a\f$ and all other products are zero.
@@ -198,63 +161,6 @@ DivergenceNumber<S, m, N> chain(DivergenceNumber<S, m, N> const& x, S const& f, 
   }
   y.head.set(0, f);
   return y;
-}
-
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> sqrt(DivergenceNumber<S, m, N> const& x) {
-  using std::sqrt;
-  S const root = sqrt(x.value()), slope = S(1) / (root + root);
-  return chain(x, root, slope, S(-slope / (x.value() + x.value())));
-}
-/// The root over any scalar, the rationals included.
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> square_root(DivergenceNumber<S, m, N> const& x) {
-  S const root = square_root(x.value()), slope = S(1) / (root + root);
-  return chain(x, root, slope, S(-slope / (x.value() + x.value())));
-}
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> exp(DivergenceNumber<S, m, N> const& x) {
-  using std::exp;
-  S const e = exp(x.value());
-  return chain(x, e, e, e);
-}
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> log(DivergenceNumber<S, m, N> const& x) {
-  using std::log;
-  S const inverse = S(1) / x.value();
-  return chain(x, S(log(x.value())), inverse, S(-inverse * inverse));
-}
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> sin(DivergenceNumber<S, m, N> const& x) {
-  using std::cos, std::sin;
-  S const s = sin(x.value()), c = cos(x.value());
-  return chain(x, s, c, S(-s));
-}
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> cos(DivergenceNumber<S, m, N> const& x) {
-  using std::cos, std::sin;
-  S const s = sin(x.value()), c = cos(x.value());
-  return chain(x, c, S(-s), S(-c));
-}
-/// \f$x^e\f$ with a constant exponent, x > 0.
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> pow(DivergenceNumber<S, m, N> const& x, Base<S> const& exponent) {
-  using std::pow;
-  S const power = pow(x.value(), exponent), slope = power * exponent / x.value();
-  return chain(x, power, slope, S(slope * (exponent - Base<S>(1)) / x.value()));
-}
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> abs(DivergenceNumber<S, m, N> const& x) {
-  return x.value() < S(0) ? -x : x;
-}
-/// The angle of the point (x, y): the derivatives are those of the arc tangent of the smaller ratio.
-template <class S, int m, int N>
-DivergenceNumber<S, m, N> atan2(DivergenceNumber<S, m, N> const& y, DivergenceNumber<S, m, N> const& x) {
-  using std::abs, std::atan2;
-  bool const steep = abs(y.value()) > abs(x.value());
-  auto const ratio = steep ? -x / y : y / x;
-  S const slope = S(1) / (S(1) + ratio.value() * ratio.value());
-  return chain(ratio, S(atan2(y.value(), x.value())), slope, S(-(ratio.value() + ratio.value()) * slope * slope));
 }
 
 template <class S, int m, int N>
