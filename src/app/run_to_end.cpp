@@ -13,8 +13,12 @@ namespace {
 
 /// `apophis: 101 rows to t = 25 in 0.2 s; drift: energy 1.1e-16`
 std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport const& report) {
-  std::string line = fmt::format("{}: {} rows to t = {} in {:.3g} s", folder.path(), report.rows, scene.schedule.until(), report.seconds);
+  std::string line = fmt::format("{}: {} rows to t = {} in {:.3g} s", folder.path(), report.rows, scene.schedule.time(scene.schedule.rows() - 1), report.seconds);
   for (std::size_t k = 0; k < report.drift.size(); ++k) line += fmt::format("{} {} {:.1e}", k == 0 ? "; drift:" : ",", report.drift[k].name, report.drift[k].relative);
+  for (std::size_t k = 0; k < report.error.size(); ++k)
+    line += fmt::format("{} {} {:.1e}{}", k == 0 ? "; error:" : ",", report.error[k].name, report.error[k].error, report.error[k].name == "attitude" ? " rad" : "");
+  if (!report.error.empty()) line += " (estimated)";
+  else if (report.error_how.starts_with("not estimated")) line += "; error: " + report.error_how;
   return line;
 }
 

@@ -13,7 +13,9 @@ namespace actio {
 enum class Sweeps {
   to_rounding,  ///< until the relative motion is a rotation to the rounding of its entries: the fewest squares
   /// Until what is left is lost in the rounding of the square, and once more, so that nothing pulls the same way in every step: for long runs.
-  beyond_rounding
+  beyond_rounding,
+  /// Until half the digits of the square are right: for a run of order 2 whose own error is to be measured, and is larger.
+  to_half_the_digits
 };
 
 namespace detail {
@@ -33,6 +35,7 @@ struct StoppingRule {
   double spread;      ///< \f$\sigma^2\f$
   bool any_negative;  ///< whether a \f$\Lambda_i\f$ is
 
+  static constexpr double half_the_digits = 1e-16;  ///< the square of a relative defect
   static constexpr double eps2 = std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
 
   /// The bound on \f$q^2\f$.
@@ -50,7 +53,8 @@ struct StoppingRule {
   }
   bool done(Defect const& d, double before) const {
     bool const stalls = d.change > before / 4;
-    if (sweeps == Sweeps::to_rounding) return at_rounding(d, before) || (stalls && at_rounding(d, before, 16));
+    if (sweeps == Sweeps::to_half_the_digits && d.change <= half_the_digits * d.square) return true;
+    if (sweeps != Sweeps::beyond_rounding) return at_rounding(d, before) || (stalls && at_rounding(d, before, 16));
     return d.change <= eps2 * d.square || (stalls && at_rounding(d, before));
   }
 
@@ -68,10 +72,11 @@ struct StoppingRule {
     int count = 1;
     for (double left = q2; count < most; ++count, error *= q2, left *= q2) {
       double const seen = count > 1 ? std::min(bound, 4 * q2) : bound;
-      bool const enough = sweeps == Sweeps::to_rounding ? room * next(error, seen) <= allowed(d) : room * error <= eps2 * d.square;
+      double const part = sweeps == Sweeps::to_half_the_digits ? half_the_digits : eps2;
+      bool const enough = sweeps == Sweeps::to_rounding ? room * next(error, seen) <= allowed(d) : room * error <= part * d.square;
       if (enough && amplification * amplification * left <= 0.25) break;
     }
-    return sweeps == Sweeps::to_rounding ? count : count + 1;
+    return sweeps == Sweeps::beyond_rounding ? count + 1 : count;
   }
 };
 

@@ -34,11 +34,6 @@ Drift::Drift(std::vector<QuantityGraph::Conserved> quantities) : quantities_(std
   start_.resize(size);
 }
 
-double Drift::Seen::relative() const {
-  double const unit = at_start > 0 ? at_start : modulus;
-  return unit > 0 ? difference / unit : 0;
-}
-
 void Drift::start(std::span<double const> row) {
   double* at = start_.data();
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
@@ -49,7 +44,8 @@ void Drift::start(std::span<double const> row) {
   started_ = true;
 }
 
-void Drift::see(std::span<double const> row) {
+void Drift::see(std::span<double const> row, std::span<double const> units) {
+  for (std::size_t k = 0; k < units.size(); ++k) seen_[k].natural = std::max(seen_[k].natural, units[k]);
   if (!started_) return start(row);
   double const* then = start_.data();
   for (std::size_t k = 0; k < quantities_.size(); ++k) {
@@ -64,7 +60,7 @@ void Drift::see(std::span<double const> row) {
 
 std::vector<Drift::Entry> Drift::entries() const {
   std::vector<Entry> out;
-  for (std::size_t k = 0; k < quantities_.size(); ++k) out.push_back({quantities_[k].name, seen_[k].relative()});
+  for (std::size_t k = 0; k < quantities_.size(); ++k) out.push_back({quantities_[k].name, seen_[k].relative(), seen_[k].unit()});
   return out;
 }
 double Drift::worst() const {

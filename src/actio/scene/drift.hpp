@@ -1,4 +1,8 @@
-// How far conserved quantities have drifted: the largest |Q(t) - Q(0)| over the rows, divided by |Q(0)|, or by the largest |Q| seen where Q(0) = 0.
+// How far conserved quantities have drifted: the largest |Q(t) - Q(0)| over the rows, in a unit of the quantity.
+//
+// Where a quantity may be near zero although what it is made of is not, the unit is natural to it: kinetic energy plus the modulus of the potential energy for
+// the energy, the modulus of the momentum for one of its components; the largest that it has been over the rows. Otherwise it is |Q(0)|, or the largest |Q| seen
+// where Q(0) = 0.
 #pragma once
 
 #include "actio/scene/memory.hpp"
@@ -18,11 +22,13 @@ class Drift {
   /// Whether there is nothing to look at.
   bool empty() const { return quantities_.empty(); }
   /// One row more, without its time. The first one is that of t = 0, even where it is not written.
-  void see(std::span<double const> row);
+  /// @param units  natural units of the quantities now, in their order; zero, or none at all: the modulus of the quantity
+  void see(std::span<double const> row, std::span<double const> units = {});
   /// How far one quantity has drifted.
   struct Entry {
     std::string name;  ///< of the quantity
-    double relative;   ///< the largest difference from the start, over the modulus there
+    double relative,   ///< the largest difference from the start, in the unit
+        unit;          ///< of the quantity
   };
   /// The drift so far, quantity by quantity.
   std::vector<Entry> entries() const;
@@ -33,8 +39,9 @@ class Drift {
 
  private:
   struct Seen {
-    double difference = 0, modulus = 0, at_start = 0;
-    double relative() const;
+    double difference = 0, modulus = 0, at_start = 0, natural = 0;
+    double unit() const { return natural > 0 ? natural : at_start > 0 ? at_start : modulus; }
+    double relative() const { return unit() > 0 ? difference / unit() : 0; }
   };
   void start(std::span<double const> row);
 

@@ -43,7 +43,7 @@ std::vector<std::string> numbered(std::vector<int> const& numbers) {
 }
 
 QuantityGraph::QuantityGraph(std::vector<Quantity> known) {
-  for (auto& quantity : known) nodes_.push_back({std::move(quantity), {}, {}, {}, {}, false, 0});
+  for (auto& quantity : known) nodes_.push_back({std::move(quantity), {}, {}, {}, {}, {}, false, 0});
 }
 
 QuantityGraph::Node& QuantityGraph::node(std::string const& name) { return const_cast<Node&>(std::as_const(*this).node(name)); }
@@ -53,10 +53,11 @@ QuantityGraph::Node const& QuantityGraph::node(std::string const& name) const {
   return *found;
 }
 
-void QuantityGraph::define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate) {
+void QuantityGraph::define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate,
+                           NaturalUnit unit) {
   Node& n = node(name);
   n.value.assign(ends.size(), 0);
-  n.ends = std::move(ends), n.evaluate = std::move(evaluate);
+  n.ends = std::move(ends), n.evaluate = std::move(evaluate), n.unit = std::move(unit);
 }
 
 void QuantityGraph::require(Node& n) {
@@ -124,6 +125,18 @@ std::vector<QuantityGraph::Conserved> QuantityGraph::conserved() const {
     else if (n->quantity.conserved)
       out.push_back({n->quantity.name, at, size});
     at += size;
+  }
+  return out;
+}
+
+std::vector<double> QuantityGraph::natural_units() const {
+  std::vector<double> out;
+  bool const any = std::ranges::any_of(asked_, [](Node const* n) { return n->quantity.conserved && n->unit; });
+  if (!any) return out;
+  for (Node const* n : asked_) {
+    if (!n->quantity.conserved) continue;
+    std::size_t const count = n->quantity.kind == Quantity::Kind::list ? n->value.size() : 1;
+    for (std::size_t i = 0; i < count; ++i) out.push_back(n->unit ? n->unit(n->needs, n->value.data(), i) : 0);
   }
   return out;
 }

@@ -56,6 +56,9 @@ class QuantityGraph {
  public:
   /// Writes the value, from those of what the quantity needs, in the order of `needs`.
   using Evaluate = std::function<void(std::span<double const* const> needs, double* value)>;
+  /// The natural unit of a conserved quantity: what its drift is to be compared with where the quantity itself may be near zero, as an energy is where its parts cancel.
+  /// Of a list, that of one of its numbers.
+  using NaturalUnit = std::function<double(std::span<double const* const> needs, double const* value, std::size_t component)>;
 
   /// How often a quantity was evaluated.
   struct Count {
@@ -71,7 +74,8 @@ class QuantityGraph {
   QuantityGraph& operator=(QuantityGraph&&) = default;  ///< moves as well
 
   /// How a quantity comes from what it needs; `ends` name its columns.
-  void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate);
+  /// @param unit  of a conserved quantity; left out: its own modulus
+  void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate, NaturalUnit unit = {});
   /// What the rows hold, in this order. Once, before anything is evaluated.
   void ask(std::vector<std::string> const& names);
 
@@ -98,12 +102,16 @@ class QuantityGraph {
   };
   /// The conserved quantities that the rows hold.
   std::vector<Conserved> conserved() const;
+  /// Their natural units, in the same order, as of the last evaluation; zero where a quantity has none but its modulus, and an
+  /// empty list where no quantity has one.
+  std::vector<double> natural_units() const;
 
  private:
   struct Node {
     Quantity quantity;
     std::vector<std::string> ends;
     Evaluate evaluate;
+    NaturalUnit unit;
     std::vector<double> value;
     std::vector<double const*> needs;
     bool needed = false;

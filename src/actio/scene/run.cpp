@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "actio/scene/checkpoint.hpp"
+#include "actio/scene/error_estimate.hpp"
 #include "actio/scene/memory_series.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/rhythm.hpp"
@@ -29,7 +30,7 @@ class Run {
  public:
   Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options)
       : scene_(scene), simulation_(scene.simulation), folder_(folder), resumed_(resume), options_(options), drift_(simulation_.quantities.conserved()),
-        progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()) {
+        error_(simulation_), progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()) {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
@@ -73,7 +74,7 @@ class Run {
     } else {
       if (!drift_.empty() && scene_.schedule.time(0) > 0) {
         simulation_.quantities.evaluate(std::span(row_).subspan(1));
-        drift_.see(std::span(row_).subspan(1));
+        drift_.see(std::span(row_).subspan(1), simulation_.quantities.natural_units());
       }
       checkpoint();
     }
@@ -88,6 +89,7 @@ class Run {
       if (t > 0 && !simulation_.failure.empty()) throw NumericsError(simulation_.failure);
       if (simulation_.exact) simulation_.motion->go_to(t);
       else if (!advance_to((*steps_to_)(at_.rows))) return false;
+      else simulation_.motion->look_ahead(steps_to_->beyond(at_.rows));
       write_row(t);
       if (rhythm_.due()) look_up();
     }
@@ -102,6 +104,7 @@ class Run {
       long const piece = std::min(target - at_.steps, at_once - at_.steps % at_once);
       simulation_.motion->advance(piece);
       at_.steps += piece;
+      error_.follow(at_.steps);
       if (at_.steps == target) break;
       if (options_.stop()) return false;
       if (piece == at_once || rhythm_.due()) look_up();
@@ -116,7 +119,8 @@ class Run {
     double nothing = 0;
     for (double const x : values) nothing += 0 * x;
     if (nothing != 0) refuse_row(t);
-    drift_.see(values);
+    drift_.see(values, simulation_.quantities.natural_units());
+    error_.see(at_.rows, t, at_.steps, at_.rows + 1 == scene_.schedule.rows());
     for (auto& series : series_) series->add(row_);
     ++at_.rows, wrote_ = true;
   }
@@ -154,6 +158,7 @@ class Run {
     simulation_.motion->remember(memory);
     simulation_.quantities.remember(memory);
     drift_.remember(memory);
+    error_.remember(memory);
     for (auto& series : series_) series->remember(memory);
     memory.end();
   }
@@ -188,8 +193,9 @@ class Run {
     if (whole && report.ending != Ending::file_failed) attempt([&] { checkpoint(); });
     if (report.ending == Ending::done) progress_.show(Clock::now(), 1, count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
     report.steps = at_.steps, report.rows = at_.rows, report.seconds = seconds(), report.drift = drift_.entries();
+    report.error = error_.entries(), report.error_how = error_.how();
     if (wrote_) report.last_row = row_;
-    report.summary = summary_json(scene_, report, drift_);
+    report.summary = summary_json(scene_, report);
     if (!in_memory()) attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary); });
   }
 
@@ -206,6 +212,7 @@ class Run {
   bool resumed_;
   RunOptions options_;
   Drift drift_;
+  ErrorEstimate error_;
   Progress progress_;
   Rhythm rhythm_;
   std::string written_;

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "actio/scene/drift.hpp"
+#include "actio/scene/error_estimate.hpp"
 #include "actio/scene/interrupt.hpp"
 #include "actio/scene/scene.hpp"
 #include "actio/scene/series.hpp"
@@ -37,6 +38,8 @@ struct RunReport {
   long rows = 0;                    ///< of the whole run, that of t = 0 included
   double seconds = 0;               ///< of all its processes
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
+  std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated; none where that was not possible
+  std::string error_how;            ///< in words: how it is estimated, or why it is not
   std::vector<double> last_row;     ///< that this process wrote, the time first
   std::string summary;              ///< as in summary.json
 };
@@ -57,7 +60,8 @@ bool run_is_finished(Scene const& scene, std::string const& folder);
 /// @throws SceneError  where it is no number, or negative
 double checkpoint_interval();
 
-/// The report of a run, as JSON: how it ended, steps, rows, seconds, evaluations, what was skipped, and the largest relative drift of each conserved quantity.
-std::string summary_json(Scene const& scene, RunReport const& report, Drift const& drift);
+/// The report of a run, as JSON: how it ended, steps, rows, seconds, evaluations, what was skipped, the largest drift of each
+/// conserved quantity in its unit, and the estimated error.
+std::string summary_json(Scene const& scene, RunReport const& report);
 
 }  // namespace actio::scene

@@ -22,9 +22,15 @@ std::vector<std::string> names(std::vector<Quantity> const& quantities) {
 }
 
 /// What the system makes of the scene. What it does not place itself is wrong with the whole of it.
-Simulation prepared(System const& system, Request const& request) {
+Simulation prepared(System const& system, Request const& request, Schedule& schedule) {
   try {
+    bool const step_given = request.file.section("method").has("step");
     Simulation simulation = system.prepare(request);
+    if (!simulation.exact && !step_given && !schedule.between_steps() && schedule.common_divisor() == 0) {
+      schedule.allow_between_steps();
+      request.file.section("run").set("between_steps", true);
+      simulation.remarks.push_back("run.between_steps: the times of the rows have no divisor in common, so that a shorter step of the same scheme goes to each row between two steps");
+    }
     if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));  // refuses a step that does not meet the rows
     return simulation;
   } catch (SceneError const&) {
@@ -50,16 +56,19 @@ Scene Scene::read(SceneFile file) {
   long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
 
   System const& system = system_of(file);
-  Schedule const schedule(file.section("run"));
+  Schedule schedule(file.section("run"));
 
-  output.allow({"quantities", "formats", "plots"});
+  output.allow({"quantities", "formats", "plots", "error_estimate"});
   if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
   if (!output.has("plots")) output.set("plots", false);
   auto const quantities = output.choices("quantities", "quantity", names(system.quantities), "actio list quantities");
   auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
   bool const plots = output.boolean("plots");
 
-  return {file, &system, title, seed, schedule, quantities, formats, plots, prepared(system, {file, schedule, quantities})};
+  bool const wanted = output.has("error_estimate"), estimate = wanted && output.boolean("error_estimate");
+  Simulation simulation = prepared(system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt}, schedule);
+  if (!wanted) output.set("error_estimate", simulation.companion.motion != nullptr);
+  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation)};
 }
 
 }  // namespace actio::scene

@@ -16,7 +16,8 @@ bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= n
 }  // namespace
 
 Schedule::Schedule(SceneTable run) {
-  run.allow({"until", "every", "at"});
+  run.allow({"until", "every", "at", "between_steps"});
+  if (run.has("between_steps")) between_steps_ = run.boolean("between_steps");
   if (run.has("at")) {
     if (run.has("every")) run.fail("at", "at and every exclude each other: rows at the times listed, or at the multiples of every");
     at_ = run.numbers("at");
@@ -105,11 +106,20 @@ StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const
   for (double const t : schedule.landmarks()) {
     double const ratio = t / step;
     if (!(ratio < most)) method.fail("step", fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
-    if (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1)) continue;
-    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}{}", t, ratio, step, step_that_would_do(schedule, step)));
+    if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
+    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}{}; with run.between_steps = true a shorter step goes to each"
+                                    " such row", t, ratio, step, step_that_would_do(schedule, step)));
   }
 }
 
-long StepsToRows::operator()(long row) const { return std::lround(schedule_.time(row) / step_); }
+long StepsToRows::operator()(long row) const {
+  double const ratio = schedule_.time(row) / step_;
+  return !schedule_.between_steps() || is_multiple(ratio) ? std::lround(ratio) : static_cast<long>(std::floor(ratio));
+}
+double StepsToRows::beyond(long row) const {
+  double const t = schedule_.time(row);
+  if (!schedule_.between_steps() || is_multiple(t / step_)) return 0;
+  return t - static_cast<double>((*this)(row)) * step_;
+}
 
 }  // namespace actio::scene

@@ -1,5 +1,8 @@
 // When a scene has rows: [run].
 //
+// A method with steps has its rows at multiples of the step. With `between_steps` a row may be at any time: one shorter step of the same scheme goes there from the last
+// step before it, for that row alone, and the steps go on as if there were no such row.
+//
 // With `every`: t = 0, then k * every (multiplied, never accumulated), then `until` where it is not among them. With `at`: these times. With neither: the
 // first and the last.
 #pragma once
@@ -16,6 +19,10 @@ class Schedule {
   explicit Schedule(SceneTable run);
 
   double until() const { return until_; }  ///< the time of the last row
+  /// Whether rows between two steps are reached by a shorter step.
+  bool between_steps() const { return between_steps_; }
+  /// From now on they are.
+  void allow_between_steps() { between_steps_ = true; }
   long rows() const { return rows_; }      ///< how many rows there are, that of t = 0 included
   /// Of row 0, 1, ..., `rows()` - 1.
   double time(long row) const;
@@ -33,17 +40,20 @@ class Schedule {
  private:
   double until_ = 0, every_ = 0;
   bool last_beside_ = false;  // until is no multiple of every
+  bool between_steps_ = false;
   std::vector<double> at_;
   long rows_ = 0;
 };
 
-/// The number of steps to each row, for a method that has rows at multiples of its step only.
+/// The number of steps to each row, for a method with steps.
 class StepsToRows {
  public:
   /// @param method  where the step was read from, for the complaint
-  /// @throws SceneError  where a row is at no multiple of the step, |t/h - round| <= 1e-9 max(1, t/h), with the nearest step that would do
+  /// @throws SceneError  where a row is at no multiple of the step, |t/h - round| <= 1e-9 max(1, t/h), with the nearest step that would do; unless rows between steps
+  ///   are allowed
   StepsToRows(Schedule const& schedule, double step, SceneTable const& method);
-  long operator()(long row) const;  ///< from t = 0
+  long operator()(long row) const;    ///< whole steps from t = 0
+  double beyond(long row) const;      ///< the time from there to the row: zero, or less than a step
 
  private:
   Schedule const& schedule_;

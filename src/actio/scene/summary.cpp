@@ -1,11 +1,11 @@
-// summary.json: what a run took, what was skipped, and how far conserved quantities have drifted.
+// summary.json: what a run took, what was skipped, how far conserved quantities have drifted, and how large its error is.
 #include <nlohmann/json.hpp>
 
 #include "actio/scene/run.hpp"
 
 namespace actio::scene {
 
-std::string summary_json(Scene const& scene, RunReport const& report, Drift const& drift) {
+std::string summary_json(Scene const& scene, RunReport const& report) {
   using Json = nlohmann::ordered_json;
   Json out;
   out["title"] = scene.title;
@@ -25,7 +25,11 @@ std::string summary_json(Scene const& scene, RunReport const& report, Drift cons
   out["shortcuts"] = scene.simulation.shortcuts;
   out["remarks"] = scene.simulation.remarks;
   out["drift"] = Json::object();
-  for (auto const& entry : drift.entries()) out["drift"][entry.name] = entry.relative;
+  out["drift_units"] = Json::object();
+  for (auto const& entry : report.drift) out["drift"][entry.name] = entry.relative, out["drift_units"][entry.name] = entry.unit;
+  out["error"] = Json::object();
+  for (auto const& entry : report.error) out["error"][entry.name] = entry.error;
+  out["error"]["how"] = report.error_how;
   out["actio"] = ACTIO_VERSION;
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,6 +3,8 @@
 // A later system writes one file systems/NAME.cpp with a function that returns its `System`, and one line in system.cpp.
 #pragma once
 
+#include <optional>
+
 #include "actio/scene/schedule.hpp"
 #include "actio/scene/simulation.hpp"
 
@@ -29,6 +31,7 @@ struct Request {
   SceneFile file;                       ///< whose sections the system reads
   Schedule const& schedule;             ///< when there are rows
   std::vector<std::string> quantities;  ///< names of those that the rows hold
+  std::optional<bool> error_estimate;   ///< whether an estimate of the error is wanted; none: where it costs less than a third of the run
 };
 
 /// A kind of system.

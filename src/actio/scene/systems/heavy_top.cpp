@@ -41,19 +41,37 @@ std::vector<Quantity> quantities() {
   return all;
 }
 
+using Top = TorquedBody<UniformGravity>;
+
 /// Steps of kicks and flights.
 class TopMotion : public PrincipalBody {
  public:
-  TopMotion(TorquedBody<UniformGravity> top, GivenInertia const& inertia) : PrincipalBody(inertia), top_(std::move(top)) {}
-  void advance(long steps) override { top_.step(steps); }
-  void remember(Memory& memory) override { top_.remember(memory); }
+  TopMotion(StepsFrom<Top> from, PrincipalStart const& start, double step, GivenInertia const& inertia)
+      : PrincipalBody(inertia), from_(std::move(from)), top_(from_(start.momentum, start.attitude, step)), now_(top_.state()) {}
+  void advance(long steps) override {
+    top_.step(steps);
+    now_ = top_.state();
+  }
+  void look_ahead(double time) override {
+    now_ = top_.state();
+    if (time == 0) return;
+    Top ahead = from_(now_.body_momentum, now_.attitude, time);
+    ahead.step();
+    now_ = ahead.state();
+  }
+  void remember(Memory& memory) override {
+    top_.remember(memory);
+    now_ = top_.state();
+  }
 
  protected:
-  Eigen::Vector3d principal_momentum() const override { return top_.state().body_momentum.components; }
-  Eigen::Vector4d principal_attitude() const override { return top_.state().attitude.value; }
+  Eigen::Vector3d principal_momentum() const override { return now_.body_momentum.components; }
+  Eigen::Vector4d principal_attitude() const override { return now_.attitude.value; }
 
  private:
-  TorquedBody<UniformGravity> top_;
+  StepsFrom<Top> from_;
+  Top top_;
+  FreeState now_;
 };
 
 /// [system] of a heavy top: the top in the frame of its principal axes at the fixed point.
@@ -84,12 +102,14 @@ struct TopScene {
   Eigen::Vector3d momentum, lever;     ///< in the frame as given; the lever is weight times centre of mass
   Eigen::Vector3d down;                ///< unit vector along gravity, in space
   MethodChoice choice;
-  double step;
+  double fastest,                      ///< a bound of the angular velocity, 1/time
+      step;
 
   explicit TopScene(Request const& request)
       : initial(request.file.section("initial")), method(request.file.section("method")), turned(read_top(request.file.section("system"))),
         inertia{turned.top.inertia, turned.axes, !turned.axes.isIdentity(0)}, attitude(read_attitude()), momentum(read_momentum(initial, inertia)),
-        lever(turned.axes * turned.top.lever()), down(-turned.top.vertical()), choice(read_method(method, methods())), step(read_step(method, request.schedule, fastest())) {}
+        lever(turned.axes * turned.top.lever()), down(-turned.top.vertical()), choice(read_method(method, methods())),
+        fastest(fastest_of_fall()), step(read_step(method, request.schedule, fastest)) {}
 
   bool is_free() const { return !(magnitude(lever) > 0); }
 
@@ -100,46 +120,84 @@ struct TopScene {
     return scene::read_attitude(initial, remarks);
   }
   /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
-  double fastest() const {
+  double fastest_of_fall() const {
     double const kinetic = momentum.dot(inertia.velocity(momentum)) / 2, fall = lever.norm() - lever.dot(rotation(attitude).transpose() * down);
     if (!is_finite(kinetic + fall)) throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
     return fastest_turn(inertia, kinetic + fall);
   }
 };
 
-/// @param failure  why it cannot take a step; then it is the start alone, that of a free body
-std::unique_ptr<TurningBody> motion_of(TopScene const& scene, std::string& failure) {
+/// Between two kicks gravity is taken to pull as it does at the first of them. So the scheme is meant for steps in which the body turns little: beyond
+/// `most` radians it is refused, beyond `much` it is remarked on.
+namespace turn_of_a_step {
+constexpr double much = 0.25, most = 1;
+}
+void check_step(TopScene& scene, Schedule const& schedule) {
+  double const turn = scene.step * scene.fastest;
+  if (turn > turn_of_a_step::most * (1 + 1e-9))
+    fail_for_long_step(scene.method, schedule, StepTooLong("variational", scene.step, turn_of_a_step::most / scene.fastest), fmt::format("the top may turn by {:.3g} rad in a step of {}, and the scheme is meant for at most {} rad", turn, scene.step, turn_of_a_step::most));
+  if (turn > turn_of_a_step::much)
+    scene.remarks.push_back(fmt::format("step: the top may turn by {:.2g} rad in a step of {}; up to {} rad, a step of {:.2g}, the scheme is accurate", turn, scene.step,
+                                        turn_of_a_step::much, turn_of_a_step::much / scene.fastest));
+}
+
+/// In steps of the scheme of the scene.
+std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
   PrincipalStart const start(scene.inertia, scene.momentum, scene.attitude);
-  Inertia<3> const& inertia = scene.inertia.principal;
+  Inertia<3> const inertia = scene.inertia.principal;
+  if (scene.is_free()) {
+    auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return FreeSteps(FreeBody(inertia, momentum, attitude), h); };
+    return stepped_motion(StepsFrom<FreeSteps>(steps), start, step, scene.inertia);
+  }
+  auto const gravity = uniform_gravity(scene.turned.top.lever(), scene.down);
+  auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
+  auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return Top(inertia, momentum, attitude, gravity, h, method); };
+  return std::make_unique<TopMotion>(steps, start, step, scene.inertia);
+}
+
+/// @param failure  why it cannot take a step; then it is the start alone, that of a free body
+std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule, std::string& failure) {
   try {
-    if (scene.is_free()) return stepped_motion(FreeSteps(FreeBody(inertia, start.momentum, start.attitude), scene.step), scene.inertia);
-    auto const gravity = uniform_gravity(scene.turned.top.lever(), scene.down);
-    auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
-    return std::make_unique<TopMotion>(TorquedBody(inertia, start.momentum, start.attitude, gravity, scene.step, method), scene.inertia);
+    if (!scene.is_free()) check_step(scene, schedule);
+    return stepped(scene, scene.step);
+  } catch (NumericsError const& error) {
+    failure = error.what();
   } catch (Error const& error) {
     failure = scene.method.place("step").text() + ": " + error.what();
-    return exact_motion(FreeBody(inertia, start.momentum, start.attitude), scene.inertia);
   }
+  PrincipalStart const start(scene.inertia, scene.momentum, scene.attitude);
+  return exact_motion(FreeBody(scene.inertia.principal, start.momentum, start.attitude), scene.inertia);
+}
+
+/// Steps four times as long cost a quarter of the run.
+Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
+  if (scene.is_free()) return {nullptr, 0, 0, true, "exact: free flights, with no error but that of rounding"};
+  if (!wanted.value_or(true)) return {nullptr, 0, 0, true, "left out by output.error_estimate"};
+  return {stepped(scene, 4 * scene.step), 4, std::stoi(scene.choice.order), true, "estimated from a companion run with steps four times as long"};
 }
 
 void define_top(QuantityGraph& graph, TopScene const& scene) {
   graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector), [down = scene.down](auto needs, double* gamma) {
     Eigen::Map<Eigen::Vector3d>{gamma} = SU2::Ad<double>(SU2::inverse<double>(Eigen::Map<Eigen::Vector4d const>(needs[0])), down);
   });
-  graph.define("vertical_momentum", {""}, [down = scene.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); });
+  graph.define("vertical_momentum", {""}, [down = scene.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
+               [](auto needs, double const*, std::size_t) { return magnitude(Eigen::Vector3d(ConstVector(needs[0]))); });
   graph.define("energy", {""}, [lever = scene.lever](auto needs, double* energy) {
     *energy = ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 - lever.dot(ConstVector(needs[2]));
+  }, [lever = scene.lever](auto needs, double const*, std::size_t) {
+    return ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 + std::abs(lever.dot(ConstVector(needs[2])));
   });
   graph.define("casimir", {"_gamma", "_cross"}, [](auto needs, double* casimir) {
     ConstVector const M(needs[0]), gamma(needs[1]);
     casimir[0] = gamma.squaredNorm(), casimir[1] = M.dot(gamma);
-  });
+  }, [](auto needs, double const*, std::size_t component) { return component == 0 ? 1 : magnitude(Eigen::Vector3d(ConstVector(needs[0]))); });
 }
 
 Simulation prepare(Request const& request) {
-  TopScene const scene(request);
+  TopScene scene(request);
   Simulation simulation(quantities());
-  auto motion = motion_of(scene, simulation.failure);
+  auto motion = motion_of(scene, request.schedule, simulation.failure);
+  if (simulation.failure.empty()) simulation.companion = companion_of(scene, request.error_estimate);
   define_turning_body(simulation.quantities, *motion, scene.inertia);
   define_top(simulation.quantities, scene);
   simulation.quantities.ask(request.quantities);

@@ -43,17 +43,17 @@ MethodChoice read_method(SceneTable method, std::vector<Method> const& known) {
   return {name, order};
 }
 
-double read_step(SceneTable method, Schedule const& schedule, double fastest) {
+double read_step(SceneTable method, Schedule const& schedule, double fastest, double turn) {
   if (!method.has("step")) {
-    double const divisor = schedule.common_divisor(), time = divisor > 0 ? divisor : schedule.until(), longest = fastest > 0 ? 0.05 / fastest : time;
+    double const divisor = schedule.common_divisor(), time = divisor > 0 ? divisor : schedule.until(), longest = fastest > 0 ? turn / fastest : time;
     double const step = time / parts(time, longest);
     method.set("step", step > 0 && std::isfinite(step) ? step : longest);
   }
   return method.positive("step");
 }
 
-void fail_for_long_step(SceneTable const& method, Schedule const& schedule, StepTooLong const& error) {
-  std::string what = error.what();
+void fail_for_long_step(SceneTable const& method, Schedule const& schedule, StepTooLong const& error, std::string what) {
+  what = what.empty() ? error.what() : fmt::format("{}; the longest that would do is {}", what, error.largest_step * (1 - 1e-9));
   // Rounded down, so that what is told can be pasted.
   double const divisor = schedule.common_divisor(), step = divisor / parts(divisor, error.largest_step * (1 - 1e-9));
   if (divisor > 0 && step > 0) what += fmt::format("; the largest that meets the rows is {}", step);

@@ -1,5 +1,7 @@
 #include "actio/scene/systems/principal_body.hpp"
 
+#include <optional>
+
 namespace actio::scene {
 namespace {
 
@@ -25,19 +27,35 @@ class ExactMotion : public PrincipalBody {
 template <class Steps>
 class SteppedMotion : public PrincipalBody {
  public:
-  SteppedMotion(Steps steps, GivenInertia const& inertia) : PrincipalBody(inertia), steps_(std::move(steps)) {}
+  SteppedMotion(StepsFrom<Steps> from, PrincipalStart const& start, double step, GivenInertia const& inertia)
+      : PrincipalBody(inertia), from_(std::move(from)), steps_(from_(start.momentum, start.attitude, step)) {}
   void advance(long count) override {
-    if (attitude_wanted()) steps_.advance(count);
-    else steps_.advance_momentum(count);
+    ahead_.reset();
+    move(steps_, count);
+  }
+  void look_ahead(double time) override {
+    ahead_.reset();
+    if (time == 0) return;
+    // Without an attitude any will do.
+    ahead_.emplace(from_(steps_.body_momentum(), attitude_wanted() ? steps_.state().attitude : identity<double>(SU2{}), time));
+    move(*ahead_, 1);
   }
   void remember(Memory& memory) override { steps_.remember(memory); }
 
  protected:
-  Eigen::Vector3d principal_momentum() const override { return steps_.body_momentum().components; }
-  Eigen::Vector4d principal_attitude() const override { return steps_.state().attitude.value; }
+  Eigen::Vector3d principal_momentum() const override { return now().body_momentum().components; }
+  Eigen::Vector4d principal_attitude() const override { return now().state().attitude.value; }
 
  private:
+  void move(Steps& steps, long count) const {
+    if (attitude_wanted()) steps.advance(count);
+    else steps.advance_momentum(count);
+  }
+  Steps const& now() const { return ahead_ ? *ahead_ : steps_; }
+
+  StepsFrom<Steps> from_;
   Steps steps_;
+  std::optional<Steps> ahead_;
 };
 
 }  // namespace
@@ -56,9 +74,11 @@ Eigen::Vector4d PrincipalBody::attitude() const {
 }
 
 std::unique_ptr<TurningBody> exact_motion(FreeBody body, GivenInertia const& inertia) { return std::make_unique<ExactMotion>(std::move(body), inertia); }
-std::unique_ptr<TurningBody> stepped_motion(FreeSteps steps, GivenInertia const& inertia) { return std::make_unique<SteppedMotion<FreeSteps>>(std::move(steps), inertia); }
-std::unique_ptr<TurningBody> stepped_motion(NaturalChartSteps steps, GivenInertia const& inertia) {
-  return std::make_unique<SteppedMotion<NaturalChartSteps>>(std::move(steps), inertia);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<FreeSteps> steps, PrincipalStart const& start, double step, GivenInertia const& inertia) {
+  return std::make_unique<SteppedMotion<FreeSteps>>(std::move(steps), start, step, inertia);
+}
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, PrincipalStart const& start, double step, GivenInertia const& inertia) {
+  return std::make_unique<SteppedMotion<NaturalChartSteps>>(std::move(steps), start, step, inertia);
 }
 
 }  // namespace actio::scene

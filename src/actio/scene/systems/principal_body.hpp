@@ -1,6 +1,8 @@
 // Bodies that are moved in the frame of their principal axes, and seen in the frame of the scene.
 #pragma once
 
+#include <functional>
+
 #include "actio/free_body/free_steps.hpp"
 #include "actio/free_body/natural_chart_steps.hpp"
 #include "actio/scene/systems/turning_body.hpp"
@@ -33,11 +35,15 @@ class PrincipalBody : public TurningBody {
   Eigen::Vector4d back_;
 };
 
+/// The steps of a scheme from a state, along the principal axes, with steps of a given length.
+template <class Steps>
+using StepsFrom = std::function<Steps(Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, double step)>;
+
 /// A free body that goes to any time at once.
 std::unique_ptr<TurningBody> exact_motion(FreeBody body, GivenInertia const& inertia);
 /// A free body in steps.
-std::unique_ptr<TurningBody> stepped_motion(FreeSteps steps, GivenInertia const& inertia);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<FreeSteps> steps, PrincipalStart const& start, double step, GivenInertia const& inertia);
 /// The same by the natural-chart scheme.
-std::unique_ptr<TurningBody> stepped_motion(NaturalChartSteps steps, GivenInertia const& inertia);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, PrincipalStart const& start, double step, GivenInertia const& inertia);
 
 }  // namespace actio::scene

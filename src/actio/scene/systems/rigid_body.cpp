@@ -74,18 +74,33 @@ void check_phase(FreeBodyScene& scene, SceneTable const& run, double until) {
 
 std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule const& schedule) {
   int const order = scene.choice.number();
+  Inertia<3> const inertia = scene.inertia.principal;
   try {
+    if (order == 0) return exact_motion(scene.body, scene.inertia);
     if (scene.choice.name == "natural_chart") {
       auto const fractions = order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>();
-      return stepped_motion(NaturalChartSteps(scene.inertia.principal, scene.start.momentum, scene.start.attitude, scene.step, fractions), scene.inertia);
+      auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return NaturalChartSteps(inertia, momentum, attitude, h, fractions); };
+      return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step, scene.inertia);
     }
-    if (order == 0) return exact_motion(scene.body, scene.inertia);
-    return stepped_motion(FreeSteps(scene.body, scene.step, scene.body.moser_veselov_flight(scene.step, order)), scene.inertia);
+    auto const steps = [=](auto const& momentum, auto const& attitude, double h) {
+      FreeBody const body(inertia, momentum, attitude);
+      return FreeSteps(body, h, body.moser_veselov_flight(h, order));
+    };
+    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step, scene.inertia);
   } catch (StepTooLong const& error) {
     fail_for_long_step(scene.method, schedule, error);
   } catch (Error const& error) {
     throw NumericsError(scene.method.place("step").text() + ": " + error.what());
   }
+}
+
+/// The true motion, beside a run in steps: it takes as long as some fifty steps, and one row in sixteen is compared.
+Companion companion_of(FreeBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
+  if (scene.choice.order == "exact") return {nullptr, 0, 0, attitude, "exact: the closed form, with no error but that of rounding"};
+  if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
+  auto exact = exact_motion(scene.body, scene.inertia);
+  if (!attitude) exact->leave_attitude_out();
+  return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the closed form"};
 }
 
 std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
@@ -132,6 +147,7 @@ Simulation prepare(Request const& request) {
   remark_on_lost_squares(scene, graph);
 
   simulation.exact = scene.choice.order == "exact";
+  simulation.companion = companion_of(scene, request.error_estimate, attitude);
   simulation.step = scene.step;
   simulation.shortcuts = shortcuts(scene, attitude);
   simulation.remarks = scene.remarks;

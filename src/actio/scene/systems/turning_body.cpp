@@ -1,6 +1,7 @@
 #include "actio/scene/systems/turning_body.hpp"
 
 #include "actio/foundations/groups/unit_quaternions.hpp"
+#include "actio/scene/drift.hpp"
 
 namespace actio::scene {
 namespace {
@@ -9,6 +10,19 @@ using Vector = Eigen::Map<Eigen::Vector3d>;
 using ConstVector = Eigen::Map<Eigen::Vector3d const>;
 
 }  // namespace
+
+StateDistance TurningBody::distance(Motion const& other) const {
+  auto const& body = static_cast<TurningBody const&>(other);
+  StateDistance out;
+  Eigen::Vector3d const M = body_momentum();
+  out.modulus = length_of({M.data(), 3});
+  Eigen::Vector3d const apart = body.body_momentum() - M;
+  out.momentum = length_of({apart.data(), 3});
+  if (!attitude_wanted() || !body.attitude_wanted()) return out;
+  Eigen::Vector4d const turn = SU2::compose<double>(SU2::inverse<double>(attitude()), body.attitude());
+  out.attitude = 2 * std::atan2(turn.tail<3>().norm(), std::abs(turn[0]));
+  return out;
+}
 
 std::vector<Quantity> turning_body_quantities(bool free) {
   using Kind = Quantity::Kind;

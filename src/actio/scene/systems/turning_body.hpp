@@ -13,6 +13,8 @@ class TurningBody : public Motion {
   /// Unit quaternion, body to space, its sign continuous in time.
   virtual Eigen::Vector4d attitude() const = 0;
 
+  StateDistance distance(Motion const& other) const override;
+
   /// From now on the momentum alone is asked for: the attitude need not be reconstructed.
   void leave_attitude_out() { attitude_wanted_ = false; }
 

@@ -22,6 +22,12 @@ double energy_of(Eigen::VectorXd const& lambda, double const* momentum) {
 
 }  // namespace
 
+StateDistance TurningBodyN::distance(Motion const& other) const {
+  auto const& body = static_cast<TurningBodyN const&>(other);
+  Eigen::MatrixXd const M = body_momentum();
+  return {(body.attitude() - attitude()).norm() / std::sqrt(2.0), (body.body_momentum() - M).stableNorm(), M.stableNorm()};
+}
+
 std::vector<Quantity> turning_body_n_quantities() {
   using Kind = Quantity::Kind;
   return {
@@ -47,7 +53,8 @@ void define_turning_body_n(QuantityGraph& graph, TurningBodyN const& motion, Ine
     std::copy(upper.begin(), upper.end(), momentum);
   });
   graph.define("energy", {""}, [lambda = inertia.lambda](auto needs, double* energy) { *energy = energy_of(lambda, needs[0]); });
-  graph.define("spectrum", numbered(numbers(1, n, 1)), [n](auto needs, double* moduli) { Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n)); });
+  graph.define("spectrum", numbered(numbers(1, n, 1)), [n](auto needs, double* moduli) { Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n)); },
+               [n](auto, double const* moduli, std::size_t) { return moduli[n - 1]; });
   graph.define("casimir", numbered(numbers(2, n, 2)), [n](auto needs, double* casimirs) {
     Eigen::Map<Eigen::VectorXd const> const moduli(needs[0], n);
     for (int k = 1; k <= n / 2; ++k) casimirs[k - 1] = moduli.unaryExpr([k](double x) { return std::pow(x, 2 * k); }).sum();

@@ -13,6 +13,8 @@ class TurningBodyN : public Motion {
   virtual Eigen::MatrixXd body_momentum() const = 0;
   /// Body to space.
   virtual Eigen::MatrixXd attitude() const = 0;
+  /// The angle is \f$|g_1-g_0|_F/\sqrt2\f$: for a small turn in one plane, that turn.
+  StateDistance distance(Motion const& other) const override;
 };
 
 /// `attitude`, `momentum`, `energy`, `spectrum`, `casimir`.
