@@ -23,7 +23,7 @@ std::vector<Long> const& long_scenes() {
       {"rigid_body, natural chart of order 4", apophis({{"name", "\"natural_chart\""}, {"order", "4"}, {"until", "100000.0"}, {"every", "2.5"}, {"quantities", "[\"attitude\", \"energy\"]"}})},
       {"rigid_body_n",
        "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4, 5.5]\n[initial]\nangular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, -0.1, 0.2, 0.7, -0.3, 0.1]\n"
-       "[method]\nstep = 0.02\n[run]\nuntil = 8000\nevery = 0.8\n[output]\nquantities = [\"attitude\", \"momentum\", \"casimir\"]\n"},
+       "[method]\norder = 4\nstep = 0.1\n[run]\nuntil = 8000\nevery = 0.8\n[output]\nquantities = [\"attitude\", \"momentum\", \"casimir\"]\n"},
       {"heavy_top",
        "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0.1, 0, 0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
        "[method]\norder = 4\nstep = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\nquantities = [\"attitude\", \"body_momentum\", \"energy\"]\n"},

@@ -51,7 +51,7 @@ BOOST_AUTO_TEST_CASE(in_three_dimensions_it_is_the_body_in_space) {
   // Lambda_i = (I_j + I_k - I_i)/2.
   std::string const space = command::apophis({{"body", ""}, {"kind", "\"rigid_body\"\ninertia = [2.5, 2.25, 1.25]"}, {"order", "2"}, {"step", "0.05"}, {"until", "10.0"}, {"every", "0.5"},
                                               {"angular_velocity", "[0.3, 1.1, -0.4]"}});
-  BodyN const body{{0.5, 0.75, 1.75}, {0.4, 1.1, -0.3}, "moser_veselov", "0.05", "10", "0.5", "\"momentum\", \"energy\", \"casimir\", \"spectrum\""};
+  BodyN const body{{0.5, 0.75, 1.75}, {0.4, 1.1, -0.3}, "moser_veselov", "0.05", "10", "0.5", "\"momentum\", \"energy\", \"casimir\", \"spectrum\"", {}, "2"};
   auto const a = table_of(space), b = table_of(body.text());
   BOOST_REQUIRE(a.rows.size() == b.rows.size());
   for (std::size_t row = 0; row < a.rows.size(); ++row) {
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(in_three_dimensions_it_is_the_body_in_space) {
 BOOST_AUTO_TEST_CASE(both_methods_are_of_order_2) {
   for (std::string const method : {"moser_veselov", "natural_chart"})
     for (BodyN body : {body_in_four(method), body_in_eight(method)}) {
-      body.quantities = "\"momentum\", \"attitude\", \"energy\"", body.every = body.until;
+      body.quantities = "\"momentum\", \"attitude\", \"energy\"", body.every = body.until, body.order = "2";
       State const exact = moved(body, 2);
       double momentum[2], attitude[2], energy[2];
       for (int k : {0, 1}) {
@@ -134,6 +134,26 @@ BOOST_AUTO_TEST_CASE(casimirs_spectrum_and_momentum_in_space_stay) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(compositions_are_of_orders_4_and_6) {
+  for (std::string const method : {"moser_veselov", "natural_chart"})
+    for (BodyN body : {body_in_four(method), body_in_eight(method)}) {
+      body.quantities = "\"momentum\", \"attitude\"", body.every = body.until;
+      State const exact = moved(body, 2);
+      for (int order : {4, 6}) {
+        body.order = std::to_string(order);
+        Numbers momentum, attitude;
+        for (std::string const& step : order == 4 ? std::vector<std::string>{"0.1", "0.05"} : std::vector<std::string>{"0.25", "0.125"}) {
+          body.step = step;
+          auto const table = table_of(body.text());
+          momentum.push_back(difference(skew(table, "momentum", body.n(), 1), exact.momentum) / norm(exact.momentum));
+          attitude.push_back(difference(matrix(table, "attitude", body.n(), 1), exact.attitude));
+        }
+        for (auto const& errors : {momentum, attitude})  // of which the reference itself has 1e-12
+          BOOST_TEST((errors[1] < 4e-12 || std::abs(std::log2(errors[0] / errors[1]) - order) < 0.4), "SO(" << body.n() << "), " << method << ", order " << order << ": errors " << errors[0] << ", " << errors[1]);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(indices_of_two_digits_are_kept_apart) {
   BodyN body{Numbers(11, 1.0), Numbers(55, 0.01)};
   body.lambda[3] = 2, body.quantities = "\"momentum\", \"attitude\", \"casimir\", \"spectrum\"", body.step = "0.5";
@@ -150,7 +170,7 @@ BOOST_AUTO_TEST_CASE(defaults_are_written_back_and_repeat_the_run) {
   text.erase(text.find("[method]"), text.find("[run]") - text.find("[method]"));
   BOOST_TEST(command::actio({"run", folder.write("body.toml", text)}).status == 0);
   std::string const copy = command::contents(folder / "body/scene.toml");
-  BOOST_TEST(copy.find("name = \"moser_veselov\"\norder = 2\nstep = 0.0") != std::string::npos, copy);
+  BOOST_TEST(copy.find("name = \"moser_veselov\"\norder = 6\nstep = 0.08333333333333333") != std::string::npos, copy);
   BOOST_TEST(copy.find("attitude = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0]") != std::string::npos, copy);
   BOOST_TEST(command::actio({"run", folder / "body/scene.toml", "--out", folder / "again"}).status == 0);
   BOOST_TEST(command::contents(folder / "again/scene.toml") == copy);

@@ -1,9 +1,9 @@
 // An estimate of the error of a run: how far attitude and body momentum are from those of the true motion.
 //
-// A companion runs beside the run, with steps that are r = 4 times as long; it costs about a quarter of the run. A method of order p has the error
-// C h^p t + ..., so that over n steps of the run, n = 4 m + k, the companion, which makes m long steps and a last one of k, has an error that is
+// A companion runs beside the run, with steps that are r = 3 or 4 times as long; it costs a quarter to a third of the run. A method of order p has the error
+// C h^p t + ..., so that over n steps of the run, n = r m + k, the companion, which makes m long steps and a last one of k, has an error that is
 //
-//     R = (4^(p+1) m + k^(p+1)) / (4 m + k)
+//     R = (r^(p+1) m + k^(p+1)) / (r m + k)
 //
 // times as large. The two states are therefore apart by (R - 1) times the error of the run (Richardson). Where the true motion is known in closed form, that of a
 // free body in space, it takes the place of the companion, and the difference is the error itself.

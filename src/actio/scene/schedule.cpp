@@ -107,8 +107,8 @@ StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const
     double const ratio = t / step;
     if (!(ratio < most)) method.fail("step", fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
     if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
-    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {}{}; with run.between_steps = true a shorter step goes to each"
-                                    " such row", t, ratio, step, step_that_would_do(schedule, step)));
+    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {} (which run.between_steps = true reaches by a shorter "
+                                    "step){}", t, ratio, step, step_that_would_do(schedule, step)));
   }
 }
 

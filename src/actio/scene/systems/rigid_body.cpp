@@ -96,11 +96,11 @@ std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule cons
 
 /// The true motion, beside a run in steps: it takes as long as some fifty steps, and one row in sixteen is compared.
 Companion companion_of(FreeBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
-  if (scene.choice.order == "exact") return {nullptr, 0, 0, attitude, "exact: the closed form, with no error but that of rounding"};
+  if (scene.choice.order == "exact") return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
   auto exact = exact_motion(scene.body, scene.inertia);
   if (!attitude) exact->leave_attitude_out();
-  return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the closed form"};
+  return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the exact motion"};
 }
 
 std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
