@@ -27,8 +27,8 @@ class Drift {
   /// How far one quantity has drifted.
   struct Entry {
     std::string name;  ///< of the quantity
-    double relative,   ///< the largest difference from the start, in the unit
-        unit;          ///< of the quantity
+    double relative = 0,  ///< the largest difference from the start, in the unit
+        unit = 0;         ///< of the quantity
   };
   /// The drift so far, quantity by quantity.
   std::vector<Entry> entries() const;

@@ -4,6 +4,9 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "actio/scene/drift.hpp"
@@ -75,6 +78,17 @@ Excerpt::Near near(std::vector<Direction> directions) {
   };
 }
 
+/// The unit in which the summary of a run tells the drift of a quantity; zero where it tells none.
+std::map<std::string, double> drift_units(std::string const& folder) {
+  std::ifstream in(folder + "/summary.json");
+  auto const summary = nlohmann::json::parse(in, nullptr, false);
+  std::map<std::string, double> out;
+  if (!summary.is_object() || !summary.contains("drift_units") || !summary["drift_units"].is_object()) return out;
+  for (auto const& [name, unit] : summary["drift_units"].items())
+    if (unit.is_number()) out[name] = unit.get<double>();
+  return out;
+}
+
 }  // namespace
 
 Overview::Drawn const* Overview::find(std::string const& name) const {
@@ -97,6 +111,7 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
   Overview out{std::move(quantities), {}, std::move(motion), Excerpt(near(std::move(directions))), 0};
   auto const conserved = scene.simulation.quantities.conserved();
   for (auto const& c : conserved) out.drifts.push_back({c.name, {}, 0});
+  auto const units = drift_units(folder);
   auto const reader = read_series(folder, scene.simulation.quantities.column_groups());
   ReadingProgress progress(quiet);
   std::vector<double> row(columns.size()), first, difference, moved(moving.size());
@@ -112,7 +127,8 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
       for (std::size_t i = 0; i < now.size(); ++i) difference[i] -= first[conserved[k].first + i];
       out.drifts[k].difference.add(t, length_of(difference));
       double const start = length_of(std::span<double const>(first).subspan(conserved[k].first, conserved[k].size));
-      out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
+      if (auto const told = units.find(conserved[k].name); told != units.end()) out.drifts[k].unit = told->second;
+      else out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
     }
     for (std::size_t i = 0; i < moving.size(); ++i) moved[i] = row[moving[i]];
     if (!out.motion.empty()) out.excerpt.add(moved);

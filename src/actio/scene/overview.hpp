@@ -23,7 +23,7 @@ struct Overview {
   struct Drifting {
     std::string name;                   ///< of the quantity
     Envelope difference;                ///< |Q(t) - Q(0)|
-    double unit = 0;                    ///< |Q(0)|, or the largest |Q| where that is zero: what the difference is relative to
+    double unit = 0;                    ///< what the difference is relative to: that of summary.json; where there is none |Q(0)|, or the largest |Q|
   };
   /// A picture with more curves tells nothing.
   static constexpr std::size_t most_components = 12;
