@@ -66,6 +66,7 @@ std::vector<ErrorEstimate::Entry> ErrorEstimate::entries() const {
 }
 
 std::string ErrorEstimate::how() const {
+  if (!run_.failure.empty()) return "not estimated: the run can take no step";
   if (!companion_.motion) return companion_.how;
   if (lost_) return "not estimated: the companion run, with longer steps, could not go on";
   if (!seen_) return "not estimated: no row that the companion run meets has been reached";

@@ -203,12 +203,13 @@ double default_turn(Choice const& choice, double fastest, double until) {
 Companion companion_of(Choice const& choice, Start const& start, double step, std::optional<bool> wanted) {
   if (!wanted.value_or(true)) return {nullptr, 0, 0, choice.attitude, "left out by output.error_estimate"};
   if (choice.chart && !wanted) return {nullptr, 0, 0, choice.attitude, "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
-  try {
-    auto companion = motion_of(choice, start, 4 * step, choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding);
-    return {std::move(companion), 4, choice.order, choice.attitude, "estimated from a companion run with steps four times as long"};
-  } catch (Error const&) {
-    return {nullptr, 0, 0, choice.attitude, "not estimated: steps four times as long are beyond the scheme; with a quarter of the step there is an estimate"};
-  }
+  Sweeps const sweeps = choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding;
+  for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
+      return {motion_of(choice, start, steps * step, sweeps), steps, choice.order, choice.attitude, fmt::format("estimated from a companion run with steps {} times as long", in_words)};
+    } catch (Error const&) {
+      // So long a step is beyond the scheme.
+    }
+  return {nullptr, 0, 0, choice.attitude, "not estimated: steps twice as long are beyond the scheme; with half of the step there is an estimate"};
 }
 
 Simulation prepare(Request const& request) {
