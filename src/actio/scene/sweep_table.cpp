@@ -50,7 +50,7 @@ std::string heading(SweepPlan const& plan, Columns const& columns) {
   out += ",status,steps,wall_seconds";
   for (auto const& name : columns.drift.all()) out += ",drift_" + name;
   for (auto const& name : columns.last.all()) out += ",last_" + name;
-  return out + "\n";
+  return out + ",message\n";
 }
 
 std::string row(SweepPlan const& plan, Columns const& columns, MemberResult const& result) {
@@ -65,7 +65,7 @@ std::string row(SweepPlan const& plan, Columns const& columns, MemberResult cons
   for (auto const& value : plan.values(result.member)) out += "," + cell(value);
   out += "," + std::to_string(result.status);
   for (auto const& text : cells) out += "," + text;
-  return out + "\n";
+  return out + "," + cell(result.message) + "\n";
 }
 
 }  // namespace
