@@ -29,6 +29,7 @@ int resume(ResumeArguments const& arguments);
 
 struct SweepArguments {
   std::string scene, out;
+  std::string resume;                ///< the folder of a sweep that goes on; the scene is not given then
   std::vector<std::string> over;     ///< KEY=a,b,c
   std::vector<std::string> set, unset;
   int jobs = 0;                      ///< 0: as many as the machine has cores

@@ -28,8 +28,8 @@ int run(RunArguments const& arguments) {
   }
   keep_the_scene(arguments, out, scene);
   refuse_without_step(scene);
-  RunFolder const folder = RunFolder::create(out, arguments.force, files_of_run(scene));
   listen_for_interrupts();
+  RunFolder const folder = RunFolder::create(out, arguments.force, files_of_run(scene));
   return run_to_end(scene, folder, false, arguments.quiet);
 }
 

@@ -45,8 +45,11 @@ std::optional<int> read_sweep_arguments(int argc, char** argv, char const* name,
   CLI::App command{meaning, name};
   command.set_help_flag("-h,--help", "this text");
   add_sweep_options(command, arguments);
+  command.add_option("--resume", arguments.resume, "go on with the sweep in this folder, without SCENE and --over")->type_name("DIR");
+  command.get_option("SCENE")->required(false), command.get_option("--over")->required(false);
   try {
     command.parse(argc, argv);
+    if (arguments.resume.empty() == (arguments.scene.empty() || arguments.over.empty())) throw CLI::ParseError("either SCENE and --over, or --resume DIR are expected", 2);
     return {};
   } catch (CLI::Success const& help) {
     return command.exit(help);
@@ -57,6 +60,7 @@ std::optional<int> read_sweep_arguments(int argc, char** argv, char const* name,
 }
 
 scene::SweepPlan sweep_plan(SweepArguments const& arguments) {
+  if (!arguments.resume.empty()) return scene::SweepPlan::resumed(arguments.resume);
   std::string const folder = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
   scene::SweepPlan plan(arguments.scene, arguments.over, overrides(arguments.set, arguments.unset, arguments.plots), folder);
   plan.read_scene();

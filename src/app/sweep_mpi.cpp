@@ -1,6 +1,7 @@
 // actio-mpi: `actio sweep` on many machines.
 //
 //     mpirun -n 16 actio-mpi apophis.toml --over method.step=0.1,0.2,0.5
+//     mpirun -n 16 actio-mpi --resume apophis
 //
 // Each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has finished another, so that none waits for slow ones. What
 // a member tells goes to rank 0, which writes the table. Members run in other processes (SweepCrew) that were made before MPI began and know
@@ -112,7 +113,7 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
   int status = 0;
   Ranks ranks;
   try {
-    status = run_sweep(plan, crew, ranks, {.quiet = arguments.quiet, .force = arguments.force, .dry_run = arguments.dry_run});
+    status = run_sweep(plan, crew, ranks, {.quiet = arguments.quiet, .force = arguments.force, .resume = !arguments.resume.empty(), .dry_run = arguments.dry_run});
   } catch (SceneError const& error) {
     say(stderr, error.what() + std::string("\n"));
     status = 2;

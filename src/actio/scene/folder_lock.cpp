@@ -12,7 +12,8 @@
 
 namespace actio::scene {
 
-FolderLock::FolderLock(std::string const& path, std::chrono::milliseconds patience) : handle_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+FolderLock::FolderLock(std::string const& path, std::chrono::milliseconds patience)
+    : handle_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (handle_ < 0) throw FileError(path + ": cannot be opened: " + std::strerror(errno));
   auto const until = std::chrono::steady_clock::now() + patience;
   // Some file systems have no locks; then there is none.

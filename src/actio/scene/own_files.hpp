@@ -2,10 +2,13 @@
 //
 //     OwnFiles own("apophis");
 //     own.begin(OwnFiles::Of::run, {"scene.toml", "series.csv"});   // before they are written
-//     own.remove();                                                 // these two and the list, and nothing else
+//     own.remove();                                                 // these two and the list, and nothing
+// else
 //
-// The list is the file `.actio`: a heading, then a name on each line. A name is in it before its file is made, so that whatever kills the program, all that it wrote
-// can be told from what others put beside it. Nothing that is not in the list is written over or removed, and no link is followed.
+// The list is the file `.actio`: a heading, then a name on each line. A name is in it before its file is
+// made, so that whatever kills the program, all that it wrote
+// can be told from what others put beside it. Nothing that is not in the list is written over or removed,
+// and no link is followed.
 #pragma once
 
 #include <set>
@@ -20,7 +23,8 @@ class OwnFiles {
   /// Of what they are.
   enum class Of { nothing, run, member, sweep };
 
-  /// Reads the list in a folder, which has to be there. In a folder of the version before, which had no list, a run is known by the heading of its checkpoint.
+  /// Reads the list in a folder, which has to be there. In a folder of the version before, which had no
+  /// list, a run is known by the heading of its checkpoint.
   /// @throws FileError   where the folder or its list cannot be read
   /// @throws SceneError  where what is called so is no list of this program
   explicit OwnFiles(std::string const& folder);
@@ -47,13 +51,15 @@ class OwnFiles {
   /// @throws SceneError, FileError  as `begin`
   void claim(std::vector<std::string> const& names);
 
-  /// Removes the files in the list that are in a folder within, for example `plots`. Their names stay in the list.
+  /// Removes the files in the list that are in a folder within, for example `plots`. Their names stay in the
+  /// list.
   /// @throws SceneError, FileError
   void clear(std::string const& within);
   /// Refuses what would be no file of the program's own: a link or a folder of such a name.
   /// @throws SceneError
   void check() const;
-  /// Removes the files in the list, `plots` and `snapshots` where they are empty then, and the list; so that what is left of it when this is cut short can be
+  /// Removes the files in the list, `plots` and `snapshots` where they are empty then, and the list; so that
+  /// what is left of it when this is cut short can be
   /// resumed, or removed.
   /// @throws FileError
   void remove();

@@ -24,10 +24,15 @@ std::string without_slash(std::string path) {
 /// Makes way for a new run.
 void remove_run(std::string const& path, OwnFiles& own, bool replace) {
   if (own.alone()) return;
-  if (!replace) throw SceneError({path}, "the folder is not empty; --force replaces the run in it, --out names another");
-  if (own.of() == OwnFiles::Of::sweep) throw SceneError({path}, "there is a sweep in this folder, which a run does not replace; --out names another");
+  if (!replace)
+    throw SceneError({path}, "the folder is not empty; --force replaces the run in it, --out names another");
+  if (own.of() == OwnFiles::Of::sweep)
+    throw SceneError({path},
+                     "there is a sweep in this folder, which a run does not replace; --out names another");
   if (own.of() == OwnFiles::Of::nothing)
-    throw SceneError({path}, "--force replaces a run of actio, and there is none in this folder: neither the list .actio of its files nor a checkpoint; --out names another");
+    throw SceneError({path},
+                     "--force replaces a run of actio, and there is none in this folder: neither the list "
+                     ".actio of its files nor a checkpoint; --out names another");
   own.remove();
 }
 
@@ -35,7 +40,8 @@ void remove_run(std::string const& path, OwnFiles& own, bool replace) {
 
 RunFolder RunFolder::create(std::string const& path, bool replace, std::vector<std::string> const& files) {
   try {
-    if (fs::exists(path) && !fs::is_directory(path)) throw SceneError({path}, "a folder for the run is expected, and this is a file; --out names another");
+    if (fs::exists(path) && !fs::is_directory(path))
+      throw SceneError({path}, "a folder for the run is expected, and this is a file; --out names another");
     fs::create_directories(path);
     RunFolder folder(without_slash(path), FolderLock(path));
     OwnFiles own(folder.path());
@@ -49,17 +55,27 @@ RunFolder RunFolder::create(std::string const& path, bool replace, std::vector<s
 
 RunFolder RunFolder::open(std::string const& path) {
   std::error_code none;
-  if (!fs::is_directory(path, none)) throw SceneError({path}, fs::exists(path, none) ? "the folder of a run is expected, and this is a file" : "there is no such folder");
-  if (!fs::exists(fs::path(path) / "scene.toml", none)) throw SceneError({path}, "there is no run in this folder: scene.toml is missing");
+  if (!fs::is_directory(path, none))
+    throw SceneError({path}, fs::exists(path, none) ? "the folder of a run is expected, and this is a file"
+                                                    : "there is no such folder");
+  if (!fs::exists(fs::path(path) / "scene.toml", none))
+    throw SceneError({path}, "there is no run in this folder: scene.toml is missing");
   return {without_slash(path), FolderLock(path)};
 }
 
 RunFolder RunFolder::of_member(std::string const& path) {
-  if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST) throw FileError(path + ": cannot be made: " + std::strerror(errno));
+  if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
+    throw FileError(path + ": cannot be made: " + std::strerror(errno));
+  struct stat status;
+  if (::lstat(path.c_str(), &status) == 0 && !S_ISDIR(status.st_mode))
+    throw SceneError(
+        {path}, "a folder for a member of the sweep is expected, and this is a file or a link; move it away");
   // A process of a sweep that was killed may need a moment to see it.
   RunFolder folder(path, FolderLock(path, std::chrono::seconds(5)));
   OwnFiles const own(path);
-  if (own.of() != OwnFiles::Of::member && !own.alone()) throw SceneError({path}, "the folder is not empty, and what is in it is no member of this sweep; move it away");
+  if (own.of() != OwnFiles::Of::member && !own.alone())
+    throw SceneError({path},
+                     "the folder is not empty, and what is in it is no member of this sweep; move it away");
   return folder;
 }
 

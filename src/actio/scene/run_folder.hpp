@@ -11,10 +11,12 @@ namespace actio::scene {
 /// A folder that this process runs in. The lock goes with the process, however it ends.
 class RunFolder {
  public:
-  /// For a new run: made where there is none, empty, or beside files of other people after the run that was in it.
+  /// For a new run: made where there is none, empty, or beside files of other people after the run that was
+  /// in it.
   /// @param files    that the run will write: their list is in the folder before any of them
   /// @param replace  whether the run that is in it goes: the files in its list, and nothing else
-  /// @throws SceneError  where it is no folder, or not empty and `replace` is not said; where there is no run that could be replaced, or one of the
+  /// @throws SceneError  where it is no folder, or not empty and `replace` is not said; where there is no
+  ///         run that could be replaced, or one of the
   ///                     files would take the place of somebody else's
   /// @throws FileError   where it cannot be made or emptied, or another process runs in it
   static RunFolder create(std::string const& path, bool replace, std::vector<std::string> const& files);
@@ -22,7 +24,8 @@ class RunFolder {
   /// @throws SceneError  where there is no such folder, or no run in it
   /// @throws FileError   where another process runs in it
   static RunFolder open(std::string const& path);
-  /// That of a member of a sweep: made where there is none, or left by the same member. Another process may still be about to leave it.
+  /// That of a member of a sweep: made where there is none, or left by the same member. Another process may
+  /// still be about to leave it.
   /// @throws SceneError  where something else is in it
   /// @throws FileError   as `create`
   static RunFolder of_member(std::string const& path);

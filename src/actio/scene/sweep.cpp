@@ -8,12 +8,14 @@ namespace actio::scene {
 namespace {
 
 std::string key_of(std::string const& override_text) {
-  return override_text.starts_with('!') ? plain_key(override_text.substr(1)) : plain_key(override_text.substr(0, override_text.find('=')));
+  return override_text.starts_with('!') ? plain_key(override_text.substr(1))
+                                        : plain_key(override_text.substr(0, override_text.find('=')));
 }
 
 }  // namespace
 
-SweepPlan::SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set, std::string folder)
+SweepPlan::SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set,
+                     std::string folder)
     : scene_(std::move(scene)), folder_(std::move(folder)), set_(std::move(set)) {
   while (folder_.size() > 1 && folder_.ends_with('/')) folder_.pop_back();
   for (auto const& argument : over) {
@@ -28,9 +30,14 @@ void SweepPlan::add(SweptKey key, Place const& place) {
   std::string const plain = plain_key(key.key);
   for (auto const& one : set_)
     if (!one.starts_with('!') && (key_of(one) == plain || key_of(one).starts_with(plain + "[")))
-      throw SceneError({"--set " + shown(one, 100)}, fmt::format("'{}' is swept, so that to set it would be without effect; take one of the two away", key.key));
+      throw SceneError(
+          {"--set " + shown(one, 100)},
+          fmt::format("'{}' is swept, so that to set it would be without effect; take one of the two away",
+                      key.key));
   long const values = static_cast<long>(key.values.size());
-  if (size_ > most_members / values) throw SceneError(place, fmt::format("a sweep has at most {} members, this one {} times {} or more", most_members, size_, values));
+  if (size_ > most_members / values)
+    throw SceneError(place, fmt::format("a sweep has at most {} members, this one {} times {} or more",
+                                        most_members, size_, values));
   size_ *= values;
   keys_.push_back(std::move(key));
 }
@@ -60,7 +67,8 @@ Scene SweepPlan::read(long member) const {
   std::vector<std::string> overrides = set_;
   auto const its = values(member);
   for (std::size_t k = 0; k < keys_.size(); ++k) overrides.push_back(keys_[k].key + "=" + its[k]);
-  return Scene::read(text_ ? SceneFile::parse(*text_, scene_, overrides) : SceneFile::read(scene_, overrides));
+  return Scene::read(text_ ? SceneFile::parse(*text_, scene_, overrides)
+                           : SceneFile::read(scene_, overrides));
 }
 
 }  // namespace actio::scene

@@ -18,8 +18,10 @@ class SweepPlan {
   /// @param over    KEY=VALUES for each swept key, the last one the fastest; values as `swept_key` reads them
   /// @param set     KEY=VALUE for all members
   /// @param folder  of the sweep
-  /// @throws SceneError  where one of `over` has no key, no value or a key that another has, or one that is set; where there are more than 10^6 members
-  SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set, std::string folder);
+  /// @throws SceneError  where one of `over` has no key, no value or a key that another has, or one that is
+  ///         set; where there are more than 10^6 members
+  SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set,
+            std::string folder);
   /// The plan of the sweep in a folder, as it was written there.
   /// @throws SceneError  where what is written there is no plan
   /// @throws FileError   where it cannot be read

@@ -25,7 +25,8 @@ MemberResult ended_without_result(long member, int status) {
     out.message = fmt::format("signal {} ended it: {}", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
   } else {
     out.status = static_cast<int>(Ending::numerics_failed);
-    out.message = fmt::format("its process ended with status {} and without a result", WIFEXITED(status) ? WEXITSTATUS(status) : status);
+    out.message = fmt::format("its process ended with status {} and without a result",
+                              WIFEXITED(status) ? WEXITSTATUS(status) : status);
   }
   return out;
 }
@@ -59,8 +60,10 @@ SweepCrew::SweepCrew(Work const& work, int size) {
   }
   // Each tells of its first worker.
   for (auto& place : places_)
-    if (auto const notice = worker::receive_notice(place.control)) place.line = notice->line;
-    else throw FileError("no process for the sweep: the system makes no more");
+    if (auto const notice = worker::receive_notice(place.control))
+      place.line = notice->line;
+    else
+      throw FileError("no process for the sweep: the system makes no more");
 }
 
 SweepCrew::~SweepCrew() {
@@ -69,14 +72,16 @@ SweepCrew::~SweepCrew() {
 }
 
 bool SweepCrew::idle() const {
-  return std::any_of(places_.begin(), places_.end(), [](Place const& p) { return p.member < 0 && p.line >= 0; });
+  return std::any_of(places_.begin(), places_.end(),
+                     [](Place const& p) { return p.member < 0 && p.line >= 0; });
 }
 bool SweepCrew::busy() const {
   return std::any_of(places_.begin(), places_.end(), [](Place const& p) { return p.member >= 0; });
 }
 
 void SweepCrew::start(MemberTask task, long member) {
-  auto const place = std::find_if(places_.begin(), places_.end(), [](Place const& p) { return p.member < 0 && p.line >= 0; });
+  auto const place = std::find_if(places_.begin(), places_.end(),
+                                  [](Place const& p) { return p.member < 0 && p.line >= 0; });
   place->member = member;
   worker::send_order(place->line, {task, member});  // one who has gone is told of by its foreman
 }
@@ -103,14 +108,17 @@ std::optional<MemberResult> SweepCrew::from_foreman(Place& place) {
     if (!result) result = ended_without_result(member, status);
   }
   close_line(place.line);
-  if (notice) place.line = notice->line;
-  else close_line(place.control);
+  if (notice)
+    place.line = notice->line;
+  else
+    close_line(place.control);
   return result;
 }
 
 std::vector<MemberResult> SweepCrew::finished(int milliseconds) {
   std::vector<pollfd> waiting;
-  for (auto const& place : places_) waiting.push_back({place.line, POLLIN, 0}), waiting.push_back({place.control, POLLIN, 0});
+  for (auto const& place : places_)
+    waiting.push_back({place.line, POLLIN, 0}), waiting.push_back({place.control, POLLIN, 0});
   std::vector<MemberResult> out;
   if (::poll(waiting.data(), waiting.size(), milliseconds) <= 0) return out;
   for (std::size_t k = 0; k < places_.size(); ++k) {

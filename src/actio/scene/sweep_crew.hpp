@@ -3,9 +3,12 @@
 //     the sweep <--> one worker for each place at work
 //          \----> its foreman, who makes it, and another one where it ends
 //
-// Processes and no threads: a member that crashes, or is killed for its memory, takes no other with it, and whatever a run keeps for its whole process
-// (interrupts, the HDF5 library) is not that of the sweep. The foremen come into being with the crew, before the sweep has threads, open files or a network,
-// so that later no process has to be forked that holds such things. A worker whose member failed in writing its files is replaced, too.
+// Processes and no threads: a member that crashes, or is killed for its memory, takes no other with it, and
+// whatever a run keeps for its whole process
+// (interrupts, the HDF5 library) is not that of the sweep. The foremen come into being with the crew, before
+// the sweep has threads, open files or a network,
+// so that later no process has to be forked that holds such things. A worker whose member failed in writing
+// its files is replaced, too.
 #pragma once
 
 #include <functional>

@@ -22,9 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> const files{"sweep.toml", "sweep.toml.part", "sweep.csv", "sweep.csv.part", ".results"};
+std::vector<std::string> const files{"sweep.toml", "sweep.toml.part", "sweep.csv", "sweep.csv.part",
+                                     ".results"};
 
-/// Before each result among the kept ones: how long it is, and a sum over its bytes. One that was cut off is none.
+/// Before each result among the kept ones: how long it is, and a sum over its bytes. One that was cut off is
+/// none.
 struct Head {
   std::uint32_t size = 0, sum = 0;
 };
@@ -46,7 +48,9 @@ long members_in_table(std::string const& folder) {
   std::error_code none;
   std::ifstream in(path);
   std::string line;
-  if (fs::is_symlink(path, none) || !std::getline(in, line) || !line.starts_with("member,") || line.find(",status,steps,wall_seconds") == std::string::npos) return 0;
+  if (fs::is_symlink(path, none) || !std::getline(in, line) || !line.starts_with("member,") ||
+      line.find(",status,steps,wall_seconds") == std::string::npos)
+    return 0;
   long rows = 0;
   while (std::getline(in, line)) ++rows;
   return std::min(rows, most_members);
@@ -64,7 +68,9 @@ struct SweepBefore {
     members = listed ? own.members() : own.of() == OwnFiles::Of::nothing ? members_in_table(folder) : 0;
   }
   bool there() const { return listed || members > 0; }
-  bool is_member(OwnFiles const& own) const { return own.of() == (listed ? OwnFiles::Of::member : OwnFiles::Of::run); }
+  bool is_member(OwnFiles const& own) const {
+    return own.of() == (listed ? OwnFiles::Of::member : OwnFiles::Of::run);
+  }
 
   /// Refuses what could not be removed, before anything is.
   void check() const {
@@ -82,11 +88,15 @@ struct SweepBefore {
       if (!is_member(own)) return;
       own.remove();
       // Where something of other people is left, the folder is still that of a member.
-      if (own.alone()) ::rmdir(path.c_str());
-      else own.begin(OwnFiles::Of::member, {});
+      if (own.alone())
+        ::rmdir(path.c_str());
+      else
+        own.begin(OwnFiles::Of::member, {});
     });
-    if (listed) OwnFiles(folder).remove();
-    else if (std::error_code error; !fs::remove(folder + "/sweep.csv", error) && error) throw FileError(folder + "/sweep.csv: cannot be removed: " + error.message());
+    if (listed)
+      OwnFiles(folder).remove();
+    else if (std::error_code error; !fs::remove(folder + "/sweep.csv", error) && error)
+      throw FileError(folder + "/sweep.csv: cannot be removed: " + error.message());
   }
 
  private:
@@ -102,10 +112,16 @@ std::optional<SweepBefore> sweep_before(std::string const& path, bool replace) {
   OwnFiles const own(path);
   if (own.alone()) return {};
   if (!replace)
-    throw SceneError({path}, SweepFolder::is_one(path) ? "the folder is not empty; --force replaces the sweep in it, actio resume goes on with it, --out names another"
-                                                       : "the folder is not empty; --force replaces a sweep, --out names another folder");
+    throw SceneError({path},
+                     SweepFolder::is_one(path)
+                         ? "the folder is not empty; --force replaces the sweep in it, actio resume goes on "
+                           "with it, --out names another"
+                         : "the folder is not empty; --force replaces a sweep, --out names another folder");
   SweepBefore before(path);
-  if (!before.there()) throw SceneError({path}, "--force replaces a sweep of actio, and there is none in this folder: neither the list .actio of its files nor a table sweep.csv; --out names another");
+  if (!before.there())
+    throw SceneError({path},
+                     "--force replaces a sweep of actio, and there is none in this folder: neither the list "
+                     ".actio of its files nor a table sweep.csv; --out names another");
   return before;
 }
 
@@ -119,7 +135,8 @@ bool SweepFolder::is_one(std::string const& path) {
 void SweepFolder::refuse_unless_free(std::string const& path, bool replace) {
   std::error_code none;
   if (!fs::exists(path, none)) return;
-  if (!fs::is_directory(path, none)) throw SceneError({path}, "a folder for the sweep is expected, and this is a file; --out names another");
+  if (!fs::is_directory(path, none))
+    throw SceneError({path}, "a folder for the sweep is expected, and this is a file; --out names another");
   FolderLock const lock(path);
   if (auto const before = sweep_before(path, replace)) before->check();
 }
@@ -127,7 +144,8 @@ void SweepFolder::refuse_unless_free(std::string const& path, bool replace) {
 SweepFolder SweepFolder::create(SweepPlan const& plan, bool replace) {
   std::string const& path = plan.folder();
   try {
-    if (fs::exists(path) && !fs::is_directory(path)) throw SceneError({path}, "a folder for the sweep is expected, and this is a file; --out names another");
+    if (fs::exists(path) && !fs::is_directory(path))
+      throw SceneError({path}, "a folder for the sweep is expected, and this is a file; --out names another");
     fs::create_directories(path);
     SweepFolder folder(path, FolderLock(path));
     if (auto const before = sweep_before(path, replace)) before->check(), before->remove();
@@ -144,8 +162,12 @@ SweepFolder SweepFolder::open(std::string const& path) {
   return {path, FolderLock(path)};
 }
 
-SweepFolder::SweepFolder(std::string path, FolderLock lock) : path_(std::move(path)), lock_(std::move(lock)) {}
-SweepFolder::SweepFolder(SweepFolder&& other) noexcept : path_(std::move(other.path_)), lock_(std::move(other.lock_)), results_(std::exchange(other.results_, -1)) {}
+SweepFolder::SweepFolder(std::string path, FolderLock lock)
+    : path_(std::move(path)), lock_(std::move(lock)) {}
+SweepFolder::SweepFolder(SweepFolder&& other) noexcept
+    : path_(std::move(other.path_)),
+      lock_(std::move(other.lock_)),
+      results_(std::exchange(other.results_, -1)) {}
 SweepFolder::~SweepFolder() {
   if (results_ >= 0) ::close(results_);
 }
@@ -170,7 +192,8 @@ void SweepFolder::keep(MemberResult const& result) {
     off_t whole = 0;
     for (auto const& before : kept()) whole += static_cast<off_t>(sizeof(Head) + before.packed().size());
     results_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (results_ < 0 || ::ftruncate(results_, whole) != 0) throw FileError(path + ": cannot be opened: " + std::strerror(errno));
+    if (results_ < 0 || ::ftruncate(results_, whole) != 0)
+      throw FileError(path + ": cannot be opened: " + std::strerror(errno));
   }
   std::string const bytes = result.packed();
   Head const head = head_of(bytes);
@@ -183,7 +206,9 @@ void SweepFolder::keep(MemberResult const& result) {
   }
 }
 
-void SweepFolder::write_table(std::string const& table) const { write_whole_file(path_ + "/sweep.csv", table); }
+void SweepFolder::write_table(std::string const& table) const {
+  write_whole_file(path_ + "/sweep.csv", table);
+}
 
 void SweepFolder::sync() const { ::syncfs(lock_.handle()); }
 

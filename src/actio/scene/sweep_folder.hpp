@@ -22,11 +22,13 @@ class SweepFolder {
   static bool is_one(std::string const& path);
   /// Refuses a folder that a new sweep could not have, and changes nothing.
   /// @param replace  whether the sweep that is in it would go
-  /// @throws SceneError  where it is no folder, or not empty and `replace` is not said; where there is no sweep that could be replaced
+  /// @throws SceneError  where it is no folder, or not empty and `replace` is not said; where there is no
+  ///         sweep that could be replaced
   /// @throws FileError   where another process runs in it
   static void refuse_unless_free(std::string const& path, bool replace);
 
-  /// For a new sweep: made where there is none, empty, or beside files of other people after the sweep that was in it. A member goes by the list in its own folder;
+  /// For a new sweep: made where there is none, empty, or beside files of other people after the sweep that
+  /// was in it. A member goes by the list in its own folder;
   /// the folder goes where it is empty then.
   /// @throws SceneError, FileError  as `refuse_unless_free`, and where it cannot be made or emptied
   static SweepFolder create(SweepPlan const& plan, bool replace);

@@ -13,9 +13,12 @@ namespace {
 std::string quoted(std::string const& text) {
   std::string out = "\"";
   for (unsigned char const c : text) {
-    if (c == '"' || c == '\\') out += '\\', out += static_cast<char>(c);
-    else if (c < 0x20 || c == 0x7f) out += fmt::format("\\u{:04x}", c);
-    else out += static_cast<char>(c);
+    if (c == '"' || c == '\\')
+      out += '\\', out += static_cast<char>(c);
+    else if (c < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", c);
+    else
+      out += static_cast<char>(c);
   }
   return out + '"';
 }
@@ -50,9 +53,13 @@ std::string text_of(toml::node_view<toml::node> node, std::string const& path, c
 }  // namespace
 
 std::string SweepPlan::written() const {
-  std::string out = "# The plan of a sweep: `actio resume` of this folder goes on with it.\nactio = \"" ACTIO_VERSION "\"\n";
-  out += "scene = " + quoted(scene_) + "\nset = " + quoted(set_) + "\ntext = " + as_it_is(text_.value_or("")) + "\n";
-  for (auto const& key : keys_) out += "\n[[over]]\nkey = " + quoted(key.key) + "\nvalues = " + quoted(key.values) + "\n";
+  std::string out =
+      "# The plan of a sweep: `actio resume` of this folder goes on with it.\nactio = \"" ACTIO_VERSION
+      "\"\n";
+  out += "scene = " + quoted(scene_) + "\nset = " + quoted(set_) +
+         "\ntext = " + as_it_is(text_.value_or("")) + "\n";
+  for (auto const& key : keys_)
+    out += "\n[[over]]\nkey = " + quoted(key.key) + "\nvalues = " + quoted(key.values) + "\n";
   return out;
 }
 
@@ -64,14 +71,20 @@ SweepPlan SweepPlan::resumed(std::string const& folder) {
   SweepPlan plan;
   try {
     toml::table root = toml::parse(all, path);
-    if (text_of(root["actio"], path, "actio") != ACTIO_VERSION) throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION);
-    plan.scene_ = text_of(root["scene"], path, "scene"), plan.text_ = text_of(root["text"], path, "text"), plan.set_ = texts_of(root["set"], path);
+    if (text_of(root["actio"], path, "actio") != ACTIO_VERSION)
+      throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION);
+    plan.scene_ = text_of(root["scene"], path, "scene"), plan.text_ = text_of(root["text"], path, "text"),
+    plan.set_ = texts_of(root["set"], path);
     plan.folder_ = folder;
     while (plan.folder_.size() > 1 && plan.folder_.ends_with('/')) plan.folder_.pop_back();
     auto* const over = root["over"].as_array();
     for (std::size_t k = 0; over && k < over->size(); ++k) {
-      SweptKey key{text_of((*over)[k].as_table() ? (*(*over)[k].as_table())["key"] : toml::node_view<toml::node>(), path, "key"), texts_of((*(*over)[k].as_table())["values"], path)};
-      if (key.values.empty()) throw SceneError({path}, "is no plan of a sweep: '" + key.key + "' has no values");
+      SweptKey key{
+          text_of((*over)[k].as_table() ? (*(*over)[k].as_table())["key"] : toml::node_view<toml::node>(),
+                  path, "key"),
+          texts_of((*(*over)[k].as_table())["values"], path)};
+      if (key.values.empty())
+        throw SceneError({path}, "is no plan of a sweep: '" + key.key + "' has no values");
       plan.add(std::move(key), {path});
     }
   } catch (toml::parse_error const& error) {

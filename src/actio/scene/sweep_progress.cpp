@@ -14,7 +14,8 @@ namespace {
 /// `10 795`
 std::string in_groups(long n) {
   std::string digits = std::to_string(n);
-  for (long at = static_cast<long>(digits.size()) - 3; at > 0 && digits.size() > 4; at -= 3) digits.insert(static_cast<std::size_t>(at), " ");
+  for (long at = static_cast<long>(digits.size()) - 3; at > 0 && digits.size() > 4; at -= 3)
+    digits.insert(static_cast<std::size_t>(at), " ");
   return digits;
 }
 
@@ -25,7 +26,8 @@ SweepProgress::~SweepProgress() { clear(); }
 
 void SweepProgress::begin(std::string what, long all, long done) {
   clear();
-  what_ = std::move(what), all_ = all, before_ = done_ = done, failed_ = 0, tenth_ = done * 10 / std::max(all, 1L);
+  what_ = std::move(what), all_ = all, before_ = done_ = done, failed_ = 0,
+  tenth_ = done * 10 / std::max(all, 1L);
   began_ = last_ = Clock::now(), said_ = false;
 }
 
@@ -39,11 +41,14 @@ void SweepProgress::show() {
   auto const now = Clock::now();
   double const seconds = std::chrono::duration<double>(now - began_).count();
   long const tenth = done_ * 10 / std::max(all_, 1L);
-  bool const due = terminal_ ? now - last_ >= std::chrono::milliseconds(200) : tenth != tenth_ || (!said_ && seconds >= 1);
+  bool const due =
+      terminal_ ? now - last_ >= std::chrono::milliseconds(200) : tenth != tenth_ || (!said_ && seconds >= 1);
   if (seconds < 0.5 || !due) return;
   last_ = now, tenth_ = tenth, said_ = true, shown_ = terminal_;
   std::string line = fmt::format("{} of {} {}   {} failed", done_, all_, what_, failed_);
-  if (done_ > before_) line += fmt::format("   {} left", duration_text(seconds * static_cast<double>(all_ - done_) / static_cast<double>(done_ - before_)));
+  if (done_ > before_)
+    line += fmt::format("   {} left", duration_text(seconds * static_cast<double>(all_ - done_) /
+                                                    static_cast<double>(done_ - before_)));
   scene::say(stderr, (terminal_ ? "\r" : "") + line + (terminal_ ? "\x1b[K" : "\n"));
 }
 
@@ -64,7 +69,8 @@ void SweepComplaints::say(std::string const& who, std::string const& message) {
 }
 
 void SweepComplaints::close(std::string const& table) {
-  if (kept_back_ > 0) scene::say(stderr, fmt::format("... and {} more; {} has each message\n", in_groups(kept_back_), table));
+  if (kept_back_ > 0)
+    scene::say(stderr, fmt::format("... and {} more; {} has each message\n", in_groups(kept_back_), table));
 }
 
 }  // namespace actio::scene

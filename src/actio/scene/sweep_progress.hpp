@@ -7,7 +7,8 @@
 
 namespace actio::scene {
 
-/// How many members are done: one line on a terminal, a line every tenth in a pipe. Nothing is said in the first half second.
+/// How many members are done: one line on a terminal, a line every tenth in a pipe. Nothing is said in the
+/// first half second.
 class SweepProgress {
  public:
   explicit SweepProgress(bool quiet);

@@ -23,7 +23,8 @@ constexpr int not_run = static_cast<int>(Ending::interrupted);
 
 /// Whether there is nothing more to do for a member: another try would end alike.
 bool is_final(MemberResult const& result) {
-  return result.status == 0 || result.status == static_cast<int>(Ending::scene_wrong) || result.status == static_cast<int>(Ending::numerics_failed);
+  return result.status == 0 || result.status == static_cast<int>(Ending::scene_wrong) ||
+         result.status == static_cast<int>(Ending::numerics_failed);
 }
 
 /// `3 failed (status 2: 1, status 3: 2)`
@@ -34,16 +35,24 @@ std::string failures_text(std::vector<MemberResult> const& results) {
   if (count.empty()) return "";
   long all = 0;
   std::string kinds;
-  for (auto const& [status, members] : count) all += members, kinds += (kinds.empty() ? "" : ", ") + fmt::format("{} with status {}", members, status);
-  return fmt::format(", {} failed ({})", all, count.size() == 1 ? fmt::format("status {}", count.begin()->first) : kinds);
+  for (auto const& [status, members] : count)
+    all += members, kinds += (kinds.empty() ? "" : ", ") + fmt::format("{} with status {}", members, status);
+  return fmt::format(", {} failed ({})", all,
+                     count.size() == 1 ? fmt::format("status {}", count.begin()->first) : kinds);
 }
 
 /// The sweep, as one of its processes sees it.
 class SweepRun {
  public:
   SweepRun(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options)
-      : plan_(plan), crew_(crew), sharing_(sharing), options_(options), progress_(options.quiet), complaints_(options.quiet) {
-    for (long member = 0; sharing.speaks() && member < plan.size(); ++member) results_.emplace_back().member = member, results_.back().status = not_run;
+      : plan_(plan),
+        crew_(crew),
+        sharing_(sharing),
+        options_(options),
+        progress_(options.quiet),
+        complaints_(options.quiet) {
+    for (long member = 0; sharing.speaks() && member < plan.size(); ++member)
+      results_.emplace_back().member = member, results_.back().status = not_run;
   }
 
   int go() {
@@ -61,7 +70,8 @@ class SweepRun {
  private:
   static long count_of(std::string const& members) { return std::count(members.begin(), members.end(), '1'); }
 
-  /// What the one who speaks finds, for all; where it throws, the others are told that there is nothing to do.
+  /// What the one who speaks finds, for all; where it throws, the others are told that there is nothing to
+  /// do.
   template <class Find>
   std::string agreed(Find const& find) {
     std::string said;
@@ -82,10 +92,14 @@ class SweepRun {
     if (options_.resume) {
       folder_.emplace(SweepFolder::open(plan_.folder()));
       for (auto& result : folder_->kept())
-        if (std::size_t const at = static_cast<std::size_t>(result.member); at < open.size() && is_final(result)) open[at] = '0', results_[at] = std::move(result);
+        if (std::size_t const at = static_cast<std::size_t>(result.member);
+            at < open.size() && is_final(result))
+          open[at] = '0', results_[at] = std::move(result);
       if (count_of(open) == 0) {
         folder_->write_table(sweep_table(plan_, results_));
-        if (!options_.quiet) say(stdout, fmt::format("{}: the sweep is finished, with {} members; nothing is left to do\n", plan_.folder(), plan_.size()));
+        if (!options_.quiet)
+          say(stdout, fmt::format("{}: the sweep is finished, with {} members; nothing is left to do\n",
+                                  plan_.folder(), plan_.size()));
         return "";
       }
     } else if (!options_.dry_run) {
@@ -106,7 +120,8 @@ class SweepRun {
         patience = Clock::now() + std::chrono::milliseconds(500);
       }
       if (more || crew_.busy() || !left)
-        for (auto const& result : crew_.finished(crew_.busy() ? sharing_.patience() : 2)) sharing_.speaks() ? take(task, result) : sharing_.deliver(result);
+        for (auto const& result : crew_.finished(crew_.busy() ? sharing_.patience() : 2))
+          sharing_.speaks() ? take(task, result) : sharing_.deliver(result);
       for (auto const& result : sharing_.delivered()) take(task, result);
       if (sharing_.speaks()) progress_.show();
       if (sharing_.speaks() && task == MemberTask::run) write_table_from_time_to_time();
@@ -155,7 +170,8 @@ class SweepRun {
     auto const now = Clock::now();
     if (now < next_table_) return;
     write_table();
-    next_table_ = Clock::now() + std::max<Clock::duration>(std::chrono::seconds(5), 50 * (Clock::now() - now));
+    next_table_ =
+        Clock::now() + std::max<Clock::duration>(std::chrono::seconds(5), 50 * (Clock::now() - now));
   }
 
   /// After all scenes were read: those in order. Where there is none, nothing is written.
@@ -172,17 +188,23 @@ class SweepRun {
       folder_.emplace(SweepFolder::create(plan_, options_.force));
     }
     for (std::size_t k = 0; k < able.size(); ++k)
-      if (MemberResult& result = results_[k]; able[k] == '1') result = {}, result.member = static_cast<long>(k), result.status = not_run;  // until it has run
-      else if (open[k] == '1') keep(result), complain(result);
+      if (MemberResult& result = results_[k]; able[k] == '1')
+        result = {}, result.member = static_cast<long>(k), result.status = not_run;  // until it has run
+      else if (open[k] == '1')
+        keep(result), complain(result);
     progress_.begin("members", plan_.size(), plan_.size() - count_of(able));
     return able;
   }
   void tell_that_none_is_able() {
     progress_.clear();
     MemberResult const& first = results_.front();
-    bool const all_alike = std::all_of(results_.begin(), results_.end(), [&](MemberResult const& r) { return r.message == first.message; });
-    if (all_alike) say(stderr, first.message + "\n");
-    else say(stderr, fmt::format("{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message, results_.size()));
+    bool const all_alike = std::all_of(results_.begin(), results_.end(),
+                                       [&](MemberResult const& r) { return r.message == first.message; });
+    if (all_alike)
+      say(stderr, first.message + "\n");
+    else
+      say(stderr, fmt::format("{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message,
+                              results_.size()));
   }
 
   int tell_outlook() {
@@ -197,11 +219,16 @@ class SweepRun {
     progress_.clear();
     if (ran) write_table(), folder_->sync();
     if (ran) complaints_.close(plan_.folder() + "/sweep.csv");
-    long const done = std::count_if(results_.begin(), results_.end(), [](MemberResult const& r) { return r.status == 0; });
-    if (interrupted() && !folder_) say(stderr, "interrupted while the scenes were read; nothing was written\n");
-    else if (interrupted()) say(stderr, fmt::format("interrupted: {} of {} members are done; actio resume {} goes on\n", done, results_.size(), in_shell(plan_.folder())));
+    long const done =
+        std::count_if(results_.begin(), results_.end(), [](MemberResult const& r) { return r.status == 0; });
+    if (interrupted() && !folder_)
+      say(stderr, "interrupted while the scenes were read; nothing was written\n");
+    else if (interrupted())
+      say(stderr, fmt::format("interrupted: {} of {} members are done; actio resume {} goes on\n", done,
+                              results_.size(), in_shell(plan_.folder())));
     else if (ran && !options_.quiet)
-      say(stdout, fmt::format("{}: {} members, {} done{}, in {:.3g} s; table {}/sweep.csv\n", plan_.folder(), results_.size(), done, failures_text(results_),
+      say(stdout, fmt::format("{}: {} members, {} done{}, in {:.3g} s; table {}/sweep.csv\n", plan_.folder(),
+                              results_.size(), done, failures_text(results_),
                               std::chrono::duration<double>(Clock::now() - began_).count(), plan_.folder()));
     if (!failure_.empty()) say(stderr, failure_ + "\n");
     return status();
@@ -228,6 +255,8 @@ class SweepRun {
 
 }  // namespace
 
-int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options) { return SweepRun(plan, crew, sharing, options).go(); }
+int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options) {
+  return SweepRun(plan, crew, sharing, options).go();
+}
 
 }  // namespace actio::scene

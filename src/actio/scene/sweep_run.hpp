@@ -1,4 +1,5 @@
-// A sweep on its way: first every scene is read, so that a mistyped value is known before hours have passed, then those that are in order are run, by processes
+// A sweep on its way: first every scene is read, so that a mistyped value is known before hours have passed,
+// then those that are in order are run, by processes
 // on one machine or on many.
 #pragma once
 
@@ -42,8 +43,10 @@ struct SweepOptions {
   bool dry_run = false;  ///< reads all scenes, tells what would be run, and writes nothing
 };
 
-/// Runs a sweep, tells failed members on standard error, and leaves the table `sweep.csv`, which is written from time to time as well.
-/// @return the exit status: 0 where all members are done, 130 where it was interrupted, otherwise the largest of theirs
+/// Runs a sweep, tells failed members on standard error, and leaves the table `sweep.csv`, which is written
+/// from time to time as well.
+/// @return the exit status: 0 where all members are done, 130 where it was interrupted, otherwise the
+/// largest of theirs
 /// @throws FileError, SceneError  in the process that speaks
 int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options);
 

@@ -58,7 +58,8 @@ bool send_notice(int control, int status, int line) {
   Enclosure enclosure = {};
   iovec text{&status, sizeof status};
   msghdr message = {};
-  message.msg_iov = &text, message.msg_iovlen = 1, message.msg_control = enclosure.bytes, message.msg_controllen = sizeof enclosure.bytes;
+  message.msg_iov = &text, message.msg_iovlen = 1, message.msg_control = enclosure.bytes,
+  message.msg_controllen = sizeof enclosure.bytes;
   cmsghdr* const head = CMSG_FIRSTHDR(&message);
   head->cmsg_level = SOL_SOCKET, head->cmsg_type = SCM_RIGHTS, head->cmsg_len = CMSG_LEN(sizeof line);
   std::memcpy(CMSG_DATA(head), &line, sizeof line);
@@ -143,12 +144,14 @@ std::optional<Notice> receive_notice(int control) {
   Enclosure enclosure;
   iovec text{&out.status, sizeof out.status};
   msghdr message = {};
-  message.msg_iov = &text, message.msg_iovlen = 1, message.msg_control = enclosure.bytes, message.msg_controllen = sizeof enclosure.bytes;
+  message.msg_iov = &text, message.msg_iovlen = 1, message.msg_control = enclosure.bytes,
+  message.msg_controllen = sizeof enclosure.bytes;
   ssize_t got;
   while ((got = ::recvmsg(control, &message, MSG_CMSG_CLOEXEC)) < 0 && errno == EINTR) {
   }
   if (got != sizeof out.status) return {};
-  if (cmsghdr const* const head = CMSG_FIRSTHDR(&message); head && head->cmsg_type == SCM_RIGHTS) std::memcpy(&out.line, CMSG_DATA(head), sizeof out.line);
+  if (cmsghdr const* const head = CMSG_FIRSTHDR(&message); head && head->cmsg_type == SCM_RIGHTS)
+    std::memcpy(&out.line, CMSG_DATA(head), sizeof out.line);
   return out;
 }
 
@@ -164,7 +167,9 @@ int wait_for_end(int process) {
   return status;
 }
 
-bool retires_after(MemberResult const& result) { return result.status == static_cast<int>(Ending::file_failed); }
+bool retires_after(MemberResult const& result) {
+  return result.status == static_cast<int>(Ending::file_failed);
+}
 bool told_to_stop() { return told; }
 
 void be_foreman(Work const& work, int control) {

@@ -1,4 +1,5 @@
-// The other side of a crew: a foreman, who makes a worker and another one where it ends, and the worker, who takes orders from the sweep and answers with results.
+// The other side of a crew: a foreman, who makes a worker and another one where it ends, and the worker, who
+// takes orders from the sweep and answers with results.
 // Sockets join them; a socket whose other side has gone ends whoever listens to it.
 #pragma once
 

@@ -2,7 +2,8 @@
 //
 //     method.step=0.1,0.2,0.5                     these
 //     method.step=0.1:0.5:0.1                     from 0.1 to 0.5 in steps of 0.1, the end included
-//     run.until=linspace(1, 2, 11)                eleven numbers at equal distances, both ends included; geomspace: with equal ratios; logspace: of powers of ten
+//     run.until=linspace(1, 2, 11)                eleven numbers at equal distances, both ends included;
+// geomspace: with equal ratios; logspace: of powers of ten
 //     initial.angular_velocity[0]=1,2,3           one number of a list
 //     method.step=@steps.txt                      those in a file, one a line
 #pragma once
