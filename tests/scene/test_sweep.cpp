@@ -20,7 +20,7 @@ namespace {
 MemberResult result_of(long member, int status = 0) {
   MemberResult out;
   out.member = member, out.status = status, out.message = status == 0 ? "" : "tells\nnothing", out.steps = 7, out.seconds = 0.5;
-  out.drift = {{"energy", 1e-16}}, out.columns = {"t", "energy"}, out.last_row = {1, 0.1 + 0.2};
+  out.drift = {{"energy", 1e-16}}, out.error = {{"momentum", 0.25}}, out.columns = {"t", "energy"}, out.last_row = {1, 0.1 + 0.2};
   return out;
 }
 
@@ -144,10 +144,10 @@ BOOST_AUTO_TEST_CASE(a_table_has_the_columns_of_all_members_and_empty_cells_for_
   auto other = result_of(2);
   other.drift = {{"casimir", 0.0}}, other.columns = {"t", "casimir"}, other.last_row = {2, 5};
   BOOST_TEST(sweep_table(plan, {result_of(0), result_of(1, 3), other}) ==
-             "member,x,status,steps,wall_seconds,drift_energy,drift_casimir,last_t,last_energy,last_casimir,message\n"
-             "0,1,0,7,0.5,9.9999999999999998e-17,,1,0.30000000000000004,,\n"
-             "1,2,3,,,,,,,,\"tells\nnothing\"\n"
-             "2,\"\"\"a,b\"\"\",0,7,0.5,,0,2,,5,\n");
+             "member,x,status,steps,wall_seconds,drift_energy,drift_casimir,error_momentum,last_t,last_energy,last_casimir,message\n"
+             "0,1,0,7,0.5,9.9999999999999998e-17,,0.25,1,0.30000000000000004,,\n"
+             "1,2,3,,,,,,,,,\"tells\nnothing\"\n"
+             "2,\"\"\"a,b\"\"\",0,7,0.5,,0,0.25,2,,5,\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -25,6 +25,7 @@ void remember(Memory& memory, MemberResult& result) {
   memory(result.member, result.status, result.rows, result.bytes, result.steps, result.seconds, result.last_row);
   remember(memory, result.message);
   remember(memory, result.drift, [&](Drift::Entry& entry) { remember(memory, entry.name), memory(entry.relative); });
+  remember(memory, result.error, [&](ErrorEstimate::Entry& entry) { remember(memory, entry.name), memory(entry.error); });
   remember(memory, result.columns, [&](std::string& name) { remember(memory, name); });
 }
 
@@ -63,7 +64,7 @@ void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const
   if (scene.plots && report.ending == Ending::done) draw_pictures(scene, folder.path(), true);
   result.status = static_cast<int>(report.ending), result.message = report.message;
   result.steps = report.steps, result.seconds = report.seconds;
-  result.drift = report.drift, result.last_row = report.last_row;
+  result.drift = report.drift, result.error = report.error, result.last_row = report.last_row;
   result.columns = {"t"};
   for (auto const& name : scene.simulation.quantities.columns()) result.columns.push_back(name);
 }

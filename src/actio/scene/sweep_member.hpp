@@ -16,6 +16,7 @@ struct MemberResult {
   long steps = 0;                    ///< that were made
   double seconds = 0;                ///< that it took
   std::vector<Drift::Entry> drift;   ///< of each conserved quantity
+  std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated
   std::vector<std::string> columns;  ///< of its series, the time first
   std::vector<double> last_row;      ///< one for each of them
 
