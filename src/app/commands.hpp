@@ -13,6 +13,7 @@ namespace actio::app {
 struct RunArguments {
   std::string scene, out;            ///< out: the scene's name beside it where empty
   std::vector<std::string> set;      ///< KEY=VALUE
+  std::vector<std::string> unset;    ///< KEY
   bool quiet = false, dry_run = false, plots = false, force = false;
 };
 int run(RunArguments const& arguments);
@@ -21,18 +22,27 @@ int plan(scene::Scene const& scene, RunArguments const& arguments, std::string c
 
 struct ResumeArguments {
   std::string folder;
+  int jobs = 0;                      ///< of a sweep; 0: as many as the machine has cores
   bool quiet = false;
 };
 int resume(ResumeArguments const& arguments);
 
 struct SweepArguments {
   std::string scene, out;
+  std::string resume;                ///< the folder of a sweep that goes on; the scene is not given then
   std::vector<std::string> over;     ///< KEY=a,b,c
-  std::vector<std::string> set;
+  std::vector<std::string> set, unset;
   int jobs = 0;                      ///< 0: as many as the machine has cores
-  bool quiet = false, force = false;
+  bool quiet = false, force = false, dry_run = false, plots = false;
 };
 int sweep(SweepArguments const& arguments);
+/// Goes on with the sweep in a folder.
+int resume_sweep(ResumeArguments const& arguments);
+/// Whether there is one.
+bool is_sweep(std::string const& folder);
+
+/// What KEY=VALUE and KEY of the command line say, as overrides of a scene: what is taken out first.
+std::vector<std::string> overrides(std::vector<std::string> const& set, std::vector<std::string> const& unset, bool plots);
 
 /// @param what  systems, groups, methods, quantities, bodies, materials
 /// @param json  for other programs: systems, with all that is known of them

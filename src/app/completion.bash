@@ -10,9 +10,9 @@ _actio_reply() { # WORD
 
 _actio_options() { # PART
   case $1 in
-    run) echo "--out --set --quiet --dry-run --plots --force --help" ;;
-    resume) echo "--quiet --help" ;;
-    sweep) echo "--over --out --set --jobs --quiet --force --help" ;;
+    run) echo "--out --set --unset --quiet --dry-run --plots --force --help" ;;
+    resume) echo "--jobs --quiet --help" ;;
+    sweep) echo "--over --out --set --unset --jobs --quiet --dry-run --plots --force --help" ;;
     list) echo "--json --help" ;;
     show) echo "--help" ;;
     check) echo "--list --help" ;;
@@ -45,7 +45,7 @@ _actio() {
   if ((COMP_CWORD > 1)); then
     case $before in
       --out) _actio_files "$word" ""; return ;;
-      --set | --over | --jobs) return ;;
+      --set | --unset | --over | --jobs) return ;;
     esac
   fi
   if [[ $word == -* ]]; then

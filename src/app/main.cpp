@@ -39,16 +39,18 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   part->add_option("SCENE", run.scene, "a scene, in TOML")->required()->check(CLI::Validator(not_empty, ""));
   part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR");
   part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
+  part->add_option("--unset", run.unset, "take a key out of the scene")->type_name("KEY")->allow_extra_args(false);
   part->add_flag("--quiet", run.quiet, "no progress")->disable_flag_override();
   part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing")->disable_flag_override();
   part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion")->disable_flag_override();
-  part->add_flag("--force", run.force, "replace the run that is in the folder")->disable_flag_override();
+  part->add_flag("--force", run.force, "replace the run that is in the folder: the files that actio wrote, and nothing else")->disable_flag_override();
 }
 
 void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action) {
-  auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit.", action,
+  auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint, or with a sweep", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit. Of a sweep, members that are done are kept.", action,
                               [&resume] { return app::resume(resume); });
-  part->add_option("DIR", resume.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_option("DIR", resume.folder, "the folder of the run, or of the sweep")->required()->check(CLI::Validator(not_empty, ""));
+  app::add_jobs_option(*part, resume.jobs, "of a sweep: runs at the same time; otherwise one for each core");
   part->add_flag("--quiet", resume.quiet, "no progress")->disable_flag_override();
 }
 

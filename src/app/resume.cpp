@@ -12,6 +12,7 @@ using namespace scene;
 
 int resume(ResumeArguments const& arguments) {
   open_standard_streams();
+  if (is_sweep(arguments.folder)) return resume_sweep(arguments);
   RunFolder const folder = RunFolder::open(arguments.folder);
   Scene scene = Scene::read(SceneFile::read(folder / "scene.toml"));
   bool const begun = std::filesystem::exists(folder / "checkpoint");

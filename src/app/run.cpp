@@ -20,17 +20,16 @@ void keep_the_scene(RunArguments const& arguments, std::string const& out, Scene
 
 int run(RunArguments const& arguments) {
   open_standard_streams();
-  std::vector<std::string> changes = arguments.plots ? std::vector<std::string>{"output.plots=true"} : std::vector<std::string>{};
-  changes.insert(changes.begin(), arguments.set.begin(), arguments.set.end());
-  Scene scene = Scene::read(SceneFile::read(arguments.scene, changes));
+  Scene scene = Scene::read(SceneFile::read(arguments.scene, overrides(arguments.set, arguments.unset, arguments.plots)));
   std::string const out = arguments.out.empty() ? std::filesystem::path(arguments.scene).replace_extension().string() : arguments.out;
   if (arguments.dry_run) {
     if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
     return plan(scene, arguments, out);
   }
   keep_the_scene(arguments, out, scene);
-  RunFolder const folder = RunFolder::create(out, arguments.force);
+  refuse_without_step(scene);
   listen_for_interrupts();
+  RunFolder const folder = RunFolder::create(out, arguments.force, files_of_run(scene));
   return run_to_end(scene, folder, false, arguments.quiet);
 }
 

@@ -14,6 +14,8 @@ class SweepPlan;
 
 namespace actio::app {
 
+/// Declares `--jobs N`.
+void add_jobs_option(CLI::App& command, int& jobs, char const* meaning);
 /// Declares them.
 void add_sweep_options(CLI::App& command, SweepArguments& arguments);
 /// Reads them all, for a command that does nothing else.

@@ -1,9 +1,10 @@
 // actio-mpi: `actio sweep` on many machines.
 //
 //     mpirun -n 16 actio-mpi apophis.toml --over method.step=0.1,0.2,0.5
+//     mpirun -n 16 actio-mpi --resume apophis
 //
 // Each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has finished another, so that none waits for slow ones. What
-// a member tells goes to rank 0, which writes the table. Members run in processes of their own (SweepCrew) that were made before MPI began and know
+// a member tells goes to rank 0, which writes the table. Members run in other processes (SweepCrew) that were made before MPI began and know
 // nothing of it.
 #include <mpi.h>
 
@@ -48,6 +49,7 @@ class Ranks : public SweepSharing {
     if (rank_ != 0) send("");
   }
   bool all_left() override { return rank_ != 0 || left_ == size_ - 1; }
+  int patience() const override { return 2; }
 
   std::vector<MemberResult> delivered() override {
     std::vector<MemberResult> out;
@@ -111,7 +113,7 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
   int status = 0;
   Ranks ranks;
   try {
-    status = run_sweep(plan, crew, ranks, {arguments.quiet, arguments.force});
+    status = run_sweep(plan, crew, ranks, {.quiet = arguments.quiet, .force = arguments.force, .resume = !arguments.resume.empty(), .dry_run = arguments.dry_run});
   } catch (SceneError const& error) {
     say(stderr, error.what() + std::string("\n"));
     status = 2;

@@ -19,8 +19,8 @@ namespace {
 
 MemberResult result_of(long member, int status = 0) {
   MemberResult out;
-  out.member = member, out.status = status, out.message = "tells\nnothing", out.steps = 7, out.seconds = 0.5;
-  out.drift = {{"energy", 1e-16}}, out.columns = {"t", "energy"}, out.last_row = {1, 0.1 + 0.2};
+  out.member = member, out.status = status, out.message = status == 0 ? "" : "tells\nnothing", out.steps = 7, out.seconds = 0.5;
+  out.drift = {{"energy", 1e-16}}, out.error = {{"momentum", 0.25}}, out.columns = {"t", "energy"}, out.last_row = {1, 0.1 + 0.2};
   return out;
 }
 
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_result_is_the_same_behind_the_wall_of_its_process) {
   BOOST_CHECK_THROW(MemberResult::unpacked(sent.packed().substr(0, 40)), std::exception);
 }
 
-BOOST_AUTO_TEST_CASE(each_member_has_a_process_of_its_own) {
+BOOST_AUTO_TEST_CASE(members_run_in_as_many_other_processes_as_there_are_places) {
   pid_t const here = ::getpid();
   SweepCrew crew(
       [&](MemberTask, long member) {
@@ -78,7 +78,8 @@ BOOST_AUTO_TEST_CASE(each_member_has_a_process_of_its_own) {
       3);
   std::set<long> processes;
   for (auto const& result : all_of(crew, 10)) processes.insert(result.steps);
-  BOOST_TEST(processes.size() == 10u);
+  BOOST_TEST(processes.size() <= 3u);
+  BOOST_TEST(processes.size() >= 1u);
   BOOST_TEST(!processes.contains(here));
 }
 
@@ -99,11 +100,37 @@ BOOST_AUTO_TEST_CASE(a_member_that_crashes_or_is_killed_takes_no_other_with_it) 
   BOOST_TEST(results[1].message == "signal 9 ended it: Killed");
 }
 
-BOOST_AUTO_TEST_CASE(a_crew_whose_foremen_are_killed_says_so) {
+BOOST_AUTO_TEST_CASE(a_worker_that_could_not_write_is_replaced) {
   SweepCrew crew(
       [](MemberTask, long member) {
+        auto out = result_of(member, member == 0 ? 4 : 0);
+        out.steps = ::getpid();
+        return out;
+      },
+      1);
+  auto const results = all_of(crew, 3);
+  BOOST_TEST_REQUIRE(results.size() == 3u);
+  BOOST_TEST(results[0].steps != results[1].steps);
+  BOOST_TEST(results[1].steps == results[2].steps);
+}
+
+BOOST_AUTO_TEST_CASE(a_long_result_comes_whole) {
+  SweepCrew crew(
+      [](MemberTask, long member) {
+        auto out = result_of(member);
+        out.last_row.assign(200000, 0.1);
+        return out;
+      },
+      2);
+  for (auto const& result : all_of(crew, 6)) BOOST_TEST(result.last_row.size() == 200000u);
+}
+
+BOOST_AUTO_TEST_CASE(a_crew_whose_foremen_are_killed_says_so) {
+  SweepCrew crew(
+      [](MemberTask, long) -> MemberResult {
         ::kill(::getppid(), SIGKILL);
-        return result_of(member);
+        while (!SweepCrew::told_to_stop()) ::usleep(1000);
+        ::_exit(0);  // without a result
       },
       1);
   auto const results = all_of(crew, 1);
@@ -117,10 +144,10 @@ BOOST_AUTO_TEST_CASE(a_table_has_the_columns_of_all_members_and_empty_cells_for_
   auto other = result_of(2);
   other.drift = {{"casimir", 0.0}}, other.columns = {"t", "casimir"}, other.last_row = {2, 5};
   BOOST_TEST(sweep_table(plan, {result_of(0), result_of(1, 3), other}) ==
-             "member,x,status,steps,wall_seconds,drift_energy,drift_casimir,last_t,last_energy,last_casimir\n"
-             "0,1,0,7,0.5,9.9999999999999998e-17,,1,0.30000000000000004,\n"
-             "1,2,3,,,,,,,\n"
-             "2,\"\"\"a,b\"\"\",0,7,0.5,,0,2,,5\n");
+             "member,x,status,steps,wall_seconds,drift_energy,drift_casimir,error_momentum,last_t,last_energy,last_casimir,message\n"
+             "0,1,0,7,0.5,9.9999999999999998e-17,,0.25,1,0.30000000000000004,,\n"
+             "1,2,3,,,,,,,,,\"tells\nnothing\"\n"
+             "2,\"\"\"a,b\"\"\",0,7,0.5,,0,0.25,2,,5,\n");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

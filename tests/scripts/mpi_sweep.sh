@@ -29,8 +29,8 @@ TOML
 over=(--over "method.step=0.125,0.25,fast" --over "run.until=10,15,20")
 timeless() { awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "wall_seconds") clock = i } { $clock = ""; print }' "$1/sweep.csv"; }
 one=0 two=0
-"$actio" sweep apophis.toml "${over[@]}" --out one --quiet 2>one.err || one=$?
-ranks apophis.toml "${over[@]}" --out two --quiet 2>two.err || two=$?
+"$actio" sweep apophis.toml "${over[@]}" --out one >one.out 2>one.err || one=$?
+ranks apophis.toml "${over[@]}" --out two >two.out 2>two.err || two=$?
 [[ $one == 2 && $two == 2 ]] || { cat two.err; fail "a wrong member ends a sweep with status 2, not $one on one machine and $two on ranks"; }
 diff <(timeless one) <(timeless two) || fail "the tables differ in more than the time"
 for member in one/0*; do
@@ -39,6 +39,7 @@ done
 members=(one/0*)
 [[ ${#members[@]} == 6 && $(wc -l <two/sweep.csv) == 10 ]] || fail "six members run and three are told of alone, not ${members[*]}"
 diff <(sort one.err) <(grep '^00000' two.err | sort) || fail "the failed members are not named alike"
+grep -q "two: 9 members, 6 done, 3 failed (status 2), in .* s; table two/sweep.csv" two.out || fail "no closing line: $(cat two.out)"
 
 # Without one member in order nothing is left, and the ranks do not wait for each other.
 two=0
@@ -71,6 +72,15 @@ killed() { # FOLDER rank|mpirun
   [[ $(head -c 1 "$1/000000/series.csv") == t ]] || fail "the members of a sweep whose $2 was killed are gone"
 }
 killed one_rank_less rank
+
+# A sweep that was interrupted goes on, on ranks and on one machine, to the same table.
+long=(apophis.toml --over "run.until=10,1000000,15,1200000" --set run.every=5)
+"$actio" sweep "${long[@]}" --out unbroken --quiet
+for how in ranks alone; do
+  timeout -s INT 1 "$actio" sweep "${long[@]}" --out "$how" --jobs 1 --quiet 2>/dev/null || true
+  if [[ $how == ranks ]]; then ranks --resume ranks --quiet; else "$actio" resume alone --quiet; fi
+  diff <(timeless unbroken) <(timeless "$how") || fail "the table of a sweep that went on ($how) is another"
+done
 killed no_mpirun mpirun
 
 echo "Six members are the same on one machine and on two ranks; a sweep that loses a rank or mpirun ends."

@@ -39,7 +39,7 @@ std::string as_bytes(std::uint64_t x) { return {reinterpret_cast<char const*>(&x
 /// A file that is gone again unless it is given its name.
 class Part {
  public:
-  explicit Part(std::string const& path) : path_(path), part_(path + ".part"), file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  explicit Part(std::string const& path) : path_(path), part_(path + ".part"), file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)) {
     if (file_ < 0) fail(path_, errno);
   }
   ~Part() {
@@ -54,8 +54,8 @@ class Part {
       content.remove_prefix(static_cast<std::size_t>(n));
     }
   }
-  void name() {
-    if (::fsync(file_) != 0 && errno != EINVAL) fail(path_, errno);
+  void name(bool durable) {
+    if (durable && ::fsync(file_) != 0 && errno != EINVAL) fail(path_, errno);
     int const closed = ::close(std::exchange(file_, -1));
     if (closed != 0 || std::rename(part_.c_str(), path_.c_str()) != 0) fail(path_, errno);
     named_ = true;
@@ -69,17 +69,18 @@ class Part {
 
 }  // namespace
 
-void write_whole_file(std::string const& path, std::string_view content) {
+void write_whole_file(std::string const& path, std::string_view content, bool durable) {
   Part part(path);
   part.write(content);
-  part.name();
+  part.name(durable);
+  if (!durable) return;
   // The name is on the disk when the folder is.
   std::string const folder = std::filesystem::path(path).parent_path().string();
   if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) ::fsync(handle), ::close(handle);
 }
 
-void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state) {
-  write_whole_file(path, std::string(heading) + as_bytes(hash(scene)) + as_bytes(hash(state)) + state);
+void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state, bool durable) {
+  write_whole_file(path, std::string(heading) + as_bytes(hash(scene)) + as_bytes(hash(state)) + state, durable);
 }
 
 std::string read_checkpoint(std::string const& path, std::string const& scene) {

@@ -7,15 +7,17 @@
 namespace actio::scene {
 
 /// Writes `path` anew: to a file beside it, to the disk, then renamed.
-/// @param scene  it belongs to, to the letter
+/// @param scene    it belongs to, to the letter
+/// @param durable  whether to wait until it is on the disk
 /// @throws FileError
-void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state);
+void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state, bool durable = true);
 /// The state in `path`.
 /// @throws FileError  where it cannot be read, is damaged, or belongs to another scene or another version of the program
 std::string read_checkpoint(std::string const& path, std::string const& scene);
 
 /// Writes a file whole or not at all, and sees to it that it is on the disk.
+/// @param durable  without it, only that it is there for other programs: whoever writes many small files lets the disk catch up with all of them at once
 /// @throws FileError
-void write_whole_file(std::string const& path, std::string_view content);
+void write_whole_file(std::string const& path, std::string_view content, bool durable = true);
 
 }  // namespace actio::scene

@@ -14,7 +14,7 @@ namespace {
 class CsvSeries : public Series {
  public:
   CsvSeries(std::string const& path, std::vector<std::string> const& columns, bool resume) : path_(path) {
-    file_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT | O_TRUNC), 0666);
+    file_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT | O_TRUNC | O_NOFOLLOW), 0666);
     if (file_ < 0) fail("cannot be opened", errno);
     if (resume) return;  // `remember` tells how much of it counts
     for (auto const& name : columns) buffer_ += (buffer_.empty() ? "" : ",") + name;

@@ -9,6 +9,7 @@
 
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/drift.hpp"
+#include "actio/scene/own_files.hpp"
 #include "actio/scene/units.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
@@ -54,13 +55,13 @@ std::string file_contents(std::string const& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Pictures of an earlier run would pass for those of this one.
-void clear(std::filesystem::path const& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(folder.string() + ": the folder cannot be made: " + error.message());
-  for (auto const& entry : std::filesystem::directory_iterator(folder))
-    if (entry.path().extension() == ".svg" || entry.path().filename() == "index.html") std::filesystem::remove(entry.path(), error);
+/// Removes pictures that were drawn before, which would pass for those of this run; pictures of other people stay, and none of them is drawn over.
+void make_way(std::string const& folder, std::vector<std::pair<std::string, std::string>> const& pictures) {
+  std::vector<std::string> names;
+  for (auto const& [name, picture] : pictures) names.push_back(name), names.push_back(name + ".part");
+  OwnFiles own(folder);
+  own.clear("plots");
+  own.claim(names);
 }
 
 }  // namespace
@@ -118,12 +119,13 @@ std::string polhode_picture(Scene const& scene, Overview const& overview) {
 
 void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   Overview const overview = read_overview(scene, folder, quiet);
-  std::string const plots = folder + "/plots";
-  clear(plots);
-  for (auto const& drawn : overview.quantities) write_whole_file(plots + "/" + drawn.quantity.name + ".svg", quantity_picture(scene, drawn));
-  for (auto const& drifting : overview.drifts) write_whole_file(plots + "/drift_" + drifting.name + ".svg", drift_picture(scene, drifting));
-  if (scene.system->name == "rigid_body" && overview.find("body_momentum")) write_whole_file(plots + "/polhode.svg", polhode_picture(scene, overview));
-  write_whole_file(plots + "/index.html", viewer_page(scene, overview, file_contents(folder + "/summary.json")));
+  std::vector<std::pair<std::string, std::string>> pictures;
+  for (auto const& drawn : overview.quantities) pictures.emplace_back("plots/" + drawn.quantity.name + ".svg", quantity_picture(scene, drawn));
+  for (auto const& drifting : overview.drifts) pictures.emplace_back("plots/drift_" + drifting.name + ".svg", drift_picture(scene, drifting));
+  if (scene.system->name == "rigid_body" && overview.find("body_momentum")) pictures.emplace_back("plots/polhode.svg", polhode_picture(scene, overview));
+  pictures.emplace_back("plots/index.html", viewer_page(scene, overview, file_contents(folder + "/summary.json")));
+  make_way(folder, pictures);
+  for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
 }
 
 }  // namespace actio::scene

@@ -1,5 +1,7 @@
 #include "actio/scene/printable.hpp"
 
+#include <cctype>
+
 #include <fmt/format.h>
 
 namespace actio::scene {
@@ -60,5 +62,14 @@ std::size_t length_in_utf8(std::string_view text) {
 }
 
 std::string printable(std::string_view text) { return shown(text, text.size()); }
+
+std::string in_shell(std::string const& word) {
+  bool plain = !word.empty();
+  for (unsigned char const c : word) plain = plain && (std::isalnum(c) || c >= 0x80 || std::string_view("_-./,:=+@%").find(static_cast<char>(c)) != std::string_view::npos);
+  if (plain) return word;
+  std::string out = "'";
+  for (char const c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
 
 }  // namespace actio::scene

@@ -13,6 +13,9 @@ std::string printable(std::string_view text);
 /// The same, and after so many characters `...`.
 std::string shown(std::string_view text, std::size_t longest = 60);
 
+/// As a word of the shell, between quotes where it needs them.
+std::string in_shell(std::string const& word);
+
 /// The bytes before the first that is no UTF-8.
 std::size_t length_in_utf8(std::string_view text);
 

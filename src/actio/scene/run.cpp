@@ -34,7 +34,7 @@ class Run {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
-    if (!resume) write_whole_file(folder + "/scene.toml", written_);
+    if (!resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
     SeriesHead const head{scene.title, scene.system->name, written_, simulation_.quantities.column_groups(), scene.schedule.rows()};
     for (auto const& format : scene.formats) series_.push_back(open_series(folder, format, head, resume));
     if (resume) restore();
@@ -76,7 +76,7 @@ class Run {
         simulation_.quantities.evaluate(std::span(row_).subspan(1));
         drift_.see(std::span(row_).subspan(1), simulation_.quantities.natural_units());
       }
-      checkpoint();
+      if (options_.durable) checkpoint();
     }
     progress_.start(fraction(), count());
   }
@@ -145,10 +145,10 @@ class Run {
 
   void checkpoint() {
     if (in_memory()) return;
-    for (auto& series : series_) series->sync();
+    for (auto& series : series_) options_.durable ? series->sync() : series->flush();
     Memory memory;
     remember(memory);
-    write_checkpoint(folder_ + "/checkpoint", written_, memory.bytes());
+    write_checkpoint(folder_ + "/checkpoint", written_, memory.bytes(), options_.durable);
     last_checkpoint_ = Clock::now();
   }
   void remember(Memory& memory) {
@@ -194,9 +194,19 @@ class Run {
     if (report.ending == Ending::done) progress_.show(Clock::now(), 1, count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
     report.steps = at_.steps, report.rows = at_.rows, report.seconds = seconds(), report.drift = drift_.entries();
     report.error = error_.entries(), report.error_how = error_.how();
-    if (wrote_) report.last_row = row_;
     report.summary = summary_json(scene_, report);
-    if (!in_memory()) attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary); });
+    if (!wrote_ && report.ending == Ending::done) evaluate_last_row();
+    if (wrote_ || report.ending == Ending::done) report.last_row = row_;
+    if (!in_memory()) attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
+  }
+
+  /// Of a run whose rows were all there when this process began.
+  void evaluate_last_row() {
+    long const last = scene_.schedule.rows() - 1;
+    row_[0] = scene_.schedule.time(last);
+    if (simulation_.exact) simulation_.motion->go_to(row_[0]);
+    else simulation_.motion->look_ahead(steps_to_->beyond(last));
+    simulation_.quantities.evaluate(std::span(row_).subspan(1));
   }
 
   /// Steps, or rows where there are no steps: so far, and of the whole run.
@@ -225,6 +235,17 @@ class Run {
 };
 
 }  // namespace
+
+std::vector<std::string> files_of_run(Scene const& scene) {
+  std::vector<std::string> out{"scene.toml", "scene.toml.part", "checkpoint", "checkpoint.part", "summary.json", "summary.json.part"};
+  for (auto const& format : scene.formats) out.push_back(format == "hdf5" ? "series.h5" : "series.csv");
+  return out;
+}
+
+void refuse_without_step(Scene const& scene) {
+  bool const stays = scene.schedule.time(scene.schedule.rows() - 1) == 0;
+  if (!stays && !scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
+}
 
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options) { return Run(scene, folder, resume, options).go(); }
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) { return Run(scene, table, options).go(); }

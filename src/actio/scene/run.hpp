@@ -26,6 +26,7 @@ enum class Ending {
 /// What is to be done with a run besides the scene.
 struct RunOptions {
   bool quiet = false;                        ///< nothing on standard error
+  bool durable = true;                       ///< files are on the disk at each checkpoint, the first before the first step; otherwise for other programs to see alone
   double checkpoint_interval = 2;            ///< seconds
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
 };
@@ -40,9 +41,16 @@ struct RunReport {
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
   std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated; none where that was not possible
   std::string error_how;            ///< in words: how it is estimated, or why it is not
-  std::vector<double> last_row;     ///< that this process wrote, the time first
+  std::vector<double> last_row;     ///< of the run where it is done, otherwise that this process wrote; the time first
   std::string summary;              ///< as in summary.json
 };
+
+/// The files that a run of the scene writes into its folder, pictures aside.
+std::vector<std::string> files_of_run(Scene const& scene);
+
+/// Refuses a scene that could take no step from its start, before anything is written.
+/// @throws NumericsError
+void refuse_without_step(Scene const& scene);
 
 /// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was computed is in the files when it returns, whatever the ending.
 /// Whoever calls has the folder for himself (\ref RunFolder).

@@ -2,27 +2,39 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "actio/scene/folder_lock.hpp"
 
 namespace actio::scene {
 
 /// A folder that this process runs in. The lock goes with the process, however it ends.
 class RunFolder {
  public:
-  /// For a new run: made where there is none, empty.
-  /// @param replace  whether the run that is in it goes: all that a run leaves, and nothing else
-  /// @throws SceneError  where it is no folder, or not empty and `replace` is not said
+  /// For a new run: made where there is none, empty, or beside files of other people after the run that was
+  /// in it.
+  /// @param files    that the run will write: their list is in the folder before any of them
+  /// @param replace  whether the run that is in it goes: the files in its list, and nothing else
+  /// @throws SceneError  where it is no folder, or not empty and `replace` is not said; where there is no
+  ///         run that could be replaced, or one of the
+  ///                     files would take the place of somebody else's
   /// @throws FileError   where it cannot be made or emptied, or another process runs in it
-  static RunFolder create(std::string const& path, bool replace);
+  static RunFolder create(std::string const& path, bool replace, std::vector<std::string> const& files);
   /// That of a run.
   /// @throws SceneError  where there is no such folder, or no run in it
   /// @throws FileError   where another process runs in it
   static RunFolder open(std::string const& path);
+  /// That of a member of a sweep: made where there is none, or left by the same member. Another process may
+  /// still be about to leave it.
+  /// @throws SceneError  where something else is in it
+  /// @throws FileError   as `create`
+  static RunFolder of_member(std::string const& path);
 
-  /// Takes over the lock.
-  RunFolder(RunFolder&& other) noexcept : path_(std::move(other.path_)), handle_(other.handle_) { other.handle_ = -1; }
-  RunFolder(RunFolder const&) = delete;
-  RunFolder& operator=(RunFolder const&) = delete;
-  ~RunFolder();
+  /// The list of a member's files, anew, in place of what it has left here.
+  /// @throws SceneError, FileError
+  void begin_member(std::vector<std::string> const& files) const;
+  /// Whether there is a checkpoint to go on from.
+  bool begun() const;
 
   /// The path of the folder.
   std::string const& path() const { return path_; }
@@ -30,10 +42,10 @@ class RunFolder {
   std::string operator/(std::string const& name) const { return path_ + "/" + name; }
 
  private:
-  explicit RunFolder(std::string const& path);
+  RunFolder(std::string path, FolderLock lock) : path_(std::move(path)), lock_(std::move(lock)) {}
 
   std::string path_;
-  int handle_ = -1;
+  FolderLock lock_;
 };
 
 }  // namespace actio::scene

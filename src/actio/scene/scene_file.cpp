@@ -23,8 +23,9 @@ std::vector<std::string> scenes_in(fs::path const& folder) {
   return names;
 }
 
-/// The whole of a file that is one, and not larger than any scene.
-std::string read_text(std::string const& path) {
+}  // namespace
+
+std::string SceneFile::text_of(std::string const& path) {
   std::error_code error;
   fs::file_status const status = fs::status(path, error);
   if (!fs::exists(status)) throw SceneError({path.empty() ? "''" : path}, "there is no such file" + did_you_mean(fs::path(path).filename().string(), scenes_in(fs::path(path).parent_path())));
@@ -39,9 +40,7 @@ std::string read_text(std::string const& path) {
   return text;
 }
 
-}  // namespace
-
-SceneFile SceneFile::read(std::string const& path, std::vector<std::string> const& overrides) { return parse(read_text(path), path, overrides); }
+SceneFile SceneFile::read(std::string const& path, std::vector<std::string> const& overrides) { return parse(text_of(path), path, overrides); }
 
 SceneFile SceneFile::parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides) {
   auto document = std::make_shared<detail::SceneDocument>();

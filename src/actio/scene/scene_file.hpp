@@ -94,10 +94,13 @@ class SceneTable {
 /// A whole scene.
 class SceneFile {
  public:
-  /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text
+  /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text; KEY[n]=VALUE, one item of a list, counted from 0; or !KEY, which is taken out
   /// @throws SceneError  where the file is no TOML (with the place), too large, or not there; where an override is wrong (with the place in it)
   /// @throws FileError   where the file cannot be read
   static SceneFile read(std::string const& path, std::vector<std::string> const& overrides = {});
+  /// The text of a scene, whole.
+  /// @throws SceneError, FileError  where it is not there, no ordinary file, or cannot be read
+  static std::string text_of(std::string const& path);
   /// The same from a text; `name` stands for the file in complaints.
   static SceneFile parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides = {});
 

@@ -37,10 +37,62 @@ void merge(toml::table& into, toml::table&& from, std::string const& name) {
   }
 }
 
+/// The names that lead to a key: `method.step`, with quotes and spaces left away.
+std::vector<std::string> names_in(std::string_view key) {
+  std::vector<std::string> out(1);
+  for (char const c : key)
+    if (c == '.') out.emplace_back();
+    else if (c != ' ' && c != '\t' && c != '"' && c != '\'') out.back() += c;
+  return out;
+}
+
+/// What is there of that name; null where there is nothing.
+toml::node* find(toml::table& root, std::string_view key) {
+  toml::node* node = &root;
+  for (auto const& name : names_in(key)) node = node && node->is_table() ? node->as_table()->get(name) : nullptr;
+  return node;
+}
+
+/// !KEY
+void take_out(toml::table& root, std::string const& key) {
+  Place const place{"--unset " + shown(key, 100)};
+  if (key.empty() || !find(root, key)) throw SceneError(place, "the scene has no key '" + shown(key, 100) + "' that could be taken out");
+  auto const names = names_in(key);
+  toml::table* table = &root;
+  for (std::size_t k = 0; k + 1 < names.size(); ++k) table = table->get(names[k])->as_table();
+  table->erase(names.back());
+}
+
+/// KEY[i]=VALUE, KEY[i][j]=VALUE
+void set_item(toml::table& root, std::string const& argument, std::size_t bracket, std::size_t equals, std::string const& name) {
+  std::string const key = argument.substr(0, bracket);
+  toml::node* node = find(root, key);
+  if (!node) throw SceneError({name, 1, 1}, "the scene has no list '" + shown(key, 100) + "' of which an item could be set; KEY=[...] sets all of it");
+  toml::array* list = nullptr;
+  std::size_t item = 0;
+  for (std::size_t at = bracket; at < equals;) {
+    if (argument[at] == ' ' && ++at) continue;
+    unsigned const column = static_cast<unsigned>(at) + 1;
+    std::size_t const close = argument.find(']', at);
+    std::string const digits = argument[at] == '[' && close < equals ? argument.substr(at + 1, close - at - 1) : "";
+    if (digits.empty() || digits.size() > 9 || digits.find_first_not_of("0123456789") != std::string::npos) throw SceneError({name, 1, column}, "the number of an item is expected, counted from 0, for example initial.angular_velocity[0]=1");
+    node = list ? list->get(item) : node;
+    list = node->as_array(), item = std::stoul(digits), at = close + 1;
+    if (!list) throw SceneError({name, 1, column}, "a list is expected there, found " + detail::described(*node));
+    if (item >= list->size()) throw SceneError({name, 1, column}, "the list has " + std::to_string(list->size()) + " items, counted from 0; there is no item " + digits);
+  }
+  // Spaces keep the columns of the argument.
+  toml::table value = read_override("x" + std::string(equals - 1, ' ') + argument.substr(equals), name);
+  list->replace(list->cbegin() + static_cast<std::ptrdiff_t>(item), std::move(*value.get("x")));
+}
+
 }  // namespace
 
 void detail::apply_override(toml::table& root, std::string const& argument) {
+  if (argument.starts_with('!')) return take_out(root, argument.substr(1));
   std::string const name = "--set " + shown(argument, 100);
+  std::size_t const equals = argument.find('='), bracket = std::min(argument.find('['), argument.size());
+  if (equals != std::string::npos && bracket < equals) return set_item(root, argument, bracket, equals, name);
   merge(root, read_override(argument, name), name);
 }
 
@@ -55,9 +107,9 @@ std::vector<std::string> split_values(std::string_view list) {
       else if (c == quote) quote = 0;
     } else if (c == '"' || c == '\'') {
       quote = c;
-    } else if (c == '[' || c == '{') {
+    } else if (c == '[' || c == '{' || c == '(') {
       ++depth;
-    } else if (c == ']' || c == '}') {
+    } else if (c == ']' || c == '}' || c == ')') {
       --depth;
     } else if (c == ',' && depth == 0) {
       out.emplace_back();

@@ -1,5 +1,7 @@
 #include "actio/scene/series.hpp"
 
+#include <filesystem>
+
 namespace actio::scene {
 namespace {
 
@@ -9,10 +11,19 @@ std::vector<std::string> columns(SeriesHead const& head) {
   return out;
 }
 
+/// So many numbers take as long to write as a thread takes to come into being.
+constexpr std::size_t small_table = 2000;
+
 }  // namespace
 
 std::unique_ptr<Series> open_series(std::string const& folder, std::string const& format, SeriesHead const& head, bool resume) {
-  return in_background(format == "hdf5" ? hdf5_series(folder + "/series.h5", head, resume) : csv_series(folder + "/series.csv", columns(head), resume));
+  std::string const path = folder + (format == "hdf5" ? "/series.h5" : "/series.csv");
+  std::error_code none;
+  if (!resume && std::filesystem::is_symlink(path, none)) throw FileError(path + ": is a link, and nothing is written through it");
+  auto const all = columns(head);
+  auto series = format == "hdf5" ? hdf5_series(path, head, resume) : csv_series(path, all, resume);
+  bool const small = static_cast<std::size_t>(head.rows) * all.size() <= small_table;
+  return small ? std::move(series) : in_background(std::move(series));
 }
 
 }  // namespace actio::scene

@@ -48,7 +48,7 @@ struct SeriesHead {
   long rows = 0;                     ///< expected; a matter of speed alone
 };
 
-/// The table `series.csv` or `series.h5` in a folder, written by a thread of its own; new, or there and cut back by `remember`.
+/// The table `series.csv` or `series.h5` in a folder, written by a thread of its own where it is large; new, or there and cut back by `remember`.
 /// @param format  "csv" or "hdf5"
 /// @throws FileError
 std::unique_ptr<Series> open_series(std::string const& folder, std::string const& format, SeriesHead const& head, bool resume);

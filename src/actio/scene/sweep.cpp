@@ -7,39 +7,42 @@
 namespace actio::scene {
 namespace {
 
-constexpr long most_members = 1000000;  // names have six digits
-
-std::string trimmed(std::string const& text) {
-  auto const first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-}
-
-SweptKey read_swept_key(std::string const& argument) {
-  Place const place{"--over " + argument, 1, 1};
-  std::size_t const equals = argument.find('=');
-  SweptKey out{trimmed(argument.substr(0, equals)), {}};
-  if (equals == std::string::npos || out.key.empty()) throw SceneError(place, "KEY=a,b,c is expected, for example method.step=0.1,0.2");
-  for (auto const& value : split_values(argument.substr(equals + 1))) {
-    out.values.push_back(trimmed(value));
-    if (out.values.back().empty()) throw SceneError(place, fmt::format("value {} of '{}' is empty", out.values.size(), out.key));
-  }
-  return out;
+std::string key_of(std::string const& override_text) {
+  return override_text.starts_with('!') ? plain_key(override_text.substr(1))
+                                        : plain_key(override_text.substr(0, override_text.find('=')));
 }
 
 }  // namespace
 
-SweepPlan::SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set, std::string folder)
+SweepPlan::SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set,
+                     std::string folder)
     : scene_(std::move(scene)), folder_(std::move(folder)), set_(std::move(set)) {
+  while (folder_.size() > 1 && folder_.ends_with('/')) folder_.pop_back();
   for (auto const& argument : over) {
-    SweptKey key = read_swept_key(argument);
-    Place const place{"--over " + argument, 1, 1};
-    if (std::any_of(keys_.begin(), keys_.end(), [&](SweptKey const& other) { return other.key == key.key; })) throw SceneError(place, fmt::format("'{}' is swept twice", key.key));
-    long const values = static_cast<long>(key.values.size());
-    if (size_ > most_members / values) throw SceneError(place, fmt::format("a sweep has at most {} members, this one {} times {} or more", most_members, size_, values));
-    size_ *= values;
-    keys_.push_back(std::move(key));
+    Place const place{"--over " + shown(argument, 100), 1, 1};
+    add(read_swept_key(argument, place), place);
   }
 }
+
+void SweepPlan::add(SweptKey key, Place const& place) {
+  for (auto const& other : keys_)
+    if (overlap(other.key, key.key)) throw SceneError(place, fmt::format("'{}' is swept twice", key.key));
+  std::string const plain = plain_key(key.key);
+  for (auto const& one : set_)
+    if (!one.starts_with('!') && (key_of(one) == plain || key_of(one).starts_with(plain + "[")))
+      throw SceneError(
+          {"--set " + shown(one, 100)},
+          fmt::format("'{}' is swept, so that to set it would be without effect; take one of the two away",
+                      key.key));
+  long const values = static_cast<long>(key.values.size());
+  if (size_ > most_members / values)
+    throw SceneError(place, fmt::format("a sweep has at most {} members, this one {} times {} or more",
+                                        most_members, size_, values));
+  size_ *= values;
+  keys_.push_back(std::move(key));
+}
+
+void SweepPlan::read_scene() { text_ = SceneFile::text_of(scene_); }
 
 std::string SweepPlan::name(long member) { return fmt::format("{:06}", member); }
 
@@ -64,7 +67,8 @@ Scene SweepPlan::read(long member) const {
   std::vector<std::string> overrides = set_;
   auto const its = values(member);
   for (std::size_t k = 0; k < keys_.size(); ++k) overrides.push_back(keys_[k].key + "=" + its[k]);
-  return Scene::read(SceneFile::read(scene_, overrides));
+  return Scene::read(text_ ? SceneFile::parse(*text_, scene_, overrides)
+                           : SceneFile::read(scene_, overrides));
 }
 
 }  // namespace actio::scene

@@ -5,24 +5,33 @@
 //     plan.values(1);              // 0.1, 4: the last key is the fastest
 #pragma once
 
+#include <optional>
+
 #include "actio/scene/scene.hpp"
+#include "actio/scene/swept_values.hpp"
 
 namespace actio::scene {
-
-/// A key of the scene and the values it goes through, as they were written.
-struct SweptKey {
-  std::string key;                  ///< `method.step`
-  std::vector<std::string> values;  ///< at least one
-};
 
 /// What is to be run: which scene, with which values, and where each member goes.
 class SweepPlan {
  public:
-  /// @param over    KEY=a,b,c for each swept key, the last one the fastest
+  /// @param over    KEY=VALUES for each swept key, the last one the fastest; values as `swept_key` reads them
   /// @param set     KEY=VALUE for all members
   /// @param folder  of the sweep
-  /// @throws SceneError  where one of `over` has no key, no value or a key that another has; where there are more than 10^6 members
-  SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set, std::string folder);
+  /// @throws SceneError  where one of `over` has no key, no value or a key that another has, or one that is
+  ///         set; where there are more than 10^6 members
+  SweepPlan(std::string scene, std::vector<std::string> const& over, std::vector<std::string> set,
+            std::string folder);
+  /// The plan of the sweep in a folder, as it was written there.
+  /// @throws SceneError  where what is written there is no plan
+  /// @throws FileError   where it cannot be read
+  static SweepPlan resumed(std::string const& folder);
+
+  /// Reads the text of the scene; whatever becomes of the file, the members are of this text.
+  /// @throws SceneError, FileError
+  void read_scene();
+  /// All that is needed to go on with the sweep, in TOML.
+  std::string written() const;
 
   /// The number of members.
   long size() const { return size_; }
@@ -44,7 +53,11 @@ class SweepPlan {
   Scene read(long member) const;
 
  private:
+  SweepPlan() = default;
+  void add(SweptKey key, Place const& place);
+
   std::string scene_, folder_;
+  std::optional<std::string> text_;  // of the scene
   std::vector<std::string> set_;
   std::vector<SweptKey> keys_;
   long size_ = 1;

@@ -2,64 +2,20 @@
 
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <utility>
 
+#include "actio/scene/sweep_worker.hpp"
+
 namespace actio::scene {
 namespace {
 
-struct Order {
-  MemberTask task;
-  long member;
-};
-constexpr long stop_order = -1;  // in place of a member
-
-/// Reads so many bytes; false where the other side has gone.
-bool read_all(int from, void* to, std::size_t size) {
-  for (auto* at = static_cast<char*>(to); size > 0;) {
-    ssize_t const n = ::read(from, at, size);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    at += n, size -= static_cast<std::size_t>(n);
-  }
-  return true;
-}
-/// Writes them; false where the other side has gone.
-bool write_all(int to, void const* from, std::size_t size) {
-  for (auto const* at = static_cast<char const*>(from); size > 0;) {
-    ssize_t const n = ::send(to, at, size, MSG_NOSIGNAL);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    at += n, size -= static_cast<std::size_t>(n);
-  }
-  return true;
-}
-bool send_text(int to, std::string const& text) {
-  std::size_t const size = text.size();
-  return write_all(to, &size, sizeof size) && write_all(to, text.data(), size);
-}
-std::optional<std::string> receive_text(int from) {
-  std::size_t size = 0;
-  if (!read_all(from, &size, sizeof size)) return {};
-  std::string text(size, '\0');
-  if (!read_all(from, text.data(), size)) return {};
-  return text;
-}
-
-void wait_for_end(pid_t process, int& status) {
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-}
+using worker::Line, worker::Notice, worker::Order;
 
 MemberResult ended_without_result(long member, int status) {
   MemberResult out;
@@ -69,63 +25,21 @@ MemberResult ended_without_result(long member, int status) {
     out.message = fmt::format("signal {} ended it: {}", WTERMSIG(status), ::strsignal(WTERMSIG(status)));
   } else {
     out.status = static_cast<int>(Ending::numerics_failed);
-    out.message = fmt::format("its process ended with status {} and without a result", WIFEXITED(status) ? WEXITSTATUS(status) : status);
+    out.message = fmt::format("its process ended with status {} and without a result",
+                              WIFEXITED(status) ? WEXITSTATUS(status) : status);
   }
   return out;
 }
 
-std::atomic<bool> told = false;
-void remember_to_stop(int) { told = true; }
-constexpr int stop_signal = SIGUSR1;
-
-/// Waits until the member tells its result or has gone. Where the sweep asks for an end, or is no more, the member is asked as well; in the second case not for long.
-void wait_for_member(int sweep, int member, pid_t process) {
-  bool ending = false, orphaned = false;
-  for (int patience = 20;; patience -= orphaned) {
-    pollfd waiting[]{{member, POLLIN, 0}, {sweep, POLLIN, 0}};
-    ::poll(waiting, orphaned ? 1 : 2, 100);
-    if (waiting[0].revents) return;
-    if (!orphaned && waiting[1].revents) {
-      Order order;
-      orphaned = !read_all(sweep, &order, sizeof order);
-      ending = true;
-    }
-    if (ending) ::kill(process, patience > 0 ? stop_signal : SIGKILL);
-  }
+void close_line(int& line) {
+  if (line >= 0) ::close(std::exchange(line, -1));
 }
 
-/// One member, in a process of its own.
-MemberResult in_own_process(SweepCrew::Work const& work, Order const& order, int sweep) {
-  int ends[2];
-  pid_t const foreman = ::getpid();
-  pid_t const process = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0 ? ::fork() : -1;
-  if (process < 0) {
-    MemberResult out;
-    out.member = order.member, out.status = static_cast<int>(Ending::file_failed), out.message = std::string("no process could be made for it: ") + std::strerror(errno);
-    return out;
-  }
-  if (process == 0) {
-    ::close(ends[0]), ::close(sweep);
-    ::prctl(PR_SET_PDEATHSIG, stop_signal);
-    if (::getppid() != foreman) ::_exit(1);
-    ::_exit(send_text(ends[1], work(order.task, order.member).packed()) ? 0 : 1);
-  }
-  ::close(ends[1]);
-  wait_for_member(sweep, ends[0], process);
-  auto const text = receive_text(ends[0]);
-  ::close(ends[0]);
-  int status = 0;
-  wait_for_end(process, status);
-  return text ? MemberResult::unpacked(*text) : ended_without_result(order.member, status);
-}
-
-/// Takes orders until the sweep closes its side. What it does with signals its members inherit.
-[[noreturn]] void be_foreman(SweepCrew::Work const& work, int sweep) {
-  for (int const interrupt : {SIGINT, SIGTERM, SIGHUP}) std::signal(interrupt, SIG_IGN);
-  std::signal(stop_signal, remember_to_stop);
-  for (Order order; read_all(sweep, &order, sizeof order);)
-    if (order.member != stop_order && !send_text(sweep, in_own_process(work, order, sweep).packed())) break;
-  ::_exit(0);
+/// What a worker had sent before it ended, if it is whole.
+std::optional<MemberResult> last_words(int line) {
+  if (line < 0) return {};
+  auto const text = worker::receive_text(line);
+  return text ? std::optional(MemberResult::unpacked(*text)) : std::nullopt;
 }
 
 }  // namespace
@@ -133,71 +47,96 @@ MemberResult in_own_process(SweepCrew::Work const& work, Order const& order, int
 SweepCrew::SweepCrew(Work const& work, int size) {
   std::fflush(nullptr);  // or the children would write it again
   for (int k = 0; k < size; ++k) {
-    int ends[2];
-    pid_t const process = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) == 0 ? ::fork() : -1;
+    Line control;
+    pid_t const process = control.made() ? ::fork() : -1;
     if (process < 0) throw FileError(std::string("no process for the sweep: ") + std::strerror(errno));
     if (process == 0) {
-      for (auto const& other : foremen_) ::close(other.socket);
-      ::close(ends[0]);
-      be_foreman(work, ends[1]);
+      for (auto const& other : places_) ::close(other.control);
+      ::close(control.here);
+      worker::be_foreman(work, control.there);
     }
-    ::close(ends[1]);
-    foremen_.push_back({process, ends[0]});
+    ::close(control.there);
+    places_.push_back({process, control.here});
   }
+  // Each tells of its first worker.
+  for (auto& place : places_)
+    if (auto const notice = worker::receive_notice(place.control))
+      place.line = notice->line;
+    else
+      throw FileError("no process for the sweep: the system makes no more");
 }
 
 SweepCrew::~SweepCrew() {
-  for (auto const& foreman : foremen_) ::close(foreman.socket);
-  for (auto const& foreman : foremen_) {
-    int status = 0;
-    wait_for_end(foreman.process, status);
-  }
+  for (auto& place : places_) close_line(place.line), ::close(place.control);
+  for (auto const& place : places_) worker::wait_for_end(place.foreman);
 }
 
 bool SweepCrew::idle() const {
-  return std::any_of(foremen_.begin(), foremen_.end(), [](Foreman const& f) { return f.member < 0; });
+  return std::any_of(places_.begin(), places_.end(),
+                     [](Place const& p) { return p.member < 0 && p.line >= 0; });
 }
 bool SweepCrew::busy() const {
-  return std::any_of(foremen_.begin(), foremen_.end(), [](Foreman const& f) { return f.member >= 0; });
+  return std::any_of(places_.begin(), places_.end(), [](Place const& p) { return p.member >= 0; });
 }
 
 void SweepCrew::start(MemberTask task, long member) {
-  auto const foreman = std::find_if(foremen_.begin(), foremen_.end(), [](Foreman const& f) { return f.member < 0; });
-  Order const order{task, member};
-  foreman->member = member;
-  write_all(foreman->socket, &order, sizeof order);  // one who has gone is found when its result is read
+  auto const place = std::find_if(places_.begin(), places_.end(),
+                                  [](Place const& p) { return p.member < 0 && p.line >= 0; });
+  place->member = member;
+  worker::send_order(place->line, {task, member});  // one who has gone is told of by its foreman
 }
 
-std::optional<MemberResult> SweepCrew::result_of(Foreman& foreman) {
-  long const member = std::exchange(foreman.member, -1);
-  if (auto const text = receive_text(foreman.socket)) return MemberResult::unpacked(*text);
-  // The foreman has gone.
-  int status = 0;
-  wait_for_end(foreman.process, status);
-  ::close(foreman.socket);
-  foreman.socket = -1;
-  if (member < 0) return {};
-  return ended_without_result(member, status);
+std::optional<MemberResult> SweepCrew::from_worker(Place& place) {
+  auto const text = worker::receive_text(place.line);
+  if (!text) {  // it has gone, and its foreman will say how
+    close_line(place.line);
+    return {};
+  }
+  place.member = -1;
+  auto result = MemberResult::unpacked(*text);
+  if (worker::retires_after(result)) close_line(place.line);
+  return result;
+}
+
+std::optional<MemberResult> SweepCrew::from_foreman(Place& place) {
+  auto const notice = worker::receive_notice(place.control);
+  // Where the foreman has gone, how it ended stands for how its worker will.
+  int const status = notice ? notice->status : worker::wait_for_end(place.foreman);
+  std::optional<MemberResult> result;
+  if (long const member = std::exchange(place.member, -1); member >= 0) {
+    result = notice ? last_words(place.line) : std::nullopt;
+    if (!result) result = ended_without_result(member, status);
+  }
+  close_line(place.line);
+  if (notice)
+    place.line = notice->line;
+  else
+    close_line(place.control);
+  return result;
 }
 
 std::vector<MemberResult> SweepCrew::finished(int milliseconds) {
   std::vector<pollfd> waiting;
-  for (auto const& foreman : foremen_) waiting.push_back({foreman.socket, POLLIN, 0});
+  for (auto const& place : places_)
+    waiting.push_back({place.line, POLLIN, 0}), waiting.push_back({place.control, POLLIN, 0});
   std::vector<MemberResult> out;
   if (::poll(waiting.data(), waiting.size(), milliseconds) <= 0) return out;
-  for (std::size_t k = 0; k < waiting.size(); ++k)
-    if (waiting[k].revents != 0)
-      if (auto result = result_of(foremen_[k])) out.push_back(std::move(*result));
-  std::erase_if(foremen_, [](Foreman const& f) { return f.socket < 0; });
+  for (std::size_t k = 0; k < places_.size(); ++k) {
+    auto const add = [&](std::optional<MemberResult> result) {
+      if (result) out.push_back(std::move(*result));
+    };
+    if (waiting[2 * k].revents != 0) add(from_worker(places_[k]));
+    if (waiting[2 * k + 1].revents != 0) add(from_foreman(places_[k]));
+  }
+  std::erase_if(places_, [](Place const& p) { return p.control < 0; });
   return out;
 }
 
-bool SweepCrew::told_to_stop() { return told; }
-
 void SweepCrew::stop() {
-  Order const order{MemberTask::check, stop_order};
-  for (auto const& foreman : foremen_)
-    if (foreman.member >= 0) write_all(foreman.socket, &order, sizeof order);
+  for (auto const& place : places_)
+    if (place.member >= 0) worker::ask_to_stop(place.control);
 }
+
+bool SweepCrew::told_to_stop() { return worker::told_to_stop(); }
 
 }  // namespace actio::scene

@@ -1,5 +1,7 @@
 #include "actio/scene/sweep_member.hpp"
 
+#include <optional>
+
 #include "actio/scene/pictures.hpp"
 #include "actio/scene/run_folder.hpp"
 
@@ -20,27 +22,49 @@ void remember(Memory& memory, std::vector<T>& list, RememberOne const& one) {
   for (T& item : list) one(item);
 }
 void remember(Memory& memory, MemberResult& result) {
-  memory(result.member, result.status, result.steps, result.seconds, result.last_row);
+  memory(result.member, result.status, result.rows, result.bytes, result.steps, result.seconds, result.last_row);
   remember(memory, result.message);
   remember(memory, result.drift, [&](Drift::Entry& entry) { remember(memory, entry.name), memory(entry.relative); });
+  remember(memory, result.error, [&](ErrorEstimate::Entry& entry) { remember(memory, entry.name), memory(entry.error); });
   remember(memory, result.columns, [&](std::string& name) { remember(memory, name); });
 }
 
 /// What a run would refuse only after it has begun.
 void check_member(Scene const& scene) {
   if (!scene.simulation.exact) StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"));
-  if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
+  refuse_without_step(scene);
+}
+
+/// What the files of the rows will take: a number has 8 bytes, and about 20 where it is written with its digits.
+double bytes_of(Scene const& scene) {
+  double each = 0;
+  for (auto const& format : scene.formats) each += format == "csv" ? 20 : 8;
+  return each * static_cast<double>(scene.schedule.rows()) * static_cast<double>(1 + scene.simulation.quantities.row_size());
+}
+
+/// Goes on from the checkpoint in the folder; where that cannot be, the member starts anew.
+std::optional<RunReport> go_on(SweepPlan const& plan, Scene& scene, RunFolder const& folder, long member, RunOptions const& options) {
+  if (!folder.begun()) return {};
+  try {
+    return run_scene(scene, folder.path(), true, options);
+  } catch (FileError const&) {
+    scene = plan.read(member);
+    return {};
+  }
 }
 
 void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const& stop, MemberResult& result) {
-  RunFolder const folder = RunFolder::create(plan.folder(result.member), false);
+  RunFolder const folder = RunFolder::of_member(plan.folder(result.member));
   RunOptions options;
-  options.quiet = true, options.checkpoint_interval = checkpoint_interval(), options.stop = stop;
-  RunReport const report = run_scene(scene, folder.path(), false, options);
+  // The sweep sees to it that all is on the disk, from time to time and at its end.
+  options.quiet = true, options.durable = false, options.checkpoint_interval = checkpoint_interval(), options.stop = stop;
+  std::optional<RunReport> before = go_on(plan, scene, folder, result.member, options);
+  if (!before) folder.begin_member(files_of_run(scene));
+  RunReport const report = before ? *before : run_scene(scene, folder.path(), false, options);
   if (scene.plots && report.ending == Ending::done) draw_pictures(scene, folder.path(), true);
   result.status = static_cast<int>(report.ending), result.message = report.message;
   result.steps = report.steps, result.seconds = report.seconds;
-  result.drift = report.drift, result.last_row = report.last_row;
+  result.drift = report.drift, result.error = report.error, result.last_row = report.last_row;
   result.columns = {"t"};
   for (auto const& name : scene.simulation.quantities.columns()) result.columns.push_back(name);
 }
@@ -68,6 +92,7 @@ MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member,
   try {
     Scene scene = plan.read(member);
     check_member(scene);
+    result.rows = scene.schedule.rows(), result.bytes = bytes_of(scene);
     if (task == MemberTask::run) run_member(plan, scene, stop, result);
   } catch (SceneError const& error) {
     failed(Ending::scene_wrong, error);

@@ -1,94 +1,113 @@
 #include "actio/scene/sweep_run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
+#include <map>
+#include <optional>
 #include <utility>
 
-#include "actio/scene/checkpoint.hpp"
 #include "actio/scene/progress.hpp"
+#include "actio/scene/sweep_folder.hpp"
+#include "actio/scene/sweep_outlook.hpp"
+#include "actio/scene/sweep_progress.hpp"
 #include "actio/scene/sweep_table.hpp"
 
 namespace actio::scene {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// How many members are done: one line on a terminal, a line every tenth in a pipe.
-class SweepProgress {
- public:
-  explicit SweepProgress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
-  ~SweepProgress() { clear(); }
-  void begin(long all) { all_ = all; }
-  void one_more(bool failed) {
-    ++done_, failed_ += failed;
-    auto const now = Clock::now();
-    double const seconds = std::chrono::duration<double>(now - began_).count();
-    long const tenth = done_ * 10 / std::max(all_, 1L);
-    if (quiet_ || seconds < 0.5 || (terminal_ ? now - last_ < std::chrono::milliseconds(200) : tenth == tenth_)) return;
-    last_ = now, tenth_ = tenth, shown_ = terminal_;
-    double const left = seconds * static_cast<double>(all_ - done_) / static_cast<double>(done_);
-    std::string const line = fmt::format("{} of {} members   {} failed   {} left", done_, all_, failed_, duration_text(left));
-    say(stderr, (terminal_ ? "\r" : "") + line + (terminal_ ? "\x1b[K" : "\n"));
-  }
-  void clear() {
-    if (std::exchange(shown_, false)) say(stderr, "\r\x1b[K");
-  }
+constexpr int not_run = static_cast<int>(Ending::interrupted);
 
- private:
-  bool quiet_, terminal_, shown_ = false;
-  long all_ = 0, done_ = 0, failed_ = 0, tenth_ = 0;
-  Clock::time_point began_ = Clock::now(), last_ = began_;
-};
+/// Whether there is nothing more to do for a member: another try would end alike.
+bool is_final(MemberResult const& result) {
+  return result.status == 0 || result.status == static_cast<int>(Ending::scene_wrong) ||
+         result.status == static_cast<int>(Ending::numerics_failed);
+}
 
-/// Makes the folder of a sweep, or empties it of the sweep that is in it.
-void make_folder(std::string const& folder, bool force) {
-  std::error_code error;
-  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) throw SceneError({folder}, "is a file; a folder is expected");
-  bool const empty = !fs::exists(folder, error) || fs::is_empty(folder, error);
-  if (!empty && !force) throw SceneError({folder}, "the folder is not empty; --force replaces the sweep in it");
-  fs::create_directories(folder, error);
-  if (error) throw FileError(folder + ": cannot be made: " + error.message());
-  if (empty) return;
-  for (auto const& entry : fs::directory_iterator(folder)) {
-    std::string const name = entry.path().filename().string();
-    bool const member = entry.is_directory() && name.size() == 6 && name.find_first_not_of("0123456789") == std::string::npos;
-    if (member || name == "sweep.csv") fs::remove_all(entry.path(), error);
-    if (error) throw FileError(entry.path().string() + ": cannot be removed: " + error.message());
-  }
+/// `3 failed (status 2: 1, status 3: 2)`
+std::string failures_text(std::vector<MemberResult> const& results) {
+  std::map<int, long> count;
+  for (auto const& result : results)
+    if (result.status != 0 && result.status != not_run) ++count[result.status];
+  if (count.empty()) return "";
+  long all = 0;
+  std::string kinds;
+  for (auto const& [status, members] : count)
+    all += members, kinds += (kinds.empty() ? "" : ", ") + fmt::format("{} with status {}", members, status);
+  return fmt::format(", {} failed ({})", all,
+                     count.size() == 1 ? fmt::format("status {}", count.begin()->first) : kinds);
 }
 
 /// The sweep, as one of its processes sees it.
 class SweepRun {
  public:
-  SweepRun(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options) : plan_(plan), crew_(crew), sharing_(sharing), options_(options), progress_(options.quiet) {
-    for (long member = 0; sharing.speaks() && member < plan.size(); ++member) results_.emplace_back().member = member, results_.back().status = static_cast<int>(Ending::interrupted);
+  SweepRun(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options)
+      : plan_(plan),
+        crew_(crew),
+        sharing_(sharing),
+        options_(options),
+        progress_(options.quiet),
+        complaints_(options.quiet) {
+    for (long member = 0; sharing.speaks() && member < plan.size(); ++member)
+      results_.emplace_back().member = member, results_.back().status = not_run;
   }
 
   int go() {
-    round(MemberTask::check, std::string(static_cast<std::size_t>(plan_.size()), '1'));
-    std::string able;  // '1' for each member that can run; empty where the sweep ends here
-    std::exception_ptr refusal;
-    if (sharing_.speaks()) try {
-        able = choose_able();
-      } catch (Error const&) {
-        refusal = std::current_exception();
-      }
-    able = sharing_.agree(able);
-    if (refusal) std::rethrow_exception(refusal);
+    // '1' for each member that is still to be looked at; empty where the sweep ends here.
+    std::string const open = agreed([&] { return begin(); });
+    if (open.empty()) return status();
+    progress_.begin("scenes are read", count_of(open));
+    round(MemberTask::check, open);
+    if (options_.dry_run) return tell_outlook();
+    std::string const able = agreed([&] { return choose_able(open); });
     if (!able.empty()) round(MemberTask::run, able);
-    if (!sharing_.speaks()) return 0;
-    progress_.clear();
-    if (interrupted()) tell_what_is_done();
-    if (!able.empty()) write_whole_file(plan_.folder() + "/sweep.csv", sweep_table(plan_, results_));
-    return status();
+    return sharing_.speaks() ? finish(!able.empty()) : 0;
   }
 
  private:
+  static long count_of(std::string const& members) { return std::count(members.begin(), members.end(), '1'); }
+
+  /// What the one who speaks finds, for all; where it throws, the others are told that there is nothing to
+  /// do.
+  template <class Find>
+  std::string agreed(Find const& find) {
+    std::string said;
+    std::exception_ptr refusal;
+    if (sharing_.speaks()) try {
+        said = find();
+      } catch (Error const&) {
+        refusal = std::current_exception();
+      }
+    said = sharing_.agree(said);
+    if (refusal) std::rethrow_exception(refusal);
+    return said;
+  }
+
+  /// The members that are not done, all of them where the sweep is new.
+  std::string begin() {
+    std::string open(results_.size(), '1');
+    if (options_.resume) {
+      folder_.emplace(SweepFolder::open(plan_.folder()));
+      for (auto& result : folder_->kept())
+        if (std::size_t const at = static_cast<std::size_t>(result.member);
+            at < open.size() && is_final(result))
+          open[at] = '0', results_[at] = std::move(result);
+      if (count_of(open) == 0) {
+        folder_->write_table(sweep_table(plan_, results_));
+        if (!options_.quiet)
+          say(stdout, fmt::format("{}: the sweep is finished, with {} members; nothing is left to do\n",
+                                  plan_.folder(), plan_.size()));
+        return "";
+      }
+    } else if (!options_.dry_run) {
+      SweepFolder::refuse_unless_free(plan_.folder(), options_.force);
+    }
+    return open;
+  }
+
   /// Does one task with all `wanted` members, together with the others.
   void round(MemberTask task, std::string const& wanted) {
     bool more = true, left = false, stopped = false;
@@ -100,62 +119,124 @@ class SweepRun {
         more = false, crew_.stop();
         patience = Clock::now() + std::chrono::milliseconds(500);
       }
-      for (auto const& result : crew_.finished(2)) sharing_.speaks() ? take(task, result) : sharing_.deliver(result);
+      if (more || crew_.busy() || !left)
+        for (auto const& result : crew_.finished(crew_.busy() ? sharing_.patience() : 2))
+          sharing_.speaks() ? take(task, result) : sharing_.deliver(result);
       for (auto const& result : sharing_.delivered()) take(task, result);
+      if (sharing_.speaks()) progress_.show();
+      if (sharing_.speaks() && task == MemberTask::run) write_table_from_time_to_time();
       if (!more && !crew_.busy() && !std::exchange(left, true)) sharing_.leave();
     }
   }
   /// @return false where there is no next
   bool start_next(MemberTask task, std::string const& wanted) {
-    long const member = sharing_.next();
+    long member = sharing_.next();
+    while (member < plan_.size() && wanted[static_cast<std::size_t>(member)] != '1') member = sharing_.next();
     if (member >= plan_.size()) return false;
-    if (wanted[static_cast<std::size_t>(member)] == '1') crew_.start(task, member);
+    crew_.start(task, member);
     return true;
   }
 
   void take(MemberTask task, MemberResult const& result) {
+    bool const failed = result.status != 0 && result.status != not_run;
     results_[static_cast<std::size_t>(result.member)] = result;
-    if (task == MemberTask::check) return;
-    if (result.status == static_cast<int>(Ending::interrupted)) return;
-    if (result.status != 0) name_failure(result);
-    progress_.one_more(result.status != 0);
+    if (task == MemberTask::run) {
+      if (is_final(result)) keep(result);
+      if (failed) complain(result);
+    }
+    if (task == MemberTask::check || result.status != not_run) progress_.one_more(failed);
   }
-  void name_failure(MemberResult const& result) {
+  void complain(MemberResult const& result) {
     progress_.clear();
-    say(stderr, plan_.described(result.member) + ": " + result.message + "\n");
+    complaints_.say(plan_.described(result.member), result.message);
+  }
+  /// Without a disk that takes it the sweep goes on all the same, as long as its members do.
+  void keep(MemberResult const& result) {
+    try {
+      if (failure_.empty()) folder_->keep(result);
+    } catch (FileError const& error) {
+      failure_ = error.what();
+    }
+  }
+  void write_table() {
+    try {
+      folder_->write_table(sweep_table(plan_, results_));
+    } catch (FileError const& error) {
+      if (failure_.empty()) failure_ = error.what();
+    }
+  }
+  /// So that a sweep that is killed leaves one; never for more than a small part of the time.
+  void write_table_from_time_to_time() {
+    auto const now = Clock::now();
+    if (now < next_table_) return;
+    write_table();
+    next_table_ =
+        Clock::now() + std::max<Clock::duration>(std::chrono::seconds(5), 50 * (Clock::now() - now));
   }
 
   /// After all scenes were read: those in order. Where there is none, nothing is written.
-  std::string choose_able() {
-    std::string able;
-    for (auto const& result : results_) able += result.status == 0 ? '1' : '0';
+  std::string choose_able(std::string const& open) {
+    std::string able = open;
+    for (auto const& result : results_)
+      if (result.status != 0) able[static_cast<std::size_t>(result.member)] = '0';
     if (interrupted()) return "";
-    if (able.find('1') == std::string::npos) {
-      tell_that_none_is_able();
-      return "";
+    if (!options_.resume) {
+      if (count_of(able) == 0) {
+        tell_that_none_is_able();
+        return "";
+      }
+      folder_.emplace(SweepFolder::create(plan_, options_.force));
     }
-    make_folder(plan_.folder(), options_.force);
-    for (auto& result : results_)
-      if (result.status != 0) name_failure(result);
-      else result.status = static_cast<int>(Ending::interrupted);  // until it has run
-    progress_.begin(std::count(able.begin(), able.end(), '1'));
+    for (std::size_t k = 0; k < able.size(); ++k)
+      if (MemberResult& result = results_[k]; able[k] == '1')
+        result = {}, result.member = static_cast<long>(k), result.status = not_run;  // until it has run
+      else if (open[k] == '1')
+        keep(result), complain(result);
+    progress_.begin("members", plan_.size(), plan_.size() - count_of(able));
     return able;
   }
   void tell_that_none_is_able() {
+    progress_.clear();
     MemberResult const& first = results_.front();
-    bool const all_alike = std::all_of(results_.begin(), results_.end(), [&](MemberResult const& r) { return r.message == first.message; });
-    if (all_alike) say(stderr, first.message + "\n");
-    else say(stderr, fmt::format("{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message, results_.size()));
+    bool const all_alike = std::all_of(results_.begin(), results_.end(),
+                                       [&](MemberResult const& r) { return r.message == first.message; });
+    if (all_alike)
+      say(stderr, first.message + "\n");
+    else
+      say(stderr, fmt::format("{}: {}\nNone of the {} members can run.\n", plan_.described(0), first.message,
+                              results_.size()));
   }
 
-  void tell_what_is_done() const {
-    auto const done = std::count_if(results_.begin(), results_.end(), [](MemberResult const& r) { return r.status == 0 && !r.columns.empty(); });
-    say(stderr, fmt::format("interrupted: {} of {} members are done\n", done, results_.size()));
+  int tell_outlook() {
+    if (!sharing_.speaks()) return 0;
+    progress_.clear();
+    if (!interrupted()) say(stdout, sweep_outlook(plan_, results_));
+    return status();
+  }
+
+  /// The table, and what is said at the end.
+  int finish(bool ran) {
+    progress_.clear();
+    if (ran) write_table(), folder_->sync();
+    if (ran) complaints_.close(plan_.folder() + "/sweep.csv");
+    long const done =
+        std::count_if(results_.begin(), results_.end(), [](MemberResult const& r) { return r.status == 0; });
+    if (interrupted() && !folder_)
+      say(stderr, "interrupted while the scenes were read; nothing was written\n");
+    else if (interrupted())
+      say(stderr, fmt::format("interrupted: {} of {} members are done; actio resume {} goes on\n", done,
+                              results_.size(), in_shell(plan_.folder())));
+    else if (ran && !options_.quiet)
+      say(stdout, fmt::format("{}: {} members, {} done{}, in {:.3g} s; table {}/sweep.csv\n", plan_.folder(),
+                              results_.size(), done, failures_text(results_),
+                              std::chrono::duration<double>(Clock::now() - began_).count(), plan_.folder()));
+    if (!failure_.empty()) say(stderr, failure_ + "\n");
+    return status();
   }
 
   int status() const {
-    if (interrupted()) return static_cast<int>(Ending::interrupted);
-    int worst = 0;
+    if (interrupted()) return not_run;
+    int worst = failure_.empty() ? 0 : static_cast<int>(Ending::file_failed);
     for (auto const& result : results_) worst = std::max(worst, result.status);
     return worst;
   }
@@ -165,11 +246,17 @@ class SweepRun {
   SweepSharing& sharing_;
   SweepOptions options_;
   SweepProgress progress_;
+  SweepComplaints complaints_;
+  std::optional<SweepFolder> folder_;  // where this process speaks
   std::vector<MemberResult> results_;  // of all members, where this process speaks
+  std::string failure_;                // of a file of the sweep itself
+  Clock::time_point began_ = Clock::now(), next_table_ = began_ + std::chrono::seconds(5);
 };
 
 }  // namespace
 
-int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options) { return SweepRun(plan, crew, sharing, options).go(); }
+int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options) {
+  return SweepRun(plan, crew, sharing, options).go();
+}
 
 }  // namespace actio::scene

@@ -1,4 +1,5 @@
-// A sweep on its way: first every scene is read, so that a mistyped value is known before hours have passed, then those that are in order are run, as processes
+// A sweep on its way: first every scene is read, so that a mistyped value is known before hours have passed,
+// then those that are in order are run, by processes
 // on one machine or on many.
 #pragma once
 
@@ -27,6 +28,8 @@ class SweepSharing {
     next_ = 0;
     return said;
   }
+  /// How many milliseconds may pass before it is looked at what others delivered.
+  virtual int patience() const { return 100; }
 
  private:
   long next_ = 0;
@@ -34,12 +37,16 @@ class SweepSharing {
 
 /// How a sweep is run.
 struct SweepOptions {
-  bool quiet = false;  ///< no progress
-  bool force = false;  ///< replaces the sweep that is in the folder
+  bool quiet = false;    ///< no progress, no complaints of members, no closing line
+  bool force = false;    ///< replaces the sweep that is in the folder
+  bool resume = false;   ///< goes on with it
+  bool dry_run = false;  ///< reads all scenes, tells what would be run, and writes nothing
 };
 
-/// Runs a sweep, tells failed members on standard error, and leaves the table `sweep.csv`.
-/// @return the exit status: 0 where all members are done, 130 where it was interrupted, otherwise the largest of theirs
+/// Runs a sweep, tells failed members on standard error, and leaves the table `sweep.csv`, which is written
+/// from time to time as well.
+/// @return the exit status: 0 where all members are done, 130 where it was interrupted, otherwise the
+/// largest of theirs
 /// @throws FileError, SceneError  in the process that speaks
 int run_sweep(SweepPlan const& plan, SweepCrew& crew, SweepSharing& sharing, SweepOptions const& options);
 

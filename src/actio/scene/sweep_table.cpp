@@ -34,11 +34,12 @@ class Names {
 
 /// What the members have to tell.
 struct Columns {
-  Names drift, last;
+  Names drift, error, last;
   explicit Columns(std::vector<MemberResult> const& results) {
     for (auto const& result : results) {
       if (result.status != 0) continue;
       for (auto const& entry : result.drift) drift.add(entry.name);
+      for (auto const& entry : result.error) error.add(entry.name);
       for (auto const& name : result.columns) last.add(name);
     }
   }
@@ -49,23 +50,25 @@ std::string heading(SweepPlan const& plan, Columns const& columns) {
   for (auto const& key : plan.keys()) out += "," + cell(key.key);
   out += ",status,steps,wall_seconds";
   for (auto const& name : columns.drift.all()) out += ",drift_" + name;
+  for (auto const& name : columns.error.all()) out += ",error_" + name;
   for (auto const& name : columns.last.all()) out += ",last_" + name;
-  return out + "\n";
+  return out + ",message\n";
 }
 
 std::string row(SweepPlan const& plan, Columns const& columns, MemberResult const& result) {
-  std::size_t const before = columns.drift.all().size();
-  std::vector<std::string> cells(2 + before + columns.last.all().size());
+  std::size_t const errors = 2 + columns.drift.all().size(), last = errors + columns.error.all().size();
+  std::vector<std::string> cells(last + columns.last.all().size());
   if (result.status == 0) {
     cells[0] = std::to_string(result.steps), cells[1] = cell(result.seconds);
     for (auto const& entry : result.drift) cells[2 + columns.drift.at(entry.name)] = cell(entry.relative);
-    for (std::size_t i = 0; i < result.last_row.size(); ++i) cells[2 + before + columns.last.at(result.columns[i])] = cell(result.last_row[i]);
+    for (auto const& entry : result.error) cells[errors + columns.error.at(entry.name)] = cell(entry.error);
+    for (std::size_t i = 0; i < result.last_row.size(); ++i) cells[last + columns.last.at(result.columns[i])] = cell(result.last_row[i]);
   }
   std::string out = std::to_string(result.member);
   for (auto const& value : plan.values(result.member)) out += "," + cell(value);
   out += "," + std::to_string(result.status);
   for (auto const& text : cells) out += "," + text;
-  return out + "\n";
+  return out + "," + cell(result.message) + "\n";
 }
 
 }  // namespace
