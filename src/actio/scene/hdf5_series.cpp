@@ -115,7 +115,7 @@ class Hdf5Series : public Series {
  private:
   /// What the last chunk is: still growing, or with all the rows that it will have.
   enum class Last { growing, full };
-  static constexpr std::size_t enough = 1 << 20;  // bytes that are not told of
+  static constexpr std::size_t enough = 1 << 17;  // bytes that are not told of
 
   /// Rows of a chunk, the same for all data sets: about 64 kB of the widest, more where that would be few; a power of two, and no more than the run has.
   static std::size_t chunk(std::size_t widest, std::size_t expected) {
