@@ -1,6 +1,7 @@
 // What the command actio can be told to do. Each function does it, says what went wrong on standard error by throwing, and returns the exit status.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,17 @@ int plan(scene::Scene const& scene, RunArguments const& arguments, std::string c
 
 struct ResumeArguments {
   std::string folder;
-  bool quiet = false;
+  std::optional<double> until;       ///< a later end than the scene has
+  bool quiet = false, plots = false;
 };
 int resume(ResumeArguments const& arguments);
+
+struct PlotArguments {
+  std::string folder;
+  bool quiet = false;
+};
+/// Draws the pictures of a run that is there.
+int plot(PlotArguments const& arguments);
 
 struct SweepArguments {
   std::string scene, out;

@@ -49,7 +49,16 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
   auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit.", action,
                               [&resume] { return app::resume(resume); });
   part->add_option("DIR", resume.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_option("--until", resume.until, "go on to a later time than the scene says, and write it into scene.toml")->type_name("T");
+  part->add_flag("--plots", resume.plots, "draw pictures and a page to play the motion")->disable_flag_override();
   part->add_flag("--quiet", resume.quiet, "no progress")->disable_flag_override();
+}
+
+void add_plot(CLI::App& command, app::PlotArguments& plot, Action& action) {
+  auto* const part = add_part(command, "plot", "draw the pictures of a run: finished, interrupted, or going on",
+                              "Example: actio plot apophis\n\nThe folder receives plots/*.svg and plots/index.html, of the rows that are there.", action, [&plot] { return app::plot(plot); });
+  part->add_option("DIR", plot.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_flag("--quiet", plot.quiet, "no progress")->disable_flag_override();
 }
 
 void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
@@ -90,10 +99,12 @@ int main(int argc, char** argv) {
   Action action;
   app::RunArguments run;
   app::ResumeArguments resume;
+  app::PlotArguments plot;
   app::SweepArguments sweep;
   Questions asked;
   add_run(command, run, action);
   add_resume(command, resume, action);
+  add_plot(command, plot, action);
   add_sweep(command, sweep, action);
   add_questions(command, asked, action);
 

@@ -68,11 +68,20 @@ RunFolder RunFolder::create(std::string const& path, bool replace) {
   }
 }
 
-RunFolder RunFolder::open(std::string const& path) {
+RunFolder RunFolder::open(std::string const& path) { return RunFolder(look(path)); }
+
+bool RunFolder::in_use(std::string const& path) {
+  int const handle = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  bool const locked = handle >= 0 && ::flock(handle, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (handle >= 0) ::close(handle);
+  return locked;
+}
+
+std::string RunFolder::look(std::string const& path) {
   std::error_code none;
   if (!fs::is_directory(path, none)) throw SceneError({path}, fs::exists(path, none) ? "the folder of a run is expected, and this is a file" : "there is no such folder");
   if (!fs::exists(fs::path(path) / "scene.toml", none)) throw SceneError({path}, "there is no run in this folder: scene.toml is missing");
-  return RunFolder(path);
+  return without_slash(path);
 }
 
 }  // namespace actio::scene

@@ -18,6 +18,13 @@ class RunFolder {
   /// @throws FileError   where another process runs in it
   static RunFolder open(std::string const& path);
 
+  /// That there is a run in a folder, in which another process may run.
+  /// @return the path, without a slash at its end
+  /// @throws SceneError  where there is no such folder, or no run in it
+  static std::string look(std::string const& path);
+  /// Whether another process runs in a folder.
+  static bool in_use(std::string const& path);
+
   /// Takes over the lock.
   RunFolder(RunFolder&& other) noexcept : path_(std::move(other.path_)), handle_(other.handle_) { other.handle_ = -1; }
   RunFolder(RunFolder const&) = delete;
