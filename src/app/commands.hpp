@@ -1,7 +1,6 @@
 // What the command actio can be told to do. Each function does it, says what went wrong on standard error by throwing, and returns the exit status.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +17,11 @@ struct RunArguments {
 };
 int run(RunArguments const& arguments);
 /// What `run` would do with a scene that was read, and what it would leave in the folder `out`.
-int plan(scene::Scene const& scene, RunArguments const& arguments, std::string const& out);
+int plan(scene::Scene& scene, RunArguments const& arguments, std::string const& out);
 
 struct ResumeArguments {
   std::string folder;
-  std::optional<double> until;       ///< a later end than the scene has
+  std::string until;                 ///< a later end than the scene has; empty: none
   bool quiet = false, plots = false;
 };
 int resume(ResumeArguments const& arguments);

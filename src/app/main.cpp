@@ -36,8 +36,8 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   auto* const part = add_part(command, "run", "run a scene",
                               "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives series.csv, summary.json and scene.toml, in which every default is written out.",
                               action, [&run] { return app::run(run); });
-  part->add_option("SCENE", run.scene, "a scene, in TOML")->required()->check(CLI::Validator(not_empty, ""));
-  part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR");
+  part->add_option("SCENE", run.scene, "a scene, in TOML; - reads it from standard input")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR")->check(CLI::Validator(not_empty, ""));
   part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
   part->add_flag("--quiet", run.quiet, "no progress")->disable_flag_override();
   part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing")->disable_flag_override();
@@ -49,7 +49,7 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
   auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit.", action,
                               [&resume] { return app::resume(resume); });
   part->add_option("DIR", resume.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
-  part->add_option("--until", resume.until, "go on to a later time than the scene says, and write it into scene.toml")->type_name("T");
+  part->add_option("--until", resume.until, "go on to a later time than the scene says, and write it into scene.toml")->type_name("T")->check(CLI::Validator(not_empty, ""));
   part->add_flag("--plots", resume.plots, "draw pictures and a page to play the motion")->disable_flag_override();
   part->add_flag("--quiet", resume.quiet, "no progress")->disable_flag_override();
 }

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "actio/scene/progress.hpp"
@@ -12,6 +14,13 @@ namespace actio::app {
 using namespace scene;
 
 namespace {
+
+double time_of(std::string const& text) {
+  char* end = nullptr;
+  double const time = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end || !std::isfinite(time)) throw SceneError({"--until " + text}, "a time is expected, for example --until 500");
+  return time;
+}
 
 /// Of a run that is finished there may be pictures to draw.
 int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
@@ -29,7 +38,7 @@ int resume(ResumeArguments const& arguments) {
   open_standard_streams();
   RunFolder const folder = RunFolder::open(arguments.folder);
   Scene scene = Scene::read(SceneFile::read(folder / "scene.toml"));
-  if (arguments.until) scene = extended(scene, folder.path(), *arguments.until);
+  if (!arguments.until.empty()) scene = extended(scene, folder.path(), time_of(arguments.until));
   scene.plots = scene.plots || arguments.plots;
   bool const begun = std::filesystem::exists(folder / "checkpoint");
   if (begun && run_is_finished(scene, folder.path())) return after_the_end(scene, folder.path(), arguments.quiet);

@@ -27,10 +27,10 @@ struct Progression {
 };
 
 /// That the rows so far are the first ones of the scene, which may go further than it did.
-void check_rows(Progression const& at, Scene const& scene) {
+/// @throws SceneError  at this place
+void check_rows(Progression const& at, Scene const& scene, Place const& place) {
   if (at.rows == 0 || (at.rows <= scene.schedule.rows() && scene.schedule.time(at.rows - 1) == at.time)) return;
-  throw SceneError(scene.file.section("run").place("until"),
-                   fmt::format("until: the run has a row at t = {}, which a run to t = {} has not; its scene can be run anew into another folder", at.time, scene.schedule.until()));
+  throw SceneError(place, fmt::format("the run has a row at t = {} already, which a run to t = {} has not; its scene can be run anew, into another folder", at.time, scene.schedule.until()));
 }
 
 /// The run of one scene.
@@ -39,7 +39,7 @@ class Run {
   Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options)
       : scene_(scene), simulation_(scene.simulation), folder_(folder), resumed_(resume), options_(options), drift_(simulation_.quantities.conserved()),
         error_(simulation_), progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()),
-        determined_(what_determines(scene.file)) {
+        determined_(folder.empty() ? "" : what_determines(scene.file)) {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
@@ -187,7 +187,7 @@ class Run {
     } catch (Error const& error) {
       throw FileError(path + ": is damaged: " + error.what());
     }
-    check_rows(at_, scene_);
+    check_rows(at_, scene_, scene_.file.section("run").place("until"));
     bool const in_range = at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 && at_.steps <= all();
     if (!in_range) throw FileError(fmt::format("{}: is damaged: {} rows and {} steps, where the scene has {} and {}", path, at_.rows, at_.steps, scene_.schedule.rows(), all()));
   }
@@ -248,20 +248,20 @@ RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions con
 namespace {
 
 /// How far the run in a folder is, which belongs to the scene.
-Progression progression(Scene const& scene, std::string const& folder) {
+Progression progression(Scene const& scene, std::string const& folder, Place const& place) {
   std::string const path = folder + "/checkpoint";
   Memory memory(read_checkpoint(path, what_determines(scene.file)));
-  Progression place;
-  if (memory.bytes().size() < sizeof place) throw FileError(path + ": is damaged: it ends too early");
-  memory(place);
-  check_rows(place, scene);
-  return place;
+  Progression at;
+  if (memory.bytes().size() < sizeof at) throw FileError(path + ": is damaged: it ends too early");
+  memory(at);
+  check_rows(at, scene, place);
+  return at;
 }
 
 }  // namespace
 
 bool run_is_finished(Scene const& scene, std::string const& folder) {
-  return progression(scene, folder).rows == scene.schedule.rows() && std::filesystem::exists(folder + "/summary.json");
+  return progression(scene, folder, scene.file.section("run").place("until")).rows == scene.schedule.rows() && std::filesystem::exists(folder + "/summary.json");
 }
 
 Scene extended(Scene const& scene, std::string const& folder, double until) {
@@ -274,13 +274,14 @@ Scene extended(Scene const& scene, std::string const& folder, double until) {
   if (!(until > scene.schedule.until())) throw SceneError(here, fmt::format("the run goes to t = {} already; a later time is expected", scene.schedule.until()));
   std::string const path = folder + "/scene.toml";
   try {
-    Scene longer = Scene::read(SceneFile::read(path, {fmt::format("run.until={}", until)}));
-    if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder);
+    Scene const longer = Scene::read(SceneFile::read(path, {fmt::format("run.until={}", until)}));
+    if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder, here);
     // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after it.
     write_whole_file(path, longer.file.written());
     return Scene::read(SceneFile::read(path));
   } catch (SceneError const& error) {
-    throw SceneError(here, error.what());
+    if (error.place.file == here.file) throw;
+    throw SceneError(here, error.what());  // for instance that the step does not meet the time
   }
 }
 

@@ -64,7 +64,7 @@ RunFolder RunFolder::create(std::string const& path, bool replace) {
     }
     return folder;
   } catch (fs::filesystem_error const& error) {
-    throw FileError(path + ": cannot be made ready for a run: " + error.code().message());
+    throw FileError(path + ": cannot be made ready for a run: " + error.code().message() + "; --out names another place for it");
   }
 }
 
