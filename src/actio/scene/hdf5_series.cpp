@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 
 #include "actio/scene/hdf5_checksums.hpp"
 #include "actio/scene/hdf5_file.hpp"
@@ -31,6 +32,7 @@ struct DataSet {
   std::vector<hsize_t> extent;   // rows, then the shape of a value
   std::size_t width = 1;         // of a row, in numbers
   std::vector<double> last = {};  // rows of the chunk that grows
+  hsize_t before = 0;             // rows that the file had before it was cut back
   Handle id = {};
 
   explicit DataSet(ColumnGroup of) : group(std::move(of)), extent{0}, width(group.columns.size()) {
@@ -224,6 +226,7 @@ class Hdf5Series : public Series {
     hdf5::HeadsOnly const heads_only;
     Handle file(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDWR, access(h5)), "cannot be opened"), h5->H5Fclose);
     for (auto& set : sets_) {
+      set.before = set.extent[0];
       if (set.extent[0] == rows_) continue;
       set.extent[0] = rows_;
       Handle id(check(h5, h5->H5Dopen2(file, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
@@ -247,15 +250,16 @@ class Hdf5Series : public Series {
     hsize_t const begin = (rows_ - 1) / at_once_ * at_once_;
     for (auto& set : sets_) {
       auto const numbers = set.bytes();
-      chunk_.assign(at_once_ * set.width * sizeof(double) + 4, 0);
+      if (set.extent[0] != rows_) {
+        set.extent[0] = rows_;
+        check(h5, h5->H5Dset_extent(set.id, set.extent.data()), "cannot be written");
+      }
+      // Where there are the same rows from before they stay, for whoever is about to read them.
+      if (begin >= set.before || !get(h5, set, begin).has_value()) chunk_.assign(at_once_ * set.width * sizeof(double) + 4, 0);
       std::copy(numbers.begin(), numbers.end(), chunk_.begin());
       if (last == Last::full) {
         unsigned char* const sum = chunk_.data() + chunk_.size() - 4;
         hdf5::encode(sum, hdf5::fletcher32(std::span(chunk_).first(chunk_.size() - 4)));
-      }
-      if (set.extent[0] != rows_) {
-        set.extent[0] = rows_;
-        check(h5, h5->H5Dset_extent(set.id, set.extent.data()), "cannot be written");
       }
       put(h5, set, begin, last);
       if (rows_ % at_once_ == 0) set.last.clear();
@@ -266,6 +270,18 @@ class Hdf5Series : public Series {
     auto const at = place(set, begin);
     check(h5, h5->H5Dwrite_chunk(set.id, H5P_DEFAULT, without_checksum, at.data(), chunk_.size(), chunk_.data()), "cannot be written");
     untold_ += chunk_.size();
+  }
+  /// A chunk that is there, and whether it is said to have no checksum; nothing where it is not there.
+  std::optional<bool> get(Session const& h5, DataSet const& set, hsize_t begin) {
+    auto const at = place(set, begin);
+    hsize_t size = 0;
+    std::uint32_t without_checksum = 0;
+    chunk_.assign(at_once_ * set.width * sizeof(double) + 4, 0);
+    check(h5, h5->H5Dget_chunk_storage_size(set.id, at.data(), &size), "cannot be read");
+    if (size == 0) return {};
+    if (size != chunk_.size()) refuse(path_ + ": is not the table of this scene");
+    check(h5, h5->H5Dread_chunk(set.id, H5P_DEFAULT, at.data(), &without_checksum, chunk_.data()), "cannot be read");
+    return without_checksum != 0;
   }
   /// What the file tells of itself follows what was written.
   void tell(Session const& h5) {
@@ -282,17 +298,9 @@ class Hdf5Series : public Series {
   }
   /// The last chunk is said to have no checksum, and stays as it is: now it may grow.
   void unseal(Session const& h5) {
-    for (auto const& set : sets_) {
-      hsize_t const begin = rows_ - rows_ % at_once_;
-      auto const at = place(set, begin);
-      hsize_t size = 0;
-      std::uint32_t without_checksum = 0;
-      chunk_.assign(at_once_ * set.width * sizeof(double) + 4, 0);
-      check(h5, h5->H5Dget_chunk_storage_size(set.id, at.data(), &size), "cannot be read");
-      if (size != chunk_.size()) refuse(path_ + ": is not the table of this scene");
-      check(h5, h5->H5Dread_chunk(set.id, H5P_DEFAULT, at.data(), &without_checksum, chunk_.data()), "cannot be read");
-      if (without_checksum == 0) put(h5, set, begin, Last::growing);
-    }
+    hsize_t const begin = rows_ - rows_ % at_once_;
+    for (auto const& set : sets_)
+      if (get(h5, set, begin) == false) put(h5, set, begin, Last::growing);
     tell(h5);
   }
 
