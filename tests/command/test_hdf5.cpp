@@ -42,6 +42,21 @@ std::uint64_t place_of_chunk(std::string const& path, char const* name, hsize_t 
   H5Pclose(how), H5Dclose(set), H5Fclose(file);
   return place;
 }
+/// How many chunks of a data set are said to have no checksum.
+int chunks_without_checksum(std::string const& path, char const* name) {
+  hid_t const file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  hsize_t chunks = 0, at[2], size = 0;
+  H5Dget_num_chunks(set, space, &chunks);
+  int count = chunks == 0 ? -1 : 0;
+  for (hsize_t k = 0; k < chunks; ++k) {
+    haddr_t place = 0;
+    unsigned without = 1;
+    H5Dget_chunk_info(set, space, k, at, &without, &place, &size);
+    count += without != 0;
+  }
+  H5Sclose(space), H5Dclose(set), H5Fclose(file);
+  return count;
+}
 void flip_a_bit(std::string const& path, std::uint64_t at) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   file.seekg(static_cast<std::streamoff>(at));
@@ -92,6 +107,8 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
   BOOST_TEST(command::actio({"resume", run.out, "--quiet"}).status == 0);
   BOOST_TEST((read_plainly(run.out + "/series.h5").rows == run.table.rows));
   BOOST_TEST(std::filesystem::file_size(run.out + "/series.h5") < std::filesystem::file_size(run.whole + "/series.h5") + (1 << 20));
+  for (char const* name : {"t", "attitude", "energy"})
+    for (auto const& folder : {run.out, run.whole}) BOOST_TEST(chunks_without_checksum(folder + "/series.h5", name) == 0, name);
 }
 
 BOOST_AUTO_TEST_CASE(on_a_full_disk_it_is_readable_up_to_the_last_rows_and_goes_on_when_there_is_room) {
@@ -135,6 +152,7 @@ BOOST_AUTO_TEST_CASE(a_bit_that_was_turned_is_an_error_of_the_reader_and_of_resu
       std::uint64_t const place = place_of_chunk(file, name, row);
       flip_a_bit(file, place + 5);
       if (row == 3000) BOOST_CHECK_THROW(command::read_hdf5(file, true), std::runtime_error);
+      BOOST_TEST(chunks_without_checksum(file, name) <= 1);
       auto const outcome = command::actio({"resume", out, "--quiet"});
       BOOST_TEST(outcome.status == 4, name << ", row " << row);
       BOOST_TEST(outcome.err.find(file + ": is damaged: rows ") == 0u, outcome.err);

@@ -21,6 +21,8 @@ namespace {
 int last_error = 0;
 /// Whether files that are opened now take heads of data sets only.
 bool heads_only = false;
+/// Where the next room for numbers is taken, zero being anywhere, and where numbers were last.
+haddr_t next_numbers = 0, last_numbers = 0;
 
 /// Writes all of it. @return false where the system refuses
 bool write_all(int file, void const* from, std::size_t size, off_t at) {
@@ -146,6 +148,7 @@ struct GrowingFile {
     if (heads_only && !(size > 4 && (std::memcmp(from, "OHDR", 4) == 0 || std::memcmp(from, "OCHK", 4) == 0))) return true;
     if (heads_only) return write_all(file, from, size, static_cast<off_t>(at)) || fail();
     changed = true;
+    if (type == H5FD_MEM_DRAW) last_numbers = at;
     if (at == 0 && size == Superblock::size) {
       std::copy_n(static_cast<unsigned char const*>(from), size, superblock.bytes);
       true_end = 0;
@@ -197,6 +200,13 @@ herr_t query(H5FD_t const*, unsigned long* features) {
   *features = H5FD_FEAT_POSIX_COMPAT_HANDLE | H5FD_FEAT_SUPPORTS_SWMR_IO | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
   return 0;
 }
+haddr_t take(H5FD_t* file, H5FD_mem_t type, hid_t, hsize_t size) {
+  if (type == H5FD_MEM_DRAW && next_numbers != 0) return next_numbers;
+  haddr_t const at = of(file).used;
+  // The same room for a chunk of numbers of eight bytes, whether four bytes follow it or eight.
+  of(file).used += type == H5FD_MEM_DRAW ? (size + 15) / 16 * 16 : size;
+  return at;
+}
 haddr_t used(H5FD_t const* file, H5FD_mem_t) { return of(file).used; }
 herr_t set_used(H5FD_t* file, H5FD_mem_t, haddr_t at) { return of(file).used = at, 0; }
 haddr_t end_of(H5FD_t const* file, H5FD_mem_t) {
@@ -204,8 +214,9 @@ haddr_t end_of(H5FD_t const* file, H5FD_mem_t) {
   return ::fstat(of(file).file, &now) == 0 ? std::max(static_cast<haddr_t>(now.st_size), of(file).used) : HADDR_UNDEF;
 }
 herr_t descriptor(H5FD_t* file, hid_t, void** out) { return *out = &of(file).file, 0; }
-herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, void* into) {
+herr_t read(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, std::size_t size, void* into) {
   GrowingFile const& from = of(file);
+  if (type == H5FD_MEM_DRAW) last_numbers = at;
   if (!read_all(from.file, into, size, static_cast<off_t>(at))) return -1;
   if (at < Superblock::size && from.true_end != 0) {
     Superblock shown = from.superblock;
@@ -227,7 +238,7 @@ H5FD_class_t driver() {
   out.name = "actio";
   out.maxaddr = HADDR_MAX, out.fc_degree = H5F_CLOSE_WEAK;
   out.open = open, out.close = close, out.cmp = compare, out.query = query;
-  out.get_eoa = used, out.set_eoa = set_used, out.get_eof = end_of, out.get_handle = descriptor;
+  out.alloc = take, out.get_eoa = used, out.set_eoa = set_used, out.get_eof = end_of, out.get_handle = descriptor;
   out.read = read, out.write = write;
   H5FD_mem_t const kinds[] = H5FD_FLMAP_DICHOTOMY;
   std::copy(std::begin(kinds), std::end(kinds), out.fl_map);
@@ -244,6 +255,10 @@ void set_growing_file(Session const& h5, hid_t access) {
 
 HeadsOnly::HeadsOnly() { heads_only = true; }
 HeadsOnly::~HeadsOnly() { heads_only = false; }
+
+InPlace::InPlace(std::uint64_t place) { next_numbers = place; }
+InPlace::~InPlace() { next_numbers = 0; }
+std::uint64_t last_place() { return last_numbers; }
 
 std::string driver_failure() { return last_error == 0 ? "" : std::strerror(std::exchange(last_error, 0)); }
 

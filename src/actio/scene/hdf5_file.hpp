@@ -10,9 +10,12 @@
 // * That end is some way beyond what is used, and the file, with a hole, as long. Whoever opened it a while ago finds what was added since. The true end is
 //   in sixteen bytes after it, and the hole is gone as soon as the file is closed.
 //
+// Room for numbers is taken in sixteens of bytes, so that a chunk can be given a length of four bytes more or less, and with it other properties, where it is.
+//
 // There are no locks on the file: whoever writes has the folder for himself, and readers are welcome.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "actio/scene/hdf5_library.hpp"
@@ -31,6 +34,17 @@ class HeadsOnly {
   HeadsOnly(HeadsOnly const&) = delete;
   HeadsOnly& operator=(HeadsOnly const&) = delete;
 };
+
+/// While it lives, the next room for numbers is taken at this place, where there is a chunk of about that length already.
+class InPlace {
+ public:
+  explicit InPlace(std::uint64_t place);
+  ~InPlace();
+  InPlace(InPlace const&) = delete;
+  InPlace& operator=(InPlace const&) = delete;
+};
+/// Where numbers were last read or written through the driver.
+std::uint64_t last_place();
 
 /// What the system said when the driver last failed, which is then forgotten; empty where it did not.
 std::string driver_failure();

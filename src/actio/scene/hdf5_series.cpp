@@ -4,7 +4,7 @@
 // a new checksum would not do, since whoever looks in between, or after a kill in between, finds a checksum that is not that of the numbers, and cannot read
 // the chunk at all. So as long as it grows it is said to have no checksum, a thing that HDF5 knows of each chunk, but it has room for one. Its first rows stay
 // as they are while others are put behind them, and rows are told of when they are there. When it is full, its checksum is written into the room, and only then is
-// it said to have one. A table that is closed has a checksum on its last chunk as well; a checkpoint remembers that of the last chunk, so that `resume` sees
+// it said to have one. (The library changes what it says of a chunk only where its length changes: one that grows is said to be four bytes longer.) A table that is closed has a checksum on its last chunk as well; a checkpoint remembers that of the last chunk, so that `resume` sees
 // whatever bit was turned since.
 #include <fcntl.h>
 #include <unistd.h>
@@ -32,7 +32,8 @@ struct DataSet {
   std::vector<hsize_t> extent;   // rows, then the shape of a value
   std::size_t width = 1;         // of a row, in numbers
   std::vector<double> last = {};  // rows of the chunk that grows
-  hsize_t before = 0;             // rows that the file had before it was cut back
+  bool behind = false;            // whether the file may have chunks that are written again
+  hsize_t length = 0, place = 0;  // of the last chunk in the file; zero where it is not there yet
   Handle id = {};
 
   explicit DataSet(ColumnGroup of) : group(std::move(of)), extent{0}, width(group.columns.size()) {
@@ -109,8 +110,10 @@ class Hdf5Series : public Series {
     if (!memory.reading()) return;
     read_back(sums);
     Session const h5;
+    unseal(h5);
     cut_back(h5);
     start(h5, path_);
+    for (auto& set : sets_) set.behind = true;
     told_ = rows_;
   }
 
@@ -226,7 +229,6 @@ class Hdf5Series : public Series {
     hdf5::HeadsOnly const heads_only;
     Handle file(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDWR, access(h5)), "cannot be opened"), h5->H5Fclose);
     for (auto& set : sets_) {
-      set.before = set.extent[0];
       if (set.extent[0] == rows_) continue;
       set.extent[0] = rows_;
       Handle id(check(h5, h5->H5Dopen2(file, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
@@ -242,46 +244,55 @@ class Hdf5Series : public Series {
     Handle const how(h5->H5Pcreate(h5->H5P_CLS_DATASET_ACCESS_ID_g_value), h5->H5Pclose);
     h5->H5Pset_chunk_cache(how, 0, 0, 1);
     for (auto& set : sets_) set.id = Handle(check(h5, h5->H5Dopen2(file_, set.name().c_str(), how), "cannot be opened"), h5->H5Dclose);
-    if (rows_ % at_once_ != 0) unseal(h5);
   }
+
+  /// Bytes of a chunk that is full, and of one that grows.
+  std::size_t full(DataSet const& set) const { return at_once_ * set.width * sizeof(double) + 4; }
+  std::size_t growing(DataSet const& set) const { return full(set) + 4; }
 
   /// The last chunk of each data set goes to the file. Nothing tells of its new rows yet.
   void write(Session const& h5, Last last) {
     hsize_t const begin = (rows_ - 1) / at_once_ * at_once_;
     for (auto& set : sets_) {
-      auto const numbers = set.bytes();
       if (set.extent[0] != rows_) {
         set.extent[0] = rows_;
         check(h5, h5->H5Dset_extent(set.id, set.extent.data()), "cannot be written");
       }
-      // Where there are the same rows from before they stay, for whoever is about to read them.
-      if (begin >= set.before || !get(h5, set, begin).has_value()) chunk_.assign(at_once_ * set.width * sizeof(double) + 4, 0);
-      std::copy(numbers.begin(), numbers.end(), chunk_.begin());
-      if (last == Last::full) {
-        unsigned char* const sum = chunk_.data() + chunk_.size() - 4;
-        hdf5::encode(sum, hdf5::fletcher32(std::span(chunk_).first(chunk_.size() - 4)));
+      // What is there from before it was cut back stays, for whoever is about to read it.
+      chunk_.assign(growing(set), 0);
+      if (set.behind) get(h5, set, begin);
+      // A chunk that was full has the rows that this one will have.
+      if (last == Last::full || set.length != full(set)) {
+        auto const numbers = set.bytes();
+        std::copy(numbers.begin(), numbers.end(), chunk_.begin());
+        put(h5, set, begin, last);
       }
-      put(h5, set, begin, last);
-      if (rows_ % at_once_ == 0) set.last.clear();
+      if (rows_ % at_once_ == 0) set.last.clear(), set.length = 0;
     }
   }
-  void put(Session const& h5, DataSet const& set, hsize_t begin, Last last) {
+  void put(Session const& h5, DataSet& set, hsize_t begin, Last last) {
+    std::size_t const size = last == Last::full ? full(set) : growing(set);
+    auto const numbers = std::span(chunk_).first(full(set) - 4);
+    if (last == Last::full) hdf5::encode(chunk_.data() + numbers.size(), hdf5::fletcher32(numbers));
+    auto const at = place(set, begin);
     std::uint32_t const without_checksum = last == Last::full ? 0 : 1;
-    auto const at = place(set, begin);
-    check(h5, h5->H5Dwrite_chunk(set.id, H5P_DEFAULT, without_checksum, at.data(), chunk_.size(), chunk_.data()), "cannot be written");
-    untold_ += chunk_.size();
+    std::optional<hdf5::InPlace> in_place;
+    if (set.length != 0 && set.length != size) in_place.emplace(set.place);
+    check(h5, h5->H5Dwrite_chunk(set.id, H5P_DEFAULT, without_checksum, at.data(), size, chunk_.data()), "cannot be written");
+    set.length = size, set.place = hdf5::last_place();
+    untold_ += size;
   }
-  /// A chunk that is there, and whether it is said to have no checksum; nothing where it is not there.
-  std::optional<bool> get(Session const& h5, DataSet const& set, hsize_t begin) {
+  /// A chunk that is there, its length and its place. Where it is not, the others are not either.
+  void get(Session const& h5, DataSet& set, hsize_t begin) {
     auto const at = place(set, begin);
-    hsize_t size = 0;
+    // Of a chunk that is not there the library says so by an error, or by a length of zero.
+    set.length = 0;
+    set.behind = h5->H5Dget_chunk_storage_size(set.id, at.data(), &set.length) >= 0 && set.length != 0;
+    if (!set.behind) return;
+    if (set.length != full(set) && set.length != growing(set)) refuse(path_ + ": is not the table of this scene");
     std::uint32_t without_checksum = 0;
-    chunk_.assign(at_once_ * set.width * sizeof(double) + 4, 0);
-    check(h5, h5->H5Dget_chunk_storage_size(set.id, at.data(), &size), "cannot be read");
-    if (size == 0) return {};
-    if (size != chunk_.size()) refuse(path_ + ": is not the table of this scene");
     check(h5, h5->H5Dread_chunk(set.id, H5P_DEFAULT, at.data(), &without_checksum, chunk_.data()), "cannot be read");
-    return without_checksum != 0;
+    set.place = hdf5::last_place();
   }
   /// What the file tells of itself follows what was written.
   void tell(Session const& h5) {
@@ -296,12 +307,20 @@ class Hdf5Series : public Series {
     }
     tell(h5);
   }
-  /// The last chunk is said to have no checksum, and stays as it is: now it may grow.
+  /// The last chunk of a table that was closed is said to have no checksum, and stays as it is: now it may grow.
   void unseal(Session const& h5) {
-    hsize_t const begin = rows_ - rows_ % at_once_;
-    for (auto const& set : sets_)
-      if (get(h5, set, begin) == false) put(h5, set, begin, Last::growing);
+    start(h5, path_);
+    for (auto& set : sets_) {
+      if (set.extent[0] % at_once_ == 0) continue;
+      hsize_t const begin = set.extent[0] - set.extent[0] % at_once_;
+      chunk_.assign(growing(set), 0);
+      get(h5, set, begin);
+      if (set.length == full(set)) put(h5, set, begin, Last::growing);
+      set.length = 0;
+    }
     tell(h5);
+    for (auto& set : sets_) check(h5, set.id.close(), "cannot be written");
+    check(h5, file_.close(), "cannot be written");
   }
 
   int descriptor(Session const& h5) {
