@@ -18,14 +18,22 @@ struct RunArguments {
 };
 int run(RunArguments const& arguments);
 /// What `run` would do with a scene that was read, and what it would leave in the folder `out`.
-int plan(scene::Scene const& scene, RunArguments const& arguments, std::string const& out);
+int plan(scene::Scene& scene, RunArguments const& arguments, std::string const& out);
 
 struct ResumeArguments {
   std::string folder;
+  std::string until;                 ///< a later end than the scene has; empty: none
   int jobs = 0;                      ///< of a sweep; 0: as many as the machine has cores
-  bool quiet = false;
+  bool quiet = false, plots = false;
 };
 int resume(ResumeArguments const& arguments);
+
+struct PlotArguments {
+  std::string folder;
+  bool quiet = false;
+};
+/// Draws the pictures of a run that is there.
+int plot(PlotArguments const& arguments);
 
 struct SweepArguments {
   std::string scene, out;

@@ -11,7 +11,8 @@ _actio_reply() { # WORD
 _actio_options() { # PART
   case $1 in
     run) echo "--out --set --unset --quiet --dry-run --plots --force --help" ;;
-    resume) echo "--jobs --quiet --help" ;;
+    resume) echo "--until --jobs --plots --quiet --help" ;;
+    plot) echo "--quiet --help" ;;
     sweep) echo "--over --out --set --unset --jobs --quiet --dry-run --plots --force --help" ;;
     list) echo "--json --help" ;;
     show) echo "--help" ;;
@@ -45,7 +46,7 @@ _actio() {
   if ((COMP_CWORD > 1)); then
     case $before in
       --out) _actio_files "$word" ""; return ;;
-      --set | --unset | --over | --jobs) return ;;
+      --set | --unset | --over | --jobs | --until) return ;;
     esac
   fi
   if [[ $word == -* ]]; then
@@ -54,12 +55,12 @@ _actio() {
     return
   fi
   if ((COMP_CWORD == 1)); then
-    _actio_reply "$word" < <(printf '%s\n' run resume sweep list show check)
+    _actio_reply "$word" < <(printf '%s\n' run resume plot sweep list show check)
     return
   fi
   case $part in
     run | sweep) _actio_files "$word" .toml ;;
-    resume) _actio_files "$word" "" ;;
+    resume | plot) _actio_files "$word" "" ;;
     list) _actio_reply "$word" < <(printf '%s\n' systems groups methods quantities bodies materials) ;;
     show) _actio_reply "$word" < <(_actio_names "$program") ;;
     check) _actio_reply "$word" < <("$program" check --list 2>/dev/null | cut -d ' ' -f 1) ;;

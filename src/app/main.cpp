@@ -36,8 +36,8 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   auto* const part = add_part(command, "run", "run a scene",
                               "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives series.csv, summary.json and scene.toml, in which every default is written out.",
                               action, [&run] { return app::run(run); });
-  part->add_option("SCENE", run.scene, "a scene, in TOML")->required()->check(CLI::Validator(not_empty, ""));
-  part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR");
+  part->add_option("SCENE", run.scene, "a scene, in TOML; - reads it from standard input")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR")->check(CLI::Validator(not_empty, ""));
   part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
   part->add_option("--unset", run.unset, "take a key out of the scene")->type_name("KEY")->allow_extra_args(false);
   part->add_flag("--quiet", run.quiet, "no progress")->disable_flag_override();
@@ -50,8 +50,17 @@ void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action)
   auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint, or with a sweep", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit. Of a sweep, members that are done are kept.", action,
                               [&resume] { return app::resume(resume); });
   part->add_option("DIR", resume.folder, "the folder of the run, or of the sweep")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_option("--until", resume.until, "go on to a later time than the scene says, and write it into scene.toml")->type_name("T")->check(CLI::Validator(not_empty, ""));
   app::add_jobs_option(*part, resume.jobs, "of a sweep: runs at the same time; otherwise one for each core");
+  part->add_flag("--plots", resume.plots, "draw pictures and a page to play the motion")->disable_flag_override();
   part->add_flag("--quiet", resume.quiet, "no progress")->disable_flag_override();
+}
+
+void add_plot(CLI::App& command, app::PlotArguments& plot, Action& action) {
+  auto* const part = add_part(command, "plot", "draw the pictures of a run: finished, interrupted, or going on",
+                              "Example: actio plot apophis\n\nThe folder receives plots/*.svg and plots/index.html, of the rows that are there.", action, [&plot] { return app::plot(plot); });
+  part->add_option("DIR", plot.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_flag("--quiet", plot.quiet, "no progress")->disable_flag_override();
 }
 
 void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
@@ -92,10 +101,12 @@ int main(int argc, char** argv) {
   Action action;
   app::RunArguments run;
   app::ResumeArguments resume;
+  app::PlotArguments plot;
   app::SweepArguments sweep;
   Questions asked;
   add_run(command, run, action);
   add_resume(command, resume, action);
+  add_plot(command, plot, action);
   add_sweep(command, sweep, action);
   add_questions(command, asked, action);
 

@@ -5,8 +5,10 @@
 
 #include "actio/scene/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/scene.hpp"
 #include "app/commands.hpp"
+#include "app/estimate.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {
@@ -55,19 +57,44 @@ void tell_quantities(Scene const& scene) {
   tell("skipped", skipped.empty() ? "nothing" : listed(skipped));
 }
 
-std::string files_of(Scene const& scene, RunArguments const& arguments) {
+std::string files_of(Scene const& scene, RunArguments const& arguments, Estimate const& taken) {
   std::vector<std::string> files;
   std::size_t const columns = 1 + scene.simulation.quantities.row_size();
+  std::string const shape = plural(scene.schedule.rows(), "row") + " of " + plural(static_cast<long>(columns), "column");
   for (auto const& format : scene.formats)
-    files.push_back(fmt::format("{} ({} of {})", format == "csv" ? "series.csv" : "series.h5", plural(scene.schedule.rows(), "row"), plural(static_cast<long>(columns), "column")));
+    files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape, size_text(format == "csv" ? taken.csv : taken.hdf5)));
   files.insert(files.end(), {"summary.json", "scene.toml", "checkpoint"});
   if (scene.plots || arguments.plots) files.push_back("plots/");
   return listed(files);
 }
 
+/// `about 3 s`, `less than a second`
+std::string time_of(Estimate const& taken) {
+  if (taken.seconds < 0) return "not known: the first step fails";
+  return taken.seconds < 1 ? "less than a second" : "about " + duration_text(taken.seconds) + ", by what the first steps and some rows take";
+}
+
+/// What is free where the folder is, or will be.
+double free_space(std::string const& out) {
+  std::error_code error;
+  std::filesystem::path place = std::filesystem::absolute(out, error);
+  while (!place.empty() && !std::filesystem::exists(place, error) && place != place.root_path()) place = place.parent_path();
+  auto const space = std::filesystem::space(place, error);
+  return error ? -1 : static_cast<double>(space.available);
+}
+
+void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out) {
+  double const free = free_space(out);
+  if (free < 0) return;
+  double needed = 0;
+  for (auto const& format : scene.formats) needed += format == "csv" ? taken.csv : taken.hdf5;
+  tell("disk", size_text(free) + " free");
+  if (needed > free) tell("remark", fmt::format("the disk has room for {}, and the files take about {}: fewer rows (run.every) or quantities take less, --out names another place", size_text(free), size_text(needed)));
+}
+
 }  // namespace
 
-int plan(Scene const& scene, RunArguments const& arguments, std::string const& out) {
+int plan(Scene& scene, RunArguments const& arguments, std::string const& out) {
   fmt::print("{}\n", heading(printable(scene.title)));
   tell("system", scene.system->name + ": " + scene.system->title);
   tell("method", method_of(scene));
@@ -76,8 +103,11 @@ int plan(Scene const& scene, RunArguments const& arguments, std::string const& o
   tell_quantities(scene);
   for (auto const& shortcut : scene.simulation.shortcuts) tell("shortcut", shortcut);
   for (auto const& remark : scene.simulation.remarks) tell("remark", remark);
+  Estimate const taken = estimate(scene);
+  tell("time", time_of(taken));
   tell("folder", out);
-  tell("files", files_of(scene, arguments));
+  tell("files", files_of(scene, arguments, taken));
+  tell_disk(scene, taken, out);
   std::error_code none;
   if (std::filesystem::exists(out, none) && !std::filesystem::is_empty(out, none) && !arguments.force) tell("remark", "the folder is not empty; a run needs --force to replace what is in it");
   fmt::print("The scene is in order; nothing was run.\n");

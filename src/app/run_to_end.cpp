@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "actio/scene/pictures.hpp"
 #include "actio/scene/progress.hpp"
+#include "app/draw.hpp"
+#include "app/text.hpp"
 
 namespace actio::app {
 
@@ -29,10 +30,10 @@ int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet) {
   options.quiet = quiet, options.checkpoint_interval = checkpoint_interval();
   for (auto const& remark : scene.simulation.remarks) say(stderr, remark + "\n");
   RunReport const report = run_scene(scene, folder.path(), resume, options);
-  if (report.ending == Ending::interrupted) say(stderr, fmt::format("{}; actio resume {} goes on from there\n", report.message, folder.path()));
+  if (report.ending == Ending::interrupted) say(stderr, fmt::format("{}; actio resume {} goes on from there\n", report.message, in_shell(folder.path())));
   else if (!report.message.empty()) say(stderr, report.message + "\n");
   else if (!quiet) say(stdout, closing_line(scene, folder, report) + "\n");
-  if (scene.plots && (report.ending == Ending::done || report.ending == Ending::interrupted)) draw_pictures(scene, folder.path(), quiet);
+  if (scene.plots && (report.ending == Ending::done || report.ending == Ending::interrupted)) draw(scene, folder.path(), quiet);
   return static_cast<int>(report.ending);
 }
 

@@ -47,6 +47,23 @@ std::string wrapped(std::string const& text, std::size_t width, std::size_t inde
   return out;
 }
 
+std::string in_shell(std::string const& name) {
+  auto const plain = [](unsigned char c) { return c >= 0x80 || std::isalnum(c) || std::string_view("_./+,:=@%-").find(static_cast<char>(c)) != std::string_view::npos; };
+  auto const control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+  std::string const safe = name.starts_with('-') ? "./" + name : name;
+  if (!safe.empty() && std::all_of(safe.begin(), safe.end(), plain)) return safe;
+  bool const escaped = std::any_of(safe.begin(), safe.end(), control);
+  std::string out = escaped ? "$'" : "'";
+  for (char const c : safe) {
+    auto const byte = static_cast<unsigned char>(c);
+    if (control(byte)) out += {'\\', static_cast<char>('0' + byte / 64), static_cast<char>('0' + byte / 8 % 8), static_cast<char>('0' + byte % 8)};
+    else if (c == '\'') out += escaped ? "\\'" : "'\\''";
+    else if (c == '\\' && escaped) out += "\\\\";
+    else out += c;
+  }
+  return out + "'";
+}
+
 std::string heading(std::string const& text, std::FILE* stream) {
   char const* const no_color = std::getenv("NO_COLOR");
   bool const plain = (no_color && *no_color) || !::isatty(::fileno(stream));

@@ -14,6 +14,9 @@ std::string aligned(std::vector<std::vector<std::string>> const& rows, std::stri
 /// Text whose lines hold at most `width` letters, broken between words; lines after the first begin with `indent` spaces.
 std::string wrapped(std::string const& text, std::size_t width, std::size_t indent);
 
+/// A name as a shell takes it: `apophis`, `'my run'`, `./-n`; with control characters as $'a\nb'.
+std::string in_shell(std::string const& name);
+
 /// Bold where `stream` is a terminal and NO_COLOR is not set.
 std::string heading(std::string const& text, std::FILE* stream = stdout);
 

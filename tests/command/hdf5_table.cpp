@@ -64,7 +64,7 @@ std::vector<std::string> names_in(hid_t file) {
 
 Hdf5Table read_hdf5(std::string const& path, bool writing) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  hid_t const file = good(H5Fopen(path.c_str(), H5F_ACC_RDONLY | (writing ? H5F_ACC_SWMR_READ : 0u), H5P_DEFAULT), path);
+  hid_t const file = good(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path);
   Hdf5Table table;
   table.attributes[""] = attributes(file);
   std::vector<DataSet> sets;

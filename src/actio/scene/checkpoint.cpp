@@ -19,7 +19,9 @@ namespace actio::scene {
 namespace {
 
 // Another version may make other digits of the same scene.
-constexpr std::string_view heading = "actio checkpoint 1, " ACTIO_VERSION "\n";
+constexpr std::string_view heading = "actio checkpoint 2, " ACTIO_VERSION "\n";
+/// What to do where a checkpoint is of no use.
+constexpr char const* way_out = "; without it the run starts anew: remove it, then actio resume does so";
 
 /// FNV-1a, eight bytes at a time: enough to see that a file was damaged or belongs elsewhere.
 std::uint64_t hash(std::string_view bytes) {
@@ -79,6 +81,14 @@ void write_whole_file(std::string const& path, std::string_view content, bool du
   if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) ::fsync(handle), ::close(handle);
 }
 
+std::string what_determines(SceneFile const& scene) {
+  SceneFile const copy = SceneFile::parse(scene.written(), scene.name());
+  copy.section("scene").set("title", "");
+  copy.section("output").set("plots", false);
+  if (SceneTable run = copy.section("run"); !run.has("at")) run.set("until", 0.0);
+  return copy.written();
+}
+
 void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state, bool durable) {
   write_whole_file(path, std::string(heading) + as_bytes(hash(scene)) + as_bytes(hash(state)) + state, durable);
 }
@@ -88,12 +98,13 @@ std::string read_checkpoint(std::string const& path, std::string const& scene) {
   if (!in) throw FileError(path + ": cannot be read");
   std::string const bytes{std::istreambuf_iterator<char>(in), {}};
   std::size_t const start = heading.size() + 16;
-  if (!bytes.starts_with(heading.substr(0, heading.find(',')))) throw FileError(path + ": is damaged, or no checkpoint");
-  if (!bytes.starts_with(heading)) throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION);
-  if (bytes.size() < start) throw FileError(path + ": is damaged: it ends too early");
-  if (bytes.substr(heading.size(), 8) != as_bytes(hash(scene))) throw FileError(path + ": belongs to another scene; scene.toml beside it was changed since");
+  if (!bytes.starts_with(heading.substr(0, heading.find("2,")))) throw FileError(path + ": is damaged, or no checkpoint" + way_out);
+  if (!bytes.starts_with(heading)) throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION + way_out);
+  if (bytes.size() < start) throw FileError(path + ": is damaged: it ends too early" + way_out);
+  if (bytes.substr(heading.size(), 8) != as_bytes(hash(scene)))
+    throw FileError(path + ": belongs to another scene; scene.toml beside it was changed since, or the checkpoint is damaged" + way_out);
   std::string state = bytes.substr(start);
-  if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state))) throw FileError(path + ": is damaged");
+  if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state))) throw FileError(path + ": is damaged" + way_out);
   return state;
 }
 

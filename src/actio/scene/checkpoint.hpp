@@ -4,10 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "actio/scene/scene_file.hpp"
+
 namespace actio::scene {
 
+/// What of a scene determines the numbers of its run, as a text: all but its title, whether there are pictures, and how far it goes where rows are at the
+/// multiples of `every`. A checkpoint belongs to it.
+std::string what_determines(SceneFile const& scene);
+
 /// Writes `path` anew: to a file beside it, to the disk, then renamed.
-/// @param scene    it belongs to, to the letter
+/// @param scene    it belongs to: \ref what_determines
 /// @param durable  whether to wait until it is on the disk
 /// @throws FileError
 void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state, bool durable = true);

@@ -36,8 +36,10 @@ class Hdf5SeriesReader : public SeriesReader {
 
  private:
   struct DataSet {
+    std::string name;
     Handle id;
     std::vector<hsize_t> extent;  // rows, then the shape of a value
+    hsize_t chunk;                // rows of one
     std::size_t width;            // of a row, in numbers
     std::vector<double> block = {};
   };
@@ -52,19 +54,34 @@ class Hdf5SeriesReader : public SeriesReader {
     std::size_t width = 1;
     for (std::size_t const n : shape) width *= n;
     rows_ = std::min(rows_, extent[0]);
-    sets_.push_back({std::move(id), std::move(extent), width});
+    Handle const how(h5_.checked(h5_->H5Dget_create_plist(id), path_, "cannot be read"), h5_->H5Pclose);
+    std::vector<hsize_t> chunk(extent.size(), 1);
+    h5_->H5Pget_chunk(how, static_cast<int>(chunk.size()), chunk.data());
+    sets_.push_back({name, std::move(id), std::move(extent), chunk[0], width});
   }
   void read_block() {
     block_begin_ = next_, block_end_ = std::min(rows_, next_ + at_once_);
-    for (auto& set : sets_) {
-      std::vector<hsize_t> first(set.extent.size()), size = set.extent;
-      first[0] = block_begin_, size[0] = block_end_ - block_begin_;
-      set.block.resize(size[0] * set.width);
-      Handle const space(h5_.checked(h5_->H5Dget_space(set.id), path_, "cannot be read"), h5_->H5Sclose);
-      Handle const memory(h5_->H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), h5_->H5Sclose);
-      h5_->H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, size.data(), nullptr);
-      h5_.checked(h5_->H5Dread(set.id, h5_->H5T_NATIVE_DOUBLE_g_value, memory, space, H5P_DEFAULT, set.block.data()), path_, "cannot be read");
+    for (auto& set : sets_)
+      if (!read(set, block_begin_, block_end_)) throw FileError(hdf5::damage(path_, set.name, block_begin_, block_end_));
+  }
+  /// @return false where a chunk cannot be read; `begin` and `end` are then those of the rows in it
+  bool read(DataSet& set, hsize_t& begin, hsize_t& end) {
+    if (read_rows(set, begin, end)) return true;
+    hsize_t const last = end;
+    for (begin -= begin % set.chunk; begin < last; begin = end) {
+      end = std::min(last, begin + set.chunk);
+      if (!read_rows(set, begin, end)) return false;
     }
+    return false;
+  }
+  bool read_rows(DataSet& set, hsize_t begin, hsize_t end) {
+    std::vector<hsize_t> first(set.extent.size()), size = set.extent;
+    first[0] = begin, size[0] = end - begin;
+    set.block.resize(size[0] * set.width);
+    Handle const space(h5_.checked(h5_->H5Dget_space(set.id), path_, "cannot be read"), h5_->H5Sclose);
+    Handle const memory(h5_->H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), h5_->H5Sclose);
+    h5_->H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, size.data(), nullptr);
+    return h5_->H5Dread(set.id, h5_->H5T_NATIVE_DOUBLE_g_value, memory, space, H5P_DEFAULT, set.block.data()) >= 0;
   }
 
   std::string path_;

@@ -41,6 +41,14 @@ std::string duration_text(double seconds) {
   return fmt::format("{} d {} h", s / 86400, s / 3600 % 24);
 }
 
+std::string size_text(double bytes) {
+  if (bytes < 1000) return fmt::format("{:.0f} bytes", bytes);
+  char const* const units[] = {"kB", "MB", "GB", "TB", "PB", "EB"};
+  std::size_t unit = 0;
+  for (bytes /= 1000; bytes >= 999.5 && unit + 1 < std::size(units); ++unit) bytes /= 1000;
+  return fmt::format("{:.3g} {}", bytes, units[unit]);
+}
+
 Progress::Progress(bool quiet, std::string unit)
     : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb"), colour_(terminal_ && environment("NO_COLOR").empty()), unit_(std::move(unit)) {}
 Progress::~Progress() {

@@ -46,6 +46,8 @@ class Progress {
 
 /// `12 s`, `3 min 20 s`, `2 h 05 min`, `3 d 4 h`.
 std::string duration_text(double seconds);
+/// `812 bytes`, `3.4 kB`, `118 GB`.
+std::string size_text(double bytes);
 /// Writes to standard output or error, and does not mind where nobody reads it.
 void say(std::FILE* stream, std::string const& text);
 

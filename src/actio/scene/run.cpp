@@ -22,15 +22,24 @@ using Clock = Rhythm::Clock;
 /// How far a run is: the head of its checkpoint.
 struct Progression {
   long steps = 0, rows = 0;
+  double time = 0;     // of the last row
   double seconds = 0;  // of all processes
 };
+
+/// That the rows so far are the first ones of the scene, which may go further than it did.
+/// @throws SceneError  at this place
+void check_rows(Progression const& at, Scene const& scene, Place const& place) {
+  if (at.rows == 0 || (at.rows <= scene.schedule.rows() && scene.schedule.time(at.rows - 1) == at.time)) return;
+  throw SceneError(place, fmt::format("the run has a row at t = {} already, which a run to t = {} has not; its scene can be run anew, into another folder", at.time, scene.schedule.until()));
+}
 
 /// The run of one scene.
 class Run {
  public:
   Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options)
       : scene_(scene), simulation_(scene.simulation), folder_(folder), resumed_(resume), options_(options), drift_(simulation_.quantities.conserved()),
-        error_(simulation_), progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()) {
+        error_(simulation_), progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()),
+        determined_(folder.empty() ? "" : what_determines(scene.file)) {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
@@ -42,7 +51,13 @@ class Run {
 
   /// Into a table in memory, without a folder.
   Run(Scene& scene, std::vector<double>& table, RunOptions const& options) : Run(scene, "", false, options) {
-    table.reserve(static_cast<std::size_t>(scene.schedule.rows()) * row_.size());
+    auto const rows = static_cast<std::size_t>(scene.schedule.rows());
+    try {
+      if (rows > table.max_size() / row_.size()) throw TooLarge(rows, row_.size());
+      table.reserve(rows * row_.size());
+    } catch (std::bad_alloc const&) {
+      throw TooLarge(rows, row_.size());
+    }
     series_.push_back(memory_series(table));
   }
 
@@ -122,7 +137,7 @@ class Run {
     drift_.see(values, simulation_.quantities.natural_units());
     error_.see(at_.rows, t, at_.steps, at_.rows + 1 == scene_.schedule.rows());
     for (auto& series : series_) series->add(row_);
-    ++at_.rows, wrote_ = true;
+    ++at_.rows, at_.time = t, wrote_ = true;
   }
   /// A NaN or an infinity in a row.
   [[noreturn]] void refuse_row(double t) const {
@@ -148,11 +163,11 @@ class Run {
     for (auto& series : series_) options_.durable ? series->sync() : series->flush();
     Memory memory;
     remember(memory);
-    write_checkpoint(folder_ + "/checkpoint", written_, memory.bytes(), options_.durable);
+    write_checkpoint(folder_ + "/checkpoint", determined_, memory.bytes(), options_.durable);
     last_checkpoint_ = Clock::now();
   }
   void remember(Memory& memory) {
-    Progression place{at_.steps, at_.rows, seconds()};
+    Progression place{at_.steps, at_.rows, at_.time, seconds()};
     memory(place);
     if (memory.reading()) at_ = place;
     simulation_.motion->remember(memory);
@@ -164,7 +179,7 @@ class Run {
   }
   void restore() {
     std::string const path = folder_ + "/checkpoint";
-    Memory memory(read_checkpoint(path, written_));
+    Memory memory(read_checkpoint(path, determined_));
     try {
       remember(memory);
     } catch (FileError const&) {
@@ -172,6 +187,7 @@ class Run {
     } catch (Error const& error) {
       throw FileError(path + ": is damaged: " + error.what());
     }
+    check_rows(at_, scene_, scene_.file.section("run").place("until"));
     bool const in_range = at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 && at_.steps <= all();
     if (!in_range) throw FileError(fmt::format("{}: is damaged: {} rows and {} steps, where the scene has {} and {}", path, at_.rows, at_.steps, scene_.schedule.rows(), all()));
   }
@@ -225,7 +241,7 @@ class Run {
   ErrorEstimate error_;
   Progress progress_;
   Rhythm rhythm_;
-  std::string written_;
+  std::string written_, determined_;
   std::optional<StepsToRows> steps_to_;
   std::vector<std::unique_ptr<Series>> series_;
   std::vector<double> row_;
@@ -238,7 +254,9 @@ class Run {
 
 std::vector<std::string> files_of_run(Scene const& scene) {
   std::vector<std::string> out{"scene.toml", "scene.toml.part", "checkpoint", "checkpoint.part", "summary.json", "summary.json.part"};
-  for (auto const& format : scene.formats) out.push_back(format == "hdf5" ? "series.h5" : "series.csv");
+  for (auto const& format : scene.formats)
+    if (format == "hdf5") out.insert(out.end(), {"series.h5", "series.h5.part"});
+    else out.emplace_back("series.csv");
   return out;
 }
 
@@ -250,14 +268,49 @@ void refuse_without_step(Scene const& scene) {
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options) { return Run(scene, folder, resume, options).go(); }
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) { return Run(scene, table, options).go(); }
 
-bool run_is_finished(Scene const& scene, std::string const& folder) {
+namespace {
+
+/// How far the run in a folder is, which belongs to the scene.
+Progression progression(Scene const& scene, std::string const& folder, Place const& place) {
   std::string const path = folder + "/checkpoint";
-  Memory memory(read_checkpoint(path, scene.file.written()));
-  Progression place;
-  if (memory.bytes().size() < sizeof place) throw FileError(path + ": is damaged: it ends too early");
-  memory(place);
-  return place.rows == scene.schedule.rows() && std::filesystem::exists(folder + "/summary.json");
+  Memory memory(read_checkpoint(path, what_determines(scene.file)));
+  Progression at;
+  if (memory.bytes().size() < sizeof at) throw FileError(path + ": is damaged: it ends too early");
+  memory(at);
+  check_rows(at, scene, place);
+  return at;
 }
+
+}  // namespace
+
+bool run_is_finished(Scene const& scene, std::string const& folder) {
+  return progression(scene, folder, scene.file.section("run").place("until")).rows == scene.schedule.rows() && std::filesystem::exists(folder + "/summary.json");
+}
+
+Scene extended(Scene const& scene, std::string const& folder, double until) {
+  Place const here{fmt::format("--until {}", until)};
+  SceneTable const run = scene.file.section("run");
+  if (run.has("at")) {
+    auto const times = run.numbers("at");
+    throw SceneError(here, fmt::format("the rows are at the times that [run] at lists, the last at t = {}, and a longer run has no others; a new scene can list more", times.back()));
+  }
+  if (!(until > scene.schedule.until())) throw SceneError(here, fmt::format("the run goes to t = {} already; a later time is expected", scene.schedule.until()));
+  std::string const path = folder + "/scene.toml";
+  try {
+    Scene const longer = Scene::read(SceneFile::read(path, {fmt::format("run.until={}", until)}));
+    if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder, here);
+    // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after it.
+    write_whole_file(path, longer.file.written());
+    return Scene::read(SceneFile::read(path));
+  } catch (SceneError const& error) {
+    if (error.place.file == here.file) throw;
+    throw SceneError(here, error.what());  // for instance that the step does not meet the time
+  }
+}
+
+TooLarge::TooLarge(std::size_t rows, std::size_t columns)
+    : Error(fmt::format("the memory does not suffice: {} rows x {} columns x 8 bytes are {}; fewer rows (run.every) or quantities take less, and the command writes them to a file",
+                        rows, columns, size_text(8.0 * static_cast<double>(rows) * static_cast<double>(columns)))) {}
 
 double checkpoint_interval() {
   char const* const text = std::getenv("ACTIO_CHECKPOINT_SECONDS");

@@ -51,6 +51,12 @@ std::vector<std::string> files_of_run(Scene const& scene);
 /// Refuses a scene that could take no step from its start, before anything is written.
 /// @throws NumericsError
 void refuse_without_step(Scene const& scene);
+/// A table is larger than the memory.
+struct TooLarge : Error {
+  /// @param rows     of the table
+  /// @param columns  of numbers of eight bytes
+  TooLarge(std::size_t rows, std::size_t columns);
+};
 
 /// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was computed is in the files when it returns, whatever the ending.
 /// Whoever calls has the folder for himself (\ref RunFolder).
@@ -58,11 +64,18 @@ void refuse_without_step(Scene const& scene);
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});
 
 /// Runs a scene into a table in memory, row after row, the time first; leaves no file.
+/// @throws TooLarge  where the memory does not suffice for the table
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options = {});
 
 /// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is told.
 /// @throws FileError  where the checkpoint cannot be read, is damaged, or belongs to another scene
 bool run_is_finished(Scene const& scene, std::string const& folder);
+
+/// The scene of the run in this folder, to a later time: its rows so far are then the first of a longer run. Its scene.toml says so when this returns, and
+/// has said what it said before until then.
+/// @throws SceneError  where the run goes that far already, has rows that a longer one would not have, or has no rows or steps that meet the time
+/// @throws FileError   where the checkpoint cannot be read, is damaged, or belongs to another scene
+Scene extended(Scene const& scene, std::string const& folder, double until);
 
 /// Seconds between two checkpoints: what the environment variable ACTIO_CHECKPOINT_SECONDS says, otherwise those of `RunOptions`.
 /// @throws SceneError  where it is no number, or negative

@@ -1,5 +1,7 @@
 #include "actio/scene/run_folder.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -49,18 +51,27 @@ RunFolder RunFolder::create(std::string const& path, bool replace, std::vector<s
     own.begin(OwnFiles::Of::run, files);
     return folder;
   } catch (fs::filesystem_error const& error) {
-    throw FileError(path + ": cannot be made ready for a run: " + error.code().message());
+    throw FileError(path + ": cannot be made ready for a run: " + error.code().message() + "; --out names another place for it");
   }
 }
 
-RunFolder RunFolder::open(std::string const& path) {
+RunFolder RunFolder::open(std::string const& path) { return {look(path), FolderLock(path)}; }
+
+bool RunFolder::in_use(std::string const& path) {
+  int const handle = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  bool const locked = handle >= 0 && ::flock(handle, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (handle >= 0) ::close(handle);
+  return locked;
+}
+
+std::string RunFolder::look(std::string const& path) {
   std::error_code none;
   if (!fs::is_directory(path, none))
     throw SceneError({path}, fs::exists(path, none) ? "the folder of a run is expected, and this is a file"
                                                     : "there is no such folder");
   if (!fs::exists(fs::path(path) / "scene.toml", none))
     throw SceneError({path}, "there is no run in this folder: scene.toml is missing");
-  return {without_slash(path), FolderLock(path)};
+  return without_slash(path);
 }
 
 RunFolder RunFolder::of_member(std::string const& path) {

@@ -35,6 +35,12 @@ class RunFolder {
   void begin_member(std::vector<std::string> const& files) const;
   /// Whether there is a checkpoint to go on from.
   bool begun() const;
+  /// That there is a run in a folder, in which another process may run.
+  /// @return the path, without a slash at its end
+  /// @throws SceneError  where there is no such folder, or no run in it
+  static std::string look(std::string const& path);
+  /// Whether another process runs in a folder.
+  static bool in_use(std::string const& path);
 
   /// The path of the folder.
   std::string const& path() const { return path_; }

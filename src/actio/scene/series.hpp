@@ -3,13 +3,18 @@
 // Two formats hold the same numbers, bit for bit. `series.csv` is a text with a header row. `series.h5` has a data set for each quantity, rows along its
 // first axis, and `t`; attributes tell unit, meaning, formula, statement and the names of the columns, those of the file title, system, version and scene.
 //
-// Both can be read while the run goes on: a row is there half a second after it was computed. An HDF5 file that is being written, or whose writer was
-// killed, opens in the mode for that,
+// Both can be read while the run goes on and whatever ended it, Ctrl-C, `kill -9` or a full disk, by any reader:
 //
-//     h5py.File("series.h5", "r", swmr=True)          // H5F_ACC_RDONLY | H5F_ACC_SWMR_READ
+//     h5ls series.h5,   h5py.File("series.h5", "r")
 //
-// and its data sets may then differ in length by the rows that are on their way: the shortest length counts. A killed writer leaves a mark that makes an
-// ordinary reader refuse the file; `h5clear -s series.h5` removes it, and so does `actio resume`.
+// Rows are in the file half a second after they were computed at the latest, so that `kill -9` and a full disk take no more than those of the last half second
+// with them; a loss of power takes no more than those since the last checkpoint, two seconds before. What is lost is computed again by `resume`.
+//
+// While an HDF5 file is written its data sets may differ in length by the rows that are on their way: the shortest length counts. It is then followed by a
+// hole, which takes no room on the disk but counts in the length of the file, and which is gone at the end. Whoever has it open sees the rows of the time when he opened it.
+// To follow it, open it anew, or for following: h5py.File("series.h5", "r", swmr=True).
+//
+// Every chunk of numbers has a checksum (Fletcher32). Readers refuse a chunk in which a bit was turned, and so does `resume`, which reads all of them.
 #pragma once
 
 #include <memory>
