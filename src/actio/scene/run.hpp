@@ -28,6 +28,8 @@ struct RunOptions {
   bool quiet = false;                        ///< nothing on standard error
   double checkpoint_interval = 2;            ///< seconds
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
+  /// Told how far the run is, from 0 to 1, and its time: about a hundred times a second. May be empty.
+  std::function<void(double fraction, double time)> watch = {};
 };
 
 /// How a run went.

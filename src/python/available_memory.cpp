@@ -1,0 +1,60 @@
+#include "python/available_memory.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "actio/foundations/errors.hpp"
+
+namespace actio::python {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// The number in a file that holds one; `unknown` where it is not there, or holds the word `max`.
+double number_in(char const* path) {
+  std::ifstream in(path);
+  double value = 0;
+  return in >> value ? value : unknown;
+}
+
+double left_in_the_system() {
+  std::ifstream in("/proc/meminfo");
+  std::string name, unit;
+  double kilobytes = 0;
+  while (in >> name >> kilobytes && std::getline(in, unit))
+    if (name == "MemAvailable:") return 1024 * kilobytes;
+  return unknown;
+}
+
+std::string in_words(double bytes) {
+  constexpr std::array<char const*, 6> units{"bytes", "kB", "MB", "GB", "TB", "PB"};
+  std::size_t k = 0;
+  while (bytes >= 1000 && k + 1 < units.size()) bytes /= 1000, ++k;
+  std::array<char, 64> text;
+  std::snprintf(text.data(), text.size(), "%.4g %s", bytes, units[k]);
+  return text.data();
+}
+
+}  // namespace
+
+double available_memory() {
+  double const most = number_in("/sys/fs/cgroup/memory.max"), taken = number_in("/sys/fs/cgroup/memory.current");
+  double const left_in_the_group = most < unknown && taken < unknown ? std::max(0.0, most - taken) : unknown;
+  return std::min(left_in_the_system(), left_in_the_group);
+}
+
+void check_that_it_fits(double rows, std::size_t columns) {
+  double const bytes = 8 * rows * static_cast<double>(columns), available = available_memory();
+  if (bytes <= available) return;
+  std::array<char, 32> count;
+  std::snprintf(count.data(), count.size(), "%.0f", rows);
+  throw Error(std::string(count.data()) + " rows of " + std::to_string(columns) + " columns at 8 bytes a number take " +
+              in_words(bytes) + ", and " + in_words(available) +
+              " of memory are available; fewer rows or quantities would do, or the command `actio run`, which writes as it goes");
+}
+
+}  // namespace actio::python
