@@ -5,6 +5,7 @@
 
 import collections
 import concurrent.futures
+import contextlib
 import copy
 import csv
 import enum
@@ -12,6 +13,7 @@ import fractions
 import gc
 import html.parser
 import inspect
+import io
 import json
 import os
 import pathlib
@@ -21,6 +23,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import textwrap
 import threading
 import time
 import types
@@ -881,20 +884,35 @@ class ThePackage(unittest.TestCase):
 class ThePage(unittest.TestCase):
     def test_its_examples_run(self):
         page = pathlib.Path(__file__).parents[2] / "docs/pages/24_python.md"
-        blocks = re.findall(r"^~~~~\{\.py\}\n(.*?)^~~~~$", page.read_text(), re.M | re.S)
-        self.assertGreater(len(blocks), 3)
+        # Lines that are indented, one block after the other; those for a shell are for the test of the wheel.
+        blocks = [textwrap.dedent(block) for block in re.findall(r"(?:^ {4}.*\n|^\n(?= {4}))+", page.read_text(), re.M)]
+        blocks = [block for block in blocks if not re.match(r"\s*(PYTHONPATH=|python3 )", block)]
+        self.assertEqual(len(blocks), 7)
         here = os.getcwd()
         with tempfile.TemporaryDirectory() as folder:
-            folder_of_the_command(folder)
-            os.rename(folder + "/out", folder + "/apophis")
+            os.rename(folder_of_the_command(folder), folder + "/apophis")
             os.chdir(folder)
+            said = io.StringIO()
             try:
-                names = {}
-                for block in blocks:
-                    with self.subTest(block):
+                with contextlib.redirect_stdout(said):
+                    names = {}
+                    for block in blocks:
                         exec(compile(block, str(page), "exec"), names)
             finally:
                 os.chdir(here)
+            self.assertTrue(pathlib.Path(folder, "copy/plots/index.html").exists())
+        for expected in ["energy energy (101,)", "101 rows to t = 25 of body_momentum", "{'method.order': 4, 'method.step': 0.0625}", "100%, t = 25", "rigid_body -", "set: method.step=\"fast\":1:13: step: a number is expected"]:
+            self.assertIn(expected, said.getvalue())
+
+    def test_its_table_names_what_there_is(self):
+        page = (pathlib.Path(__file__).parents[2] / "docs/pages/24_python.md").read_text()
+        run = actio.run(text=SCENE)
+        for name in set(re.findall(r"`run\.(\w+)", page)):
+            self.assertTrue(hasattr(run, name), name)
+        for name in [name for name, _ in inspect.getmembers(actio.Run) if not name.startswith("_")]:
+            self.assertIn(name, page)
+        for name in actio.__all__:
+            self.assertIn(name.strip("_"), page)
 
 
 if __name__ == "__main__":

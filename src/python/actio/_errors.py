@@ -2,6 +2,8 @@
 
 from actio._actio import Error, FileError, NumericsError, SceneError
 
+__all__ = ["Error", "FileError", "NumericsError", "SceneError", "Stopped"]
+
 Error.__doc__ = """Whatever goes wrong in actio.
 
 Where rows had been computed by then, the attribute `run` is the `Run` that holds them."""

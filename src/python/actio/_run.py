@@ -56,7 +56,7 @@ class Run(Mapping[str, Array]):
 
     # A run is equal to itself alone, and may be a key of a dictionary.
     __eq__ = object.__eq__
-    __hash__ = object.__hash__  # type: ignore[assignment]
+    __hash__ = object.__hash__
 
     # ---- Numbers
 
@@ -188,9 +188,10 @@ class Run(Mapping[str, Array]):
         return {"t": self.t, **self}
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """A data frame with a column for each column of the table, and the time as its index. `attrs` holds title and units."""
+        """A data frame with a column for each column of the table, and the time as its index; a copy, to be
+        changed at will. `attrs` holds title and units."""
         pandas = import_pandas("Run.to_pandas")
-        frame = pandas.DataFrame(self._table[:, 1:], index=pandas.Index(self.t, name="t"), columns=self.columns[1:])
+        frame = pandas.DataFrame(self._table[:, 1:].copy(), index=pandas.Index(self.t.copy(), name="t"), columns=self.columns[1:])
         frame.attrs.update(title=self.summary.get("title", ""), units=self.units)
         return frame
 

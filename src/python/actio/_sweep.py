@@ -11,13 +11,14 @@ import numpy
 
 from actio._errors import Error, FileError, NumericsError, SceneError, Stopped
 from actio._run import Run, import_pandas
-from actio._running import Progress, SceneLike, Source, attach, changes, checked_call, checked_choice, outcome, warn_of_files
-from actio._values import kind, shown
+from actio._running import SceneLike, Source, attach, checked_call, checked_choice, outcome, warn_of_files
+from actio._values import changes, kind, shown
 
 if TYPE_CHECKING:
     import pandas
 
 MOST_MEMBERS = 1_000_000
+Progress = Callable[[float, int], Any]
 
 
 class Member:
@@ -218,7 +219,7 @@ class _Crew:
 
 def sweep(
     scene: Optional[SceneLike] = None, *, over: Mapping[str, Any], text: Optional[str] = None,
-    set: Optional[Mapping[str, Any]] = None, jobs: Optional[int] = None, progress: Optional[Callable[[float, int], Any]] = None,
+    set: Optional[Mapping[str, Any]] = None, jobs: Optional[int] = None, progress: Optional[Progress] = None,
     on_error: str = "collect", on_interrupt: str = "raise",
 ) -> Sweep:
     """Runs a scene once for each combination of values and returns the `Sweep`: a sequence of `Member`, the last key being
