@@ -1,8 +1,8 @@
 """What `pip install .` and `pip wheel .` call: builds the package actio with CMake, and packs it.
 
-A build backend in the sense of PEP 517 and 660, on the standard library alone, so that nothing has to be fetched to build.
-What is needed is a compiler, CMake and the libraries that the command is built with, and pybind11; the headers of Python are
-those of the interpreter that runs this.
+A build backend in the sense of PEP 517 and 660, on the standard library alone, so that nothing has to be
+fetched to build. What is needed is a compiler, CMake and the libraries that the command is built with, and
+pybind11; the headers of Python are those of the interpreter that runs this.
 
     pip install .                                                   # builds in build-wheel
     pip install --config-settings build-folder=build .              # in a folder that CMake has made ready before
@@ -48,8 +48,15 @@ def described():
 def metadata():
     """The file METADATA."""
     version, description = described()
-    lines = ["Metadata-Version: 2.1", "Name: actio", f"Version: {version}", f"Summary: {description}",
-             "Requires-Python: >=3.9", "Requires-Dist: numpy", "License-File: LICENSE"]
+    lines = [
+        "Metadata-Version: 2.1",
+        "Name: actio",
+        f"Version: {version}",
+        f"Summary: {description}",
+        "Requires-Python: >=3.9",
+        "Requires-Dist: numpy",
+        "License-File: LICENSE",
+    ]
     return "\n".join(lines) + "\n"
 
 
@@ -63,7 +70,11 @@ def tag():
 def information():
     """The folder of what a wheel tells of itself, file by file, without its list of files."""
     wheel = f"Wheel-Version: 1.0\nGenerator: actio_wheel\nRoot-Is-Purelib: false\nTag: {tag()}\n"
-    return {"METADATA": metadata().encode(), "WHEEL": wheel.encode(), "LICENSE": (ROOT / "LICENSE").read_bytes()}
+    return {
+        "METADATA": metadata().encode(),
+        "WHEEL": wheel.encode(),
+        "LICENSE": (ROOT / "LICENSE").read_bytes(),
+    }
 
 
 def information_folder():
@@ -76,10 +87,16 @@ def information_folder():
 def check_interpreter():
     """That a module can be compiled for the interpreter that runs this."""
     if sys.implementation.name != "cpython" or sys.version_info < (3, 9):
-        raise CannotBuild(f"CPython 3.9 or later is needed, and {sys.executable} is {sys.implementation.name} {sys.version.split()[0]}")
+        raise CannotBuild(
+            f"CPython 3.9 or later is needed, and {sys.executable} is"
+            f" {sys.implementation.name} {sys.version.split()[0]}"
+        )
     headers = pathlib.Path(sysconfig.get_path("include"), "Python.h")
     if not headers.exists():
-        raise CannotBuild(f"the headers of {sys.executable} are not there: {headers} (Debian: python3-dev, for /usr/bin/python3)")
+        raise CannotBuild(
+            f"the headers of {sys.executable} are not there: {headers} (Debian: python3-dev, for"
+            " /usr/bin/python3)"
+        )
     if not shutil.which("cmake"):
         raise CannotBuild("CMake is not there (Debian: cmake)")
 
@@ -93,16 +110,28 @@ def setting(config, name, otherwise):
 
 def called(*command):
     """Runs a command; what it says, which is also shown where it fails."""
-    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+    done = subprocess.run(
+        command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
+    )
     if done.returncode != 0:
         print(done.stdout, file=sys.stderr)
-        raise CannotBuild(f"`{' '.join(map(str, command))}` failed with status {done.returncode}; what it said is above")
+        raise CannotBuild(
+            f"`{' '.join(map(str, command))}` failed with status {done.returncode}; what it said is above"
+        )
     return done.stdout
 
 
 def configure(build):
     """Makes a new folder ready for this interpreter."""
-    command = ["cmake", "-S", str(ROOT), "-B", str(build), "-DCMAKE_BUILD_TYPE=Release", f"-DPython_EXECUTABLE={sys.executable}"]
+    command = [
+        "cmake",
+        "-S",
+        str(ROOT),
+        "-B",
+        str(build),
+        "-DCMAKE_BUILD_TYPE=Release",
+        f"-DPython_EXECUTABLE={sys.executable}",
+    ]
     command += [f"-DACTIO_BUILD_{part}=OFF" for part in LEFT_OUT]
     if shutil.which("ninja"):
         command += ["-G", "Ninja"]
@@ -124,7 +153,10 @@ def built(config):
     package = build / "python" / "actio"
     if not module(package).exists():
         there = ", ".join(path.name for path in package.glob("_actio.*.so")) or "none"
-        raise CannotBuild(f"{build} makes the module for another interpreter than {sys.executable} ({there}); another build-folder will do")
+        raise CannotBuild(
+            f"{build} makes the module for another interpreter than {sys.executable} ({there}); another"
+            " build-folder will do"
+        )
     return package
 
 
@@ -135,7 +167,9 @@ def module(package):
 
 def sources():
     """The parts of the package that are not compiled."""
-    return sorted(path for path in (ROOT / "src/python/actio").iterdir() if path.suffix in (".py", ".pyi", ".typed"))
+    return sorted(
+        path for path in (ROOT / "src/python/actio").iterdir() if path.suffix in (".py", ".pyi", ".typed")
+    )
 
 
 # ---- Packing
@@ -196,20 +230,27 @@ def build_editable(wheel_directory, config_settings=None, metadata_directory=Non
 
 
 def tracked_files():
-    """The files of the project: those that git knows; without git, all but what is built and what is hidden."""
+    """The files of the project: those that git knows; without git, all but what is built and what is
+    hidden."""
     if (ROOT / ".git").exists() and shutil.which("git"):
         names = called("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard").split("\0")
         return sorted(name for name in names if name and (ROOT / name).is_file())
     found = []
     for folder, folders, names in os.walk(ROOT):
         folders[:] = [name for name in folders if not re.match(r"\.|build(-|$)|__pycache__$", name)]
-        found += [os.path.relpath(os.path.join(folder, name), ROOT) for name in names if not name.startswith(".") and name != "PKG-INFO"]
+        found += [
+            os.path.relpath(os.path.join(folder, name), ROOT)
+            for name in names
+            if not name.startswith(".") and name != "PKG-INFO"
+        ]
     return sorted(found)
 
 
 def build_sdist(sdist_directory, config_settings=None):
     name = f"actio-{described()[0]}"
-    with tempfile.NamedTemporaryFile("w", suffix="PKG-INFO") as information_, tarfile.open(os.path.join(sdist_directory, name + ".tar.gz"), "w:gz", format=tarfile.PAX_FORMAT) as archive:
+    with tempfile.NamedTemporaryFile("w", suffix="PKG-INFO") as information_, tarfile.open(
+        os.path.join(sdist_directory, name + ".tar.gz"), "w:gz", format=tarfile.PAX_FORMAT
+    ) as archive:
         information_.write(metadata())
         information_.flush()
         archive.add(information_.name, f"{name}/PKG-INFO")

@@ -1,5 +1,6 @@
-// The compiled part of the package actio of Python: scenes are run, and their numbers are handed over without a copy. What a user sees is written in Python,
-// in the folder actio beside this file, which checks every argument before it comes here.
+// The compiled part of the package actio of Python: scenes are run, and their numbers are handed over without
+// a copy. What a user sees is written in Python, in the folder actio beside this file, which checks every
+// argument before it comes here.
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
@@ -35,7 +36,8 @@ py::dict in_python(MemoryRun::Group const& group) {
   auto const& q = group.group.quantity;
   py::dict out;
   out["name"] = q.name, out["kind"] = kind_name(q.kind), out["unit"] = group.unit, out["meaning"] = q.meaning;
-  out["formula"] = q.formula, out["statement"] = q.statement, out["needs"] = q.needs, out["conserved"] = q.conserved;
+  out["formula"] = q.formula, out["statement"] = q.statement, out["needs"] = q.needs;
+  out["conserved"] = q.conserved;
   out["columns"] = group.group.columns, out["shape"] = py::tuple(py::cast(group.group.shape()));
   return out;
 }
@@ -58,7 +60,8 @@ py::tuple handed_over(MemoryRun&& run, py::object raised) {
   about["columns"] = run.columns, about["quantities"] = quantities, about["time_unit"] = run.time_unit;
   about["summary"] = run.summary, about["scene"] = run.scene;
   std::size_t const columns = run.columns.size();
-  return py::make_tuple(rows(std::move(run.table), columns), about, static_cast<int>(run.report.ending), run.report.message, std::move(raised));
+  int const ending = static_cast<int>(run.report.ending);
+  return py::make_tuple(rows(std::move(run.table), columns), about, ending, run.report.message, std::move(raised));
 }
 
 /// The exception that waits in this thread, with its traceback; None where there is none.
@@ -69,7 +72,10 @@ py::object waiting() {
   return error.value();
 }
 
-py::tuple run(std::string const& source, bool is_text, std::string const& name, std::vector<std::pair<std::string, bool>> const& changes, py::object const& told) {
+using Changes = std::vector<std::pair<std::string, bool>>;
+
+py::tuple run(std::string const& source, bool is_text, std::string const& name, Changes const& changes,
+              py::object const& told) {
   std::vector<python::Change> list;
   for (auto const& [text, drop] : changes) list.push_back({text, drop});
   python::RunWatch watch(told);
@@ -91,7 +97,8 @@ py::tuple load(std::string const& folder) {
   return handed_over(std::move(out), py::none());
 }
 
-void save(std::string const& scene, py::array_t<double, py::array::c_style> const& table, std::string const& summary, std::string const& folder, bool pictures) {
+void save(std::string const& scene, py::array_t<double, py::array::c_style> const& table,
+          std::string const& summary, std::string const& folder, bool pictures) {
   std::span<double const> const numbers(table.data(), static_cast<std::size_t>(table.size()));
   py::gil_scoped_release const release;
   python::save_run(scene, numbers, summary, folder, pictures);

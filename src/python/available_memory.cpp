@@ -42,7 +42,8 @@ std::string in_words(double bytes) {
 }  // namespace
 
 double available_memory() {
-  double const most = number_in("/sys/fs/cgroup/memory.max"), taken = number_in("/sys/fs/cgroup/memory.current");
+  double const most = number_in("/sys/fs/cgroup/memory.max");
+  double const taken = number_in("/sys/fs/cgroup/memory.current");
   double const left_in_the_group = most < unknown && taken < unknown ? std::max(0.0, most - taken) : unknown;
   return std::min(left_in_the_system(), left_in_the_group);
 }
@@ -52,9 +53,10 @@ void check_that_it_fits(double rows, std::size_t columns) {
   if (bytes <= available) return;
   std::array<char, 32> count;
   std::snprintf(count.data(), count.size(), "%.0f", rows);
-  throw Error(std::string(count.data()) + " rows of " + std::to_string(columns) + " columns at 8 bytes a number take " +
-              in_words(bytes) + ", and " + in_words(available) +
-              " of memory are available; fewer rows or quantities would do, or the command `actio run`, which writes as it goes");
+  throw Error(std::string(count.data()) + " rows of " + std::to_string(columns) +
+              " columns at 8 bytes a number take " + in_words(bytes) + ", and " + in_words(available) +
+              " of memory are available; fewer rows or quantities would do, or the command `actio run`, which "
+              "writes as it goes");
 }
 
 }  // namespace actio::python

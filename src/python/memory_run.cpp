@@ -44,9 +44,20 @@ std::string text_of(std::string const& path) {
 /// No more rows than a table of this size can hold: a number in CSV takes two bytes at least, in HDF5 eight.
 double most_rows(std::string const& folder, std::size_t columns) {
   std::error_code none;
-  auto const csv = fs::file_size(folder + "/series.csv", none);
-  auto const bytes = none ? static_cast<double>(fs::file_size(folder + "/series.h5", none)) / 8 : static_cast<double>(csv) / 2;
-  return none ? 0 : std::ceil(bytes / static_cast<double>(columns));
+  double numbers = static_cast<double>(fs::file_size(folder + "/series.csv", none)) / 2;
+  if (none) numbers = static_cast<double>(fs::file_size(folder + "/series.h5", none)) / 8;
+  return none ? 0 : std::ceil(numbers / static_cast<double>(columns));
+}
+
+void refuse_what_is_no_run(std::string const& folder) {
+  std::error_code none;
+  auto const refuse = [&](std::string const& why) { throw SceneError({folder}, why); };
+  if (!fs::exists(folder, none)) refuse("the folder of a run is expected, and there is none of that name");
+  if (!fs::is_directory(folder, none)) refuse("the folder of a run is expected, and this is a file");
+  if (fs::exists(folder + "/scene.toml", none)) return;
+  if (fs::exists(folder + "/sweep.csv", none))
+    refuse("this is the folder of a sweep; a run is in the folder of a member");
+  refuse("there is no run in this folder: scene.toml is missing");
 }
 
 }  // namespace
@@ -70,17 +81,12 @@ MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watc
 }
 
 MemoryRun load_run(std::string const& folder) {
-  std::error_code none;
-  if (!fs::is_directory(folder, none)) throw SceneError({folder}, "the folder of a run is expected, and " + std::string(fs::exists(folder, none) ? "this is a file" : "there is none of that name"));
-  std::string const path = folder + "/scene.toml";
-  if (!fs::exists(path, none)) {
-    bool const sweep = fs::exists(folder + "/sweep.csv", none);
-    throw SceneError({folder}, sweep ? "this is the folder of a sweep; a run is in the folder of a member" : "there is no run in this folder: scene.toml is missing");
-  }
-  Scene const scene = Scene::read(SceneFile::read(path));
+  refuse_what_is_no_run(folder);
+  Scene const scene = Scene::read(SceneFile::read(folder + "/scene.toml"));
   MemoryRun out = without_rows(scene);
   auto const groups = scene.simulation.quantities.column_groups();
-  double const rows = std::min(most_rows(folder, out.columns.size()), static_cast<double>(scene.schedule.rows()));
+  double const all = static_cast<double>(scene.schedule.rows());
+  double const rows = std::min(most_rows(folder, out.columns.size()), all);
   check_that_it_fits(rows, out.columns.size());
   out.table.reserve(static_cast<std::size_t>(rows) * out.columns.size());
   auto const reader = read_series(folder, groups);
@@ -90,11 +96,13 @@ MemoryRun load_run(std::string const& folder) {
   return out;
 }
 
-void save_run(std::string const& text, std::span<double const> table, std::string const& summary, std::string const& folder, bool pictures) {
+void save_run(std::string const& text, std::span<double const> table, std::string const& summary,
+              std::string const& folder, bool pictures) {
   Scene const scene = Scene::read(SceneFile::parse(text, folder + "/scene.toml"));
   std::size_t const width = 1 + scene.simulation.quantities.row_size();
   RunFolder const locked = RunFolder::create(folder, false);
-  SeriesHead const head{scene.title, scene.system->name, text, scene.simulation.quantities.column_groups(), static_cast<long>(table.size() / width)};
+  auto const groups = scene.simulation.quantities.column_groups();
+  SeriesHead const head{scene.title, scene.system->name, text, groups, static_cast<long>(table.size() / width)};
   for (auto const& format : scene.formats) {
     auto const series = open_series(folder, format, head, false);
     for (std::size_t at = 0; at + width <= table.size(); at += width) series->add(table.subspan(at, width));

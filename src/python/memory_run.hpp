@@ -1,4 +1,4 @@
-// A run that is held in memory, as Python sees it: made by running a scene, or read back from the folder of a run.
+// A run that is held in memory, as Python sees it: made by running a scene, or read back from its folder.
 #pragma once
 
 #include <functional>
@@ -47,10 +47,11 @@ MemoryRun run_in_memory(scene::SceneFile file, std::vector<Change> const& change
 /// @throws FileError   where its files cannot be read, or are not those of its scene
 MemoryRun load_run(std::string const& folder);
 
-/// Writes what the command would leave, but its checkpoint, into a folder that is made, or is there and empty.
+/// Writes what the command would leave, but no checkpoint, into a folder that is made, or is there and empty.
 /// @param scene     with every default written out; it names the formats of the table
 /// @param table     row after row
 /// @param pictures  whether they are drawn, too
-void save_run(std::string const& scene, std::span<double const> table, std::string const& summary, std::string const& folder, bool pictures);
+void save_run(std::string const& scene, std::span<double const> table, std::string const& summary,
+              std::string const& folder, bool pictures);
 
 }  // namespace actio::python

@@ -10,15 +10,17 @@
 
 namespace actio::python {
 
-/// Called without the lock of the interpreter, which it takes when it needs it. What Python raises waits in the thread.
+/// Called without the lock of the interpreter, which it takes when it needs it. What Python raises waits in the
+/// thread.
 class RunWatch {
  public:
-  /// @param told  called with the fraction and the time; what is true of its result ends the run. May be None.
+  /// @param told  called with the fraction and the time; a result that is true ends the run. May be None.
   explicit RunWatch(pybind11::handle told) : told_(told) {}
 
   /// Both of its functions, for a run that it outlives.
   Watch functions() {
-    return {[this] { return stop(); }, [this](double fraction, double time) { fraction_ = fraction, time_ = time; }};
+    auto const see = [this](double fraction, double time) { fraction_ = fraction, time_ = time; };
+    return {[this] { return stop(); }, see};
   }
 
  private:

@@ -64,12 +64,19 @@ FOUR_DIMENSIONS = {
 }
 # Hours of computing: such a run is there to be ended.
 LONG = {"method.order": 2, "run.until": 2.5e11, "run.every": 2.5e10}
-TOO_LONG_A_STEP = {"method.order": 2, "method.step": 25.0, "run.every": 25.0, "initial.angular_velocity": [0.5, 0.5, 0.5]}
+TOO_LONG_A_STEP = {
+    "method.order": 2,
+    "method.step": 25.0,
+    "run.every": 25.0,
+    "initial.angular_velocity": [0.5, 0.5, 0.5],
+}
 
 
 def command(*arguments):
     """Runs the command, which has to go well."""
-    return subprocess.run([os.environ["ACTIO_COMMAND"], *arguments], check=True, capture_output=True, text=True)
+    return subprocess.run(
+        [os.environ["ACTIO_COMMAND"], *arguments], check=True, capture_output=True, text=True
+    )
 
 
 def folder_of_the_command(folder, *arguments):
@@ -167,12 +174,16 @@ class Memory(unittest.TestCase):
         momentum, before = run["body_momentum"], run["body_momentum"].tobytes()
         del run
         gc.collect()
-        others = [actio.run(text=SCENE, set={"initial.angular_velocity": [0.1, 0.2, 0.3 + k]}) for k in range(20)]
+        others = [
+            actio.run(text=SCENE, set={"initial.angular_velocity": [0.1, 0.2, 0.3 + k]}) for k in range(20)
+        ]
         self.assertEqual(momentum.tobytes(), before)
         self.assertEqual(len(others), 20)
 
     def test_a_table_beyond_the_memory_is_refused_with_its_size(self):
-        with self.assertRaisesRegex(actio.Error, r"^25000000001 rows of 9 columns at 8 bytes a number take 1.8 TB, and .* available"):
+        with self.assertRaisesRegex(
+            actio.Error, r"^25000000001 rows of 9 columns at 8 bytes a number take 1.8 TB, and .* available"
+        ):
             actio.run(text=SCENE, set={"run.every": 1e-9})
 
     def test_memory_that_ends_on_the_way_is_an_error_in_words(self):
@@ -183,7 +194,13 @@ class Memory(unittest.TestCase):
             "try:\n    actio.run(text=scene, set={'run.every': 1e-6})\n"
             "except actio.Error as error:\n    print(error)\n"
         )
-        said = subprocess.run([sys.executable, "-c", limited], check=True, capture_output=True, text=True, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+        said = subprocess.run(
+            [sys.executable, "-c", limited],
+            check=True,
+            capture_output=True,
+            text=True,
+            env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
+        )
         self.assertRegex(said.stdout, "memory (that is|are) available")
 
 
@@ -259,21 +276,31 @@ class AMapping(unittest.TestCase):
         self.assertEqual(frame.attrs["units"], self.run_.units)
 
     def test_pandas_is_not_imported_before_it_is_asked_for(self):
-        said = subprocess.run([sys.executable, "-c", "import actio, sys; print('pandas' in sys.modules)"], check=True, capture_output=True, text=True)
+        said = subprocess.run(
+            [sys.executable, "-c", "import actio, sys; print('pandas' in sys.modules)"],
+            check=True,
+            capture_output=True,
+            text=True,
+        )
         self.assertEqual(said.stdout, "False\n")
 
 
 class WhatIsToldOfARun(unittest.TestCase):
     def test_units_and_meanings(self):
         run = actio.run(text=SCENE)
-        self.assertEqual(run.units, {"t": "h", "body_momentum": "energy × h", "energy": "energy", "attitude": "1"})
+        self.assertEqual(
+            run.units, {"t": "h", "body_momentum": "energy × h", "energy": "energy", "attitude": "1"}
+        )
         self.assertEqual(set(run.meanings), set(run))
         self.assertEqual(actio.run(FOUR_DIMENSIONS).units["t"], "time")
 
     def test_all_that_is_known_of_a_quantity(self):
         run = actio.run(text=SCENE)
         info = run.quantity_info("body_momentum")
-        self.assertEqual((info["kind"], info["shape"], info["columns"]), ("vector", (3,), ["body_momentum_x", "body_momentum_y", "body_momentum_z"]))
+        self.assertEqual(
+            (info["kind"], info["shape"], info["columns"]),
+            ("vector", (3,), ["body_momentum_x", "body_momentum_y", "body_momentum_z"]),
+        )
         self.assertTrue(info["formula"] and info["meaning"])
         self.assertEqual(run.columns_of("body_momentum"), info["columns"])
         info["columns"].clear()
@@ -303,7 +330,9 @@ class WhatIsToldOfARun(unittest.TestCase):
         self.assertEqual(open_tags, [])
 
     def test_in_one_line(self):
-        self.assertEqual(repr(actio.run(text=SCENE)), "<actio.Run: 101 rows to t = 25 of body_momentum, energy, attitude>")
+        self.assertEqual(
+            repr(actio.run(text=SCENE)), "<actio.Run: 101 rows to t = 25 of body_momentum, energy, attitude>"
+        )
 
     def test_an_estimate_of_the_error_is_read_from_the_summary(self):
         run = actio.run(text=SCENE)
@@ -316,7 +345,10 @@ class WhatIsToldOfARun(unittest.TestCase):
 class Copies(unittest.TestCase):
     def same(self, one, other):
         self.assertEqual(one.table.tobytes(), other.table.tobytes())
-        self.assertEqual((one.columns, one.quantities, one.scene, one.summary, one.units), (other.columns, other.quantities, other.scene, other.summary, other.units))
+        self.assertEqual(
+            (one.columns, one.quantities, one.scene, one.summary, one.units),
+            (other.columns, other.quantities, other.scene, other.summary, other.units),
+        )
         self.assertFalse(other.table.flags.writeable)
         self.assertEqual(other["body_momentum"].shape, one["body_momentum"].shape)
 
@@ -362,18 +394,29 @@ class Arguments(unittest.TestCase):
     def test_values_of_python_and_of_numpy_set_keys(self):
         plain = actio.run(text=SCENE, set={"method.order": 4, "method.step": 0.125, "run.every": 5.0})
         numbers = [numpy.int64(4), numpy.float64(0.125), numpy.array(5.0)]
-        for order, step, every in [numbers, [enum.IntEnum("Order", {"four": 4}).four, fractions.Fraction(1, 8), numpy.float32(5)], [numpy.uint8(4), numpy.longdouble(0.125), numpy.float16(5)]]:
+        for order, step, every in [
+            numbers,
+            [enum.IntEnum("Order", {"four": 4}).four, fractions.Fraction(1, 8), numpy.float32(5)],
+            [numpy.uint8(4), numpy.longdouble(0.125), numpy.float16(5)],
+        ]:
             run = actio.run(text=SCENE, set={"method.order": order, "method.step": step, "run.every": every})
             self.assertEqual(plain.table.tobytes(), run.table.tobytes())
         self.assertEqual(plain.summary["steps"], 200)
         for vector in [numpy.array([0.1, 0.2, 0.3]), (0.1, 0.2, 0.3), [numpy.float64(0.1), 0.2, 0.3]]:
-            listed = actio.run(text=SCENE, set={"initial.angular_velocity": vector, "scene.title": 'a "title"\\\x01\n\té'})
+            listed = actio.run(
+                text=SCENE, set={"initial.angular_velocity": vector, "scene.title": 'a "title"\\\x01\n\té'}
+            )
             self.assertIn("angular_velocity = [0.1, 0.2, 0.3]", listed.scene)
             self.assertEqual(listed.summary["title"], 'a "title"\\\x01\n\té')
 
     def test_any_mapping_sets_keys_nested_or_with_dots(self):
         plain = actio.run(text=SCENE, set={"method.order": 4, "run.every": 5.0})
-        for table in [types.MappingProxyType({"method.order": 4, "run.every": 5.0}), {"method": {"order": 4}, "run": types.MappingProxyType({"every": 5.0})}, collections.OrderedDict({"method.order": 4, "run.every": 5.0}), collections.ChainMap({"method.order": 4}, {"run.every": 5.0})]:
+        for table in [
+            types.MappingProxyType({"method.order": 4, "run.every": 5.0}),
+            {"method": {"order": 4}, "run": types.MappingProxyType({"every": 5.0})},
+            collections.OrderedDict({"method.order": 4, "run.every": 5.0}),
+            collections.ChainMap({"method.order": 4}, {"run.every": 5.0}),
+        ]:
             self.assertEqual(actio.run(text=SCENE, set=table).table.tobytes(), plain.table.tobytes())
         self.assertEqual(actio.run(text=SCENE, set={}).rows, 101)
 
@@ -381,15 +424,24 @@ class Arguments(unittest.TestCase):
         with self.assertRaisesRegex(actio.SceneError, "body"):
             actio.run(text=SCENE, set={"system.inertia": [0.6, 0.8, 1.0]})
         run = actio.run(text=SCENE, set={"system.body": None, "system.inertia": [0.6, 0.8, 1.0]})
-        self.assertNotIn("apophis\"", run.scene)
-        self.assertEqual(actio.run(text=SCENE, set={"run": {"every": None}, "scene.seed": None, "nothing.like_it": None}).rows, 2)
+        self.assertNotIn('apophis"', run.scene)
+        self.assertEqual(
+            actio.run(
+                text=SCENE, set={"run": {"every": None}, "scene.seed": None, "nothing.like_it": None}
+            ).rows,
+            2,
+        )
         with self.assertRaisesRegex(actio.SceneError, "section|kind"):
             actio.run(text=SCENE, set={"system": None})
 
     def test_a_scene_may_be_a_mapping(self):
         plain = actio.run(text=SCENE)
-        proxy = types.MappingProxyType({section: types.MappingProxyType(keys) for section, keys in AS_MAPPING.items()})
-        flat = {f"{section}.{key}": value for section, keys in AS_MAPPING.items() for key, value in keys.items()}
+        proxy = types.MappingProxyType(
+            {section: types.MappingProxyType(keys) for section, keys in AS_MAPPING.items()}
+        )
+        flat = {
+            f"{section}.{key}": value for section, keys in AS_MAPPING.items() for key, value in keys.items()
+        }
         for scene in [AS_MAPPING, proxy, flat, {**AS_MAPPING, "run.at": None}]:
             self.assertEqual(actio.run(scene).table.tobytes(), plain.table.tobytes())
         self.assertEqual(actio.run(AS_MAPPING, set={"run.every": None}).rows, 2)
@@ -403,7 +455,12 @@ class Arguments(unittest.TestCase):
             ({"sytsem.kind": "a"}, r"^sytsem: .*did you mean 'system'"),
             ({"run": 3}, r"run"),
         ]:
-            scene = {f"{section}.{key}": value for section, keys in AS_MAPPING.items() if change != {"run": 3} or section != "run" for key, value in keys.items()}
+            scene = {
+                f"{section}.{key}": value
+                for section, keys in AS_MAPPING.items()
+                if change != {"run": 3} or section != "run"
+                for key, value in keys.items()
+            }
             with self.assertRaisesRegex(actio.SceneError, said):
                 actio.run({**scene, **change})
         with self.assertRaisesRegex(actio.SceneError, "twice"):
@@ -455,7 +512,8 @@ class Arguments(unittest.TestCase):
 
 
 class Hostile(unittest.TestCase):
-    """Whatever comes in: an error of actio, or TypeError or ValueError with a sentence, and nothing of the machinery below."""
+    """Whatever comes in: an error of actio, or TypeError or ValueError with a sentence, and nothing of the
+    machinery below."""
 
     def refused(self, call, *, allowed=(actio.Error, TypeError, ValueError)):
         with warnings.catch_warnings():
@@ -517,10 +575,61 @@ class Hostile(unittest.TestCase):
         of_itself_by_name = {}
         of_itself_by_name["a"] = of_itself_by_name
         return [
-            10**30, -(10**30), 2**63, 10**5000, float("nan"), float("inf"), -float("inf"), 1e308 * 10, 1j, b"bytes", bytearray(b"x"), "\ud800", "a\0b", "\udcff" * 1000,
-            object(), object, len, {1, 2}, range(3), iter([1]), (x for x in [1]), {"a": 1}, {}, of_itself_by_name, numpy.nan, numpy.array([1 + 2j]), numpy.datetime64("2020-01-01"), numpy.array(["a", None], dtype=object),
-            numpy.zeros((3, 3, 3)), numpy.zeros(0), numpy.ma.masked, numpy.float64("nan"), BadList(), ListOfItself(), Endless(), BadPath(), BadRepr(), BadFloat(1, 2), BadItems(), of_itself, deep, wide, [], "", True, [None], [{}], "x" * 10_000_000, Ellipsis, NotImplemented,
-            pathlib.Path("a\0b"), fractions.Fraction(10**400), enum.Enum("E", "a").a, memoryview(b"ab"), Exception("x"),
+            10**30,
+            -(10**30),
+            2**63,
+            10**5000,
+            float("nan"),
+            float("inf"),
+            -float("inf"),
+            1e308 * 10,
+            1j,
+            b"bytes",
+            bytearray(b"x"),
+            "\ud800",
+            "a\0b",
+            "\udcff" * 1000,
+            object(),
+            object,
+            len,
+            {1, 2},
+            range(3),
+            iter([1]),
+            (x for x in [1]),
+            {"a": 1},
+            {},
+            of_itself_by_name,
+            numpy.nan,
+            numpy.array([1 + 2j]),
+            numpy.datetime64("2020-01-01"),
+            numpy.array(["a", None], dtype=object),
+            numpy.zeros((3, 3, 3)),
+            numpy.zeros(0),
+            numpy.ma.masked,
+            numpy.float64("nan"),
+            BadList(),
+            ListOfItself(),
+            Endless(),
+            BadPath(),
+            BadRepr(),
+            BadFloat(1, 2),
+            BadItems(),
+            of_itself,
+            deep,
+            wide,
+            [],
+            "",
+            True,
+            [None],
+            [{}],
+            "x" * 10_000_000,
+            Ellipsis,
+            NotImplemented,
+            pathlib.Path("a\0b"),
+            fractions.Fraction(10**400),
+            enum.Enum("E", "a").a,
+            memoryview(b"ab"),
+            Exception("x"),
         ]
 
     def test_values(self):
@@ -533,24 +642,91 @@ class Hostile(unittest.TestCase):
             self.refused(lambda: actio.sweep(text=SCENE, over={"run.until": [value]}, on_error="raise"))
 
     def test_keys(self):
-        for key in [3, None, b"run.until", ("run", "until"), "", ".", "run.", ".until", "run..until", "run.until=5 #", "a\nb", "run.until\n", "=", "\ud800", "x" * 100000, ".".join(["a"] * 5000), "run until", '"', "run.\"until", "[run]", "#", "\0", "é", object(), "run.until[", "run.until[x]", "run.until[0"]:
+        for key in [
+            3,
+            None,
+            b"run.until",
+            ("run", "until"),
+            "",
+            ".",
+            "run.",
+            ".until",
+            "run..until",
+            "run.until=5 #",
+            "a\nb",
+            "run.until\n",
+            "=",
+            "\ud800",
+            "x" * 100000,
+            ".".join(["a"] * 5000),
+            "run until",
+            '"',
+            'run."until',
+            "[run]",
+            "#",
+            "\0",
+            "é",
+            object(),
+            "run.until[",
+            "run.until[x]",
+            "run.until[0",
+        ]:
             self.refused(lambda: actio.run(text=SCENE, set={key: 5.0}))
             self.refused(lambda: actio.run({key: 5.0}))
             self.refused(lambda: actio.run({"run": {key: 5.0}}))
             self.refused(lambda: actio.sweep(text=SCENE, over={key: [5.0]}, on_error="raise"))
 
     def test_scenes(self):
-        for scene in [*self.values(), 3, "", "no_such.toml", "/", "/dev/zero", ".", "a" * 100000, "a\0b", {"system": None}, {"system": 3}, {3: 4}]:
+        for scene in [
+            *self.values(),
+            3,
+            "",
+            "no_such.toml",
+            "/",
+            "/dev/zero",
+            ".",
+            "a" * 100000,
+            "a\0b",
+            {"system": None},
+            {"system": 3},
+            {3: 4},
+        ]:
             self.refused(lambda: actio.run(scene))
             self.refused(lambda: actio.sweep(scene, over={"run.until": [5.0]}, on_error="raise"))
             self.refused(lambda: actio.load(scene))
 
     def test_texts(self):
-        for text in ["", "\ud800", "\0", "x" * 5_000_000, "[", "a=" + "[" * 100000, "\ufeff", 3, b"", object(), "[system]\nkind = 3"]:
+        for text in [
+            "",
+            "\ud800",
+            "\0",
+            "x" * 5_000_000,
+            "[",
+            "a=" + "[" * 100000,
+            "\ufeff",
+            3,
+            b"",
+            object(),
+            "[system]\nkind = 3",
+        ]:
             self.refused(lambda: actio.run(text=text))
 
     def test_arguments_of_a_sweep(self):
-        for over in [None, 3, [], {}, {"method.step": []}, {"method.step": 0.1}, {"method.step": "abc"}, {"method.step": None}, {3: [1]}, {"method.step": numpy.float64(1)}, {"run.until": iter(int, 1)}, {"a": range(2000), "b": range(2000)}, {"a": {"b": 1}}]:
+        for over in [
+            None,
+            3,
+            [],
+            {},
+            {"method.step": []},
+            {"method.step": 0.1},
+            {"method.step": "abc"},
+            {"method.step": None},
+            {3: [1]},
+            {"method.step": numpy.float64(1)},
+            {"run.until": iter(int, 1)},
+            {"a": range(2000), "b": range(2000)},
+            {"a": {"b": 1}},
+        ]:
             self.refused(lambda: actio.sweep(text=SCENE, over=over))
         for jobs in [0, -1, 1.5, "2", 10**9, True]:
             self.refused(lambda: actio.sweep(text=SCENE, over={"method.order": [2]}, jobs=jobs))
@@ -561,7 +737,18 @@ class Hostile(unittest.TestCase):
         run = actio.run(text=SCENE)
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "mine").write_text("mine")
-            for path in [3, b"x", "a\0b", "\ud800", folder, folder + "/mine", folder + "/mine/deeper", "", None, "a" * 100000]:
+            for path in [
+                3,
+                b"x",
+                "a\0b",
+                "\ud800",
+                folder,
+                folder + "/mine",
+                folder + "/mine/deeper",
+                "",
+                None,
+                "a" * 100000,
+            ]:
                 self.refused(lambda: run.save(path))
                 self.refused(lambda: actio.load(path))
             self.assertEqual(os.listdir(folder), ["mine"])
@@ -569,7 +756,9 @@ class Hostile(unittest.TestCase):
 
 class Failures(unittest.TestCase):
     def test_a_wrong_scene_is_pointed_at(self):
-        with self.assertRaisesRegex(actio.SceneError, r"^text:14:15: unknown quantity 'enrgy'; did you mean 'energy'\?"):
+        with self.assertRaisesRegex(
+            actio.SceneError, r"^text:14:15: unknown quantity 'enrgy'; did you mean 'energy'\?"
+        ):
             actio.run(text=SCENE.replace('"body_momentum", "energy", "attitude"', '"enrgy"'))
         with self.assertRaisesRegex(actio.SceneError, "there is no such file"):
             actio.run("no_such_scene.toml")
@@ -619,7 +808,9 @@ class LongRuns(unittest.TestCase):
 
     def test_a_function_is_told_how_far_it_is_and_may_end_it(self):
         seen = []
-        run = actio.run(text=SCENE, set=LONG, progress=lambda fraction, t: seen.append((fraction, t)) or len(seen) == 3)
+        run = actio.run(
+            text=SCENE, set=LONG, progress=lambda fraction, t: seen.append((fraction, t)) or len(seen) == 3
+        )
         self.assertEqual(len(seen), 3)
         self.assertEqual(seen, sorted(seen))
         for fraction, t in seen:
@@ -664,7 +855,9 @@ class Folders(unittest.TestCase):
     def test_the_run_of_the_command_is_loaded_bit_for_bit(self):
         for formats in ['["csv"]', '["hdf5"]', '["hdf5", "csv"]']:
             with tempfile.TemporaryDirectory() as folder:
-                out = folder_of_the_command(folder, "--set", "output.formats=" + formats, "--set", "method.order=4")
+                out = folder_of_the_command(
+                    folder, "--set", "output.formats=" + formats, "--set", "method.order=4"
+                )
                 run, here = actio.load(pathlib.Path(out)), actio.run(text=SCENE, set={"method.order": 4})
                 self.assertEqual(run.table.tobytes(), here.table.tobytes())
                 self.assertEqual((run.columns, run.units, run.drift), (here.columns, here.units, here.drift))
@@ -678,8 +871,20 @@ class Folders(unittest.TestCase):
                 with tempfile.TemporaryDirectory() as folder:
                     scene = pathlib.Path(folder, "apophis.toml")
                     scene.write_text(SCENE)
-                    arguments = ["--set", "method.order=2", "--set", "run.until=2.5e9", "--set", "run.every=2500", "--set", "output.formats=" + formats]
-                    going = subprocess.Popen([os.environ["ACTIO_COMMAND"], "run", scene, "--out", folder + "/out", *arguments], stderr=subprocess.DEVNULL)
+                    arguments = [
+                        "--set",
+                        "method.order=2",
+                        "--set",
+                        "run.until=2.5e9",
+                        "--set",
+                        "run.every=2500",
+                        "--set",
+                        "output.formats=" + formats,
+                    ]
+                    going = subprocess.Popen(
+                        [os.environ["ACTIO_COMMAND"], "run", scene, "--out", folder + "/out", *arguments],
+                        stderr=subprocess.DEVNULL,
+                    )
                     loaded = None
                     for _ in range(600):
                         time.sleep(0.05)
@@ -694,7 +899,9 @@ class Folders(unittest.TestCase):
                     going.wait()
                     run = actio.load(folder + "/out")
                     self.assertGreaterEqual(run.rows, loaded.rows)
-                    self.assertEqual(run.summary["status"], "interrupted" if ending == signal.SIGINT else "unfinished")
+                    self.assertEqual(
+                        run.summary["status"], "interrupted" if ending == signal.SIGINT else "unfinished"
+                    )
                     self.assertEqual(run.summary["rows"], run.rows)
                     until = {"method.order": 2, "run.every": 2500, "run.until": 2500 * (loaded.rows - 1)}
                     here = actio.run(text=SCENE, set=until)
@@ -730,11 +937,16 @@ class Folders(unittest.TestCase):
 
 
 class Sweeps(unittest.TestCase):
-    OVER = {"method.order": [2, 4], "initial.angular_velocity": [[0.06, 0.0, 0.2], numpy.array([0.05, 0.001, 0.2]), (0.1, 0.0, 0.1)]}
+    OVER = {
+        "method.order": [2, 4],
+        "initial.angular_velocity": [[0.06, 0.0, 0.2], numpy.array([0.05, 0.001, 0.2]), (0.1, 0.0, 0.1)],
+    }
 
     def test_members_are_the_runs_of_each_combination_the_last_key_the_fastest(self):
         sweep = actio.sweep(text=SCENE, over=self.OVER, set={"run.every": 5.0})
-        self.assertEqual((len(sweep), sweep.swept, len(sweep.runs), sweep.errors), (6, list(self.OVER), 6, []))
+        self.assertEqual(
+            (len(sweep), sweep.swept, len(sweep.runs), sweep.errors), (6, list(self.OVER), 6, [])
+        )
         self.assertEqual([member.index for member in sweep], list(range(6)))
         self.assertEqual([member.values["method.order"] for member in sweep], [2, 2, 2, 4, 4, 4])
         for member in sweep:
@@ -747,10 +959,19 @@ class Sweeps(unittest.TestCase):
         scenes = [
             (AS_MAPPING, {"method.order": ["exact", 2, 4, 6, 8, 10]}),
             (FOUR_DIMENSIONS, {"method.name": ["moser_veselov", "natural_chart"], "run.every": [0.25, 0.5]}),
-            (pathlib.Path(__file__).parents[2] / "data/scenes/nodding_top.toml", {"run.until": [1.0, 2.0, 3.0]}),
+            (
+                pathlib.Path(__file__).parents[2] / "data/scenes/nodding_top.toml",
+                {"run.until": [1.0, 2.0, 3.0]},
+            ),
         ]
         for scene, over in scenes:
-            over = {**over, "initial.angular_velocity": [[0.1 + 0.01 * k, 0.2, 0.3] + ([0.4, 0.5, 0.6] if scene is FOUR_DIMENSIONS else []) for k in range(8)]}
+            over = {
+                **over,
+                "initial.angular_velocity": [
+                    [0.1 + 0.01 * k, 0.2, 0.3] + ([0.4, 0.5, 0.6] if scene is FOUR_DIMENSIONS else [])
+                    for k in range(8)
+                ],
+            }
             many = actio.sweep(scene, over=over, jobs=8)
             one = actio.sweep(scene, over=over, jobs=1)
             self.assertEqual(many.errors, [])
@@ -758,7 +979,11 @@ class Sweeps(unittest.TestCase):
                 self.assertEqual(a.run.table.tobytes(), b.run.table.tobytes())
 
     def test_what_goes_wrong_stays_with_its_member(self):
-        sweep = actio.sweep(text=SCENE, over={"method.order": [2, "x", "exact"], "method.step": [0.25, 25.0, None]}, set={"initial.angular_velocity": [0.5, 0.5, 0.5], "run.every": 25.0})
+        sweep = actio.sweep(
+            text=SCENE,
+            over={"method.order": [2, "x", "exact"], "method.step": [0.25, 25.0, None]},
+            set={"initial.angular_velocity": [0.5, 0.5, 0.5], "run.every": 25.0},
+        )
         self.assertEqual([member.status for member in sweep], [0, 3, 0, 2, 2, 2, 0, 0, 0])
         self.assertIsInstance(sweep[1].error, actio.NumericsError)
         self.assertIsInstance(sweep[3].error, actio.SceneError)
@@ -773,17 +998,34 @@ class Sweeps(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             scene = pathlib.Path(folder, "apophis.toml")
             scene.write_text(SCENE)
-            command("sweep", scene, "--over", "method.order=2,4", "--over", "method.step=0.25,0.125", "--out", folder + "/out")
+            command(
+                "sweep",
+                scene,
+                "--over",
+                "method.order=2,4",
+                "--over",
+                "method.step=0.25,0.125",
+                "--out",
+                folder + "/out",
+            )
             with open(folder + "/out/sweep.csv") as file:
                 rows = list(csv.DictReader(file))
             table = actio.sweep(scene, over={"method.order": [2, 4], "method.step": [0.25, 0.125]}).table
         for name in rows[0]:
-            if name.startswith(("last_", "drift_")) or name in ("member", "method.order", "method.step", "status", "steps"):
+            if name.startswith(("last_", "drift_")) or name in (
+                "member",
+                "method.order",
+                "method.step",
+                "status",
+                "steps",
+            ):
                 self.assertEqual([float(row[name]) for row in rows], table[name], name)
 
     def test_its_table_has_a_row_for_each_member(self):
         table = actio.sweep(text=SCENE, over={"method.order": [2, "x"]}).table
-        self.assertEqual(list(table)[:6], ["member", "method.order", "status", "message", "steps", "wall_seconds"])
+        self.assertEqual(
+            list(table)[:6], ["member", "method.order", "status", "message", "steps", "wall_seconds"]
+        )
         self.assertTrue(all(len(values) == 2 for values in table.values()))
         self.assertEqual((table["status"], table["steps"]), ([0, 2], [100, None]))
         self.assertIn("order", table["message"][1])
@@ -807,16 +1049,24 @@ class Sweeps(unittest.TestCase):
 
     def test_progress_counts_members_and_may_end_it(self):
         seen = []
-        actio.sweep(text=SCENE, over={"run.until": [5.0, 10.0, 15.0]}, progress=lambda fraction, done: seen.append((fraction, done)))
+        actio.sweep(
+            text=SCENE,
+            over={"run.until": [5.0, 10.0, 15.0]},
+            progress=lambda fraction, done: seen.append((fraction, done)),
+        )
         self.assertEqual(seen[-1], (1.0, 3))
         self.assertEqual(seen, sorted(seen))
         began = time.monotonic()
-        sweep = actio.sweep(text=SCENE, over={"method.step": [0.25, 0.125]}, set=LONG, progress=lambda fraction, done: True)
+        sweep = actio.sweep(
+            text=SCENE, over={"method.step": [0.25, 0.125]}, set=LONG, progress=lambda fraction, done: True
+        )
         self.assertLess(time.monotonic() - began, 20)
         self.assertEqual([member.status for member in sweep], [130, 130])
         self.assertIsInstance(sweep[0].error, actio.Stopped)
         with self.assertRaisesRegex(LookupError, "mine") as caught:
-            actio.sweep(text=SCENE, over={"method.step": [0.25]}, set=LONG, progress=lambda fraction, done: {}["mine"])
+            actio.sweep(
+                text=SCENE, over={"method.step": [0.25]}, set=LONG, progress=lambda fraction, done: {}["mine"]
+            )
         self.assertEqual(len(caught.exception.sweep), 1)
 
     def test_ctrl_c_ends_it_and_leaves_what_is_done(self):
@@ -826,7 +1076,9 @@ class Sweeps(unittest.TestCase):
             actio.sweep(text=SCENE, over=over, set={"method.order": 2, "run.every": None})
         self.assertEqual([member.status for member in caught.exception.sweep], [0, 0, 0, 130, 130, 130])
         interrupt_after(0.5)
-        sweep = actio.sweep(text=SCENE, over=over, set={"method.order": 2, "run.every": None}, on_interrupt="return")
+        sweep = actio.sweep(
+            text=SCENE, over=over, set={"method.order": 2, "run.every": None}, on_interrupt="return"
+        )
         self.assertEqual(len(sweep.runs), 3)
 
     def test_a_small_member_costs_little(self):
@@ -842,7 +1094,10 @@ class WhatThereIs(unittest.TestCase):
         told = json.loads(command("list", "systems", "--json").stdout)
         self.assertEqual(list(actio.systems().values()), told)
         for kind in actio.systems():
-            self.assertEqual(list(actio.quantities(kind)), [quantity["name"] for quantity in actio.systems()[kind]["quantities"]])
+            self.assertEqual(
+                list(actio.quantities(kind)),
+                [quantity["name"] for quantity in actio.systems()[kind]["quantities"]],
+            )
         self.assertEqual(actio.quantities("heavy_top")["energy"]["kind"], "scalar")
         for kind in ["heavy", 3, None]:
             with self.assertRaisesRegex(actio.SceneError, "rigid_body"):
@@ -853,7 +1108,9 @@ class WhatThereIs(unittest.TestCase):
             names = [re.split(r"\s{2,}", line)[0] for line in command("list", what).stdout.splitlines()]
             self.assertEqual(list(found), names)
         apophis = actio.bodies()["apophis"]
-        self.assertEqual((len(apophis["moments"]), apophis["time"], numpy.shape(apophis["axes"])), (3, "h", (3, 3)))
+        self.assertEqual(
+            (len(apophis["moments"]), apophis["time"], numpy.shape(apophis["axes"])), (3, "h", (3, 3))
+        )
         json.dumps([actio.bodies(), actio.groups(), actio.systems()])
 
 
@@ -869,14 +1126,19 @@ class ThePackage(unittest.TestCase):
                 self.assertTrue(inspect.getdoc(thing), name)
             if inspect.isfunction(thing):
                 parameters = inspect.signature(thing).parameters.values()
-                self.assertTrue(all(parameter.annotation is not inspect.Parameter.empty for parameter in parameters), name)
+                self.assertTrue(
+                    all(parameter.annotation is not inspect.Parameter.empty for parameter in parameters), name
+                )
                 self.assertIn("return", thing.__annotations__)
         for name, member in inspect.getmembers(actio.Run):
             if not name.startswith("_"):
                 self.assertTrue(inspect.getdoc(member), name)
 
     def test_without_numpy_the_import_says_so(self):
-        hidden = "import sys; sys.modules['numpy'] = None\ntry:\n    import actio\nexcept ImportError as error:\n    print(error)"
+        hidden = (
+            "import sys; sys.modules['numpy'] = None\ntry:\n    import actio\nexcept ImportError as error:\n "
+            "   print(error)"
+        )
         said = subprocess.run([sys.executable, "-c", hidden], check=True, capture_output=True, text=True)
         self.assertRegex(said.stdout, "^actio needs NumPy")
 
@@ -885,7 +1147,10 @@ class ThePage(unittest.TestCase):
     def test_its_examples_run(self):
         page = pathlib.Path(__file__).parents[2] / "docs/pages/24_python.md"
         # Lines that are indented, one block after the other; those for a shell are for the test of the wheel.
-        blocks = [textwrap.dedent(block) for block in re.findall(r"(?:^ {4}.*\n|^\n(?= {4}))+", page.read_text(), re.M)]
+        blocks = [
+            textwrap.dedent(block)
+            for block in re.findall(r"(?:^ {4}.*\n|^\n(?= {4}))+", page.read_text(), re.M)
+        ]
         blocks = [block for block in blocks if not re.match(r"\s*(PYTHONPATH=|python3 )", block)]
         self.assertEqual(len(blocks), 7)
         here = os.getcwd()
@@ -901,7 +1166,14 @@ class ThePage(unittest.TestCase):
             finally:
                 os.chdir(here)
             self.assertTrue(pathlib.Path(folder, "copy/plots/index.html").exists())
-        for expected in ["energy energy (101,)", "101 rows to t = 25 of body_momentum", "{'method.order': 4, 'method.step': 0.0625}", "100%, t = 25", "rigid_body -", "set: method.step=\"fast\":1:13: step: a number is expected"]:
+        for expected in [
+            "energy energy (101,)",
+            "101 rows to t = 25 of body_momentum",
+            "{'method.order': 4, 'method.step': 0.0625}",
+            "100%, t = 25",
+            "rigid_body -",
+            'set: method.step="fast":1:13: step: a number is expected',
+        ]:
             self.assertIn(expected, said.getvalue())
 
     def test_its_table_names_what_there_is(self):

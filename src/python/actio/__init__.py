@@ -14,7 +14,8 @@ try:
     import numpy as _numpy  # noqa: F401
 except ImportError as _error:
     raise ImportError(
-        "actio needs NumPy, which this interpreter does not have (Debian: python3-numpy, for /usr/bin/python3)"
+        "actio needs NumPy, which this interpreter does not have (Debian: python3-numpy, for"
+        " /usr/bin/python3)"
     ) from _error
 
 from actio._errors import Error, FileError, NumericsError, SceneError, Stopped
@@ -25,6 +26,20 @@ from actio._sweep import Member, Sweep, sweep
 from actio._actio import version as __version__
 
 __all__ = [
-    "Error", "FileError", "Member", "NumericsError", "Run", "SceneError", "Stopped", "Sweep",
-    "bodies", "groups", "load", "quantities", "run", "sweep", "systems", "__version__",
+    "Error",
+    "FileError",
+    "Member",
+    "NumericsError",
+    "Run",
+    "SceneError",
+    "Stopped",
+    "Sweep",
+    "bodies",
+    "groups",
+    "load",
+    "quantities",
+    "run",
+    "sweep",
+    "systems",
+    "__version__",
 ]

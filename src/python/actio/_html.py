@@ -25,18 +25,27 @@ def table(names: Sequence[str], rows: Iterable[Sequence[Any]], caption: str) -> 
         return "<tr>" + "".join(shown) + (f"<{tag}>…</{tag}>" if cut else "") + "</tr>"
 
     body = "".join(row("td", cells) for cells in rows)
-    return f"<table><caption>{caption}</caption><thead>{row('th', names)}</thead><tbody>{body}</tbody></table>"
+    return (
+        f"<table><caption>{caption}</caption><thead>{row('th', names)}</thead><tbody>{body}</tbody></table>"
+    )
 
 
 def _figures(title: str, values: dict[str, Any]) -> str:
-    told = [f"{html.escape(name)} {value:.1e}" for name, value in values.items() if isinstance(value, (int, float))]
+    told = [
+        f"{html.escape(name)} {value:.1e}"
+        for name, value in values.items()
+        if isinstance(value, (int, float))
+    ]
     return f"; {title}: {', '.join(told)}" if told else ""
 
 
 def run_in_html(run: "Run") -> str:
     """The head of the table, and above it what the closing line of the command says."""
     summary = run.summary
-    caption = f"<b>{cell(summary.get('title', ''))}</b> ({cell(summary.get('system', ''))}, {cell(summary.get('status', ''))}): {run.rows} rows"
+    caption = (
+        f"<b>{cell(summary.get('title', ''))}</b> ({cell(summary.get('system', ''))},"
+        f" {cell(summary.get('status', ''))}): {run.rows} rows"
+    )
     caption += f" to t = {run.t[-1]:g}" if run.rows else ""
     caption += _figures("drift", run.drift) + _figures("error", run.error)
     first = [[float(x) for x in row] for row in run.table[:5]]

@@ -24,15 +24,17 @@ def import_pandas(who: str) -> Any:
     try:
         import pandas
     except ImportError as error:
-        raise ImportError(f"{who} needs pandas, which this interpreter does not have (Debian: python3-pandas)") from error
+        raise ImportError(
+            f"{who} needs pandas, which this interpreter does not have (Debian: python3-pandas)"
+        ) from error
     return pandas
 
 
 class Run(Mapping[str, Array]):
     """A run: a mapping of the names of its quantities to arrays, with one row for each time.
 
-    Arrays look into one table, without a copy, and keep it alive; they cannot be written to. `run["energy"]` is a quantity,
-    `run["body_momentum_x"]` a column. A run can be pickled and copied.
+    Arrays look into one table, without a copy, and keep it alive; they cannot be written to.
+    `run["energy"]` is a quantity, `run["body_momentum_x"]` a column. A run can be pickled and copied.
     """
 
     __slots__ = ("_table", "_about", "__weakref__")
@@ -91,15 +93,21 @@ class Run(Mapping[str, Array]):
         for info in self._about["quantities"]:
             width = len(info["columns"])
             if info["name"] == name:
-                return self._table[:, first:first + width].reshape(self.rows, *info["shape"])
+                return self._table[:, first : first + width].reshape(self.rows, *info["shape"])
             first += width
         if isinstance(name, str) and name in self._about["columns"]:
             return self._table[:, self._about["columns"].index(name)]
         raise KeyError(self._unknown(name))
 
     def _unknown(self, name: Any) -> str:
-        near = difflib.get_close_matches(name, self.quantities + self.columns, 1) if isinstance(name, str) else []
-        return f"there is no quantity {shown(name)} in this run" + (f"; did you mean {near[0]!r}?" if near else "")
+        near = (
+            difflib.get_close_matches(name, self.quantities + self.columns, 1)
+            if isinstance(name, str)
+            else []
+        )
+        return f"there is no quantity {shown(name)} in this run" + (
+            f"; did you mean {near[0]!r}?" if near else ""
+        )
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.quantities)
@@ -115,7 +123,8 @@ class Run(Mapping[str, Array]):
         return self._table if dtype is None else numpy.asarray(self._table, dtype=dtype)
 
     def matrix(self, name: str) -> Array:
-        """A quantity that is a matrix, N by n by n. Of a skew matrix, whose upper triangle is `run[name]`, the whole."""
+        """A quantity that is a matrix, N by n by n. Of a skew matrix, whose upper triangle is `run[name]`,
+        the whole."""
         info = self.quantity_info(name)
         if info["kind"] == "matrix":
             return self[name]
@@ -133,8 +142,8 @@ class Run(Mapping[str, Array]):
     # ---- What the numbers are
 
     def quantity_info(self, name: str) -> dict[str, Any]:
-        """What is known of a quantity: name, kind, unit, meaning, formula (TeX), statement of the thesis, needs, conserved,
-        columns, shape."""
+        """What is known of a quantity: name, kind, unit, meaning, formula (TeX), statement of the thesis,
+        needs, conserved, columns, shape."""
         for info in self._about["quantities"]:
             if info["name"] == name:
                 return {key: list(value) if isinstance(value, list) else value for key, value in info.items()}
@@ -191,19 +200,24 @@ class Run(Mapping[str, Array]):
         """A data frame with a column for each column of the table, and the time as its index; a copy, to be
         changed at will. `attrs` holds title and units."""
         pandas = import_pandas("Run.to_pandas")
-        frame = pandas.DataFrame(self._table[:, 1:].copy(), index=pandas.Index(self.t.copy(), name="t"), columns=self.columns[1:])
+        frame = pandas.DataFrame(
+            self._table[:, 1:].copy(), index=pandas.Index(self.t.copy(), name="t"), columns=self.columns[1:]
+        )
         frame.attrs.update(title=self.summary.get("title", ""), units=self.units)
         return frame
 
     def save(self, folder: "Union[str, os.PathLike[str]]", *, plots: bool = False) -> None:
-        """Writes what the command leaves, but no checkpoint: scene.toml, the table in the formats that the scene names, and
-        summary.json. plots: with the pictures and their page, plots/index.html. The folder is made; one that is not empty is
-        refused."""
+        """Writes what the command leaves, but no checkpoint: scene.toml, the table in the formats that the
+        scene names, and summary.json. plots: with the pictures and their page, plots/index.html. The folder
+        is made; one that is not empty is refused."""
         from actio._running import encoded_path
 
         where = encoded_path(folder, "folder")
         if os.path.isdir(where) and os.listdir(where):
-            raise SceneError(f"{os.fspath(folder)}: the folder is not empty; a run is saved into one that is empty or not there")
+            raise SceneError(
+                f"{os.fspath(folder)}: the folder is not empty; a run is saved into one that is empty or not"
+                " there"
+            )
         _actio.save(self.scene.encode(), self._table, self._about["summary"].encode(), where, bool(plots))
 
     def __repr__(self) -> str:

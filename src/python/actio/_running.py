@@ -21,15 +21,21 @@ _DONE, _INTERRUPTED, _FILE_FAILED = 0, 130, 4
 def encoded_path(path: Any, what: str) -> bytes:
     """A path as the system has it."""
     if not isinstance(path, (str, os.PathLike)):
-        raise TypeError(f"{what}: a path is a text or a path object, found {shown(path)}, of type {kind(path)}")
+        raise TypeError(
+            f"{what}: a path is a text or a path object, found {shown(path)}, of type {kind(path)}"
+        )
     try:
         found = os.fspath(path)
     except Exception as error:
-        raise TypeError(f"{what}: __fspath__() of this object of type {kind(path)} failed: {shown(error)}") from error
+        raise TypeError(
+            f"{what}: __fspath__() of this object of type {kind(path)} failed: {shown(error)}"
+        ) from error
     if not isinstance(found, str):
         raise TypeError(f"{what}: a path is a text, found {shown(found)}, of type {kind(found)}")
     if len(found) > 4096:
-        raise SceneError(f"{what}: a path has at most 4096 characters, found one of {len(found)}: {shown(found)}")
+        raise SceneError(
+            f"{what}: a path has at most 4096 characters, found one of {len(found)}: {shown(found)}"
+        )
     if "\0" in found:
         raise SceneError(f"{what}: a path holds no NUL, found {shown(found)}")
     try:
@@ -59,30 +65,45 @@ class Source:
     @staticmethod
     def _path(scene: Any) -> bytes:
         if not isinstance(scene, (str, os.PathLike)):
-            raise TypeError(f"scene: a path or a mapping is expected, found {shown(scene)}, of type {kind(scene)}")
+            raise TypeError(
+                f"scene: a path or a mapping is expected, found {shown(scene)}, of type {kind(scene)}"
+            )
         if isinstance(scene, str) and "\n" in scene:
-            raise SceneError("scene: the path of a scene is expected, found a text of several lines; a scene itself is given as text=...")
+            raise SceneError(
+                "scene: the path of a scene is expected, found a text of several lines; a scene itself is"
+                " given as text=..."
+            )
         return encoded_path(scene, "scene")
 
     def in_words_of_the_caller(self, message: str) -> str:
-        """Places in a text that was made here are told by the key that stands there, arguments of the command by those of Python."""
+        """Places in a text that was made here are told by the key that stands there, arguments of the
+        command by those of Python."""
         place = re.match(r"scene:(\d+):\d+: ", message) if self.keys else None
         if place:
-            return self.keys.get(int(place[1]), "scene") + ": " + message[place.end():]
+            return self.keys.get(int(place[1]), "scene") + ": " + message[place.end() :]
         return "set: " + message[6:] if message.startswith("--set ") else message
 
 
-def outcome(source: Source, over: list[tuple[bytes, bool]], told: Optional[Progress]) -> tuple[Run, Optional[BaseException]]:
+def outcome(
+    source: Source, over: list[tuple[bytes, bool]], told: Optional[Progress]
+) -> tuple[Run, Optional[BaseException]]:
     """Runs it: the rows that there are, and what ended the run before its end, if anything did."""
     try:
-        table, about, ending, message, raised = _actio.run(source.source, source.is_text, source.name, over, told)
+        table, about, ending, message, raised = _actio.run(
+            source.source, source.is_text, source.name, over, told
+        )
     except Error as error:
         raise type(error)(source.in_words_of_the_caller(str(error))) from None
     except MemoryError:
-        raise Error("the memory that is available does not suffice for the table of this run; `actio run` writes as it goes") from None
+        raise Error(
+            "the memory that is available does not suffice for the table of this run; `actio run` writes as"
+            " it goes"
+        ) from None
     run = Run._of(table, about)
     if raised is None and ending not in (_DONE, _INTERRUPTED):
-        raised = (FileError if ending == _FILE_FAILED else NumericsError)(source.in_words_of_the_caller(message))
+        raised = (FileError if ending == _FILE_FAILED else NumericsError)(
+            source.in_words_of_the_caller(message)
+        )
     return run, raised
 
 
@@ -91,7 +112,10 @@ def warn_of_files(over: list[tuple[bytes, bool]]) -> None:
     for text, _ in over:
         key = text.split(b"=")[0]
         if key in (b"output.plots", b"output.formats"):
-            warnings.warn(f"{key.decode()} has no effect on a run in memory, which writes no file before Run.save", stacklevel=3)
+            warnings.warn(
+                f"{key.decode()} has no effect on a run in memory, which writes no file before Run.save",
+                stacklevel=3,
+            )
 
 
 def checked_call(told: Any, what: str) -> Any:
@@ -104,7 +128,9 @@ def checked_call(told: Any, what: str) -> Any:
 def checked_choice(choice: Any, allowed: tuple[str, ...], what: str) -> Any:
     """One of some words."""
     if not isinstance(choice, str) or choice not in allowed:
-        raise ValueError(f"{what}: {' or '.join(repr(word) for word in allowed)} is expected, found {shown(choice)}")
+        raise ValueError(
+            f"{what}: {' or '.join(repr(word) for word in allowed)} is expected, found {shown(choice)}"
+        )
     return choice
 
 
@@ -117,23 +143,30 @@ def attach(error: BaseException, name: str, value: Any) -> None:
 
 
 def run(
-    scene: Optional[SceneLike] = None, *, text: Optional[str] = None, set: Optional[Mapping[str, Any]] = None,
-    progress: Optional[Progress] = None, on_interrupt: str = "raise",
+    scene: Optional[SceneLike] = None,
+    *,
+    text: Optional[str] = None,
+    set: Optional[Mapping[str, Any]] = None,
+    progress: Optional[Progress] = None,
+    on_interrupt: str = "raise",
 ) -> Run:
     """Runs a scene and returns its `Run`.
 
-    scene: the path of a scene in TOML; or the scene itself as a mapping, {"system": {"kind": "rigid_body", ...}, ...}.
+    scene: the path of a scene in TOML; or the scene itself as a mapping, {"system": {"kind": "rigid_body",
+        ...}, ...}.
     text: the scene itself, in TOML.
     set: keys to set over it, {"method.order": 4, "system": {"body": "apophis"}}. None takes a key out.
-    progress: called with the fraction that is done, from 0 to 1, and the time in the scene, four times a second and at the
-        end. Where what it returns is true, the run ends there, and the rows so far are returned.
+    progress: called with the fraction that is done, from 0 to 1, and the time in the scene, four times a
+        second and at the end. Where what it returns is true, the run ends there, and the rows so far are
+        returned.
     on_interrupt: "raise", Ctrl-C raises KeyboardInterrupt; "return", the rows so far are returned.
 
-    No file is written. The table is held in memory, at 8 bytes a number, rows times columns. What is larger is run by the
-    command `actio run`, which writes as it goes. Other threads go on meanwhile.
+    No file is written. The table is held in memory, at 8 bytes a number, rows times columns. What is larger
+    is run by the command `actio run`, which writes as it goes. Other threads go on meanwhile.
 
-    Raises SceneError, NumericsError or FileError, all of them Error, with the message that the command would give. An
-    exception that ended a run that had begun, KeyboardInterrupt included, has the rows so far as its attribute `run`.
+    Raises SceneError, NumericsError or FileError, all of them Error, with the message that the command
+    would give. An exception that ended a run that had begun, KeyboardInterrupt included, has the rows so
+    far as its attribute `run`.
     """
     checked_call(progress, "progress")
     checked_choice(on_interrupt, ("raise", "return"), "on_interrupt")
@@ -149,10 +182,11 @@ def run(
 
 
 def load(folder: Path) -> Run:
-    """The run that the command has left in a folder, or that `Run.save` has: every row that is there, bit for bit.
+    """The run that the command has left in a folder, or that `Run.save` has: every row that is there, bit
+    for bit.
 
-    A run that was interrupted, or that goes on while it is read, has the rows that are whole. Where it has not said yet how
-    it ended, `summary` is {"status": "unfinished"} with the number of rows.
+    A run that was interrupted, or that goes on while it is read, has the rows that are whole. Where it has
+    not said yet how it ended, `summary` is {"status": "unfinished"} with the number of rows.
     """
     where = encoded_path(folder, "folder")
     try:

@@ -26,7 +26,9 @@ class Member:
 
     __slots__ = ("index", "values", "run", "error")
 
-    def __init__(self, index: int, values: dict[str, Any], run: Optional[Run], error: Optional[BaseException]) -> None:
+    def __init__(
+        self, index: int, values: dict[str, Any], run: Optional[Run], error: Optional[BaseException]
+    ) -> None:
         self.index = index
         self.values = values
         #: The run; where it failed or was stopped, what there was of it by then, or None.
@@ -46,7 +48,10 @@ class Member:
 
     def __repr__(self) -> str:
         values = ", ".join(f"{key}={shown(value)}" for key, value in self.values.items())
-        return f"<actio.Member {self.index} ({values}): {'done' if self.error is None else shown(str(self.error))}>"
+        return (
+            f"<actio.Member {self.index} ({values}):"
+            f" {'done' if self.error is None else shown(str(self.error))}>"
+        )
 
 
 class Sweep(Sequence[Member]):
@@ -72,9 +77,13 @@ class Sweep(Sequence[Member]):
         return [member for member in self._members if member.error is not None]
 
     @overload
-    def __getitem__(self, index: int) -> Member: ...
+    def __getitem__(self, index: int) -> Member:
+        ...
+
     @overload
-    def __getitem__(self, index: slice) -> "Sweep": ...
+    def __getitem__(self, index: slice) -> "Sweep":
+        ...
+
     def __getitem__(self, index: Any) -> Any:
         return Sweep(self._keys, self._members[index]) if isinstance(index, slice) else self._members[index]
 
@@ -86,21 +95,30 @@ class Sweep(Sequence[Member]):
 
     @property
     def table(self) -> dict[str, list[Any]]:
-        """A column for each of what a row of sweep.csv holds: member, the swept keys, status, message, steps, wall_seconds,
-        drift_..., error_..., and the last row, last_.... A member that failed has None where it has nothing to tell."""
+        """A column for each of what a row of sweep.csv holds: member, the swept keys, status, message,
+        steps, wall_seconds, drift_..., error_..., and the last row, last_.... A member that failed has None
+        where it has nothing to tell.
+        """
         rows = [self._row(member) for member in self._members]
         names = dict.fromkeys(itertools.chain.from_iterable(rows))
         return {name: [row.get(name) for row in rows] for name in names}
 
     def _row(self, member: Member) -> dict[str, Any]:
         row: dict[str, Any] = {"member": member.index, **{key: member.values.get(key) for key in self._keys}}
-        row.update(status=member.status, message="" if member.error is None else str(member.error), steps=None, wall_seconds=None)
+        row.update(
+            status=member.status,
+            message="" if member.error is None else str(member.error),
+            steps=None,
+            wall_seconds=None,
+        )
         if member.error is None and member.run is not None:
             summary = member.run.summary
             row.update(steps=summary["steps"], wall_seconds=summary["wall_seconds"])
             for what in ("drift", "error"):
                 row.update((f"{what}_{name}", value) for name, value in getattr(member.run, what).items())
-            row.update((f"last_{name}", float(x)) for name, x in zip(member.run.columns, member.run.table[-1]))
+            row.update(
+                (f"last_{name}", float(x)) for name, x in zip(member.run.columns, member.run.table[-1])
+            )
         return row
 
     def to_pandas(self) -> "pandas.DataFrame":
@@ -115,22 +133,35 @@ class Sweep(Sequence[Member]):
     def _repr_html_(self) -> str:
         from actio._html import table
 
-        columns = {name: values for name, values in self[:20].table.items() if name != "message" or any(values)}
+        columns = {
+            name: values for name, values in self[:20].table.items() if name != "message" or any(values)
+        }
         rest = f"<p>… {len(self) - 20} members more</p>" if len(self) > 20 else ""
         rows = list(zip(*columns.values()))
-        return "<div>" + table(list(columns), rows, f"{len(self)} members, {len(self.errors)} failed") + rest + "</div>"
+        return (
+            "<div>"
+            + table(list(columns), rows, f"{len(self)} members, {len(self.errors)} failed")
+            + rest
+            + "</div>"
+        )
 
 
 def _values_of(key: Any, values: Any) -> list[Any]:
     """What a key goes through."""
     if not isinstance(key, str):
-        raise TypeError(f"over: the keys are texts such as \"method.step\", found {shown(key)}, of type {kind(key)}")
+        raise TypeError(
+            f'over: the keys are texts such as "method.step", found {shown(key)}, of type {kind(key)}'
+        )
     if isinstance(values, (str, bytes, Mapping)):
-        raise TypeError(f"over: {key}: a list of values is expected, found {shown(values)}, of type {kind(values)}")
+        raise TypeError(
+            f"over: {key}: a list of values is expected, found {shown(values)}, of type {kind(values)}"
+        )
     try:
         found = list(itertools.islice(values, MOST_MEMBERS + 1))
     except Exception as error:
-        raise TypeError(f"over: {key}: a list of values is expected, found {shown(values)}: {shown(error)}") from None
+        raise TypeError(
+            f"over: {key}: a list of values is expected, found {shown(values)}: {shown(error)}"
+        ) from None
     if not found:
         raise SceneError(f"over: {key}: the list of values is empty")
     return found
@@ -138,10 +169,13 @@ def _values_of(key: Any, values: Any) -> list[Any]:
 
 def _members(over: Any) -> tuple[list[str], list[dict[str, Any]]]:
     if not isinstance(over, Mapping):
-        raise TypeError(f"over: a mapping of keys and lists of values is expected, found {shown(over)}, of type {kind(over)}")
+        raise TypeError(
+            f"over: a mapping of keys and lists of values is expected, found {shown(over)}, of type"
+            f" {kind(over)}"
+        )
     swept = {key: _values_of(key, values) for key, values in over.items()}
     if not swept:
-        raise SceneError("over: no key is swept; one is needed, such as {\"method.step\": [0.1, 0.2]}")
+        raise SceneError('over: no key is swept; one is needed, such as {"method.step": [0.1, 0.2]}')
     size = 1
     for values in swept.values():
         size *= len(values)
@@ -167,7 +201,14 @@ def _checked_jobs(jobs: Any) -> int:
 class _Crew:
     """Runs the members, a few at once, and says how far it is."""
 
-    def __init__(self, source: Source, set_: list[tuple[bytes, bool]], members: list[dict[str, Any]], jobs: int, first_error_ends_it: bool) -> None:
+    def __init__(
+        self,
+        source: Source,
+        set_: list[tuple[bytes, bool]],
+        members: list[dict[str, Any]],
+        jobs: int,
+        first_error_ends_it: bool,
+    ) -> None:
         self.source, self.set = source, set_
         self.values = members
         self.results: list[Optional[Member]] = [None] * len(members)
@@ -181,7 +222,9 @@ class _Crew:
         values = self.values[index]
         found: Optional[Run] = None
         try:
-            found, error = outcome(self.source, self.set + changes(values, "over"), lambda fraction, t: self.stopped.is_set())
+            found, error = outcome(
+                self.source, self.set + changes(values, "over"), lambda fraction, t: self.stopped.is_set()
+            )
             if error is None and found.summary["status"] != "done":
                 error = Stopped("stopped before its end")
         except (Error, TypeError, ValueError) as raised:
@@ -218,25 +261,31 @@ class _Crew:
 
 
 def sweep(
-    scene: Optional[SceneLike] = None, *, over: Mapping[str, Any], text: Optional[str] = None,
-    set: Optional[Mapping[str, Any]] = None, jobs: Optional[int] = None, progress: Optional[Progress] = None,
-    on_error: str = "collect", on_interrupt: str = "raise",
+    scene: Optional[SceneLike] = None,
+    *,
+    over: Mapping[str, Any],
+    text: Optional[str] = None,
+    set: Optional[Mapping[str, Any]] = None,
+    jobs: Optional[int] = None,
+    progress: Optional[Progress] = None,
+    on_error: str = "collect",
+    on_interrupt: str = "raise",
 ) -> Sweep:
-    """Runs a scene once for each combination of values and returns the `Sweep`: a sequence of `Member`, the last key being
-    the fastest. No file is written, and all runs are held in memory.
+    """Runs a scene once for each combination of values and returns the `Sweep`: a sequence of `Member`, the
+    last key being the fastest. No file is written, and all runs are held in memory.
 
     scene, text, set: as of `run`.
-    over: the keys that vary, each with the list of its values, {"method.step": [0.1, 0.2], "method.order": [2, 4]}. A value
-        None takes the key out.
+    over: the keys that vary, each with the list of its values, {"method.step": [0.1, 0.2], "method.order":
+        [2, 4]}. A value None takes the key out.
     jobs: how many members run at once; as many as there are processors where it is left out.
-    progress: called with the fraction and the number of the members that are done, a few times a second and as they end.
-        Where what it returns is true, the sweep ends there.
-    on_error: "collect", what goes wrong with a member is its `error`; "raise", the first such error ends the sweep and is
-        raised.
+    progress: called with the fraction and the number of the members that are done, a few times a second and
+        as they end. Where what it returns is true, the sweep ends there.
+    on_error: "collect", what goes wrong with a member is its `error`; "raise", the first such error ends
+        the sweep and is raised.
     on_interrupt: "raise", Ctrl-C raises KeyboardInterrupt; "return", what there is is returned.
 
-    An exception that ends a sweep, KeyboardInterrupt included, has what there is as its attribute `sweep`. Members that were
-    not run to their end then have the error `stopped before its end`.
+    An exception that ends a sweep, KeyboardInterrupt included, has what there is as its attribute `sweep`.
+    Members that were not run to their end then have the error `stopped before its end`.
     """
     checked_call(progress, "progress")
     checked_choice(on_interrupt, ("raise", "return"), "on_interrupt")
@@ -247,7 +296,13 @@ def sweep(
     crew = _Crew(source, base, members, _checked_jobs(jobs), on_error == "raise")
 
     def found() -> Sweep:
-        return Sweep(keys, [one or Member(k, crew.values[k], None, Stopped("stopped before its end")) for k, one in enumerate(crew.results)])
+        return Sweep(
+            keys,
+            [
+                one or Member(k, crew.values[k], None, Stopped("stopped before its end"))
+                for k, one in enumerate(crew.results)
+            ],
+        )
 
     try:
         crew.go(progress)

@@ -1,7 +1,8 @@
 """Values of Python as a scene writes them, in TOML.
 
-A scene holds numbers, texts, truths and lists of them, in tables. Of NumPy scalars and arrays are taken, and whatever else
-has a method `tolist`; numbers of any kind that is real. Nothing here trusts what it is given: lists may hold themselves.
+A scene holds numbers, texts, truths and lists of them, in tables. Of NumPy scalars and arrays are taken,
+and whatever else has a method `tolist`; numbers of any kind that is real. Nothing here trusts what it is
+given: lists may hold themselves.
 """
 
 import numbers
@@ -47,13 +48,17 @@ def in_utf8(text: str, where: str) -> bytes:
     try:
         return str.encode(text, "utf-8")
     except UnicodeEncodeError as error:
-        raise SceneError(f"{where}: a text in Unicode is expected, found a lone surrogate at character {error.start + 1}") from None
+        raise SceneError(
+            f"{where}: a text in Unicode is expected, found a lone surrogate at character {error.start + 1}"
+        ) from None
 
 
 def quoted(text: str, where: str) -> str:
     """A text between quotes."""
     if str.__len__(text) > MOST_CHARACTERS:
-        raise SceneError(f"{where}: a text has at most {MOST_CHARACTERS} characters, found one of {str.__len__(text)}")
+        raise SceneError(
+            f"{where}: a text has at most {MOST_CHARACTERS} characters, found one of {str.__len__(text)}"
+        )
     in_utf8(text, where)
     return '"' + _TO_ESCAPE.sub(lambda found: _ESCAPES.get(found[0]) or f"\\u{ord(found[0]):04x}", text) + '"'
 
@@ -94,7 +99,10 @@ class _Writer:
 
     def integer(self, value: int) -> str:
         if not -(2**63) <= value < 2**63:
-            raise SceneError(f"{self.where}: a whole number of a scene has 64 bits, and this one has {value.bit_length()}; write it as a float")
+            raise SceneError(
+                f"{self.where}: a whole number of a scene has 64 bits, and this one has {value.bit_length()};"
+                " write it as a float"
+            )
         return int.__repr__(value)
 
     def nested(self, value: Any) -> str:
@@ -105,7 +113,11 @@ class _Writer:
         self.open.append(id(value))
         if isinstance(value, Mapping):
             entries = self.asked(value, "items", lambda table: list(table.items()))
-            text = "{" + ", ".join(f"{name_in_toml(key, self.where)} = {self.write(item)}" for key, item in entries) + "}"
+            text = (
+                "{"
+                + ", ".join(f"{name_in_toml(key, self.where)} = {self.write(item)}" for key, item in entries)
+                + "}"
+            )
         else:
             text = "[" + ", ".join([self.write(item) for item in value]) + "]"
         self.open.pop()
@@ -119,18 +131,24 @@ class _Writer:
                 return self.write(found)
         if isinstance(value, numbers.Real):
             return float.__repr__(self.asked(value, "__float__", float))
-        raise TypeError(f"{self.where}: a scene holds numbers, texts, truths and lists of them, and this is of type {kind(value)}")
+        raise TypeError(
+            f"{self.where}: a scene holds numbers, texts, truths and lists of them, and this is of type"
+            f" {kind(value)}"
+        )
 
     def asked(self, value: Any, name: str, ask: Any) -> Any:
         """What an object answers. What it raises is told as what it is: no value."""
         try:
             return ask(value)
         except Exception as error:
-            raise TypeError(f"{self.where}: {name}() of this object of type {kind(value)} failed: {shown(error)}") from error
+            raise TypeError(
+                f"{self.where}: {name}() of this object of type {kind(value)} failed: {shown(error)}"
+            ) from error
 
 
 def in_toml(value: Any, where: str) -> str:
-    """`0.1`, `true`, `"a text"`, `[1, 2]`. Raises TypeError where it is of a wrong type, SceneError where a scene cannot say it."""
+    """`0.1`, `true`, `"a text"`, `[1, 2]`. Raises TypeError where it is of a wrong type, SceneError where a
+    scene cannot say it."""
     return _Writer(where).write(value)
 
 
@@ -148,19 +166,29 @@ def _entries(table: Mapping[str, Any], what: str) -> list[tuple[str, Any]]:
         raise TypeError(f"{what}: items() of this {kind(table)} failed: {shown(error)}") from error
     for entry in entries:
         if not isinstance(entry, tuple) or len(entry) != 2:
-            raise TypeError(f"{what}: a mapping of names and values is expected, its items() has {shown(entry)}")
+            raise TypeError(
+                f"{what}: a mapping of names and values is expected, its items() has {shown(entry)}"
+            )
         if not isinstance(entry[0], str):
-            raise TypeError(f"{what}: the keys are texts such as \"method.step\", found {shown(entry[0])}, of type {kind(entry[0])}")
+            raise TypeError(
+                f'{what}: the keys are texts such as "method.step", found {shown(entry[0])}, of type'
+                f" {kind(entry[0])}"
+            )
     return entries
 
 
-def leaves(table: Mapping[str, Any], what: str, before: str = "", depth: int = 0) -> Iterator[tuple[str, Any]]:
+def leaves(
+    table: Mapping[str, Any], what: str, before: str = "", depth: int = 0
+) -> Iterator[tuple[str, Any]]:
     """Keys with dots between their names, and the values that are no tables, or empty ones."""
     if depth > DEEPEST:
         raise SceneError(f"{what}: tables are nested at most {DEEPEST} deep")
     for name, value in _entries(table, what):
         if len(name) > LONGEST_NAME:
-            raise SceneError(f"{what}: a key has at most {LONGEST_NAME} characters, found one of {len(name)}: {shown(name)}")
+            raise SceneError(
+                f"{what}: a key has at most {LONGEST_NAME} characters, found one of {len(name)}:"
+                f" {shown(name)}"
+            )
         if not _KEY.match(name):
             name = ".".join(name_in_toml(part, what) for part in str(name).split("."))
         if isinstance(value, Mapping) and _entries(value, what):
@@ -174,7 +202,10 @@ def changes(table: Optional[Mapping[str, Any]], what: str = "set") -> list[tuple
     if table is None:
         return []
     if not isinstance(table, Mapping):
-        raise TypeError(f"{what}: a mapping of keys and values is expected, such as {{\"method.step\": 0.1}}, found {shown(table)}, of type {kind(table)}")
+        raise TypeError(
+            f'{what}: a mapping of keys and values is expected, such as {{"method.step": 0.1}}, found'
+            f" {shown(table)}, of type {kind(table)}"
+        )
     out = []
     for key, value in leaves(table, what):
         text = key if value is None else f"{key}={in_toml(value, f'{what}: {key}')}"
