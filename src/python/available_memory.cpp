@@ -21,13 +21,28 @@ double number_in(char const* path) {
   return in >> value ? value : unknown;
 }
 
+/// The number after a word in a file of names and numbers, a line for each; zero where it is not there.
+double number_after(char const* word, char const* path) {
+  std::ifstream in(path);
+  std::string name, rest;
+  double value = 0;
+  while (in >> name >> value && std::getline(in, rest))
+    if (name == word) return value;
+  return 0;
+}
+
+/// Without the pages of files that can be dropped.
+double left_in_the_group() {
+  double const most = number_in("/sys/fs/cgroup/memory.max");
+  double const taken = number_in("/sys/fs/cgroup/memory.current");
+  if (most == unknown || taken == unknown) return unknown;
+  char const* const statistics = "/sys/fs/cgroup/memory.stat";
+  double const dropped = number_after("inactive_file", statistics) + number_after("active_file", statistics);
+  return std::max(0.0, most - taken + dropped);
+}
 double left_in_the_system() {
-  std::ifstream in("/proc/meminfo");
-  std::string name, unit;
-  double kilobytes = 0;
-  while (in >> name >> kilobytes && std::getline(in, unit))
-    if (name == "MemAvailable:") return 1024 * kilobytes;
-  return unknown;
+  double const kilobytes = number_after("MemAvailable:", "/proc/meminfo");
+  return kilobytes > 0 ? 1024 * kilobytes : unknown;
 }
 
 std::string in_words(double bytes) {
@@ -41,12 +56,7 @@ std::string in_words(double bytes) {
 
 }  // namespace
 
-double available_memory() {
-  double const most = number_in("/sys/fs/cgroup/memory.max");
-  double const taken = number_in("/sys/fs/cgroup/memory.current");
-  double const left_in_the_group = most < unknown && taken < unknown ? std::max(0.0, most - taken) : unknown;
-  return std::min(left_in_the_system(), left_in_the_group);
-}
+double available_memory() { return std::min(left_in_the_system(), left_in_the_group()); }
 
 void check_that_it_fits(double rows, std::size_t columns) {
   double const bytes = 8 * rows * static_cast<double>(columns), available = available_memory();
