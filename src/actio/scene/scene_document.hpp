@@ -52,8 +52,4 @@ toml::table parse_toml(std::string_view text, std::string const& name);
 /// @throws SceneError  with the place in the argument
 void apply_override(toml::table& root, std::string const& argument);
 
-/// Takes out the key that a KEY=VALUE would set; nothing where it is not there.
-/// @throws SceneError  where it is no key
-void drop_key(toml::table& root, std::string const& key);
-
 }  // namespace actio::scene::detail

@@ -101,13 +101,6 @@ class SceneFile {
   /// The same from a text; `name` stands for the file in complaints.
   static SceneFile parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides = {});
 
-  /// One KEY=VALUE more over what the scene says.
-  /// @throws SceneError  where it is wrong, with the place in it
-  void change(std::string const& argument);
-  /// Takes a key out, written as that of KEY=VALUE; one that is not there stays away.
-  /// @throws SceneError  where it is no key
-  void drop(std::string const& key);
-
   /// One of the tables at the top, empty where it is not in the file.
   /// @throws SceneError  where it is no table
   SceneTable section(std::string const& name) const;
@@ -117,6 +110,13 @@ class SceneFile {
   std::string const& name() const;
   /// The scene with what was written back, in TOML: sections in the order of reading, keys in the order of the file, defaults after them.
   std::string written() const;
+
+  /// One KEY=VALUE more over what the scene says.
+  /// @throws SceneError  where it is wrong, with the place in it
+  void change(std::string const& argument);
+  /// Takes a key out, written as that of KEY=VALUE; one that is not there stays away.
+  /// @throws SceneError  where it is no key
+  void drop(std::string const& key);
 
  private:
   explicit SceneFile(std::shared_ptr<detail::SceneDocument> document) : document_(std::move(document)) {}

@@ -37,22 +37,7 @@ void merge(toml::table& into, toml::table&& from, std::string const& name) {
   }
 }
 
-/// Takes out of `from` what is in `path`, a table for each name that leads to the key.
-void drop(toml::table& from, toml::table const& path) {
-  for (auto const& [key, node] : path) {
-    toml::node* const there = from.get(key.str());
-    if (there && node.is_table() && there->is_table()) drop(*there->as_table(), *node.as_table());
-    else if (there && !node.is_table()) from.erase(key.str());
-  }
-}
-
 }  // namespace
-
-void detail::drop_key(toml::table& root, std::string const& key) {
-  drop(root, read_override(key + "=0", "key " + shown(key, 100)));
-}
-void SceneFile::change(std::string const& argument) { detail::apply_override(document_->root, argument); }
-void SceneFile::drop(std::string const& key) { detail::drop_key(document_->root, key); }
 
 void detail::apply_override(toml::table& root, std::string const& argument) {
   std::string const name = "--set " + shown(argument, 100);

@@ -10,7 +10,6 @@ import numpy
 from numpy.typing import NDArray
 
 from actio import _actio
-from actio._errors import SceneError
 from actio._values import shown
 
 if TYPE_CHECKING:
@@ -213,11 +212,6 @@ class Run(Mapping[str, Array]):
         from actio._running import encoded_path
 
         where = encoded_path(folder, "folder")
-        if os.path.isdir(where) and os.listdir(where):
-            raise SceneError(
-                f"{os.fspath(folder)}: the folder is not empty; a run is saved into one that is empty or not"
-                " there"
-            )
         _actio.save(self.scene.encode(), self._table, self._about["summary"].encode(), where, bool(plots))
 
     def __repr__(self) -> str:
