@@ -30,12 +30,8 @@ def table(names: Sequence[str], rows: Iterable[Sequence[Any]], caption: str) -> 
     )
 
 
-def _figures(title: str, values: dict[str, Any]) -> str:
-    told = [
-        f"{html.escape(name)} {value:.1e}"
-        for name, value in values.items()
-        if isinstance(value, (int, float))
-    ]
+def _figures(title: str, values: dict[str, float]) -> str:
+    told = [f"{html.escape(name)} {value:.1e}" for name, value in values.items()]
     return f"; {title}: {', '.join(told)}" if told else ""
 
 

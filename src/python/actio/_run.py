@@ -184,10 +184,11 @@ class Run(Mapping[str, Array]):
         return dict(self.summary.get("drift") or {})
 
     @property
-    def error(self) -> dict[str, Any]:
-        """The estimate of the error of the method, as the summary tells it; empty where there is none."""
-        found = self.summary.get("error")
-        return dict(found) if isinstance(found, dict) else {}
+    def error(self) -> dict[str, float]:
+        """The estimated errors of the method, as the summary tells them; empty where there is no estimate."""
+        told = self.summary.get("error")
+        entries = told.items() if isinstance(told, dict) else ()
+        return {name: value for name, value in entries if isinstance(value, (int, float))}
 
     # ---- For others
 
