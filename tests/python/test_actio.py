@@ -913,7 +913,8 @@ class Folders(unittest.TestCase):
             run = actio.load(out)
             saved = pathlib.Path(folder, "deeper", "saved")
             run.save(saved, plots=True)
-            self.assertEqual(sorted(os.listdir(saved)), ["plots", "scene.toml", "series.csv", "summary.json"])
+            there = sorted(path.name for path in saved.iterdir() if not path.name.startswith("."))
+            self.assertEqual(there, ["plots", "scene.toml", "series.csv", "summary.json"])
             for name in ["series.csv", "scene.toml", "summary.json"]:
                 self.assertEqual((saved / name).read_bytes(), (out / name).read_bytes(), name)
             self.assertIn("index.html", os.listdir(saved / "plots"))
