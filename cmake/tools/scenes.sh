@@ -23,7 +23,7 @@ for scene in data/scenes/*.toml; do
 done
 
 python=$(sed -n 's/^Python_EXECUTABLE:[A-Z]*=//p' "$build/CMakeCache.txt" 2>/dev/null || true)
-for module in "$build"/python/actio.*.so; do
+for module in "$build"/python/actio/_actio.*.so; do
   [[ -f $module ]] || continue
   for program in data/scenes/*.py; do
     name=$(basename "$program" .py) folder=$build/report/python

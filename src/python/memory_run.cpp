@@ -1,23 +1,123 @@
 #include "python/memory_run.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "actio/scene/checkpoint.hpp"
+#include "actio/scene/pictures.hpp"
+#include "actio/scene/series.hpp"
+#include "actio/scene/series_reader.hpp"
+#include "actio/scene/units.hpp"
+#include "python/available_memory.hpp"
+
 namespace actio::python {
 
 using namespace scene;
 
-MemoryRun run_in_memory(SceneFile file, std::function<bool()> stop) {
-  Scene scene = Scene::read(std::move(file));
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a run has besides its numbers.
+MemoryRun without_rows(Scene const& scene) {
   MemoryRun out;
-  RunOptions options;
-  options.quiet = true, options.stop = std::move(stop);
-  RunReport const report = scene::run_in_memory(scene, out.table, options);
-  if (report.ending == Ending::numerics_failed) throw NumericsError(report.message);
-  if (report.ending == Ending::file_failed) throw FileError(report.message);
   out.columns = {"t"};
-  for (auto const& name : scene.simulation.quantities.columns()) out.columns.push_back(name);
-  out.groups = scene.simulation.quantities.column_groups();
-  out.summary = report.summary;
+  for (auto const& group : scene.simulation.quantities.column_groups()) {
+    out.columns.insert(out.columns.end(), group.columns.begin(), group.columns.end());
+    out.groups.push_back({group, unit_of(scene, group.quantity)});
+  }
+  out.time_unit = time_unit(scene);
   out.scene = scene.file.written();
   return out;
+}
+
+/// The whole of a small file; nothing where it is not there.
+std::string text_of(std::string const& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// No more rows than a table of this size can hold: a number in CSV takes two bytes at least, in HDF5 eight.
+double most_rows(std::string const& folder, std::size_t columns) {
+  std::error_code none;
+  double numbers = static_cast<double>(fs::file_size(folder + "/series.csv", none)) / 2;
+  if (none) numbers = static_cast<double>(fs::file_size(folder + "/series.h5", none)) / 8;
+  return none ? 0 : std::ceil(numbers / static_cast<double>(columns));
+}
+
+void refuse_what_is_no_run(std::string const& folder) {
+  std::error_code none;
+  auto const refuse = [&](std::string const& why) { throw SceneError({folder}, why); };
+  if (!fs::exists(folder, none)) refuse("the folder of a run is expected, and there is none of that name");
+  if (!fs::is_directory(folder, none)) refuse("the folder of a run is expected, and this is a file");
+  if (fs::exists(folder + "/scene.toml", none)) return;
+  if (fs::exists(folder + "/sweep.csv", none))
+    refuse("this is the folder of a sweep; a run is in the folder of a member");
+  refuse("there is no run in this folder: scene.toml is missing");
+}
+
+void make_folder(std::string const& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && !fs::is_empty(folder, error) && !error)
+    throw SceneError({folder}, "the folder is not empty; a run is saved into one that is empty or not there");
+  if (error) throw FileError(folder + ": cannot be made ready for a run: " + error.message());
+}
+
+}  // namespace
+
+MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watch watch) {
+  for (auto const& change : changes) {
+    if (change.drop) file.drop(change.text);
+    else file.change(change.text);
+  }
+  Scene scene = Scene::read(std::move(file));
+  std::size_t const columns = 1 + scene.simulation.quantities.row_size();
+  check_that_it_fits(static_cast<double>(scene.schedule.rows()), columns);
+  MemoryRun out = without_rows(scene);
+  RunOptions options;
+  options.quiet = true, options.stop = std::move(watch.stop), options.watch = std::move(watch.see);
+  out.report = scene::run_in_memory(scene, out.table, options);
+  // One that ended early has set aside more than it took.
+  if (out.table.size() < out.table.capacity() / 2) out.table.shrink_to_fit();
+  out.summary = out.report.summary;
+  return out;
+}
+
+MemoryRun load_run(std::string const& folder) {
+  refuse_what_is_no_run(folder);
+  Scene const scene = Scene::read(SceneFile::read(folder + "/scene.toml"));
+  MemoryRun out = without_rows(scene);
+  auto const groups = scene.simulation.quantities.column_groups();
+  double const all = static_cast<double>(scene.schedule.rows());
+  double const rows = std::min(most_rows(folder, out.columns.size()), all);
+  check_that_it_fits(rows, out.columns.size());
+  out.table.reserve(static_cast<std::size_t>(rows) * out.columns.size());
+  auto const reader = read_series(folder, groups);
+  std::vector<double> row(out.columns.size());
+  while (reader->next(row)) out.table.insert(out.table.end(), row.begin(), row.end());
+  out.summary = text_of(folder + "/summary.json");
+  return out;
+}
+
+void save_run(std::string const& text, std::span<double const> table, std::string const& summary,
+              std::string const& folder, bool pictures) {
+  Scene const scene = Scene::read(SceneFile::parse(text, folder + "/scene.toml"));
+  std::size_t const width = 1 + scene.simulation.quantities.row_size();
+  make_folder(folder);
+  auto const groups = scene.simulation.quantities.column_groups();
+  SeriesHead const head{scene.title, scene.system->name, text, groups, static_cast<long>(table.size() / width)};
+  for (auto const& format : scene.formats) {
+    auto const series = open_series(folder, format, head, false);
+    for (std::size_t at = 0; at + width <= table.size(); at += width) series->add(table.subspan(at, width));
+    series->sync();
+  }
+  write_whole_file(folder + "/summary.json", summary);
+  write_whole_file(folder + "/scene.toml", text);
+  if (pictures) draw_pictures(scene, folder, true);
 }
 
 }  // namespace actio::python

@@ -155,6 +155,7 @@ class Run {
       last_flush_ = now;
     }
     progress_.show(now, fraction(), count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
+    if (options_.watch) options_.watch(fraction(), time_now());
     if (now - last_checkpoint_ >= std::chrono::duration<double>(options_.checkpoint_interval)) checkpoint();
   }
 

@@ -29,6 +29,8 @@ struct RunOptions {
   bool durable = true;                       ///< files are on the disk at each checkpoint, the first before the first step; otherwise for other programs to see alone
   double checkpoint_interval = 2;            ///< seconds
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
+  /// Told how far the run is, from 0 to 1, and its time: about a hundred times a second. May be empty.
+  std::function<void(double fraction, double time)> watch = {};
 };
 
 /// How a run went.

@@ -114,6 +114,13 @@ class SceneFile {
   /// The scene with what was written back, in TOML: sections in the order of reading, keys in the order of the file, defaults after them.
   std::string written() const;
 
+  /// One KEY=VALUE more over what the scene says.
+  /// @throws SceneError  where it is wrong, with the place in it
+  void change(std::string const& argument);
+  /// Takes a key out, written as that of KEY=VALUE; one that is not there stays away.
+  /// @throws SceneError  where it is no key
+  void drop(std::string const& key);
+
  private:
   explicit SceneFile(std::shared_ptr<detail::SceneDocument> document) : document_(std::move(document)) {}
   std::shared_ptr<detail::SceneDocument> document_;
