@@ -7,8 +7,10 @@
 #include <iterator>
 #include <limits>
 
+#include "actio/scene/body_shape.hpp"
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/drift.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/units.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
@@ -124,6 +126,7 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   for (auto const& drifting : overview.drifts) write_whole_file(plots + "/drift_" + drifting.name + ".svg", drift_picture(scene, drifting));
   if (scene.system->name == "rigid_body" && overview.find("body_momentum")) write_whole_file(plots + "/polhode.svg", polhode_picture(scene, overview));
   write_whole_file(plots + "/index.html", viewer_page(scene, overview, file_contents(folder + "/summary.json")));
+  if (!quiet && body_shape(scene) && !overview.find("attitude")) say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
 }
 
 }  // namespace actio::scene

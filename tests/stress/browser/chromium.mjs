@@ -91,13 +91,18 @@ class Tab {
   }
   colours(scheme) { return this.ask('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: scheme }, { name: 'prefers-reduced-motion', value: 'reduce' }] }); }
   async open(url) {
-    this.said = [];
-    const loaded = new Promise((done) => this.waiting.push(done));
     // Another page first, or a change of the anchor alone would load nothing.
-    if (url.includes('#')) { const blank = new Promise((done) => this.waiting.push(done)); await this.ask('Page.navigate', { url: 'about:blank' }); await blank; }
+    if (url.includes('#')) await this.go('about:blank');
+    this.said = [];
+    await this.go(url);
+  }
+  async go(url) {
+    const loaded = new Promise((done) => this.waiting.push(done));
     const { errorText } = await this.ask('Page.navigate', { url });
     if (errorText) throw new Error(`${url}: ${errorText}`);
-    await Promise.race([loaded, wait(30000).then(() => { throw new Error(`${url}: not loaded within 30 s`); })]);
+    let late;
+    await Promise.race([loaded, new Promise((_, fail) => { late = setTimeout(() => fail(new Error(`${url}: not loaded within 30 s`)), 30000); })]);
+    clearTimeout(late);
   }
   async run(expression) {
     const { result, exceptionDetails } = await this.ask('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
