@@ -15,7 +15,7 @@ function cellText(s) {
 
 export function reportTable(t, caption) {
   const head = (t.header ?? []).map((h, i) => `<th${(t.rows ?? []).every(r => numeric(r[i])) ? ' class="num"' : ''}>${prose(h)}</th>`).join('');
-  const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ' class="num"' : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
+  const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ` class="num${String(c).trim().includes(' ') ? ' words' : ''}"` : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
   const text = caption ?? t.caption;
   return `<div class="report-table"><table><thead><tr>${head}</tr></thead><tbody>${rows}</tbody></table>${text ? `<div class="caption">${prose(text)}</div>` : ''}</div>`;
 }

@@ -15,7 +15,7 @@ const english = new Set('a an as at be by do he if in is it no of on or so to up
 const isSymbol = letters => letters.length === 1 || (letters.length === 2 && !english.has(letters)) || new RegExp(`^d?(?:${greek})$|^(?:${functions})$|^d[a-z]?[A-Z]?$`).test(letters);
 
 /// A word with an index or a power, a Greek letter by its name, or Ad with its star.
-const telling = new RegExp(`(?:^|[^A-Za-z])(?:d?(?:${greek})\\d?)(?![A-Za-z])|(?:^|[^A-Za-z0-9])(?:[A-Za-z]{1,2}|d?(?:${greek})|${functions})[\\d']*\\*?[_^](?:[A-Za-z0-9{(*#+-])|\\)\\^|\\}_|\\b(?:Ad|ad)\\*`);
+const telling = new RegExp(`(?:^|[^A-Za-z])(?:d?(?:${greek})\\d?)(?![A-Za-z])|(?:^|[^A-Za-z0-9])(?:[A-Za-z]{1,2}|d?(?:${greek})|${functions})[\\d']*\\*?[_^](?:[A-Za-z0-9{(*#+-])|\\)\\^|\\}_|\\bd[a-z] \\^ d[a-z]|\\b(?:Ad|ad)\\*`);
 /// What may stand within a formula beside such a word: operators, numbers, letters, names of functions.
 const operator = /^(?:=|\+|-|->|<|>|<=|>=|\/|\^|:=|\|)$/;
 function fits(word) {
