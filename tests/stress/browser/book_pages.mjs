@@ -32,9 +32,10 @@ async function look(tab, page, width) {
   }
   complaints(tab, `${page} (${width})`);
 }
-/// The tree is filled by scripts that are loaded one after the other.
-const ready = `new Promise((done) => { let same = 0, last = -1; const timer = setInterval(() => { const now = document.querySelectorAll('#nav-tree .item').length;
-  if (now === last && (now > 1 || same > 12 || innerWidth < 768)) ++same; else same = 0; last = now; if (same > 3 && now > 1 || same > 16 || (innerWidth < 768 && same > 1)) { clearInterval(timer); done(true); } }, 25); })`;
+/// The tree is filled by scripts that are loaded one after the other, and its branches slide open: it is ready when nothing has changed for a while.
+const ready = `new Promise((done) => { let same = 0, last = -1, turns = 0; const timer = setInterval(() => { const now = document.querySelectorAll('#nav-tree .item').length;
+  same = now === last && !(window.jQuery && jQuery(':animated').length) ? same + 1 : 0; last = now;
+  if (same > (innerWidth < 768 ? 1 : now > 1 ? 4 : 16) || ++turns > 200) { clearInterval(timer); done(true); } }, 25); })`;
 
 async function everyPage(tab, pages) {
   for (let page; (page = pages.shift());)
@@ -62,9 +63,17 @@ async function keys(tab, page, width) {
   if ((await tab.run('Math.max(document.scrollingElement.scrollHeight - innerHeight, (document.getElementById("doc-content") || document.body).scrollHeight - innerHeight)')) > 100)
     for (const [key, code] of [['PageDown', 34], [' ', 32]]) {
       ++checks;
-      const before = await tab.run(place);
-      await tab.press(key, code);
-      if (!(await tab.until(`${place} > ${before + 20}`, 6000))) fault('keys', where, `${key === ' ' ? 'Space' : key} does not scroll`);
+      // The glide of the key before has to end.
+      for (let last = -1, now; (now = await tab.run(place)) !== last; last = now) await wait(150);
+      await tab.run('scrollTo({ top: 0, behavior: "instant" })');
+      await wait(50);
+      let moved = false;
+      // A busy machine may lose a key; twice it does not.
+      for (let k = 0; k < 2 && !moved; ++k) {
+        await tab.press(key, code);
+        moved = await tab.until(`${place} > 20`, 2500);
+      }
+      if (!moved) fault('keys', where, `${key === ' ' ? 'Space' : key} does not scroll`);
     }
   complaints(tab, where);
 }

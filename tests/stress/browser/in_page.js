@@ -102,7 +102,9 @@
     }
     for (const canvas of document.querySelectorAll('canvas')) {
       if (!seen(canvas)) continue;
-      const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+      const copy = document.createElement('canvas'), pen = Object.assign(copy, { width: canvas.width, height: canvas.height }).getContext('2d', { willReadFrequently: true });
+      pen.drawImage(canvas, 0, 0);
+      const data = pen.getImageData(0, 0, copy.width, copy.height).data;
       let drawn = 0;
       for (let i = 3; i < data.length; i += 4) if (data[i]) ++drawn;
       if (drawn < 200) say('canvas', `nothing is drawn on a canvas of ${canvas.width} by ${canvas.height}`);
