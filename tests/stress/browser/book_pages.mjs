@@ -45,7 +45,6 @@ async function everyPage(tab, pages) {
         await tab.open(url(page));
         if (!isViewer(page)) await tab.run(ready); else await wait(150);
         await look(tab, page, width);
-        if (!isViewer(page) && (!isInterface(page) || page === 'namespaceactio.html')) await keys(tab, page, width);
       } catch (error) { fault('not opened', page, error.message); }
     }
 }
@@ -54,6 +53,7 @@ const place = 'Math.round(scrollY + (document.getElementById("doc-content") || d
 /// The keys work from the start: the first stop skips to the text, and pages scroll.
 async function keys(tab, page, width) {
   const where = `${page} (${width})`;
+  await tab.look(...widths[width], 'light');
   await tab.open(url(page));
   await tab.press('Tab', 9);
   ++checks;
@@ -129,6 +129,9 @@ try {
   for (const tab of tabs) await tab.ask('Emulation.setFocusEmulationEnabled', { enabled: true });
   await Promise.all(tabs.map((tab) => everyPage(tab, first)));
   await Promise.all(tabs.map((tab) => everyPage(tab, rest)));
+  // Keys go to one tab alone, the one in front.
+  await tabs[0].ask('Page.bringToFront');
+  for (const page of all.filter((f) => !isViewer(f) && (!isInterface(f) || f === 'namespaceactio.html'))) for (const width of Object.keys(widths)) await keys(tabs[0], page, width);
   await anchors(tabs[0]);
   if (all.includes('index.html')) await search(tabs[0]);
   for (const page of only ? [] : ['scenes.html']) {
