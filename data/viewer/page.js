@@ -47,7 +47,7 @@ function layOutCurves() {
     const heading = q.words + (q.of > q.components.length ? ` (${q.components.length} of ${q.of} components)` : "");
     panels.push(new Panel(view, { heading, unit: q.unit, meaning: q.meaning, components: q.components }));
   }
-  if (run.drifts.length) panels.push(new Panel(view, { heading: "relative drift", meaning: "|Q(t) − Q(0)| / |Q(0)|", components: run.drifts, log: true }));
+  if (run.drifts.length) panels.push(new Panel(view, { heading: "relative drift", meaning: "|Q(t) − Q(0)| in the unit that the summary names", components: run.drifts, log: true }));
   if (run.scene.time_unit) byId("over-time").textContent = `Curves over time, ${run.scene.time_unit}`;
   byId("curves").append(...panels.map((panel) => panel.element));
   byId("whole").addEventListener("click", () => view.look(...view.whole));
@@ -155,9 +155,10 @@ function card(title, rows) {
 }
 /** How far the run may be from the true motion, beside how far it is from what it should conserve. */
 function tellError(error) {
-  const exact = /\bexact\b/.test(error.how || ""), units = { attitude: " rad" };
+  const exact = /^exact\b/.test(error.how || ""), units = { attitude: " rad" };
   const rows = Object.entries(error).filter(([, v]) => typeof v === "number").map(([n, v]) => [n.replaceAll("_", " "), shownNumber(v, 2) + (units[n] || "")]);
-  const out = card(exact ? "Error: exact to rounding" : "Error, estimated", rows);
+  if (!rows.length && !error.how) return;
+  const out = card(exact ? "Error: exact to rounding" : rows.length ? "Error, estimated" : "Error", rows);
   if (error.how) out.append(element("p", error.how));
   byId("summary").append(out);
 }

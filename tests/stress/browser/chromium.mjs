@@ -1,8 +1,9 @@
-// A browser without a window, spoken to through two pipes: tabs, widths, colours and keys, with no library beside Node.
+// A browser without a window, spoken to through two pipes: tabs, widths, colours and keys, with no library
+// beside Node.
+import {spawn} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { spawn } from 'node:child_process';
 
 const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
@@ -20,9 +21,18 @@ export class Browser {
   static async start(program) {
     const browser = new Browser();
     browser.folder = fs.mkdtempSync(path.join(os.tmpdir(), 'book_pages_'));
-    browser.process = spawn(program, ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update',
-      '--disable-sync', '--disable-extensions', '--mute-audio', '--hide-scrollbars=false', '--allow-file-access-from-files', `--user-data-dir=${browser.folder}`, '--remote-debugging-pipe', 'about:blank'],
-      { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'], env: { ...process.env, DBUS_SESSION_BUS_ADDRESS: 'disabled:' } });
+    browser.process = spawn(
+      program,
+      [
+        '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
+        '--disable-background-networking', '--disable-component-update', '--disable-sync',
+        '--disable-extensions', '--mute-audio', '--hide-scrollbars=false', '--allow-file-access-from-files',
+        `--user-data-dir=${browser.folder}`, '--remote-debugging-pipe', 'about:blank'
+      ],
+      {
+        stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'],
+        env: {...process.env, DBUS_SESSION_BUS_ADDRESS: 'disabled:' }
+      });
     browser.answers = new Map();
     browser.tabs = new Map();
     browser.count = 0;
@@ -79,17 +89,27 @@ class Tab {
   constructor(browser, session) { Object.assign(this, { browser, session, said: [], waiting: [] }); }
   ask(method, params) { return this.browser.ask(method, params, this.session); }
   hear({ method, params }) {
-    if (method === 'Page.loadEventFired') for (const done of this.waiting.splice(0)) done();
-    if (method === 'Runtime.exceptionThrown') this.said.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
-    if (method === 'Runtime.consoleAPICalled' && ['error', 'warning', 'assert'].includes(params.type)) this.said.push(params.args.map((a) => a.value ?? a.description).join(' '));
-    if (method === 'Log.entryAdded' && ['error', 'warning'].includes(params.entry.level)) this.said.push(`${params.entry.text} ${params.entry.url ?? ''}`);
+    if (method === 'Page.loadEventFired')
+      for (const done of this.waiting.splice(0)) done();
+    if (method === 'Runtime.exceptionThrown')
+      this.said.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+    if (method === 'Runtime.consoleAPICalled' && ['error', 'warning', 'assert'].includes(params.type))
+      this.said.push(params.args.map((a) => a.value ?? a.description).join(' '));
+    if (method === 'Log.entryAdded' && ['error', 'warning'].includes(params.entry.level))
+      this.said.push(`${params.entry.text} ${params.entry.url ?? ''}`);
   }
   /// A viewport, and a preference for light or dark colours.
   async look(width, height, colours) {
-    await this.ask('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
+    await this.ask(
+      'Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
     await this.colours(colours);
   }
-  colours(scheme) { return this.ask('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: scheme }, { name: 'prefers-reduced-motion', value: 'reduce' }] }); }
+  colours(scheme) {
+    return this.ask('Emulation.setEmulatedMedia', {
+      features:
+        [{ name: 'prefers-color-scheme', value: scheme }, { name: 'prefers-reduced-motion', value: 'reduce' }]
+    });
+  }
   async open(url) {
     // Another page first, or a change of the anchor alone would load nothing.
     if (url.includes('#')) await this.go('about:blank');
@@ -101,28 +121,40 @@ class Tab {
     const { errorText } = await this.ask('Page.navigate', { url });
     if (errorText) throw new Error(`${url}: ${errorText}`);
     let late;
-    await Promise.race([loaded, new Promise((_, fail) => { late = setTimeout(() => fail(new Error(`${url}: not loaded within 30 s`)), 30000); })]);
+    await Promise.race([
+      loaded, new Promise((_, fail) => {
+        late = setTimeout(() => fail(new Error(`${url}: not loaded within 30 s`)), 30000);
+      })
+    ]);
     clearTimeout(late);
   }
   async run(expression) {
-    const { result, exceptionDetails } = await this.ask('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
+    const { result, exceptionDetails } =
+      await this.ask('Runtime.evaluate', { expression, awaitPromise: true, returnByValue: true });
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description ?? exceptionDetails.text);
     return result.value;
   }
   /// Asks again and again until the answer is true, or the time is over.
   async until(expression, milliseconds) {
-    for (const end = Date.now() + milliseconds; Date.now() < end; await wait(25)) if (await this.run(expression)) return true;
+    for (const end = Date.now() + milliseconds; Date.now() < end; await wait(25))
+      if (await this.run(expression)) return true;
     return false;
   }
   async press(key, code = 0) {
-    const same = { key, code: key === ' ' ? 'Space' : key, windowsVirtualKeyCode: code, ...(key === ' ' ? { text: ' ' } : {}) };
+    const same = {
+      key,
+      code: key === ' ' ? 'Space' : key,
+      windowsVirtualKeyCode: code,
+      ...(key === ' ' ? { text: ' ' } : {})
+    };
     await this.ask('Input.dispatchKeyEvent', { type: key === ' ' ? 'keyDown' : 'rawKeyDown', ...same });
     await this.ask('Input.dispatchKeyEvent', { type: 'keyUp', ...same });
   }
   type(text) { return this.ask('Input.insertText', { text }); }
   async picture(file, whole = false) {
-    const { data } = await this.ask('Page.captureScreenshot', { format: 'png', captureBeyondViewport: whole });
+    const { data } =
+      await this.ask('Page.captureScreenshot', { format: 'png', captureBeyondViewport: whole });
     fs.writeFileSync(file, Buffer.from(data, 'base64'));
   }
 }
-export { wait };
+export {wait};
