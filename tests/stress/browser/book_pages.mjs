@@ -173,7 +173,23 @@ async function search(tab) {
 }
 
 const began = Date.now();
+/// What was found so far, by kinds, the first few of each.
+function report() {
+  for (const [kind, list] of [...faults].sort()) {
+    const pages = new Set(list.map((text) => text.replace(/[ (#:].*$/, '')));
+    console.log(`${kind}: ${list.length} times, on ${pages.size} ${pages.size === 1 ? 'page' : 'pages'}`);
+    for (const text of list.slice(0, process.env.BOOK_PAGES_ALL ? Infinity : 6)) console.log(`    ${text}`);
+  }
+  console.log(`${all.length} pages of the book in ${Math.round((Date.now() - began) / 1000)} s, ${
+    checks} checks: ${faults.size ? `${[...faults.values()].flat().length} faults` : 'as they should be'}`);
+}
 const browser = await Browser.start(program);
+for (const signal of ['SIGINT', 'SIGTERM'])
+  process.on(signal, () => {
+    report();
+    console.log('interrupted: what is above is not all');
+    browser.close().finally(() => process.exit(1));
+  });
 try {
   const first = all.filter((f) => !isInterface(f)), rest = all.filter(isInterface),
         tabs = await Promise.all([browser.tab(), browser.tab()]);
@@ -195,11 +211,5 @@ try {
   }
 } finally { await browser.close(); }
 
-for (const [kind, list] of [...faults].sort()) {
-  const pages = new Set(list.map((text) => text.replace(/[ (#:].*$/, '')));
-  console.log(`${kind}: ${list.length} times, on ${pages.size} ${pages.size === 1 ? 'page' : 'pages'}`);
-  for (const text of list.slice(0, process.env.BOOK_PAGES_ALL ? Infinity : 6)) console.log(`    ${text}`);
-}
-console.log(`${all.length} pages of the book in ${Math.round((Date.now() - began) / 1000)} s, ${
-  checks} checks: ${faults.size ? `${[...faults.values()].flat().length} faults` : 'as they should be'}`);
+report();
 process.exit(faults.size ? 1 : 0);
