@@ -7,7 +7,7 @@ const power = (mantissa, exponent) => `${mantissa.replace('-', '−')}·10<sup>$
 function cellText(s) {
   const text = String(s).trim(), withPower = /(?<![\w.$])([-+]?\d+(?:\.\d+)?)[eE]([-+]?\d+)(?![\w.])/g;
   if (!withPower.test(text) || /\$|`/.test(text)) return prose(s);
-  return escapeHtml(text).replace(withPower, (_, mantissa, exponent) => power(mantissa, exponent)).replace(/(?<![\w.·&#;<>])0\.0\d+(?![\w.<])/g, plain => {
+  return escapeHtml(text).replace(/ (?=kg\b|m²)/g, '\u00a0').replace(withPower, (_, mantissa, exponent) => power(mantissa, exponent)).replace(/(?<![\w.·&#;<>])0\.0\d+(?![\w.<])/g, plain => {
     const digits = plain.replace(/^0\.0+/, '').length;
     return power(...Number(plain).toExponential(digits - 1).split('e'));
   });
