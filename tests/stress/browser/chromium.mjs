@@ -44,6 +44,8 @@ export class Browser {
       }
       if (piece.length) rest.push(piece);
     });
+    // A browser that ends breaks its pipes; whoever waits for an answer is told.
+    for (const pipe of [3, 4]) browser.process.stdio[pipe].on('error', () => {});
     browser.process.on('exit', () => {
       browser.ended = true;
       for (const { fail } of browser.answers.values()) fail(new Error('the browser has ended'));
