@@ -13,8 +13,10 @@ ran=0 current=0 failed=()
 cd "$root"
 for scene in data/scenes/*.toml; do
   name=$(basename "$scene" .toml)
+  # From the folder of the reports, so that what a run says of its own folder is a name and no path of this machine.
+  # shellcheck disable=SC2016
   if bash cmake/tools/once.sh "$reports/$name.stamp" --keep "$reports/$name.txt" "$scene" "$build/bin/actio" -- \
-    "$build/bin/actio" run "$scene" --out "$reports/$name" --force --plots >"$reports/$name.log" 2>&1; then
+    bash -c 'cd "$1" && exec "$2" run "$3" --out "$4" --force --plots' scene "$reports" "$build/bin/actio" "$root/$scene" "$name" >"$reports/$name.log" 2>&1; then
     if grep -q '^current:' "$reports/$name.log"; then current=$((current + 1)); else ran=$((ran + 1)); fi
   else
     failed+=("$name")

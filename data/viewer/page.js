@@ -47,7 +47,7 @@ function layOutCurves() {
     const heading = q.words + (q.of > q.components.length ? ` (${q.components.length} of ${q.of} components)` : "");
     panels.push(new Panel(view, { heading, unit: q.unit, meaning: q.meaning, components: q.components }));
   }
-  if (run.drifts.length) panels.push(new Panel(view, { heading: "relative drift", meaning: "|Q(t) − Q(0)| / |Q(0)|", components: run.drifts, log: true }));
+  if (run.drifts.length) panels.push(new Panel(view, { heading: "relative drift", meaning: "|Q(t) − Q(0)| in the unit that the summary names", components: run.drifts, log: true }));
   if (run.scene.time_unit) byId("over-time").textContent = `Curves over time, ${run.scene.time_unit}`;
   byId("curves").append(...panels.map((panel) => panel.element));
   byId("whole").addEventListener("click", () => view.look(...view.whole));
@@ -78,14 +78,49 @@ function addToggles(place, theatre) {
 function addShapes(place, space) {
   const choice = element("select");
   choice.setAttribute("aria-label", "Shape of the body");
-  for (const { name } of space.shapes) choice.append(element("option", name === "its parts" ? name : name + " of the same inertia"));
+  choice.title = "Its own parts, or a body of the same inertia";
+  for (const { name } of space.shapes) choice.append(element("option", name));
   choice.addEventListener("change", () => { space.show(space.shapes[choice.selectedIndex].name); changed(); });
   place.append(choice);
 }
 
+/** What to ask for where there is nothing to see, or less than there could be. */
+function tellWhatIsMissing() {
+  const asked = (name) => run.quantities.some((q) => q.name === name);
+  if (run.body && !asked("attitude")) return 'Add "attitude" to the quantities of [output] to see the body turn.';
+  if (run.scene.kind === "rigid_body_n" && !asked("momentum")) return 'Add "momentum" to the quantities of [output] to see it go from plane to plane.';
+  return "";
+}
+function say(...texts) {
+  const said = texts.filter(Boolean).join(" ");
+  byId("motion-note").hidden = said === "";
+  byId("motion-note").textContent = said;
+}
+/** Stages that there is nothing for are left out. */
+function withoutStages() {
+  const missing = tellWhatIsMissing();
+  byId("motion").hidden = missing === "";
+  for (const id of ["stages", "transport"]) byId(id).hidden = true;
+  say(missing);
+}
+function raisePlanes() {
+  const momentum = run.scene.kind === "rigid_body_n" && run.times && run.quantities.find((q) => q.name === "momentum" && q.components.length > 0);
+  if (!momentum || !(view.whole[1] > view.whole[0]) || run.times.rows < 2) return withoutStages();
+  byId("motion").hidden = false;
+  for (const id of ["space", "sphere"]) byId(id).hidden = true;
+  byId("planes").hidden = false;
+  const planes = new PlanesView(byId("planes").querySelector("canvas"), momentum, run.times);
+  stages.push(planes);
+  addToggles(byId("planes-toggles"), planes);
+  say(momentum.of > momentum.components.length && `The first ${momentum.components.length} of ${momentum.of} components are shown.`);
+  const clock = clockOf(run.times);
+  player = new Player(clock, run.scene.time_unit, (t) => { view.now = t; changed(); });
+  player.motionNow = () => clock.at(player.time);
+}
 function raiseStages() {
-  const motion = run.body && run.motion.columns.t.length > 1 ? new Motion(run) : null;
-  if (!motion || !motion.playable) return;
+  if (!run.body) return raisePlanes();
+  const motion = run.motion.columns.t.length > 1 ? new Motion(run) : null;
+  if (!motion || !motion.playable) return withoutStages();
   byId("motion").hidden = false;
   if (motion.attitudes) {
     const space = new SpaceView(byId("space").querySelector("canvas"), motion, changed);
@@ -107,8 +142,7 @@ function tellLimits(motion) {
   if (run.motion.beginning_only) said.push(`The motion is played until t = ${withTime(shownNumber(motion.to))}: the body turns too fast for more of it to be on this page.`);
   if (run.motion.stride > 1) said.push(`It is played from every ${run.motion.stride}th row.`);
   if (!motion.smooth) said.push(`The rows are up to ${Math.round((motion.widest * 180) / Math.PI)}° of turning apart, too far to tell what is between them: the body is shown at the rows alone.`);
-  byId("motion-note").hidden = said.length === 0;
-  byId("motion-note").textContent = said.join(" ");
+  say(...said, tellWhatIsMissing());
 }
 
 function card(title, rows) {
@@ -119,6 +153,15 @@ function card(title, rows) {
   out.append(table);
   return out;
 }
+/** How far the run may be from the true motion, beside how far it is from what it should conserve. */
+function tellError(error) {
+  const exact = /^exact\b/.test(error.how || ""), units = { attitude: " rad" };
+  const rows = Object.entries(error).filter(([, v]) => typeof v === "number").map(([n, v]) => [n.replaceAll("_", " "), shownNumber(v, 2) + (units[n] || "")]);
+  if (!rows.length && !error.how) return;
+  const out = card(exact ? "Error: exact to rounding" : rows.length ? "Error, estimated" : "Error", rows);
+  if (error.how) out.append(element("p", error.how));
+  byId("summary").append(out);
+}
 function tellSummary() {
   const s = run.summary;
   if (!s) return;
@@ -126,6 +169,7 @@ function tellSummary() {
   byId("summary").append(card("Run", took.filter(([, value]) => value !== null && value !== undefined).map(([n, v]) => [n, String(v)])));
   const drift = Object.entries(s.drift || {});
   if (drift.length) byId("summary").append(card("Largest relative drift", drift.map(([n, v]) => [n.replaceAll("_", " "), shownNumber(v, 3)])));
+  if (s.error) tellError(s.error);
   const evaluated = Object.entries(s.evaluations || {}).map(([n, v]) => [n.replaceAll("_", " "), v ? String(v) : "skipped"]);
   if (evaluated.length) byId("summary").append(card("Evaluations", evaluated));
   const said = [s.message, ...(s.shortcuts || []), ...(s.remarks || [])].filter(Boolean);

@@ -1,5 +1,8 @@
 // The body as it turns, seen from space: its axes, its angular momentum and velocity, and the way of one axis.
 
+/** As a lift: nearer to the eye than any body. */
+const seenThrough = 10;
+
 class SpaceView {
   constructor(canvas, motion, changed) {
     this.motion = motion;
@@ -83,6 +86,8 @@ class SpaceView {
     const points = this.trace.slice(first, now.row + 1);
     points.push(scale(this.traceRadius(), unit(turned(now.attitude, this.tip))));
     this.stage.line(points, "plot-2", 1.6, { opacity: (s) => Math.round(20 * (0.06 + 0.8 * s * s)) / 20 });
+    // A large body would hide the way of a top: it shows through, paler.
+    if (this.top) this.stage.line(points, "plot-2", 1.2, { opacity: (s) => Math.round(20 * (0.04 + 0.4 * s * s)) / 20, lift: seenThrough });
     this.stage.dot(points[points.length - 1], 3.4, "plot-2");
   }
   drawGround() {
@@ -95,5 +100,9 @@ class SpaceView {
     this.stage.segment(this.origin(q), scale(this.traceRadius(), unit(turned(q, this.tip))), "plot-2", 1, { dash: [3, 4] });
     this.stage.dot([0, 0, 0], 5, "text");
     this.stage.dot(this.origin(q), 4, "plot-2");
+    // The fixed point and the rod to the centre of mass show through the body.
+    this.stage.line([[0, 0, 0], this.origin(q)], "text", 2, { opacity: () => 0.55, lift: seenThrough, dash: [5, 4] });
+    this.stage.dot([0, 0, 0], 3.5, "text", seenThrough);
+    this.stage.dot(this.origin(q), 3, "plot-2", seenThrough);
   }
 }

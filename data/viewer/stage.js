@@ -42,7 +42,8 @@ class Stage {
       held = [event.clientX, event.clientY];
     });
     for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => { held = null; });
-    this.canvas.addEventListener("wheel", (event) => { event.preventDefault(); this.approach(Math.exp(-event.deltaY * 0.0012)); }, { passive: false });
+    // The wheel belongs to the page until the picture has been chosen.
+    this.canvas.addEventListener("wheel", (event) => { if (document.activeElement !== this.canvas && !event.ctrlKey) return; event.preventDefault(); this.approach(Math.exp(-event.deltaY * 0.0012)); }, { passive: false });
     this.canvas.addEventListener("keydown", (event) => {
       const way = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] }[event.key];
       if (event.altKey && way) this.turn(...way);

@@ -10,19 +10,30 @@
   }
 
   // ---- Search: the index is loaded when somebody first types.
+  // The input is a combobox: the arrow keys move through its list of options, and the focus stays where one types.
   function search() {
     var input = document.getElementById('book-search');
     if (!input) return;
     var list = document.createElement('div'), index = null, state = 0, chosen = -1;
     list.id = 'book-search-results';
+    list.setAttribute('role', 'listbox');
+    list.setAttribute('aria-label', 'Places found');
     list.hidden = true;
     document.body.appendChild(list);
 
+    var greek = { '\u03b1': 'alpha', '\u03b2': 'beta', '\u03b3': 'gamma', '\u03b4': 'delta', '\u03b5': 'epsilon', '\u03f5': 'epsilon', '\u03b6': 'zeta', '\u03b7': 'eta', '\u03b8': 'theta', '\u03b9': 'iota',
+      '\u03ba': 'kappa', '\u03bb': 'lambda', '\u03bc': 'mu', '\u03bd': 'nu', '\u03be': 'xi', '\u03c0': 'pi', '\u03c1': 'rho', '\u03c3': 'sigma', '\u03c4': 'tau', '\u03c6': 'phi', '\u03d5': 'phi',
+      '\u03c7': 'chi', '\u03c8': 'psi', '\u03c9': 'omega' };
+    /** The words of a question, as the index has them: Noether's is noether, a Greek letter is its name. */
+    function words(text) {
+      return text.toLowerCase().replace(/[\u03b1-\u03f5]/g, function (c) { return greek[c] ? ' ' + greek[c] + ' ' : c; }).replace(/['\u2019]s\b/g, '').replace(/[()\[\]{}:^~*+\-"'\u2019`,;]/g, ' ').split(/\s+/).filter(Boolean);
+    }
+    var isInterface = function (address) { return /^(namespace|struct|class|concept|union)|_8[hc]pp/.test(address); };
     function find(text) {
       text = text.trim();
-      if (!text) return [];
-      var terms = text.toLowerCase().replace(/[()\[\]{}:^~*+\-"'`,;]/g, ' ').split(/\s+/).filter(Boolean);
-      // Each word by itself, then the places that have them all before those that have some; prose before declarations.
+      var terms = words(text);
+      if (!terms.length) return [];
+      // Each word by itself, then the places that have them all before those that have some.
       var found = {};
       terms.forEach(function (t) {
         index.query(function (q) {
@@ -37,25 +48,48 @@
         });
       });
       var seen = {};
-      return Object.keys(found).map(function (k) {
-        var f = found[k];
-        if (!/^(namespace|struct|class|concept|union)|_8[hc]pp/.test(window.bookSearch.entries[+k].u)) f.score *= 2;
-        return f;
-      }).sort(function (x, y) { return y.words - x.words || y.score - x.score; }).filter(function (f) {
-        var u = window.bookSearch.entries[+f.ref].u, fresh = !seen[u];
-        seen[u] = true;
+      var all = Object.keys(found).map(function (k) { return found[k]; }).sort(function (x, y) { return y.words - x.words || y.score - x.score; }).filter(function (f) {
+        f.address = window.bookSearch.entries[+f.ref].u;
+        var fresh = !seen[f.address];
+        seen[f.address] = true;
         return fresh;
       });
+      // Plain words are sought in the prose first; what looks like a name of the code is taken as it scores.
+      if (/[A-Z].*[A-Z]|[a-z][A-Z]|::|\(\)/.test(text)) return all.slice(0, 12);
+      var most = all.length ? all[0].words : 0;
+      var prose = all.filter(function (f) { return !isInterface(f.address) && f.words === most; }), rest = all.filter(function (f) { return isInterface(f.address) || f.words < most; });
+      return prose.slice(0, rest.length > 4 ? 8 : 12).concat(rest).slice(0, 12);
+    }
+    function options() { return list.querySelectorAll('[role="option"]'); }
+    function choose(k) {
+      chosen = k;
+      options().forEach(function (o, i) {
+        o.className = i === k ? 'on' : '';
+        o.setAttribute('aria-selected', String(i === k));
+        if (i === k) o.scrollIntoView({ block: 'nearest' });
+      });
+      if (k >= 0) input.setAttribute('aria-activedescendant', 'book-search-' + k);
+      else input.removeAttribute('aria-activedescendant');
+    }
+    function open(on) {
+      list.hidden = !on;
+      input.setAttribute('aria-expanded', String(on));
+      if (!on) choose(-1);
+      if (on) {
+        var box = input.getBoundingClientRect();
+        list.style.top = Math.round(box.bottom + 6) + 'px';
+      }
     }
     function show() {
       if (state !== 2) return;
-      chosen = -1;
       list.textContent = '';
-      var text = input.value;
-      var hits = find(text).slice(0, 12);
-      hits.forEach(function (h) {
+      var text = input.value, hits = find(text);
+      hits.forEach(function (h, k) {
         var e = window.bookSearch.entries[+h.ref], a = document.createElement('a');
         a.href = e.u;
+        a.id = 'book-search-' + k;
+        a.tabIndex = -1;
+        a.setAttribute('role', 'option');
         [['b', e.t], ['span', e.p === e.t ? '' : e.p], ['small', e.x]].forEach(function (part) {
           var x = document.createElement(part[0]);
           x.textContent = part[1];
@@ -64,7 +98,8 @@
         list.appendChild(a);
       });
       if (text.trim() && !hits.length) list.textContent = 'Nothing found.';
-      list.hidden = !text.trim();
+      open(Boolean(text.trim()));
+      choose(-1);
     }
     function ready() {
       if (state) return show();
@@ -82,19 +117,44 @@
     input.addEventListener('focus', ready);
     input.addEventListener('input', ready);
     input.addEventListener('keydown', function (e) {
-      var links = list.querySelectorAll('a');
-      if (e.key === 'Escape') { list.hidden = true; input.blur(); }
-      if (e.key === 'Enter' && links.length) { e.preventDefault(); location.href = links[Math.max(chosen, 0)].href; list.hidden = true; }
+      var links = options();
+      if (e.key === 'Escape') { open(false); input.blur(); }
+      if (e.key === 'Tab') open(false);
+      if (e.key === 'Enter' && links.length) { e.preventDefault(); location.href = links[Math.max(chosen, 0)].href; open(false); }
       if (e.key === 'ArrowDown' || e.key === 'ArrowUp') {
         e.preventDefault();
-        chosen = Math.max(0, Math.min(links.length - 1, chosen + (e.key === 'ArrowDown' ? 1 : -1)));
-        links.forEach(function (l, i) { l.className = i === chosen ? 'on' : ''; });
+        if (links.length) choose(Math.max(0, Math.min(links.length - 1, chosen + (e.key === 'ArrowDown' ? 1 : -1))));
       }
     });
-    document.addEventListener('click', function (e) { if (e.isTrusted && !list.contains(e.target) && e.target !== input) list.hidden = true; });
+    document.addEventListener('click', function (e) { if (e.isTrusted && !list.contains(e.target) && e.target !== input) open(false); });
     document.addEventListener('keydown', function (e) {
       if (e.key === '/' && !/INPUT|TEXTAREA/.test(document.activeElement.tagName)) { e.preventDefault(); input.focus(); }
+      if (e.key === 'k' && e.ctrlKey) { e.preventDefault(); input.focus(); }
     });
+  }
+
+  // ---- Light or dark: a button that the keyboard reaches; the choice is remembered.
+  function colours() {
+    var button = document.getElementById('book-colours');
+    if (!button || typeof DoxygenAwesomeDarkModeToggle === 'undefined') return;
+    var dark = function () { return document.documentElement.classList.contains('dark-mode'); };
+    var tell = function () { button.setAttribute('aria-pressed', String(dark())); };
+    button.addEventListener('click', function () { DoxygenAwesomeDarkModeToggle.userPreference = !dark(); });
+    new MutationObserver(tell).observe(document.documentElement, { attributes: true, attributeFilter: ['class'] });
+    tell();
+  }
+
+  // ---- Tables that are wider than the screen scroll in a box of their own, which the keyboard reaches.
+  function boxes() {
+    var all = document.querySelectorAll('.contents .table-box, .contents pre.output, .contents div.fragment, .contents pre.fragment, .contents .formula, .contents .report-table');
+    function mark() {
+      all.forEach(function (box) {
+        if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
+        else box.removeAttribute('tabindex');
+      });
+    }
+    mark();
+    window.addEventListener('resize', mark);
   }
 
   // ---- Ledger: by verdict, by words.
@@ -138,5 +198,6 @@
     }, 100);
   }
 
-  document.addEventListener('DOMContentLoaded', function () { search(); ledger(); chapters(); });
+  document.addEventListener('DOMContentLoaded', function () { search(); colours(); ledger(); chapters(); });
+  window.addEventListener('load', boxes);
 })();

@@ -71,6 +71,7 @@ fi
 node docs/tools/finish.mjs --root . --html "$work/html" --pages "$pages" --registry "$registry"
 node docs/tools/search_index.mjs --html "$work/html"
 node docs/tools/check_links.mjs "$work/html" || [[ -n $draft ]]
+node docs/tools/check_pages.mjs "$work/html" || [[ -n $draft ]]
 
 [[ -n $draft ]] || echo "$stamp" >"$work/html/.inputs"
 rm -rf "$build/book"

@@ -7,7 +7,8 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
-import { pythonCard, readScenes, sceneCard, scenePicture, sceneTable, systemPage } from './scenes.mjs';
+import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable, systemPage, viewerFrame, viewerOf } from './scenes.mjs';
+import { knowStatements } from './small_print.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
@@ -16,6 +17,7 @@ const errors = new Errors();
 const registryFile = opt.registry || at('proofs_checks/registry.tsv');
 if (!fs.existsSync(registryFile)) { console.error(`${registryFile}:1: the registry of statements is missing`); process.exit(1); }
 const registry = readRegistry(registryFile);
+knowStatements(registry.map(s => s.id));
 const reports = readReports(opt.build);
 if (opt.strict && !reports.statements) errors.add(path.join(opt.build, 'report/statements.json'), 1, 'missing: run the checks and merge the ledger');
 if (opt.strict && !reports.programs) errors.add(path.join(opt.build, 'report/programs'), 1, 'missing: run the chapter programs');
@@ -37,6 +39,7 @@ for (const dir of fs.existsSync(at('chapters')) ? fs.readdirSync(at('chapters'))
 }
 // One page for each system that scenes are made of, after the page that tells how to run them.
 for (const system of book.systems ?? []) pages.push({ file: path.join(opt.build, `report/scenes/systems.json:${system.name}`), out: `23_system_${system.name}.md`, chapter: null, text: systemPage(book, system) });
+for (const scene of book.scenes?.values() ?? []) pages.push({ file: scene.file, out: `23_x_scene_${scene.name}.md`, chapter: null, text: scenePage(scene) });
 for (const p of pages) {
   p.lines = (p.text ?? fs.readFileSync(p.file, 'utf8')).split('\n');
   const title = p.lines.findIndex(l => /^# /.test(l));
@@ -114,9 +117,16 @@ const split = (text, parts) => {
   const cells = text.split(',');
   return [...cells.slice(0, parts - 1), cells.slice(parts - 1).join(',')].map(s => s.trim()).filter((s, i) => s !== '' || i === 0);
 };
+/// Commas of a caption need no backslash; one that stands there would be printed.
+const caption = (p, line, text) => {
+  if (text !== undefined && /\\[,.;:]/.test(text.replace(/\$[^$]*\$/g, ''))) errors.add(p.file, line, 'a caption holds a backslash before a comma: commas need none');
+  return text;
+};
 const notRun = what => `<span class="notrun">${what} not run</span>`;
 const optional = program => program.split('_')[0] in optionalPrograms;
-const notMeasured = '<span class="notrun">not measured yet</span>';
+// A figure that waits for a run of its program is a dash; the page says so once, and each table or picture where it would stand.
+const notMeasured = program => `<span class="unmeasured" title="waits for a run of ${escapeHtml(program)}">–</span>`;
+const notDrawn = (program, what) => `<p class="notrun">${what} waits for a run of <code>${escapeHtml(program)}</code></p>`;
 
 // A program that not every build runs has its source, or its name is wrong; a report, or it is not measured yet. A figure that an older report lacks will come
 // with the next run.
@@ -155,7 +165,7 @@ const inline = {
   figure(p, line, arg) {
     const [program, name] = split(arg, 2);
     const f = lookup(p, line, 'figures', 'figure', program, name);
-    if (f === null) return optional(program) ? notMeasured : notRun('figure');
+    if (f === null) return optional(program) ? notMeasured(program) : notRun('figure');
     return f ? `<span class="figure" title="${escapeHtml(`${program}: ${name} = ${f.value}`)}">${figureText(f)}</span>` : '';
   },
   verdict(p, line, id) {
@@ -226,30 +236,37 @@ for (const p of pages) {
       block(evidence(book, id, anchors.length > 0), anchors);
     },
     table(arg) {
-      const [program, name, caption] = split(arg, 3);
+      const [program, name, title] = split(arg, 3);
       const t = lookup(p, line, 'tables', 'table', program, name);
-      if (t === null) block(`<p>${optional(program) ? notMeasured : notRun(`table ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
-      else if (t) block(reportTable(t, caption));
+      if (t === null) block(optional(program) ? notDrawn(program, 'This table') : `<p>${notRun(`table ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
+      else if (t) block(reportTable(t, caption(p, line, title)));
     },
     picture(arg) {
-      const [program, name, caption] = split(arg, 3);
+      const [program, name, title] = split(arg, 3);
       const pic = lookup(p, line, 'pictures', 'picture', program, name);
-      if (pic === null) return block(`<p>${optional(program) ? notMeasured : notRun(`picture ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
+      if (pic === null) return block(optional(program) ? notDrawn(program, 'This picture') : `<p>${notRun(`picture ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
       if (!pic) return;
       const file = path.join(pic.report.folder, pic.file);
       if (!fs.existsSync(file)) return errors.add(p.file, line, `picture file ${pic.file} is missing`);
-      block(inlineSvg(fs.readFileSync(file, 'utf8'), caption ?? pic.caption, `pic${count}`));
+      block(inlineSvg(fs.readFileSync(file, 'utf8'), caption(p, line, title) ?? pic.caption, `pic${count}`));
     },
     scene(name) {
       if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
       const scene = book.scenes.get(name);
       if (!scene) return errors.add(p.file, line, `no scene ${name} has been run (there are: ${[...book.scenes.keys()].join(', ')})`);
-      block(sceneCard(book, scene), [`scene_${name}`]);
+      block(sceneCard(scene, `scene_${name}`), [`scene_${name}`]);
+    },
+    scenefile(name) { block(sceneCard(book.scenes.get(name))); },
+    sceneviewer(arg) {
+      const [name, moment] = split(arg, 2), scene = book.scenes?.get(name), viewer = scene && viewerOf(scene);
+      if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
+      if (!viewer) return errors.add(p.file, line, `scene ${name} has left no page plots/index.html`);
+      block(viewerFrame(scene, viewer.to, moment));
     },
     scenepicture(arg) {
-      const [name, picture, caption] = split(arg, 3);
+      const [name, picture, title] = split(arg, 3);
       if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
-      const html = book.scenes.has(name) ? scenePicture(book.scenes.get(name), picture, caption, `pic${count}`) : null;
+      const html = book.scenes.has(name) ? scenePicture(book.scenes.get(name), picture, caption(p, line, title), `pic${count}`) : null;
       if (!html) return errors.add(p.file, line, `scene ${name} has drawn no picture ${picture}`);
       block(html);
     },
@@ -258,7 +275,10 @@ for (const p of pages) {
       if (!fs.existsSync(file)) return errors.add(p.file, line, `there is no data/scenes/${name}.py`);
       block(pythonCard(`data/scenes/${name}.py`, fs.readFileSync(file, 'utf8'), fs.existsSync(said) ? fs.readFileSync(said, 'utf8') : null));
     },
-    scenes() { block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`); },
+    scenes() {
+      block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`);
+      if (book.scenes) emit(`Each has a page with its motion and its text: ${[...book.scenes.keys()].map(name => `\\subpage scenefile_${name} "${name}"`).join(', ')}.\n`);
+    },
     systems() {
       if (!book.systems) return block(`<p>${notRun('the command')}</p>`);
       for (const s of book.systems) emit(`- \\subpage system_${s.name} "${s.name}": ${s.title}. ${s.meaning}`);
@@ -319,7 +339,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|scene|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');
@@ -340,4 +360,4 @@ for (const p of pages) {
   fs.writeFileSync(path.join(target, p.out), p.text);
   maps[p.out] = { file: path.relative(opt.root, p.file), lines: p.map };
 }
-fs.writeFileSync(path.join(target, 'items.json'), JSON.stringify({ items, maps }));
+fs.writeFileSync(path.join(target, 'items.json'), JSON.stringify({ items, maps, copies: [...(book.scenes?.values() ?? [])].map(viewerOf).filter(Boolean) }));

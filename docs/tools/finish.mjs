@@ -3,15 +3,18 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { createRequire } from 'node:module';
-import { Errors, escapeHtml, label, options, readRegistry, shortLabel, walk } from './lib.mjs';
+import { Errors, escapeHtml, label, labelled, options, readRegistry, shortLabel, walk } from './lib.mjs';
+import { knowStatements, smallPrint } from './small_print.mjs';
+import { readingOrder, sortTreeIndex, withNavigation } from './navigation.mjs';
 
 const opt = options({ root: '.', html: '', pages: '', registry: '' });
 const katexHome = '/usr/share/javascript/katex';
 const katex = createRequire(import.meta.url)(path.join(katexHome, 'katex.js'));
 const macros = JSON.parse(fs.readFileSync(new URL('../macros.json', import.meta.url), 'utf8'));
-const { items } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
+const { items, copies = [] } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
 const registry = readRegistry(opt.registry || path.join(opt.root, 'proofs_checks/registry.tsv'));
 const ids = new Set(registry.map(s => s.id));
+knowStatements(ids);
 const errors = new Errors();
 
 const unescape = s => s.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'").replace(/&#160;|&nbsp;/g, ' ').replace(/&amp;/g, '&');
@@ -87,8 +90,8 @@ if (text.has('implements.html')) {
     }
   }
   const known = [...registry, ...[...places.keys()].filter(id => !ids.has(id)).map(id => ({ id, subject: '' }))];
-  const rows = known.filter(s => places.has(s.id)).map(s => `<tr><td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td><td>${escapeHtml(s.title || s.subject)}</td><td>${places.get(s.id).join('<br/>')}</td></tr>`);
-  const table = `<table class="programs"><thead><tr><th>statement</th><th>subject</th><th>declaration</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+  const rows = known.filter(s => places.has(s.id)).map(s => `<tr>${labelled([`<td class="id"><a href="@ref:${s.id}">${shortLabel(s.id)}</a></td>`, `<td>${smallPrint(s.title || s.subject)}</td>`, `<td>${places.get(s.id).join('<br/>')}</td>`], ['', '', 'declaration'])}</tr>`);
+  const table = `<table class="programs stacked"><thead><tr><th>statement</th><th>subject</th><th>declaration</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
   text.set('implements.html', html.replace(/<dl class="reflist">[\s\S]*<\/dl>/, table));
 }
 
@@ -116,15 +119,19 @@ function dedent(body) {
 // The tree files a member under its header, Doxygen writes it on its namespace's page: lead there.
 const memberPage = new Map();
 for (const [name, html] of text) for (const m of html.matchAll(/<a id="([ag][0-9a-f]{32}[0-9a-z]*)" name=/g)) memberPage.set(m[1], name);
-for (const f of walk(opt.html).filter(f => f.endsWith('.js'))) {
-  const script = fs.readFileSync(f, 'utf8');
-  const led = script.replace(/"([\w.-]+\.html)#([ag][0-9a-f]{32}[0-9a-z]*)"/g, (all, page, id) => memberPage.has(id) ? `"${memberPage.get(id)}#${id}"` : all);
-  if (led !== script) fs.writeFileSync(f, led);
+const led = address => address.replace(/^([\w.-]+\.html)#([ag][0-9a-f]{32}[0-9a-z]*)$/, (all, page, id) => (memberPage.has(id) ? `${memberPage.get(id)}#${id}` : all));
+for (const f of walk(opt.html).filter(f => f.endsWith('.js') && !/navtreeindex\d+\.js$/.test(f))) {
+  const script = fs.readFileSync(f, 'utf8'), now = script.replace(/"([\w.-]+\.html#[ag][0-9a-f]{32}[0-9a-z]*)"/g, (_, address) => `"${led(address)}"`);
+  if (now !== script) fs.writeFileSync(f, now);
 }
+sortTreeIndex(opt.html, led);
+const order = readingOrder(opt.html);
+for (const [name, html] of text) text.set(name, withNavigation(html, order, name));
 
 errors.exitIfAny('finish');
 
 for (const [name, html] of text) fs.writeFileSync(path.join(opt.html, name), html);
+for (const { from, to } of copies) fs.copyFileSync(from, path.join(opt.html, to));
 fs.mkdirSync(path.join(opt.html, 'katex/fonts'), { recursive: true });
 // woff2 alone: every browser that opens the book reads it.
 fs.writeFileSync(path.join(opt.html, 'katex/katex.min.css'),

@@ -1,5 +1,6 @@
 // The ledger in HTML: evidence under a statement, the page of all statements, the counts, the errata.
-import { badge, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, number, prose, ratioText, shortLabel, verdictText, worst } from './lib.mjs';
+import { badge, boxed, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, labelled, number, ratioText, shortLabel, verdictText, worst } from './lib.mjs';
+import { smallPrint as prose } from './small_print.mjs';
 
 export function verdictOf(book, id) {
   if (!book.statements) return 'notrun';
@@ -8,7 +9,7 @@ export function verdictOf(book, id) {
 }
 
 /// What a statement says: the check's own words where there is a check, else its subject.
-const subject = (book, s) => escapeHtml((verdictOf(book, s.id) !== 'pending' && book.statements?.get(s.id)?.title) || s.title || s.subject);
+const subject = (book, s) => prose((verdictOf(book, s.id) !== 'pending' && book.statements?.get(s.id)?.title) || s.title || s.subject);
 
 const statementLink = (id, text) => `<a href="@ref:${id}">${text ?? label(id)}</a>`;
 const display = tex => `<div class="formula">\\[ ${escapeHtml(tex)} \\]</div>`;
@@ -102,7 +103,7 @@ export function evidence(book, id, anchor) {
   const broken = (list, first) => list.length ? `<tbody class="control">${list.map(row => `<tr><td>${first(row)}</td>${shown.map(c => controlFigure(row, c)).join('')}<td class="num">&gt;&#8239;${number(row.floor)}</td></tr>`).join('')}</tbody>` : '';
   const said = row => `${prose(row.what)} <span class="kind">${modelCell(row)}${row.kinds.has('order') ? ', order' : ''}</span>`;
   const controls = rows(r.control, false), all = rows(r.evidence, false);
-  const worstOnly = `<table class="evidence-table">${head('what is compared')}${measured(all, said)}${broken(controls, row => `${said(row)} <span class="kind">control</span>`)}</table>`;
+  const worstOnly = boxed(`<table class="evidence-table">${head('what is compared')}${measured(all, said)}${broken(controls, row => `${said(row)} <span class="kind">control</span>`)}</table>`);
 
   // Where models were merged, all figures unfold.
   let unfolded = '';
@@ -112,7 +113,7 @@ export function evidence(book, id, anchor) {
     const of = (list, what) => list.filter(row => row.what === what);
     const full = rows(r.evidence, true), fullControls = rows(r.control, true);
     const model = row => prose([...row.models][0] ?? '');
-    unfolded = `<details><summary>by model</summary><table class="evidence-table by-model">${head('model')}${[...new Set(full.map(row => row.what))].map(w => part(prose(w), measured(of(full, w), model))).join('')}${[...new Set(fullControls.map(row => row.what))].map(w => part(`${prose(w)} <span class="kind">control</span>`, broken(of(fullControls, w), model))).join('')}</table></details>`;
+    unfolded = `<details><summary>by model</summary>${boxed(`<table class="evidence-table by-model">${head('model')}${[...new Set(full.map(row => row.what))].map(w => part(prose(w), measured(of(full, w), model))).join('')}${[...new Set(fullControls.map(row => row.what))].map(w => part(`${prose(w)} <span class="kind">control</span>`, broken(of(fullControls, w), model))).join('')}</table>`)}</details>`;
   }
   const ratio = controlRatio(r);
   const summary = `<div class="evidence-foot">${[
@@ -138,7 +139,7 @@ export function ledgerCounts(book) {
   const chapters = byChapter(book.registry);
   const used = verdicts.filter(v => book.registry.some(s => verdictOf(book, s.id) === v));
   const row = (name, list, tag) => `<tr><${tag}>${name}</${tag}>${used.map(v => `<${tag} class="num">${list.filter(s => verdictOf(book, s.id) === v).length || '·'}</${tag}>`).join('')}<${tag} class="num">${list.length}</${tag}></tr>`;
-  return `<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`;
+  return boxed(`<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`);
 }
 
 /// @param here  in the short form, inside a chapter: ids whose permanent anchor is in this very table
@@ -166,7 +167,8 @@ function ledgerRow(book, s, here) {
     `<td class="num">${figure}</td>`,
     here ? '' : `<td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td>`,
     `<td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td>`];
-  return `<tr data-verdict="${verdict}">${cells.join('')}</tr>`;
+  const names = columns.filter(c => !here || !['kind', 'control'].includes(c[1])).map(c => (['id', 'subject', 'source'].includes(c[1]) ? '' : c[0]));
+  return `<tr data-verdict="${verdict}">${labelled(cells.filter(c => c !== ''), names)}</tr>`;
 }
 
 export function ledger(book) {
@@ -175,7 +177,7 @@ export function ledger(book) {
   const tables = [...byChapter(book.registry)].map(([c, list]) => {
     const page = book.chapters.find(p => String(p.chapter) === String(c));
     const title = page ? `<a href="@ref:page:${page.id}">Chapter ${c}. ${escapeHtml(page.title)}</a>` : `Chapter ${c}`;
-    return `<section class="ledger-chapter"><a class="target" id="ledger_${c}"></a><h2>${title}</h2><table class="ledger-table">${tableHead(false)}<tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
+    return `<section class="ledger-chapter"><a class="target" id="ledger_${c}"></a><h2>${title}</h2><table class="ledger-table stacked">${tableHead(false)}<tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
   });
   return `<div class="ledger">${buttons}${tables.join('')}</div>`;
 }
@@ -192,7 +194,7 @@ export function chapterLedger(book, list, here) {
     const figures = here.has(s.id) && (book.statements?.get(s.id)?.evidence ?? []).length ? `<tr class="figures"><td></td><td colspan="4"><details><summary>figures</summary>${evidence(book, s.id, false)}</details></td></tr>` : '';
     return ledgerRow(book, s, here) + figures;
   });
-  return `<div class="ledger"><table class="ledger-table">${tableHead(true)}<tbody>${rows.join('')}</tbody></table></div>`;
+  return `<div class="ledger"><table class="ledger-table stacked">${tableHead(true)}<tbody>${rows.join('')}</tbody></table></div>`;
 }
 
 // ---- The errata page

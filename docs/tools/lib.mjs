@@ -143,6 +143,12 @@ export function prose(text) {
     .replace(/`([^`]+)`/g, '<code>$1</code>');
 }
 
+/// The cells of a row, each with the name of its column, which a narrow screen shows before it.
+export const labelled = (cells, names) => cells.map((cell, i) => (names[i] ? cell.replace(/^<td/, `<td data-label="${escapeHtml(names[i])}"`) : cell)).join('');
+
+/// A table that may be wider than the screen, in a box that scrolls.
+export const boxed = table => `<div class="table-box">${table}</div>`;
+
 export const columnNames = { rational: 'rationals', double: 'double', dec50: '50 digits', dec100: '100 digits' };
 export const columnOrder = ['rational', 'double', 'dec50', 'dec100'];
 

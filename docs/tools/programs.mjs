@@ -1,15 +1,21 @@
 // What a program reported, in HTML: its card, its tables, its pictures, and the table of all programs.
-import { escapeHtml, number, prose } from './lib.mjs';
+import { escapeHtml, labelled, number, prose } from './lib.mjs';
 
 const numeric = s => /^[-+−]?(\d|\.\d)/.test(String(s).trim());
-const cellText = s => {
-  const m = /^([-+]?\d+(?:\.\d+)?)[eE]([-+]?\d+)(.*)$/.exec(String(s).trim());
-  return m ? `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>${escapeHtml(m[3])}` : prose(s);
-};
+const power = (mantissa, exponent) => `${mantissa.replace('-', '−')}·10<sup>${String(Number(exponent)).replace('-', '−')}</sup>`;
+/// The text of a cell. Where one of its numbers is a power of ten, so are the others that are as small or as large.
+function cellText(s) {
+  const text = String(s).trim(), withPower = /(?<![\w.$])([-+]?\d+(?:\.\d+)?)[eE]([-+]?\d+)(?![\w.])/g;
+  if (!withPower.test(text) || /\$|`/.test(text)) return prose(s);
+  return escapeHtml(text).replace(/ (?=kg\b|m²)/g, '\u00a0').replace(withPower, (_, mantissa, exponent) => power(mantissa, exponent)).replace(/(?<![\w.·&#;<>])0\.0\d+(?![\w.<])/g, plain => {
+    const digits = plain.replace(/^0\.0+/, '').length;
+    return power(...Number(plain).toExponential(digits - 1).split('e'));
+  });
+}
 
 export function reportTable(t, caption) {
   const head = (t.header ?? []).map((h, i) => `<th${(t.rows ?? []).every(r => numeric(r[i])) ? ' class="num"' : ''}>${prose(h)}</th>`).join('');
-  const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ' class="num"' : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
+  const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ` class="num${String(c).trim().includes(' ') ? ' words' : ''}"` : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
   const text = caption ?? t.caption;
   return `<div class="report-table"><table><thead><tr>${head}</tr></thead><tbody>${rows}</tbody></table>${text ? `<div class="caption">${prose(text)}</div>` : ''}</div>`;
 }
@@ -46,23 +52,23 @@ export function programTable(book, chapters) {
   const rows = list.map(p => {
     const src = book.programSource(p.program);
     const name = book.programPlaces.has(p.program) ? `<a href="@ref:program_${p.program}">${escapeHtml(p.program)}</a>` : src ? book.sourceLink(src.path, 1, escapeHtml(p.program)) : escapeHtml(p.program);
-    return `<tr><td class="id">${name}</td><td>${prose(p.shows)}</td><td>${prose(p.headline?.text ?? '')}</td><td class="num">${p.seconds === undefined ? '' : `${number(p.seconds)} s`}</td></tr>`;
+    return `<tr>${labelled([`<td class="id">${name}</td>`, `<td>${prose(p.shows)}</td>`, `<td>${prose(p.headline?.text ?? '')}</td>`, `<td class="num">${p.seconds === undefined ? '' : `${number(p.seconds)} s`}</td>`], ['', '', 'measured', 'time'])}</tr>`;
   });
-  return `<table class="programs"><thead><tr><th>program</th><th>what it shows</th><th>measured</th><th class="num">time</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+  return `<table class="programs stacked"><thead><tr><th>program</th><th>what it shows</th><th>measured</th><th class="num">time</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }
 
 /// The benchmarks: what each shows, what it measured and when, and the claims that did not hold.
 export function benchmarkTable(book, names) {
   const run = names.filter(n => book.optional.has(n));
   if (!run.length)
-    return '<p><span class="notrun">The benchmarks have not been run in this build.</span> <code>./run bench</code> runs them; <code>./run book</code> after it writes this page with their figures.</p>';
+    return '<p><span class="notrun">The benchmarks have not been run in this build: what they measure is not measured yet, and a dash stands in its place.</span> <code>./run bench</code> runs them; <code>./run book</code> after it writes this page with their figures.</p>';
   const rows = names.map(n => {
     const p = book.optional.get(n);
     if (!p) return `<tr><td class="id">${escapeHtml(n)}</td><td colspan="4"><span class="notrun">not run</span></td></tr>`;
     const date = (p.figures ?? []).find(f => f.name === 'date')?.text ?? `${new Date(p.written).toISOString().slice(0, 16).replace('T', ' ')} UTC`;
     const broken = (p.claims ?? []).filter(c => !c.holds);
     const claims = broken.length ? broken.map(c => `<span class="verdict verdict-failed">failed</span> ${prose(c.text)}`).join('<br/>') : (p.claims ?? []).length ? 'all hold' : '';
-    return `<tr><td class="id">${escapeHtml(n)}</td><td>${prose(p.shows)}</td><td>${prose(p.headline?.text ?? '')}</td><td>${claims}</td><td class="num">${escapeHtml(date)}</td></tr>`;
+    return `<tr>${labelled([`<td class="id">${escapeHtml(n)}</td>`, `<td>${prose(p.shows)}</td>`, `<td>${prose(p.headline?.text ?? '')}</td>`, `<td>${claims}</td>`, `<td class="num">${escapeHtml(date)}</td>`], ['', '', 'measured', 'claims', 'run'])}</tr>`;
   });
-  return `<table class="programs"><thead><tr><th>program</th><th>what it measures</th><th>measured</th><th>claims</th><th class="num">run</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+  return `<table class="programs stacked"><thead><tr><th>program</th><th>what it measures</th><th>measured</th><th>claims</th><th class="num">run</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }

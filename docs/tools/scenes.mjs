@@ -1,8 +1,12 @@
 // Scenes and the systems they are made of, in HTML: cards of scenes that were run, and a reference page for each system.
 import fs from 'node:fs';
 import path from 'node:path';
-import { escapeHtml, number, prose, walk } from './lib.mjs';
+import { escapeHtml, labelled, number, prose, walk } from './lib.mjs';
 import { inlineSvg } from './programs.mjs';
+import { mathematics } from './small_print.mjs';
+
+/// What a run said, with the folder as a reader would name it.
+const withoutFolder = (said, name) => said.replace(new RegExp(`\\S*/report/scenes/${name}\\b`, 'g'), name);
 
 /// What the runs of a build have left: scenes by name, and the registry of systems; both null where none has run.
 export function readScenes(root, build) {
@@ -14,7 +18,7 @@ export function readScenes(root, build) {
     const name = path.basename(file, '.toml'), folder = path.join(dir, name), summary = path.join(folder, 'summary.json');
     if (!fs.existsSync(summary)) continue;
     const said = path.join(dir, `${name}.txt`);
-    scenes.set(name, { name, folder, file: path.relative(root, file), text: fs.readFileSync(file, 'utf8').trimEnd(), summary: JSON.parse(fs.readFileSync(summary, 'utf8')), said: fs.existsSync(said) ? fs.readFileSync(said, 'utf8').trimEnd() : '' });
+    scenes.set(name, { name, folder, file: path.relative(root, file), text: fs.readFileSync(file, 'utf8').trimEnd(), summary: JSON.parse(fs.readFileSync(summary, 'utf8')), said: fs.existsSync(said) ? withoutFolder(fs.readFileSync(said, 'utf8').trimEnd(), name) : '' });
   }
   return { scenes, systems: JSON.parse(fs.readFileSync(registry, 'utf8')) };
 }
@@ -24,11 +28,31 @@ const power = x => {
   return Number(x) === 0 ? '0' : `${m[1].replace('-', '−')}·10<sup>${String(Number(m[2])).replace('-', '−')}</sup>`;
 };
 
-/// The scene as it is written, the command, and what it said.
-export function sceneCard(book, scene) {
+/// The scene as it is written, the command, and what it said; with the permanent anchor of the scene where this is its place.
+export function sceneCard(scene, id) {
   const output = scene.said ? `<pre class="output">${escapeHtml(scene.said)}</pre>` : '';
-  return `<div class="program scene" id="scene_${scene.name}"><div class="program-head"><span class="program-name">actio run ${escapeHtml(scene.file)}</span></div>` +
+  return `<div class="program scene"${id ? ` id="${id}"` : ''}><div class="program-head"><span class="program-name">actio run ${escapeHtml(scene.file)} --out ${scene.name} --plots</span></div>` +
     `<pre class="fragment scene-text">${escapeHtml(scene.text)}</pre>${output}</div>`;
+}
+
+/// The page of a run that its `--plots` wrote, as a file of the book; null where there is none.
+export function viewerOf(scene) {
+  const from = path.join(scene.folder, 'plots/index.html');
+  return fs.existsSync(from) ? { from, to: `viewer_${scene.name}.html` } : null;
+}
+
+/// That page in a frame, at a moment of the run, and a link to it.
+export function viewerFrame(scene, to, moment) {
+  return `<figure class="viewer"><iframe src="${to}#t=${escapeHtml(moment || '0')}" title="${escapeHtml(scene.summary.title)}: the page of the run" loading="lazy"></iframe>` +
+    `<figcaption><a href="${to}">Open the viewer</a>: <code>plots/index.html</code> of this run. Play, drag to turn the view, drag over a curve to look closer.</figcaption></figure>`;
+}
+
+/// The page of a scene: what it is about, its motion, its text.
+export function scenePage(scene) {
+  const about = [];
+  for (const line of scene.text.split('\n')) { if (!line.startsWith('#')) break; about.push(line.replace(/^#\s*/, '')); }
+  return [`# Scene ${scene.name} {#scenefile_${scene.name}}`, '', `**${scene.summary.title}.** ${about.map(inMarkdown).join(' ')}`, '', `\\sceneviewer{${scene.name}}`, '', `\\scenefile{${scene.name}}`, '',
+    `It is a scene of the system \\ref system_${scene.summary.system} "${scene.summary.system}". How to run it is told in \\ref scenes.`, ''].join('\n');
 }
 
 /// A program in Python and what it said; null where the module was not built.
@@ -49,10 +73,25 @@ export function sceneTable(scenes) {
   const rows = [...scenes.values()].map(s => {
     const drifts = Object.entries(s.summary.drift ?? {});
     const worst = drifts.length ? drifts.reduce((a, b) => (b[1] > a[1] ? b : a)) : null;
-    return `<tr><td class="id">${escapeHtml(path.basename(s.file))}</td><td>${prose(s.summary.title)}</td><td class="id">${escapeHtml(s.summary.system)}</td>` +
-      `<td class="num">${s.summary.rows}</td><td class="num">${s.summary.steps || '—'}</td><td class="num">${number(1000 * s.summary.wall_seconds)} ms</td><td>${worst ? `${escapeHtml(worst[0])} ${power(worst[1])}` : ''}</td></tr>`;
+    const viewer = viewerOf(s);
+    const cells = [`<td class="id"><a href="@ref:page:scenefile_${s.name}">${escapeHtml(path.basename(s.file))}</a></td>`,
+      `<td>${prose(s.summary.title)}${viewer ? ` <a class="source" href="${viewer.to}">open the viewer</a>` : ''}</td>`, `<td class="id"><a href="@ref:page:system_${s.summary.system}">${escapeHtml(s.summary.system)}</a></td>`,
+      `<td class="num">${s.summary.rows}</td>`, `<td class="num">${s.summary.steps || '—'}</td>`, `<td class="num">${number(1000 * s.summary.wall_seconds)} ms</td>`, `<td>${worst ? `${escapeHtml(worst[0])} ${power(worst[1])}` : ''}</td>`];
+    return `<tr>${labelled(cells, ['', '', 'system', 'rows', 'steps', 'time', 'worst drift'])}</tr>`;
   });
-  return `<table class="programs"><thead><tr><th>scene</th><th>what it is</th><th>system</th><th class="num">rows</th><th class="num">steps</th><th class="num">time</th><th>worst drift</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+  return `<table class="programs stacked"><thead><tr><th>scene</th><th>what it is</th><th>system</th><th class="num">rows</th><th class="num">steps</th><th class="num">time</th><th>worst drift</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+}
+
+/// Products and powers of dimensions, as they are written for a terminal: mass x length^2.
+const dimensions = /\(?\b(?:mass|energy|length|time|1)(?:\^\d)?(?:(?: x |\/)(?:mass|energy|length|time)\b(?:\^\d)?)+(?:\)(?:\^\d?k?)?)?|\b(?:length|time)\^\d/g;
+const dimension = text => `\\f$${text.replace(/ x /g, ' \\times ').replace(/\b(mass|energy|length|time)\b/g, '\\text{$1}').replace(/\^(\w+)/g, '^{$1}')}\\f$`;
+/// Plain text as Markdown, with its mathematics as formulas.
+function inMarkdown(text) {
+  const parts = [];
+  let from = 0;
+  for (const m of String(text ?? '').matchAll(dimensions)) parts.push(text.slice(from, m.index), dimension(m[0])), from = m.index + m[0].length;
+  parts.push(String(text ?? '').slice(from));
+  return parts.map((part, i) => (i % 2 ? part : mathematics(part).map((piece, k) => (k % 2 ? `\\f$${piece.replaceAll('|', '\\vert ')}\\f$` : piece.replaceAll('|', '\\|'))).join(''))).join('');
 }
 
 const formula = tex => tex ? `\\f$${tex.replaceAll("|", "\\vert ")}\\f$` : "";
@@ -64,12 +103,12 @@ const statements = (book, text) => String(text ?? '').split(/[ ,]+/).filter(Bool
 export function systemPage(book, system) {
   const lines = [`# System ${system.name} {#system_${system.name}}`, '', `**${system.title}.** ${system.meaning}`, '', system.statement ? `In the thesis: ${statements(book, system.statement)}.` : '', ''];
   lines.push('## Parameters', '', '| key | expects | where left out | what it is |', '|---|---|---|---|');
-  for (const p of system.parameters) lines.push(`| \`${p.key}\` | ${cell(p.expects)} | ${cell(p.fallback)} | ${cell(p.meaning)} |`);
+  for (const p of system.parameters) lines.push(`| \`${p.key}\` | ${inMarkdown(p.expects)} | ${cell(p.fallback)} | ${inMarkdown(p.meaning)} |`);
   lines.push('', '## Methods', '', '| method | orders | what it is | source |', '|---|---|---|---|');
-  for (const m of system.methods) lines.push(`| \`${m.name}\` | ${m.orders.join(', ')} | ${cell(m.meaning)} | ${statements(book, m.statement)} |`);
+  for (const m of system.methods) lines.push(`| \`${m.name}\` | ${m.orders.join(', ')} | ${inMarkdown(m.meaning)} | ${statements(book, m.statement)} |`);
   lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | needs | kept | thesis |', '|---|---|---|---|---|---|---|');
-  for (const q of system.quantities) lines.push(`| \`${q.name}\` | ${cell(q.meaning)} | ${formula(q.formula)} | ${q.kind}, ${cell(q.unit)} | ${q.needs.length ? q.needs.map(n => `\`${n}\``).join(', ') : 'the state'} | ${q.conserved ? 'yes' : ''} | ${statements(book, q.statement)} |`);
+  for (const q of system.quantities) lines.push(`| \`${q.name}\` | ${inMarkdown(q.meaning)} | ${formula(q.formula)} | ${q.kind}, ${inMarkdown(q.unit)} | ${q.needs.length ? q.needs.map(n => `\`${n}\``).join(', ') : 'the state'} | ${q.conserved ? 'yes' : ''} | ${statements(book, q.statement)} |`);
   const examples = [...(book.scenes ?? new Map()).values()].filter(s => s.summary.system === system.name);
-  if (examples.length) lines.push('', '## Scenes', '', ...examples.map(s => `- \`${s.file}\`: ${s.summary.title}`));
+  if (examples.length) lines.push('', '## Scenes', '', ...examples.map(s => `- \\ref scenefile_${s.name} "${path.basename(s.file)}": ${s.summary.title}`));
   return lines.join('\n') + '\n';
 }

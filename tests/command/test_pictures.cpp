@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_tops_and_momenta) {
     std::string scene, quantities;
     int stages;
   };
-  for (auto const& [scene, quantities, stages] : {Played{"t_handle", "", 2}, {"t_handle", "[\"attitude\"]", 1}, {"water", "", 1}, {"nodding_top", "", 1}, {"so4_body", "", 0}, {"apophis", "[\"energy\"]", 0}}) {
+  for (auto const& [scene, quantities, stages] : {Played{"t_handle", "", 2}, {"t_handle", "[\"attitude\"]", 1}, {"water", "", 2}, {"nodding_top", "", 1}, {"so4_body", "", 1}, {"so4_body", "[\"energy\"]", 0}, {"apophis", "[\"energy\"]", 0}}) {
     std::vector<std::string> arguments{"run", ACTIO_DATA "/scenes/" + scene + ".toml", "--out", folder / scene, "--force", "--plots"};
     if (!quantities.empty()) arguments.insert(arguments.end(), {"--set", "output.quantities=" + quantities});
     auto const outcome = command::actio(arguments);
@@ -199,6 +199,49 @@ BOOST_AUTO_TEST_CASE(the_page_plays_bodies_tops_and_momenta) {
     BOOST_TEST(said.status == 0, scene + ": " + said.err);
     BOOST_TEST(number_after(said.out, "stages") == stages, scene + ": " + said.out);
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_without_attitude_is_told_what_to_ask_for) {
+  command::Folder const folder;
+  std::string const scene = folder.write("apophis.toml", command::apophis());
+  std::string const hint = "add \"attitude\" to output.quantities to see the body turn";
+  auto const run = [&](std::string const& quantities, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{"run", scene, "--force", "--plots", "--set", "output.quantities=" + quantities};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return command::actio(arguments);
+  };
+  BOOST_TEST(run("[\"energy\"]").err.find(hint) != std::string::npos);
+  BOOST_TEST(run("[\"energy\"]", {"--quiet"}).err == "");
+  if (there_is_node()) BOOST_TEST(number_after(page_in_node(folder / "apophis/plots/index.html").out, "asks") == 1);
+  BOOST_TEST(run("[\"attitude\"]").err == "");
+  if (there_is_node()) BOOST_TEST(number_after(page_in_node(folder / "apophis/plots/index.html").out, "asks") == 0);
+}
+
+BOOST_AUTO_TEST_CASE(every_scene_of_a_body_in_space_asks_for_what_its_page_shows) {
+  for (auto const& entry : std::filesystem::directory_iterator(ACTIO_DATA "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    std::string const text = command::contents(entry.path().string());
+    if (text.find("\"rigid_body_n\"") == std::string::npos) BOOST_TEST(text.find("\"attitude\"") != std::string::npos, entry.path().filename());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_page_shows_an_estimate_of_the_error_where_the_summary_has_one) {
+  if (!there_is_node()) return;
+  command::Folder const folder;
+  BOOST_TEST_REQUIRE(command::actio({"run", folder.write("apophis.toml", command::apophis()), "--plots"}).status == 0);
+  std::string const page = command::contents(folder / "apophis/plots/index.html"), begin = "\"summary\":{";
+  auto const with = [&](std::string const& error) {
+    std::string changed = page;
+    // An error that the run may have told of itself is not the one of this test.
+    for (std::size_t at; (at = changed.find("\"error\":{")) != std::string::npos;) changed.replace(at, 9, "\"other\":{");
+    changed.replace(changed.find(begin), begin.size(), begin + error);
+    return page_in_node(folder.write("changed.html", changed));
+  };
+  auto const estimated = with(R"("error":{"attitude":3.1e-3,"momentum":1.7e-3,"how":"by half the step"},)");
+  BOOST_TEST(estimated.out.find("Error, estimated | attitude 0.0031 rad | momentum 0.0017") != std::string::npos, estimated.out << estimated.err);
+  auto const exact = with(R"("error":{"how":"exact to rounding"},)");
+  BOOST_TEST(exact.out.find("Error: exact to rounding") != std::string::npos, exact.out << exact.err);
+  BOOST_TEST(with("").out.find("\"error\":\"\"") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(the_page_shows_the_drift_of_the_summary) {

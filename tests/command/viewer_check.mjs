@@ -54,7 +54,7 @@ const sandbox = {
   matchMedia: () => ({ matches: false, addEventListener() {} }), addEventListener() {}, requestAnimationFrame: (frame) => frames.push(frame), console, Math, JSON,
 };
 vm.createContext(sandbox);
-vm.runInContext(script + '\n;globalThis.made = { panels, stages, player, view, run };', sandbox);
+vm.runInContext(script + '\n;globalThis.made = { panels, stages, player, view, run, missing: tellWhatIsMissing(), tellError };', sandbox);
 
 const { panels, stages, player } = sandbox.made;
 const frame = (milliseconds) => frames.pop()(milliseconds);
@@ -66,6 +66,7 @@ if (player) {
   if (!(player.time > motion.from)) fail('the clock stands still while it plays');
   player.go(Infinity);
   if (player.time !== motion.to) fail('the clock goes past the end');
+  if (sandbox.made.missing && !stages.length) fail('there is a clock, and nothing to see');
   // At a row the attitude is that of the row; between two rows it is of unit length.
   for (let i = 0; motion.attitudes && i < motion.times.length; i += 1 + (motion.times.length >> 6)) {
     const q = motion.at(motion.times[i]).attitude;
@@ -81,5 +82,12 @@ for (const stage of stages) if (stage.shapes) stage.show(stage.shapes.at(-1).nam
 frame(4000);
 if (panels.length !== run.quantities.length + (run.drifts.length > 0)) fail('a panel for each quantity is expected');
 if (!(drawn > 100)) fail(`only ${drawn} numbers were drawn`);
+// What the panel says of the error: its card is made once more, and listened to.
+let error = '';
+if (run.summary?.error) {
+  vm.runInContext(`globalThis.shown = []; { const own = card; globalThis.told = ((title, rows) => { shown.push(title, ...rows.map(([n, v]) => n + ' ' + v)); return own(title, rows); }); }`, sandbox);
+  vm.runInContext(`(${String(sandbox.made.tellError).replace(/\bcard\(/g, 'told(')})(run.summary.error)`, sandbox);
+  error = sandbox.shown.join(' | ');
+}
 const largest = Object.fromEntries(run.drifts.map(({ label, curve }) => [label, Math.max(0, ...curve.value)]));
-console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, largest }));
+console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, asks: sandbox.made.missing ? 1 : 0, error, largest }));

@@ -19,6 +19,7 @@ extern std::string_view const viewer_algebra, ///< data/viewer/algebra.js
     viewer_space,                             ///< data/viewer/space.js
     viewer_momentum_sphere,                   ///< data/viewer/momentum_sphere.js
     viewer_curves,                            ///< data/viewer/curves.js
+    viewer_planes,                            ///< data/viewer/planes.js
     viewer_player,                            ///< data/viewer/player.js
     viewer_page;                              ///< data/viewer/page.js
 

@@ -7,9 +7,11 @@
 #include <iterator>
 #include <limits>
 
+#include "actio/scene/body_shape.hpp"
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/drift.hpp"
 #include "actio/scene/own_files.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/units.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
@@ -126,6 +128,7 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   pictures.emplace_back("plots/index.html", viewer_page(scene, overview, file_contents(folder + "/summary.json")));
   make_way(folder, pictures);
   for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
+  if (!quiet && body_shape(scene) && !overview.find("attitude")) say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
 }
 
 }  // namespace actio::scene

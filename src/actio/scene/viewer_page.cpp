@@ -130,7 +130,7 @@ std::string filled(std::string_view page, std::vector<std::pair<std::string_view
 std::string viewer_page(Scene const& scene, Overview const& overview, std::string const& summary_json) {
   std::string script;
   for (auto const piece : {embedded::viewer_algebra, embedded::viewer_stage, embedded::viewer_shapes, embedded::viewer_motion, embedded::viewer_space, embedded::viewer_momentum_sphere,
-                           embedded::viewer_curves, embedded::viewer_player, embedded::viewer_page})
+                           embedded::viewer_curves, embedded::viewer_planes, embedded::viewer_player, embedded::viewer_page})
     script.append(piece);
   return filled(embedded::viewer_html, {{"<!-- title -->", book::svg::escape(scene.title)},
                                         {"/* style */", std::string(embedded::viewer_css)},
