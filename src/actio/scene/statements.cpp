@@ -1,5 +1,8 @@
 #include "actio/scene/statements.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <regex>
 #include <set>
 
 #include "actio/scene/embedded.hpp"
@@ -38,6 +41,26 @@ Statement const* find_statement(std::string_view id) {
   for (auto const& statement : statements())
     if (statement.id == id) return &statement;
   return nullptr;
+}
+
+std::vector<Statement const*> find_statements(std::string_view name) {
+  if (Statement const* const exact = find_statement(name)) return {exact};
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  static std::regex const form(R"(\s*([a-z]*)\.?\s*\(?\s*(\d+(?:\.\d+)+)\s*\)?\s*)");
+  std::smatch match;
+  if (!std::regex_match(text, match, form)) return {};
+  std::string number = "_" + match[2].str();
+  std::replace(number.begin(), number.end(), '.', '_');
+  std::string const word = match[1];
+  std::vector<Statement const*> out;
+  for (auto const& statement : statements()) {
+    std::string const prefix = statement.id.substr(0, statement.id.find('_'));
+    // "theorem", "theorems", "thm", "eqs": what the kind, or the beginning of the id, begins or is.
+    bool const meant = word.empty() || word == prefix || word == prefix + "s" || (word.size() >= 3 && (statement.kind + "s").starts_with(word));
+    if (meant && statement.id == prefix + number) out.push_back(&statement);
+  }
+  return out;
 }
 
 }  // namespace actio::scene
