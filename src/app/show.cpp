@@ -10,6 +10,7 @@
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"
+#include "actio/scene/units.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/ledger.hpp"
@@ -54,6 +55,8 @@ std::string about(LibraryBody const& body) {
   }
   account.tell("unit of time", body.time);
   account.tell("spin", in_toml(body.spin) + " rad/" + body.time);
+  Units const units = units_of(body);
+  account.tell("units", fmt::format("of a scene with this body: angular velocity {}, momentum {}, energy {}", units.in("1/time"), units.in("energy x time"), units.in("energy")));
   account.tell("source", body.source);
   account.tell("derived", body.derived);
   account.tell("new scene", fmt::format("actio new rigid_body --body {0} --out {0}.toml", body.name));

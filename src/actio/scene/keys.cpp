@@ -53,6 +53,12 @@ std::vector<Parameter> keys_of_scene() {
        "Where random numbers begin. Nothing in the systems that there are is random, so that it changes no number of a run; it is checked, and written into the "
        "copy of the scene, for systems with a random start.",
        "", "1"},
+      {"scene.units", "a table with mass, length and time", "those of the body of the library, otherwise none",
+       "The names of the units in which the numbers of the scene are, for the axes of pictures, the viewer and series.h5; no number is changed. A body of the library has units of its own.", "",
+       R"({ mass = "kg", length = "m", time = "s" })"},
+      {"scene.units.mass", "a text", "none", "The unit of mass; with that of length it gives that of moments of inertia, and with that of time those of momentum and energy.", "", "\"kg\""},
+      {"scene.units.length", "a text", "none", "The unit of length.", "", "\"m\""},
+      {"scene.units.time", "a text", "none", "The unit of time.", "", "\"s\""},
   };
 }
 

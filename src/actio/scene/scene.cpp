@@ -6,6 +6,7 @@
 
 #include "actio/scene/keys.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/units.hpp"
 
 namespace actio::scene {
 namespace {
@@ -52,6 +53,7 @@ Scene Scene::read(SceneFile file) {
   System const& system = system_of(file);
   allow_keys(file, system);
   refuse_words_of_other_systems(file, system);
+  read_units(file);
   SceneTable head = file.section("scene"), output = file.section("output");
   if (!head.has("title")) head.set("title", printable(std::filesystem::path(file.name()).stem().string()));
   if (!head.has("seed")) head.set("seed", 1L);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Whether a path is a name alone, as those of the scenes that the program carries.
-bool is_plain_name(fs::path const& path) { return !path.has_parent_path() && !path.has_extension(); }
+bool is_plain_name(fs::path const& path) { return !path.empty() && !path.has_parent_path() && !path.has_extension(); }
 
 /// The text of the scene that the program carries under that name, where no file has it.
 std::string_view const* carried_text(std::string const& path) {
