@@ -15,14 +15,15 @@ export function unit(text) {
 }
 
 /// Plain text in a cell of a table or in a paragraph: signs of Markdown stand for themselves.
-const plain = text => String(text ?? '').replace(/[\\`*_<>#|@$&~]/g, sign => (sign === '<' ? '&lt;' : sign === '>' ? '&gt;' : sign === '&' ? '&amp;' : `\\${sign}`));
+const plain = text => String(text ?? '').replace(/[\\`*<>#|@$&~]/g, sign => (sign === '<' ? '&lt;' : sign === '>' ? '&gt;' : sign === '&' ? '&amp;' : `\\${sign}`));
 const code = text => `\`${text}\``;
 const anchor = key => `key_${key.replaceAll('.', '_')}`;
 
-/// The rows of a table of keys: each with what it expects, what stands where it is left out, its unit and its meaning.
+/// The rows of a table of keys, those of [scene] last: each with what it expects, what stands where it is left out, its unit and its meaning.
 export function keyTable(keys) {
   const rows = ['| key | expects | where left out | unit | what it is |', '|---|---|---|---|---|'];
-  for (const k of keys) rows.push(`| \\ref ${anchor(k.key)} "${k.key}" | ${plain(k.expects)} | ${plain(k.fallback)} | ${unit(k.unit)} | ${plain(k.meaning)} |`);
+  const ofScene = k => k.key.startsWith('scene.');
+  for (const k of [...keys.filter(k => !ofScene(k)), ...keys.filter(ofScene)]) rows.push(`| \\ref ${anchor(k.key)} "${k.key}" | ${plain(k.expects)} | ${plain(k.fallback)} | ${unit(k.unit)} | ${plain(k.meaning)} |`);
   return rows;
 }
 

@@ -21,6 +21,19 @@ std::string ledger_line(std::string const& label, std::string const& text) {
   return text.empty() ? "" : fmt::format("  {:<{}}{}\n", label, column - 2, wrapped(text, ledger_width, column));
 }
 
+/// A note, whose formulas stand between dollar signs.
+std::string plain_note(std::string const& note) {
+  std::string out;
+  for (std::size_t at = 0; at < note.size();) {
+    std::size_t const open = note.find('$', at), close = open == std::string::npos ? open : note.find('$', open + 1);
+    out += note.substr(at, close == std::string::npos ? close : open - at);
+    if (close == std::string::npos) break;
+    out += plain_formula(note.substr(open + 1, close - open - 1));
+    at = close + 1;
+  }
+  return out;
+}
+
 /// `build` of `build/bin/actio`.
 fs::path build_of_this_program() { return folder_of_this_program().parent_path(); }
 
@@ -49,7 +62,7 @@ std::string page_of(scene::Statement const& statement) {
 }
 
 std::string verdict_in_words(std::string const& printed, std::string const& corrected, std::string const& note) {
-  return ledger_line("printed", plain_formula(printed)) + ledger_line("corrected", plain_formula(corrected)) + ledger_line("note", note);
+  return ledger_line("printed", plain_formula(printed)) + ledger_line("corrected", plain_formula(corrected)) + ledger_line("note", plain_note(note));
 }
 
 }  // namespace actio::app

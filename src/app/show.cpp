@@ -14,6 +14,7 @@
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/ledger.hpp"
+#include "app/statement_text.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {
@@ -182,7 +183,10 @@ std::string about(LibraryGroup const& group) {
 std::string about(Statement const& statement) {
   Account account(statement.id, "a statement of the thesis");
   account.tell("subject", statement.subject);
-  account.tell("kind", statement.kind);
+  StatementText const told = statement_text(statement.id);
+  account.tell("in the book", told.title);
+  for (auto const& paragraph : told.paragraphs) account.tell(&paragraph == &told.paragraphs.front() ? "text" : "", paragraph);
+  account.tell("kind", name_in_thesis(statement) == statement.id ? statement.kind : statement.kind + ", " + name_in_thesis(statement));
   account.tell("chapter", statement.chapter);
   auto const verdict = verdict_of(statement.id);
   account.tell("check", statement.checked ? "actio check " + statement.id + (verdict ? "" : " finds its verdict") : "none yet");

@@ -153,6 +153,23 @@ BOOST_AUTO_TEST_CASE(statements_are_found_as_readers_of_the_thesis_write_them) {
   for (auto const& word : {"(3.100)", "Theorem 3.10", "Lemma 3.2.1", "(3)", "3.10.", "..", "(3.10"}) BOOST_TEST((actio({"show", word}).status == 2) == (std::string(word) != "(3.10"), word);
 }
 
+BOOST_AUTO_TEST_CASE(a_statement_is_told_with_what_the_book_says_of_it) {
+  std::string const theorem = actio({"show", "thm_3_2_1"}).out;
+  for (auto const& part : {"Four ways to say the same", "Stationary action for the places; the discrete Euler-Lagrange equations;", "theorem, Theorem 3.2.1"}) BOOST_TEST(has(theorem, part), theorem);
+  // Formulas are in plain letters, references are names.
+  std::string const reconstruction = actio({"show", "thm_3_2_3"}).out;
+  for (auto const& part : {"Project a motion of (3.2) and you get a motion of (3.10)", "g_(k+1) = f_(k,k+1)^-1 g_k"}) BOOST_TEST(has(reconstruction, part), reconstruction);
+  int told = 0;
+  std::istringstream registry(command::contents(ACTIO_DATA "/../proofs_checks/registry.tsv"));
+  for (std::string line; std::getline(registry, line);) {
+    if (line.find("theorem") == std::string::npos && !line.starts_with("eq_3_")) continue;
+    std::string const shown = actio({"show", line.substr(0, line.find('\t'))}).out;
+    BOOST_TEST(!has(shown, "\\"), shown);
+    told += has(shown, "\n  text ");
+  }
+  BOOST_TEST(told > 20);
+}
+
 BOOST_AUTO_TEST_CASE(a_statement_is_told_with_its_verdict_where_there_is_a_ledger) {
   command::Folder const folder;
   std::filesystem::create_directories(folder / "bin"), std::filesystem::create_directories(folder / "report"), std::filesystem::create_directories(folder / "book");

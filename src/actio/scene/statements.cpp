@@ -43,6 +43,16 @@ Statement const* find_statement(std::string_view id) {
   return nullptr;
 }
 
+std::string name_in_thesis(Statement const& statement) {
+  std::size_t const at = statement.id.find('_');
+  std::string number = statement.id.substr(at + 1);
+  if (at == std::string::npos || number.find_first_not_of("0123456789_") != std::string::npos) return statement.id;
+  std::replace(number.begin(), number.end(), '_', '.');
+  std::string kind = statement.kind;
+  kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
+  return statement.kind == "equation" ? "(" + number + ")" : kind + " " + number;
+}
+
 std::vector<Statement const*> find_statements(std::string_view name) {
   if (Statement const* const exact = find_statement(name)) return {exact};
   std::string text(name);
