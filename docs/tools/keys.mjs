@@ -1,4 +1,5 @@
-// The keys of a scene, in the book: a reference page made from what `actio list keys --json` says, and the tables of the pages of the systems.
+// The keys of a scene, in the book: a reference page made from what `actio list keys --json` says, and the tables of
+// the pages of the systems.
 import fs from 'node:fs';
 import path from 'node:path';
 
@@ -8,37 +9,42 @@ export function readKeys(build) {
   return fs.existsSync(file) ? JSON.parse(fs.readFileSync(file, 'utf8')) : null;
 }
 
-/// A unit in words as a formula: energy x time, (energy x time)^2, 1/time; what stands between commas is taken by itself.
-export function unit(text) {
-  return String(text ?? '').split(', and ').map(part => part === '' ? '' :
-    `\\f$${part.replace(/ x /g, '\\cdot ').replace(/[a-z]{2,}/g, word => word === 'cdot' ? word : `\\text{${word}}`).replace(/\^(\w+)/g, '^{$1}')}\\f$`).join(', and ');
-}
+const inTex = part => part.replace(/ x /g, '\\cdot ')
+  .replace(/[a-z]{2,}/g, word => (word === 'cdot' ? word : `\\text{${word}}`)).replace(/\^(\w+)/g, '^{$1}');
+/// A unit in words as a formula: energy x time, (energy x time)^2, 1/time; what stands between commas is taken by
+/// itself.
+export const unit = text => String(text ?? '').split(', and ').map(part => (part === '' ? '' : `\\f$${inTex(part)}\\f$`)).join(', and ');
 
+const entities = { '<': '&lt;', '>': '&gt;', '&': '&amp;' };
 /// Plain text in a cell of a table or in a paragraph: signs of Markdown stand for themselves.
-const plain = text => String(text ?? '').replace(/[\\`*<>#|@$&~]/g, sign => (sign === '<' ? '&lt;' : sign === '>' ? '&gt;' : sign === '&' ? '&amp;' : `\\${sign}`));
+const plain = text => String(text ?? '').replace(/[\\`*<>#|@$&~]/g, sign => entities[sign] ?? `\\${sign}`);
 const code = text => `\`${text}\``;
 const anchor = key => `key_${key.replaceAll('.', '_')}`;
 
-/// The rows of a table of keys, those of [scene] last: each with what it expects, what stands where it is left out, its unit and its meaning.
+/// The rows of a table of keys, those of [scene] last: each with what it expects, what stands where it is left out,
+/// its unit and its meaning.
 export function keyTable(keys) {
-  const rows = ['| key | expects | where left out | unit | what it is |', '|---|---|---|---|---|'];
   const ofScene = k => k.key.startsWith('scene.');
-  for (const k of [...keys.filter(k => !ofScene(k)), ...keys.filter(ofScene)]) rows.push(`| \\ref ${anchor(k.key)} "${k.key}" | ${plain(k.expects)} | ${plain(k.fallback)} | ${unit(k.unit)} | ${plain(k.meaning)} |`);
-  return rows;
+  const rows = [...keys.filter(k => !ofScene(k)), ...keys.filter(ofScene)].map(k =>
+    `| \\ref ${anchor(k.key)} "${k.key}" | ${plain(k.expects)} | ${plain(k.fallback)} | ${unit(k.unit)} | ${plain(k.meaning)} |`);
+  return ['| key | expects | where left out | unit | what it is |', '|---|---|---|---|---|', ...rows];
 }
 
 /// The names of the columns of a quantity.
 export const columns = quantity => (quantity.columns ?? []).map(name => (name === '...' ? '…' : code(name))).join(' ');
 
 const sections = {
-  scene: 'what the run is called', system: 'what is simulated', initial: 'how it begins', method: 'how it is stepped', run: 'when there are rows', output: 'what is wanted from it',
+  scene: 'what the run is called', system: 'what is simulated', initial: 'how it begins',
+  method: 'how it is stepped', run: 'when there are rows', output: 'what is wanted from it',
 };
 
 function entry(key) {
+  const dot = key.key.lastIndexOf('.'), name = key.key.slice(dot + 1), table = key.key.slice(0, dot);
+  const allowed = key.allowed.length ? `: ${key.allowed.map(code).join(', ')}` : '';
   const lines = [plain(key.meaning), ''];
-  lines.push(`- **expects** ${plain(key.expects)}${key.allowed.length ? `: ${key.allowed.map(code).join(', ')}` : ''}`, `- **where left out** ${plain(key.fallback)}`);
+  lines.push(`- **expects** ${plain(key.expects)}${allowed}`);
+  lines.push(`- **where left out** ${plain(key.fallback)}`);
   if (key.unit) lines.push(`- **unit** ${unit(key.unit)}`);
-  const name = key.key.slice(key.key.lastIndexOf('.') + 1), table = key.key.slice(0, key.key.lastIndexOf('.'));
   lines.push(`- **example** ${code(`${name} = ${key.example}`)} in ${code(`[${table}]`)}`);
   return lines;
 }
@@ -46,7 +52,8 @@ function entry(key) {
 /// The page, as Markdown.
 export function keysPage(keys) {
   const lines = ['# Every key of a scene {#scene_keys}', '',
-    'A scene has six sections, and the keys that are told here; any other key is refused, with the nearest that there is. The command tells the same: `actio list keys`, `actio show run.every`, `actio new rigid_body`.', ''];
+    'A scene has six sections, and the keys that are told here; any other key is refused, with the nearest that there is.',
+    'The command tells the same: `actio list keys`, `actio show run.every`, `actio new rigid_body`.', ''];
   const systems = new Set(keys.flatMap(k => k.systems));
   for (const [section, what] of Object.entries(sections)) {
     lines.push(`## [${section}]: ${what} {#keys_of_${section}}`, '');
@@ -54,7 +61,8 @@ export function keysPage(keys) {
     for (const name of names) {
       lines.push(`### ${name} {#${anchor(name)}}`, '');
       for (const key of keys.filter(k => k.key === name)) {
-        if (key.systems.length < systems.size) lines.push(`In scenes of ${key.systems.map(s => `\\ref system_${s} "${s}"`).join(', ')}:`, '');
+        const of = key.systems.map(s => `\\ref system_${s} "${s}"`).join(', ');
+        if (key.systems.length < systems.size) lines.push(`In scenes of ${of}:`, '');
         lines.push(...entry(key), '');
       }
     }

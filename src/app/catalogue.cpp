@@ -26,7 +26,8 @@ std::vector<QuantityOf> all_quantities() {
 }
 
 std::vector<std::string> const& kinds_of_lists() {
-  static std::vector<std::string> const kinds{"systems", "groups", "methods", "quantities", "bodies", "materials", "keys", "scenes"};
+  static std::vector<std::string> const kinds{"systems", "groups",    "methods", "quantities",
+                                              "bodies",  "materials", "keys",    "scenes"};
   return kinds;
 }
 

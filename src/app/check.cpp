@@ -43,10 +43,14 @@ std::vector<Statement const*> wanted(std::vector<std::string> const& ids) {
   for (auto const& statement : statements()) known.push_back(statement.id);
   for (auto const& id : ids) {
     auto const meant = find_statements(id);
-    if (meant.empty()) throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)", shown(id), did_you_mean(id, known)));
+    if (meant.empty())
+      throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)",
+                                                    shown(id), did_you_mean(id, known)));
     for (auto const* const statement : meant) {
       if (!statement->checked)
-        throw SceneError({"actio check"}, fmt::format("{} is a statement of the thesis ({}), but has no check yet", statement->id, statement->subject));
+        throw SceneError({"actio check"},
+                         fmt::format("{} is a statement of the thesis ({}), but has no check yet",
+                                     statement->id, statement->subject));
       if (std::find(out.begin(), out.end(), statement) == out.end()) out.push_back(statement);
     }
   }
@@ -135,7 +139,8 @@ int run_checks(fs::path const& program, std::vector<std::string> const& ids, Res
 bool tell(Statement const& statement, Result const& result, std::size_t width, bool why) {
   bool const well = result.failures.empty();
   fmt::print("{:<{}}  {:<10}  {}\n", statement.id, width, well ? result.verdict : "FAILED", result.title.empty() ? statement.subject : result.title);
-  if (well && why && result.verdict != "holds") fmt::print("{}", verdict_in_words(result.printed, result.corrected, result.note));
+  if (well && why && result.verdict != "holds")
+    fmt::print("{}", verdict_in_words(result.printed, result.corrected, result.note));
   std::fflush(stdout);
   for (auto const& failure : result.failures) fmt::print(stderr, "  {}: {}\n", statement.id, failure);
   return well;

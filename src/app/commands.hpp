@@ -35,8 +35,8 @@ struct SweepArguments {
 int sweep(SweepArguments const& arguments);
 
 struct NewArguments {
-  std::string name,              ///< of a system, of a scene that the program carries, or of a body
-      body, out;                 ///< body: of the library, or empty; out: standard output where empty
+  std::string name,  ///< of a system, of a scene that the program carries, or of a body
+      body, out;     ///< body: of the library, or empty; out: standard output where empty
 };
 int make_new(NewArguments const& arguments);
 

@@ -68,9 +68,13 @@ Rows list_of_keys() {
   // What differs between systems in its default or its words alone has one row.
   std::vector<KeyOfSystems> keys;
   for (auto const& key : all_keys()) {
-    auto const alike = std::find_if(keys.begin(), keys.end(), [&](auto const& k) { return k.parameter.key == key.parameter.key && k.parameter.meaning == key.parameter.meaning; });
-    if (alike == keys.end()) keys.push_back(key);
-    else alike->of.insert(alike->of.end(), key.of.begin(), key.of.end());
+    auto const alike = std::find_if(keys.begin(), keys.end(), [&](auto const& k) {
+      return k.parameter.key == key.parameter.key && k.parameter.meaning == key.parameter.meaning;
+    });
+    if (alike == keys.end())
+      keys.push_back(key);
+    else
+      alike->of.insert(alike->of.end(), key.of.begin(), key.of.end());
   }
   for (auto const& [parameter, of] : keys) rows.push_back({parameter.key, names_of(of), parameter.meaning});
   return rows;
@@ -87,8 +91,14 @@ void say_what_scenes_do_not_take(std::string const& what) {
     auto const names = names_in("keys");
     return std::find(names.begin(), names.end(), key) != names.end();
   };
-  if (what == "materials" && names_in("materials").empty()) say(stderr, "There are no materials for scenes yet: they come with the systems of continua. Those of the library, for programs in C++, are in actio/jets/materials.hpp.\n");
-  if (what == "groups" && !takes("system.group")) say(stderr, "No scene takes a group yet: these are of the library, for programs in C++; actio show SE(3) names the header.\n");
+  if (what == "materials" && names_in("materials").empty())
+    say(stderr,
+        "There are no materials for scenes yet: they come with the systems of continua. Those of the "
+        "library, for programs in C++, are in actio/jets/materials.hpp.\n");
+  if (what == "groups" && !takes("system.group"))
+    say(stderr,
+        "No scene takes a group yet: these are of the library, for programs in C++; actio show SE(3) names "
+        "the header.\n");
 }
 
 /// `bodies` for `body`: the one that begins alike, where none is nearest.
@@ -103,7 +113,8 @@ std::string meant(std::string const& what) {
 }  // namespace
 
 int list(std::string const& what, bool json) {
-  if (json && what != "systems" && what != "keys") throw SceneError({"actio list"}, "--json tells of systems and of keys alone: actio list systems --json");
+  if (json && what != "systems" && what != "keys")
+    throw SceneError({"actio list"}, "--json tells of systems and of keys alone: actio list systems --json");
   if (json) {
     fmt::print("{}", what == "keys" ? keys_json() : registry_json());
     return 0;
@@ -114,9 +125,13 @@ int list(std::string const& what, bool json) {
   else if (what == "methods") rows = list_of_methods();
   else if (what == "quantities") rows = list_of_quantities();
   else if (what == "bodies") rows = list_of_bodies();
-  else if (what == "keys") rows = list_of_keys();
-  else if (what == "scenes") rows = list_of_scenes();
-  else if (what != "materials") throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what), listed(kinds_of_lists())));
+  else if (what == "keys")
+    rows = list_of_keys();
+  else if (what == "scenes")
+    rows = list_of_scenes();
+  else if (what != "materials")
+    throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what),
+                                                 listed(kinds_of_lists())));
   say_what_scenes_do_not_take(what);
   fmt::print("{}", aligned(rows));
   return 0;

@@ -13,10 +13,12 @@ namespace {
 
 /// A paragraph of Markdown on one line, without what a page alone can show.
 std::string plain_words(std::string text) {
-  static std::regex const reference(R"(\\ref ([a-z0-9_]+))"), command(R"(\\(?:figure|cite|tag)(?:\{[^}]*\}| \S+))"), space(R"(\s+)");
+  static std::regex const reference(R"(\\ref ([a-z0-9_]+))"),
+      command(R"(\\(?:figure|cite|tag)(?:\{[^}]*\}| \S+))"), space(R"(\s+)");
   for (std::smatch match; std::regex_search(text, match, reference);) {
     scene::Statement const* const known = scene::find_statement(match[1].str());
-    text = match.prefix().str() + (known ? scene::name_in_thesis(*known) : match[1].str()) + match.suffix().str();
+    text = match.prefix().str() + (known ? scene::name_in_thesis(*known) : match[1].str()) +
+           match.suffix().str();
   }
   text = std::regex_replace(std::regex_replace(text, command, "..."), space, " ");
   std::size_t const begin = text.find_first_not_of(' ');
@@ -40,7 +42,8 @@ std::vector<std::string> paragraphs_of(std::string const& text) {
     }
     std::size_t const close = std::min(text.find(display ? "\\f]" : "\\f$", at + 3), text.size());
     static std::regex const tag(R"(\\tag\{[^}]*\})"), space(R"(\s+)");
-    std::string const tex = std::regex_replace(std::regex_replace(text.substr(at + 3, close - at - 3), tag, ""), space, " ");
+    std::string const tex =
+        std::regex_replace(std::regex_replace(text.substr(at + 3, close - at - 3), tag, ""), space, " ");
     if (display) end();
     running += plain_formula(tex);
     if (display) end();
@@ -64,8 +67,10 @@ StatementText statement_text(std::string const& id) {
   std::istringstream lines{std::string(chapters.substr(line + 1, end - line - 1))};
   std::string text;
   for (std::string one; std::getline(lines, one);)
-    if (!one.starts_with('\\') || one.starts_with("\\f") || one.starts_with("\\ref")) text += one + "\n";
-    else text += "\n";
+    if (!one.starts_with('\\') || one.starts_with("\\f") || one.starts_with("\\ref"))
+      text += one + "\n";
+    else
+      text += "\n";
   out.paragraphs = paragraphs_of(text);
   return out;
 }

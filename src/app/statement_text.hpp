@@ -6,7 +6,8 @@
 
 namespace actio::app {
 
-/// What the book says of a statement: its title there, and its paragraphs, a displayed formula being one of its own. Empty where it has no box.
+/// What the book says of a statement: its title there, and its paragraphs, a displayed formula being one of
+/// its own. Empty where it has no box.
 struct StatementText {
   std::string title;
   std::vector<std::string> paragraphs;

@@ -34,7 +34,8 @@ BOOST_AUTO_TEST_CASE(every_system_has_a_scene_with_all_its_keys_that_runs_as_it_
     BOOST_TEST(text == actio({"new", name}).out);
     for (auto const& key : system["parameters"]) {
       std::string const whole = key["key"], last = whole.substr(whole.find('.') + 1);
-      if (last.find('.') == std::string::npos) BOOST_TEST((has(text, "\n" + last + " = ") || has(text, "\n# " + last + " = ")), whole);
+      if (last.find('.') == std::string::npos)
+        BOOST_TEST((has(text, "\n" + last + " = ") || has(text, "\n# " + last + " = ")), whole);
     }
     auto const outcome = actio({"run", path});
     BOOST_TEST(outcome.status == 0, name << ": " << outcome.err);
@@ -74,9 +75,13 @@ BOOST_AUTO_TEST_CASE(a_file_that_is_there_is_not_replaced) {
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_that_is_not_known_is_refused_with_the_nearest) {
-  BOOST_TEST(actio({"new", "rigid_boddy"}).err == "actio new: unknown name 'rigid_boddy'; did you mean 'rigid_body'? (actio list systems|scenes|bodies)\n");
-  BOOST_TEST(has(actio({"new", "rigid_body", "--body", "apofis"}).err, "unknown body 'apofis'; did you mean 'apophis'?"));
-  BOOST_TEST(has(actio({"new", "heavy_top", "--body", "apophis"}).err, "heavy_top takes no body of the library"));
+  BOOST_TEST(actio({"new", "rigid_boddy"}).err ==
+             "actio new: unknown name 'rigid_boddy'; did you mean 'rigid_body'? (actio list "
+             "systems|scenes|bodies)\n");
+  BOOST_TEST(has(actio({"new", "rigid_body", "--body", "apofis"}).err,
+                 "unknown body 'apofis'; did you mean 'apophis'?"));
+  BOOST_TEST(
+      has(actio({"new", "heavy_top", "--body", "apophis"}).err, "heavy_top takes no body of the library"));
   BOOST_TEST(has(actio({"new", "apophis", "--body", "apophis"}).err, "--body belongs to a system"));
   BOOST_TEST(has(actio({"new"}).err, "actio list systems"));
 }
@@ -84,17 +89,21 @@ BOOST_AUTO_TEST_CASE(a_scene_that_is_not_known_is_refused_with_the_nearest) {
 BOOST_AUTO_TEST_CASE(the_scenes_that_come_with_actio_are_those_of_the_sources) {
   auto const names = names_in("scenes");
   std::size_t files = 0;
-  for (auto const& entry : fs::directory_iterator(ACTIO_DATA "/scenes")) files += entry.path().extension() == ".toml";
+  for (auto const& entry : fs::directory_iterator(ACTIO_DATA "/scenes"))
+    files += entry.path().extension() == ".toml";
   BOOST_TEST(names.size() == files);
-  for (auto const& name : names) BOOST_TEST(actio({"new", name}).out == command::contents(ACTIO_DATA "/scenes/" + name + ".toml"), name);
+  for (auto const& name : names)
+    BOOST_TEST(actio({"new", name}).out == command::contents(ACTIO_DATA "/scenes/" + name + ".toml"), name);
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_that_comes_with_actio_runs_by_its_name_into_the_current_folder) {
   command::Folder const folder;
   BOOST_TEST(command::shell("cd '" + (folder / "") + "' && $ACTIO run apophis --quiet").status == 0);
   BOOST_TEST(actio({"run", ACTIO_DATA "/scenes/apophis.toml", "--out", folder / "file"}).status == 0);
-  BOOST_TEST(command::contents(folder / "apophis/series.csv") == command::contents(folder / "file/series.csv"));
-  BOOST_TEST(command::contents(folder / "apophis/scene.toml") == command::contents(folder / "file/scene.toml"));
+  BOOST_TEST(command::contents(folder / "apophis/series.csv") ==
+             command::contents(folder / "file/series.csv"));
+  BOOST_TEST(command::contents(folder / "apophis/scene.toml") ==
+             command::contents(folder / "file/scene.toml"));
   // The folder that is now there does not hide the scene, and is not replaced.
   auto const again = command::shell("cd '" + (folder / "") + "' && $ACTIO run apophis --quiet");
   BOOST_TEST(again.status == 2);
@@ -109,11 +118,16 @@ BOOST_AUTO_TEST_CASE(a_file_of_that_name_comes_first) {
 
 BOOST_AUTO_TEST_CASE(a_scene_that_is_not_there_is_answered_with_the_way_to_it) {
   command::Folder const folder;
-  auto const said = [&folder](std::string const& name) { return command::shell("cd '" + (folder / "") + "' && $ACTIO run " + name); };
-  BOOST_TEST(said("apophis.toml").err == "apophis.toml: there is no such file; a scene of that name comes with actio: 'actio run apophis' runs it, 'actio new apophis --out apophis.toml' writes it\n");
+  auto const said = [&folder](std::string const& name) {
+    return command::shell("cd '" + (folder / "") + "' && $ACTIO run " + name);
+  };
+  BOOST_TEST(said("apophis.toml").err ==
+             "apophis.toml: there is no such file; a scene of that name comes with actio: 'actio run "
+             "apophis' runs it, 'actio new apophis --out apophis.toml' writes it\n");
   BOOST_TEST(said("apophis.toml").status == 2);
   BOOST_TEST(said("apofis").err == "apofis: there is no such file; did you mean 'apophis'?\n");
-  BOOST_TEST(said("zzz").err == "zzz: there is no such file (scenes that come with actio: actio list scenes)\n");
+  BOOST_TEST(said("zzz").err ==
+             "zzz: there is no such file (scenes that come with actio: actio list scenes)\n");
   BOOST_TEST(said("nowhere/apophis").err == "nowhere/apophis: there is no such file\n");
 }
 

@@ -10,7 +10,7 @@ extern std::string_view const bodies_toml;         ///< data/bodies.toml
 extern std::string_view const registry_tsv;        ///< proofs_checks/registry.tsv
 extern std::string_view const checked_statements;  ///< ids of those that have a check, one a line
 
-extern std::string_view const chapters_md;         ///< chapters/*/chapter.md, one after the other
+extern std::string_view const chapters_md;  ///< chapters/*/chapter.md, one after the other
 
 /// A text with a name.
 struct NamedText {

@@ -22,7 +22,7 @@ char const* kind_name(Quantity::Kind kind) {
   return "";
 }
 
-/// What the columns of a quantity are called, where that does not depend on the scene; `...` stands for more of them.
+/// What the columns of a quantity are called, where that does not depend on the scene; `...` stands for more.
 Json columns_of(Quantity const& quantity) {
   using Kind = Quantity::Kind;
   if (quantity.kind == Kind::list) return {quantity.name + "_..."};
@@ -33,7 +33,8 @@ Json columns_of(Quantity const& quantity) {
 }
 
 Json in_json(Parameter const& key) {
-  return {{"key", key.key}, {"expects", key.expects}, {"fallback", key.fallback}, {"unit", key.unit}, {"allowed", key.allowed}, {"meaning", key.meaning}, {"example", key.example}};
+  return {{"key", key.key},         {"expects", key.expects}, {"fallback", key.fallback}, {"unit", key.unit},
+          {"allowed", key.allowed}, {"meaning", key.meaning}, {"example", key.example}};
 }
 
 Json in_json(System const& system) {
@@ -41,7 +42,15 @@ Json in_json(System const& system) {
   for (auto const& key : keys_of(system)) out["parameters"].push_back(in_json(key));
   for (auto const& m : system.methods) out["methods"].push_back({{"name", m.name}, {"orders", m.orders}, {"meaning", m.meaning}, {"statement", m.statement}});
   for (auto const& q : system.quantities)
-    out["quantities"].push_back({{"name", q.name}, {"kind", kind_name(q.kind)}, {"meaning", q.meaning}, {"formula", q.formula}, {"unit", q.unit}, {"columns", columns_of(q)}, {"statement", q.statement}, {"needs", q.needs}, {"conserved", q.conserved}});
+    out["quantities"].push_back({{"name", q.name},
+                                 {"kind", kind_name(q.kind)},
+                                 {"meaning", q.meaning},
+                                 {"formula", q.formula},
+                                 {"unit", q.unit},
+                                 {"columns", columns_of(q)},
+                                 {"statement", q.statement},
+                                 {"needs", q.needs},
+                                 {"conserved", q.conserved}});
   return out;
 }
 

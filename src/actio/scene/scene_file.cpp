@@ -16,7 +16,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Whether a path is a name alone, as those of the scenes that the program carries.
-bool is_plain_name(fs::path const& path) { return !path.empty() && !path.has_parent_path() && !path.has_extension(); }
+bool is_plain_name(fs::path const& path) {
+  return !path.empty() && !path.has_parent_path() && !path.has_extension();
+}
 
 /// The text of the scene that the program carries under that name, where no file has it.
 std::string_view const* carried_text(std::string const& path) {
@@ -38,17 +40,22 @@ std::vector<std::string> scenes_in(fs::path const& folder, bool carried) {
 
 /// What could be run instead of a file that is not there.
 std::string scene_instead(fs::path const& path) {
-  std::string const near = did_you_mean(path.filename().string(), scenes_in(path.parent_path(), is_plain_name(path)));
+  std::string const near =
+      did_you_mean(path.filename().string(), scenes_in(path.parent_path(), is_plain_name(path)));
   std::string const name = path.stem().string();
-  if (path.extension() != ".toml" || !find_scene(name)) return near.empty() && is_plain_name(path) ? " (scenes that come with actio: actio list scenes)" : near;
-  return fmt::format("; a scene of that name comes with actio: 'actio run {0}' runs it, 'actio new {0} --out {1}' writes it", name, path.string());
+  if (path.extension() != ".toml" || !find_scene(name))
+    return near.empty() && is_plain_name(path) ? " (scenes that come with actio: actio list scenes)" : near;
+  return fmt::format(
+      "; a scene of that name comes with actio: 'actio run {0}' runs it, 'actio new {0} --out {1}' writes it",
+      name, path.string());
 }
 
 /// The whole of a file that is one, and not larger than any scene.
 std::string read_text(std::string const& path) {
   std::error_code error;
   fs::file_status const status = fs::status(path, error);
-  if (!fs::exists(status)) throw SceneError({path.empty() ? "''" : path}, "there is no such file" + scene_instead(path));
+  if (!fs::exists(status))
+    throw SceneError({path.empty() ? "''" : path}, "there is no such file" + scene_instead(path));
   if (fs::is_directory(status)) throw SceneError({path}, "a scene is expected, this is a folder");
   if (!fs::is_regular_file(status)) throw SceneError({path}, "a scene is expected, this is no ordinary file");
   std::ifstream in(path, std::ios::binary);
@@ -85,7 +92,10 @@ SceneTable SceneFile::section(std::string const& name) const {
     dot = next;
   }
   toml::node const* const node = document_->root.get(path.front());
-  if (node && !node->is_table()) throw SceneError(detail::place_of(node->source(), document_->name), fmt::format("{0}: a section [{0}] is expected, found {1}", path.front(), detail::described(*node)));
+  if (node && !node->is_table())
+    throw SceneError(
+        detail::place_of(node->source(), document_->name),
+        fmt::format("{0}: a section [{0}] is expected, found {1}", path.front(), detail::described(*node)));
   return {document_, path};
 }
 void SceneFile::allow(std::vector<std::string> const& sections) const { SceneTable(document_, {}).allow(sections); }

@@ -32,9 +32,11 @@ class SceneTable {
   SceneTable(std::shared_ptr<detail::SceneDocument> document, std::vector<std::string> path) : document_(std::move(document)), path_(std::move(path)) {}
 
   /// Refuses every key but these.
-  /// @param more  what there is to say of a key that is refused, for instance where it is known; otherwise the nearest of the keys is told, and all of them
+  /// @param more  what there is to say of a key that is refused, for instance where it is known; where it says
+  ///              nothing the nearest of the keys is told, and all of them
   /// @throws SceneError  at the first other key, with the nearest of these
-  void allow(std::vector<std::string> const& keys, std::function<std::string(std::string const& key)> const& more = {}) const;
+  void allow(std::vector<std::string> const& keys,
+             std::function<std::string(std::string const& key)> const& more = {}) const;
   /// Whether the key is there.
   bool has(std::string const& key) const;
   /// `system.mesh`
@@ -100,7 +102,8 @@ class SceneTable {
 /// A whole scene.
 class SceneFile {
  public:
-  /// @param path       of a file; a name alone, as "apophis", where no file has it, is that of a scene that the program carries (scenes.hpp)
+  /// @param path       of a file; a name alone, as "apophis", where no file has it, is that of a scene that the
+  ///                   program carries (scenes.hpp)
   /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text
   /// @throws SceneError  where the file is no TOML (with the place), too large, or not there; where an override is wrong (with the place in it)
   /// @throws FileError   where the file cannot be read

@@ -29,7 +29,8 @@ void merge(toml::table& into, toml::table&& from, std::string const& name) {
   for (auto&& [key, node] : from) {
     toml::node* const there = into.get(key.str());
     // A table in braces that takes the place of another one is a value like any: nothing of the other stays.
-    bool const values = node.is_table() && there && there->is_table() && node.as_table()->is_inline() && there->as_table()->is_inline();
+    bool const values = node.is_table() && there && there->is_table() && node.as_table()->is_inline() &&
+                        there->as_table()->is_inline();
     if (values)
       into.insert_or_assign(key, std::move(node));
     else if (node.is_table() && there && there->is_table())

@@ -79,7 +79,8 @@ std::string SceneTable::name() const {
   return out;
 }
 
-void SceneTable::allow(std::vector<std::string> const& keys, std::function<std::string(std::string const& key)> const& more) const {
+void SceneTable::allow(std::vector<std::string> const& keys,
+                       std::function<std::string(std::string const& key)> const& more) const {
   toml::table const* const table = document_->table(path_);
   if (!table) return;
   // The first in the file, not in the alphabet.
@@ -87,7 +88,8 @@ void SceneTable::allow(std::vector<std::string> const& keys, std::function<std::
   for (auto const& [key, node] : *table)
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end() && (!first || is_before(key, *first))) first = &key;
   if (!first) return;
-  std::string const word(first->str()), what = path_.empty() ? "section" : "key of [" + name() + "]", note = more ? more(word) : "";
+  std::string const word(first->str()), what = path_.empty() ? "section" : "key of [" + name() + "]",
+                                        note = more ? more(word) : "";
   Place const place = place_of(first->source(), document_->name);
   if (!note.empty()) throw SceneError(place, fmt::format("unknown {} '{}'{}", what, shown(word), note));
   fail_unknown(place, what, word, keys, keys.empty() ? "none is known here" : "");
@@ -96,7 +98,8 @@ void SceneTable::allow(std::vector<std::string> const& keys, std::function<std::
 bool SceneTable::has(std::string const& key) const { return document_->value(path_, key); }
 
 Place SceneTable::place() const {
-  // What was missed in a table that only the command line speaks of is missed in the file, but for a value in braces.
+  // What was missed in a table that only the command line speaks of is missed in the file, but for a value in
+  // braces.
   toml::table const* const table = document_->table(path_);
   if (table && table->is_inline() && table->source().begin) return place_of(table->source(), document_->name);
   if (table && table->source().begin && table->source().path && *table->source().path == document_->name) return place_of(table->source(), document_->name);
@@ -128,7 +131,9 @@ double SceneTable::positive(std::string const& key) const {
 long SceneTable::integer(std::string const& key, long least, long most) const {
   auto const& node = value_of(*document_, path_, key, *this);
   auto const* const value = node.as_integer();
-  if (!value) fail(key, fmt::format("{}: a whole number is expected, found {}{}", key, described(node), without_point(node)));
+  if (!value)
+    fail(key, fmt::format("{}: a whole number is expected, found {}{}", key, described(node),
+                          without_point(node)));
   if (value->get() < least || value->get() > most) fail(key, fmt::format("{}: a whole number from {} to {} is expected, found {}", key, least, most, value->get()));
   return static_cast<long>(value->get());
 }

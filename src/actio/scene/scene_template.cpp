@@ -13,7 +13,8 @@
 namespace actio::scene {
 namespace {
 
-using Values = std::map<std::string, std::string>;  // of a scene, as they are written, by their keys with sections
+using Values =
+    std::map<std::string, std::string>;  // of a scene, as they are written, by their keys with sections
 
 /// The values of an example, which has a line for each.
 Values values_in(std::string const& example) {
@@ -21,8 +22,10 @@ Values values_in(std::string const& example) {
   std::istringstream lines(example);
   std::string section;
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with('[')) section = line.substr(1, line.find(']') - 1);
-    else if (std::size_t const equals = line.find(" = "); equals != std::string::npos) out[section + "." + line.substr(0, equals)] = line.substr(equals + 3);
+    if (line.starts_with('['))
+      section = line.substr(1, line.find(']') - 1);
+    else if (std::size_t const equals = line.find(" = "); equals != std::string::npos)
+      out[section + "." + line.substr(0, equals)] = line.substr(equals + 3);
   }
   return out;
 }
@@ -31,7 +34,8 @@ Values values_in(std::string const& example) {
 double round_up(double x) {
   int const power = static_cast<int>(std::floor(std::log10(x)));
   for (int const digit : {1, 2, 5, 10})
-    if (double const round = std::stod(fmt::format("{}e{}", digit, power)); round >= x * (1 - 1e-12)) return round;
+    if (double const round = std::stod(fmt::format("{}e{}", digit, power)); round >= x * (1 - 1e-12))
+      return round;
   return x;
 }
 
@@ -62,8 +66,10 @@ std::string held(Parameter const& key, LibraryBody const* body) {
   std::string out = "[" + key.expects;
   if (!key.allowed.empty()) out += ": " + listed(key.allowed);
   if (!key.unit.empty()) out += "; unit " + (body && key.unit == "time" ? body->time : key.unit);
-  if (key.fallback.starts_with("or ")) out += "; " + key.fallback;
-  else if (!key.fallback.starts_with("needed")) out += "; where left out: " + key.fallback;
+  if (key.fallback.starts_with("or "))
+    out += "; " + key.fallback;
+  else if (!key.fallback.starts_with("needed"))
+    out += "; where left out: " + key.fallback;
   return out + "]";
 }
 
@@ -75,18 +81,23 @@ std::string scene_template(System const& system, LibraryBody const* body) {
   values.emplace("scene.title", "\"" + system.title + "\"");
   if (body) {
     auto const names = keys_in(keys, "system");
-    if (std::find(names.begin(), names.end(), "body") == names.end()) throw SceneError({"actio new"}, system.name + " takes no body of the library");
+    if (std::find(names.begin(), names.end(), "body") == names.end())
+      throw SceneError({"actio new"}, system.name + " takes no body of the library");
     let_go(values, *body);
   }
-  std::string out = comment(system.meaning + " Keys that are not needed are comments: without their # they count."), section;
+  std::string out = comment(system.meaning +
+                            " Keys that are not needed are comments: without their # they count."),
+              section;
   for (auto const& key : keys) {
     std::size_t const dot = key.key.find('.');
-    if (key.key.find('.', dot + 1) != std::string::npos) continue;  // of a table within, told with the key that holds it
+    if (key.key.find('.', dot + 1) != std::string::npos)
+      continue;  // of a table within, told with the key that holds it
     out += "\n";
     if (key.key.substr(0, dot) != section) section = key.key.substr(0, dot), out += "[" + section + "]\n";
     auto const value = values.find(key.key);
     std::string const name = key.key.substr(dot + 1);
-    out += comment(key.meaning) + comment(held(key, body)) + (value != values.end() ? name + " = " + value->second : "# " + name + " = " + key.example) + "\n";
+    out += comment(key.meaning) + comment(held(key, body)) +
+           (value != values.end() ? name + " = " + value->second : "# " + name + " = " + key.example) + "\n";
   }
   return out;
 }

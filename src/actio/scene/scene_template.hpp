@@ -6,7 +6,8 @@
 
 namespace actio::scene {
 
-/// A scene of this system that runs as it is: that of its example, or with a body of the library, let go with the spin of the catalogue for about six turns.
+/// A scene of this system that runs as it is: that of its example, or with a body of the library, let go with
+/// the spin of the catalogue for about six turns.
 /// @param body  null for the example
 /// @throws SceneError  where the system takes no body
 std::string scene_template(System const& system, LibraryBody const* body = nullptr);

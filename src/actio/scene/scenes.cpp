@@ -10,7 +10,8 @@ std::vector<NamedScene> const& carried_scenes() {
     std::vector<NamedScene> out;
     for (auto const& [name, text] : embedded::scenes()) {
       SceneFile const file = SceneFile::parse(text, std::string(name));
-      out.push_back({std::string(name), file.section("scene").text("title"), file.section("system").text("kind"), text});
+      out.push_back({std::string(name), file.section("scene").text("title"),
+                     file.section("system").text("kind"), text});
     }
     return out;
   }();

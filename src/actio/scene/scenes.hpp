@@ -1,4 +1,5 @@
-// The scenes that the program carries with it, data/scenes: `actio run apophis` runs one, `actio new apophis` writes it.
+// The scenes that the program carries with it, data/scenes: `actio run apophis` runs one, `actio new apophis`
+// writes it.
 #pragma once
 
 #include <string>

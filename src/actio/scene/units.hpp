@@ -6,11 +6,12 @@
 
 namespace actio::scene {
 
-/// The units of a scene, as far as they are known: those that it names in [scene], or those of its body of the catalogue. Empty where they are not.
+/// The units of a scene, as far as they are known: those that it names in [scene], or those of its body of
+/// the catalogue. Empty where they are not.
 struct Units {
-  std::string time,    ///< "h"
-      moment,          ///< of moments of inertia, "kg m^2"; "ratio" where only their ratios are known
-      energy;          ///< "J", "kg m^2/h^2", "ratio/d^2"
+  std::string time,  ///< "h"
+      moment,        ///< of moments of inertia, "kg m^2"; "ratio" where only their ratios are known
+      energy;        ///< "J", "kg m^2/h^2", "ratio/d^2"
 
   /// Of a unit in words: "energy x time" is "kg m^2/s".
   std::string in(std::string unit) const;

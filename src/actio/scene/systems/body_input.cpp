@@ -34,7 +34,8 @@ GivenInertia read_body_or_inertia(SceneTable const& system) {
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks) {
   if (!initial.has("attitude")) initial.set("attitude", std::vector<double>{1, 0, 0, 0});
   if (initial.is_table("attitude")) return read_turn(initial.inside("attitude")).stableNormalized();
-  if (initial.is_matrix("attitude")) return quaternion(read_attitude_n(initial, 3, remarks)).stableNormalized();
+  if (initial.is_matrix("attitude"))
+    return quaternion(read_attitude_n(initial, 3, remarks)).stableNormalized();
   auto const given = initial.numbers("attitude", 4);
   Eigen::Vector4d const q(given.data()), unit = q.stableNormalized();
   double const off = std::abs(q.stableNorm() - 1);
@@ -50,9 +51,11 @@ Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& ine
   bool const velocity = initial.has("angular_velocity"), momentum = initial.has("angular_momentum");
   if (velocity == momentum)
     throw SceneError(momentum ? initial.place("angular_momentum") : initial.place(),
-                     velocity ? "angular_velocity and angular_momentum exclude each other" : "[initial] needs 'angular_velocity' or 'angular_momentum'");
+                     velocity ? "angular_velocity and angular_momentum exclude each other"
+                              : "[initial] needs 'angular_velocity' or 'angular_momentum'");
   std::string const key = velocity ? "angular_velocity" : "angular_momentum";
-  Eigen::Vector3d const given(velocity ? read_angles(initial, key, 3).data() : initial.numbers(key, 3).data());
+  Eigen::Vector3d const given(velocity ? read_angles(initial, key, 3).data()
+                                       : initial.numbers(key, 3).data());
   Eigen::Vector3d const m = velocity ? inertia.momentum(given) : given;
   if (!m.allFinite() || !is_finite(m.squaredNorm()) || !is_finite(inertia.velocity(m).squaredNorm()))
     initial.fail(key, key + ": the numbers are too large: energy and |M|^2 are beyond 1e308");
@@ -64,11 +67,14 @@ Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& ine
 
 std::vector<Parameter> initial_parameters(std::string const& momentum) {
   auto all = attitude_parameters();
-  auto const velocities = angle_parameters({"initial.angular_velocity", "three numbers", "or initial.angular_momentum",
-                                            "The angular velocity at the start, in the frame of the body; a list is in radians.", "1/time", "[0.1, 2, 0.1]"},
-                                           "[5, 90, 5]");
+  auto const velocities =
+      angle_parameters({"initial.angular_velocity", "three numbers", "or initial.angular_momentum",
+                        "The angular velocity at the start, in the frame of the body; a list is in radians.",
+                        "1/time", "[0.1, 2, 0.1]"},
+                       "[5, 90, 5]");
   all.insert(all.end(), velocities.begin(), velocities.end());
-  all.push_back({"initial.angular_momentum", "three numbers", "or initial.angular_velocity", momentum, "energy x time", "[0.1, 4, 0.3]"});
+  all.push_back({"initial.angular_momentum", "three numbers", "or initial.angular_velocity", momentum,
+                 "energy x time", "[0.1, 4, 0.3]"});
   return all;
 }
 

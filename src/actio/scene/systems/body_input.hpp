@@ -26,8 +26,8 @@ GivenInertia read_inertia(SceneTable const& system);
 /// `body` or `inertia`.
 GivenInertia read_body_or_inertia(SceneTable const& system);
 
-/// `attitude`, body to space: a unit quaternion, scalar first, a rotation matrix, or a turn about an axis; the identity, written back, where it is left out. Off by at
-/// most 1e-9 it is normalised, and said in `remarks`.
+/// `attitude`, body to space: a unit quaternion, scalar first, a rotation matrix, or a turn about an axis; the
+/// identity, written back, where it is left out. Off by at most 1e-9 it is normalised, and said in `remarks`.
 /// @throws SceneError  where it is farther off, with the normalised value
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks);
 

@@ -72,7 +72,11 @@ Eigen::MatrixXd read_velocity_n(SceneTable const& initial, int n) {
   long const size = static_cast<long>(n) * (n - 1) / 2;
   auto const upper = read_angles(initial, "angular_velocity", -1);
   if (upper.size() != static_cast<std::size_t>(size))
-    initial.fail("angular_velocity", fmt::format("angular_velocity: the upper triangle of a matrix with {} rows is expected, {} numbers, found {}", n, size, upper.size()));
+    initial.fail(
+        "angular_velocity",
+        fmt::format(
+            "angular_velocity: the upper triangle of a matrix with {} rows is expected, {} numbers, found {}",
+            n, size, upper.size()));
   return skew_matrix(upper.data(), n);
 }
 

@@ -16,11 +16,16 @@ std::vector<Parameter> parameters() {
   std::vector<Parameter> all{
       {"system.mass", "a number > 0", "needed", "The mass.", "mass", "1"},
       {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "needed",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in that frame. They are moved to the fixed point.", "mass x length^2", "[1, 1, 0.5]"},
-      {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body.", "length", "[0, 0, 1]"},
-      {"system.gravity", "three numbers", "needed", "The acceleration, in space. Zero for a free body held at a point.", "length/time^2", "[0, 0, -9.81]"},
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
+       "that frame. They are moved to the fixed point.",
+       "mass x length^2", "[1, 1, 0.5]"},
+      {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body.",
+       "length", "[0, 0, 1]"},
+      {"system.gravity", "three numbers", "needed",
+       "The acceleration, in space. Zero for a free body held at a point.", "length/time^2", "[0, 0, -9.81]"},
   };
-  auto const initial = initial_parameters("The angular momentum at the start, about the fixed point, in the frame of the body.");
+  auto const initial = initial_parameters(
+      "The angular momentum at the start, about the fixed point, in the frame of the body.");
   all.insert(all.end(), initial.begin(), initial.end());
   return all;
 }
@@ -113,9 +118,7 @@ struct TopScene {
   bool is_free() const { return !(magnitude(lever) > 0); }
 
  private:
-  Eigen::Vector4d read_attitude() {
-    return scene::read_attitude(initial, remarks);
-  }
+  Eigen::Vector4d read_attitude() { return scene::read_attitude(initial, remarks); }
   /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
   double fastest_of_fall() const {
     double const kinetic = momentum.dot(inertia.velocity(momentum)) / 2, fall = lever.norm() - lever.dot(rotation(attitude).transpose() * down);

@@ -11,9 +11,12 @@ namespace {
 
 std::vector<Parameter> parameters() {
   std::vector<Parameter> all{
-      {"system.body", "a text", "or system.inertia", "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
+      {"system.body", "a text", "or system.inertia",
+       "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
       {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in that frame.", "mass x length^2", "[1, 2, 3]"},
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
+       "that frame.",
+       "mass x length^2", "[1, 2, 3]"},
   };
   auto const initial = initial_parameters("The angular momentum at the start, in the frame of the body.");
   all.insert(all.end(), initial.begin(), initial.end());
@@ -52,9 +55,7 @@ struct FreeBodyScene {
         fastest(fastest_turn(inertia, kinetic_energy(inertia.principal, start.momentum))), step(read_step(method, request.schedule, fastest)) {}
 
  private:
-  GivenInertia read_inertia_of_body() {
-    return read_body_or_inertia(system);
-  }
+  GivenInertia read_inertia_of_body() { return read_body_or_inertia(system); }
   PrincipalStart read_start() {
     Eigen::Vector4d const attitude = read_attitude(initial, remarks);
     return {inertia, read_momentum(initial, inertia), attitude};

@@ -214,7 +214,8 @@ Companion companion_of(Choice const& choice, Start const& start, double step, st
 }
 
 Simulation prepare(Request const& request) {
-  SceneTable system = request.file.section("system"), initial = request.file.section("initial"), method = request.file.section("method");
+  SceneTable system = request.file.section("system"), initial = request.file.section("initial"),
+             method = request.file.section("method");
   auto const asked = [&](char const* name) { return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end(); };
   bool const with_attitude = asked("attitude");
 
@@ -252,13 +253,16 @@ Simulation prepare(Request const& request) {
 std::vector<Parameter> parameters() {
   std::vector<Parameter> all{
       {"system.lambda", fmt::format("n numbers, n from 2 to {}", most_dimensions), "needed",
-       "The diagonal of Lambda: second moments of the mass along the body axes. The sum of any two is positive, and is the moment of inertia in their plane.", "mass x length^2",
-       "[1, 2, 3, 4]"},
-      {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity", "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said.", "",
+       "The diagonal of Lambda: second moments of the mass along the body axes. The sum of any two is "
+       "positive, and is the moment of inertia in their plane.",
+       "mass x length^2", "[1, 2, 3, 4]"},
+      {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity",
+       "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said.", "",
        "[[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
   };
   auto const velocities = angle_parameters({"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
-                                            "The upper triangle of the body velocity g^-1 g', row by row: xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = 3: "
+                                            "The upper triangle of the body velocity g^-1 g', row by row: "
+                                            "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = 3: "
                                             "(xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
                                             "1/time", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"},
                                            "[5, 10, 15, 20, 25, 30]");
