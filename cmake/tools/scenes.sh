@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scenes.sh BUILD: runs every scene of data/scenes with the built command, for the book: BUILD/report/scenes/NAME holds what the run left, NAME.txt what it said,
-# and systems.json what the command knows of its systems. Then every program of data/scenes in Python, where the module is built: BUILD/report/python/NAME.txt.
+# and systems.json and keys.json what the command knows of its systems and of their keys. Then every program of data/scenes in Python, where the module is built: BUILD/report/python/NAME.txt.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -8,6 +8,8 @@ reports=$build/report/scenes
 mkdir -p "$reports"
 "$build/bin/actio" list systems --json >"$reports/systems.json.part"
 mv "$reports/systems.json.part" "$reports/systems.json"
+"$build/bin/actio" list keys --json >"$reports/keys.json.part"
+mv "$reports/keys.json.part" "$reports/keys.json"
 
 ran=0 current=0 failed=()
 cd "$root"

@@ -9,6 +9,7 @@ import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegist
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable, systemPage, viewerFrame, viewerOf } from './scenes.mjs';
 import { knowStatements } from './small_print.mjs';
+import { keysPage, readKeys } from './keys.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
@@ -37,6 +38,10 @@ for (const dir of fs.existsSync(at('chapters')) ? fs.readdirSync(at('chapters'))
   const chapter = /^ch(\d+)_/.exec(dir);
   if (chapter && fs.existsSync(file)) pages.push({ file, out: `21_${dir}.md`, chapter: Number(chapter[1]), id: `ch${chapter[1]}` });
 }
+// One page with every key of a scene, where the command has told them.
+const keys = readKeys(opt.build);
+if (opt.strict && !keys && fs.existsSync(at('data/scenes'))) errors.add(path.join(opt.build, 'report/scenes/keys.json'), 1, 'missing: run the scenes');
+if (keys) pages.push({ file: path.join(opt.build, 'report/scenes/keys.json'), out: '23_a_keys.md', chapter: null, text: keysPage(keys) });
 // One page for each system that scenes are made of, after the page that tells how to run them.
 for (const system of book.systems ?? []) pages.push({ file: path.join(opt.build, `report/scenes/systems.json:${system.name}`), out: `23_system_${system.name}.md`, chapter: null, text: systemPage(book, system) });
 for (const scene of book.scenes?.values() ?? []) pages.push({ file: scene.file, out: `23_x_scene_${scene.name}.md`, chapter: null, text: scenePage(scene) });
@@ -308,6 +313,11 @@ for (const p of pages) {
     ledger() {
       const unplaced = registry.filter(s => !book.places.has(s.id)).map(s => s.id);
       block(ledger(book), unplaced);
+    },
+    scenekeys() {
+      if (!keys) return block(`<p>${notRun('the command')}</p>`);
+      emit('\\subpage scene_keys "Every key of a scene" has them all, with type, default, unit and an example.');
+      emit('');
     },
     ledgercounts() { block(ledgerCounts(book)); },
     verified(chapter) {

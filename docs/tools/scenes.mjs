@@ -2,6 +2,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { escapeHtml, labelled, number, prose, walk } from './lib.mjs';
+import { columns, keyTable, unit } from './keys.mjs';
 import { inlineSvg } from './programs.mjs';
 import { mathematics } from './small_print.mjs';
 
@@ -102,12 +103,11 @@ const statements = (book, text) => String(text ?? '').split(/[ ,]+/).filter(Bool
 /// The reference page of a system, as a page of the book.
 export function systemPage(book, system) {
   const lines = [`# System ${system.name} {#system_${system.name}}`, '', `**${system.title}.** ${system.meaning}`, '', system.statement ? `In the thesis: ${statements(book, system.statement)}.` : '', ''];
-  lines.push('## Parameters', '', '| key | expects | where left out | what it is |', '|---|---|---|---|');
-  for (const p of system.parameters) lines.push(`| \`${p.key}\` | ${inMarkdown(p.expects)} | ${cell(p.fallback)} | ${inMarkdown(p.meaning)} |`);
+  lines.push('## Keys', '', ...keyTable(system.parameters));
   lines.push('', '## Methods', '', '| method | orders | what it is | source |', '|---|---|---|---|');
   for (const m of system.methods) lines.push(`| \`${m.name}\` | ${m.orders.join(', ')} | ${inMarkdown(m.meaning)} | ${statements(book, m.statement)} |`);
-  lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | needs | kept | thesis |', '|---|---|---|---|---|---|---|');
-  for (const q of system.quantities) lines.push(`| \`${q.name}\` | ${inMarkdown(q.meaning)} | ${formula(q.formula)} | ${q.kind}, ${inMarkdown(q.unit)} | ${q.needs.length ? q.needs.map(n => `\`${n}\``).join(', ') : 'the state'} | ${q.conserved ? 'yes' : ''} | ${statements(book, q.statement)} |`);
+  lines.push('', '## Quantities', '', '| quantity | what it is | formula | kind, unit | columns | needs | kept | thesis |', '|---|---|---|---|---|---|---|---|');
+  for (const q of system.quantities) lines.push(`| \`${q.name}\` | ${inMarkdown(q.meaning)} | ${formula(q.formula)} | ${q.kind}, ${unit(q.unit)} | ${columns(q)} | ${q.needs.length ? q.needs.map(n => `\`${n}\``).join(', ') : 'the state'} | ${q.conserved ? 'yes' : ''} | ${statements(book, q.statement)} |`);
   const examples = [...(book.scenes ?? new Map()).values()].filter(s => s.summary.system === system.name);
   if (examples.length) lines.push('', '## Scenes', '', ...examples.map(s => `- \\ref scenefile_${s.name} "${path.basename(s.file)}": ${s.summary.title}`));
   return lines.join('\n') + '\n';

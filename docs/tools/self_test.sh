@@ -122,6 +122,20 @@ whole
 book --strict
 grep -q 'nothing changed' "$work/out" && echo 'ok      is not written again' || { echo 'FAILED  written again with nothing changed'; failures=$((failures + 1)); }
 
+# What the command tells of its keys is a page, and the tables of the systems point into it.
+project; mkdir -p build/report/scenes
+cat >build/report/scenes/keys.json <<'X'
+[{"key":"system.mass","expects":"a number > 0","fallback":"needed","unit":"mass x length^2","allowed":[],"meaning":"The <mass> of_it.","example":"1","systems":["top"]},
+ {"key":"run.at","expects":"a list | of numbers","fallback":"\"none_at_all\"","unit":"","allowed":["one_two"],"meaning":"The times.","example":"[0, 1]","systems":["top"]}]
+X
+echo "[{\"name\":\"top\",\"title\":\"Top\",\"meaning\":\"It turns.\",\"statement\":\"\",\"parameters\":$(cat build/report/scenes/keys.json),\"methods\":[],\"quantities\":[]}]" >build/report/scenes/systems.json
+passes 'a book with keys of scenes' --strict
+contains scene_keys.html 'id="key_system_mass"'
+contains scene_keys.html 'The &lt;mass&gt; of_it\.'
+contains scene_keys.html '"none_at_all"'
+contains scene_keys.html 'mass = 1'
+contains system_top.html 'scene_keys.html#key_run_at'
+contains search_index.js 'key_system_mass'
 project; rm -rf build/report; passes 'a book without reports'; contains ch03.html 'not run'
 project; rm -rf build/report; refuses 'absent reports' 'statements.json:1: missing'
 project; sed -i 's/\\verdict{eq_3_9}/\\verdict{eq_3_99}/' $chapter; refuses 'an unknown statement' 'chapter.md:3: unknown statement eq_3_99'

@@ -4,6 +4,8 @@
 
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
+#include "actio/scene/keys.hpp"
+#include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"
 
 namespace actio::app {
@@ -24,7 +26,8 @@ std::vector<QuantityOf> all_quantities() {
 }
 
 std::vector<std::string> const& kinds_of_lists() {
-  static std::vector<std::string> const kinds{"systems", "groups", "methods", "quantities", "bodies", "materials"};
+  static std::vector<std::string> const kinds{"systems", "groups",    "methods", "quantities",
+                                              "bodies",  "materials", "keys",    "scenes"};
   return kinds;
 }
 
@@ -43,6 +46,10 @@ std::vector<std::string> names_in(std::string const& list) {
     for (auto const& entry : all_quantities()) add(entry.quantity->name);
   if (list == "bodies")
     for (auto const& body : library_bodies()) add(body.name);
+  if (list == "keys")
+    for (auto const& key : all_keys()) add(key.parameter.key);
+  if (list == "scenes")
+    for (auto const& carried : carried_scenes()) add(carried.name);
   return out;
 }
 
@@ -50,6 +57,13 @@ std::vector<std::string> all_names() {
   std::vector<std::string> out;
   for (auto const& list : kinds_of_lists())
     for (auto const& name : names_in(list)) out.push_back(name);
+  return out;
+}
+
+std::string names_of(std::vector<System const*> const& of) {
+  if (of.size() == systems().size()) return "all";
+  std::string out;
+  for (auto const* const system : of) out += (out.empty() ? "" : ",") + system->name;
   return out;
 }
 

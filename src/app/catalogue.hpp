@@ -28,6 +28,9 @@ std::vector<std::string> names_in(std::string const& list);
 /// The names in all of them.
 std::vector<std::string> all_names();
 
+/// Names with commas between; `all` where these are all systems.
+std::string names_of(std::vector<scene::System const*> const& of);
+
 /// A statement of the thesis with what it is about, where `statement` is the id of one; otherwise as it is.
 std::string statement_in_words(std::string const& statement);
 

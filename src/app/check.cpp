@@ -15,6 +15,7 @@
 #include "actio/scene/statements.hpp"
 #include "app/child.hpp"
 #include "app/commands.hpp"
+#include "app/ledger.hpp"
 
 namespace actio::app {
 
@@ -26,7 +27,7 @@ namespace fs = std::filesystem;
 
 /// What the checks of one statement said, over all scalars.
 struct Result {
-  std::string title, verdict;
+  std::string title, verdict, printed, corrected, note;
   std::set<std::string> scalars;
   std::vector<std::string> failures;
 };
@@ -41,10 +42,17 @@ std::vector<Statement const*> wanted(std::vector<std::string> const& ids) {
   std::vector<std::string> known;
   for (auto const& statement : statements()) known.push_back(statement.id);
   for (auto const& id : ids) {
-    Statement const* const statement = find_statement(id);
-    if (!statement) throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)", shown(id), did_you_mean(id, known)));
-    if (!statement->checked) throw SceneError({"actio check"}, fmt::format("{} is a statement of the thesis ({}), but has no check yet", id, statement->subject));
-    if (std::find(out.begin(), out.end(), statement) == out.end()) out.push_back(statement);
+    auto const meant = find_statements(id);
+    if (meant.empty())
+      throw SceneError({"actio check"}, fmt::format("unknown statement '{}'{} (actio check --list)",
+                                                    shown(id), did_you_mean(id, known)));
+    for (auto const* const statement : meant) {
+      if (!statement->checked)
+        throw SceneError({"actio check"},
+                         fmt::format("{} is a statement of the thesis ({}), but has no check yet",
+                                     statement->id, statement->subject));
+      if (std::find(out.begin(), out.end(), statement) == out.end()) out.push_back(statement);
+    }
   }
   return out;
 }
@@ -91,6 +99,9 @@ void read_reports(fs::path const& folder, Results& results) {
       Result& result = results[record.at("id").get<std::string>()];
       result.title = record.at("title").get<std::string>();
       result.verdict = record.at("verdict").get<std::string>();
+      result.printed = record.value("printed", "");
+      result.corrected = record.value("corrected", "");
+      result.note = record.value("note", "");
       std::string const scalar = record.at("scalar").get<std::string>();
       result.scalars.insert(scalar);
       for (auto const& failure : record.at("failures")) result.failures.push_back(scalar + ": " + failure.get<std::string>());
@@ -123,10 +134,13 @@ int run_checks(fs::path const& program, std::vector<std::string> const& ids, Res
 }
 
 /// A line for the statement.
+/// @param why  whether what was corrected, and the note, are told below it
 /// @return whether it is well
-bool tell(Statement const& statement, Result const& result, std::size_t width) {
+bool tell(Statement const& statement, Result const& result, std::size_t width, bool why) {
   bool const well = result.failures.empty();
   fmt::print("{:<{}}  {:<10}  {}\n", statement.id, width, well ? result.verdict : "FAILED", result.title.empty() ? statement.subject : result.title);
+  if (well && why && result.verdict != "holds")
+    fmt::print("{}", verdict_in_words(result.printed, result.corrected, result.note));
   std::fflush(stdout);
   for (auto const& failure : result.failures) fmt::print(stderr, "  {}: {}\n", statement.id, failure);
   return well;
@@ -156,7 +170,7 @@ int check(std::vector<std::string> const& ids) {
     Results results;
     if (!here.empty() && run_checks(programs.at(chapter), here, results) == 130) return 130;
     for (auto const& id : here) {
-      ++(tell(*find_statement(id), results[id], width) ? well : failed);
+      ++(tell(*find_statement(id), results[id], width, !ids.empty()) ? well : failed);
       scalars.insert(results[id].scalars.begin(), results[id].scalars.end());
     }
   }

@@ -52,10 +52,16 @@ bool is_sweep(std::string const& folder);
 /// What KEY=VALUE and KEY of the command line say, as overrides of a scene: what is taken out first.
 std::vector<std::string> overrides(std::vector<std::string> const& set, std::vector<std::string> const& unset, bool plots);
 
-/// @param what  systems, groups, methods, quantities, bodies, materials
-/// @param json  for other programs: systems, with all that is known of them
+struct NewArguments {
+  std::string name,  ///< of a system, of a scene that the program carries, or of a body
+      body, out;     ///< body: of the library, or empty; out: standard output where empty
+};
+int make_new(NewArguments const& arguments);
+
+/// @param what  systems, groups, methods, quantities, bodies, materials, keys, scenes
+/// @param json  for other programs: systems or keys, with all that is known of them
 int list(std::string const& what, bool json = false);
-/// @param name  of a body, a material, a system, a method, a quantity, a group or a statement
+/// @param name  of a body, a material, a system, a method, a quantity, a group, a key, a scene or a statement
 int show(std::string const& name);
 /// @param ids  of statements; none: all
 /// @return 1 where a check fails

@@ -14,6 +14,7 @@ _actio_options() { # PART
     resume) echo "--until --jobs --plots --quiet --help" ;;
     plot) echo "--quiet --help" ;;
     sweep) echo "--over --out --set --unset --jobs --quiet --dry-run --plots --force --help" ;;
+    new) echo "--body --out --help" ;;
     list) echo "--json --help" ;;
     show) echo "--help" ;;
     check) echo "--list --help" ;;
@@ -21,9 +22,9 @@ _actio_options() { # PART
   esac
 }
 
-_actio_names() { # PROGRAM
+_actio_names() { # PROGRAM LIST...
   local list
-  for list in systems groups methods quantities bodies materials; do
+  for list in "${@:2}"; do
     "$1" list "$list" 2>/dev/null
   done | cut -d ' ' -f 1 | sort -u
 }
@@ -46,6 +47,7 @@ _actio() {
   if ((COMP_CWORD > 1)); then
     case $before in
       --out) _actio_files "$word" ""; return ;;
+      --body) _actio_reply "$word" < <(_actio_names "$program" bodies); return ;;
       --set | --unset | --over | --jobs | --until) return ;;
     esac
   fi
@@ -55,14 +57,19 @@ _actio() {
     return
   fi
   if ((COMP_CWORD == 1)); then
-    _actio_reply "$word" < <(printf '%s\n' run resume plot sweep list show check)
+    _actio_reply "$word" < <(printf '%s\n' run resume plot sweep new list show check)
     return
   fi
   case $part in
-    run | sweep) _actio_files "$word" .toml ;;
+    run | sweep)
+      _actio_files "$word" .toml
+      # A name alone may be that of a scene that comes with actio.
+      [[ -z $word || $word == */* ]] || _actio_reply "$word" < <(_actio_names "$program" scenes)
+      ;;
+    new) _actio_reply "$word" < <(_actio_names "$program" systems scenes bodies) ;;
     resume | plot) _actio_files "$word" "" ;;
-    list) _actio_reply "$word" < <(printf '%s\n' systems groups methods quantities bodies materials) ;;
-    show) _actio_reply "$word" < <(_actio_names "$program") ;;
+    list) _actio_reply "$word" < <(printf '%s\n' systems groups methods quantities bodies materials keys scenes) ;;
+    show) _actio_reply "$word" < <(_actio_names "$program" systems groups methods quantities bodies materials keys scenes) ;;
     check) _actio_reply "$word" < <("$program" check --list 2>/dev/null | cut -d ' ' -f 1) ;;
   esac
 }

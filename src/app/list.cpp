@@ -1,11 +1,16 @@
 // actio list: tables with a line for each name, which comes first, so that they serve in a pipe.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
+#include "actio/scene/keys.hpp"
 #include "actio/scene/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/registry_json.hpp"
+#include "actio/scene/scenes.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
 #include "app/text.hpp"
@@ -58,6 +63,44 @@ Rows list_of_bodies() {
   return rows;
 }
 
+Rows list_of_keys() {
+  Rows rows;
+  // What differs between systems in its default or its words alone has one row.
+  std::vector<KeyOfSystems> keys;
+  for (auto const& key : all_keys()) {
+    auto const alike = std::find_if(keys.begin(), keys.end(), [&](auto const& k) {
+      return k.parameter.key == key.parameter.key && k.parameter.meaning == key.parameter.meaning;
+    });
+    if (alike == keys.end())
+      keys.push_back(key);
+    else
+      alike->of.insert(alike->of.end(), key.of.begin(), key.of.end());
+  }
+  for (auto const& [parameter, of] : keys) rows.push_back({parameter.key, names_of(of), parameter.meaning});
+  return rows;
+}
+Rows list_of_scenes() {
+  Rows rows;
+  for (auto const& carried : carried_scenes()) rows.push_back({carried.name, carried.system, carried.title});
+  return rows;
+}
+
+/// What is there that no scene takes yet.
+void say_what_scenes_do_not_take(std::string const& what) {
+  auto const takes = [](std::string const& key) {
+    auto const names = names_in("keys");
+    return std::find(names.begin(), names.end(), key) != names.end();
+  };
+  if (what == "materials" && names_in("materials").empty())
+    say(stderr,
+        "There are no materials for scenes yet: they come with the systems of continua. Those of the "
+        "library, for programs in C++, are in actio/jets/materials.hpp.\n");
+  if (what == "groups" && !takes("system.group"))
+    say(stderr,
+        "No scene takes a group yet: these are of the library, for programs in C++; actio show SE(3) names "
+        "the header.\n");
+}
+
 /// `bodies` for `body`: the one that begins alike, where none is nearest.
 std::string meant(std::string const& what) {
   std::string const near = did_you_mean(what, kinds_of_lists());
@@ -70,9 +113,10 @@ std::string meant(std::string const& what) {
 }  // namespace
 
 int list(std::string const& what, bool json) {
-  if (json && what != "systems") throw SceneError({"actio list"}, "--json tells of systems alone: actio list systems --json");
+  if (json && what != "systems" && what != "keys")
+    throw SceneError({"actio list"}, "--json tells of systems and of keys alone: actio list systems --json");
   if (json) {
-    fmt::print("{}", registry_json());
+    fmt::print("{}", what == "keys" ? keys_json() : registry_json());
     return 0;
   }
   Rows rows;
@@ -81,8 +125,14 @@ int list(std::string const& what, bool json) {
   else if (what == "methods") rows = list_of_methods();
   else if (what == "quantities") rows = list_of_quantities();
   else if (what == "bodies") rows = list_of_bodies();
-  else if (what == "materials") fmt::print(stderr, "There are no materials yet: they come with the systems of continua.\n");
-  else throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what), listed(kinds_of_lists())));
+  else if (what == "keys")
+    rows = list_of_keys();
+  else if (what == "scenes")
+    rows = list_of_scenes();
+  else if (what != "materials")
+    throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what),
+                                                 listed(kinds_of_lists())));
+  say_what_scenes_do_not_take(what);
   fmt::print("{}", aligned(rows));
   return 0;
 }

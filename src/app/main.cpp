@@ -36,7 +36,11 @@ void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
   auto* const part = add_part(command, "run", "run a scene",
                               "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives series.csv, summary.json and scene.toml, in which every default is written out.",
                               action, [&run] { return app::run(run); });
-  part->add_option("SCENE", run.scene, "a scene, in TOML; - reads it from standard input")->required()->check(CLI::Validator(not_empty, ""));
+  part->add_option(
+          "SCENE", run.scene,
+          "a scene, in TOML; or the name of one that comes with actio, as apophis (actio list scenes); - reads it from standard input")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
   part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR")->check(CLI::Validator(not_empty, ""));
   part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
   part->add_option("--unset", run.unset, "take a key out of the scene")->type_name("KEY")->allow_extra_args(false);
@@ -68,6 +72,24 @@ void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
   app::add_sweep_options(*part, sweep);
 }
 
+void add_new(CLI::App& command, app::NewArguments& made, Action& action) {
+  auto* const part =
+      add_part(command, "new", "print a scene to begin with",
+               "Example: actio new rigid_body --body t_handle --out mine.toml\n\nA system has a scene with "
+               "every key and what it means; a scene that comes with actio (actio list scenes) is "
+               "printed as it is; a body is let go. Each runs as it is.",
+               action, [&made] { return app::make_new(made); });
+  part->add_option("KIND", made.name, "a system, a scene that comes with actio, or a body of the library")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_option("--body", made.body, "a body of the library, for rigid_body")
+      ->type_name("BODY")
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_option("--out", made.out, "a new file for the scene; otherwise it is printed")
+      ->type_name("FILE")
+      ->check(CLI::Validator(not_empty, ""));
+}
+
 /// What the parts that look things up are asked.
 struct Questions {
   std::string list, name;
@@ -76,15 +98,31 @@ struct Questions {
 };
 
 void add_questions(CLI::App& command, Questions& asked, Action& action) {
-  auto* part = add_part(command, "list", "list what there is: systems, groups, methods, quantities, bodies, materials", "Example: actio list bodies\n\nA line for each; its first word is the name.", action,
-                        [&asked] { return app::list(asked.list, asked.json); });
-  part->add_option("WHAT", asked.list, "systems, groups, methods, quantities, bodies or materials")->required()->check(CLI::Validator(not_empty, ""));
-  part->add_flag("--json", asked.json, "systems, with all that is known of them, for other programs")->disable_flag_override();
-  part = add_part(command, "show", "tell what something is: meaning, units, source, statement of the thesis", "Example: actio show apophis", action, [&asked] { return app::show(asked.name); });
-  part->add_option("NAME", asked.name, "a system, group, method, quantity, body, material or statement")->required()->check(CLI::Validator(not_empty, ""));
+  auto* part =
+      add_part(command, "list",
+               "list what there is: systems, groups, methods, quantities, bodies, materials, keys, scenes",
+               "Example: actio list bodies\n\nA line for each; its first word is the name.", action,
+               [&asked] { return app::list(asked.list, asked.json); });
+  part->add_option("WHAT", asked.list,
+                   "systems, groups, methods, quantities, bodies, materials, keys (of a scene) or scenes "
+                   "(that come with actio)")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_flag("--json", asked.json, "systems or keys, with all that is known of them, for other programs")
+      ->disable_flag_override();
+  part = add_part(command, "show", "tell what something is: meaning, units, source, statement of the thesis",
+                  "Example: actio show apophis\n\nA key of a scene is named with its section, as run.every; "
+                  "a statement as thm_3_2_1, \"(3.10)\" or \"Theorem 3.2.1\".",
+                  action, [&asked] { return app::show(asked.name); });
+  part->add_option("NAME", asked.name,
+                   "a system, group, method, quantity, body, material, key of a scene, scene or statement")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
   part = add_part(command, "check", "run the theorem checks", "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no check, 4 the checks are not built.", action,
                   [&asked] { return asked.list_statements ? app::list_statements() : app::check(asked.ids); });
-  part->add_option("ID", asked.ids, "statements of the thesis, for example thm_3_2_1; none: all");
+  part->add_option(
+      "ID", asked.ids,
+      "statements of the thesis, for example thm_3_2_1, \"(3.10)\" or \"Theorem 3.2.1\"; none: all");
   part->add_flag("--list", asked.list_statements, "list the statements that have a check, and run none")->disable_flag_override();
 }
 
@@ -96,18 +134,24 @@ int main(int argc, char** argv) {
   command.formatter(std::make_shared<app::Help>());
   command.set_help_flag("-h,--help", "this text");
   command.set_version_flag("--version", "actio " ACTIO_VERSION, "which version this is");
-  command.footer(std::string("actio COMMAND --help tells more of each.\n\nExample: actio run apophis.toml\n\n") + exit_statuses);
+  command.footer(
+      std::string("actio COMMAND --help tells more of each.\n\nExample: actio run apophis            a scene "
+                  "that comes with actio (actio list scenes)\n         actio new rigid_body --out mine.toml  "
+                  "          a scene of your own, to edit and run\n\n") +
+      exit_statuses);
 
   Action action;
   app::RunArguments run;
   app::ResumeArguments resume;
   app::PlotArguments plot;
   app::SweepArguments sweep;
+  app::NewArguments made;
   Questions asked;
   add_run(command, run, action);
   add_resume(command, resume, action);
   add_plot(command, plot, action);
   add_sweep(command, sweep, action);
+  add_new(command, made, action);
   add_questions(command, asked, action);
 
   try {

@@ -5,11 +5,16 @@
 
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
+#include "actio/scene/keys.hpp"
 #include "actio/scene/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
+#include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"
+#include "actio/scene/units.hpp"
 #include "app/catalogue.hpp"
 #include "app/commands.hpp"
+#include "app/ledger.hpp"
+#include "app/statement_text.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {
@@ -51,27 +56,89 @@ std::string about(LibraryBody const& body) {
   }
   account.tell("unit of time", body.time);
   account.tell("spin", in_toml(body.spin) + " rad/" + body.time);
+  Units const units = units_of(body);
+  account.tell("units", fmt::format("of a scene with this body: angular velocity {}, momentum {}, energy {}",
+                                    units.in("1/time"), units.in("energy x time"), units.in("energy")));
   account.tell("source", body.source);
   account.tell("derived", body.derived);
+  account.tell("new scene", fmt::format("actio new rigid_body --body {0} --out {0}.toml", body.name));
+  if (find_scene(body.name))
+    account.tell("its scene", fmt::format("actio run {}, which comes with actio", body.name));
   account.scene(fmt::format("[system]\nkind = \"rigid_body\"\nbody = \"{}\"\n[initial]\nangular_velocity = {}   # rad/{}\n", body.name, in_toml(body.spin), body.time));
   return account.text();
 }
 
 std::string orders_of(Method const& method) { return "order " + listed(method.orders); }
 
+/// Whether a system tells of it; keys that every system has alike are listed elsewhere.
+bool is_of_system(Parameter const& key) {
+  return key.key.starts_with("system.") || key.key.starts_with("initial.") || key.key.starts_with("method.");
+}
+
+std::string where_left_out(Parameter const& key) {
+  bool const as_it_is = key.fallback.starts_with("needed") || key.fallback.starts_with("or ");
+  return (as_it_is ? "" : "otherwise ") + key.fallback;
+}
+
+std::string about(KeyOfSystems const& entry) {
+  Parameter const& key = entry.parameter;
+  std::vector<std::string> systems;
+  for (auto const* const system : entry.of) systems.push_back(system->name);
+  Account account(key.key, names_of(entry.of) == "all" ? "a key of every scene"
+                                                       : "a key of scenes of " + listed(systems));
+  account.tell("meaning", key.meaning);
+  account.tell("expects", key.expects);
+  account.tell("left out", key.fallback);
+  account.tell("unit", key.unit);
+  account.tell("allowed", listed(key.allowed));
+  std::size_t const dot = key.key.rfind('.');
+  account.tell("example",
+               fmt::format("[{}] {} = {}", key.key.substr(0, dot), key.key.substr(dot + 1), key.example));
+  return account.text();
+}
+
+/// The keys of a section: `show run`.
+std::string about_section(std::string const& section) {
+  Account account(section, "a section of a scene");
+  std::vector<std::vector<std::string>> rows;
+  for (auto const& entry : all_keys())
+    if (entry.parameter.key.starts_with(section + "."))
+      rows.push_back({entry.parameter.key, names_of(entry.of), entry.parameter.meaning});
+  if (rows.empty()) return "";
+  account.table("keys", rows);
+  return account.text();
+}
+
+/// The keys of that name, or with that name at their end.
+std::vector<std::string> about_keys(std::string const& name) {
+  std::vector<std::string> accounts;
+  for (auto const& entry : all_keys())
+    if (entry.parameter.key == name || entry.parameter.key.ends_with("." + name))
+      accounts.push_back(about(entry));
+  return accounts;
+}
+
+std::string about(NamedScene const& carried) {
+  Account account(carried.name, "a scene that comes with actio: " + carried.title);
+  account.tell("system", carried.system);
+  account.tell("run", "actio run " + carried.name);
+  account.tell("copy", fmt::format("actio new {0} --out {0}.toml", carried.name));
+  return account.text();
+}
+
 std::string about(System const& system) {
   Account account(system.name, "a system: " + system.title);
   account.tell("meaning", system.meaning);
   account.tell("statement", statement_in_words(system.statement));
   std::vector<std::vector<std::string>> parameters, methods, quantities;
-  for (auto const& p : system.parameters) {
-    bool const as_it_is = p.fallback.empty() || p.fallback == "needed" || p.fallback.starts_with("or ");
-    std::string const fallback = (as_it_is ? "" : "otherwise ") + p.fallback;
-    parameters.push_back({p.key, p.expects, fallback, p.meaning});
-  }
+  for (auto const& key : keys_of(system))
+    if (is_of_system(key))
+      parameters.push_back({key.key, key.expects, where_left_out(key), key.unit, key.meaning});
   for (auto const& m : system.methods) methods.push_back({m.name, orders_of(m), m.meaning});
   for (auto const& q : system.quantities) quantities.push_back({q.name, q.unit, q.meaning});
   account.table("parameters", parameters);
+  account.tell("",
+               "Every scene also has run.*, output.* and scene.*: actio list keys, actio show run.every.");
   account.table("methods", methods);
   account.table("quantities", quantities);
   if (!system.example.empty()) account.scene(system.example);
@@ -126,10 +193,22 @@ std::string about(LibraryGroup const& group) {
 std::string about(Statement const& statement) {
   Account account(statement.id, "a statement of the thesis");
   account.tell("subject", statement.subject);
-  account.tell("kind", statement.kind);
+  StatementText const told = statement_text(statement.id);
+  account.tell("in the book", told.title);
+  for (auto const& paragraph : told.paragraphs)
+    account.tell(&paragraph == &told.paragraphs.front() ? "text" : "", paragraph);
+  account.tell("kind", name_in_thesis(statement) == statement.id
+                           ? statement.kind
+                           : statement.kind + ", " + name_in_thesis(statement));
   account.tell("chapter", statement.chapter);
-  account.tell("check", statement.checked ? "actio check " + statement.id : "none yet");
-  return account.text();
+  auto const verdict = verdict_of(statement.id);
+  account.tell("check", statement.checked
+                            ? "actio check " + statement.id + (verdict ? "" : " finds its verdict")
+                            : "none yet");
+  if (verdict) account.tell("verdict", verdict->word);
+  account.tell("book", page_of(statement));
+  return account.text() +
+         (verdict ? verdict_in_words(verdict->printed, verdict->corrected, verdict->note) : "");
 }
 
 }  // namespace
@@ -144,8 +223,18 @@ int show(std::string const& name) {
     if (entry.quantity->name == name) accounts.push_back(about(entry));
   if (accounts.empty())
     for (auto const* const group : find_groups(name)) accounts.push_back(about(*group));
-  if (auto const* const statement = find_statement(name)) accounts.push_back(about(*statement));
-  if (accounts.empty()) throw SceneError({"actio show"}, fmt::format("unknown name '{}'{} (actio list systems|groups|methods|quantities|bodies|materials)", shown(name), did_you_mean(name, all_names())));
+  for (auto& account : about_keys(name)) accounts.push_back(std::move(account));
+  if (auto const* const carried = find_scene(name); carried && !find_body(name))
+    accounts.push_back(about(*carried));
+  if (accounts.empty())
+    if (auto account = about_section(name); !account.empty()) accounts.push_back(std::move(account));
+  for (auto const* const statement : find_statements(name)) accounts.push_back(about(*statement));
+  if (accounts.empty())
+    throw SceneError(
+        {"actio show"},
+        fmt::format(
+            "unknown name '{}'{} (actio list systems|groups|methods|quantities|bodies|materials|keys|scenes)",
+            shown(name), did_you_mean(name, all_names())));
   for (std::size_t i = 0; i < accounts.size(); ++i) fmt::print("{}{}", i ? "\n" : "", accounts[i]);
   return 0;
 }

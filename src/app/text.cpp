@@ -113,9 +113,19 @@ class Formula {
 
   void named(std::string const& name) {
     static std::map<std::string, std::string> const signs{
-        {"langle", "<"}, {"rangle", ">"}, {"cdot", "."}, {"times", " x "}, {"le", " <= "}, {"ge", " >= "}, {"lVert", "|"}, {"rVert", "|"}, {"lvert", "|"}, {"rvert", "|"}, {"to", " -> "},
-        {"top", "T"}, {"quad", "  "}, {"qquad", "   "}, {"dots", "..."}, {"ldots", "..."}, {"cdots", "..."}, {"infty", "infinity"}, {"lfloor", "floor("}, {"rfloor", ")"}, {"left", ""}, {"right", ""}, {"bigl", ""}, {"bigr", ""},
-        {"operatorname", ""}, {"mathrm", ""}, {"text", ""}, {"mathbf", ""}, {"hat", "hat "}, {"dot", "d/dt "}, {"dotproduct", "."}};
+        {"langle", "<"},      {"rangle", ">"},       {"cdot", "."},        {"times", " x "},
+        {"le", " <= "},       {"ge", " >= "},        {"lVert", "|"},       {"rVert", "|"},
+        {"lvert", "|"},       {"rvert", "|"},        {"to", " -> "},       {"top", "T"},
+        {"quad", "  "},       {"qquad", "   "},      {"dots", "..."},      {"ldots", "..."},
+        {"cdots", "..."},     {"infty", "infinity"}, {"lfloor", "floor("}, {"rfloor", ")"},
+        {"left", ""},         {"right", ""},         {"bigl", ""},         {"bigr", ""},
+        {"operatorname", ""}, {"mathrm", ""},        {"mathbb", ""},       {"mathcal", ""},
+        {"mathfrak", ""},     {"mathsf", ""},        {"Bigl", ""},         {"Bigr", ""},
+        {"displaystyle", ""}, {"hatmap", "hat "},    {"pm", " +- "},       {"ne", " != "},
+        {"neq", " != "},      {"in", " in "},        {"subset", " in "},   {"equiv", " = "},
+        {"ddt", "d/dt "},     {"int", "integral "},  {"adstar", "ad^*"},   {"Adstar", "Ad^*"},
+        {"text", ""},         {"mathbf", ""},        {"hat", "hat "},      {"dot", "d/dt "},
+        {"dotproduct", "."}};
     if (name == "frac" || name == "tfrac" || name == "dfrac") {
       std::string const above = argument(), below = argument();
       put(enclosed(above) + "/" + enclosed(below));

@@ -81,7 +81,10 @@ CLI::Option const* option_in(CLI::App const& app, std::string const& message) {
 std::string example_of(std::string const& positional) {
   if (positional == "SCENE") return "which scene? For example: actio run apophis.toml";
   if (positional == "DIR") return "which folder? One that a run left, for example: actio resume apophis";
-  if (positional == "WHAT") return "which list? There are systems, groups, methods, quantities, bodies, materials";
+  if (positional == "WHAT")
+    return "which list? There are systems, groups, methods, quantities, bodies, materials, keys, scenes";
+  if (positional == "KIND")
+    return "which scene? For example: actio new rigid_body; actio list systems tells the kinds";
   if (positional == "NAME") return "which name? For example: actio show energy; actio list tells the names";
   return "'" + positional + "' is missing";
 }

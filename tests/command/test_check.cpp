@@ -65,6 +65,29 @@ BOOST_AUTO_TEST_CASE(checks_that_pass_have_a_line_each_and_status_0) {
   BOOST_TEST(has(outcome.err, "2 passed, 0 failed, over double"));
 }
 
+BOOST_AUTO_TEST_CASE(statements_are_named_as_in_the_thesis_too) {
+  Beside const beside;
+  beside.program("checks_ch03_quick", {"eq_3_10", "thm_3_2_1"});
+  auto const outcome = beside.check("'(3.10)' 'Theorem 3.2.1' eq_3_10");
+  BOOST_TEST(outcome.status == 0, outcome.err);
+  BOOST_TEST(outcome.out ==
+             "eq_3_10    holds       title of eq_3_10\nthm_3_2_1  holds       title of thm_3_2_1\n");
+}
+
+BOOST_AUTO_TEST_CASE(what_was_corrected_is_told_where_the_statement_is_named) {
+  Beside const beside;
+  beside.write(
+      "checks_ch03_quick",
+      "#!/bin/sh\n[ \"$1\" = --list_content ] && { echo '    eq_3_1*' >&2; exit 0; }\nfor last; do :; done\n"
+      "cat >\"$last/a.json\" <<'END'\n[{\"id\":\"eq_3_1\",\"title\":\"the "
+      "sum\",\"verdict\":\"corrected\",\"scalar\":\"double\",\"failures\":[],"
+      "\"printed\":\"\\\\sum_{k=1}^N\",\"corrected\":\"\\\\sum_{k=0}^{N-1}\",\"note\":\"The first is left "
+      "out.\"}]\nEND\n");
+  BOOST_TEST(beside.check("eq_3_1").out ==
+             "eq_3_1  corrected   the sum\n  printed       sum_(k=1)^N\n  corrected     sum_(k=0)^(N-1)\n  "
+             "note          The first is left out.\n");
+}
+
 BOOST_AUTO_TEST_CASE(a_check_that_fails_is_status_1_and_says_why) {
   Beside const beside;
   beside.program("checks_ch03_quick", {"eq_3_1", "thm_3_2_1"}, {"eq_3_1"});

@@ -9,7 +9,7 @@
 namespace {
 
 std::string const script = ACTIO_DATA "/../src/app/completion.bash", page = ACTIO_DATA "/../src/app/actio.1";
-std::vector<std::string> const parts{"run", "resume", "sweep", "list", "show", "check"};
+std::vector<std::string> const parts{"run", "resume", "sweep", "new", "list", "show", "check"};
 
 std::set<std::string> lines_of(std::string const& text) {
   std::set<std::string> out;
@@ -60,7 +60,12 @@ BOOST_AUTO_TEST_CASE(the_options_of_a_part_are_those_of_its_help) {
 
 BOOST_AUTO_TEST_CASE(lists_and_names_are_completed) {
   BOOST_TEST(offered({"list", "b"}) == Names{"bodies"}, boost::test_tools::per_element());
-  BOOST_TEST(offered({"show", "apo"}) == Names{"apophis"}, boost::test_tools::per_element());
+  BOOST_TEST(offered({"show", "apop"}) == Names{"apophis"}, boost::test_tools::per_element());
+  BOOST_TEST(offered({"show", "run.e"}) == Names{"run.every"}, boost::test_tools::per_element());
+  BOOST_TEST(offered({"new", "heavy"}) == Names{"heavy_top"}, boost::test_tools::per_element());
+  BOOST_TEST(offered({"new", "rigid_body", "--body", "to"}) == Names{"toutatis"},
+             boost::test_tools::per_element());
+  BOOST_TEST(offered({"run", "nodd"}) == Names{"nodding_top"}, boost::test_tools::per_element());
   BOOST_TEST(offered({"show", "SO"}) == Names{"SO\\(n\\)"}, boost::test_tools::per_element());
   BOOST_TEST(offered({"check", "thm_3_2_"}).count("thm_3_2_1") == 1u);
 }

@@ -76,11 +76,13 @@ BOOST_AUTO_TEST_CASE(the_command_alone_gives_its_help_and_status_2) {
 
 BOOST_AUTO_TEST_CASE(help_tells_the_parts_an_example_and_the_exit_statuses) {
   std::string const help = actio({"-h"}).out;
-  for (auto const& part : {"run", "resume", "sweep", "list", "show", "check", "Example: actio run", "0 done", "1 ", "2 the scene", "3 the numerics", "4 the disk", "130 interrupted"}) BOOST_TEST(has(help, part), part);
+  for (auto const& part : {"run", "resume", "sweep", "new", "list", "show", "check", "Example: actio run",
+                           "0 done", "1 ", "2 the scene", "3 the numerics", "4 the disk", "130 interrupted"})
+    BOOST_TEST(has(help, part), part);
 }
 
 BOOST_AUTO_TEST_CASE(every_part_has_a_help_with_an_example) {
-  for (std::string const part : {"run", "resume", "sweep", "list", "show", "check"}) {
+  for (std::string const part : {"run", "resume", "sweep", "new", "list", "show", "check"}) {
     auto const outcome = actio({part, "--help"});
     BOOST_TEST(outcome.status == 0);
     BOOST_TEST(outcome.out.starts_with("usage: actio " + part + " "), outcome.out);

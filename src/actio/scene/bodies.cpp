@@ -15,6 +15,12 @@ std::vector<LibraryBody> const& library_bodies() {
   return bodies;
 }
 
+std::vector<std::string> names_of_bodies() {
+  std::vector<std::string> names;
+  for (auto const& body : library_bodies()) names.push_back(body.name);
+  return names;
+}
+
 LibraryBody const* find_body(std::string const& name) {
   for (auto const& body : library_bodies())
     if (body.name == name) return &body;

@@ -23,6 +23,8 @@ struct LibraryBody {
 
 /// All of them, in the order of their names.
 std::vector<LibraryBody> const& library_bodies();
+/// Their names.
+std::vector<std::string> names_of_bodies();
 /// The one of that name; null where there is none.
 LibraryBody const* find_body(std::string const& name);
 

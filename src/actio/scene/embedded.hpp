@@ -1,6 +1,7 @@
 // Files that the program carries with it, so that it runs from anywhere. Their contents are put in by the build.
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace actio::scene::embedded {
@@ -8,6 +9,16 @@ namespace actio::scene::embedded {
 extern std::string_view const bodies_toml;         ///< data/bodies.toml
 extern std::string_view const registry_tsv;        ///< proofs_checks/registry.tsv
 extern std::string_view const checked_statements;  ///< ids of those that have a check, one a line
+
+extern std::string_view const chapters_md;  ///< chapters/*/chapter.md, one after the other
+
+/// A text with a name.
+struct NamedText {
+  std::string_view name,  ///< of its file, without the ending
+      text;               ///< the whole of it
+};
+/// The files of data/scenes, in the order of their names.
+std::span<NamedText const> scenes();
 
 // The page that plays a run: data/viewer/viewer.html, .css, and the parts of its script.
 extern std::string_view const viewer_html,  ///< data/viewer/viewer.html

@@ -52,7 +52,7 @@ std::vector<hsize_t> place(DataSet const& set, hsize_t row) {
 
 std::vector<DataSet> data_sets(SeriesHead const& head) {
   std::vector<DataSet> out;
-  Quantity time{"t", Quantity::Kind::scalar, "The time.", "t", "time", "", {}, false};
+  Quantity time{"t", Quantity::Kind::scalar, "The time.", "t", head.time_unit, "", {}, false};
   out.emplace_back(ColumnGroup{time, {"t"}});
   for (auto const& group : head.groups) out.emplace_back(group);
   return out;

@@ -5,7 +5,10 @@
 
 namespace actio::scene {
 
-/// All systems with their parameters, methods and quantities, as JSON.
+/// All systems with their keys, methods and quantities, as JSON.
 std::string registry_json();
+
+/// All keys of scenes with the systems that have them, as JSON.
+std::string keys_json();
 
 }  // namespace actio::scene

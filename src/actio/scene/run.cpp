@@ -13,6 +13,7 @@
 #include "actio/scene/memory_series.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/rhythm.hpp"
+#include "actio/scene/units.hpp"
 
 namespace actio::scene {
 namespace {
@@ -44,7 +45,10 @@ class Run {
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
     if (!resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
-    SeriesHead const head{scene.title, scene.system->name, written_, simulation_.quantities.column_groups(), scene.schedule.rows()};
+    SeriesHead head{scene.title, scene.system->name, written_, simulation_.quantities.column_groups(),
+                    scene.schedule.rows()};
+    for (auto& group : head.groups) group.quantity.unit = plain_unit_of(scene, group.quantity);
+    if (std::string const unit = time_unit(scene); !unit.empty()) head.time_unit = unit;
     for (auto const& format : scene.formats) series_.push_back(open_series(folder, format, head, resume));
     if (resume) restore();
   }

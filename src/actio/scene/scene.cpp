@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "actio/scene/keys.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/units.hpp"
 
 namespace actio::scene {
 namespace {
@@ -48,17 +50,18 @@ Simulation prepared(System const& system, Request const& request, Schedule& sche
 
 Scene Scene::read(SceneFile file) {
   file.allow({"scene", "system", "initial", "method", "run", "output"});
+  System const& system = system_of(file);
+  allow_keys(file, system);
+  refuse_words_of_other_systems(file, system);
+  read_units(file);
   SceneTable head = file.section("scene"), output = file.section("output");
-  head.allow({"title", "seed"});
   if (!head.has("title")) head.set("title", printable(std::filesystem::path(file.name()).stem().string()));
   if (!head.has("seed")) head.set("seed", 1L);
   std::string const title = head.text("title");
   long const seed = head.integer("seed", 0, std::numeric_limits<long>::max());
 
-  System const& system = system_of(file);
   Schedule schedule(file.section("run"));
 
-  output.allow({"quantities", "formats", "plots", "error_estimate"});
   if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
   if (!output.has("plots")) output.set("plots", false);
   auto const quantities = output.choices("quantities", "quantity", names(system.quantities), "actio list quantities");

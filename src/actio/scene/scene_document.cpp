@@ -33,7 +33,12 @@ Place place_of(toml::source_region const& region, std::string const& otherwise) 
 
 std::string described(toml::node const& node) {
   if (auto const* text = node.as_string()) return "'" + shown(text->get(), 40) + "' (a text)";
-  if (auto const* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (auto const* number = node.as_floating_point()) {
+    std::string text = fmt::format("{}", number->get());
+    // 2.0 is told as it is written: that it is no whole number is what is wrong with it.
+    if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
+    return text;
+  }
   if (auto const* number = node.as_integer()) return fmt::format("{}", number->get());
   if (auto const* truth = node.as_boolean()) return truth->get() ? "true" : "false";
   if (auto const* list = node.as_array()) return fmt::format("a list of {}", list->size());

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,8 +32,11 @@ class SceneTable {
   SceneTable(std::shared_ptr<detail::SceneDocument> document, std::vector<std::string> path) : document_(std::move(document)), path_(std::move(path)) {}
 
   /// Refuses every key but these.
+  /// @param more  what there is to say of a key that is refused, for instance where it is known; where it says
+  ///              nothing the nearest of the keys is told, and all of them
   /// @throws SceneError  at the first other key, with the nearest of these
-  void allow(std::vector<std::string> const& keys) const;
+  void allow(std::vector<std::string> const& keys,
+             std::function<std::string(std::string const& key)> const& more = {}) const;
   /// Whether the key is there.
   bool has(std::string const& key) const;
   /// `system.mesh`
@@ -63,6 +67,10 @@ class SceneTable {
   bool is_matrix(std::string const& key) const;
   /// Whether the value is a text.
   bool is_text(std::string const& key) const;
+  /// Whether the value is a table.
+  bool is_table(std::string const& key) const;
+  /// The table that the value is.
+  SceneTable inside(std::string const& key) const;
 
   /// Writes a default, for the copy of the scene.
   void set(std::string const& key, double value);
@@ -94,6 +102,8 @@ class SceneTable {
 /// A whole scene.
 class SceneFile {
  public:
+  /// @param path       of a file; a name alone, as "apophis", where no file has it, is that of a scene that the
+  ///                   program carries (scenes.hpp)
   /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text; KEY[n]=VALUE, one item of a list, counted from 0; or !KEY, which is taken out
   /// @throws SceneError  where the file is no TOML (with the place), too large, or not there; where an override is wrong (with the place in it)
   /// @throws FileError   where the file cannot be read
@@ -104,8 +114,8 @@ class SceneFile {
   /// The same from a text; `name` stands for the file in complaints.
   static SceneFile parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides = {});
 
-  /// One of the tables at the top, empty where it is not in the file.
-  /// @throws SceneError  where it is no table
+  /// One of the tables at the top, or one within as `initial.attitude`; empty where it is not in the file.
+  /// @throws SceneError  where one at the top is no table
   SceneTable section(std::string const& name) const;
   /// Refuses every section but these.
   void allow(std::vector<std::string> const& sections) const;

@@ -28,7 +28,12 @@ toml::table read_override(std::string const& argument, std::string const& name) 
 void merge(toml::table& into, toml::table&& from, std::string const& name) {
   for (auto&& [key, node] : from) {
     toml::node* const there = into.get(key.str());
-    if (node.is_table() && there && there->is_table())
+    // A table in braces that takes the place of another one is a value like any: nothing of the other stays.
+    bool const values = node.is_table() && there && there->is_table() && node.as_table()->is_inline() &&
+                        there->as_table()->is_inline();
+    if (values)
+      into.insert_or_assign(key, std::move(node));
+    else if (node.is_table() && there && there->is_table())
       merge(*there->as_table(), std::move(*node.as_table()), name);
     else if (node.is_table() && there)
       throw SceneError(detail::place_of(key.source(), name), "'" + shown(key.str()) + "' is no table, so nothing in it can be set");

@@ -47,6 +47,14 @@ std::vector<double> numbers_in(toml::array const& list, Place const& place, std:
   throw SceneError(place, fmt::format("unknown {} '{}'{} ({})", what, shown(word), did_you_mean(word, allowed), see.empty() ? "known: " + listed(allowed) : see));
 }
 
+/// `; write 2` for 2.0, which is a whole number in another dress.
+std::string without_point(toml::node const& node) {
+  auto const* const real = node.as_floating_point();
+  constexpr double most = 9007199254740992;  // 2^53: beyond it the number may be another one
+  if (!real || !(std::abs(real->get()) <= most) || real->get() != std::round(real->get())) return "";
+  return fmt::format("; write {}", static_cast<std::int64_t>(real->get()));
+}
+
 /// Whether a text stands in the file as it is shows in its width: with a quote on either side, and none of its characters written as several.
 TextPlace text_place_of(toml::node const* node, Place const& place) {
   auto const* const text = node ? node->as_string() : nullptr;
@@ -71,7 +79,8 @@ std::string SceneTable::name() const {
   return out;
 }
 
-void SceneTable::allow(std::vector<std::string> const& keys) const {
+void SceneTable::allow(std::vector<std::string> const& keys,
+                       std::function<std::string(std::string const& key)> const& more) const {
   toml::table const* const table = document_->table(path_);
   if (!table) return;
   // The first in the file, not in the alphabet.
@@ -79,15 +88,20 @@ void SceneTable::allow(std::vector<std::string> const& keys) const {
   for (auto const& [key, node] : *table)
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end() && (!first || is_before(key, *first))) first = &key;
   if (!first) return;
-  std::string const word(first->str());
-  fail_unknown(place_of(first->source(), document_->name), path_.empty() ? "section" : "key of [" + name() + "]", word, keys, keys.empty() ? "none is known here" : "");
+  std::string const word(first->str()), what = path_.empty() ? "section" : "key of [" + name() + "]",
+                                        note = more ? more(word) : "";
+  Place const place = place_of(first->source(), document_->name);
+  if (!note.empty()) throw SceneError(place, fmt::format("unknown {} '{}'{}", what, shown(word), note));
+  fail_unknown(place, what, word, keys, keys.empty() ? "none is known here" : "");
 }
 
 bool SceneTable::has(std::string const& key) const { return document_->value(path_, key); }
 
 Place SceneTable::place() const {
-  // What was missed in a table that only the command line speaks of is missed in the file.
+  // What was missed in a table that only the command line speaks of is missed in the file, but for a value in
+  // braces.
   toml::table const* const table = document_->table(path_);
+  if (table && table->is_inline() && table->source().begin) return place_of(table->source(), document_->name);
   if (table && table->source().begin && table->source().path && *table->source().path == document_->name) return place_of(table->source(), document_->name);
   return {document_->name, document_->last_line, 1};
 }
@@ -117,7 +131,9 @@ double SceneTable::positive(std::string const& key) const {
 long SceneTable::integer(std::string const& key, long least, long most) const {
   auto const& node = value_of(*document_, path_, key, *this);
   auto const* const value = node.as_integer();
-  if (!value) fail(key, fmt::format("{}: a whole number is expected, found {}", key, described(node)));
+  if (!value)
+    fail(key, fmt::format("{}: a whole number is expected, found {}{}", key, described(node),
+                          without_point(node)));
   if (value->get() < least || value->get() > most) fail(key, fmt::format("{}: a whole number from {} to {} is expected, found {}", key, least, most, value->get()));
   return static_cast<long>(value->get());
 }
@@ -179,6 +195,15 @@ bool SceneTable::is_matrix(std::string const& key) const {
 bool SceneTable::is_text(std::string const& key) const {
   toml::node const* const node = document_->value(path_, key);
   return node && node->is_string();
+}
+bool SceneTable::is_table(std::string const& key) const {
+  toml::node const* const node = document_->value(path_, key);
+  return node && node->is_table();
+}
+SceneTable SceneTable::inside(std::string const& key) const {
+  auto path = path_;
+  path.push_back(key);
+  return {document_, std::move(path)};
 }
 
 void SceneTable::set(std::string const& key, double value) { document_->set(path_, key, value); }

@@ -59,7 +59,7 @@ std::string in_toml(toml::node const& node) {
   auto const add = [&](std::string const& item) { out += (out.empty() ? "" : ", ") + item; };
   if (auto const* table = node.as_table()) {
     for (auto const& [key, value] : *table) add(key_in_toml(key.str()) + " = " + in_toml(value));
-    return "{" + out + "}";
+    return out.empty() ? "{}" : "{ " + out + " }";
   }
   for (auto const& item : *node.as_array()) add(in_toml(item));
   return "[" + out + "]";
@@ -88,9 +88,12 @@ std::vector<Entry> entries_of(SceneDocument const& document, toml::table const& 
   return entries;
 }
 
+/// Whether it has a header of its own: what was written in braces stays there.
+bool has_header(toml::node const& node) { return node.is_table() && !node.as_table()->is_inline(); }
+
 void write_values(std::vector<Entry> const& entries, std::string& out) {
   for (auto const& entry : entries)
-    if (!entry.node->is_table()) out += key_in_toml(entry.key) + " = " + in_toml(*entry.node) + "\n";
+    if (!has_header(*entry.node)) out += key_in_toml(entry.key) + " = " + in_toml(*entry.node) + "\n";
 }
 
 /// A table and those in it.
@@ -101,7 +104,7 @@ void write_table(SceneDocument const& document, toml::table const& table, SceneD
   auto const entries = entries_of(document, table, path);
   write_values(entries, out);
   for (auto const& entry : entries)
-    if (auto const* inner = entry.node->as_table()) {
+    if (auto const* inner = has_header(*entry.node) ? entry.node->as_table() : nullptr) {
       SceneDocument::Path deeper = path;
       deeper.push_back(entry.key);
       write_table(document, *inner, deeper, out);
@@ -112,7 +115,9 @@ void write_table(SceneDocument const& document, toml::table const& table, SceneD
 
 std::string SceneFile::written() const {
   std::string out;
-  write_values(entries_of(*document_, document_->root, {}), out);
+  auto values = entries_of(*document_, document_->root, {});
+  std::erase_if(values, [](Entry const& entry) { return entry.node->is_table(); });
+  write_values(values, out);
   std::vector<std::string> order{"scene", "system", "initial", "method", "run", "output"};
   for (auto const& [key, node] : document_->root)
     if (std::find(order.begin(), order.end(), key.str()) == order.end()) order.emplace_back(key.str());

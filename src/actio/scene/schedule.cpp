@@ -16,7 +16,6 @@ bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= n
 }  // namespace
 
 Schedule::Schedule(SceneTable run) {
-  run.allow({"until", "every", "at", "between_steps"});
   if (run.has("between_steps")) between_steps_ = run.boolean("between_steps");
   if (run.has("at")) {
     if (run.has("every")) run.fail("at", "at and every exclude each other: rows at the times listed, or at the multiples of every");

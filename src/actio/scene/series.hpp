@@ -51,6 +51,7 @@ struct SeriesHead {
   std::string scene;                 ///< in TOML, defaults written out
   std::vector<ColumnGroup> groups;   ///< the columns after the time
   long rows = 0;                     ///< expected; a matter of speed alone
+  std::string time_unit = "time";    ///< of `t`, as it is called
 };
 
 /// The table `series.csv` or `series.h5` in a folder, written by a thread of its own where it is large; new, or there and cut back by `remember`.

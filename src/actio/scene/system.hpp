@@ -10,12 +10,15 @@
 
 namespace actio::scene {
 
-/// A key of a scene that belongs to a system.
+/// A key of a scene. What a scene may hold is read from these: a key without a record is refused (keys.hpp).
 struct Parameter {
   std::string key;       ///< with its section: "system.body"
   std::string expects;   ///< "three numbers, or a symmetric 3 by 3 matrix"
-  std::string fallback;  ///< what stands where it is left out; "needed" where it must not be
-  std::string meaning;   ///< one sentence, with the unit
+  std::string fallback;  ///< what stands where it is left out; "needed"; "or KEY" where that other key excludes it
+  std::string meaning;   ///< a sentence or two
+  std::string unit = "";                  ///< in words: "mass x length^2"; empty where there is none
+  std::string example = "";               ///< a value, as a scene writes it
+  std::vector<std::string> allowed = {};  ///< the words that it may be, where these are few
 };
 
 /// A method that a system can be stepped by.
@@ -40,7 +43,8 @@ struct System {
   std::string title;        ///< for people
   std::string meaning;      ///< a sentence or two
   std::string statement;    ///< of the thesis
-  std::vector<Parameter> parameters;  ///< of [system] and [initial]
+  std::vector<Parameter>
+      parameters;  ///< of [system] and [initial]; one of [method] takes the place of that of every system
   std::vector<Method> methods;        ///< the default first
   std::vector<Quantity> quantities;   ///< each after what it needs
   /// Reads [system], [initial] and [method], writes their defaults back, and sets up what was asked for.

@@ -7,6 +7,8 @@
 #include "actio/foundations/groups/unit_quaternions.hpp"
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/nearest_name.hpp"
+#include "actio/scene/systems/angle_input.hpp"
+#include "actio/scene/systems/body_n_input.hpp"
 
 namespace actio::scene {
 
@@ -25,14 +27,15 @@ GivenInertia read_inertia(SceneTable const& system) {
 GivenInertia read_body_or_inertia(SceneTable const& system) {
   if (system.has("body") && system.has("inertia")) system.fail("inertia", "body and inertia exclude each other: a body of the library has its inertia with it");
   if (!system.has("body")) return read_inertia(system);
-  std::vector<std::string> known;
-  for (auto const& body : library_bodies()) known.push_back(body.name);
-  LibraryBody const& body = *find_body(system.choice("body", "body", known, "actio list bodies"));
+  LibraryBody const& body = *find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"));
   return {body.inertia, body.axes, !body.axes.isIdentity(0)};
 }
 
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks) {
   if (!initial.has("attitude")) initial.set("attitude", std::vector<double>{1, 0, 0, 0});
+  if (initial.is_table("attitude")) return read_turn(initial.inside("attitude")).stableNormalized();
+  if (initial.is_matrix("attitude"))
+    return quaternion(read_attitude_n(initial, 3, remarks)).stableNormalized();
   auto const given = initial.numbers("attitude", 4);
   Eigen::Vector4d const q(given.data()), unit = q.stableNormalized();
   double const off = std::abs(q.stableNorm() - 1);
@@ -48,16 +51,31 @@ Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& ine
   bool const velocity = initial.has("angular_velocity"), momentum = initial.has("angular_momentum");
   if (velocity == momentum)
     throw SceneError(momentum ? initial.place("angular_momentum") : initial.place(),
-                     velocity ? "angular_velocity and angular_momentum exclude each other" : "[initial] needs 'angular_velocity' or 'angular_momentum'");
-  Eigen::Vector3d const m = velocity ? inertia.momentum(initial.vector("angular_velocity")) : initial.vector("angular_momentum");
+                     velocity ? "angular_velocity and angular_momentum exclude each other"
+                              : "[initial] needs 'angular_velocity' or 'angular_momentum'");
   std::string const key = velocity ? "angular_velocity" : "angular_momentum";
+  Eigen::Vector3d const given(velocity ? read_angles(initial, key, 3).data()
+                                       : initial.numbers(key, 3).data());
+  Eigen::Vector3d const m = velocity ? inertia.momentum(given) : given;
   if (!m.allFinite() || !is_finite(m.squaredNorm()) || !is_finite(inertia.velocity(m).squaredNorm()))
     initial.fail(key, key + ": the numbers are too large: energy and |M|^2 are beyond 1e308");
-  Eigen::Vector3d const given = initial.vector(key);
   double const least = std::numeric_limits<double>::min();
   if (magnitude(given) > 0 && (magnitude(m) < least || magnitude(inertia.velocity(m)) < least))
     initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is below {:.3g}, where digits are lost", key, least));
   return m;
+}
+
+std::vector<Parameter> initial_parameters(std::string const& momentum) {
+  auto all = attitude_parameters();
+  auto const velocities =
+      angle_parameters({"initial.angular_velocity", "three numbers", "or initial.angular_momentum",
+                        "The angular velocity at the start, in the frame of the body; a list is in radians.",
+                        "1/time", "[0.1, 2, 0.1]"},
+                       "[5, 90, 5]");
+  all.insert(all.end(), velocities.begin(), velocities.end());
+  all.push_back({"initial.angular_momentum", "three numbers", "or initial.angular_velocity", momentum,
+                 "energy x time", "[0.1, 4, 0.3]"});
+  return all;
 }
 
 Eigen::Matrix3d rotation(Eigen::Vector4d const& q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }

@@ -26,12 +26,17 @@ GivenInertia read_inertia(SceneTable const& system);
 /// `body` or `inertia`.
 GivenInertia read_body_or_inertia(SceneTable const& system);
 
-/// `attitude`: a unit quaternion, scalar first, body to space; written back where it is left out. Off by at most 1e-9 it is normalised, and said in `remarks`.
+/// `attitude`, body to space: a unit quaternion, scalar first, a rotation matrix, or a turn about an axis; the
+/// identity, written back, where it is left out. Off by at most 1e-9 it is normalised, and said in `remarks`.
 /// @throws SceneError  where it is farther off, with the normalised value
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks);
 
 /// `angular_velocity` or `angular_momentum`, as body momentum in the frame as given.
 Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& inertia);
+
+/// The records of `attitude`, `angular_velocity` and `angular_momentum`.
+/// @param momentum  what is said of the momentum
+std::vector<Parameter> initial_parameters(std::string const& momentum);
 
 /// The rotation matrix of a unit quaternion.
 Eigen::Matrix3d rotation(Eigen::Vector4d const& q);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "actio/large_body/matrix_conditions.hpp"
+#include "actio/scene/systems/angle_input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -69,10 +70,14 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
 
 Eigen::MatrixXd read_velocity_n(SceneTable const& initial, int n) {
   long const size = static_cast<long>(n) * (n - 1) / 2;
-  if (initial.has("angular_velocity"))
-    if (auto const found = initial.numbers("angular_velocity").size(); found != static_cast<std::size_t>(size))
-      initial.fail("angular_velocity", fmt::format("angular_velocity: the upper triangle of a matrix with {} rows is expected, {} numbers, found {}", n, size, found));
-  return skew_matrix(initial.numbers("angular_velocity", size).data(), n);
+  auto const upper = read_angles(initial, "angular_velocity", -1);
+  if (upper.size() != static_cast<std::size_t>(size))
+    initial.fail(
+        "angular_velocity",
+        fmt::format(
+            "angular_velocity: the upper triangle of a matrix with {} rows is expected, {} numbers, found {}",
+            n, size, upper.size()));
+  return skew_matrix(upper.data(), n);
 }
 
 std::vector<double> upper_triangle(Eigen::MatrixXd const& skew) {

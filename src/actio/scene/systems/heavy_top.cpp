@@ -13,16 +13,21 @@ namespace {
 using ConstVector = Eigen::Map<Eigen::Vector3d const>;
 
 std::vector<Parameter> parameters() {
-  return {
-      {"system.mass", "a number > 0", "needed", "The mass."},
+  std::vector<Parameter> all{
+      {"system.mass", "a number > 0", "needed", "The mass.", "mass", "1"},
       {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "needed",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in that frame; mass x length^2. They are moved to the fixed point."},
-      {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body; length."},
-      {"system.gravity", "three numbers", "needed", "The acceleration, in space; length/time^2. Zero for a free body held at a point."},
-      {"initial.attitude", "a unit quaternion, scalar first", "[1, 0, 0, 0]", "The rotation that takes the body to space."},
-      {"initial.angular_velocity", "three numbers", "or initial.angular_momentum", "In the frame of the body; 1/time."},
-      {"initial.angular_momentum", "three numbers", "or initial.angular_velocity", "About the fixed point, in the frame of the body; energy x time."},
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
+       "that frame. They are moved to the fixed point.",
+       "mass x length^2", "[1, 1, 0.5]"},
+      {"system.centre_of_mass", "three numbers", "needed", "From the fixed point, in the frame of the body.",
+       "length", "[0, 0, 1]"},
+      {"system.gravity", "three numbers", "needed",
+       "The acceleration, in space. Zero for a free body held at a point.", "length/time^2", "[0, 0, -9.81]"},
   };
+  auto const initial = initial_parameters(
+      "The angular momentum at the start, about the fixed point, in the frame of the body.");
+  all.insert(all.end(), initial.begin(), initial.end());
+  return all;
 }
 
 std::vector<Method> methods() {
@@ -76,7 +81,6 @@ class TopMotion : public PrincipalBody {
 
 /// [system] of a heavy top: the top in the frame of its principal axes at the fixed point.
 TurnedHeavyTop read_top(SceneTable const& system) {
-  system.allow({"kind", "mass", "inertia", "centre_of_mass", "gravity"});
   double const mass = system.positive("mass");
   GivenInertia const about_centre = read_inertia(system);
   Eigen::Vector3d const centre = system.vector("centre_of_mass"), gravity = system.vector("gravity");
@@ -114,11 +118,7 @@ struct TopScene {
   bool is_free() const { return !(magnitude(lever) > 0); }
 
  private:
-  Eigen::Vector4d read_attitude() {
-    initial.allow({"attitude", "angular_velocity", "angular_momentum"});
-    method.allow({"name", "order", "step"});
-    return scene::read_attitude(initial, remarks);
-  }
+  Eigen::Vector4d read_attitude() { return scene::read_attitude(initial, remarks); }
   /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
   double fastest_of_fall() const {
     double const kinetic = momentum.dot(inertia.velocity(momentum)) / 2, fall = lever.norm() - lever.dot(rotation(attitude).transpose() * down);

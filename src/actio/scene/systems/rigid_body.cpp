@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "actio/reduction/composition.hpp"
+#include "actio/scene/bodies.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/principal_body.hpp"
 
@@ -9,14 +10,17 @@ namespace actio::scene {
 namespace {
 
 std::vector<Parameter> parameters() {
-  return {
-      {"system.body", "the name of a library body", "or system.inertia", "A body of the library, with its inertia (actio list bodies)."},
+  std::vector<Parameter> all{
+      {"system.body", "a text", "or system.inertia",
+       "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
       {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in that frame; mass x length^2."},
-      {"initial.attitude", "a unit quaternion, scalar first", "[1, 0, 0, 0]", "The rotation that takes the body to space."},
-      {"initial.angular_velocity", "three numbers", "or initial.angular_momentum", "In the frame of the body; 1/time."},
-      {"initial.angular_momentum", "three numbers", "or initial.angular_velocity", "In the frame of the body; energy x time."},
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
+       "that frame.",
+       "mass x length^2", "[1, 2, 3]"},
   };
+  auto const initial = initial_parameters("The angular momentum at the start, in the frame of the body.");
+  all.insert(all.end(), initial.begin(), initial.end());
+  return all;
 }
 
 std::vector<Method> methods() {
@@ -51,12 +55,7 @@ struct FreeBodyScene {
         fastest(fastest_turn(inertia, kinetic_energy(inertia.principal, start.momentum))), step(read_step(method, request.schedule, fastest)) {}
 
  private:
-  GivenInertia read_inertia_of_body() {
-    system.allow({"kind", "body", "inertia"});
-    initial.allow({"attitude", "angular_velocity", "angular_momentum"});
-    method.allow({"name", "order", "step"});
-    return read_body_or_inertia(system);
-  }
+  GivenInertia read_inertia_of_body() { return read_body_or_inertia(system); }
   PrincipalStart read_start() {
     Eigen::Vector4d const attitude = read_attitude(initial, remarks);
     return {inertia, read_momentum(initial, inertia), attitude};

@@ -8,6 +8,7 @@
 #include "actio/large_body/moser_veselov_n.hpp"
 #include "actio/large_body/natural_chart_n.hpp"
 #include "actio/reduction/composition.hpp"
+#include "actio/scene/systems/angle_input.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/turning_body_n.hpp"
@@ -213,10 +214,8 @@ Companion companion_of(Choice const& choice, Start const& start, double step, st
 }
 
 Simulation prepare(Request const& request) {
-  SceneTable system = request.file.section("system"), initial = request.file.section("initial"), method = request.file.section("method");
-  system.allow({"kind", "lambda"});
-  initial.allow({"attitude", "angular_velocity"});
-  method.allow({"name", "order", "step"});
+  SceneTable system = request.file.section("system"), initial = request.file.section("initial"),
+             method = request.file.section("method");
   auto const asked = [&](char const* name) { return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end(); };
   bool const with_attitude = asked("attitude");
 
@@ -252,16 +251,28 @@ Simulation prepare(Request const& request) {
 }
 
 std::vector<Parameter> parameters() {
-  return {
+  std::vector<Parameter> all{
       {"system.lambda", fmt::format("n numbers, n from 2 to {}", most_dimensions), "needed",
-       "The diagonal of Lambda: second moments of the mass along the body axes; mass x length^2. The sum of any two is positive, and is the moment of inertia in their plane."},
-      {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity", "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said."},
-      {"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
-       "The upper triangle of the body velocity g^-1 g', row by row: xi_12, xi_13, ..., xi_23, ...; 1/time. For n = 3: (xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x)."},
-      {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By default, for order 6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of "
-       "the plane that turns fastest; otherwise 0.05 radians."},
+       "The diagonal of Lambda: second moments of the mass along the body axes. The sum of any two is "
+       "positive, and is the moment of inertia in their plane.",
+       "mass x length^2", "[1, 2, 3, 4]"},
+      {"initial.attitude", "a list of n rows of n numbers, a rotation", "the identity",
+       "The rotation that takes the body to space; off by at most 1e-9 it is normalised, and said.", "",
+       "[[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
   };
+  auto const velocities = angle_parameters({"initial.angular_velocity", "n(n-1)/2 numbers", "needed",
+                                            "The upper triangle of the body velocity g^-1 g', row by row: "
+                                            "xi_12, xi_13, ..., xi_23, ...; a list is in radians. For n = 3: "
+                                            "(xi_12, xi_13, xi_23) = (-w_z, w_y, -w_x).",
+                                            "1/time", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"},
+                                           "[5, 10, 15, 20, 25, 30]");
+  all.insert(all.end(), velocities.begin(), velocities.end());
+  all.push_back({"method.step", "a number > 0", "from the time asked",
+                 "The time that a step takes, a whole number of times in the time between two rows. By default, for order "
+                 "6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the plane that "
+                 "turns fastest; otherwise 0.05 radians.",
+                 "time", "0.01"});
+  return all;
 }
 
 }  // namespace

@@ -1,0 +1,218 @@
+// The keys of a scene: what the reader takes, what is told of it, and what it writes back are the same.
+#include <boost/test/unit_test.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "command.hpp"
+
+namespace {
+
+using command::actio;
+using nlohmann::json;
+
+bool has(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+std::string name_of(std::string const& key) { return key.substr(key.rfind('.') + 1); }
+std::string table_of(std::string const& key) { return key.substr(0, key.rfind('.')); }
+
+json systems() { return json::parse(actio({"list", "systems", "--json"}).out); }
+
+/// The small scene of a system, as lines `key = value` by their keys.
+std::map<std::string, std::string> example_of(std::string const& system) {
+  std::string const shown = actio({"show", system}).out;
+  std::map<std::string, std::string> out;
+  std::istringstream lines(shown.substr(shown.find("[system]")));
+  std::string section;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('['))
+      section = line.substr(1, line.find(']') - 1);
+    else if (std::size_t const equals = line.find(" = "); equals != std::string::npos)
+      out[section + "." + line.substr(0, equals)] = line.substr(equals + 3);
+  return out;
+}
+
+/// A scene with these values; the keys say their sections.
+std::string scene_of(std::map<std::string, std::string> const& values) {
+  std::string out;
+  for (auto const& [key, value] : values) out += key + " = " + value + "\n";
+  return out;
+}
+
+/// `system.inertia` of "or system.inertia; ...", empty where the key excludes none.
+std::string excluded_by(json const& key) {
+  std::string const fallback = key["fallback"];
+  return fallback.starts_with("or ") ? fallback.substr(3, fallback.find_first_of("; ", 3) - 3) : "";
+}
+
+/// The example of a key put over a scene, without what it excludes; keys of a table come with the others of
+/// the table.
+std::map<std::string, std::string> with_example(std::map<std::string, std::string> values, json const& key,
+                                                json const& all) {
+  std::string const name = key["key"], table = table_of(name);
+  auto const put = [&values](json const& one) {
+    values.erase(excluded_by(one));
+    values[one["key"]] = one["example"];
+  };
+  if (has(table, ".")) {
+    values.erase(table);
+    for (auto const& other : all)
+      if (table_of(other["key"]) == table && other["key"] != excluded_by(key)) put(other);
+    values.erase(excluded_by(key));
+    if (values.count("initial.angular_velocity.degrees")) values.erase("initial.angular_momentum");
+  }
+  put(key);
+  return values;
+}
+
+/// The keys of a scene that a run has written, with their sections.
+std::set<std::string> keys_in(std::string const& scene) {
+  std::set<std::string> out;
+  std::istringstream lines(scene);
+  std::string section;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with('['))
+      section = line.substr(1, line.find(']') - 1);
+    else if (std::size_t const equals = line.find(" = "); equals != std::string::npos)
+      out.insert(section + "." + line.substr(0, equals));
+  return out;
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(keys)
+
+BOOST_AUTO_TEST_CASE(every_key_has_a_whole_record) {
+  for (auto const& system : systems())
+    for (auto const& key : system["parameters"]) {
+      for (auto const* const field : {"key", "expects", "fallback", "meaning", "example"})
+        BOOST_TEST(!key[field].get<std::string>().empty(), key["key"] << " has no " << field);
+      std::string const meaning = key["meaning"];
+      BOOST_TEST(meaning.back() == '.', meaning);
+      std::string const expects = key["expects"];
+      // A number is in some unit; a count and a direction are not.
+      bool const measured = has(expects, "number") && !has(expects, "whole") &&
+                            name_of(key["key"]) != "axis" && name_of(key["key"]) != "attitude";
+      BOOST_TEST(measured == (key["unit"] != ""), key["key"]);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_example_of_every_key_is_taken_and_planned) {
+  command::Folder const folder;
+  int tried = 0;
+  for (auto const& system : systems()) {
+    auto const base = example_of(system["name"]);
+    for (auto const& key : system["parameters"]) {
+      std::string const scene = scene_of(with_example(base, key, system["parameters"]));
+      auto const outcome = actio({"run", folder.write("scene.toml", scene), "--dry-run"});
+      BOOST_TEST(outcome.status == 0, system["name"] << ", " << key["key"] << ": " << outcome.err << "\n"
+                                                     << scene);
+      ++tried;
+    }
+  }
+  BOOST_TEST(tried > 40);
+}
+
+BOOST_AUTO_TEST_CASE(a_key_that_is_not_in_the_records_is_refused_in_every_table) {
+  for (auto const& system : systems()) {
+    auto const base = scene_of(example_of(system["name"]));
+    command::Folder const folder;
+    std::string const path = folder.write("scene.toml", base);
+    for (auto const* const table : {"scene", "system", "initial", "method", "run", "output"}) {
+      auto const outcome = actio({"run", path, "--dry-run", "--set", std::string(table) + ".zzzzzz=1"});
+      BOOST_TEST(outcome.status == 2);
+      BOOST_TEST(has(outcome.err, std::string("unknown key of [") + table + "] 'zzzzzz' (known: "),
+                 outcome.err);
+      // What is known there is what the records say.
+      for (auto const& key : system["parameters"])
+        if (table_of(key["key"]) == table) BOOST_TEST(has(outcome.err, name_of(key["key"])), outcome.err);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_a_run_writes_back_is_in_the_records) {
+  for (auto const& system : systems()) {
+    std::set<std::string> known;
+    for (auto const& key : system["parameters"]) known.insert(key["key"]);
+    command::Folder const folder;
+    auto const outcome = actio(
+        {"run", folder.write("scene.toml", scene_of(example_of(system["name"]))), "--out", folder / "out"});
+    BOOST_TEST(outcome.status == 0, outcome.err);
+    auto const written = keys_in(command::contents(folder / "out/scene.toml"));
+    BOOST_TEST(written.size() > 8u);
+    for (auto const& key : written) BOOST_TEST(known.count(key) == 1u, system["name"] << ": " << key);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(words_that_are_allowed_are_those_that_are_taken) {
+  command::Folder const folder;
+  for (auto const& system : systems())
+    for (auto const& key : system["parameters"]) {
+      if (key["allowed"].empty() || key["key"] == "system.kind") continue;
+      for (auto const& word : key["allowed"]) {
+        auto values = example_of(system["name"]);
+        values.erase(excluded_by(key));
+        std::string const text = word, quoted = "\"" + text + "\"";
+        bool const number = text.find_first_not_of("0123456789") == std::string::npos;
+        values[key["key"]] = has(key["expects"], "list") ? "[" + quoted + "]" : number ? text : quoted;
+        auto const outcome = actio({"run", folder.write("scene.toml", scene_of(values)), "--dry-run"});
+        BOOST_TEST(outcome.status == 0,
+                   system["name"] << ", " << key["key"] << " = " << text << ": " << outcome.err);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_list_for_programs_has_every_key_with_its_systems) {
+  json const keys = json::parse(actio({"list", "keys", "--json"}).out);
+  std::map<std::string, std::set<std::string>> of;
+  for (auto const& key : keys)
+    for (auto const& system : key["systems"]) of[system].insert(key["key"]);
+  for (auto const& system : systems())
+    for (auto const& key : system["parameters"])
+      BOOST_TEST(of[system["name"]].count(key["key"]) == 1u, key["key"]);
+}
+
+BOOST_AUTO_TEST_CASE(keys_are_shown_with_type_default_unit_and_example) {
+  std::string const every = actio({"show", "run.every"}).out;
+  for (auto const& part : {"run.every, a key of every scene", "a number > 0", "or run.at",
+                           "unit          time", "[run] every = 0.1"})
+    BOOST_TEST(has(every, part), every);
+  std::string const formats = actio({"show", "output.formats"}).out;
+  for (auto const& part : {"series.h5", "csv, hdf5", "[\"csv\"]"}) BOOST_TEST(has(formats, part), formats);
+  std::string const order = actio({"show", "method.order"}).out;
+  for (auto const& system : systems())
+    BOOST_TEST(has(order, "method.order, a key of scenes of " + system["name"].get<std::string>()), order);
+  BOOST_TEST(has(actio({"show", "seed"}).out, "changes no number of a run"));
+  BOOST_TEST(has(actio({"show", "run"}).out, "run.every"));
+  BOOST_TEST(has(actio({"show", "run.evry"}).err, "did you mean 'run.every'?"));
+}
+
+BOOST_AUTO_TEST_CASE(a_word_of_another_system_is_refused_with_that_system) {
+  command::Folder const folder;
+  std::string const path = folder.write("scene.toml", command::apophis());
+  auto const complaint = [&path](std::string const& change) {
+    return actio({"run", path, "--set", change}).err;
+  };
+  BOOST_TEST(complaint("method.name=variational") ==
+             "--set method.name=variational:1:13: unknown method 'variational': it is a method of heavy_top, "
+             "and rigid_body has moser_veselov, natural_chart\n");
+  BOOST_TEST(has(
+      complaint("output.quantities=[\"energy\", \"spectrum\"]"),
+      ":1:30: unknown quantity 'spectrum': it is a quantity of rigid_body_n, and rigid_body has attitude, "));
+  BOOST_TEST(complaint("system.mass=1") ==
+             "--set system.mass=1:1:8: unknown key of [system] 'mass'; it is a key of heavy_top, and "
+             "rigid_body takes kind, body, inertia\n");
+}
+
+BOOST_AUTO_TEST_CASE(a_whole_number_with_a_point_is_refused_with_the_way_to_write_it) {
+  command::Folder const folder;
+  std::string const path = folder.write("scene.toml", command::apophis());
+  BOOST_TEST(has(actio({"run", path, "--set", "method.order=2.0"}).err,
+                 ":1:14: order: a whole number is expected, found 2.0; write 2\n"));
+  BOOST_TEST(
+      has(actio({"run", path, "--set", "method.order=2.5"}).err, "a whole number is expected, found 2.5\n"));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
