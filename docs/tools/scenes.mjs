@@ -69,7 +69,15 @@ export function scenePicture(scene, name, caption, prefix) {
   return inlineSvg(fs.readFileSync(file, 'utf8'), caption, prefix);
 }
 
-/// Every scene: what it is, rows, steps, time, the worst drift.
+/// The estimated error of a run, in short: of the attitude where it is known, otherwise of the momentum.
+function errorOf(summary) {
+  const error = summary.error ?? {};
+  if (typeof error.attitude === 'number') return `attitude ${power(error.attitude)} rad`;
+  if (typeof error.momentum === 'number') return `momentum ${power(error.momentum)}`;
+  return String(error.how ?? '').startsWith('exact') ? 'rounding' : '';
+}
+
+/// Every scene: what it is, rows, steps, time, the worst drift, the error.
 export function sceneTable(scenes) {
   const rows = [...scenes.values()].map(s => {
     const drifts = Object.entries(s.summary.drift ?? {});
@@ -77,10 +85,11 @@ export function sceneTable(scenes) {
     const viewer = viewerOf(s);
     const cells = [`<td class="id"><a href="@ref:page:scenefile_${s.name}">${escapeHtml(path.basename(s.file))}</a></td>`,
       `<td>${prose(s.summary.title)}${viewer ? ` <a class="source" href="${viewer.to}">open the viewer</a>` : ''}</td>`, `<td class="id"><a href="@ref:page:system_${s.summary.system}">${escapeHtml(s.summary.system)}</a></td>`,
-      `<td class="num">${s.summary.rows}</td>`, `<td class="num">${s.summary.steps || '—'}</td>`, `<td class="num">${number(1000 * s.summary.wall_seconds)} ms</td>`, `<td>${worst ? `${escapeHtml(worst[0])} ${power(worst[1])}` : ''}</td>`];
-    return `<tr>${labelled(cells, ['', '', 'system', 'rows', 'steps', 'time', 'worst drift'])}</tr>`;
+      `<td class="num">${s.summary.rows}</td>`, `<td class="num">${s.summary.steps || '—'}</td>`, `<td class="num">${number(1000 * s.summary.wall_seconds)} ms</td>`, `<td>${worst ? `${escapeHtml(worst[0])} ${power(worst[1])}` : ''}</td>`,
+      `<td>${errorOf(s.summary)}</td>`];
+    return `<tr>${labelled(cells, ['', '', 'system', 'rows', 'steps', 'time', 'worst drift', 'error'])}</tr>`;
   });
-  return `<table class="programs stacked"><thead><tr><th>scene</th><th>what it is</th><th>system</th><th class="num">rows</th><th class="num">steps</th><th class="num">time</th><th>worst drift</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
+  return `<table class="programs stacked"><thead><tr><th>scene</th><th>what it is</th><th>system</th><th class="num">rows</th><th class="num">steps</th><th class="num">time</th><th>worst drift</th><th>error</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }
 
 /// Products and powers of dimensions, as they are written for a terminal: mass x length^2.

@@ -23,7 +23,7 @@ using namespace scene;
 
 namespace {
 
-constexpr std::size_t width = 100;
+constexpr std::size_t line_width = 100;
 
 /// One thing: a heading, then what is told of it by name.
 class Account {
@@ -31,7 +31,7 @@ class Account {
   Account(std::string const& name, std::string const& what) : out_(heading(name) + ", " + what + "\n") {}
   /// A line `name  text`; none where there is no text.
   void tell(std::string const& name, std::string const& text) {
-    if (!text.empty()) out_ += fmt::format("  {:<{}}{}\n", name, label, wrapped(text, width, label + 2));
+    if (!text.empty()) out_ += fmt::format("  {:<{}}{}\n", name, label, wrapped(text, line_width, label + 2));
   }
   void table(std::string const& title, std::vector<std::vector<std::string>> const& rows) {
     if (!rows.empty()) out_ += "  " + title + "\n" + aligned(rows, "    ");

@@ -8,6 +8,7 @@
 
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/pictures.hpp"
+#include "actio/scene/run_folder.hpp"
 #include "actio/scene/series.hpp"
 #include "actio/scene/series_reader.hpp"
 #include "actio/scene/units.hpp"
@@ -59,14 +60,6 @@ void refuse_what_is_no_run(std::string const& folder) {
   refuse("there is no run in this folder: scene.toml is missing");
 }
 
-void make_folder(std::string const& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error && !fs::is_empty(folder, error) && !error)
-    throw SceneError({folder}, "the folder is not empty; a run is saved into one that is empty or not there");
-  if (error) throw FileError(folder + ": cannot be made ready for a run: " + error.message());
-}
-
 }  // namespace
 
 MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watch watch) {
@@ -107,9 +100,8 @@ void save_run(std::string const& text, std::span<double const> table, std::strin
               std::string const& folder, bool pictures) {
   Scene const scene = Scene::read(SceneFile::parse(text, folder + "/scene.toml"));
   std::size_t const width = 1 + scene.simulation.quantities.row_size();
-  make_folder(folder);
-  auto const groups = scene.simulation.quantities.column_groups();
-  SeriesHead const head{scene.title, scene.system->name, text, groups, static_cast<long>(table.size() / width)};
+  RunFolder const made = RunFolder::create(folder, false, files_of_run(scene));
+  SeriesHead const head = series_head(scene, text, static_cast<long>(table.size() / width));
   for (auto const& format : scene.formats) {
     auto const series = open_series(folder, format, head, false);
     for (std::size_t at = 0; at + width <= table.size(); at += width) series->add(table.subspan(at, width));

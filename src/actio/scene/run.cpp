@@ -45,10 +45,7 @@ class Run {
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
     if (!resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
-    SeriesHead head{scene.title, scene.system->name, written_, simulation_.quantities.column_groups(),
-                    scene.schedule.rows()};
-    for (auto& group : head.groups) group.quantity.unit = plain_unit_of(scene, group.quantity);
-    if (std::string const unit = time_unit(scene); !unit.empty()) head.time_unit = unit;
+    SeriesHead const head = series_head(scene, written_, scene.schedule.rows());
     for (auto const& format : scene.formats) series_.push_back(open_series(folder, format, head, resume));
     if (resume) restore();
   }
@@ -256,6 +253,13 @@ class Run {
 };
 
 }  // namespace
+
+SeriesHead series_head(Scene const& scene, std::string const& written, long rows) {
+  SeriesHead head{scene.title, scene.system->name, written, scene.simulation.quantities.column_groups(), rows};
+  for (auto& group : head.groups) group.quantity.unit = plain_unit_of(scene, group.quantity);
+  if (std::string const unit = time_unit(scene); !unit.empty()) head.time_unit = unit;
+  return head;
+}
 
 std::vector<std::string> files_of_run(Scene const& scene) {
   std::vector<std::string> out{"scene.toml", "scene.toml.part", "checkpoint", "checkpoint.part", "summary.json", "summary.json.part"};

@@ -47,6 +47,11 @@ struct RunReport {
   std::string summary;              ///< as in summary.json
 };
 
+/// What the table of a run tells besides its numbers.
+/// @param written  the scene, with every default
+/// @param rows     expected; a matter of speed alone
+SeriesHead series_head(Scene const& scene, std::string const& written, long rows);
+
 /// The files that a run of the scene writes into its folder, pictures aside.
 std::vector<std::string> files_of_run(Scene const& scene);
 
