@@ -17,9 +17,9 @@ using namespace scene;
 
 namespace {
 
-constexpr std::size_t width = 100, label = 12;
+constexpr std::size_t plan_width = 100, label = 12;
 
-void tell(std::string const& name, std::string const& text) { fmt::print("{:<{}}{}\n", name, label, wrapped(text, width, label)); }
+void tell(std::string const& name, std::string const& text) { fmt::print("{:<{}}{}\n", name, label, wrapped(text, plan_width, label)); }
 
 std::string plural(long count, std::string const& one) { return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s"); }
 

@@ -29,7 +29,7 @@ void set_growing_file(Session const& h5, hid_t access);
 /// told of any more staying where it is: what the library would do besides, step by step, would be half done in between.
 class HeadsOnly {
  public:
-  HeadsOnly();
+  HeadsOnly();  ///< from here on
   ~HeadsOnly();
   HeadsOnly(HeadsOnly const&) = delete;
   HeadsOnly& operator=(HeadsOnly const&) = delete;
@@ -38,7 +38,7 @@ class HeadsOnly {
 /// While it lives, the next room for numbers is taken at this place, where there is a chunk of about that length already.
 class InPlace {
  public:
-  explicit InPlace(std::uint64_t place);
+  explicit InPlace(std::uint64_t place);  ///< from here on
   ~InPlace();
   InPlace(InPlace const&) = delete;
   InPlace& operator=(InPlace const&) = delete;
