@@ -151,7 +151,7 @@ void OwnFiles::read_list() {
 
 void OwnFiles::recognise_run_without_list() {
   auto const checkpoint = read_file(handle_, "checkpoint", 64);
-  if (!checkpoint || !checkpoint->starts_with("actio checkpoint 1, ") || !read_file(handle_, "scene.toml", 1))
+  if (!checkpoint || !checkpoint->starts_with("actio checkpoint ") || !read_file(handle_, "scene.toml", 1))
     return;
   of_ = Of::run;
   for (char const* name : {"scene.toml", "series.csv", "series.h5", "summary.json", "checkpoint",
