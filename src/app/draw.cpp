@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 /// Keeps a folder for this process while it lives. Some file systems have no locks; then there is none.
 class Lock {
  public:
-  explicit Lock(std::string const& folder) : handle_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  explicit Lock(std::string const& folder)
+      : handle_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (handle_ >= 0) ::flock(handle_, LOCK_EX);
   }
   ~Lock() {
@@ -43,7 +44,8 @@ void draw(scene::Scene const& scene, std::string const& folder, bool quiet) {
 bool drawn(std::string const& folder) {
   // The page is drawn last, and the summary is written before the first picture.
   std::error_code page, summary;
-  auto const drawn = fs::last_write_time(folder + "/plots/index.html", page), ended = fs::last_write_time(folder + "/summary.json", summary);
+  auto const drawn = fs::last_write_time(folder + "/plots/index.html", page),
+             ended = fs::last_write_time(folder + "/summary.json", summary);
   return !page && (summary || drawn >= ended);
 }
 

@@ -35,7 +35,8 @@ class Sample {
     }
     return seconds;
   }
-  /// Seconds of a row and those of the step before it. Of an exact method the rows are spread over the whole time.
+  /// Seconds of a row and those of the step before it. Of an exact method the rows are spread over the whole
+  /// time.
   double row() {
     long const rows = scene_.schedule.rows();
     auto const began = Clock::now();
@@ -43,8 +44,11 @@ class Sample {
     double place = 0;
     do {
       place = std::fmod(place + 0.6180339887498949, 1);
-      if (scene_.simulation.exact) scene_.simulation.motion->go_to(scene_.schedule.time(static_cast<long>(place * static_cast<double>(rows))));
-      else if (left_ > 0) scene_.simulation.motion->advance(1), --left_;
+      if (scene_.simulation.exact)
+        scene_.simulation.motion->go_to(
+            scene_.schedule.time(static_cast<long>(place * static_cast<double>(rows))));
+      else if (left_ > 0)
+        scene_.simulation.motion->advance(1), --left_;
       scene_.simulation.quantities.evaluate(values_);
       for (double const x : values_) characters_ += written(x);
       ++made;
@@ -53,14 +57,19 @@ class Sample {
     return since(began) / rows_;
   }
   /// Characters of a row in comma-separated values, the time among them.
-  double characters() const { return characters_ / rows_ + static_cast<double>(written(scene_.schedule.time(scene_.schedule.rows() / 2))); }
+  double characters() const {
+    return characters_ / rows_ +
+           static_cast<double>(written(scene_.schedule.time(scene_.schedule.rows() / 2)));
+  }
 
  private:
   static constexpr double budget = 0.08;  // seconds
 
   static std::size_t written(double x) {
     char text[32];
-    return static_cast<std::size_t>(std::to_chars(text, text + sizeof text, x, std::chars_format::general, 17).ptr - text) + 1;
+    return static_cast<std::size_t>(
+               std::to_chars(text, text + sizeof text, x, std::chars_format::general, 17).ptr - text) +
+           1;
   }
 
   Scene& scene_;
@@ -74,14 +83,19 @@ class Sample {
 
 Estimate estimate(Scene& scene) {
   Estimate out;
-  double const rows = static_cast<double>(scene.schedule.rows()), columns = 1 + static_cast<double>(scene.simulation.quantities.row_size());
+  double const rows = static_cast<double>(scene.schedule.rows()),
+               columns = 1 + static_cast<double>(scene.simulation.quantities.row_size());
   // Numbers in whole chunks, and what the file tells of itself.
-  double const chunk = static_cast<double>(std::min(std::uint64_t{1024}, std::bit_ceil(static_cast<std::uint64_t>(scene.schedule.rows()))));
+  double const chunk = static_cast<double>(
+      std::min(std::uint64_t{1024}, std::bit_ceil(static_cast<std::uint64_t>(scene.schedule.rows()))));
   out.hdf5 = 8 * columns * std::ceil(rows / chunk) * chunk + 10000;
   out.csv = 21 * columns * rows;
   try {
     Sample sample(scene);
-    long const steps = scene.simulation.exact ? 0 : StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"))(scene.schedule.rows() - 1);
+    long const steps = scene.simulation.exact
+                           ? 0
+                           : StepsToRows(scene.schedule, scene.simulation.step,
+                                         scene.file.section("method"))(scene.schedule.rows() - 1);
     double const step = steps > 0 ? sample.step(steps) : 0, row = sample.row();
     out.seconds = step * static_cast<double>(steps) + rows * std::max(0.0, row - step);
     out.csv = sample.characters() * rows;

@@ -24,7 +24,8 @@ std::string how_far(Scene const& scene, std::string const& folder) {
   } catch (Error const&) {
     return "";  // whatever is wrong with its checkpoint, these are pictures of what is in its table
   }
-  return fmt::format("; of the rows so far, for the run is not finished: actio resume {} goes on with it", in_shell(folder));
+  return fmt::format("; of the rows so far, for the run is not finished: actio resume {} goes on with it",
+                     in_shell(folder));
 }
 
 }  // namespace
@@ -35,9 +36,11 @@ int plot(PlotArguments const& arguments) {
   Scene const scene = Scene::read(SceneFile::read(folder + "/scene.toml"));
   draw(scene, folder, arguments.quiet);
   long pictures = 0;
-  for (auto const& entry : std::filesystem::directory_iterator(folder + "/plots")) pictures += entry.path().extension() == ".svg";
+  for (auto const& entry : std::filesystem::directory_iterator(folder + "/plots"))
+    pictures += entry.path().extension() == ".svg";
   if (!arguments.quiet)
-    say(stdout, fmt::format("{}/plots: {} picture{} and index.html{}\n", folder, pictures, pictures == 1 ? "" : "s", how_far(scene, folder)));
+    say(stdout, fmt::format("{}/plots: {} picture{} and index.html{}\n", folder, pictures,
+                            pictures == 1 ? "" : "s", how_far(scene, folder)));
   return 0;
 }
 

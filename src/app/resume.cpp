@@ -18,7 +18,8 @@ namespace {
 double time_of(std::string const& text) {
   char* end = nullptr;
   double const time = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || *end || !std::isfinite(time)) throw SceneError({"--until " + text}, "a time is expected, for example --until 500");
+  if (end == text.c_str() || *end || !std::isfinite(time))
+    throw SceneError({"--until " + text}, "a time is expected, for example --until 500");
   return time;
 }
 
@@ -27,7 +28,8 @@ int after_the_end(Scene const& scene, std::string const& folder, bool quiet) {
   bool const missing = scene.plots && !drawn(folder);
   if (missing) draw(scene, folder, quiet);
   if (!quiet)
-    say(stdout, fmt::format("{}: the run is finished, with {} rows to t = {}; {}\n", folder, scene.schedule.rows(), scene.schedule.until(),
+    say(stdout, fmt::format("{}: the run is finished, with {} rows to t = {}; {}\n", folder,
+                            scene.schedule.rows(), scene.schedule.until(),
                             missing ? "its pictures were missing and are drawn" : "nothing is left to do"));
   return 0;
 }
@@ -38,7 +40,12 @@ int resume(ResumeArguments const& arguments) {
   open_standard_streams();
   if (is_sweep(arguments.folder)) {
     char const* const of_runs = !arguments.until.empty() ? "--until" : arguments.plots ? "--plots" : nullptr;
-    if (of_runs) throw SceneError({arguments.folder}, fmt::format("{} is for a run, and this is the folder of a sweep; one of its members can be resumed with it", of_runs));
+    if (of_runs)
+      throw SceneError(
+          {arguments.folder},
+          fmt::format(
+              "{} is for a run, and this is the folder of a sweep; one of its members can be resumed with it",
+              of_runs));
     return resume_sweep(arguments);
   }
   RunFolder const folder = RunFolder::open(arguments.folder);
@@ -46,8 +53,10 @@ int resume(ResumeArguments const& arguments) {
   if (!arguments.until.empty()) scene = extended(scene, folder.path(), time_of(arguments.until));
   scene.plots = scene.plots || arguments.plots;
   bool const begun = std::filesystem::exists(folder / "checkpoint");
-  if (begun && run_is_finished(scene, folder.path())) return after_the_end(scene, folder.path(), arguments.quiet);
-  if (!begun) say(stderr, folder.path() + ": there is no checkpoint yet; the run starts anew from its scene.toml\n");
+  if (begun && run_is_finished(scene, folder.path()))
+    return after_the_end(scene, folder.path(), arguments.quiet);
+  if (!begun)
+    say(stderr, folder.path() + ": there is no checkpoint yet; the run starts anew from its scene.toml\n");
   listen_for_interrupts();
   return run_to_end(scene, folder, begun, arguments.quiet);
 }

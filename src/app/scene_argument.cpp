@@ -30,7 +30,8 @@ std::string standard_input() {
 }  // namespace
 
 SceneFile scene_of(std::string const& argument, std::vector<std::string> const& overrides) {
-  return argument == "-" ? SceneFile::parse(standard_input(), "standard input", overrides) : SceneFile::read(argument, overrides);
+  return argument == "-" ? SceneFile::parse(standard_input(), "standard input", overrides)
+                         : SceneFile::read(argument, overrides);
 }
 
 std::string folder_beside(std::string const& argument, bool plan) {

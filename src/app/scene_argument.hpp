@@ -8,7 +8,8 @@
 
 namespace actio::app {
 
-/// The scene of an argument, called `standard input` in messages and by default in its title where it is `-`; a file of that name is `./-`.
+/// The scene of an argument, called `standard input` in messages and by default in its title where it is `-`;
+/// a file of that name is `./-`.
 /// @throws SceneError, FileError  as `SceneFile::read`
 scene::SceneFile scene_of(std::string const& argument, std::vector<std::string> const& overrides);
 /// The folder for its run where none is named: the scene's name beside it.

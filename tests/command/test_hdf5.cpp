@@ -1,4 +1,5 @@
-// series.h5 is opened by ordinary readers: while the run goes on, after it was killed, on a full disk; and a damaged one is refused.
+// series.h5 is opened by ordinary readers: while the run goes on, after it was killed, on a full disk; and a
+// damaged one is refused.
 #include <boost/test/unit_test.hpp>
 
 #include <hdf5.h>
@@ -15,22 +16,29 @@ namespace {
 using command::apophis, command::contents, command::Folder;
 
 std::map<std::string, std::string> scene_of(std::string const& until) {
-  return {{"until", until}, {"every", "0.25"}, {"quantities", "[\"attitude\", \"energy\"]"}, {"formats", "[\"hdf5\"]"}};
+  return {{"until", until},
+          {"every", "0.25"},
+          {"quantities", "[\"attitude\", \"energy\"]"},
+          {"formats", "[\"hdf5\"]"}};
 }
 
-/// What `h5ls` and the library make of a file: rows of each data set; an exception where one of them refuses it.
+/// What `h5ls` and the library make of a file: rows of each data set; an exception where one of them refuses
+/// it.
 command::Hdf5Table read_plainly(std::string const& path) {
-  if (command::shell("h5ls -r '" + path + "' && h5dump -H '" + path + "'").status != 0) throw std::runtime_error(path + ": h5ls or h5dump cannot open it");
+  if (command::shell("h5ls -r '" + path + "' && h5dump -H '" + path + "'").status != 0)
+    throw std::runtime_error(path + ": h5ls or h5dump cannot open it");
   return command::read_hdf5(path, true);
 }
 /// Whether the rows are the first ones of a whole table.
 bool begins(command::Table const& whole, command::Table const& part) {
-  return part.columns == whole.columns && part.rows.size() <= whole.rows.size() && std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin());
+  return part.columns == whole.columns && part.rows.size() <= whole.rows.size() &&
+         std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin());
 }
 
 /// The place of the chunk of a data set that has a row.
 std::uint64_t place_of_chunk(std::string const& path, char const* name, hsize_t row) {
-  hid_t const file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), set = H5Dopen2(file, name, H5P_DEFAULT);
+  hid_t const file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+              set = H5Dopen2(file, name, H5P_DEFAULT);
   hsize_t at[2] = {row, 0}, size = 0;
   haddr_t place = 0;
   unsigned without = 0;
@@ -44,7 +52,8 @@ std::uint64_t place_of_chunk(std::string const& path, char const* name, hsize_t 
 }
 /// How many chunks of a data set are said to have no checksum.
 int chunks_without_checksum(std::string const& path, char const* name) {
-  hid_t const file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
+  hid_t const file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT),
+              set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set);
   hsize_t chunks = 0, at[2], size = 0;
   H5Dget_num_chunks(set, space, &chunks);
   int count = chunks == 0 ? -1 : 0;
@@ -68,7 +77,8 @@ void flip_a_bit(std::string const& path, std::uint64_t at) {
 /// A run of about a second and what it leaves when nothing disturbs it.
 struct Undisturbed {
   Folder folder;
-  std::string const scene = folder.write("scene.toml", apophis(scene_of("80000.0"))), whole = folder / "whole", out = folder / "out";
+  std::string const scene = folder.write("scene.toml", apophis(scene_of("80000.0"))),
+                    whole = folder / "whole", out = folder / "out";
   command::Table table;
   Undisturbed() {
     BOOST_REQUIRE(command::actio({"run", scene, "--out", whole, "--quiet"}).status == 0);
@@ -89,7 +99,8 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
   std::size_t seen = 0;
   for (bool done = false; !done && kills < 12; ++kills) {
     bool const begun = std::filesystem::exists(run.out + "/scene.toml");
-    command::Process process(begun ? std::vector<std::string>{"resume", run.out, "--quiet"} : std::vector<std::string>{"run", run.scene, "--out", run.out, "--quiet"});
+    command::Process process(begun ? std::vector<std::string>{"resume", run.out, "--quiet"}
+                                   : std::vector<std::string>{"run", run.scene, "--out", run.out, "--quiet"});
     command::sleep_for(instant(random));
     if (std::filesystem::exists(run.out + "/series.h5")) {
       BOOST_TEST(begins(run.table, read_plainly(run.out + "/series.h5")));
@@ -106,9 +117,11 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
   BOOST_TEST(seen > 1000u);
   BOOST_TEST(command::actio({"resume", run.out, "--quiet"}).status == 0);
   BOOST_TEST((read_plainly(run.out + "/series.h5").rows == run.table.rows));
-  BOOST_TEST(std::filesystem::file_size(run.out + "/series.h5") < std::filesystem::file_size(run.whole + "/series.h5") + (1 << 20));
+  BOOST_TEST(std::filesystem::file_size(run.out + "/series.h5") <
+             std::filesystem::file_size(run.whole + "/series.h5") + (1 << 20));
   for (char const* name : {"t", "attitude", "energy"})
-    for (auto const& folder : {run.out, run.whole}) BOOST_TEST(chunks_without_checksum(folder + "/series.h5", name) == 0, name);
+    for (auto const& folder : {run.out, run.whole})
+      BOOST_TEST(chunks_without_checksum(folder + "/series.h5", name) == 0, name);
 }
 
 BOOST_AUTO_TEST_CASE(on_a_full_disk_it_is_readable_up_to_the_last_rows_and_goes_on_when_there_is_room) {
@@ -118,8 +131,10 @@ BOOST_AUTO_TEST_CASE(on_a_full_disk_it_is_readable_up_to_the_last_rows_and_goes_
   for (int round = 0; round < 6; ++round) {
     std::string const blocks = std::to_string(2000 + 3500 * round + static_cast<int>(random() % 3000));
     bool const begun = std::filesystem::exists(run.out + "/checkpoint");
-    auto const outcome = command::actio(begun ? std::vector<std::string>{"resume", run.out, "--quiet"} : std::vector<std::string>{"run", run.scene, "--out", run.out, "--quiet"},
-                                        "export ACTIO_CHECKPOINT_SECONDS=0.02; ulimit -f " + blocks + ";");
+    auto const outcome =
+        command::actio(begun ? std::vector<std::string>{"resume", run.out, "--quiet"}
+                             : std::vector<std::string>{"run", run.scene, "--out", run.out, "--quiet"},
+                       "export ACTIO_CHECKPOINT_SECONDS=0.02; ulimit -f " + blocks + ";");
     BOOST_TEST(outcome.status == 4, blocks << ": " << outcome.err);
     BOOST_TEST(outcome.err == run.out + "/series.h5: cannot be written: File too large\n");
     auto const left = read_plainly(run.out + "/series.h5");
@@ -133,7 +148,8 @@ BOOST_AUTO_TEST_CASE(on_a_full_disk_it_is_readable_up_to_the_last_rows_and_goes_
 
 BOOST_AUTO_TEST_CASE(a_bit_that_was_turned_is_an_error_of_the_reader_and_of_resume_with_its_place) {
   Folder const folder;
-  std::string const scene = folder.write("scene.toml", apophis(scene_of("2e6"))), out = folder / "out", file = out + "/series.h5";
+  std::string const scene = folder.write("scene.toml", apophis(scene_of("2e6"))), out = folder / "out",
+                    file = out + "/series.h5";
   command::Process process({"run", scene, "--out", out, "--quiet"});
   BOOST_REQUIRE(command::appears(out + "/checkpoint"));
   command::sleep_for(0.3);
@@ -157,11 +173,14 @@ BOOST_AUTO_TEST_CASE(a_bit_that_was_turned_is_an_error_of_the_reader_and_of_resu
       BOOST_TEST(outcome.status == 4, name << ", row " << row);
       BOOST_TEST(outcome.err.find(file + ": is damaged: rows ") == 0u, outcome.err);
       BOOST_TEST(outcome.err.find(std::string(" of '") + name + "'") != std::string::npos, outcome.err);
-      BOOST_TEST(outcome.err.find("put a copy of the file in its place, or run its scene.toml anew") != std::string::npos, outcome.err);
+      BOOST_TEST(outcome.err.find("put a copy of the file in its place, or run its scene.toml anew") !=
+                     std::string::npos,
+                 outcome.err);
       BOOST_TEST(contents(out + "/checkpoint") == checkpoint);
     }
   std::ofstream(file, std::ios::binary) << sound;
-  BOOST_TEST(command::actio({"resume", out, "--quiet"}, "timeout --preserve-status -s INT 0.3").status == 130);
+  BOOST_TEST(command::actio({"resume", out, "--quiet"}, "timeout --preserve-status -s INT 0.3").status ==
+             130);
 }
 
 BOOST_AUTO_TEST_CASE(equal_runs_leave_equal_bytes) {

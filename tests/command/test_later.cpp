@@ -20,11 +20,13 @@ void edit(std::string const& folder, std::string const& key, std::string const& 
 }
 std::map<std::string, std::string> names_and_contents(std::string const& folder) {
   std::map<std::string, std::string> out;
-  for (auto const& entry : std::filesystem::directory_iterator(folder)) out[entry.path().filename().string()] = contents(entry.path().string());
+  for (auto const& entry : std::filesystem::directory_iterator(folder))
+    out[entry.path().filename().string()] = contents(entry.path().string());
   return out;
 }
 
-std::map<std::string, std::string> const steps{{"order", "4"}, {"step", "0.25"}, {"until", "50000.0"}, {"every", "0.5"}};
+std::map<std::string, std::string> const steps{
+    {"order", "4"}, {"step", "0.25"}, {"until", "50000.0"}, {"every", "0.5"}};
 std::map<std::string, std::string> const many{{"until", "1e7"}};
 
 /// A run that was interrupted on its way.
@@ -46,7 +48,8 @@ BOOST_AUTO_TEST_SUITE(later)
 
 BOOST_AUTO_TEST_CASE(the_pictures_of_a_finished_run_are_those_that_it_would_have_drawn) {
   Folder const folder;
-  std::string const scene = folder.write("apophis.toml", apophis()), with = folder / "with", without = folder / "my run";
+  std::string const scene = folder.write("apophis.toml", apophis()), with = folder / "with",
+                    without = folder / "my run";
   BOOST_REQUIRE(actio({"run", scene, "--plots", "--out", with}).status == 0);
   BOOST_REQUIRE(actio({"run", scene, "--out", without}).status == 0);
   std::string const toml = contents(without + "/scene.toml");
@@ -60,14 +63,17 @@ BOOST_AUTO_TEST_CASE(the_pictures_of_a_finished_run_are_those_that_it_would_have
   BOOST_TEST((drawn == asked));
   BOOST_TEST(std::filesystem::exists(without + "/plots/index.html"));
   BOOST_TEST(contents(without + "/scene.toml") == toml);
-  BOOST_TEST(actio({"resume", without}).out == without + ": the run is finished, with 101 rows to t = 25; nothing is left to do\n");
+  BOOST_TEST(actio({"resume", without}).out ==
+             without + ": the run is finished, with 101 rows to t = 25; nothing is left to do\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_goes_on_and_one_that_was_killed_are_drawn_as_far_as_they_are) {
   for (char const* const format : {"[\"csv\"]", "[\"hdf5\"]"}) {
     Folder const folder;
     std::string const out = folder / "my run";
-    command::Process process({"run", folder.write("scene.toml", apophis({{"until", "1e7"}, {"formats", format}})), "--out", out, "--quiet"});
+    command::Process process({"run",
+                              folder.write("scene.toml", apophis({{"until", "1e7"}, {"formats", format}})),
+                              "--out", out, "--quiet"});
     BOOST_REQUIRE(command::appears(out + "/checkpoint"));
     command::sleep_for(0.1);
     auto const meanwhile = actio({"plot", out});
@@ -77,7 +83,9 @@ BOOST_AUTO_TEST_CASE(a_run_that_goes_on_and_one_that_was_killed_are_drawn_as_far
     BOOST_TEST(process.wait().status == 128 + SIGKILL);
     auto const afterwards = actio({"plot", out});
     BOOST_TEST(afterwards.status == 0, afterwards.err);
-    BOOST_TEST(holds(afterwards.out, "for the run is not finished: actio resume '" + out + "' goes on with it\n"), afterwards.out);
+    BOOST_TEST(
+        holds(afterwards.out, "for the run is not finished: actio resume '" + out + "' goes on with it\n"),
+        afterwards.out);
     BOOST_TEST(holds(contents(out + "/plots/body_momentum.svg"), "</svg>"));
     BOOST_TEST(holds(contents(out + "/plots/index.html"), "</html>"));
   }
@@ -86,7 +94,9 @@ BOOST_AUTO_TEST_CASE(a_run_that_goes_on_and_one_that_was_killed_are_drawn_as_far
 BOOST_AUTO_TEST_CASE(a_folder_without_a_run_has_nothing_to_draw) {
   Folder const folder;
   std::filesystem::create_directory(folder / "empty");
-  for (auto const& [name, what] : std::map<std::string, std::string>{{"empty", "there is no run in this folder: scene.toml is missing"}, {"nowhere", "there is no such folder"}}) {
+  for (auto const& [name, what] :
+       std::map<std::string, std::string>{{"empty", "there is no run in this folder: scene.toml is missing"},
+                                          {"nowhere", "there is no such folder"}}) {
     auto const outcome = actio({"plot", folder / name});
     BOOST_TEST(outcome.status == 2);
     BOOST_TEST(outcome.err == folder / name + ": " + what + "\n");
@@ -109,7 +119,9 @@ BOOST_AUTO_TEST_CASE(resume_draws_the_pictures_that_are_missing_and_no_others) {
   BOOST_TEST(std::filesystem::exists(out + "/plots/index.html"));
   BOOST_TEST(holds(actio({"resume", out}).out, "nothing is left to do"));
   // Those of an earlier part of the run do not count.
-  std::filesystem::last_write_time(out + "/plots/index.html", std::filesystem::last_write_time(out + "/summary.json") - std::chrono::seconds(9));
+  std::filesystem::last_write_time(
+      out + "/plots/index.html",
+      std::filesystem::last_write_time(out + "/summary.json") - std::chrono::seconds(9));
   BOOST_TEST(holds(actio({"resume", out}).out, "its pictures were missing and are drawn"));
 }
 
@@ -127,9 +139,12 @@ BOOST_AUTO_TEST_CASE(a_changed_title_does_not_keep_a_run_from_going_on_and_a_cha
 
 BOOST_AUTO_TEST_CASE(a_run_to_a_later_time_equals_an_unbroken_one_byte_for_byte) {
   for (auto const& [changes, until] : std::vector<std::pair<std::map<std::string, std::string>, std::string>>{
-           {steps, "60000"}, {{{"formats", "[\"csv\", \"hdf5\"]"}}, "33.3"}, {{{"order", "2"}, {"until", "25.0"}, {"every", "0.5"}}, "1000.25"}}) {
+           {steps, "60000"},
+           {{{"formats", "[\"csv\", \"hdf5\"]"}}, "33.3"},
+           {{{"order", "2"}, {"until", "25.0"}, {"every", "0.5"}}, "1000.25"}}) {
     Folder const folder;
-    std::string const scene = folder.write("scene.toml", apophis(changes)), out = folder / "out", unbroken = folder / "unbroken";
+    std::string const scene = folder.write("scene.toml", apophis(changes)), out = folder / "out",
+                      unbroken = folder / "unbroken";
     BOOST_REQUIRE(actio({"run", scene, "--out", out}).status == 0);
     auto const outcome = actio({"resume", out, "--until", until});
     BOOST_TEST(outcome.status == 0, outcome.err);
@@ -153,7 +168,8 @@ BOOST_AUTO_TEST_CASE(an_interrupted_run_can_be_given_a_later_end_and_killed_agai
     }
     // Wherever the kills came, the scene and the checkpoint belong together.
     BOOST_TEST(actio({"resume", run.out}).status == 0);
-    if (!holds(contents(run.out + "/scene.toml"), "\nuntil = 70000")) BOOST_TEST(actio({"resume", run.out, "--until", "70000"}).status == 0);
+    if (!holds(contents(run.out + "/scene.toml"), "\nuntil = 70000"))
+      BOOST_TEST(actio({"resume", run.out, "--until", "70000"}).status == 0);
     std::string const unbroken = run.folder / "unbroken";
     BOOST_REQUIRE(actio({"run", run.out + "/scene.toml", "--out", unbroken}).status == 0);
     BOOST_TEST((contents(run.out + "/series.csv") == contents(unbroken + "/series.csv")));
@@ -165,15 +181,20 @@ BOOST_AUTO_TEST_CASE(an_end_that_cannot_be_is_refused_with_its_reason_and_change
     std::string times, until, says;
   };
   for (auto const& c : std::vector<Case>{
-           {"until = 25\nevery = 0.25", "25", "--until 25: the run goes to t = 25 already; a later time is expected"},
-           {"until = 25\nevery = 0.25", "-1", "--until -1: the run goes to t = 25 already; a later time is expected"},
+           {"until = 25\nevery = 0.25", "25",
+            "--until 25: the run goes to t = 25 already; a later time is expected"},
+           {"until = 25\nevery = 0.25", "-1",
+            "--until -1: the run goes to t = 25 already; a later time is expected"},
            {"until = 25\nevery = 0.25", "soon", "--until soon: a time is expected, for example --until 500"},
            {"until = 25\nevery = 0.25", "inf", "--until inf: a time is expected, for example --until 500"},
            {"until = 25\nevery = 0.25", "30.1", "t = 30.1 is 120.4 steps of 0.25"},
            {"until = 25\nevery = 0.25", "", "--until: a name is expected, found ''"},
-           {"at = [1, 2, 5]", "9", "--until 9: the rows are at the times that [run] at lists, the last at t = 5"},
-           {"until = 25\nevery = 0.75", "30", "--until 30: the run has a row at t = 25 already, which a run to t = 30 has not"},
-           {"until = 25", "30", "--until 30: the run has a row at t = 25 already, which a run to t = 30 has not"}}) {
+           {"at = [1, 2, 5]", "9",
+            "--until 9: the rows are at the times that [run] at lists, the last at t = 5"},
+           {"until = 25\nevery = 0.75", "30",
+            "--until 30: the run has a row at t = 25 already, which a run to t = 30 has not"},
+           {"until = 25", "30",
+            "--until 30: the run has a row at t = 25 already, which a run to t = 30 has not"}}) {
     Folder const folder;
     std::string text = apophis({{"order", "2"}, {"until", ""}, {"every", ""}});
     text.replace(text.find("[run]"), 5, "[run]\n" + c.times);
@@ -198,7 +219,8 @@ BOOST_AUTO_TEST_CASE(an_end_that_was_changed_by_hand_is_taken_where_it_can_be) {
   edit(out, "until", "10.0");
   auto const refused = actio({"resume", out});
   BOOST_TEST(refused.status == 2);
-  BOOST_TEST(holds(refused.err, "the run has a row at t = 30 already, which a run to t = 10 has not"), refused.err);
+  BOOST_TEST(holds(refused.err, "the run has a row at t = 30 already, which a run to t = 10 has not"),
+             refused.err);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_is_named_as_a_shell_takes_it) {
@@ -206,7 +228,8 @@ BOOST_AUTO_TEST_CASE(a_folder_is_named_as_a_shell_takes_it) {
   for (std::string const name : {"my run", "it's", "a;b", "-n", "tab\there"}) {
     std::string const scene = folder.write("scene.toml", apophis(many));
     folder.write("name", name);
-    std::string const for_a_moment = "cd '" + folder / "" + "' && ACTIO_CHECKPOINT_SECONDS=0.05 timeout --preserve-status -s INT 0.4 ";
+    std::string const for_a_moment =
+        "cd '" + folder / "" + "' && ACTIO_CHECKPOINT_SECONDS=0.05 timeout --preserve-status -s INT 0.4 ";
     auto const outcome = command::shell(for_a_moment + "$ACTIO run scene.toml --quiet --out=\"$(cat name)\"");
     BOOST_TEST(outcome.status == 130, outcome.err);
     std::size_t const at = outcome.err.find("; actio "), end = outcome.err.find(" goes on from there");
@@ -214,7 +237,8 @@ BOOST_AUTO_TEST_CASE(a_folder_is_named_as_a_shell_takes_it) {
     // What is said is done.
     folder.write("said.sh", "\"$1\" " + outcome.err.substr(at + 8, end - at - 8) + " --until 1\n");
     auto const said = command::shell("cd '" + folder / "" + "' && bash said.sh $ACTIO");
-    BOOST_TEST(said.err == "--until 1: the run goes to t = 10000000 already; a later time is expected\n", name);
+    BOOST_TEST(said.err == "--until 1: the run goes to t = 10000000 already; a later time is expected\n",
+               name);
   }
 }
 

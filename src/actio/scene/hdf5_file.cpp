@@ -80,7 +80,7 @@ struct GrowingFile {
   haddr_t used = 0;      // what the library has laid out
   haddr_t told = 0;      // the end that the superblock on the disk tells; zero before there is one
   haddr_t reserved = 0;  // up to here the disk has room
-  haddr_t true_end = 0;  // of a file whose writer was killed, until it is written again; zero where its superblock tells it
+  haddr_t true_end = 0;  // of a file whose writer was killed; zero where its superblock tells it
   Superblock superblock;
   std::chrono::steady_clock::time_point then = std::chrono::steady_clock::now();
   haddr_t used_then = 0;  // when the end was told last
@@ -90,11 +90,14 @@ struct GrowingFile {
   /// What a writer before has left.
   void look() {
     struct stat now;
-    if (::fstat(file, &now) != 0 || !read_all(file, superblock.bytes, Superblock::size, 0) || !superblock.valid()) return;
+    if (::fstat(file, &now) != 0 || !read_all(file, superblock.bytes, Superblock::size, 0) ||
+        !superblock.valid())
+      return;
     told = superblock.end_of_file();
     Trailer trailer = {};
-    if (static_cast<haddr_t>(now.st_size) == told + sizeof trailer && read_all(file, &trailer, sizeof trailer, static_cast<off_t>(told)) &&
-        trailer.valid() && trailer.end <= told)
+    if (static_cast<haddr_t>(now.st_size) == told + sizeof trailer &&
+        read_all(file, &trailer, sizeof trailer, static_cast<off_t>(told)) && trailer.valid() &&
+        trailer.end <= told)
       true_end = trailer.end;
     reserved = used_then = true_end ? true_end : told;
   }
@@ -107,10 +110,12 @@ struct GrowingFile {
     true_end = used;
   }
 
-  /// Room on the disk for all that the library has laid out, and an end of the file beyond it: what is written next may tell of any place before.
+  /// Room on the disk for all that the library has laid out, and an end of the file beyond it: what is
+  /// written next may tell of any place before.
   bool make_room() {
     if (used <= reserved) return true;
-    int const error = ::posix_fallocate(file, static_cast<off_t>(reserved), static_cast<off_t>(used - reserved));
+    int const error =
+        ::posix_fallocate(file, static_cast<off_t>(reserved), static_cast<off_t>(used - reserved));
     // Where nothing can be reserved, the writing itself tells whether there is room.
     bool const reserves = error != ENODEV && error != EINVAL && error != EOPNOTSUPP && error != ESPIPE;
     if (error != 0 && reserves) return last_error = error, fail();
@@ -132,7 +137,9 @@ struct GrowingFile {
   bool tell_end(haddr_t end) {
     haddr_t const before = told;
     told = end;
-    if (::ftruncate(file, static_cast<off_t>(end + sizeof(Trailer))) == 0 && write_trailer() && write_superblock()) return true;
+    if (::ftruncate(file, static_cast<off_t>(end + sizeof(Trailer))) == 0 && write_trailer() &&
+        write_superblock())
+      return true;
     return last_error = errno, told = before, false;
   }
   bool write_trailer() const {
@@ -145,7 +152,8 @@ struct GrowingFile {
   }
 
   bool write(H5FD_mem_t type, haddr_t at, void const* from, std::size_t size) {
-    if (heads_only && !(size > 4 && (std::memcmp(from, "OHDR", 4) == 0 || std::memcmp(from, "OCHK", 4) == 0))) return true;
+    if (heads_only && !(size > 4 && (std::memcmp(from, "OHDR", 4) == 0 || std::memcmp(from, "OCHK", 4) == 0)))
+      return true;
     if (heads_only) return write_all(file, from, size, static_cast<off_t>(at)) || fail();
     changed = true;
     if (type == H5FD_MEM_DRAW) last_numbers = at;
@@ -175,13 +183,15 @@ GrowingFile& of(H5FD_t* file) { return *reinterpret_cast<GrowingFile*>(file); }
 GrowingFile const& of(H5FD_t const* file) { return *reinterpret_cast<GrowingFile const*>(file); }
 
 H5FD_t* open(char const* path, unsigned flags, hid_t, haddr_t) {
-  int const how = O_CLOEXEC | (flags & H5F_ACC_RDWR ? O_RDWR : O_RDONLY) | (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) | (flags & H5F_ACC_CREAT ? O_CREAT : 0) |
+  int const how = O_CLOEXEC | (flags & H5F_ACC_RDWR ? O_RDWR : O_RDONLY) |
+                  (flags & H5F_ACC_TRUNC ? O_TRUNC : 0) | (flags & H5F_ACC_CREAT ? O_CREAT : 0) |
                   (flags & H5F_ACC_EXCL ? O_EXCL : 0);
   int const file = ::open(path, how, 0666);
   struct stat now;
   if (file < 0 || ::fstat(file, &now) != 0) return last_error = errno, nullptr;
   auto* const opened = new GrowingFile;
-  opened->file = file, opened->device = now.st_dev, opened->inode = now.st_ino, opened->heads_only = heads_only;
+  opened->file = file, opened->device = now.st_dev, opened->inode = now.st_ino,
+  opened->heads_only = heads_only;
   if (now.st_size > 0) opened->look();
   if (flags & H5F_ACC_RDWR && !heads_only) opened->begin();
   return &opened->common;
@@ -196,7 +206,8 @@ int compare(H5FD_t const* a, H5FD_t const* b) {
   return place(of(a)) < place(of(b)) ? -1 : place(of(b)) < place(of(a)) ? 1 : 0;
 }
 herr_t query(H5FD_t const*, unsigned long* features) {
-  // Metadata are not collected in blocks, of which each flush would begin another: where things are does not depend on the clock.
+  // Metadata are not collected in blocks, of which each flush would begin another: where things are does not
+  // depend on the clock.
   *features = H5FD_FEAT_POSIX_COMPAT_HANDLE | H5FD_FEAT_SUPPORTS_SWMR_IO | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
   return 0;
 }
@@ -211,7 +222,8 @@ haddr_t used(H5FD_t const* file, H5FD_mem_t) { return of(file).used; }
 herr_t set_used(H5FD_t* file, H5FD_mem_t, haddr_t at) { return of(file).used = at, 0; }
 haddr_t end_of(H5FD_t const* file, H5FD_mem_t) {
   struct stat now;
-  return ::fstat(of(file).file, &now) == 0 ? std::max(static_cast<haddr_t>(now.st_size), of(file).used) : HADDR_UNDEF;
+  return ::fstat(of(file).file, &now) == 0 ? std::max(static_cast<haddr_t>(now.st_size), of(file).used)
+                                           : HADDR_UNDEF;
 }
 herr_t descriptor(H5FD_t* file, hid_t, void** out) { return *out = &of(file).file, 0; }
 herr_t read(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, std::size_t size, void* into) {
@@ -221,7 +233,8 @@ herr_t read(H5FD_t* file, H5FD_mem_t type, hid_t, haddr_t at, std::size_t size, 
   if (at < Superblock::size && from.true_end != 0) {
     Superblock shown = from.superblock;
     shown.close_at(from.true_end);
-    std::copy_n(shown.bytes + at, std::min<std::size_t>(size, Superblock::size - at), static_cast<unsigned char*>(into));
+    std::copy_n(shown.bytes + at, std::min<std::size_t>(size, Superblock::size - at),
+                static_cast<unsigned char*>(into));
   }
   return 0;
 }
@@ -238,7 +251,8 @@ H5FD_class_t driver() {
   out.name = "actio";
   out.maxaddr = HADDR_MAX, out.fc_degree = H5F_CLOSE_WEAK;
   out.open = open, out.close = close, out.cmp = compare, out.query = query;
-  out.alloc = take, out.get_eoa = used, out.set_eoa = set_used, out.get_eof = end_of, out.get_handle = descriptor;
+  out.alloc = take, out.get_eoa = used, out.set_eoa = set_used, out.get_eof = end_of,
+  out.get_handle = descriptor;
   out.read = read, out.write = write;
   H5FD_mem_t const kinds[] = H5FD_FLMAP_DICHOTOMY;
   std::copy(std::begin(kinds), std::end(kinds), out.fl_map);
@@ -249,7 +263,8 @@ H5FD_class_t driver() {
 
 void set_growing_file(Session const& h5, hid_t access) {
   static H5FD_class_t const growing = driver();
-  static hid_t const id = h5.checked(h5->H5FDregister(&growing), "HDF5", "refuses the driver of files that grow");
+  static hid_t const id =
+      h5.checked(h5->H5FDregister(&growing), "HDF5", "refuses the driver of files that grow");
   h5.checked(h5->H5Pset_driver(access, id, nullptr), "HDF5", "refuses the driver of files that grow");
 }
 

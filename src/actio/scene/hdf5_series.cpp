@@ -1,12 +1,17 @@
-// A data set for each quantity, in a file that any reader can open at any instant (hdf5_file.hpp), with a checksum on every chunk of numbers.
+// A data set for each quantity, in a file that any reader can open at any instant (hdf5_file.hpp), with a
+// checksum on every chunk of numbers.
 //
-// A chunk that is written once is there, with its checksum, before anything tells of it. The last chunk is not: it grows. To write it anew in its place with
-// a new checksum would not do, since whoever looks in between, or after a kill in between, finds a checksum that is not that of the numbers, and cannot read
-// the chunk at all. So as long as it grows it is said to have no checksum, a thing that HDF5 knows of each chunk, but it has room for one. Its first rows stay
-// as they are while others are put behind them, and rows are told of when they are there. When it is full, its checksum is written into the room, and only then is
-// it said to have one. (The library changes what it says of a chunk only where its length changes: one that grows is said to be four bytes longer.) A table that is closed has a checksum on its last chunk as well; a checkpoint remembers that of the last chunk, so that `resume` sees
-// whatever bit was turned since.
+// A chunk that is written once is there, with its checksum, before anything tells of it. The last chunk is
+// not: it grows. To write it anew in its place with a new checksum would not do, since whoever looks in
+// between, or after a kill in between, finds a checksum that is not that of the numbers, and cannot read the
+// chunk at all. So as long as it grows it is said to have no checksum, a thing that HDF5 knows of each chunk,
+// but it has room for one. Its first rows stay as they are while others are put behind them, and rows are
+// told of when they are there. When it is full, its checksum is written into the room, and only then is it
+// said to have one. (The library changes what it says of a chunk only where its length changes: one that
+// grows is said to be four bytes longer.) A table that is closed has a checksum on its last chunk as well; a
+// checkpoint remembers that of the last chunk, so that `resume` sees whatever bit was turned since.
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -29,8 +34,8 @@ using hdf5::Handle, hdf5::Session;
 /// One quantity in the file, and its last chunk.
 struct DataSet {
   ColumnGroup group;
-  std::vector<hsize_t> extent;   // rows, then the shape of a value
-  std::size_t width = 1;         // of a row, in numbers
+  std::vector<hsize_t> extent;    // rows, then the shape of a value
+  std::size_t width = 1;          // of a row, in numbers
   std::vector<double> last = {};  // rows of the chunk that grows
   bool behind = false;            // whether the file may have chunks that are written again
   hsize_t length = 0, place = 0;  // of the last chunk in the file; zero where it is not there yet
@@ -40,7 +45,9 @@ struct DataSet {
     for (std::size_t const n : group.shape()) extent.push_back(n);
   }
   std::string const& name() const { return group.quantity.name; }
-  std::span<unsigned char const> bytes() const { return {reinterpret_cast<unsigned char const*>(last.data()), last.size() * sizeof(double)}; }
+  std::span<unsigned char const> bytes() const {
+    return {reinterpret_cast<unsigned char const*>(last.data()), last.size() * sizeof(double)};
+  }
 };
 
 /// Where a chunk begins.
@@ -60,13 +67,16 @@ std::vector<DataSet> data_sets(SeriesHead const& head) {
 
 class Hdf5Series : public Series {
  public:
-  Hdf5Series(std::string const& path, SeriesHead const& head, bool resume) : path_(path), sets_(data_sets(head)), groups_(head.groups) {
+  Hdf5Series(std::string const& path, SeriesHead const& head, bool resume)
+      : path_(path), sets_(data_sets(head)), groups_(head.groups) {
     std::size_t widest = 1;
     for (auto const& set : sets_) widest = std::max(widest, set.width);
     at_once_ = chunk(widest, static_cast<std::size_t>(std::max(1L, head.rows)));
     Session const h5;
-    if (resume) look(h5);
-    else create(h5, head);
+    if (resume)
+      look(h5);
+    else
+      create(h5, head);
   }
   ~Hdf5Series() override {
     if (failure_.empty() && file_ < 0) return;  // it was to be gone on with, and was not
@@ -100,7 +110,8 @@ class Hdf5Series : public Series {
   void sync() override {
     flush();
     Session const h5;
-    if (::fdatasync(descriptor(h5)) != 0 && errno != EINVAL) fail(path_ + ": cannot be written: " + std::strerror(errno));
+    if (::fdatasync(descriptor(h5)) != 0 && errno != EINVAL)
+      fail(path_ + ": cannot be written: " + std::strerror(errno));
   }
   void remember(Memory& memory) override {
     rethrow();
@@ -122,7 +133,8 @@ class Hdf5Series : public Series {
   enum class Last { growing, full };
   static constexpr std::size_t enough = 1 << 17;  // bytes that are not told of
 
-  /// Rows of a chunk, the same for all data sets: about 64 kB of the widest, more where that would be few; a power of two, and no more than the run has.
+  /// Rows of a chunk, the same for all data sets: about 64 kB of the widest, more where that would be few; a
+  /// power of two, and no more than the run has.
   static std::size_t chunk(std::size_t widest, std::size_t expected) {
     constexpr std::size_t numbers = 1 << 13, most = 1 << 17, few = 64;
     std::size_t const rows = std::max(numbers / widest, std::min(few, most / widest));
@@ -139,10 +151,14 @@ class Hdf5Series : public Series {
   void create(Session const& h5, SeriesHead const& head) {
     // Under another name: before it can be read by anybody it does not have its own.
     std::string const part = path_ + ".part";
+    struct stat there;
+    if (::lstat(path_.c_str(), &there) == 0 && !S_ISREG(there.st_mode))
+      refuse(path_ + ": cannot be opened: it is no ordinary file");
     ::unlink(part.c_str());
     Handle const how(h5->H5Pcreate(h5->H5P_CLS_FILE_CREATE_ID_g_value), h5->H5Pclose);
     h5->H5Pset_obj_track_times(how, false);  // equal runs leave equal bytes
-    file_ = Handle(check(h5, h5->H5Fcreate(part.c_str(), H5F_ACC_TRUNC, how, access(h5)), "cannot be opened"), h5->H5Fclose);
+    file_ = Handle(check(h5, h5->H5Fcreate(part.c_str(), H5F_ACC_TRUNC, how, access(h5)), "cannot be opened"),
+                   h5->H5Fclose);
     tell(h5, file_, "title", head.title);
     tell(h5, file_, "system", head.system);
     tell(h5, file_, "actio_version", ACTIO_VERSION);
@@ -150,7 +166,8 @@ class Hdf5Series : public Series {
     for (auto const& set : sets_) create(h5, set);
     check(h5, file_.close(), "cannot be written");
     start(h5, part);
-    if (std::rename(part.c_str(), path_.c_str()) != 0) fail(path_ + ": cannot be opened: " + std::strerror(errno));
+    if (std::rename(part.c_str(), path_.c_str()) != 0)
+      fail(path_ + ": cannot be opened: " + std::strerror(errno));
   }
   void create(Session const& h5, DataSet const& set) {
     auto most = set.extent, chunk_extent = set.extent;
@@ -173,41 +190,52 @@ class Hdf5Series : public Series {
     tell(h5, id, "columns", set.group.columns, true);
   }
   /// An attribute with one text, or with a list of texts; none where there is nothing to say.
-  void tell(Session const& h5, hid_t object, char const* name, std::vector<std::string> const& texts, bool list) {
+  void tell(Session const& h5, hid_t object, char const* name, std::vector<std::string> const& texts,
+            bool list) {
     if (!list && texts.front().empty()) return;
     Handle const type(h5->H5Tcopy(h5->H5T_C_S1_g_value), h5->H5Tclose);
     h5->H5Tset_size(type, H5T_VARIABLE);
     h5->H5Tset_cset(type, H5T_CSET_UTF8);
     hsize_t const size = texts.size();
-    Handle const space(list ? h5->H5Screate_simple(1, &size, nullptr) : h5->H5Screate(H5S_SCALAR), h5->H5Sclose);
-    Handle const attribute(check(h5, h5->H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), "cannot be written"), h5->H5Aclose);
+    Handle const space(list ? h5->H5Screate_simple(1, &size, nullptr) : h5->H5Screate(H5S_SCALAR),
+                       h5->H5Sclose);
+    Handle const attribute(
+        check(h5, h5->H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), "cannot be written"),
+        h5->H5Aclose);
     std::vector<char const*> pointers;
     for (auto const& text : texts) pointers.push_back(text.c_str());
     check(h5, h5->H5Awrite(attribute, type, pointers.data()), "cannot be written");
   }
-  void tell(Session const& h5, hid_t object, char const* name, std::string const& text) { tell(h5, object, name, {text}, false); }
+  void tell(Session const& h5, hid_t object, char const* name, std::string const& text) {
+    tell(h5, object, name, {text}, false);
+  }
 
   /// That the file to go on with is there, and is a table of this scene; how long its chunks are.
   void look(Session const& h5) {
-    Handle const file(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access(h5)), "cannot be opened"), h5->H5Fclose);
+    Handle const file(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access(h5)), "cannot be opened"),
+                      h5->H5Fclose);
     for (auto& set : sets_) {
-      Handle const id(check(h5, h5->H5Dopen2(file, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
+      Handle const id(check(h5, h5->H5Dopen2(file, set.name().c_str(), H5P_DEFAULT), "cannot be opened"),
+                      h5->H5Dclose);
       Handle const space(check(h5, h5->H5Dget_space(id), "cannot be opened"), h5->H5Sclose);
       Handle const how(check(h5, h5->H5Dget_create_plist(id), "cannot be opened"), h5->H5Pclose);
       std::vector<hsize_t> there(set.extent.size()), chunk(set.extent.size());
       bool const like = h5->H5Sget_simple_extent_ndims(space) == static_cast<int>(there.size()) &&
                         h5->H5Sget_simple_extent_dims(space, there.data(), nullptr) >= 0 &&
                         std::equal(there.begin() + 1, there.end(), set.extent.begin() + 1) &&
-                        h5->H5Pget_chunk(how, static_cast<int>(chunk.size()), chunk.data()) >= 0 && (&set == &sets_[0] || chunk[0] == at_once_);
+                        h5->H5Pget_chunk(how, static_cast<int>(chunk.size()), chunk.data()) >= 0 &&
+                        (&set == &sets_[0] || chunk[0] == at_once_);
       if (!like) refuse(path_ + ": is not the table of this scene");
       set.extent[0] = there[0], at_once_ = chunk[0];
     }
   }
-  /// Reads the rows that a checkpoint remembers, each chunk against its checksum; keeps those of the last chunk.
+  /// Reads the rows that a checkpoint remembers, each chunk against its checksum; keeps those of the last
+  /// chunk.
   void read_back(std::vector<std::uint32_t> const& sums) {
     for (auto const& set : sets_)
       if (set.extent[0] < rows_)
-        refuse(path_ + ": has " + std::to_string(set.extent[0]) + " rows, where the checkpoint needs " + std::to_string(rows_) + "; it was cut since");
+        refuse(path_ + ": has " + std::to_string(set.extent[0]) + " rows, where the checkpoint needs " +
+               std::to_string(rows_) + "; it was cut since");
     auto const reader = read_hdf5_series(path_, groups_);
     std::size_t width = 0;
     for (auto const& set : sets_) width += set.width;
@@ -222,16 +250,20 @@ class Hdf5Series : public Series {
       }
     }
     for (std::size_t i = 0; i < sets_.size(); ++i)
-      if (hdf5::fletcher32(sets_[i].bytes()) != sums[i]) refuse(hdf5::damage(path_, sets_[i].name(), whole, rows_));
+      if (hdf5::fletcher32(sets_[i].bytes()) != sums[i])
+        refuse(hdf5::damage(path_, sets_[i].name(), whole, rows_));
   }
-  /// Rows that the checkpoint does not have are not told of any more. The chunks that have them stay, and are written again.
+  /// Rows that the checkpoint does not have are not told of any more. The chunks that have them stay, and are
+  /// written again.
   void cut_back(Session const& h5) {
     hdf5::HeadsOnly const heads_only;
-    Handle file(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDWR, access(h5)), "cannot be opened"), h5->H5Fclose);
+    Handle file(check(h5, h5->H5Fopen(path_.c_str(), H5F_ACC_RDWR, access(h5)), "cannot be opened"),
+                h5->H5Fclose);
     for (auto& set : sets_) {
       if (set.extent[0] == rows_) continue;
       set.extent[0] = rows_;
-      Handle id(check(h5, h5->H5Dopen2(file, set.name().c_str(), H5P_DEFAULT), "cannot be opened"), h5->H5Dclose);
+      Handle id(check(h5, h5->H5Dopen2(file, set.name().c_str(), H5P_DEFAULT), "cannot be opened"),
+                h5->H5Dclose);
       check(h5, h5->H5Dset_extent(id, set.extent.data()), "cannot be cut back");
       check(h5, id.close(), "cannot be cut back");
     }
@@ -243,7 +275,9 @@ class Hdf5Series : public Series {
     file_ = Handle(check(h5, opened, "cannot be opened"), h5->H5Fclose);
     Handle const how(h5->H5Pcreate(h5->H5P_CLS_DATASET_ACCESS_ID_g_value), h5->H5Pclose);
     h5->H5Pset_chunk_cache(how, 0, 0, 1);
-    for (auto& set : sets_) set.id = Handle(check(h5, h5->H5Dopen2(file_, set.name().c_str(), how), "cannot be opened"), h5->H5Dclose);
+    for (auto& set : sets_)
+      set.id =
+          Handle(check(h5, h5->H5Dopen2(file_, set.name().c_str(), how), "cannot be opened"), h5->H5Dclose);
   }
 
   /// Bytes of a chunk that is full, and of one that grows.
@@ -278,7 +312,8 @@ class Hdf5Series : public Series {
     std::uint32_t const without_checksum = last == Last::full ? 0 : 1;
     std::optional<hdf5::InPlace> in_place;
     if (set.length != 0 && set.length != size) in_place.emplace(set.place);
-    check(h5, h5->H5Dwrite_chunk(set.id, H5P_DEFAULT, without_checksum, at.data(), size, chunk_.data()), "cannot be written");
+    check(h5, h5->H5Dwrite_chunk(set.id, H5P_DEFAULT, without_checksum, at.data(), size, chunk_.data()),
+          "cannot be written");
     set.length = size, set.place = hdf5::last_place();
     untold_ += size;
   }
@@ -289,9 +324,11 @@ class Hdf5Series : public Series {
     set.length = 0;
     set.behind = h5->H5Dget_chunk_storage_size(set.id, at.data(), &set.length) >= 0 && set.length != 0;
     if (!set.behind) return;
-    if (set.length != full(set) && set.length != growing(set)) refuse(path_ + ": is not the table of this scene");
+    if (set.length != full(set) && set.length != growing(set))
+      refuse(path_ + ": is not the table of this scene");
     std::uint32_t without_checksum = 0;
-    check(h5, h5->H5Dread_chunk(set.id, H5P_DEFAULT, at.data(), &without_checksum, chunk_.data()), "cannot be read");
+    check(h5, h5->H5Dread_chunk(set.id, H5P_DEFAULT, at.data(), &without_checksum, chunk_.data()),
+          "cannot be read");
     set.place = hdf5::last_place();
   }
   /// What the file tells of itself follows what was written.
@@ -307,7 +344,8 @@ class Hdf5Series : public Series {
     }
     tell(h5);
   }
-  /// The last chunk of a table that was closed is said to have no checksum, and stays as it is: now it may grow.
+  /// The last chunk of a table that was closed is said to have no checksum, and stays as it is: now it may
+  /// grow.
   void unseal(Session const& h5) {
     start(h5, path_);
     for (auto& set : sets_) {
@@ -337,7 +375,8 @@ class Hdf5Series : public Series {
       fail(system.empty() ? error.what() : path_ + ": " + what + ": " + system);
     }
   }
-  /// The library does not close a file that it could not write. It is left as it is: what was flushed before is in it, and consistent.
+  /// The library does not close a file that it could not write. It is left as it is: what was flushed before
+  /// is in it, and consistent.
   [[noreturn]] void fail(std::string const& what) {
     for (auto& set : sets_) set.id.abandon();
     file_.abandon();
@@ -363,6 +402,8 @@ class Hdf5Series : public Series {
 
 }  // namespace
 
-std::unique_ptr<Series> hdf5_series(std::string const& path, SeriesHead const& head, bool resume) { return std::make_unique<Hdf5Series>(path, head, resume); }
+std::unique_ptr<Series> hdf5_series(std::string const& path, SeriesHead const& head, bool resume) {
+  return std::make_unique<Hdf5Series>(path, head, resume);
+}
 
 }  // namespace actio::scene
