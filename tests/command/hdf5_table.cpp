@@ -60,16 +60,31 @@ std::vector<std::string> names_in(hid_t file) {
   return out;
 }
 
+/// A file that is closed with all that was opened in it, also where reading fails: the library would take what is
+/// still open for the file as it is then.
+struct OpenFile {
+  hid_t id;
+  explicit OpenFile(std::string const& path) {
+    hid_t const access = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
+    id = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+    H5Pclose(access);
+    good(id, path);
+  }
+  ~OpenFile() { H5Fclose(id); }
+};
+
 }  // namespace
 
 Hdf5Table read_hdf5(std::string const& path, bool writing) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  hid_t const file = good(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), path);
   Hdf5Table table;
-  table.attributes[""] = attributes(file);
   std::vector<DataSet> sets;
-  for (auto const& name : names_in(file)) sets.push_back(read_data_set(file, name));
-  H5Fclose(file);
+  {
+    OpenFile const file(path);
+    table.attributes[""] = attributes(file.id);
+    for (auto const& name : names_in(file.id)) sets.push_back(read_data_set(file.id, name));
+  }
 
   std::size_t rows = sets.at(0).extent.at(0);
   for (auto const& set : sets) {

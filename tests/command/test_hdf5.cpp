@@ -29,6 +29,15 @@ command::Hdf5Table read_plainly(std::string const& path) {
     throw std::runtime_error(path + ": h5ls or h5dump cannot open it");
   return command::read_hdf5(path, true);
 }
+/// The same while the file is written: a reader that meets a write in its midst is told of a wrong checksum, and
+/// looks again.
+command::Hdf5Table read_while_it_is_written(std::string const& path, int& again) {
+  for (int left = 20;; --left, ++again) try {
+      return read_plainly(path);
+    } catch (std::runtime_error const&) {
+      if (left == 0) throw;
+    }
+}
 /// Whether the rows are the first ones of a whole table.
 bool begins(command::Table const& whole, command::Table const& part) {
   return part.columns == whole.columns && part.rows.size() <= whole.rows.size() &&
@@ -95,7 +104,7 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
   Undisturbed const run;
   std::mt19937 random(command::seed());
   std::uniform_real_distribution<double> instant(0.01, 0.12);
-  int looks = 0, kills = 0;
+  int looks = 0, kills = 0, again = 0;
   std::size_t seen = 0;
   for (bool done = false; !done && kills < 12; ++kills) {
     bool const begun = std::filesystem::exists(run.out + "/scene.toml");
@@ -103,7 +112,7 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
                                    : std::vector<std::string>{"run", run.scene, "--out", run.out, "--quiet"});
     command::sleep_for(instant(random));
     if (std::filesystem::exists(run.out + "/series.h5")) {
-      BOOST_TEST(begins(run.table, read_plainly(run.out + "/series.h5")));
+      BOOST_TEST(begins(run.table, read_while_it_is_written(run.out + "/series.h5", again)));
       ++looks;
     }
     process.send(SIGKILL);
@@ -113,6 +122,7 @@ BOOST_AUTO_TEST_CASE(an_ordinary_reader_opens_it_while_the_run_goes_on_and_after
     BOOST_TEST(begins(run.table, left));
     seen = std::max(seen, left.rows.size());
   }
+  BOOST_TEST_MESSAGE("series.h5 while it is written: " << looks << " looks, " << again << " of them again");
   BOOST_TEST(looks >= 1);
   BOOST_TEST(seen > 1000u);
   BOOST_TEST(command::actio({"resume", run.out, "--quiet"}).status == 0);
