@@ -47,6 +47,8 @@ for (const system of book.systems ?? []) pages.push({ file: path.join(opt.build,
 for (const scene of book.scenes?.values() ?? []) pages.push({ file: scene.file, out: `23_x_scene_${scene.name}.md`, chapter: null, text: scenePage(scene) });
 for (const p of pages) {
   p.lines = (p.text ?? fs.readFileSync(p.file, 'utf8')).split('\n');
+  // Where no scene was run there are no pages of scenes to lead to.
+  if (!book.scenes) p.lines = p.lines.map(line => line.replace(/\\ref scenefile_\w+ "([^"]*)"/g, '$1'));
   const title = p.lines.findIndex(l => /^# /.test(l));
   p.title = title < 0 ? '' : p.lines[title].replace(/^# /, '').replace(/\s*\{#.*$/, '');
   if (p.chapter === null || title < 0) continue;

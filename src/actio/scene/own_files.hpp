@@ -21,7 +21,12 @@ namespace actio::scene {
 class OwnFiles {
  public:
   /// Of what they are.
-  enum class Of { nothing, run, member, sweep };
+  enum class Of {
+    nothing,  ///< there is no list
+    run,      ///< a run
+    member,   ///< a member of a sweep
+    sweep     ///< a sweep: its table, and folders of members
+  };
 
   /// Reads the list in a folder, which has to be there. In a folder of the version before, which had no
   /// list, a run is known by the heading of its checkpoint.

@@ -37,6 +37,7 @@ class SweepFolder {
   /// @throws FileError   where another process runs in it
   static SweepFolder open(std::string const& path);
 
+  /// Takes over the lock.
   SweepFolder(SweepFolder&& other) noexcept;
   SweepFolder(SweepFolder const&) = delete;
   SweepFolder& operator=(SweepFolder const&) = delete;

@@ -11,6 +11,7 @@ namespace actio::scene {
 /// first half second.
 class SweepProgress {
  public:
+  /// @param quiet  whether nothing is said at all
   explicit SweepProgress(bool quiet);
   /// Clears the line.
   ~SweepProgress();
@@ -40,6 +41,7 @@ class SweepProgress {
 /// The complaints of members: the first few, and how many more there are.
 class SweepComplaints {
  public:
+  /// @param quiet  whether nothing is said at all
   explicit SweepComplaints(bool quiet) : quiet_(quiet) {}
   /// Says it, unless the same was said of some members already, or much was.
   /// @param who  `000012 (method.step=0.1)`

@@ -172,7 +172,7 @@ bool retires_after(MemberResult const& result) {
 }
 bool told_to_stop() { return told; }
 
-void be_foreman(Work const& work, int control) {
+void be_foreman(std::function<MemberResult(MemberTask, long)> const& work, int control) {
   for (int const interrupt : {SIGINT, SIGTERM, SIGHUP}) std::signal(interrupt, SIG_IGN);
   std::signal(stop_signal, remember_to_stop);
   Hired worker = hire(work, control, 0);
