@@ -2,6 +2,7 @@
 // the pages of the systems.
 import fs from 'node:fs';
 import path from 'node:path';
+import { mathematics } from './small_print.mjs';
 
 /// What the command said of its keys; null where it was not asked.
 export function readKeys(build) {
@@ -18,6 +19,9 @@ export const unit = text => String(text ?? '').split(', and ').map(part => (part
 const entities = { '<': '&lt;', '>': '&gt;', '&': '&amp;' };
 /// Plain text in a cell of a table or in a paragraph: signs of Markdown stand for themselves.
 const plain = text => String(text ?? '').replace(/[\\`*<>#|@$&~]/g, sign => entities[sign] ?? `\\${sign}`);
+/// The same, with its mathematics as formulas.
+const withFormulas = text => mathematics(String(text ?? ''))
+  .map((part, i) => (i % 2 ? `\\f$${part.replaceAll('|', '\\vert ')}\\f$` : plain(part))).join('');
 const code = text => `\`${text}\``;
 const anchor = key => `key_${key.replaceAll('.', '_')}`;
 
@@ -26,7 +30,7 @@ const anchor = key => `key_${key.replaceAll('.', '_')}`;
 export function keyTable(keys) {
   const ofScene = k => k.key.startsWith('scene.');
   const rows = [...keys.filter(k => !ofScene(k)), ...keys.filter(ofScene)].map(k =>
-    `| \\ref ${anchor(k.key)} "${k.key}" | ${plain(k.expects)} | ${plain(k.fallback)} | ${unit(k.unit)} | ${plain(k.meaning)} |`);
+    `| \\ref ${anchor(k.key)} "${k.key}" | ${plain(k.expects)} | ${plain(k.fallback)} | ${unit(k.unit)} | ${withFormulas(k.meaning)} |`);
   return ['| key | expects | where left out | unit | what it is |', '|---|---|---|---|---|', ...rows];
 }
 
@@ -41,7 +45,7 @@ const sections = {
 function entry(key) {
   const dot = key.key.lastIndexOf('.'), name = key.key.slice(dot + 1), table = key.key.slice(0, dot);
   const allowed = key.allowed.length ? `: ${key.allowed.map(code).join(', ')}` : '';
-  const lines = [plain(key.meaning), ''];
+  const lines = [withFormulas(key.meaning), ''];
   lines.push(`- **expects** ${plain(key.expects)}${allowed}`);
   lines.push(`- **where left out** ${plain(key.fallback)}`);
   if (key.unit) lines.push(`- **unit** ${unit(key.unit)}`);
