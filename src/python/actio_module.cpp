@@ -19,19 +19,6 @@ using python::MemoryRun;
 
 namespace {
 
-char const* kind_name(scene::Quantity::Kind kind) {
-  using Kind = scene::Quantity::Kind;
-  switch (kind) {
-    case Kind::scalar: return "scalar";
-    case Kind::vector: return "vector";
-    case Kind::quaternion: return "quaternion";
-    case Kind::matrix: return "matrix";
-    case Kind::skew: return "skew matrix";
-    case Kind::list: break;
-  }
-  return "list";
-}
-
 py::dict in_python(MemoryRun::Group const& group) {
   auto const& q = group.group.quantity;
   py::dict out;

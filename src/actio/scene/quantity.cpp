@@ -6,6 +6,19 @@
 
 namespace actio::scene {
 
+char const* kind_name(Quantity::Kind kind) {
+  using Kind = Quantity::Kind;
+  switch (kind) {
+    case Kind::scalar: return "scalar";
+    case Kind::vector: return "vector";
+    case Kind::quaternion: return "quaternion";
+    case Kind::matrix: return "matrix";
+    case Kind::skew: return "skew matrix";
+    case Kind::list: break;
+  }
+  return "list";
+}
+
 std::vector<std::size_t> ColumnGroup::shape() const {
   std::size_t const size = columns.size();
   if (quantity.kind == Quantity::Kind::scalar) return {};

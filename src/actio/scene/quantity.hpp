@@ -37,6 +37,9 @@ struct Quantity {
   bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
 };
 
+/// What the numbers of a kind are, in words: "scalar", "skew matrix".
+char const* kind_name(Quantity::Kind kind);
+
 /// One quantity of a row, with the names of its columns.
 struct ColumnGroup {
   Quantity quantity;                 ///< whose columns they are

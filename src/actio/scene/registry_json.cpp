@@ -9,19 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-char const* kind_name(Quantity::Kind kind) {
-  using Kind = Quantity::Kind;
-  switch (kind) {
-    case Kind::scalar: return "scalar";
-    case Kind::vector: return "vector";
-    case Kind::quaternion: return "quaternion";
-    case Kind::matrix: return "matrix";
-    case Kind::skew: return "skew matrix";
-    case Kind::list: return "list";
-  }
-  return "";
-}
-
 /// What the columns of a quantity are called, where that does not depend on the scene; `...` stands for more.
 Json columns_of(Quantity const& quantity) {
   using Kind = Quantity::Kind;
