@@ -40,6 +40,8 @@ for (const dir of fs.existsSync(at('chapters')) ? fs.readdirSync(at('chapters'))
 }
 // One page with every key of a scene, where the command has told them.
 const keys = readKeys(opt.build);
+// Pages of systems and of scenes lead to it; what an earlier version left in the reports waits for it.
+if (!keys) book.systems = book.scenes = null;
 if (opt.strict && !keys && fs.existsSync(at('data/scenes'))) errors.add(path.join(opt.build, 'report/scenes/keys.json'), 1, 'missing: run the scenes');
 if (keys) pages.push({ file: path.join(opt.build, 'report/scenes/keys.json'), out: '23_a_keys.md', chapter: null, text: keysPage(keys) });
 // One page for each system that scenes are made of, after the page that tells how to run them.
