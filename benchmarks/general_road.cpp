@@ -14,7 +14,7 @@
 #include "timing.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "a DEP step on the general road, in Runge-Kutta steps of the same body");

@@ -42,11 +42,11 @@ struct NotFinite : Error {
 ///
 /// What a scalar is extended by is not looked at: it is no number only where a value is none, or where a derivative does not exist, and that
 /// is seen when the derivative is taken.
-template <class Derived>
-void require_finite(Eigen::MatrixBase<Derived> const& m, char const* where) {
+template <MatrixLike Derived>
+void require_finite(Derived const& m, char const* where) {
   if constexpr (!is_exact<typename Derived::Scalar>)
-    for (Eigen::Index j = 0; j < m.cols(); ++j)
-      for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Index j = 0; j < m.cols(); ++j)
+      for (Index i = 0; i < m.rows(); ++i)
         if (!is_finite(base_value(m(i, j)))) throw NotFinite(where);
 }
 

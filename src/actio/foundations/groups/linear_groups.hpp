@@ -8,17 +8,17 @@ namespace actio {
 /// GL(n), the component of the identity. Coordinates: the entries of the matrix, row by row.
 template <int n>
 struct GL : Matrices<n, n * n> {
-  template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
+  template <MatrixLike V>
+  static auto hat(V const& v) {
     using S = typename V::Scalar;
-    Eigen::Matrix<S, n, n> a;
+    Matrix<S, n, n> a;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) a(i, j) = v[n * i + j];
     return a;
   }
-  template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
-    Eigen::Matrix<typename M::Scalar, n * n, 1> v;
+  template <MatrixLike M>
+  static auto vee(M const& a) {
+    Matrix<typename M::Scalar, n * n, 1> v;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) v[n * i + j] = a(i, j);
     return v;
@@ -32,27 +32,27 @@ struct GL : Matrices<n, n * n> {
 
 /// SL(2). Coordinates (a, b, c) of ((a, b), (c, -a)).
 struct SL2 : Matrices<2, 3> {
-  template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
-    Eigen::Matrix<typename V::Scalar, 2, 2> a;
+  template <MatrixLike V>
+  static auto hat(V const& v) {
+    Matrix<typename V::Scalar, 2, 2> a;
     a << v[0], v[1], v[2], -v[0];
     return a;
   }
-  template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
+  template <MatrixLike M>
+  static auto vee(M const& a) {
     using S = typename M::Scalar;
-    return Eigen::Matrix<S, 3, 1>((a(0, 0) - a(1, 1)) / S(2), a(0, 1), a(1, 0));
+    return Matrix<S, 3, 1>((a(0, 0) - a(1, 1)) / S(2), a(0, 1), a(1, 0));
   }
   template <class S>
-  static Eigen::Matrix<S, 2, 2> inverse(Eigen::Matrix<S, 2, 2> const& a) {
-    Eigen::Matrix<S, 2, 2> b;
+  static Matrix<S, 2, 2> inverse(Matrix<S, 2, 2> const& a) {
+    Matrix<S, 2, 2> b;
     b << a(1, 1), -a(0, 1), -a(1, 0), a(0, 0);
     return b;
   }
   /// Scaled to determinant 1.
   /// @throws OutsideDomain  where the determinant is not even near 1
   template <Real S>
-  static Eigen::Matrix<S, 2, 2> restore(Eigen::Matrix<S, 2, 2> const& a) {
+  static Matrix<S, 2, 2> restore(Matrix<S, 2, 2> const& a) {
     using std::sqrt;
     S const determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
     double const distance = std::abs(to_double(determinant) - 1);

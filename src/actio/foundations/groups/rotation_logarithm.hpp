@@ -34,10 +34,10 @@ S angle_of_rotation(S const& sine, S const& cosine, Base<S> const& edge = edge_o
 
 /// A unit quaternion (scalar first) of a rotation matrix, with scalar part not negative; by its largest component, so that nothing cancels.
 template <Real S>
-Eigen::Matrix<S, 4, 1> quaternion_of_rotation(Eigen::Matrix<S, 3, 3> const& r) {
+actio::Matrix<S, 4, 1> quaternion_of_rotation(actio::Matrix<S, 3, 3> const& r) {
   using std::sqrt;
   require_finite(r, "quaternion_of_rotation");
-  Eigen::Matrix<S, 4, 1> q;
+  actio::Matrix<S, 4, 1> q;
   S const trace = r(0, 0) + r(1, 1) + r(2, 2);
   int i = 0;
   if (r(1, 1) > r(i, i)) i = 1;
@@ -62,9 +62,9 @@ Eigen::Matrix<S, 4, 1> quaternion_of_rotation(Eigen::Matrix<S, 3, 3> const& r) {
 /// The rotation vector (axis times angle, below pi) of a unit quaternion with scalar part not negative.
 /// @throws OutsideDomain  at a rotation by pi
 template <Real S>
-Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 4, 1> const& q) {
+actio::Matrix<S, 3, 1> rotation_vector(actio::Matrix<S, 4, 1> const& q) {
   using std::atan2, std::sqrt;
-  Eigen::Matrix<S, 3, 1> const v = q.template tail<3>();
+  actio::Matrix<S, 3, 1> const v = q.template tail<3>();
   S const square = v.squaredNorm();
   if (base_value(square) < Base<S>(1) / Base<S>(4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
   if (base_value(q[0]) <= edge_of_chart<S>())
@@ -76,11 +76,11 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 4, 1> const& q) {
 /// The rotation vector of a rotation matrix of 3-space.
 /// @throws OutsideDomain  at a rotation by pi
 template <Real S>
-Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
+actio::Matrix<S, 3, 1> rotation_vector(actio::Matrix<S, 3, 3> const& r) {
   require_finite(r, "log");
   if (base_value(r(0, 0)) + base_value(r(1, 1)) + base_value(r(2, 2)) > Base<S>(2)) {
     // Below 30 degrees the skew part, the sine times the axis, is enough: no root, no division.
-    Eigen::Matrix<S, 3, 1> const v{(r(2, 1) - r(1, 2)) / 2, (r(0, 2) - r(2, 0)) / 2, (r(1, 0) - r(0, 1)) / 2};
+    actio::Matrix<S, 3, 1> const v{(r(2, 1) - r(1, 2)) / 2, (r(0, 2) - r(2, 0)) / 2, (r(1, 0) - r(0, 1)) / 2};
     S const square = v.squaredNorm();
     if (base_value(square) < ratio<Base<S>>(1, 4)) return v * asinc_derivative<0>(square);
   }
@@ -90,10 +90,10 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
 /// The logarithm of a unit quaternion, of q itself and not of the rotation it covers: v with q = (cos(|v|/2), sin(|v|/2) v/|v|), |v| below 2 pi.
 /// @throws OutsideDomain  at q = -1
 template <Real S>
-Eigen::Matrix<S, 3, 1> quaternion_logarithm(Eigen::Matrix<S, 4, 1> const& q) {
+actio::Matrix<S, 3, 1> quaternion_logarithm(actio::Matrix<S, 4, 1> const& q) {
   using std::atan2, std::sqrt;
   require_finite(q, "log");
-  Eigen::Matrix<S, 3, 1> const v = q.template tail<3>();
+  actio::Matrix<S, 3, 1> const v = q.template tail<3>();
   S const square = v.squaredNorm();
   bool const front = base_value(q[0]) > Base<S>(0);
   if (front && base_value(square) < ratio<Base<S>>(1, 4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
@@ -115,14 +115,14 @@ constexpr int unit_sign(int a, int b) {
 /// angles add up to less than pi.
 /// @throws OutsideDomain  where one of the angles of R is pi
 template <Real S>
-Eigen::Matrix<S, 4, 4> rotation_logarithm(Eigen::Matrix<S, 4, 4> const& r) {
+actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
   using std::sqrt;
   using T = Base<S>;
-  using Quaternion = Eigen::Matrix<S, 4, 1>;
+  using Quaternion = actio::Matrix<S, 4, 1>;
   require_finite(r, "log");
 
   // The products p_a q_b: the parts of R along the sixteen maps x -> e_a x conj(e_b), which are orthogonal.
-  Eigen::Matrix<S, 4, 4> products;
+  actio::Matrix<S, 4, 4> products;
   int row = 0, column = 0;
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
@@ -152,8 +152,8 @@ Eigen::Matrix<S, 4, 4> rotation_logarithm(Eigen::Matrix<S, 4, 4> const& r) {
   angle_of_rotation(sine, T(base_value(p[0]) * base_value(q[0]) - vp * vq), T(2) * edge_of_chart<S>());
 
   // A x = a x - x b with a = log p and b = log q.
-  Eigen::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
-  Eigen::Matrix<S, 4, 4> result = Eigen::Matrix<S, 4, 4>::Zero();
+  actio::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
+  actio::Matrix<S, 4, 4> result = actio::Matrix<S, 4, 4>::Zero();
   for (int c = 1; c < 4; ++c)
     for (int j = 0; j < 4; ++j) result(c ^ j, j) += a[c - 1] * T(unit_sign(c, j)) - b[c - 1] * T(unit_sign(j, c));
   return result;
@@ -168,10 +168,10 @@ Eigen::Matrix<S, 4, 4> rotation_logarithm(Eigen::Matrix<S, 4, 4> const& r) {
 /// algorithm: the logarithm is not differentiable where both reach it.
 template <Real S, int n>
   requires(n > 4)
-Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
+actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
   static_assert(Plain<S>, "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
   // One size for the compiler: a Schur form of each fixed size would take it many seconds.
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
   require_finite(r, "log");
   if (row_norm(Matrix(r - Matrix::Identity(r.rows(), r.cols()))) < 0.25) {
     Matrix const a = matrix_logarithm(Matrix(r));
@@ -179,10 +179,10 @@ Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
   }
   // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, which keeps the iteration from splitting hairs: it neglects
   // what is small beside the diagonal, and the cosines of r may be zero.
-  Matrix const shifted = r + S(4) * Matrix::Identity(r.rows(), r.cols());
-  Eigen::RealSchur<Matrix> const schur(shifted);
+  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const shifted = Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols()));
+  Eigen::RealSchur<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const schur(shifted);
   if (schur.info() != Eigen::Success) throw NotConverged("log: Schur form of a rotation", {}, to_double(epsilon<S>()));
-  Matrix const& t = schur.matrixT();
+  Matrix const t = schur.matrixT(), u = schur.matrixU();
   int const size = static_cast<int>(r.rows());
   Base<S> const edge = Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
   Matrix turns = Matrix::Zero(size, size);
@@ -195,7 +195,7 @@ Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
       throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI, M_PI);
     }
   }
-  return schur.matrixU() * turns * schur.matrixU().transpose();
+  return u * turns * u.transpose();
 }
 
 }  // namespace actio

@@ -13,10 +13,10 @@ template <int n>
 struct SO : Matrices<n, n*(n - 1) / 2> {
   using Matrices<n, n*(n - 1) / 2>::dim;
 
-  template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
+  template <MatrixLike V>
+  static auto hat(V const& v) {
     using S = typename V::Scalar;
-    Eigen::Matrix<S, n, n> a = Eigen::Matrix<S, n, n>::Zero();
+    Matrix<S, n, n> a = Matrix<S, n, n>::Zero();
     if constexpr (n == 2) {
       a << S(0), -v[0], v[0], S(0);
     } else if constexpr (n == 3) {
@@ -29,10 +29,10 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
 
   /// The skew part of a matrix, as coordinates.
-  template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
+  template <MatrixLike M>
+  static auto vee(M const& a) {
     using S = typename M::Scalar;
-    Eigen::Matrix<S, dim, 1> v;
+    Matrix<S, dim, 1> v;
     if constexpr (n == 2) {
       v << (a(1, 0) - a(0, 1)) / S(2);
     } else if constexpr (n == 3) {
@@ -45,38 +45,38 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
 
   template <class S>
-  static Eigen::Matrix<S, n, n> inverse(Eigen::Matrix<S, n, n> const& a) {
+  static Matrix<S, n, n> inverse(Matrix<S, n, n> const& a) {
     return a.transpose();
   }
 
   template <class S>
     requires(n == 3)
-  static Eigen::Matrix<S, 3, 1> Ad(Eigen::Matrix<S, 3, 3> const& a, Eigen::Matrix<S, 3, 1> const& v) {
+  static Matrix<S, 3, 1> Ad(Matrix<S, 3, 3> const& a, Matrix<S, 3, 1> const& v) {
     return a * v;
   }
   template <class S>
     requires(n == 3)
-  static Eigen::Matrix<S, 3, 1> bracket(Eigen::Matrix<S, 3, 1> const& v, Eigen::Matrix<S, 3, 1> const& w) {
+  static Matrix<S, 3, 1> bracket(Matrix<S, 3, 1> const& v, Matrix<S, 3, 1> const& w) {
     return cross(v, w);
   }
 
   template <Real S>
     requires(n <= 3)
-  static Eigen::Matrix<S, n, n> exp(Eigen::Matrix<S, dim, 1> const& v) {
+  static Matrix<S, n, n> exp(Matrix<S, dim, 1> const& v) {
     // exp = 1 + c_1 hat(v) + c_2 hat(v)^2, with Stumpff's functions of the squared angle.
     S const square = v.squaredNorm();
     auto const a = hat(v);
-    Eigen::Matrix<S, n, n> e = a * stumpff<1>(square) + a * a * stumpff<2>(square);
+    Matrix<S, n, n> e = a * stumpff<1>(square) + a * a * stumpff<2>(square);
     e.diagonal().array() += S(1);
     return e;
   }
 
   template <Real S>
     requires(n > 3)
-  static Eigen::Matrix<S, n, n> exp(Eigen::Matrix<S, dim, 1> const& v) {
-    Eigen::Matrix<S, n, n> const e = matrix_exponential(hat(v));
+  static Matrix<S, n, n> exp(Matrix<S, dim, 1> const& v) {
+    Matrix<S, n, n> const e = matrix_exponential(hat(v));
     // Large angles are squared many times, and rounding is squared with them.
-    for (Eigen::Index i = 0; i < v.size(); ++i)
+    for (Index i = 0; i < v.size(); ++i)
       if (to_double(magnitude(base_value(v[i]))) > 8) return restore(e);
     return e;
   }
@@ -84,9 +84,9 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   /// Good to rounding up to rotations within 1e-8 of pi; refuses at pi.
   /// @throws OutsideDomain  at a rotation by pi, where the natural chart (3.19) ends
   template <Real S>
-  static Eigen::Matrix<S, dim, 1> log(Eigen::Matrix<S, n, n> const& a) {
+  static Matrix<S, dim, 1> log(Matrix<S, n, n> const& a) {
     if constexpr (n == 2)
-      return Eigen::Matrix<S, 1, 1>(angle_of_rotation(S(a(1, 0) - a(0, 1)), S(a(0, 0) + a(1, 1))));
+      return Matrix<S, 1, 1>(angle_of_rotation(S(a(1, 0) - a(0, 1)), S(a(0, 0) + a(1, 1))));
     else if constexpr (n == 3)
       return rotation_vector(a);
     else if constexpr (n > 4 && !Plain<S>)
@@ -98,8 +98,8 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
   /// @throws OutsideDomain  where \f$R^T R\f$ is not even near 1
   template <Real S>
-  static Eigen::Matrix<S, n, n> restore(Eigen::Matrix<S, n, n> const& a) {
-    Eigen::Matrix<S, n, n> excess = a.transpose() * a;
+  static Matrix<S, n, n> restore(Matrix<S, n, n> const& a) {
+    Matrix<S, n, n> excess = a.transpose() * a;
     excess.diagonal().array() -= S(1);
     double const distance = to_double(magnitude(excess));
     if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1", distance, 0.1);
