@@ -132,9 +132,8 @@ class Program {
 
   /// What the program asserts, in words: "the energy stays within 1e-12". Where it is not so, the program fails.
   void claim(bool holds, std::string const& what) {
-    if (!holds) std::cerr << name_ << ": a claim does not hold: " << what << '\n';
+    judge(holds, what);
     failed_ += !holds;
-    claims_.push_back("{\"holds\": " + std::string(holds ? "true" : "false") + ", \"text\": " + json::quote(what) + "}");
   }
 
   /// The one measured figure that stands for the program in the table of all programs.
@@ -153,9 +152,18 @@ class Program {
                                          ",\n \"headline\": " + (headline_.empty() ? "null" : headline_) +
                                          ",\n \"figures\": " + json::array(figures_) + ",\n \"tables\": " + json::array(tables_) +
                                          ",\n \"pictures\": " + json::array(pictures_) + ",\n \"claims\": " + json::array(claims_) +
-                                         ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
+                                         properties_ + ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
     return failed_ == 0 ? 0 : 1;
   }
+
+ protected:
+  /// A claim that is shown and reported, whether it holds or not, and does not make the program fail.
+  void judge(bool holds, std::string const& what) {
+    if (!holds) std::cerr << name_ << ": a claim does not hold: " << what << '\n';
+    claims_.push_back("{\"holds\": " + std::string(holds ? "true" : "false") + ", \"text\": " + json::quote(what) + "}");
+  }
+  /// A further member of the report; `value` is JSON.
+  void property(std::string const& name, std::string const& value) { properties_ += ",\n " + json::quote(name) + ": " + value; }
 
  private:
   std::filesystem::path report(std::string const& ending) const { return folder_ / (name_ + "." + ending); }
@@ -163,7 +171,7 @@ class Program {
   std::string name_;
   std::filesystem::path folder_;
   std::string shows_;
-  std::string headline_;
+  std::string headline_, properties_;
   std::vector<std::string> figures_, tables_, pictures_, claims_;
   int failed_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
