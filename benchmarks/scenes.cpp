@@ -212,11 +212,11 @@ struct Count {
   double step, row;
 };
 Count count_of(Benchmark& program, std::string const& self, Kind const& kind) {
-  constexpr long few = 200000, many = 2 * few, far = 100000, near = 1000;
+  long const few = program.length(200000L, 100000L), many = 2 * few, far = 100000, near = 1000;
   double const a = instructions(self, kind.key, few, far), b = instructions(self, kind.key, many, far);
   program.claim(a > 0 && b > a, std::string("valgrind counts the steps of: ") + kind.name);
-  double const row = kind.quantities ? (instructions(self, kind.key, many, near) - b) / (many / near - many / far) : 0;
-  return {(b - a) / (many - few), row};
+  double const row = kind.quantities ? (instructions(self, kind.key, many, near) - b) / static_cast<double>(many / near - many / far) : 0;
+  return {(b - a) / static_cast<double>(many - few), row};
 }
 
 void count(Benchmark& program) {
