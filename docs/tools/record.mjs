@@ -1,8 +1,8 @@
 // record.mjs --build BUILD --commit COMMIT [--what "bench stress checks"] [--root ROOT]: records the figures of the release in docs/release.
 //
 // Of the benchmarks and long tests those are recorded whose last full run was made with the executable as it is now (cmake/tools/measure.sh --ask knows); of the
-// checks all columns that `./run` does not fill. Status 1 where something is neither current nor recorded before; what was recorded before and is not current
-// now stays, and is named.
+// checks all columns that `./run` does not fill. What was recorded before and is not current now stays, and is named. Status 1 where a page shows figures of
+// a program that is neither current nor recorded before.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -28,6 +28,9 @@ const at = time => ({
 });
 
 const missing = [];
+/// Programs whose figures a page shows.
+const shown = new Set([...walk(path.join(opt.root, 'docs/pages')), ...walk(path.join(opt.root, 'chapters'))].filter(f => f.endsWith('.md'))
+  .flatMap(f => [...fs.readFileSync(f, 'utf8').matchAll(/\\(?:figure|table|picture)\{\s*(\w+)/g)].map(m => m[1])));
 /// One member a line, so that two releases can be compared.
 const lines = object => `{\n${Object.entries(object).map(([k, v]) => ` ${JSON.stringify(k)}: ${JSON.stringify(v)}`).join(',\n')}\n}\n`;
 
@@ -35,15 +38,14 @@ for (const [kind, prefix, folder] of [['bench', 'bench', 'benchmarks'], ['stress
   if (!what.includes(kind)) continue;
   const to = path.join(target, folder), from = path.join(opt.build, 'report', optionalPrograms[prefix]);
   fs.mkdirSync(to, { recursive: true });
-  const sources = fs.readdirSync(path.join(opt.root, optionalPrograms[prefix])).filter(f => f.endsWith('.cpp'));
-  const names = sources.filter(f => /book::Program|Benchmark /.test(fs.readFileSync(path.join(opt.root, optionalPrograms[prefix], f), 'utf8'))).map(f => `${prefix}_${path.basename(f, '.cpp')}`);
+  const names = fs.readdirSync(path.join(opt.root, optionalPrograms[prefix])).filter(f => f.endsWith('.cpp')).map(f => `${prefix}_${path.basename(f, '.cpp')}`);
   for (const old of fs.readdirSync(to)) if (!names.includes(old.split('.')[0])) fs.rmSync(path.join(to, old));
   for (const name of names) {
     const file = path.join(from, `${name}.json`), kept = path.join(to, `${name}.json`);
     const state = execFileSync('bash', [path.join(opt.root, 'cmake/tools/measure.sh'), opt.build, name, '--ask'], { encoding: 'utf8' }).trim();
     if (state !== 'full' || !fs.existsSync(file)) {
       if (fs.existsSync(kept)) console.log(`${name}: no full run of the executable as it is; the record stays that of ${measuredAt(JSON.parse(fs.readFileSync(kept, 'utf8')).release)}`);
-      else missing.push(`${name}: never recorded, and there is no full run of the executable as it is; type ./run ${kind}`);
+      else if (shown.has(name)) missing.push(`${name}: never recorded, and there is no full run of the executable as it is; type ./run ${kind}`);
       continue;
     }
     const report = JSON.parse(fs.readFileSync(file, 'utf8'));
