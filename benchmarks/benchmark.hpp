@@ -1,7 +1,9 @@
-// A benchmark: a program of the book that measures times, at full length or, with `--short`, within a few seconds.
+// A benchmark: a program of the book that measures times, at full length or, with `--short`, within a few
+// seconds.
 //
-// A short run has fewer rounds and shorter intervals, so that it can end the first build; its report says that it was short, and the book marks its figures.
-// It measures whatever the full run measures, but for what cannot be short.
+// A short run has fewer rounds and shorter intervals, so that it can end the first build; its report says
+// that it was short, and the book marks its figures. It measures whatever the full run measures, but for what
+// cannot be short.
 #pragma once
 
 #include <cstring>
@@ -12,13 +14,16 @@ namespace benchmark {
 
 /// What `main` was given, without the word `--short`.
 struct Words {
-  bool is_short = false;
-  std::vector<char*> rest;
+  bool is_short = false;    ///< whether it was there
+  std::vector<char*> rest;  ///< the others, the name of the program first
 
+  /// Takes the word out of the arguments of `main`.
   Words(int argc, char** argv) {
     for (int i = 0; i < argc; ++i)
-      if (i && !std::strcmp(argv[i], "--short")) is_short = true;
-      else rest.push_back(argv[i]);
+      if (i && !std::strcmp(argv[i], "--short"))
+        is_short = true;
+      else
+        rest.push_back(argv[i]);
   }
 };
 
@@ -35,14 +40,18 @@ class Benchmark : public book::Program {
   Length length(Length full, Length in_short) const {
     return short_ ? in_short : full;
   }
-  /// How many rounds the contestants have: at most eleven in a short run, of which the second best is the tenth.
+  /// How many rounds the contestants have: at most eleven in a short run, of which a tenth are the two best.
   int rounds(int full) const { return short_ ? std::min(full, 11) : full; }
 
   /// A claim about a measured time. In a short run it is shown, and a time beyond it is no failure.
-  void claim_of_time(bool holds, std::string const& what) { short_ ? judge(holds, what) : claim(holds, what); }
+  void claim_of_time(bool holds, std::string const& what) {
+    short_ ? judge(holds, what) : claim(holds, what);
+  }
 
  private:
-  Benchmark(Words words, std::string shows) : Program(static_cast<int>(words.rest.size()), words.rest.data(), std::move(shows)), short_(words.is_short) {
+  Benchmark(Words words, std::string shows)
+      : Program(static_cast<int>(words.rest.size()), words.rest.data(), std::move(shows)),
+        short_(words.is_short) {
     property("short", short_ ? "true" : "false");
     book::report_machine(*this);
   }

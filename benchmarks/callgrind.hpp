@@ -1,7 +1,9 @@
-// How many instructions a program executes, counted by valgrind: a figure that neither the load nor the make of the machine touches.
+// How many instructions a program executes, counted by valgrind: a figure that neither the load nor the make
+// of the machine touches.
 //
-// A program counts itself: it starts itself anew under `valgrind --tool=callgrind`. Either the whole run is counted, or, where valgrind's header is there when
-// the program is compiled, each piece of work that the program hands to `counted`.
+// A program counts itself: it starts itself anew under `valgrind --tool=callgrind`. Either the whole run is
+// counted, or, where valgrind's header is there when the program is compiled, each piece of work that the
+// program hands to `counted`.
 #pragma once
 
 #include <cstdio>
@@ -35,11 +37,13 @@ inline double instructions_of(std::string const& command) {
   if (!pipe) return -1;
   double count = -1;
   for (char line[512]; std::fgets(line, sizeof line, pipe);)
-    if (char const* const at = std::strstr(line, "Collected :")) count = std::atof(at + std::strlen("Collected :"));
+    if (char const* const at = std::strstr(line, "Collected :"))
+      count = std::atof(at + std::strlen("Collected :"));
   return pclose(pipe) == 0 ? count : -1;
 }
 
-/// Does a piece of work twice: the second time valgrind counts it under a name. The first time has the functions of the libraries found and the memory got.
+/// Does a piece of work twice: the second time valgrind counts it under a name. The first time has the
+/// functions of the libraries found and the memory got.
 template <class Work>
 void counted([[maybe_unused]] char const* name, Work const& work) {
   work();
@@ -55,7 +59,9 @@ inline std::map<std::string, double> counted_pieces(std::string const& command) 
   std::map<std::string, double> counts;
   std::string folder = (std::filesystem::temp_directory_path() / "actio_count_XXXXXX").string();
   if (!::mkdtemp(folder.data())) return counts;
-  if (std::system(("valgrind --tool=callgrind --callgrind-out-file='" + folder + "/count' " + command + " >/dev/null 2>&1").c_str()) == 0)
+  if (std::system(("valgrind --tool=callgrind --callgrind-out-file='" + folder + "/count' " + command +
+                   " >/dev/null 2>&1")
+                      .c_str()) == 0)
     for (auto const& entry : std::filesystem::directory_iterator(folder)) {
       std::ifstream in(entry.path());
       std::string const mark = "desc: Trigger: Client Request: ", total = "totals: ";

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
-# measure.sh BUILD NAME [--short | --ask]: runs a benchmark (bench_NAME) or a long test (stress_NAME); its report goes where the book finds it.
+# measure.sh BUILD NAME [--short | --ask]: runs a benchmark (bench_NAME) or a long test (stress_NAME); its
+# report goes where the book finds it.
 #
-# --short  the short form of a benchmark. With ACTIO_ONCE=1 it is not run where a report is current, and never in the place of a full one that is.
+# --short  the short form of a benchmark. With ACTIO_ONCE=1 it is not run where a report is current, and
+# never in the place of a full one that is.
 # --ask    runs nothing and says what is current: full, short or none
 #
-# A stamp beside the report holds what was measured: the executable, the data and the processor. A report with a claim that does not hold is one, too.
+# A stamp beside the report holds what was measured: the executable, the data and the processor. A report
+# with a claim that does not hold is one, too.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 name=$2

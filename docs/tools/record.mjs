@@ -1,8 +1,10 @@
-// record.mjs --build BUILD --commit COMMIT [--what "bench stress checks"] [--root ROOT]: records the figures of the release in docs/release.
+// record.mjs --build BUILD --commit COMMIT [--what "bench stress checks"] [--root ROOT]: records the figures
+// of the release in docs/release.
 //
-// Of the benchmarks and long tests those are recorded whose last full run was made with the executable as it is now (cmake/tools/measure.sh --ask knows); of the
-// checks all columns that `./run` does not fill. What was recorded before and is not current now stays, and is named. Status 1 where a page shows figures of
-// a program that is neither current nor recorded before.
+// Of the benchmarks and long tests those are recorded whose last full run was made with the executable as it
+// is now (cmake/tools/measure.sh --ask knows); of the checks all columns that `./run` does not fill. What was
+// recorded before and is not current now stays, and is named. Status 1 where a page shows figures of a
+// program that is neither current nor recorded before.
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';

@@ -1,7 +1,9 @@
-// The figures of the release: what `./run record` has recorded in docs/release of the runs that a first build does not do, and how they stand beside figures of the build.
+// The figures of the release: what `./run record` has recorded in docs/release of the runs that a first build
+// does not do, and how they stand beside figures of the build.
 //
-// docs/release/benchmarks and docs/release/stress hold reports of programs as they were written, with their pictures; checks.json the evidence of statements in
-// the columns that `./run` leaves out. Each says in its member "release" when, on which processor and at which commit it was measured.
+// docs/release/benchmarks and docs/release/stress hold reports of programs as they were written, with their
+// pictures; checks.json the evidence of statements in the columns that `./run` leaves out. Each says in its
+// member "release" when, on which processor and at which commit it was measured.
 import fs from 'node:fs';
 import path from 'node:path';
 import { escapeHtml } from './lib.mjs';
@@ -52,7 +54,8 @@ export function releasedPrograms(root) {
   return programs;
 }
 
-// ---- Evidence of statements. Packed: each text once, an entry as the list of its members, numbers to three digits.
+// ---- Evidence of statements. Packed: each text once, an entry as the list of its members, numbers to
+// three digits.
 
 const shortened = x => (typeof x === 'number' ? Number(x.toPrecision(3)) : x);
 
@@ -84,7 +87,8 @@ export function unpackChecks({ fields, words, statements }) {
   return new Map(Object.entries(statements).map(([id, s]) => [id, { evidence: s.evidence.map(entry), control: s.control.map(entry) }]));
 }
 
-/// What the release recorded of the checks: when and where, the columns, and the entries by statement; null where there is no record.
+/// What the release recorded of the checks: when and where, the columns, and the entries by statement;
+/// null where there is no record.
 export function releasedChecks(root) {
   const file = path.join(root, 'docs/release/checks.json');
   if (!fs.existsSync(file)) return null;
@@ -92,7 +96,8 @@ export function releasedChecks(root) {
   return { release: json.release, columns: new Set(json.columns), statements: unpackChecks(json) };
 }
 
-/// Evidence and control of a statement with the columns that this build has not run, of the release; `released` names these. Only where the statement has
+/// Evidence and control of a statement with the columns that this build has not run, of the release;
+/// `released` names these. Only where the statement has
 /// evidence of this build: the verdict is of this build.
 export function withRelease(book, record) {
   const recorded = book.release?.checks?.statements.get(record.id);

@@ -21,18 +21,23 @@ Program::Program(int argc, char** argv, std::string shows)
   std::cout << shows_ << "\n\n";
 }
 
-void Program::figure(std::string const& name, double value, std::string const& meaning) { figure(name, value, number(value), meaning); }
-void Program::figure(std::string const& name, double value, std::string const& shown, std::string const& meaning) {
+void Program::figure(std::string const& name, double value, std::string const& meaning) {
+  figure(name, value, number(value), meaning);
+}
+void Program::figure(std::string const& name, double value, std::string const& shown,
+                     std::string const& meaning) {
   if (!std::isfinite(value)) claim(false, "the figure '" + name + "' is a finite number");
   std::cout << "  " << (meaning.empty() ? name : meaning) << ": " << shown << '\n';
-  figures_.push_back("{\"name\": " + json::quote(name) + ", \"value\": " + json::number(value) + ", \"text\": " + json::quote(shown) +
-                     ", \"meaning\": " + json::quote(meaning) + "}");
+  figures_.push_back("{\"name\": " + json::quote(name) + ", \"value\": " + json::number(value) +
+                     ", \"text\": " + json::quote(shown) + ", \"meaning\": " + json::quote(meaning) + "}");
 }
 
-void Program::table(std::string const& name, Row const& header, std::vector<Row> const& rows, std::string const& caption) {
+void Program::table(std::string const& name, Row const& header, std::vector<Row> const& rows,
+                    std::string const& caption) {
   std::vector<std::size_t> widths(header.size());
   auto const fit = [&](Row const& row) {
-    for (std::size_t i = 0; i < row.size() && i < widths.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+    for (std::size_t i = 0; i < row.size() && i < widths.size(); ++i)
+      widths[i] = std::max(widths[i], width(row[i]));
   };
   auto const print = [&](Row const& row) {
     for (std::size_t i = 0; i < row.size() && i < widths.size(); ++i)
@@ -56,8 +61,8 @@ void Program::table(std::string const& name, Row const& header, std::vector<Row>
 void Program::picture(std::string const& name, std::string const& svg, std::string const& caption) {
   auto const file = report(name + ".svg");
   json::write_file(file, svg);
-  pictures_.push_back("{\"name\": " + json::quote(name) + ", \"file\": " + json::quote(file.filename().string()) +
-                      ", \"caption\": " + json::quote(caption) + "}");
+  pictures_.push_back("{\"name\": " + json::quote(name) + ", \"file\": " +
+                      json::quote(file.filename().string()) + ", \"caption\": " + json::quote(caption) + "}");
 }
 
 void Program::claim(bool holds, std::string const& what) {
@@ -67,10 +72,13 @@ void Program::claim(bool holds, std::string const& what) {
 
 void Program::judge(bool holds, std::string const& what) {
   if (!holds) std::cerr << name_ << ": a claim does not hold: " << what << '\n';
-  claims_.push_back("{\"holds\": " + std::string(holds ? "true" : "false") + ", \"text\": " + json::quote(what) + "}");
+  claims_.push_back("{\"holds\": " + std::string(holds ? "true" : "false") +
+                    ", \"text\": " + json::quote(what) + "}");
 }
 
-void Program::property(std::string const& name, std::string const& value) { properties_ += ",\n " + json::quote(name) + ": " + value; }
+void Program::property(std::string const& name, std::string const& value) {
+  properties_ += ",\n " + json::quote(name) + ": " + value;
+}
 
 void Program::headline(std::string const& text, double value) {
   if (!std::isfinite(value)) claim(false, "the headline '" + text + "' is a finite number");
@@ -81,12 +89,14 @@ void Program::headline(std::string const& text, double value) {
 int Program::finish() {
   if (headline_.empty()) claim(false, "the program has a headline");
   std::chrono::duration<double> const seconds = std::chrono::steady_clock::now() - start_;
-  json::write_file(report("json"), "{\"chapter\": " + json::quote(name_.substr(0, name_.find('_'))) +
-                                       ",\n \"program\": " + json::quote(name_) + ",\n \"shows\": " + json::quote(shows_) +
-                                       ",\n \"headline\": " + (headline_.empty() ? "null" : headline_) +
-                                       ",\n \"figures\": " + json::array(figures_) + ",\n \"tables\": " + json::array(tables_) +
-                                       ",\n \"pictures\": " + json::array(pictures_) + ",\n \"claims\": " + json::array(claims_) +
-                                       properties_ + ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
+  json::write_file(
+      report("json"),
+      "{\"chapter\": " + json::quote(name_.substr(0, name_.find('_'))) +
+          ",\n \"program\": " + json::quote(name_) + ",\n \"shows\": " + json::quote(shows_) +
+          ",\n \"headline\": " + (headline_.empty() ? "null" : headline_) +
+          ",\n \"figures\": " + json::array(figures_) + ",\n \"tables\": " + json::array(tables_) +
+          ",\n \"pictures\": " + json::array(pictures_) + ",\n \"claims\": " + json::array(claims_) +
+          properties_ + ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
   return failed_ == 0 ? 0 : 1;
 }
 

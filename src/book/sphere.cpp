@@ -50,11 +50,13 @@ void Sphere::add_graticule(std::string& behind, std::string& before) const {
   };
   for (int latitude = -60; latitude <= 60; latitude += 30)
     draw([&](double t) {
-      return Vector{std::cos(latitude * degree) * std::cos(t), std::cos(latitude * degree) * std::sin(t), std::sin(latitude * degree)};
+      return Vector{std::cos(latitude * degree) * std::cos(t), std::cos(latitude * degree) * std::sin(t),
+                    std::sin(latitude * degree)};
     });
   for (int longitude = 0; longitude < 180; longitude += 30)
     draw([&](double t) {
-      return Vector{std::cos(t) * std::cos(longitude * degree), std::cos(t) * std::sin(longitude * degree), std::sin(t)};
+      return Vector{std::cos(t) * std::cos(longitude * degree), std::cos(t) * std::sin(longitude * degree),
+                    std::sin(t)};
     });
 }
 
@@ -69,7 +71,8 @@ std::string Sphere::axis_arrows() const {
     auto const tip = place(unit);
     unit[i] = 1.25;
     auto const name = place(unit);
-    if (depth(unit) >= 0 || std::hypot(tip.x - centre, tip.y - centre) > radius) out += svg::segment(foot, tip, "axis");
+    if (depth(unit) >= 0 || std::hypot(tip.x - centre, tip.y - centre) > radius)
+      out += svg::segment(foot, tip, "axis");
     out += svg::label({name.x, name.y + 4}, names_[i], "middle");
   }
   return out;
@@ -80,16 +83,17 @@ std::string Sphere::svg() const {
   add_graticule(behind, before);
   for (auto const& c : curves_) add(c, behind, before);
   auto const disc = [](std::string const& look) {
-    return "<circle " + look + " cx=\"" + svg::pixel(centre) + "\" cy=\"" + svg::pixel(centre) + "\" r=\"" + svg::pixel(radius) +
-           "\"/>\n";
+    return "<circle " + look + " cx=\"" + svg::pixel(centre) + "\" cy=\"" + svg::pixel(centre) + "\" r=\"" +
+           svg::pixel(radius) + "\"/>\n";
   };
-  std::string out = disc("fill=\"var(--grid)\" fill-opacity=\"0.35\"") + "<g opacity=\"0.45\">\n" + behind + "</g>\n" +
-                    disc("class=\"axis\"") + before + axis_arrows();
+  std::string out = disc("fill=\"var(--grid)\" fill-opacity=\"0.35\"") + "<g opacity=\"0.45\">\n" + behind +
+                    "</g>\n" + disc("class=\"axis\"") + before + axis_arrows();
   double y = 2 * centre + 6;
   for (auto const& c : curves_) {
     if (c.label.empty()) continue;
     svg::Point const sample[] = {{40, y}, {66, y}}, dot[] = {{53, y}};
-    out += svg::curve(c.look.dots ? std::span<svg::Point const>(dot) : sample, c.look) + svg::label({76, y + 4}, c.label);
+    out += svg::curve(c.look.dots ? std::span<svg::Point const>(dot) : sample, c.look) +
+           svg::label({76, y + 4}, c.label);
     y += 18;
   }
   return svg::picture(2 * centre, y + 2, out);
