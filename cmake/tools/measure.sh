@@ -20,9 +20,14 @@ case $name in
   *) echo "measure.sh: $name is neither a benchmark nor a long test" >&2; exit 2 ;;
 esac
 program=$build/bin/$name
+if [[ ! -x $program ]]; then
+  [[ $mode == --ask ]] && { echo none; exit 0; }
+  echo "measure.sh: $program is not built" >&2
+  exit 1
+fi
 inputs=("$program" data/bodies.toml)
 # Some run the command, and hold its path.
-[[ -f $program ]] && grep -qaF "$build/bin/actio" "$program" && inputs+=("$build/bin/actio")
+grep -qaF "$build/bin/actio" "$program" && inputs+=("$build/bin/actio")
 stamp=$reports/$name.stamp
 key=$( (sed -n '/^model name/{p;q}' /proc/cpuinfo && sha256sum "${inputs[@]}") 2>/dev/null | sha256sum | cut -d ' ' -f 1)
 current=none
