@@ -33,9 +33,35 @@ concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 template <class S, int N>
 inline constexpr bool detail::own_arithmetic<Dual<S, N>> = true;
 
+namespace detail {
+/// Whether a dual number is an even number of doubles, which the machine adds and multiplies in pairs.
+template <class S, int N>
+inline constexpr bool in_pairs = std::same_as<S, double> && N % 2 == 1;
+
+/// The value and the rates of a dual number over double side by side.
+template <int N>
+struct Lanes {
+  using All [[gnu::vector_size((N + 1) * sizeof(double))]] = double;
+  All all;
+
+  explicit Lanes(Dual<double, N> const& x) { __builtin_memcpy(&all, &x, sizeof all); }
+  void store(Dual<double, N>& x) const { __builtin_memcpy(&x, &all, sizeof all); }
+};
+}  // namespace detail
+
 /// z += x y, written so that nested products need no intermediate results.
 template <class S, int N>
 void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
+  if constexpr (detail::in_pairs<S, N>) {
+    // The value of the product is x.value y.value; the rates of x alone are those of x with the value left out.
+    detail::Lanes<N> sum(z), rates(x);
+    detail::Lanes<N> const other(y);
+    rates.all[0] = 0;
+    sum.all += x.value * other.all;
+    sum.all += y.value * rates.all;
+    sum.store(z);
+    return;
+  }
   add_product(z.value, x.value, y.value);
   for (int a = 0; a < N; ++a) {
     add_product(z.part[a], x.value, y.part[a]);
@@ -56,11 +82,23 @@ struct Dual {
   Dual(T v) : value(v) {}
 
   Dual& operator+=(Dual const& y) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x.all += detail::Lanes<N>(y).all;
+      x.store(*this);
+      return *this;
+    }
     value += y.value;
     for (int a = 0; a < N; ++a) part[a] += y.part[a];
     return *this;
   }
   Dual& operator-=(Dual const& y) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x.all -= detail::Lanes<N>(y).all;
+      x.store(*this);
+      return *this;
+    }
     value -= y.value;
     for (int a = 0; a < N; ++a) part[a] -= y.part[a];
     return *this;
@@ -69,12 +107,24 @@ struct Dual {
   Dual& operator/=(Dual const& y) { return *this = *this / y; }
   template <ConstantOver<S> T>
   Dual& operator*=(T const& c) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x.all *= static_cast<double>(c);
+      x.store(*this);
+      return *this;
+    }
     value *= c;
     for (int a = 0; a < N; ++a) part[a] *= c;
     return *this;
   }
   template <ConstantOver<S> T>
   Dual& operator/=(T const& c) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x.all /= static_cast<double>(c);
+      x.store(*this);
+      return *this;
+    }
     value /= c;
     for (int a = 0; a < N; ++a) part[a] /= c;
     return *this;
@@ -89,6 +139,16 @@ struct Dual {
   }
   friend Dual operator/(Dual const& x, Dual const& y) {
     // (x/y)' = (x' - (x/y) y') / y
+    if constexpr (detail::in_pairs<S, N>) {
+      Dual q;
+      S const quotient = x.value / y.value;
+      detail::Lanes<N> lanes(x);
+      lanes.all -= quotient * detail::Lanes<N>(y).all;
+      lanes.all *= S(1) / y.value;
+      lanes.all[0] = quotient;
+      lanes.store(q);
+      return q;
+    }
     Dual q;
     S const inverse = S(1) / y.value;
     q.value = x.value / y.value;
@@ -96,6 +156,12 @@ struct Dual {
     return q;
   }
   friend Dual operator-(Dual x) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> lanes(x);
+      lanes.all = -lanes.all;
+      lanes.store(x);
+      return x;
+    }
     x.value = -x.value;
     for (int a = 0; a < N; ++a) x.part[a] = -x.part[a];
     return x;
@@ -130,6 +196,14 @@ struct Dual {
 /// The chain rule: a function with value `f` and derivative `df` at the value of `x`, applied to `x`.
 template <class S, int N>
 Dual<S, N> chain(Dual<S, N> const& x, S const& f, S const& df) {
+  if constexpr (detail::in_pairs<S, N>) {
+    Dual<S, N> y;
+    detail::Lanes<N> lanes(x);
+    lanes.all *= df;
+    lanes.all[0] = f;
+    lanes.store(y);
+    return y;
+  }
   Dual<S, N> y(f);
   for (int a = 0; a < N; ++a) y.part[a] = df * x.part[a];
   return y;

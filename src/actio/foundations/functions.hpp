@@ -27,11 +27,11 @@ constexpr int geometric_terms(double bound) {
   return n;
 }
 
-/// Number of terms of a series whose n-th term stays below \f$1/(2n)!\f$ that are not negligible.
+/// Number of terms of a series whose n-th term stays below \f$x^n/(2n)!\f$ that are not negligible.
 template <class S>
-constexpr int factorial_terms() {
+constexpr int factorial_terms(double x = 1) {
   int n = 1;
-  for (double term = 0.5; term > negligible<S>(); ++n) term /= (2.0 * n + 2.0) * (2.0 * n + 1.0);
+  for (double term = x / 2; term > negligible<S>(); ++n) term *= x / ((2.0 * n + 2.0) * (2.0 * n + 1.0));
   return n;
 }
 
@@ -54,10 +54,18 @@ constexpr long factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 template <int K, Real S>
 S stumpff(S const& x) {
   if (base_value(x) < Base<S>(1)) {
-    // The series by Horner's rule, from the last term that counts.
-    S sum(1);
-    for (int n = factorial_terms<S>(); n >= 1; --n) sum = S(1) - sum * x / Base<S>((2 * n + K) * (2 * n + K - 1));
-    return sum / Base<S>(factorial(K));
+    // The series by Horner's rule. Steps of an integrator turn little: for them half of the terms will do.
+    constexpr int terms = factorial_terms<S>() + 1, few = factorial_terms<S>(1.0 / 64) + 1;
+    static auto const coefficients = [] {
+      std::array<Base<S>, terms> c;
+      c[0] = Base<S>(1) / Base<S>(factorial(K));
+      for (int n = 1; n < terms; ++n) c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
+      return c;
+    }();
+    int n = (base_value(x) < ratio<Base<S>>(1, 64) ? few : terms) - 1;
+    S sum(coefficients[n]);
+    while (--n >= 0) sum = sum * x + coefficients[n];
+    return sum;
   }
   using std::cos, std::sin, std::sqrt;
   if constexpr (K == 0) {

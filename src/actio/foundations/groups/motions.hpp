@@ -67,10 +67,7 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
   template <class S>
   static Eigen::Matrix<S, n, n> drift(Eigen::Matrix<S, turns, 1> const& turn) {
     S const square = turn.squaredNorm();
-    auto const a = Rotations::hat(turn);
-    Eigen::Matrix<S, n, n> m = a * stumpff<2>(square) + a * a * stumpff<3>(square);
-    m.diagonal().array() += S(1);
-    return m;
+    return Rotations::turn_polynomial(turn, S(1), stumpff<2>(square), stumpff<3>(square));
   }
 };
 
