@@ -37,6 +37,7 @@ class ChordIteration {
     if (found) return *found;
     known_ = false;
     auto solved = solve_on_group(residual, safe);
+    moved_ = log(solved.value * inverse(start)).coordinates;
     report_ = std::move(solved.report);
     return solved.value;
   }
@@ -46,6 +47,8 @@ class ChordIteration {
     return solve(residual, start, start);
   }
 
+  /// By how much the last solution differs from its start, \f$f \approx e^vf_{start}\f$, as far as the steps of the iteration commute.
+  Coordinates<G, S> const& moved() const { return moved_; }
   /// How the last equation was solved.
   Report const& report() const { return report_; }
   /// How often a derivative was evaluated, since the beginning.
@@ -65,6 +68,7 @@ class ChordIteration {
     report_.tolerance = 16 * to_double(epsilon<S>());
     Element<G, S> f = start;
     Coordinates<G, S> value, last;
+    moved_ = Coordinates<G, S>::Zero(f.group.dimension());
     bool fresh = !known_;
     if (fresh)
       value = evaluate_derivative(residual, f);
@@ -87,6 +91,7 @@ class ChordIteration {
       }
       if (!(to_double(magnitude(step)) <= 1)) return {};
       f = exp(Velocity<G, S>{f.group, step}) * f;
+      moved_ += step;
       if (done) return restore(f);
       last = step;
       before = size;
@@ -146,6 +151,7 @@ class ChordIteration {
 
   Eigen::Matrix<S, G::dim, G::dim> inverse_;
   Coordinates<G, S> per_row_;
+  Coordinates<G, S> moved_;
   bool known_ = false;
   long derivatives_ = 0;
   Report report_;

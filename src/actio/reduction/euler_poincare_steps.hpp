@@ -23,13 +23,16 @@ class FollowedSequence {
   template <class Residual>
   Element<G, S> after(Residual const& residual, Element<G, S> const& f) {
     if constexpr (Plain<S>) {
-      Element<G, S> next = f;
       if (changes_.empty()) {
-        next = iteration_.solve(residual, f);
-      } else {
-        next = iteration_.solve(residual, exp(Velocity<G, S>{f.group, changes_.next()}) * f, f);
+        auto const next = iteration_.solve(residual, f);
+        changes_.push(iteration_.moved());
+        return next;
       }
-      changes_.push(log(next * inverse(f)).coordinates);
+      // What is appended is the change to first order in what the extrapolation has missed.
+      Velocity<G, S> const expected{f.group, changes_.next()};
+      auto const next = iteration_.solve(residual, exp(expected) * f, f);
+      Velocity<G, S> const missed{f.group, iteration_.moved()};
+      changes_.push((expected + missed + bracket(missed, expected) / S(2)).coordinates);
       return next;
     } else {
       return solve_on_group(residual, f).value;

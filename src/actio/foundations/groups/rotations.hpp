@@ -56,6 +56,11 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
   template <class S>
     requires(n == 3)
+  static Eigen::Matrix<S, 3, 1> Ad_star(Eigen::Matrix<S, 3, 3> const& a, Eigen::Matrix<S, 3, 1> const& mu) {
+    return a.transpose() * mu;
+  }
+  template <class S>
+    requires(n == 3)
   static Eigen::Matrix<S, 3, 1> bracket(Eigen::Matrix<S, 3, 1> const& v, Eigen::Matrix<S, 3, 1> const& w) {
     return cross(v, w);
   }
@@ -87,7 +92,13 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
 
   template <Real S>
-    requires(n > 3)
+    requires(n == 4)
+  static Eigen::Matrix<S, 4, 4> exp(Eigen::Matrix<S, dim, 1> const& v) {
+    return rotation_exponential(Eigen::Matrix<S, 4, 4>(hat(v)));
+  }
+
+  template <Real S>
+    requires(n > 4)
   static Eigen::Matrix<S, n, n> exp(Eigen::Matrix<S, dim, 1> const& v) {
     Eigen::Matrix<S, n, n> const e = matrix_exponential(hat(v));
     // Large angles are squared many times, and rounding is squared with them.
