@@ -34,10 +34,10 @@ class ChordIteration {
     } catch (Error const&) {
       // Newton's iteration says what is wrong, if anything is.
     }
+    by_newton_ = !found;
     if (found) return *found;
     known_ = false;
     auto solved = solve_on_group(residual, safe);
-    moved_ = log(solved.value * inverse(start)).coordinates;
     report_ = std::move(solved.report);
     return solved.value;
   }
@@ -47,7 +47,10 @@ class ChordIteration {
     return solve(residual, start, start);
   }
 
-  /// By how much the last solution differs from its start, \f$f \approx e^vf_{start}\f$, as far as the steps of the iteration commute.
+  /// Whether Newton's iteration had to solve the last equation.
+  bool by_newton() const { return by_newton_; }
+  /// By how much the last solution differs from its start, \f$f \approx e^vf_{start}\f$, as far as the steps of the iteration commute. Not where Newton's
+  /// iteration has found it.
   Coordinates<G, S> const& moved() const { return moved_; }
   /// How the last equation was solved.
   Report const& report() const { return report_; }
@@ -153,6 +156,7 @@ class ChordIteration {
   Coordinates<G, S> per_row_;
   Coordinates<G, S> moved_;
   bool known_ = false;
+  bool by_newton_ = false;
   long derivatives_ = 0;
   Report report_;
 };

@@ -38,30 +38,55 @@ namespace detail {
 template <class S, int N>
 inline constexpr bool in_pairs = std::same_as<S, double> && N % 2 == 1;
 
-/// The value and the rates of a dual number over double side by side.
+/// The value and the rates of a dual number over double, in pairs that stay in registers.
 template <int N>
 struct Lanes {
-  using All [[gnu::vector_size((N + 1) * sizeof(double))]] = double;
-  All all;
+  using Pair [[gnu::vector_size(16)]] = double;
+  Pair pair[(N + 1) / 2];
 
-  explicit Lanes(Dual<double, N> const& x) { __builtin_memcpy(&all, &x, sizeof all); }
-  void store(Dual<double, N>& x) const { __builtin_memcpy(&x, &all, sizeof all); }
+  explicit Lanes(Dual<double, N> const& x) { __builtin_memcpy(pair, &x, sizeof pair); }
+  /// The value and no rates.
+  explicit Lanes(double value) : pair{Pair{value, 0}} {}
+  void store(Dual<double, N>& x) const { __builtin_memcpy(&x, pair, sizeof pair); }
+  /// Another value with these rates.
+  void set_value(double value) { pair[0] = __builtin_shufflevector(pair[0], Pair{value, 0}, 2, 1); }
+
+  Lanes& operator+=(Lanes const& y) {
+    for (int i = 0; i < (N + 1) / 2; ++i) pair[i] += y.pair[i];
+    return *this;
+  }
+  Lanes& operator-=(Lanes const& y) {
+    for (int i = 0; i < (N + 1) / 2; ++i) pair[i] -= y.pair[i];
+    return *this;
+  }
+  Lanes& operator*=(double c) {
+    for (Pair& p : pair) p *= c;
+    return *this;
+  }
+  /// Adds a product. Its value is x.value y.value; the rates of x alone are those of x with the value left out.
+  [[gnu::always_inline]] void add_product(Dual<double, N> const& x, Dual<double, N> const& y) {
+    Lanes rates(x), other(y);
+    rates.set_value(0);
+    double const a = x.value, b = y.value;
+    for (int i = 0; i < (N + 1) / 2; ++i) pair[i] += a * other.pair[i] + b * rates.pair[i];
+  }
+  Lanes& operator/=(double c) {
+    for (Pair& p : pair) p /= c;
+    return *this;
+  }
 };
 }  // namespace detail
 
 /// z += x y, written so that nested products need no intermediate results.
 template <class S, int N>
+  requires(detail::in_pairs<S, N>)
+[[gnu::always_inline]] inline void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
+  detail::Lanes<N> sum(z);
+  sum.add_product(x, y);
+  sum.store(z);
+}
+template <class S, int N>
 void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
-  if constexpr (detail::in_pairs<S, N>) {
-    // The value of the product is x.value y.value; the rates of x alone are those of x with the value left out.
-    detail::Lanes<N> sum(z), rates(x);
-    detail::Lanes<N> const other(y);
-    rates.all[0] = 0;
-    sum.all += x.value * other.all;
-    sum.all += y.value * rates.all;
-    sum.store(z);
-    return;
-  }
   add_product(z.value, x.value, y.value);
   for (int a = 0; a < N; ++a) {
     add_product(z.part[a], x.value, y.part[a]);
@@ -84,7 +109,7 @@ struct Dual {
   Dual& operator+=(Dual const& y) {
     if constexpr (detail::in_pairs<S, N>) {
       detail::Lanes<N> x(*this);
-      x.all += detail::Lanes<N>(y).all;
+      x += detail::Lanes<N>(y);
       x.store(*this);
       return *this;
     }
@@ -95,7 +120,7 @@ struct Dual {
   Dual& operator-=(Dual const& y) {
     if constexpr (detail::in_pairs<S, N>) {
       detail::Lanes<N> x(*this);
-      x.all -= detail::Lanes<N>(y).all;
+      x -= detail::Lanes<N>(y);
       x.store(*this);
       return *this;
     }
@@ -109,7 +134,7 @@ struct Dual {
   Dual& operator*=(T const& c) {
     if constexpr (detail::in_pairs<S, N>) {
       detail::Lanes<N> x(*this);
-      x.all *= static_cast<double>(c);
+      x *= static_cast<double>(c);
       x.store(*this);
       return *this;
     }
@@ -121,7 +146,7 @@ struct Dual {
   Dual& operator/=(T const& c) {
     if constexpr (detail::in_pairs<S, N>) {
       detail::Lanes<N> x(*this);
-      x.all /= static_cast<double>(c);
+      x /= static_cast<double>(c);
       x.store(*this);
       return *this;
     }
@@ -132,7 +157,18 @@ struct Dual {
 
   friend Dual operator+(Dual x, Dual const& y) { return x += y; }
   friend Dual operator-(Dual x, Dual const& y) { return x -= y; }
-  friend Dual operator*(Dual const& x, Dual const& y) {
+  [[gnu::always_inline]] friend Dual operator*(Dual const& x, Dual const& y)
+    requires(detail::in_pairs<S, N>)
+  {
+    Dual z;
+    detail::Lanes<N> product(0.0);
+    product.add_product(x, y);
+    product.store(z);
+    return z;
+  }
+  friend Dual operator*(Dual const& x, Dual const& y)
+    requires(!detail::in_pairs<S, N>)
+  {
     Dual z;
     add_product(z, x, y);
     return z;
@@ -142,10 +178,10 @@ struct Dual {
     if constexpr (detail::in_pairs<S, N>) {
       Dual q;
       S const quotient = x.value / y.value;
-      detail::Lanes<N> lanes(x);
-      lanes.all -= quotient * detail::Lanes<N>(y).all;
-      lanes.all *= S(1) / y.value;
-      lanes.all[0] = quotient;
+      detail::Lanes<N> lanes(x), other(y);
+      lanes -= other *= quotient;
+      lanes *= S(1) / y.value;
+      lanes.set_value(quotient);
       lanes.store(q);
       return q;
     }
@@ -158,7 +194,7 @@ struct Dual {
   friend Dual operator-(Dual x) {
     if constexpr (detail::in_pairs<S, N>) {
       detail::Lanes<N> lanes(x);
-      lanes.all = -lanes.all;
+      lanes *= -1;
       lanes.store(x);
       return x;
     }
@@ -199,8 +235,8 @@ Dual<S, N> chain(Dual<S, N> const& x, S const& f, S const& df) {
   if constexpr (detail::in_pairs<S, N>) {
     Dual<S, N> y;
     detail::Lanes<N> lanes(x);
-    lanes.all *= df;
-    lanes.all[0] = f;
+    lanes *= df;
+    lanes.set_value(f);
     lanes.store(y);
     return y;
   }

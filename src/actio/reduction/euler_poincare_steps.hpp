@@ -1,72 +1,81 @@
 // Motions by the discrete Euler-Poincare equations, step after step: what one step has found out about the equation serves the next.
 //
-// The functions `step_euler_poincare_right` and `step_euler_poincare_left` know of a motion what they are given, the last relative motion. Who takes many
-// steps knows more: the momentum, which Ad* carries along (the discrete Lie-Poisson algorithm); the derivative of the equation, which changes
-// little from step to step; and where the motion is going. The relative motions are the same, to rounding.
+// The functions `step_euler_poincare_right` and `step_euler_poincare_left` know of a motion the last relative motion. Who takes many steps knows more: the
+// momentum, which Ad* carries along (the discrete Lie-Poisson algorithm); the derivative of the equation, which changes little from step to step; and
+// where the motion is going. The relative motions are the same to rounding.
 #pragma once
 
-#include "actio/foundations/chord_iteration.hpp"
-#include "actio/foundations/extrapolation.hpp"
+#include "actio/foundations/predictor_corrector.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 
 namespace actio {
 
-namespace detail {
-
-/// Relative motions at equal steps: solves for the next, started where the last ones lead.
+/// The motion of a right-invariant system: \ref euler_poincare_right solved step after step.
 ///
-/// The sequence \f$\delta_k\f$ with \f$f_k = e^{\delta_k}f_{k-1}\f$ is as smooth as the motion, and small, so that no chart ends on the way.
-template <ExponentialGroup G, Real S>
-class FollowedSequence {
- public:
-  /// The solution that comes after `f`.
-  template <class Residual>
-  Element<G, S> after(Residual const& residual, Element<G, S> const& f) {
-    if constexpr (Plain<S>) {
-      if (changes_.empty()) {
-        auto const next = iteration_.solve(residual, f);
-        changes_.push(iteration_.moved());
-        return next;
-      }
-      // What is appended is the change to first order in what the extrapolation has missed.
-      Velocity<G, S> const expected{f.group, changes_.next()};
-      auto const next = iteration_.solve(residual, exp(expected) * f, f);
-      Velocity<G, S> const missed{f.group, iteration_.moved()};
-      changes_.push((expected + missed + bracket(missed, expected) / S(2)).coordinates);
-      return next;
-    } else {
-      return solve_on_group(residual, f).value;
-    }
-  }
-  Report const& report() const { return iteration_.report(); }
-  auto const& iteration() const { return iteration_; }
-
- private:
-  ChordIteration<G, S> iteration_;
-  Extrapolation<Coordinates<G, S>> changes_;
-};
-
-}  // namespace detail
-
-/// The motion of a left-invariant system, \ref euler_poincare_left solved step after step.
+/// Relative motions are those of \ref step_euler_poincare_right to rounding, in a tenth of the time or less. The momentum is carried along by
+/// \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is kept to rounding.
+/// @tparam F  reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 template <class F, ExponentialGroup G, Real S>
-class EulerPoincareStepsLeft {
+class EulerPoincareStepsRight {
  public:
-  EulerPoincareStepsLeft(F l, Element<G, S> const& f10) : l_(std::move(l)), f_(f10), taken_up_(right_differential(l_, f10)) {}
+  /// @param l    reduced discrete Lagrangian, callable at every scalar
+  /// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before the first
+  /// @throws NotFinite  where f01 is no number, or l or its derivative there
+  EulerPoincareStepsRight(F l, Element<G, S> const& f01)
+      : l_(std::move(l)), motion_(f01), left_behind_(left_differential(l_, f01)), solver_(f01) {}
 
-  void advance() {
-    f_ = sequence_.after([&](auto const& f) { return left_differential(l_, f) - like(f, taken_up_); }, f_);
-    taken_up_ = Ad_star(inverse(f_), taken_up_);
+  /// Takes a step: solves \f$R_f^*\ell'(f) = L_{f_{01}}^*\ell'(f_{01})\f$.
+  /// @return the next relative motion
+  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular; the motion stays where it was
+  Element<G, S> const& advance() {
+    motion_ = solver_.solve([&](auto const& f) { return right_differential(l_, f) - like(f, left_behind_); }, motion_);
+    left_behind_ = lie_poisson_update_right(motion_, left_behind_);
+    return motion_;
   }
-  Element<G, S> const& relative_motion() const { return f_; }
-  Report const& report() const { return sequence_.report(); }
-  auto const& iteration() const { return sequence_.iteration(); }
+  /// The relative motion over the last step.
+  Element<G, S> const& relative_motion() const { return motion_; }
+  /// \f$\mu_1 = -L_f^*\ell'(f)\f$: the spatial momentum after the last step.
+  Momentum<G, S> momentum() const { return -left_behind_; }
+  /// How the last step was solved for.
+  Report const& report() const { return solver_.report(); }
 
  private:
   F l_;
-  Element<G, S> f_;
-  Momentum<G, S> taken_up_;
-  detail::FollowedSequence<G, S> sequence_;
+  Element<G, S> motion_;
+  Momentum<G, S> left_behind_;
+  PredictorCorrector<G, S> solver_;
+};
+
+/// The motion of a left-invariant system: \ref euler_poincare_left solved step after step. Otherwise as \ref EulerPoincareStepsRight.
+template <class F, ExponentialGroup G, Real S>
+class EulerPoincareStepsLeft {
+ public:
+  /// @param l    reduced discrete Lagrangian, callable at every scalar
+  /// @param f10  relative motion \f$g_1^{-1}g_0\f$ over the step before the first
+  /// @throws NotFinite  where f10 is no number, or l or its derivative there
+  EulerPoincareStepsLeft(F l, Element<G, S> const& f10)
+      : l_(std::move(l)), motion_(f10), left_behind_(right_differential(l_, f10)), solver_(f10) {}
+
+  /// Takes a step: solves \f$L_f^*\ell'(f) = R_{f_{10}}^*\ell'(f_{10})\f$.
+  /// @return the next relative motion
+  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular; the motion stays where it was
+  Element<G, S> const& advance() {
+    motion_ = solver_.solve([&](auto const& f) { return left_differential(l_, f) - like(f, left_behind_); }, motion_);
+    left_behind_ = lie_poisson_update_left(motion_, left_behind_);
+    return motion_;
+  }
+  /// The relative motion over the last step.
+  Element<G, S> const& relative_motion() const { return motion_; }
+  /// \f$\Pi_1 = -R_f^*\ell'(f)\f$: the body momentum after the last step.
+  Momentum<G, S> momentum() const { return -left_behind_; }
+  /// How the last step was solved for.
+  Report const& report() const { return solver_.report(); }
+
+ private:
+  F l_;
+  Element<G, S> motion_;
+  Momentum<G, S> left_behind_;
+  PredictorCorrector<G, S> solver_;
 };
 
 }  // namespace actio
