@@ -16,8 +16,9 @@ namespace actio {
 ///
 /// The solution is that of \ref solve_on_group to rounding, and is judged as there: each component of the residual within 16 epsilon of its row of the
 /// derivative, the kept one here. One object serves one thread; copies are independent.
+///
+/// Over plain numbers: infinitesimals need derivatives at the solution (\ref solve_on_group).
 template <ExponentialGroup G, Real S>
-  requires Plain<S>
 class ChordIteration {
  public:
   /// The solution near `start`.
@@ -27,6 +28,7 @@ class ChordIteration {
   /// @param safe      where Newton's iteration starts if the chord iteration fails
   /// @throws Singular, NotConverged, NotFinite  as \ref solve_on_group from `safe`
   template <class Residual>
+    requires Plain<S>
   Element<G, S> solve(Residual const& residual, Element<G, S> const& start, Element<G, S> const& safe) {
     std::optional<Element<G, S>> found;
     try {
@@ -43,6 +45,7 @@ class ChordIteration {
   }
   /// The solution near `start`.
   template <class Residual>
+    requires Plain<S>
   Element<G, S> solve(Residual const& residual, Element<G, S> const& start) {
     return solve(residual, start, start);
   }

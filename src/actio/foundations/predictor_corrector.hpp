@@ -76,9 +76,8 @@ class PredictorCorrector {
     }
     return last_.emplace(found);
   }
-  struct None {};
 
-  std::conditional_t<Plain<S>, ChordIteration<G, S>, None> iteration_;
+  ChordIteration<G, S> iteration_;
   Extrapolation<Coordinates<G, S>> changes_;
   std::optional<Element<G, S>> last_;
   Report report_;
