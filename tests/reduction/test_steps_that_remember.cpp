@@ -16,7 +16,7 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Kinetic energy of unequal moments with a product of inertia, in any algebra.
-auto const energy = [](auto const& xi) {
+auto const kinetic = [](auto const& xi) {
   auto const& v = xi.coordinates;
   auto sum = v[0] * v[0] + v[0] * v[1] * 0.4;
   for (Eigen::Index i = 1; i < v.size(); ++i) sum += v[i] * v[i] * (1 + 0.3 * i);
@@ -49,7 +49,7 @@ double condition(M const& derivative) {
 /// Two solvers stop within 16 eps of a row each, and the momentum carried along is off by that of the step before: four times that with what Ad adds.
 template <int side, class G>
 void the_same_relative_motions(double size, double h, int steps) {
-  auto const l = natural_chart_lagrangian_left(energy, h);
+  auto const l = natural_chart_lagrangian_left(kinetic, h);
   Element<G, double> const first = exp(-h * velocity_at_start<G>(size));
   auto motion = [&] {
     if constexpr (side > 0)
@@ -72,7 +72,7 @@ void the_same_relative_motions(double size, double h, int steps) {
 
 template <class G>
 void momentum_in_space_stays(double size, double h, int steps) {
-  auto const l = natural_chart_lagrangian_left(energy, h);
+  auto const l = natural_chart_lagrangian_left(kinetic, h);
   EulerPoincareStepsLeft motion(l, exp(-h * velocity_at_start<G>(size)));
   auto g = identity<double>(G{});
   auto const in_space = [&] { return Ad_star(inverse(g), motion.momentum()).components; };
@@ -113,8 +113,8 @@ BOOST_AUTO_TEST_CASE(the_order_is_two) {
   // The body momentum at time 4, against steps a sixteenth as long.
   auto const at_end = [](int steps) {
     double const h = 4.0 / steps;
-    auto const l = natural_chart_lagrangian_left(energy, h);
-    auto const start = gradient(energy, velocity_at_start<SO<3>>(0.8));
+    auto const l = natural_chart_lagrangian_left(kinetic, h);
+    auto const start = gradient(kinetic, velocity_at_start<SO<3>>(0.8));
     EulerPoincareStepsLeft motion(l, relative_motion_from_momentum_left(l, start, exp(-h * velocity_at_start<SO<3>>(0.8))).value);
     for (int k = 1; k < steps; ++k) motion.advance();
     return motion.momentum().components;
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(the_order_is_two) {
 
 BOOST_AUTO_TEST_CASE(places_are_those_of_the_unreduced_equations_from_scratch) {
   double const h = 0.1;
-  auto const l = lift_left(natural_chart_lagrangian_left(energy, h));
+  auto const l = lift_left(natural_chart_lagrangian_left(kinetic, h));
   auto const weighed = [l, h](auto const& g0, auto const& g1) { return l(g0, g1) - (g0.value(2, 2) + g1.value(2, 2)) * (h / 2); };
   Element<SO<3>, double> const g0 = exp(velocity_at_start<SO<3>>(0.7)), g1 = g0 * exp(h * velocity_at_start<SO<3>>(0.9));
   EulerLagrangeSteps motion(weighed, g0, g1);
@@ -142,15 +142,15 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_unreduced_equations_from_scratch) {
 
 BOOST_AUTO_TEST_CASE(steps_on_momenta_remember_nothing_that_counts) {
   // From one motion to another and back, with another length in between: each step as if it were the first.
-  auto const remembering = natural_chart_step_left(energy);
-  auto const galerkin = galerkin_step_left<double>(energy, 2);
-  auto a = momentum_state(energy, velocity_at_start<SO<3>>(0.8)), b = momentum_state(energy, velocity_at_start<SO<3>>(-0.5));
+  auto const remembering = natural_chart_step_left(kinetic);
+  auto const galerkin = galerkin_step_left<double>(kinetic, 2);
+  auto a = momentum_state(kinetic, velocity_at_start<SO<3>>(0.8)), b = momentum_state(kinetic, velocity_at_start<SO<3>>(-0.5));
   double worst = 0;
   for (int k = 0; k < 20; ++k)
     for (double h : {0.1, 0.1, 0.25}) {
       auto& from = k % 5 == 4 ? b : a;
-      auto const one = remembering(from, h), first = natural_chart_step_left(energy)(from, h);
-      auto const two = galerkin(from, h), second = galerkin_step_left<double>(energy, 2)(from, h);
+      auto const one = remembering(from, h), first = natural_chart_step_left(kinetic)(from, h);
+      auto const two = galerkin(from, h), second = galerkin_step_left<double>(kinetic, 2)(from, h);
       worst = std::max({worst, largest((one.relative_motion.value - first.relative_motion.value).eval()),
                         largest((two.relative_motion.value - second.relative_motion.value).eval())});
       from = one.state;
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(steps_on_momenta_remember_nothing_that_counts) {
 
 BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_was) {
   double const h = 0.1;
-  auto const l = natural_chart_lagrangian_left(energy, h);
+  auto const l = natural_chart_lagrangian_left(kinetic, h);
   Element<SO<3>, double> no_number = identity<double>(SO<3>{});
   no_number.value(0, 1) = std::nan("");
   BOOST_CHECK_THROW(EulerPoincareStepsLeft(l, no_number), NotFinite);
@@ -172,25 +172,16 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
       [](auto const& xi) { return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1]; }, h);
   EulerPoincareStepsLeft flat(degenerate, identity<double>(SO<3>{}));
   BOOST_CHECK_THROW(flat.advance(), Singular);
-  BOOST_TEST(flat.relative_motion().value == Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  BOOST_TEST((flat.relative_motion().value == Eigen::Matrix3d::Identity()));
 
   // An energy that ends: where it is no number there is no step, neither at the first nor after good ones.
-  struct Ending {
-    double const* end;
-    auto operator()(Velocity<SO<3>, Dual<double, batch>> const& xi) const { return of(xi); }
-    auto operator()(Velocity<SO<3>, Dual<Dual<double, batch>, batch>> const& xi) const { return of(xi); }
-    template <class V>
-    static auto of_all(V const& xi, double end) {
-      auto const all = energy(xi);
-      return to_double(all) > end ? all * std::nan("") : all;
-    }
-    template <class V>
-    auto of(V const& xi) const {
-      return of_all(xi, *end);
-    }
-  };
   double end = 1e9;
-  auto const ending = natural_chart_lagrangian_left(Ending{&end}, h);
+  auto const ending = natural_chart_lagrangian_left(
+      [&end](auto const& xi) {
+        auto const all = kinetic(xi);
+        return base_value(all) > end ? all * std::nan("") : all;
+      },
+      h);
   EulerPoincareStepsLeft motion(ending, exp(-h * velocity_at_start<SO<3>>(0.8)));
   for (int k = 0; k < 5; ++k) motion.advance();
   auto const before = motion.relative_motion().value;

@@ -68,7 +68,10 @@ struct Lanes {
     Lanes rates(x), other(y);
     rates.set_value(0);
     double const a = x.value, b = y.value;
-    for (int i = 0; i < (N + 1) / 2; ++i) pair[i] += a * other.pair[i] + b * rates.pair[i];
+    for (int i = 0; i < (N + 1) / 2; ++i) {
+      pair[i] += a * other.pair[i];
+      pair[i] += b * rates.pair[i];
+    }
   }
   Lanes& operator/=(double c) {
     for (Pair& p : pair) p /= c;
