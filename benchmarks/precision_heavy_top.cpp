@@ -53,8 +53,8 @@ int main(int argc, char** argv) {
       out[3 + i] = y[3 + j] * w[k] - y[3 + k] * w[j];
     }
   };
-  auto const show = [](auto const& y) { return y; };
-  benchmark::System<6, 6, decltype(rate), decltype(show)> system{rate, show, {}};
+  auto const shown = [](auto const& y) { return y; };
+  benchmark::System<6, 6, decltype(rate), decltype(shown)> system{rate, shown, {}};
   for (int i = 0; i < 3; ++i) system.start[i] = start.momentum.components[i], system.start[3 + i] = start.vector[i];
   auto const way = [&](std::string const& name, std::vector<double> const& fractions, double first) {
     return benchmark::road_way(

@@ -24,7 +24,7 @@ auto const rate = [](auto const& y, auto& out) {
   benchmark::write_rotation(&y[6], turn);
   for (int i = 0; i < 3; ++i) out[10 + i] = turn[3 * i] * w[3] + turn[3 * i + 1] * w[4] + turn[3 * i + 2] * w[5];
 };
-auto const show = [](auto const& y) {
+auto const shown = [](auto const& y) {
   std::array<std::decay_t<decltype(y[0] + y[0])>, 18> out;
   std::copy_n(&y[0], 6, out.begin());
   benchmark::write_rotation(&y[6], out.begin() + 6);
@@ -40,7 +40,7 @@ auto const energy = [](auto const& xi) {
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
   Eigen::Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};
-  benchmark::System<13, 18, decltype(rate), decltype(show)> system{rate, show, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
+  benchmark::System<13, 18, decltype(rate), decltype(shown)> system{rate, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
   for (int i = 0; i < 6; ++i) system.start[i] = inertia[i] * xi[i];
   auto const start = momentum_state(energy, velocity(SE<3>{}, xi));
   auto const way = [&](std::string const& name, auto const& step, double first) {

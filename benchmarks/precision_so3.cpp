@@ -15,7 +15,7 @@ auto const rate = [](auto const& y, auto& out) {
   for (int i = 0; i < 3; ++i) out[i] = y[(i + 1) % 3] * w[(i + 2) % 3] - y[(i + 2) % 3] * w[(i + 1) % 3];
   benchmark::write_turning(&y[3], half, &out[3]);
 };
-auto const show = [](auto const& y) {
+auto const shown = [](auto const& y) {
   std::array<std::decay_t<decltype(y[0] + y[0])>, 12> out;
   std::copy_n(&y[0], 3, out.begin());
   benchmark::write_rotation(&y[3], out.begin() + 3);
@@ -28,7 +28,7 @@ auto const energy = [](auto const& xi) {
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
-  benchmark::System<7, 12, decltype(rate), decltype(show)> system{rate, show, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
+  benchmark::System<7, 12, decltype(rate), decltype(shown)> system{rate, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
   auto const start = momentum_state(energy, velocity(SO<3>{}, Eigen::Vector3d(1.8, -1, 0.7)));
   auto const way = [&](std::string const& name, auto const& step, double first) {
     return benchmark::road_way(
