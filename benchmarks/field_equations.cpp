@@ -12,8 +12,8 @@
 #include "timing.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
-using Eigen::Vector4d;
+using Vector3d = actio::Vector<double, 3>;
+using Vector4d = actio::Vector<double, 4>;
 using SecondJet3 = SecondJet<double, 3, 3>;
 
 namespace {
@@ -64,7 +64,7 @@ struct Counted {
 constexpr double twist = 0.4, turn = 0.9, wave = 0.05, number = 2.0, frequency = 1.1;
 struct TwistedBar {
   template <class T>
-  Eigen::Matrix<T, 3, 1> operator()(Eigen::Matrix<T, 4, 1> const& x) const {
+  Matrix<T, 3, 1> operator()(Matrix<T, 4, 1> const& x) const {
     using std::cos, std::sin;
     T const angle = x[3] * cos(x[0] * turn) * twist, c = cos(angle), s = sin(angle);
     return {x[1] * c - x[2] * s, x[1] * s + x[2] * c, x[3] + sin(x[3] * number - x[0] * frequency) * wave};
@@ -113,7 +113,7 @@ struct OwnDensity {
 /// The same solid by a law of one's own.
 struct OwnLaw {
   template <class T, int n>
-  T operator()(Eigen::Matrix<T, n, n> const& C) const {
+  T operator()(Matrix<T, n, n> const& C) const {
     return StVenantKirchhoff<double>{lambda, mu}(C);
   }
 };

@@ -32,7 +32,7 @@ struct Road {
 auto const energy = [](auto const& xi) {
   auto const& v = xi.coordinates;
   auto sum = v[0] * v[0] + v[0] * v[1] * 0.2;
-  for (Eigen::Index i = 1; i < v.size(); ++i) sum += v[i] * v[i] * (1 + 0.3 * i);
+  for (Index i = 1; i < v.size(); ++i) sum += v[i] * v[i] * (1 + 0.3 * i);
   return sum / 2;
 };
 template <class G>
@@ -66,11 +66,11 @@ Road heavy_top() {
   double const h_top = h / known.spin.coordinates.norm();
   auto const l = natural_chart_lagrangian(known.top, h_top);
   Element<SO<3>, double> const first = exp(-h_top * known.spin);
-  Eigen::Vector3d const up(0, 0, 1);
+  Vector<double, 3> const up(0, 0, 1);
   auto const motion = std::make_shared<AdvectedStepsLeft<std::decay_t<decltype(l)>, SO<3>, double, 3>>(l, first, up);
   struct Plain {
     Element<SO<3>, double> f;
-    Eigen::Vector3d vertical;
+    Vector<double, 3> vertical;
   };
   auto const plain = std::make_shared<Plain>(Plain{first, up});
   return {"heavy top", [motion] { motion->advance(); },

@@ -6,7 +6,7 @@
 #include "road_precision.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+
 
 /// A symmetric composition of steps of the general road with an advected vector: each stage keeps a derivative of its own.
 class ComposedTop {
@@ -21,7 +21,7 @@ class ComposedTop {
       auto const f = solver.solve(
           [&](auto const& x) {
             using T = typename std::decay_t<decltype(x)>::Scalar;
-            return advected_momentum_before_left(l, x, Eigen::Matrix<T, 3, 1>(state_.vector.template cast<T>())) - like(x, state_.momentum);
+            return advected_momentum_before_left(l, x, Matrix<T, 3, 1>(state_.vector.template cast<T>())) - like(x, state_.momentum);
           },
           exp(-h * body_velocity(top_.inertia, state_.momentum)));
       state_ = {advected_lie_poisson_update_left(l, f, state_.vector, state_.momentum), advect_left(f, state_.vector)};
@@ -42,7 +42,7 @@ class ComposedTop {
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "work and precision on the heavy top: a Lagrangian of one's own beside codes for differential equations");
   auto const known = kovalevskaya_top<double>();
-  Vector3d const I = known.top.inertia.moments, p = known.top.lever();
+  Vector<double, 3> const I = known.top.inertia.moments, p = known.top.lever();
   auto const start = release(known.top, identity<double>(SO<3>{}), known.spin);
   auto const rate = [I, p](auto const& y, auto& out) {
     using S = std::decay_t<decltype(y[0] + y[0])>;

@@ -39,7 +39,7 @@ auto const energy = [](auto const& xi) {
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
-  Eigen::Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};
+  Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};
   benchmark::System<13, 18, decltype(rate), decltype(shown)> system{rate, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
   for (int i = 0; i < 6; ++i) system.start[i] = inertia[i] * xi[i];
   auto const start = momentum_state(energy, velocity(SE<3>{}, xi));

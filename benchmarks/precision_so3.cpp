@@ -29,7 +29,7 @@ auto const energy = [](auto const& xi) {
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
   benchmark::System<7, 12, decltype(rate), decltype(shown)> system{rate, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
-  auto const start = momentum_state(energy, velocity(SO<3>{}, Eigen::Vector3d(1.8, -1, 0.7)));
+  auto const start = momentum_state(energy, velocity(SO<3>{}, Vector<double, 3>(1.8, -1, 0.7)));
   auto const way = [&](std::string const& name, auto const& step, double first) {
     return benchmark::road_way(
         system, name,

@@ -16,7 +16,8 @@
 #include "book/sphere.hpp"
 
 using namespace actio;
-using Eigen::Matrix3d, Eigen::Vector3d;
+using Matrix3d = actio::Matrix<double, 3, 3>;
+using Vector3d = actio::Vector<double, 3>;
 
 // A motion on the reduced road: where the book is and how it turns, as it feels it. Linear, so that Runge-Kutta can add.
 struct Motion {
@@ -37,7 +38,7 @@ X runge_kutta(Rate const& rate, X const& x, double h) {
 Vector3d moments_of_inertia() {
   Vector3d const edge(0.24, 0.17, 0.03);
   double const mass = 0.8;
-  return mass / 12 * (edge.squaredNorm() - edge.array().square()).matrix();
+  return mass / 12 * (Vector3d::Constant(edge.squaredNorm()) - edge.cwiseAbs2());
 }
 Vector3d const I = moments_of_inertia();
 double const p = 12 * I[1], h = 1.25e-4, duration = 4;  // 12 radians a second, were it about the middle axis

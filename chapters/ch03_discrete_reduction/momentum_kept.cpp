@@ -19,7 +19,8 @@
 #include "book/sphere.hpp"
 
 using namespace actio;
-using Eigen::Matrix3d, Eigen::Vector3d;
+using Matrix3d = actio::Matrix<double, 3, 3>;
+using Vector3d = actio::Vector<double, 3>;
 using Attitude = Element<SO<3>, double>;
 using Moving = State<SO<3>, double>;
 

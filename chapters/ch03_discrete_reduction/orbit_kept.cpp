@@ -16,7 +16,7 @@ using namespace actio;
 using Momenta = Momentum<SE<3>, double>;
 
 // |P|^2 and Pi . P.
-Eigen::Array2d casimirs(Momenta const& m) {
+Vector<double, 2> casimirs(Momenta const& m) {
   return {m.components.tail<3>().squaredNorm(), m.components.head<3>().dot(m.components.tail<3>())};
 }
 
@@ -29,21 +29,21 @@ int main(int argc, char** argv) {
   auto const l = natural_chart_lagrangian_left(energy, h);
   auto const xi = velocity(SE<3>{}, energy.cast_off);
   Momenta const cast_off = gradient(energy, xi);
-  auto const error = [&](Momenta const& m) { return (casimirs(m) / casimirs(cast_off) - 1).abs().eval(); };
+  auto const error = [&](Momenta const& m) { return (casimirs(m).cwiseQuotient(casimirs(cast_off)) - Vector<double, 2>(1, 1)).cwiseAbs(); };
 
   // 2. Ten thousand steps of the algorithm on the dual: solve for the relative motion, carry the momentum (3.18); and of Runge-Kutta.
   Momenta m = cast_off;
   auto f = exp(-h * xi);
   Motion motion{.xi = energy.cast_off};
-  Eigen::Array2d discrete(0, 0), classical(0, 0);
+  Vector<double, 2> discrete(0, 0), classical(0, 0);
   std::vector<double> time, turning, curves[4];
   int const steps = 10000;
   for (int k = 1; k <= steps; ++k) {
     f = relative_motion_from_momentum_left(l, m, f).value;
     m = lie_poisson_update_left(f, m);
     motion = runge_kutta(energy, motion, h);
-    discrete = discrete.max(error(m));
-    classical = classical.max(error(momentum(SE<3>{}, Vector6d(energy.inertia.cwiseProduct(motion.xi)))));
+    discrete = discrete.cwiseMax(error(m));
+    classical = classical.cwiseMax(error(momentum(SE<3>{}, Vector6d(energy.inertia.cwiseProduct(motion.xi)))));
     if (k % 50) continue;
     time.push_back(k * h);
     for (int i = 0; i < 2; ++i) curves[i].push_back(discrete[i]), curves[2 + i].push_back(classical[i]);

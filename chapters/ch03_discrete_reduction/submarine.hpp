@@ -8,14 +8,14 @@
 #include "actio/foundations/groups/motions.hpp"
 #include "actio/variational/euler_poincare.hpp"
 
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Vector6d = actio::Matrix<double, 6, 1>;
 
 // Lamb's integrals of an ellipsoid in an ideal fluid: abc times the integral over u > 0 of du / ((a_i^2 + u) sqrt(prod (a_k^2 + u))). They add up to 2.
-inline Eigen::Vector3d lamb(Eigen::Vector3d const& half_axes) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero(), squares = half_axes.cwiseAbs2();
+inline actio::Vector<double, 3> lamb(actio::Vector<double, 3> const& half_axes) {
+  actio::Vector<double, 3> sum = actio::Vector<double, 3>::Zero(), squares = half_axes.cwiseAbs2();
   for (double s = -4; s < 4; s += 0.01) {  // u = exp(2 sinh s): the trapezoidal rule is exact to rounding
     double const u = std::exp(2 * std::sinh(s)), du = 2 * std::cosh(s) * u * 0.01;
-    Eigen::Vector3d const d = squares.array() + u;
+    actio::Vector<double, 3> const d = squares + actio::Vector<double, 3>::Constant(u);
     sum += half_axes.prod() * du / std::sqrt(d.prod()) * d.cwiseInverse();
   }
   return sum;
@@ -23,13 +23,13 @@ inline Eigen::Vector3d lamb(Eigen::Vector3d const& half_axes) {
 
 // 4 m long, 1.6 m wide, 1 m high, as heavy as the water it displaces, its mass spread evenly. Inertia with that of the water: Lamb, Hydrodynamics, 114 and 115.
 struct Submarine {
-  Eigen::Vector3d half_axes{2.0, 0.8, 0.5};                         // m
+  actio::Vector<double, 3> half_axes{2.0, 0.8, 0.5};                         // m
   double mass = 1000 * 4 * M_PI / 3 * half_axes.prod();             // kg
   Vector6d inertia;                                                 // kg m^2 of turning, kg of gliding
   Vector6d cast_off{{0.15, 0.1, 0.06, 1.0, 0.1, 0.05}};             // ahead at 1 m/s, turning a little about each axis; rad/s, m/s
 
   Submarine() {
-    Eigen::Vector3d const b = half_axes.cwiseAbs2(), alpha = lamb(half_axes);
+    actio::Vector<double, 3> const b = half_axes.cwiseAbs2(), alpha = lamb(half_axes);
     for (int i = 0; i < 3; ++i) {
       int const j = (i + 1) % 3, k = (i + 2) % 3;
       double const less = b[j] - b[k], sum = b[j] + b[k], tilt = alpha[k] - alpha[j];
@@ -47,7 +47,7 @@ struct Submarine {
 
 // What Runge-Kutta steps: a place, and how fast it changes as the submarine feels it.
 struct Motion {
-  Eigen::Matrix4d g = Eigen::Matrix4d::Identity();
+  actio::Matrix<double, 4, 4> g = actio::Matrix<double, 4, 4>::Identity();
   Vector6d xi;
   Motion operator+(Motion const& b) const { return {g + b.g, xi + b.xi}; }
 };

@@ -18,7 +18,7 @@
 #include "submarine.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 using Place = Element<SE<3>, double>;
 
 SE<3> const space;
@@ -70,7 +70,7 @@ Roads take_both_roads(Reduced const& l, Unreduced const& L) {
 }
 
 // The section of the submarine across its axis i, at the place g.
-std::vector<Vector3d> section_across(int i, Eigen::Matrix4d const& g) {
+std::vector<Vector3d> section_across(int i, Matrix<double, 4, 4> const& g) {
   std::vector<Vector3d> section;
   for (int degree = 0; degree <= 360; degree += 5) {
     Vector3d p = Vector3d::Zero();
@@ -92,7 +92,7 @@ void draw_the_path(book::Program& program, Roads const& roads) {
   };
   std::vector<Vector3d> path, dots;
   for (int k = 0; k <= steps; ++k) {
-    Eigen::Matrix4d const& g = roads.reduced[k].value;
+    Matrix<double, 4, 4> const& g = roads.reduced[k].value;
     path.push_back(g.topRightCorner<3, 1>());
     if (k % 4 == 0) dots.push_back(roads.unreduced[k].value.topRightCorner<3, 1>());
     for (int i = 0; k % 24 == 0 && i < 3; ++i) draw(section_across(i, g), "", {.colour = 6, .width = 1});

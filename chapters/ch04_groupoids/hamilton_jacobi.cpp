@@ -15,7 +15,7 @@
 #include "book/plot.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 // Body momenta after 0, 1, ..., n steps of h with a generating function.
 template <class S>
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
   Vector3d const size(0.17, 0.24, 0.03), squares = size.cwiseAbs2();
   Vector3d const moments = mass / 12 * Vector3d(squares[1] + squares[2], squares[0] + squares[2], squares[0] + squares[1]);
   // Ascending: axes 1, 2, 3 are the long one, the middle one, the one through the covers.
-  Eigen::Matrix3d const I = Vector3d(moments[1], moments[0], moments[2]).asDiagonal();
+  Matrix<double, 3, 3> const I = Vector3d(moments[1], moments[0], moments[2]).asDiagonal();
   QuadraticLagrangian<SO<3>, double> const l(SO<3>{}, I);
   auto const spin = velocity(SO<3>{}, Vector3d(0.3, 4 * M_PI, 0.1));
   auto const M0 = l.momentum_of(spin);

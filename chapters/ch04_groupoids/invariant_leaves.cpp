@@ -8,6 +8,7 @@
 //
 //   f      relative motion g1^-1 g0           l    reduced discrete Lagrangian Tr((1 - f) Lambda)/h, J s
 //   pi     body momentum -L*_f l'(f), J s     C    Tr(f Lambda f Lambda), the Casimir (5.10)
+#include "actio/foundations/forms.hpp"
 #include "actio/foundations/groups/rotations.hpp"
 #include "actio/groupoid/poisson_on_group.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
@@ -15,7 +16,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 using Rotation = Element<SO<3>, double>;
 
 // The trace Lagrangian of a body with moments of inertia 2.4, 1.9 and 1.1: an action, in J s.
@@ -29,7 +30,7 @@ struct Brick {
     return sum / S(h);
   }
   double casimir(Rotation const& f) const {
-    Eigen::Matrix3d const m = f.value * lambda.asDiagonal();
+    Matrix<double, 3, 3> const m = f.value * lambda.asDiagonal();
     return (m * m).trace();
   }
 };
@@ -38,7 +39,7 @@ Brick const brick;
 double const rest = std::pow(brick.lambda.norm(), 2);  // C at the identity
 
 // What decides whether the Lagrangian is regular at f.
-double regularity(Brick const& l, Rotation const& f) { return left_second_differential(l, f).determinant(); }
+double regularity(Brick const& l, Rotation const& f) { return determinant(left_second_differential(l, f)); }
 
 // The distance from the identity along a direction at which `value` changes its sign.
 template <class F>
@@ -144,7 +145,7 @@ void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   program.claim(motion.worst < 20 * steps * 0x1p-52, "the relative motions stay on the leaf to rounding");
   program.claim(std::abs(quarter - M_PI / 2) < 1e-12, "about a principal axis the structure ends at a quarter of a turn");
   auto const at = rotation({-0.3, 0.2, 0.4});
-  Eigen::Matrix3d const bracket = legendre_bivector_left(brick, at);
+  Matrix<double, 3, 3> const bracket = legendre_bivector_left(brick, at);
   program.claim(matrix_rank(bracket) == 2, "the bracket has rank 2: the leaves are surfaces");
   double const differential = (bracket * right_differential([&](auto const& g) {
                                  auto const m = (g.value * brick.lambda.template cast<typename std::decay_t<decltype(g)>::Scalar>().asDiagonal()).eval();

@@ -14,24 +14,24 @@
 #include "book/sphere.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 // 1. The first map. Pi' = Pi x Omega; half a step to find the velocity in the middle, a whole step with it, and back to the length of before.
 auto const on_the_sphere = [](auto const& h, auto const& pi) {
   using S = typename std::decay_t<decltype(h)>;
   using std::sqrt;
-  Eigen::Matrix<S, 3, 1> const I(S(2), S(3), S(4)), m = pi.components;
+  Matrix<S, 3, 1> const I(S(2), S(3), S(4)), m = pi.components;
   auto const rate = [&](auto const& x) { return cross(x, x.cwiseQuotient(I)); };
-  Eigen::Matrix<S, 3, 1> const middle = m + rate(m) * (h / S(2)), after = m + rate(middle) * h;
-  return momentum(pi.group, Eigen::Matrix<S, 3, 1>(after * sqrt(S(m.squaredNorm() / after.squaredNorm()))));
+  Matrix<S, 3, 1> const middle = m + rate(m) * (h / S(2)), after = m + rate(middle) * h;
+  return momentum(pi.group, Matrix<S, 3, 1>(after * sqrt(S(m.squaredNorm() / after.squaredNorm()))));
 };
 
 // 2. The second. Turn about axis 1 as fast as Pi_1 says, then about axis 2, about axis 3, and back through 2 and 1.
 auto const three_turns = [](auto const& h, auto const& pi) {
   using S = typename std::decay_t<decltype(h)>;
   using std::cos, std::sin;
-  Eigen::Matrix<S, 3, 1> const I(S(2), S(3), S(4));
-  Eigen::Matrix<S, 3, 1> m = pi.components;
+  Matrix<S, 3, 1> const I(S(2), S(3), S(4));
+  Matrix<S, 3, 1> m = pi.components;
   auto const turn = [&](int a, S const& time) {
     int const b = (a + 1) % 3, c = (a + 2) % 3;
     S const angle = time * m[a] / I[a], along = m[b], across = m[c];

@@ -14,7 +14,7 @@
 
 using namespace actio;
 using rivals::rounding, rivals::shown, rivals::worst;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Vector6d = Matrix<double, 6, 1>;
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv, "six maps that step a body under water, judged by what they keep");

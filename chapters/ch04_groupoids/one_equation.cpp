@@ -17,7 +17,7 @@
 #include "book/sphere.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 double const h = 0.02, gravity = 9.81;
 
 // The pendulum, 1 kg on 1 m: the chord between two places, and the mean of two heights. Only the turn between the azimuths counts.
@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
   auto const on_heights = [](auto const& g) { return pendulum(g.from[0], g.to[0], g.turn.value(0, 0)); };
   using TwoAngles = Element<Translations<2>, double>;
   Arrow<PairGroupoid<Translations<2>>, double> pair{TwoAngles{{}, {1.2, 0.0}}, TwoAngles{{}, {1.2, 0.035}}};
-  auto const turn = [](double angle) { return exp(velocity(SO<2>{}, Eigen::Matrix<double, 1, 1>(angle))); };
-  Arrow<GaugeGroupoid<SO<2>>, double> arrow{Eigen::VectorXd::Constant(1, 1.2), Eigen::VectorXd::Constant(1, 1.2), turn(0.035)};
+  auto const turn = [](double angle) { return exp(velocity(SO<2>{}, Matrix<double, 1, 1>(angle))); };
+  Arrow<GaugeGroupoid<SO<2>>, double> arrow{Vector<double>::Constant(1, 1.2), Vector<double>::Constant(1, 1.2), turn(0.035)};
   double apart = 0, azimuth = 0, momentum_kept = 0;
   double const spin = legendre_at_target(heights, on_heights, arrow).components[1];
   std::vector<Vector3d> path;
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
   };
   auto const on_turns = [&](auto const& g) {
     using S = typename std::decay_t<decltype(g)>::Scalar;
-    return top<S>(g.turn.value, g.vector, Eigen::Matrix<S, Eigen::Dynamic, 1>(g.turn.value.transpose() * g.vector));
+    return top<S>(g.turn.value, g.vector, Matrix<S, Dynamic, 1>(g.turn.value.transpose() * g.vector));
   };
   auto const tilted = exp(velocity(SO<3>{}, Vector3d(0.6, 0, 0))), first = exp(velocity(SO<3>{}, Vector3d(0, 0, 18 * h)));
   Arrow<PairGroupoid<SO<3>>, double> places{tilted, tilted * first};

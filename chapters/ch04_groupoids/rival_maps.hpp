@@ -109,7 +109,7 @@ auto natural_chart(FreeBody<G> body) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
     auto const eta = log(f).coordinates;
     S sum(0);
-    for (Eigen::Index a = 0; a < eta.size(); ++a) sum += eta[a] * eta[a] * body.inertia[a];
+    for (Index a = 0; a < eta.size(); ++a) sum += eta[a] * eta[a] * body.inertia[a];
     return S(sum / (S(2) * S(h)));
   };
 }

@@ -17,8 +17,8 @@
 #include "book/program.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Vector3d = actio::Vector<double, 3>;
+using Vector6d = Matrix<double, 6, 1>;
 
 // A body with a wheel turning in it: l = <I xi, xi>/2 + <b, xi>. It counts how often it is asked.
 template <class G>

@@ -85,10 +85,10 @@ int main(int argc, char** argv) {
   program.say("random bodies on SO(n) from seed ", seed);
   for (int const n : {4, 5, 8}) {
     std::uniform_real_distribution<double> uniform(0.5, 2.0);
-    Eigen::VectorXd lambda(n), xi(n * (n - 1) / 2);
+    Vector<double> lambda(n), xi(n * (n - 1) / 2);
     for (auto& l : lambda) l = uniform(random);
     for (auto& x : xi) x = uniform(random) - 1.25;
-    auto const inertia = inertia_from_lambda<Eigen::Dynamic, double>(lambda);
+    auto const inertia = inertia_from_lambda<Dynamic, double>(lambda);
     long const count = 40000;
     add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count, keep(inertia, velocity(inertia.group, xi), count), true);
   }

@@ -17,18 +17,18 @@
 #include "book/program.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 // The witness: power series of Euler's equations, in fifty digits.
 FreeState true_state(Body const& body, double t) {
   auto const fifty = [](auto const& v) { return v.template cast<dec50>().eval(); };
   auto const plain = [](auto const& v) { return v.unaryExpr([](dec50 const& x) { return to_double(x); }).eval(); };
   Vector3d const I = body.inertia.moments, M = I.cwiseProduct(body.spin.coordinates);
-  auto const end = euler_series<dec50>(fifty(I), {fifty(M), fifty(Eigen::Vector4d::UnitX().eval())}, dec50(t));
+  auto const end = euler_series<dec50>(fifty(I), {fifty(M), fifty(Vector<double, 4>::UnitX().eval())}, dec50(t));
   return {{SO<3>{}, plain(end.momentum)}, {SU2{}, plain(end.attitude)}};
 }
 FreeBody released(Body const& body) { return {body.inertia, body_momentum(body.inertia, body.spin)}; }
-Eigen::Matrix3d matrix_of(Element<SU2, double> const& q) { return Eigen::Quaterniond(q.value[0], q.value[1], q.value[2], q.value[3]).toRotationMatrix(); }
+Matrix<double, 3, 3> matrix_of(Element<SU2, double> const& q) { return Eigen::Quaterniond(q.value[0], q.value[1], q.value[2], q.value[3]).toRotationMatrix(); }
 
 // The larger difference: of momenta over their amount, of quaternions up to their sign.
 double apart(FreeState const& a, FreeState const& b) {

@@ -15,14 +15,14 @@
 #include "book/sphere.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 // The equations of Euler and Poisson for the power series, written out: y = (Pi, Gamma).
-auto euler_poisson(Eigen::Matrix<dec50, 3, 1> const& I, Eigen::Matrix<dec50, 3, 1> const& p) {
+auto euler_poisson(Matrix<dec50, 3, 1> const& I, Matrix<dec50, 3, 1> const& p) {
   return [=](auto const& y) {
     using T = typename std::decay_t<decltype(y)>::Scalar;
     T const w[3] = {y[0] / T(I[0]), y[1] / T(I[1]), y[2] / T(I[2])};
-    Eigen::Matrix<T, 6, 1> rate;
+    Matrix<T, 6, 1> rate;
     for (int i = 0; i < 3; ++i) {
       int const j = (i + 1) % 3, k = (i + 2) % 3;
       rate[i] = y[j] * w[k] - y[k] * w[j] + y[3 + j] * T(p[k]) - y[3 + k] * T(p[j]);
@@ -48,7 +48,7 @@ double const fast = 90, h = 2e-4, rate = toy.lever()[2] / (toy.inertia.moments[2
 Vector3d benchmark_in_50_digits() {
   auto const [exact, exact_spin] = bruls_cardona_top<dec50>();
   auto const exact_start = release(exact, identity<dec50>(SO<3>{}), exact_spin);
-  Eigen::Matrix<dec50, 6, 1> y;
+  Matrix<dec50, 6, 1> y;
   y << exact_start.momentum.components, exact_start.vector;
   y = taylor_reference<dec50>(euler_poisson(exact.inertia.moments, exact.lever()), y, dec50(1));
   return y.head<3>().cwiseQuotient(exact.inertia.moments).unaryExpr([](dec50 const& x) { return to_double(x); });

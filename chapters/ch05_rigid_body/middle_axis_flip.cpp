@@ -17,8 +17,8 @@
 #include "book/plot.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
-using Vector7 = Eigen::Matrix<double, 7, 1>;
+using Vector3d = actio::Vector<double, 3>;
+using Vector7 = Matrix<double, 7, 1>;
 
 // The same body for Runge-Kutta: momentum and quaternion, seven numbers.
 Vector7 rate(Vector3d const& I, Vector7 const& y) {

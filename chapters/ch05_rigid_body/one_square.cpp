@@ -17,28 +17,28 @@
 using namespace actio;
 
 struct LargeBody {
-  Inertia<Eigen::Dynamic> inertia;
-  Momentum<SO<Eigen::Dynamic>, double> momentum;
+  Inertia<Dynamic> inertia;
+  Momentum<SO<Dynamic>, double> momentum;
 };
 // Lambda between 1/2 and 2, an angular velocity of norm 1.
 LargeBody random_body(int n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> between(0.5, 2.0);
   std::normal_distribution<double> normal;
-  Eigen::VectorXd lambda(n), xi(n * (n - 1) / 2);
+  Vector<double> lambda(n), xi(n * (n - 1) / 2);
   for (auto& l : lambda) l = between(random);
   for (auto& c : xi) c = normal(random);
-  SO<Eigen::Dynamic> const group{n};
+  SO<Dynamic> const group{n};
   xi /= Eigen::MatrixXd(group.hat(xi)).operatorNorm();
-  auto const inertia = inertia_from_lambda<Eigen::Dynamic, double>(lambda);
-  return {inertia, body_momentum(inertia, Velocity<SO<Eigen::Dynamic>, double>{group, xi})};
+  auto const inertia = inertia_from_lambda<Dynamic, double>(lambda);
+  return {inertia, body_momentum(inertia, Velocity<SO<Dynamic>, double>{group, xi})};
 }
 
 // Change of Tr M^2, relative: from the momentum and what rounding has left over of it.
-double casimir_change(RotatingBody const& body, Eigen::VectorXd const& start) {
+double casimir_change(RotatingBody const& body, Vector<double> const& start) {
   auto const m = body.momentum().components, rest = body.momentum_remainder().components;
   long double now = 0, before = 0;
-  for (Eigen::Index a = 0; a < m.size(); ++a) {
+  for (Index a = 0; a < m.size(); ++a) {
     long double const c = static_cast<long double>(m[a]) + rest[a], s = start[a];
     now += c * c, before += s * s;
   }
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
       }
       row.push_back(book::number(squares / (steps / 2.0)));
       if (n > 16) continue;
-      MoserVeselov<Eigen::Dynamic> const general(inertia, h);
+      MoserVeselov<Dynamic> const general(inertia, h);
       auto const before = body.momentum();
       auto const solved = general.relative_motion(before).value;
       fast.step(body);

@@ -15,16 +15,16 @@
 #include "book/sphere.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 // A point of the unit sphere with the energy of `e0` near `e`: Newton's method for e.D e = e0.D e0 and e.e = 1 with D = 1/I, along the gradients of both.
 Vector3d onto_polhode(Vector3d e, Vector3d const& e0, Vector3d const& D) {
   for (int i = 0; i < 8; ++i) {
     Vector3d const a = 2 * e, b = 2 * D.cwiseProduct(e);
-    Eigen::Matrix2d gram;
+    Matrix<double, 2, 2> gram;
     gram << a.dot(a), a.dot(b), a.dot(b), b.dot(b);
-    Eigen::Vector2d const miss(e.squaredNorm() - e0.squaredNorm(), (e - e0).dot(D.cwiseProduct(e + e0)));
-    Eigen::Vector2d const x = gram.inverse() * miss;
+    Vector<double, 2> const miss(e.squaredNorm() - e0.squaredNorm(), (e - e0).dot(D.cwiseProduct(e + e0)));
+    Vector<double, 2> const x = solve_linear(gram, miss);
     e -= a * x[0] + b * x[1];
   }
   return e;
@@ -35,7 +35,7 @@ std::pair<double, double> periods(Body const& body, double h, int turns) {
   MoserVeselov<3> const scheme(body.inertia, h);
   auto motion = release(body.inertia, identity<double>(SO<3>{}), body.spin);
   // Space seen along the momentum.
-  Vector3d const axis = Vector3d(motion.spatial_momentum().components).normalized(), across = axis.unitOrthogonal(), third = cross(axis, across);
+  Vector3d const axis = Vector3d(motion.spatial_momentum().components).normalized(), across = Eigen::Vector3d(axis).unitOrthogonal(), third = cross(axis, across);
   auto const round_axis = [](Vector3d const& M) { return std::atan2(M[1], M[0]); };
   auto const round_space = [&](Vector3d const& x) { return std::atan2(x.dot(third), x.dot(across)); };
   auto const unwrapped = [](double now, double before) { return std::remainder(now - before, 2 * M_PI); };

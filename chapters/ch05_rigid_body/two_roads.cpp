@@ -15,7 +15,7 @@
 #include "book/plot.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 using Place = Element<SO<3>, double>;
 
 // Largest distance between attitudes on the two roads over `count` steps. The unreduced road solves (3.2) for `lifted`, a function of two places.

@@ -14,7 +14,8 @@
 #include "gas_ellipse.hpp"
 
 using namespace actio;
-using Eigen::Matrix2d, Eigen::Vector2d;
+using Matrix2d = actio::Matrix<double, 2, 2>;
+using Vector2d = actio::Vector<double, 2>;
 
 LinearState<double, 2> state_after(EllipticGas const& gas, double time) { return taylor_reference(state_rate<2>(gas), thrown_gas(), time); }
 

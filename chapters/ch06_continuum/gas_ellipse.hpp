@@ -17,17 +17,17 @@ struct EllipticGas {
   }
   // A'' from A, over any scalar: the inverse transposed by its minors.
   template <class S>
-  Eigen::Matrix<S, 2, 2> operator()(Eigen::Matrix<S, 2, 2> const& A) const {
+  actio::Matrix<S, 2, 2> operator()(actio::Matrix<S, 2, 2> const& A) const {
     using std::exp, std::log;
     using B = actio::Base<S>;
     S const J = actio::determinant(A), factor = exp(log(J) * B(-gamma)) * B(b());
-    Eigen::Matrix<S, 2, 2> minors;
+    actio::Matrix<S, 2, 2> minors;
     minors << A(1, 1), -A(1, 0), -A(0, 1), A(0, 0);
     return minors * factor;
   }
   // Twice the energy of all the gas, per unit of its second moment.
   template <class S>
-  S energy(Eigen::Matrix<S, 2, 2> const& A, Eigen::Matrix<S, 2, 2> const& V) const {
+  S energy(actio::Matrix<S, 2, 2> const& A, actio::Matrix<S, 2, 2> const& V) const {
     using std::pow;
     return V.squaredNorm() + 2 * b() / (gamma - 1) * pow(actio::determinant(A), 1 - gamma);
   }
@@ -35,7 +35,7 @@ struct EllipticGas {
 
 // Drawn out to twice its width, leaning, turning and sheared.
 inline LinearState<double, 2> thrown_gas() {
-  Eigen::Matrix2d A, V;
+  actio::Matrix<double, 2, 2> A, V;
   A << 1.0, 0.3, 0.0, 0.5;
   V << 0.1, -0.9, 0.7, 0.2;
   return linear_state<double, 2>(A, V);

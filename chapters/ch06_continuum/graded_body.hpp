@@ -35,7 +35,7 @@ template <class Energy>
 struct GradedEnergy {
   Energy w;
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  S operator()(Eigen::Matrix<S, n, 1> const& X, BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, N, n> const& F) const {
+  S operator()(actio::Matrix<S, n, 1> const& X, BodyMetric const& G, SpaceMetric const& g, actio::Matrix<S, N, n> const& F) const {
     return fading(X) * w(X, G, g, F);
   }
 };
@@ -44,23 +44,23 @@ GradedEnergy(Energy) -> GradedEnergy<Energy>;
 
 // A state of a linear motion: A, then its rate of change, each column after column.
 template <class S, int n>
-using LinearState = Eigen::Matrix<S, 2 * n * n, 1>;
+using LinearState = actio::Matrix<S, 2 * n * n, 1>;
 template <class S, int n>
-LinearState<S, n> linear_state(Eigen::Matrix<S, n, n> const& A, Eigen::Matrix<S, n, n> const& V) {
+LinearState<S, n> linear_state(actio::Matrix<S, n, n> const& A, actio::Matrix<S, n, n> const& V) {
   LinearState<S, n> state;
   state << A.reshaped(), V.reshaped();
   return state;
 }
 template <int n, class S>
-Eigen::Matrix<S, n, n> part_of(Eigen::Matrix<S, 2 * n * n, 1> const& state, int which) {
+actio::Matrix<S, n, n> part_of(actio::Matrix<S, 2 * n * n, 1> const& state, int which) {
   return state.template segment<n * n>(which * n * n).reshaped(n, n);
 }
 
 // The rate of change of a state, where `acceleration` gives A'' from A.
 template <int n, class Acceleration>
 auto state_rate(Acceleration const& acceleration) {
-  return [acceleration]<class S>(Eigen::Matrix<S, 2 * n * n, 1> const& state) {
-    Eigen::Matrix<S, n, n> const A = part_of<n>(state, 0), V = part_of<n>(state, 1);
+  return [acceleration]<class S>(actio::Matrix<S, 2 * n * n, 1> const& state) {
+    actio::Matrix<S, n, n> const A = part_of<n>(state, 0), V = part_of<n>(state, 1);
     return linear_state<S, n>(V, acceleration(A));
   };
 }
@@ -69,23 +69,23 @@ auto state_rate(Acceleration const& acceleration) {
 template <class S, int n>
 struct LinearMotion {
   double start;
-  std::vector<Eigen::Matrix<S, n, n>> terms;  // of (t - start)^k
+  std::vector<actio::Matrix<S, n, n>> terms;  // of (t - start)^k
   template <class V>
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
     T const t = x[0] - T(start);
-    Eigen::Matrix<T, n, n> A = terms.back().template cast<T>();
+    actio::Matrix<T, n, n> A = terms.back().template cast<T>();
     for (std::size_t k = terms.size() - 1; k-- > 0;) A = (A * t + terms[k].template cast<T>()).eval();
-    return Eigen::Matrix<T, n, 1>(A * x.template tail<n>());
+    return actio::Matrix<T, n, 1>(A * x.template tail<n>());
   }
 };
 
 // The linear motion that has this state at the time `start`. Each round of the rate gives one power more.
 template <int n, class S, class Acceleration>
-LinearMotion<S, n> linear_motion(Acceleration const& acceleration, Eigen::Matrix<S, 2 * n * n, 1> const& state, double start = 0, int powers = 26) {
+LinearMotion<S, n> linear_motion(Acceleration const& acceleration, actio::Matrix<S, 2 * n * n, 1> const& state, double start = 0, int powers = 26) {
   using actio::Taylor;
   auto const rate = state_rate<n>(acceleration);
-  Eigen::Matrix<Taylor<S>, 2 * n * n, 1> series;
+  actio::Matrix<Taylor<S>, 2 * n * n, 1> series;
   for (int i = 0; i < series.size(); ++i) series[i] = Taylor<S>::series({state[i]});
   for (int k = 0; k < powers; ++k) {
     auto const next = rate(series);

@@ -12,7 +12,7 @@
 #include "graded_body.hpp"
 
 using namespace actio;
-using Eigen::Matrix3d;
+using Matrix3d = actio::Matrix<double, 3, 3>;
 
 // Moduli over the mass density, squares of speeds: the ball has radius 1 and its slow wave speed 1.
 OfGreenTensor const neo_hookean{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}};
@@ -21,7 +21,7 @@ OfGreenTensor const st_venant_kirchhoff{StVenantKirchhoff<double>{2.0, 1.0}};
 // Rubber with fibres that are fixed in space rather than in the body: it knows F^1_2, and not through the Green tensor.
 struct Lopsided {
   template <class BodyMetric, class SpaceMetric, class S>
-  S operator()(Eigen::Matrix<S, 3, 1> const& X, BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, 3, 3> const& F) const {
+  S operator()(Matrix<S, 3, 1> const& X, BodyMetric const& G, SpaceMetric const& g, Matrix<S, 3, 3> const& F) const {
     return neo_hookean(X, G, g, F) + F(0, 1) * F(0, 1) * 0.1;
   }
 };
@@ -32,8 +32,8 @@ struct Ball {
   Energy w;
   auto medium() const { return Continuum{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{}, GradedEnergy{w}}; }
   template <class S>
-  Eigen::Matrix<S, 3, 3> operator()(Eigen::Matrix<S, 3, 3> const& A) const {
-    Jet<S, 3, 3> centre{Event<S, 3>::Zero(), Eigen::Matrix<S, 3, 1>::Zero(), Eigen::Matrix<S, 3, 4>::Zero()};
+  Matrix<S, 3, 3> operator()(Matrix<S, 3, 3> const& A) const {
+    Jet<S, 3, 3> centre{Event<S, 3>::Zero(), Matrix<S, 3, 1>::Zero(), Matrix<S, 3, 4>::Zero()};
     centre.v.template rightCols<3>() = A;
     return first_piola_kirchhoff_stress(medium(), centre) * S(-2);
   }
@@ -57,7 +57,7 @@ Misses misses(Ball<Energy> const& ball, LinearState<double, 3> state) {
     most.turning = std::max(most.turning, (turning(state) - first).norm() / first.norm());
     auto const motion = linear_motion<3>(ball, state, 0, 8);
     Event<double, 3> x = Event<double, 3>::Zero();
-    x.tail<3>() = draw.vector<double, Eigen::Vector3d>(3) / 2;
+    x.tail<3>() = draw.vector<double, Vector<double, 3>>(3) / 2;
     auto const jet = second_jet(motion, x);
     Jet<double, 3, 3> const& one = jet;
     Matrix3d const P = first_piola_kirchhoff_stress(medium, one), sigma = cauchy_stress(medium, one), p = momenta(medium, one).template rightCols<3>();
@@ -75,7 +75,7 @@ struct Swing {
   std::vector<double> time, length, width, cauchy, piola;
 };
 Swing swing(Ball<std::remove_const_t<decltype(neo_hookean)>> const& ball, double pulled) {
-  auto state = linear_state<double, 3>(Eigen::Vector3d(pulled, 0.8, 0.8).asDiagonal(), Matrix3d::Zero());
+  auto state = linear_state<double, 3>(Vector<double, 3>(pulled, 0.8, 0.8).asDiagonal(), Matrix3d::Zero());
   auto const medium = ball.medium();
   Swing s;
   for (double t = 0; t <= 8; t += 0.04) {

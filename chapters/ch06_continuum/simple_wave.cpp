@@ -66,7 +66,7 @@ T label_of(T const& s, T const& t) {
 // The wave as a section of three dimensions, along the oblique direction n.
 template <class Law>
 struct SimpleWave {
-  Eigen::Vector3d n = Eigen::Vector3d(2, -1, 2) / 3;
+  Vector<double, 3> n = Vector<double, 3>(2, -1, 2) / 3;
   template <class T>
   T along(T const& s, T const& t) const {  // f(s, t): along a characteristic f changes at the rate of velocity + c q
     T const label = label_of<Law>(s, t), q = stretch(label);
@@ -75,9 +75,9 @@ struct SimpleWave {
   template <class V>
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
-    Eigen::Matrix<T, 3, 1> const X = x.template tail<3>();
+    Matrix<T, 3, 1> const X = x.template tail<3>();
     T const s = X[0] * n[0] + X[1] * n[1] + X[2] * n[2], shift = along(s, T(x[0])) - s;
-    return Eigen::Matrix<T, 3, 1>(X[0] + shift * n[0], X[1] + shift * n[1], X[2] + shift * n[2]);
+    return Matrix<T, 3, 1>(X[0] + shift * n[0], X[1] + shift * n[1], X[2] + shift * n[2]);
   }
 };
 

@@ -21,9 +21,9 @@ double const middle = 0.12;  // of the time of the box: the power series of the 
 
 // A variation that bends everything: horizontal components times `across`, vertical ones times `upward`.
 auto variation(double across, double upward) {
-  return [=]<class T>(Eigen::Matrix<T, 5, 1> const& at) {
+  return [=]<class T>(Matrix<T, 5, 1> const& at) {
     T const t = at[0], x = at[1], y = at[2], u = at[3], w = at[4];
-    Eigen::Matrix<T, 5, 1> V;
+    Matrix<T, 5, 1> V;
     V << (x * y + t * 0.5 + 0.2) * across, (y - x * x + t) * across, (t * x + 0.3) * across, (u * w + t * x * 2.0 + 0.4) * upward, (w - u * u * t + y) * upward;
     return V;
   };
@@ -48,13 +48,13 @@ Terms terms(Phi const& phi, V const& field, int count) {
   auto const medium = gas.medium();
   int const degree = 2 * count - 1;
   auto const inside = [&](Event<double, 2> const& x) {
-    Eigen::Matrix<double, 5, 1> at;
+    Matrix<double, 5, 1> at;
     at << x, phi(x);
     auto const jet = second_jet(phi, x);
     return euler_lagrange(medium, jet).dot(vertical_part<double, 2, 2>(jet, field(at)));
   };
   // The form as far as vertical variations fix it: p dy ^ d^2x_mu.
-  auto const vertical_form = [&]<class S, int D>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, 3> const& T) -> S {
+  auto const vertical_form = [&]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, 3> const& T) -> S {
     return detail::affine_form<2, 2>(momenta(medium, jet_at<2, 2>(at)), S(0), T);
   };
   auto const through = [&](auto const& form) { return boundary_integral(pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form)), box, degree); };
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
   program.figure("off", off, "pushed about: what is inside, over the boundary integral");
   program.figure("whole", whole, "pushed about: derivative less inside less boundary, relative");
 
-  auto const random = [](auto const& x) { return Eigen::Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[1] * x[2], x[0] * x[1] - x[2]); };
+  auto const random = [](auto const& x) { return Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[1] * x[2], x[0] * x[1] - x[2]); };
   double const kept = std::abs(flux(neighbour(1), neighbour(2))), lost = std::abs(flux(neighbour(1), random));
   program.figure("flux", kept, "flux of two neighbouring ellipses through the boundary");
   program.figure("flux_lost", lost, "the same with one that is no first variation");

@@ -27,9 +27,9 @@ struct Slope {
 struct Blade {
   static constexpr int components = 1;
   template <class T>
-  Eigen::Matrix<T, 1, 1> operator()(Jet<T, 0, 3> const& j) const {
+  Matrix<T, 1, 1> operator()(Jet<T, 0, 3> const& j) const {
     using std::cos, std::sin;
-    return Eigen::Matrix<T, 1, 1>(j.v(0, 0) * sin(j.y[2]) - j.v(1, 0) * cos(j.y[2]));
+    return Matrix<T, 1, 1>(j.v(0, 0) * sin(j.y[2]) - j.v(1, 0) * cos(j.y[2]));
   }
 };
 
@@ -41,14 +41,14 @@ struct Cycloid {
     using std::cos, std::sin;
     T const angle = x[0] * omega, s = sin(angle);
     double const size = downhill / (2 * omega * omega);
-    return Eigen::Matrix<T, 3, 1>(s * s * size, (angle - s * cos(angle)) * size, angle);
+    return Matrix<T, 3, 1>(s * s * size, (angle - s * cos(angle)) * size, angle);
   }
 };
 
 // By the augmented action: momenta (m downhill t, 0), hence u = downhill t cos theta and lambda = m downhill t sin theta; theta and its rate are integrated.
 struct Vakonomic {
   double t = 0, theta = 0, rate = omega, x = 0, y = 0;
-  using State = Eigen::Vector4d;  // theta, rate, x, y
+  using State = Vector<double, 4>;  // theta, rate, x, y
   static double torque(double t, double theta) { return m / inertia * downhill * downhill * t * t * std::sin(theta) * std::cos(theta); }
   static State slope(double t, State const& z) {
     double const u = downhill * t * std::cos(z[0]);
@@ -78,7 +78,7 @@ std::pair<double, double> along_cycloid(double end) {
   double left = 0, other = 0;
   for (int i = 1; i <= 200; ++i) {
     Event<double, 0> const t(end * i / 200);
-    Eigen::Vector3d const E = euler_lagrange(Slope{}, Cycloid{}, t), across(std::sin(omega * t[0]), -std::cos(omega * t[0]), 0);
+    Vector<double, 3> const E = euler_lagrange(Slope{}, Cycloid{}, t), across(std::sin(omega * t[0]), -std::cos(omega * t[0]), 0);
     left = std::max(left, (E - across * across.dot(E)).norm() / (m * downhill));
     other = std::max(other, E.norm() / (m * downhill));
   }

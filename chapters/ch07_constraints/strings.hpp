@@ -18,11 +18,11 @@ struct Loop {
   double length, a;
   double angle(double s) const { return 2 * M_PI * s / length + a * std::sin(6 * M_PI * s / length); }
   double turning(double s) const { return 2 * M_PI / length * (1 + 3 * a * std::cos(6 * M_PI * s / length)); }
-  Eigen::Vector2d direction(double s) const { return {std::cos(angle(s)), std::sin(angle(s))}; }
+  actio::Vector<double, 2> direction(double s) const { return {std::cos(angle(s)), std::sin(angle(s))}; }
   // The place, by Gauss's rule on pieces of the length.
-  Eigen::Vector2d place(double s) const {
+  actio::Vector<double, 2> place(double s) const {
     static auto const rule = actio::gauss_quadrature<double>(10);
-    Eigen::Vector2d sum(0, 0);
+    actio::Vector<double, 2> sum(0, 0);
     int const pieces = 16;
     for (int p = 0; p < pieces; ++p)
       for (int i = 0; i < 10; ++i) sum += rule.weights[i] * s / pieces * direction((p + rule.nodes[i]) * s / pieces);
@@ -30,11 +30,11 @@ struct Loop {
   }
   // The shape over truncated polynomials, from the place and two derivatives.
   template <class T>
-  Eigen::Matrix<T, 2, 1> operator()(T const& s) const {
+  actio::Matrix<T, 2, 1> operator()(T const& s) const {
     if constexpr (std::is_same_v<T, double>) {
       return place(s);
     } else {
-      Eigen::Vector2d const X = place(s.value), X1 = direction(s.value), X2 = turning(s.value) * Eigen::Vector2d(-X1[1], X1[0]);
+      actio::Vector<double, 2> const X = place(s.value), X1 = direction(s.value), X2 = turning(s.value) * actio::Vector<double, 2>(-X1[1], X1[0]);
       return {chain(s, X[0], X1[0], X2[0]), chain(s, X[1], X1[1], X2[1])};
     }
   }
@@ -44,7 +44,7 @@ struct Loop {
 struct Catenary {
   double c;
   template <class T>
-  Eigen::Matrix<T, 2, 1> operator()(T const& s) const {
+  actio::Matrix<T, 2, 1> operator()(T const& s) const {
     using std::log, std::sqrt;
     T const y = sqrt(s * s + c * c);
     return {log((s + y) / c) * c, y};
@@ -70,7 +70,7 @@ struct Tension {
   template <class V>
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
-    Eigen::Matrix<T, 1, 1> tension;
+    actio::Matrix<T, 1, 1> tension;
     tension[0] = part * phi.rho * phi.v * phi.v;
     if (g != 0) tension[0] += phi(x)[1] * (phi.rho * g);
     return tension;

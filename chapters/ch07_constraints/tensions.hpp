@@ -30,9 +30,9 @@ double residual(Tension<Shape> const& tension, double low, double high) {
 template <class Shape>
 double tension_from_equations(Running<Shape> const& phi, double g, actio::Event<double, 1> const& x) {
   auto const j = actio::second_jet(phi, x);
-  Eigen::Matrix2d both;
+  actio::Matrix<double, 2, 2> both;
   both << j.w[1].col(1), j.v.col(1);
-  return actio::solve_linear(both, Eigen::Vector2d(phi.rho * (j.acceleration() + Eigen::Vector2d(0, g))))[0];
+  return actio::solve_linear(both, actio::Vector<double, 2>(phi.rho * (j.acceleration() + actio::Vector<double, 2>(0, g))))[0];
 }
 // The largest relative error of the tension that is found so.
 template <class Shape>
@@ -51,8 +51,8 @@ template <class Shape>
 std::vector<double> tension_from_boundary_values(Running<Shape> const& phi, std::vector<double> const& s, bool closed, double first = 0, double last = 0) {
   int const count = static_cast<int>(s.size());
   double const h = s[1] - s[0];
-  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd b(count);
+  actio::Matrix<double> A = actio::Matrix<double>::Zero(count, count);
+  actio::Vector<double> b(count);
   for (int i = 0; i < count; ++i) {
     auto const j = actio::second_jet(phi, actio::Event<double, 1>(0, s[i]));
     A(i, i) = -2 / (h * h) - j.w[1].col(1).squaredNorm();
@@ -65,6 +65,6 @@ std::vector<double> tension_from_boundary_values(Running<Shape> const& phi, std:
       else
         A(i, k) = 1 / (h * h);
   }
-  Eigen::VectorXd const T = actio::solve_linear(A, b);
+  actio::Vector<double> const T = actio::solve_linear(A, b);
   return {T.data(), T.data() + count};
 }

@@ -11,7 +11,7 @@
 
 #include "actio/jets/jet.hpp"
 
-using Place = Eigen::Vector2d;
+using Place = actio::Vector<double, 2>;
 
 // The flow: velocities at points (t, y).
 struct Cells {
@@ -19,7 +19,7 @@ struct Cells {
   auto operator()(V const& at) const {
     using std::cos, std::sin;
     using T = typename V::Scalar;
-    return Eigen::Matrix<T, 2, 1>(T(sin(at[1]) * cos(at[2])), T(-(cos(at[1]) * sin(at[2]))));
+    return actio::Matrix<T, 2, 1>(T(sin(at[1]) * cos(at[2])), T(-(cos(at[1]) * sin(at[2]))));
   }
 };
 
@@ -29,8 +29,8 @@ struct Motion {
   template <class V>
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
-    using Y = Eigen::Matrix<T, 2, 1>;
-    auto const u = [](Y const& y) { return Cells{}(Eigen::Matrix<T, 3, 1>(T(0), y[0], y[1])); };
+    using Y = actio::Matrix<T, 2, 1>;
+    auto const u = [](Y const& y) { return Cells{}(actio::Matrix<T, 3, 1>(T(0), y[0], y[1])); };
     double const time = actio::base_value(x[0]);
     int const steps = std::max(1, static_cast<int>(std::ceil(std::abs(time) / step)));
     T const h(time / steps);
@@ -44,7 +44,7 @@ struct Motion {
     return Y(y + (velocity + further) * T(s / 2.0));
   }
 };
-inline Place place_of(Place const& X, double t) { return Motion{}(Eigen::Vector3d(t, X[0], X[1])); }
+inline Place place_of(Place const& X, double t) { return Motion{}(actio::Vector<double, 3>(t, X[0], X[1])); }
 
 // A particle's place by Jacobi's functions: cos y1 = sqrt(m) sn t, cos y2 = -sqrt(m) cd t, for one that starts on cos X1 = 0, cos X2 = -sqrt(m).
 inline Place by_elliptic_functions(double k, double t) {

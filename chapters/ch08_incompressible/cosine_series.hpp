@@ -10,7 +10,7 @@
 struct CosineSeries {
   static constexpr int modes = 12;
   double c[modes][modes] = {};
-  double operator()(Eigen::Vector2d const& y) const {
+  double operator()(actio::Vector<double, 2> const& y) const {
     double sum = 0;
     for (int a = 0; a < modes; ++a)
       for (int b = 0; b < modes; ++b) sum += c[a][b] * std::cos(a * y[0]) * std::cos(b * y[1]);

@@ -21,7 +21,7 @@ struct Wave {
     using std::cos, std::exp, std::sin;
     using T = typename V::Scalar;
     T const r = exp(x[2] * k) / k, s = (x[1] + x[0] * c) * k;
-    return Eigen::Matrix<T, 2, 1>(T(x[1] + r * sin(s)), T(x[2] - r * cos(s)));
+    return Matrix<T, 2, 1>(T(x[1] + r * sin(s)), T(x[2] - r * cos(s)));
   }
 };
 
@@ -32,7 +32,7 @@ struct Labels {
     using std::exp;
     using T = typename V::Scalar;
     T const root = 1.0 - exp(x[1] * (2 * k));
-    Eigen::Matrix<T, 2, 2> G = Eigen::Matrix<T, 2, 2>::Zero();
+    Matrix<T, 2, 2> G = Matrix<T, 2, 2>::Zero();
     G(0, 0) = T(1.0), G(1, 1) = root * root;
     return G;
   }
@@ -59,10 +59,10 @@ struct Pressure {
 };
 
 // dP/da and dP/db from the material equation of the motion alone: the force of the density without a multiplier, through F.
-Eigen::Vector2d required_slope(Eigen::Vector3d const& x) {
+Vector<double, 2> required_slope(Vector<double, 3> const& x) {
   auto const j = second_jet(Wave{}, x);
   water.constraint.examine(static_cast<Jet<double, 2, 2> const&>(j));
-  Eigen::Vector2d const force = -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
+  Vector<double, 2> const force = -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
   return -(j.gradient().transpose() * force) / water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
 }
 double pressure_by_multiplier(double surface, double t, double a, double b) {
@@ -77,12 +77,12 @@ void draw_wave(book::Program& program) {
   for (double const b : {-0.1, -0.4, -0.8, -1.4, -2.2}) {
     std::vector<double> x, y, orbit_x, orbit_y;
     for (int i = 0; i <= 400; ++i) {
-      auto const at = Wave{}(Eigen::Vector3d(0, -8 + 16.0 * i / 400, b));
+      auto const at = Wave{}(Vector<double, 3>(0, -8 + 16.0 * i / 400, b));
       x.push_back(at[0]), y.push_back(at[1]);
     }
     for (double const a : {-3.14159, 0.0, 3.14159}) {
       for (int i = 0; i <= 60; ++i) {
-        auto const at = Wave{}(Eigen::Vector3d(2 * M_PI / (k * c) * i / 60, a, b));
+        auto const at = Wave{}(Vector<double, 3>(2 * M_PI / (k * c) * i / 60, a, b));
         orbit_x.push_back(at[0]), orbit_y.push_back(at[1]);
       }
       orbit_x.push_back(NAN), orbit_y.push_back(NAN);
@@ -105,14 +105,14 @@ int main(int argc, char** argv) {
     double worst = 0;
     for (double const t : {0.0, 0.7, 1.9})
       for (double const a : {-1.0, 0.3, 2.0}) {
-        Eigen::Vector3d const x(t, a, b);
-        Eigen::Vector3d const E = euler_lagrange(water, second_jet(with_pressure(Wave{}, Pressure{surface}, Labels{}), x));
+        Vector<double, 3> const x(t, a, b);
+        Vector<double, 3> const E = euler_lagrange(water, second_jet(with_pressure(Wave{}, Pressure{surface}, Labels{}), x));
         field = std::max(field, E.head<2>().cwiseAbs().maxCoeff()), constraint = std::max(constraint, std::abs(E[2]));
         along_surface = std::max(along_surface, std::abs(required_slope({t, a, surface})[0]));
         worst = std::max(worst, std::abs(pressure_by_multiplier(surface, t, a, b) - Pressure{surface}(x)));
       }
     pressure_error = std::max(pressure_error, worst);
-    rows.push_back({book::number(b), book::number(std::exp(k * b) / k), book::number(Pressure{surface}(Eigen::Vector3d(0, 0, b)), 8), book::number(worst, 2)});
+    rows.push_back({book::number(b), book::number(std::exp(k * b) / k), book::number(Pressure{surface}(Vector<double, 3>(0, 0, b)), 8), book::number(worst, 2)});
   }
   program.table("pressure", {"b", "radius of the paths", "pressure", "largest error by the multiplier"}, rows, "Pressure under the surface b = -0.1, in units of the density times gravity over the wave number.");
   program.figure("field", field, "largest force that is left over in the field equations");

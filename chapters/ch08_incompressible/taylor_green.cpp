@@ -73,7 +73,7 @@ void show_dye(book::Program& program) {
       Place const X(1.1 + 0.45 * std::cos(turn), 1.1 + 0.45 * std::sin(turn)), at = place_of(X, t);
       x.push_back(at[0]), y.push_back(at[1]);
       if (i % 50 == 0) {
-        auto const j = first_jet(Motion{}, Eigen::Vector3d(t, X[0], X[1]));
+        auto const j = first_jet(Motion{}, Vector<double, 3>(t, X[0], X[1]));
         worst = std::max(worst, std::abs(VolumeConstraint{Euclidean<2>{}, Euclidean<2>{}}(j)[0]));
       }
     }
@@ -91,14 +91,14 @@ double multiplier_between(Place const& from, Place const& to, double t) {
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     Place const X = from + rule.nodes[i] * (to - from);
-    auto const j = second_jet(Motion{}, Eigen::Vector3d(t, X[0], X[1]));
+    auto const j = second_jet(Motion{}, Vector<double, 3>(t, X[0], X[1]));
     sum += rule.weights[i] * required_pressure_gradient(fluid, j).dot(to - from);
   }
   return sum;
 }
 // The same in space: (8.14) in one cell, with no slope at the walls as the fluid asks there. And both beside the closed form.
 void compare_pressures(book::Program& program) {
-  auto const p = solve_poisson([](double y1, double y2) { return pressure_source(Euclidean<2>{}, Cells{}, Eigen::Vector3d(0, y1, y2)); });
+  auto const p = solve_poisson([](double y1, double y2) { return pressure_source(Euclidean<2>{}, Cells{}, Vector<double, 3>(0, y1, y2)); });
   Place const first(0.7, 1.2);
   std::vector<book::Program::Row> rows;
   double by_multiplier = 0, by_poisson = 0;

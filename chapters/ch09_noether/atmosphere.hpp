@@ -16,7 +16,7 @@
 template <class V>
 auto sphere_metric(V const& at, typename V::Scalar const& stretch) {
   auto const ring = 1 - at[0] * at[0];
-  Eigen::Matrix<typename V::Scalar, 2, 2> g = Eigen::Matrix<typename V::Scalar, 2, 2>::Zero();
+  actio::Matrix<typename V::Scalar, 2, 2> g = actio::Matrix<typename V::Scalar, 2, 2>::Zero();
   g(0, 0) = stretch * stretch / ring;
   g(1, 1) = ring;
   return g;
@@ -42,7 +42,7 @@ struct PlacedEnergy {
   double K;
   Density density;
   template <class G, class g, class T>
-  T operator()(Eigen::Matrix<T, 2, 1> const& x, G const& body, g const& space, Eigen::Matrix<T, 2, 2> const& F) const {
+  T operator()(actio::Matrix<T, 2, 1> const& x, G const& body, g const& space, actio::Matrix<T, 2, 2> const& F) const {
     return density(x) * K / actio::jacobian(body, space, F);
   }
 };
@@ -51,7 +51,7 @@ struct Turning {
   double Omega;
   template <class V>
   auto operator()(V const& x) const {
-    return Eigen::Matrix<typename V::Scalar, 2, 1>(x[1], x[2] + x[0] * Omega);
+    return actio::Matrix<typename V::Scalar, 2, 1>(x[1], x[2] + x[0] * Omega);
   }
 };
 
@@ -84,7 +84,7 @@ inline Path circle_of_mass(double Z, double s) {
 struct WavyLatitude {
   double z0, wave;
   template <class T>
-  Eigen::Matrix<T, 2, 1> operator()(T const& a) const {
+  actio::Matrix<T, 2, 1> operator()(T const& a) const {
     using std::sin;
     return {z0 + wave * sin(3 * a), a};
   }
@@ -100,7 +100,7 @@ struct Stream {
     using T = typename V::Scalar;
     T value = x[0] + x[0] * x[0] * x[0];
     if (!zonal) value += sqrt(1 - x[0] * x[0]) * (cos(x[1]) + x[0] * sin(x[1]));
-    return Eigen::Matrix<T, 1, 1>(value);
+    return actio::Matrix<T, 1, 1>(value);
   }
 };
 // Rotation of the sphere about its axis (0) or about the horizontal axis at l = 0 (1); 2: both components kept where one must change, which is no rotation.
@@ -111,8 +111,8 @@ struct Spin {
     using std::cos, std::sin, std::sqrt;
     using T = typename V::Scalar;
     T const ring = sqrt(1 - y[0] * y[0]);
-    if (kind == 0) return Eigen::Matrix<T, 2, 1>(T(0), T(1));
-    if (kind == 1) return Eigen::Matrix<T, 2, 1>(T(ring * sin(y[1])), T(-y[0] * cos(y[1]) / ring));
-    return Eigen::Matrix<T, 2, 1>(T(ring * sin(y[1])), T(0));
+    if (kind == 0) return actio::Matrix<T, 2, 1>(T(0), T(1));
+    if (kind == 1) return actio::Matrix<T, 2, 1>(T(ring * sin(y[1])), T(-y[0] * cos(y[1]) / ring));
+    return actio::Matrix<T, 2, 1>(T(ring * sin(y[1])), T(0));
   }
 };

@@ -18,7 +18,7 @@
 struct Polar {
   template <class V>
   auto operator()(V const& x) const {
-    Eigen::Matrix<typename V::Scalar, 2, 2> G = Eigen::Matrix<typename V::Scalar, 2, 2>::Identity();
+    actio::Matrix<typename V::Scalar, 2, 2> G = actio::Matrix<typename V::Scalar, 2, 2>::Identity();
     G(1, 1) = x[0] * x[0];
     return G;
   }
@@ -30,23 +30,23 @@ struct Mass {
 // Energy rho(x)/J per mass: the pressure is (rho/J)^2.
 struct Energy {
   template <class G, class g, class T>
-  T operator()(Eigen::Matrix<T, 2, 1> const& x, G const& body, g const& space, Eigen::Matrix<T, 2, 2> const& F) const {
+  T operator()(actio::Matrix<T, 2, 1> const& x, G const& body, g const& space, actio::Matrix<T, 2, 2> const& F) const {
     return Mass{}(x) / actio::jacobian(body, space, F);
   }
 };
 using Gas = actio::Continuum<Polar, actio::Euclidean<2>, Mass, Energy>;
 
-inline Eigen::Matrix2d acceleration(Eigen::Matrix2d const& A) { return actio::inverse_matrix(A).transpose() * (4 / actio::determinant(A)); }
+inline actio::Matrix<double, 2, 2> acceleration(actio::Matrix<double, 2, 2> const& A) { return actio::inverse_matrix(A).transpose() * (4 / actio::determinant(A)); }
 
 // The motion to second order about a time: all that second jets see. A, its rate V, and the rate of that, B.
 struct Cloud {
-  Eigen::Matrix2d A, V, B;
+  actio::Matrix<double, 2, 2> A, V, B;
   double t;
   template <class T>
-  Eigen::Matrix<T, 2, 1> operator()(Eigen::Matrix<T, 3, 1> const& x) const {
+  actio::Matrix<T, 2, 1> operator()(actio::Matrix<T, 3, 1> const& x) const {
     using std::cos, std::sin;
     T const late = x[0] - t, X[] = {x[1] * cos(x[2]), x[1] * sin(x[2])};
-    Eigen::Matrix<T, 2, 1> y;
+    actio::Matrix<T, 2, 1> y;
     for (int a = 0; a < 2; ++a) {
       y[a] = T(0);
       for (int i = 0; i < 2; ++i) y[a] += (late * late * B(a, i) * 0.5 + late * V(a, i) + A(a, i)) * X[i];
@@ -56,23 +56,23 @@ struct Cloud {
 };
 // The cloud that is drawn out, leaning and turning at first, at a later time.
 inline Cloud cloud_at(double t) {
-  using Eigen::Map, Eigen::Matrix2d;
-  Eigen::Matrix<double, 8, 1> start;
+  using Matrix2d = actio::Matrix<double, 2, 2>;
+  actio::Matrix<double, 8, 1> start;
   start << 1, 0, 0.3, 0.5, 0.1, 0.7, -0.9, 0.2;
   auto const rate = [](double, auto const& s) {
-    Matrix2d const A = Map<Matrix2d const>(s.data());
-    Eigen::Matrix<double, 8, 1> d;
-    Map<Matrix2d>(d.data() + 4) = acceleration(A);
+    Matrix2d const A = actio::as_matrix<2, 2>(s.data());
+    actio::Matrix<double, 8, 1> d;
+    actio::as_matrix<2, 2>(d.data() + 4) = acceleration(A);
     d.template head<4>() = s.template tail<4>();
     return d;
   };
   auto const s = actio::reference_solution(rate, start, 0.0, t);
-  Matrix2d const A = Map<Matrix2d const>(s.data()), V = Map<Matrix2d const>(s.data() + 4);
+  Matrix2d const A = actio::as_matrix<2, 2>(s.data()), V = actio::as_matrix<2, 2>(s.data() + 4);
   return {A, V, acceleration(A), t};
 }
 
 // A cell of the body: low and high corner in r and theta.
-using Corner = Eigen::Vector2d;
+using Corner = actio::Vector<double, 2>;
 struct Cell {
   Corner low, high;
 };
@@ -91,7 +91,7 @@ inline double energy_rate(Gas const& gas, Cloud const& phi, Cell const& cell) {
 }
 // What leaves the cell through its four faces, by the current of energy.
 inline double outflow(Gas const& gas, Cloud const& phi, Cell const& cell) {
-  using Point = Eigen::Matrix<double, 1, 1>;
+  using Point = actio::Matrix<double, 1, 1>;
   double sum = 0;
   for (int k = 0; k < 2; ++k)
     for (bool upper : {false, true}) {

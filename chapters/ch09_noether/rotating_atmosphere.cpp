@@ -65,7 +65,7 @@ std::pair<double, double> show_currents(book::Program& program) {
                 "Largest divergence of a current at 400 points of space-time, over its largest size.");
   program.figure("broken", broken, "the relabelling current where the density of the labels varies");
   // The density at a pole is linear in s = M^2/2.
-  Eigen::Matrix<double, 1, 1> const pole(1.0);
+  Matrix<double, 1, 1> const pole(1.0);
   program.figure("emptying", std::sqrt(2 / (1 - Density{1}(pole))), "M at which the poles are empty");
   program.figure("closed", closed, "largest divergence of the currents that are closed");
   return {closed, std::min(broken, no_rotation)};
@@ -99,7 +99,7 @@ std::string profile() {
   auto plot = book::Plot("latitude, degrees", "density over its mean");
   for (double const M : {0.0, 0.8, 1.2, 1.6}) {
     std::vector<double> density;
-    for (double const d : latitude) density.push_back(Density{M * M / 2}(Eigen::Vector2d(std::sin(d * pi / 180), 0)));
+    for (double const d : latitude) density.push_back(Density{M * M / 2}(Vector<double, 2>(std::sin(d * pi / 180), 0)));
     plot.curve(latitude, density, "M = " + number(M));
   }
   return plot.svg();

@@ -22,7 +22,7 @@ struct AboveGround {
 };
 
 Jet<double, 1, 2> jet_with_slope(double a, double b) {
-  Jet<double, 1, 2> j{Event<double, 1>(0, 0), Eigen::Vector2d(0, 1), Eigen::Matrix2d::Zero()};
+  Jet<double, 1, 2> j{Event<double, 1>(0, 0), Vector<double, 2>(0, 1), Matrix<double, 2, 2>::Zero()};
   j.v.col(1) << a, b;
   return j;
 }
@@ -35,9 +35,9 @@ BOOST_AUTO_TEST_CASE(a_string_that_runs_round_a_circle_has_the_tension_of_its_sp
     using T = typename V::Scalar;
     using std::cos, std::sin;
     T const s = x[1] - x[0] * v;
-    return Eigen::Matrix<T, 2, 1>(cos(s), sin(s));
+    return Matrix<T, 2, 1>(cos(s), sin(s));
   };
-  auto const tension = [=]<class V>(V const&) { return Eigen::Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(rho * v * v)); };
+  auto const tension = [=]<class V>(V const&) { return Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(rho * v * v)); };
   HeavyString<double, 2> const string{rho, {0, 0}};
   Inextensible const constraint{Euclidean<2>{}};
   Event<double, 1> const x(0.3, 0.8);
@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(a_director_of_length_zero_is_not_regular) {
 BOOST_AUTO_TEST_CASE(a_constraint_without_a_derivative_says_so) {
   auto const length = constraint<1>([]<class T>(Jet<T, 1, 2> const& j) {
     using std::sqrt;
-    return Eigen::Matrix<T, 1, 1>(T(sqrt(T(j.v(0, 1) * j.v(0, 1) + j.v(1, 1) * j.v(1, 1))) - T(1)));
+    return Matrix<T, 1, 1>(T(sqrt(T(j.v(0, 1) * j.v(0, 1) + j.v(1, 1) * j.v(1, 1))) - T(1)));
   });
   BOOST_CHECK_NO_THROW(require_regular(length, jet_with_slope(0.6, 0.8)));
   BOOST_CHECK_THROW(require_regular(length, jet_with_slope(0, 0)), NoDerivative);
@@ -82,9 +82,9 @@ BOOST_AUTO_TEST_CASE(a_constraint_without_a_derivative_says_so) {
 
 BOOST_AUTO_TEST_CASE(the_augmented_density_refuses_what_its_parts_refuse) {
   AugmentedDensity const density{AboveGround{}, Inextensible{Euclidean<2>{}}};
-  auto const lambda = []<class V>(V const&) { return Eigen::Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(1)); };
+  auto const lambda = []<class V>(V const&) { return Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(1)); };
   auto const at_height = [](double height) {
-    return [height]<class V>(V const& x) { return Eigen::Matrix<typename V::Scalar, 2, 1>(x[1], x[0] + height); };
+    return [height]<class V>(V const& x) { return Matrix<typename V::Scalar, 2, 1>(x[1], x[0] + height); };
   };
   Event<double, 1> const x(0, 0);
   BOOST_CHECK_NO_THROW(euler_lagrange(density, ExtendedSection{at_height(1), lambda}, x));
@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_jet_of_the_extended_bundle_falls_into_its_parts) {
   j.v << 6, 7, 8, 9, 10, 11;
   auto const place = configuration<2>(j);
   auto const lambda = multiplier_part<1>(j);
-  BOOST_TEST(place.y == Eigen::Vector2d(3, 4));
+  BOOST_TEST((place.y == Vector<double, 2>(3, 4)));
   BOOST_TEST(place.v(1, 1) == 9);
   BOOST_TEST(lambda.y[0] == 5);
   BOOST_TEST(lambda.v(0, 1) == 11);

@@ -18,8 +18,8 @@ inline dec50 angle_before_pi(int k) {
 
 /// A random vector of length 1.
 template <int n>
-Eigen::Matrix<dec50, n, 1> direction(Draw& draw) {
-  Eigen::Matrix<dec50, n, 1> v = draw.vector<dec50, Eigen::Matrix<dec50, n, 1>>(n);
+Matrix<dec50, n, 1> direction(Draw& draw) {
+  Matrix<dec50, n, 1> v = draw.vector<dec50, Matrix<dec50, n, 1>>(n);
   return v / dec50(sqrt(v.squaredNorm()));
 }
 

@@ -8,9 +8,9 @@
 namespace actio::laws {
 
 template <class T>
-using AnyVector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+using AnyVector = actio::Matrix<T, Dynamic, 1>;
 template <class T>
-using AnyMatrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+using AnyMatrix = actio::Matrix<T, Dynamic, Dynamic>;
 
 /// The primitives of a group at one scalar, behind virtual functions.
 template <class T>
@@ -65,7 +65,7 @@ using Second = Dual<Dual<S, 1>, 1>;
 /// Any group at the scalars S, First<S> and Second<S>.
 template <Field S>
 struct AnyGroup {
-  static constexpr int dim = Eigen::Dynamic;
+  static constexpr int dim = Dynamic;
   template <class T>
   using Value = AnyMatrix<T>;
 

@@ -83,8 +83,8 @@ class Laws {
   }
 
   /// The residual vanishes: it is at most `allowed` roundings of `scale`.
-  template <class M>
-  void vanishes(std::string const& law, Eigen::MatrixBase<M> const& residual, double scale, double allowed) {
+  template <MatrixLike M>
+  void vanishes(std::string const& law, M const& residual, double scale, double allowed) {
     auto const size = magnitude(residual.eval());
     double measured = 0;
     if (!is_finite(size))
@@ -99,7 +99,7 @@ class Laws {
     findings.push_back({law, regime, measured, is_exact<S> ? 0 : allowed});
   }
   void vanishes(std::string const& law, S const& residual, double scale, double allowed) {
-    vanishes(law, Eigen::Matrix<S, 1, 1>(residual), scale, allowed);
+    vanishes(law, Matrix<S, 1, 1>(residual), scale, allowed);
   }
 
   // Laws over any field.
@@ -215,8 +215,8 @@ class Laws {
     vanishes("restore leaves elements alone", restore(g).value - g.value, size(g) * size(g), 32);
     S const push = ratio<S>(1, 1000000);
     Element<G, S> pushed = g;
-    for (Eigen::Index i = 0; i < pushed.value.rows(); ++i)
-      for (Eigen::Index j = 0; j < pushed.value.cols(); ++j) pushed.value(i, j) += push * draw.number<S>();
+    for (Index i = 0; i < pushed.value.rows(); ++i)
+      for (Index j = 0; j < pushed.value.cols(); ++j) pushed.value(i, j) += push * draw.number<S>();
     auto const back = restore(pushed);
     // Both count the push as the unit of rounding: back by about a push, and off by its square.
     double const unit = to_double(push) / to_double(epsilon<S>());

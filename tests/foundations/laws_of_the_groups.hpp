@@ -34,7 +34,7 @@ void hold(std::string const& name, G const& group, std::vector<Edge<S>> const& e
 /// Coordinates from fractions with the denominator 7, the first shifted by `first`.
 template <class G, class S>
 Coordinates<G, S> coordinates(S const& first, std::initializer_list<int> sevenths) {
-  Coordinates<G, S> v(static_cast<Eigen::Index>(sevenths.size()));
+  Coordinates<G, S> v(static_cast<Index>(sevenths.size()));
   int i = 0;
   for (int k : sevenths) v[i++] = ratio<S>(k, 7);
   v[0] += first;
@@ -48,12 +48,12 @@ S nearly_pi() {
 }
 /// A vector of 3-space with the given length, along (2, -3, 6)/7.
 template <Real S>
-Eigen::Matrix<S, 3, 1> turning(S const& length) {
-  return Eigen::Matrix<S, 3, 1>(ratio<S>(2, 7), ratio<S>(-3, 7), ratio<S>(6, 7)) * length;
+Matrix<S, 3, 1> turning(S const& length) {
+  return Matrix<S, 3, 1>(ratio<S>(2, 7), ratio<S>(-3, 7), ratio<S>(6, 7)) * length;
 }
 inline SpannedGroup spanned_motions() {
   std::vector<SpannedGroup::WholeMatrix> basis;
-  for (int a = 0; a < 6; ++a) basis.push_back(SE<3>::hat(Eigen::Matrix<int, 6, 1>::Unit(a)));
+  for (int a = 0; a < 6; ++a) basis.push_back(SE<3>::hat(Matrix<int, 6, 1>::Unit(a)));
   return SpannedGroup("SE(3) from its span", basis);
 }
 

@@ -22,7 +22,7 @@ Dual<double, N> applied(F const& f, double x, double y, std::array<double, 3> co
 BOOST_AUTO_TEST_SUITE(chord_iteration)
 
 BOOST_AUTO_TEST_CASE(extrapolation_is_exact_on_polynomials_and_harmless_on_noise) {
-  using Vector = Eigen::Matrix<double, 1, 1>;
+  using Vector = Matrix<double, 1, 1>;
   for (int degree = 0; degree <= 4; ++degree) {
     Extrapolation<Vector> sequence;
     auto const term = [degree](int k) { return Vector(std::pow(k / 16.0 + 1, degree)); };
@@ -105,15 +105,15 @@ BOOST_AUTO_TEST_CASE(closed_forms_are_the_series_of_matrices) {
   Draw draw(17);
   for (double const size : {1e-9, 0.3, 1.0, 2.5}) {
     auto const v = (draw.vector<double>(6) * size).eval();
-    Eigen::Matrix4d const a = SO<4>::hat(v);
+    Matrix<double, 4, 4> const a = SO<4>::hat(v);
     BOOST_TEST(magnitude((SO<4>::exp(Coordinates<SO<4>, double>(v)) - matrix_exponential(a)).eval()) < 64 * eps);
     auto const w = (draw.vector<double>(3) * size).eval();
-    Eigen::Matrix2d const b = SL2::hat(w), e = matrix_exponential(b);
+    Matrix<double, 2, 2> const b = SL2::hat(w), e = matrix_exponential(b);
     BOOST_TEST(magnitude((SL2::exp(Coordinates<SL2, double>(w)) - e).eval()) < 64 * eps * magnitude(e));
   }
   // log of SE(3) inverts exp: the inverse of iex in closed form, on both sides of the place where its series ends.
   for (double const angle : {1e-12, 0.1, 0.99, 1.01, 3.1}) {
-    Eigen::Matrix<double, 6, 1> v;
+    Matrix<double, 6, 1> v;
     v << angle * 0.6, -angle * 0.8, 0, 1, -2, 0.5;
     BOOST_TEST(magnitude((SE<3>::log(SE<3>::exp(v)) - v).eval()) < 64 * eps * magnitude(v));
   }

@@ -6,13 +6,13 @@ using namespace actio;
 namespace {
 
 double const eps = epsilon<double>();
-using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
-using Tables = std::vector<Matrix>;
+using Column = actio::Vector<double>;
+using Square = actio::Matrix<double>;
+using Tables = std::vector<Square>;
 
 /// What the primitives of a group make of two velocities, v and w, one after the other.
 template <class G>
-Tables results(G const& group, Vector const& some_v, Vector const& some_w) {
+Tables results(G const& group, Column const& some_v, Column const& some_w) {
   Coordinates<G, double> const v = some_v, w = some_w;
   Storage<G, double> const a = primitive::retract(group, v);
   Tables found = {group.hat(v), group.vee(a), a, primitive::inverse(group, a), primitive::Ad(group, a, w), primitive::bracket(group, v, w)};
@@ -34,7 +34,7 @@ template <class G, class H>
 void agree(std::string const& what, G const& g, H const& h) {
   Draw draw(3);
   for (int k = 0; k < 3; ++k) {
-    Vector const v = draw.vector<double>(g.dimension()), w = draw.vector<double>(g.dimension());
+    Column const v = draw.vector<double>(g.dimension()), w = draw.vector<double>(g.dimension());
     same(what, results(g, v, w), results(h, v, w), 64);
   }
 }
@@ -64,13 +64,13 @@ BOOST_AUTO_TEST_CASE(motions_next_to_half_a_turn_are_as_good_as_those_of_SE3) {
 namespace {
 
 /// The complex matrix ((w + ix, y + iz), (-y + iz, w - ix)) of a quaternion, as a real one: i, j and k become the basis of SU(2) as matrices.
-Matrix matrix_of(Eigen::Vector4d const& q) {
-  Matrix a(4, 4);
+Square matrix_of(actio::Vector<double, 4> const& q) {
+  Square a(4, 4);
   a << q[0], q[2], -q[1], -q[3], -q[2], q[0], -q[3], q[1], q[1], q[3], q[0], q[2], q[3], -q[1], -q[2], q[0];
   return a;
 }
 /// The quaternion (1, v/2) is near 1 in the direction v: half the coordinates.
-Vector halved(Coordinates<SU2, double> const& v) {
+Column halved(Coordinates<SU2, double> const& v) {
   return v / 2;
 }
 

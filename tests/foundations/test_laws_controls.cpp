@@ -17,9 +17,9 @@ struct Spoilt : SE<2> {
   Fault fault = Fault::none;
 
   template <class S>
-  using Matrix = Eigen::Matrix<S, 3, 3>;
+  using Matrix = actio::Matrix<S, 3, 3>;
   template <class S>
-  using Vector = Eigen::Matrix<S, 3, 1>;
+  using Vector = actio::Matrix<S, 3, 1>;
 
   template <class S>
   Matrix<S> identity() const {

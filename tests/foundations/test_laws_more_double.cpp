@@ -9,7 +9,7 @@ namespace {
 
 using laws::from_span;
 using Any = laws::AnyGroup<double>;
-using Matrix = Eigen::MatrixXd;
+using Square = actio::Matrix<double>;
 double const eps = epsilon<double>();
 
 /// The numbers of an error, which must break their bound.
@@ -22,7 +22,7 @@ bool refuses(F const& f) {
   }
   return false;
 }
-Element<Any, double> element(Any const& group, Matrix const& a) { return {group, a}; }
+Element<Any, double> element(Any const& group, Square const& a) { return {group, a}; }
 
 }  // namespace
 
@@ -36,29 +36,29 @@ BOOST_AUTO_TEST_CASE(the_order_of_a_group_is_checked) {
 }
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_in_the_group_has_no_logarithm_and_is_not_restored) {
-  Matrix const two = Matrix::Identity(4, 4) * 2;
-  Matrix off_blocks = Matrix::Identity(4, 4), lying = Matrix::Identity(4, 4), orthogonal = Matrix::Identity(4, 4);
+  Square const two = Square::Identity(4, 4) * 2;
+  Square off_blocks = Square::Identity(4, 4), lying = Square::Identity(4, 4), orthogonal = Square::Identity(4, 4);
   off_blocks(0, 3) = 0.5, lying(3, 0) = 0.5;
   // A turn in the plane of the real and imaginary parts of different coordinates is orthogonal and not complex linear.
   orthogonal.topLeftCorner(2, 2) << 0, -1, 1, 0;
-  auto const all = [&](Any const& group, Matrix const& bad) {
+  auto const all = [&](Any const& group, Square const& bad) {
     BOOST_TEST(refuses([&] { log(element(group, bad)); }));
     BOOST_TEST(refuses([&] { restore(element(group, bad)); }));
   };
   all(Any(U<>(2)), two), all(Any(U<>(2)), orthogonal), all(Any(SU<>(2)), two), all(Any(SL<>(4)), two), all(Any(Sp<>(4)), two), all(Any(Sp<>(4)), off_blocks);
   all(Any(DirectProduct{SL<>(2), SL<>(2)}), off_blocks), all(Any(DirectProduct{SL<>(2), SL<>(2)}), two), all(Any(SemidirectProduct{SL<>(3)}), lying);
   // On U(2), but not on SU(2): a turn of both phases by 1.
-  Matrix phases = Matrix::Identity(4, 4) * std::cos(1);
+  Square phases = Square::Identity(4, 4) * std::cos(1);
   for (int k = 0; k < 2; ++k) phases(2 + k, k) = std::sin(1), phases(k, 2 + k) = -std::sin(1);
   all(Any(SU<>(2)), phases);
-  BOOST_TEST(log(element(Any(U<>(2)), phases)).coordinates.head(2).isApprox(Eigen::Vector2d(1, 1), 16 * eps));
+  BOOST_TEST((log(element(Any(U<>(2)), phases)).coordinates.head(2) - actio::Vector<double, 2>(1, 1)).isZero(16 * eps));
   // A reflection has determinant -1; a singular matrix has none that counts.
-  Matrix reflection = Matrix::Identity(3, 3);
+  Square reflection = Square::Identity(3, 3);
   reflection(0, 0) = -1;
-  all(Any(SL<>(3)), reflection), all(Any(SL<>(3)), Matrix::Zero(3, 3));
+  all(Any(SL<>(3)), reflection), all(Any(SL<>(3)), Square::Zero(3, 3));
   // From a span, where only the algebra is known.
   Any const span(from_span("SU(3)", SU<>(3)));
-  Matrix stretched = Matrix::Identity(6, 6);
+  Square stretched = Square::Identity(6, 6);
   stretched(0, 0) = 1.5;
   all(span, stretched);
   stretched(0, 0) = -3;
@@ -66,9 +66,9 @@ BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_in_the_group_has_no_logarithm_and_is_n
 }
 
 BOOST_AUTO_TEST_CASE(a_logarithm_ends_at_the_negative_axis) {
-  Eigen::VectorXd const half = M_PI * Eigen::VectorXd::Unit(8, 0);
+  actio::Vector<double> const half = M_PI * actio::Vector<double>::Unit(8, 0);
   for (Any const& group : {Any(SU<>(3)), Any(from_span("SU(3)", SU<>(3)))}) BOOST_TEST(refuses([&] { log(exp(velocity(group, half))); }));
-  Matrix negative = Matrix::Identity(4, 4);
+  Square negative = Square::Identity(4, 4);
   negative.diagonal() << -2, 1, -0.5, 1;
   BOOST_TEST(refuses([&] { log(element(Any(Sp<>(4)), negative)); }));
   BOOST_TEST(refuses([&] { log(element(Any(SL<>(4)), negative)); }));
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(a_logarithm_ends_at_the_negative_axis) {
 
 BOOST_AUTO_TEST_CASE(angles_that_add_up_to_a_whole_turn_have_no_logarithm_in_SU3) {
   // 2 and 2 and -4, which is a turn less than 2.28: the principal logarithm has the trace 2 pi i.
-  Eigen::VectorXd v = 2 * Eigen::VectorXd::Unit(8, 0) + 4 * Eigen::VectorXd::Unit(8, 1);
+  actio::Vector<double> v = 2 * actio::Vector<double>::Unit(8, 0) + 4 * actio::Vector<double>::Unit(8, 1);
   for (Any const& group : {Any(SU<>(3)), Any(from_span("SU(3)", SU<>(3)))}) {
     auto const g = exp(velocity(group, v));
     BOOST_TEST(refuses([&] { log(g); }));
@@ -88,10 +88,10 @@ BOOST_AUTO_TEST_CASE(angles_that_add_up_to_a_whole_turn_have_no_logarithm_in_SU3
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused) {
   for (double const bad : {std::nan(""), HUGE_VAL}) {
-    Matrix a = Matrix::Identity(4, 4);
+    Square a = Square::Identity(4, 4);
     a(1, 2) = bad;
     for (Any const& group : {Any(U<>(2)), Any(SU<>(2)), Any(SL<>(4)), Any(Sp<>(4)), Any(DirectProduct{SL<>(2), SL<>(2)}), Any(SemidirectProduct{SL<>(3)})}) {
-      Eigen::VectorXd const v = Eigen::VectorXd::Constant(group.dimension(), bad);
+      actio::Vector<double> const v = actio::Vector<double>::Constant(group.dimension(), bad);
       BOOST_CHECK_THROW(log(element(group, a)), NotFinite);
       BOOST_CHECK_THROW(restore(element(group, a)), NotFinite);
       BOOST_CHECK_THROW(retract(velocity(group, v)), NotFinite);
@@ -99,5 +99,5 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused) {
     }
   }
   // An eigenvalue 4 of the matrix is where Cayley's transform of its half ends.
-  BOOST_CHECK_THROW(retract(velocity(Any(SL<>(3)), Eigen::VectorXd(4 * Eigen::VectorXd::Unit(8, 0)))), Singular);
+  BOOST_CHECK_THROW(retract(velocity(Any(SL<>(3)), actio::Vector<double>(4 * actio::Vector<double>::Unit(8, 0)))), Singular);
 }

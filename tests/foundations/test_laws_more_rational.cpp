@@ -10,39 +10,39 @@ namespace {
 using laws::from_span;
 using Q = rational;
 using Any = laws::AnyGroup<Q>;
-using Matrix = laws::AnyMatrix<Q>;
+using Square = laws::AnyMatrix<Q>;
 
 // By how much a matrix breaks the equations of a group: zero on the group, and exactly there.
 
-Q unitary_defect(Matrix const& a) {
+Q unitary_defect(Square const& a) {
   int const n = static_cast<int>(a.rows()) / 2;
-  Matrix product = a.transpose() * a;
+  Square product = a.transpose() * a;
   product.diagonal().array() -= Q(1);
   Q worst = magnitude(product);
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) worst = std::max({worst, magnitude(Q(a(i, j) - a(n + i, n + j))), magnitude(Q(a(n + i, j) + a(i, n + j)))});
   return worst;
 }
-Q special_unitary_defect(Matrix const& a) {
+Q special_unitary_defect(Square const& a) {
   auto const d = complex_determinant(a);
   return std::max({unitary_defect(a), magnitude(Q(d.re - Q(1))), magnitude(d.im)});
 }
-Q special_linear_defect(Matrix const& a) {
+Q special_linear_defect(Square const& a) {
   return magnitude(Q(determinant_by_elimination(a) - Q(1)));
 }
-Q symplectic_defect(Matrix const& a) {
+Q symplectic_defect(Square const& a) {
   int const n = static_cast<int>(a.rows()) / 2;
-  Matrix form = Matrix::Zero(2 * n, 2 * n);
+  Square form = Square::Zero(2 * n, 2 * n);
   for (int i = 0; i < n; ++i) form(i, n + i) = Q(1), form(n + i, i) = Q(-1);
   return magnitude((a.transpose() * form * a - form).eval());
 }
 
 /// The largest defect among retractions, their products and their inverses.
-Q defect_of_retractions(Any const& group, Q (*defect)(Matrix const&)) {
+Q defect_of_retractions(Any const& group, Q (*defect)(Square const&)) {
   Draw draw(11);
   Q worst(0);
   for (int k = 0; k < 3; ++k) {
-    Matrix const g = draw.element<Q>(group).value, h = draw.element<Q>(group).value;
+    Square const g = draw.element<Q>(group).value, h = draw.element<Q>(group).value;
     worst = std::max({worst, defect(g), defect(group.compose(g, h)), defect(group.inverse(g))});
   }
   return worst;

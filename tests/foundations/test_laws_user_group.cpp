@@ -6,33 +6,33 @@ namespace {
 /// The similarities of the plane, x -> s R x + t. Coordinates (rate of growth, rate of turning, velocity).
 struct Similarities : actio::Matrices<3, 4> {
   template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
-    Eigen::Matrix<typename V::Scalar, 3, 3> a = Eigen::Matrix<typename V::Scalar, 3, 3>::Zero();
+  static auto hat(V const& v) {
+    actio::Matrix<typename V::Scalar, 3, 3> a = actio::Matrix<typename V::Scalar, 3, 3>::Zero();
     a(0, 0) = a(1, 1) = v[0];
     a(1, 0) = v[1], a(0, 1) = -v[1];
     a(0, 2) = v[2], a(1, 2) = v[3];
     return a;
   }
   template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
+  static auto vee(M const& a) {
     using S = typename M::Scalar;
-    return Eigen::Matrix<S, 4, 1>((a(0, 0) + a(1, 1)) / S(2), (a(1, 0) - a(0, 1)) / S(2), a(0, 2), a(1, 2));
+    return actio::Matrix<S, 4, 1>((a(0, 0) + a(1, 1)) / S(2), (a(1, 0) - a(0, 1)) / S(2), a(0, 2), a(1, 2));
   }
 };
 
 /// The similarities with a slip in `vee` that a reader could make.
 struct Slip : Similarities {
   template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
+  static auto vee(M const& a) {
     using S = typename M::Scalar;
-    return Eigen::Matrix<S, 4, 1>((a(0, 0) + a(1, 1)) / S(2), (a(0, 1) - a(1, 0)) / S(2), a(0, 2), a(1, 2));
+    return actio::Matrix<S, 4, 1>((a(0, 0) + a(1, 1)) / S(2), (a(0, 1) - a(1, 0)) / S(2), a(0, 2), a(1, 2));
   }
 };
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_group_written_by_a_reader_keeps_the_laws) {
-  actio::laws::hold<double>("similarities of the plane", Similarities{}, {{Eigen::Vector4d(-1, 2, 3, 4)}});
+  actio::laws::hold<double>("similarities of the plane", Similarities{}, {{actio::Vector<double, 4>(-1, 2, 3, 4)}});
   actio::laws::hold<actio::rational>("similarities of the plane", Similarities{});
 }
 

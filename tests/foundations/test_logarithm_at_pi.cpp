@@ -47,8 +47,8 @@ BOOST_AUTO_TEST_CASE(log_refuses_at_pi) {
     refused += refuses(SO<5>{}, half_a_turn(SO<5>{}, in_a_random_frame<5>(draw, pi, draw.number<dec50>())));
   }
   BOOST_TEST(refused == tried);
-  BOOST_TEST(refuses(SO<4>{}, Eigen::Matrix4d(-Eigen::Matrix4d::Identity())));
-  BOOST_TEST(refuses(SO<3>{}, Eigen::Matrix3d(Eigen::Vector3d(-1, 1, -1).asDiagonal())));
+  BOOST_TEST(refuses(SO<4>{}, Matrix<double, 4, 4>(-Matrix<double, 4, 4>::Identity())));
+  BOOST_TEST(refuses(SO<3>{}, Matrix<double, 3, 3>(Vector<double, 3>(-1, 1, -1).asDiagonal())));
 }
 
 BOOST_AUTO_TEST_CASE(a_refusal_at_pi_is_not_a_refusal_of_everything) {

@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(log_of_quaternions_is_good_to_rounding_up_to_two_pi) {
 
 BOOST_AUTO_TEST_CASE(log_of_a_turn_about_an_axis_is_the_angle_times_the_axis) {
   dec100 const angle = dec100(3), c = cos(angle), s = sin(angle);
-  Eigen::Matrix<dec100, 3, 3> r;
+  Matrix<dec100, 3, 3> r;
   r << c, -s, dec100(0), s, c, dec100(0), dec100(0), dec100(0), dec100(1);
   auto const v = log(Element<SO<3>, dec100>{{}, r}).coordinates;
   BOOST_TEST(to_double(magnitude(Coordinates<SO<3>, dec100>(v - Coordinates<SO<3>, dec100>(dec100(0), dec100(0), angle)))) < 1e-98);

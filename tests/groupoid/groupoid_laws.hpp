@@ -16,7 +16,7 @@ template <MovableGroupoid Gamma, class A>
 BrokenLaw groupoid_laws(Gamma const& gamma, A const& g, A const& h, A const& k) {
   BrokenLaw worst;
   auto const same = [&](std::string law, A const& a, A const& b) {
-    Eigen::VectorXd const left = gamma.entries(a), right = gamma.entries(b);
+    Vector<double> const left = gamma.entries(a), right = gamma.entries(b);
     double const by = (left - right).norm() / (1 + right.norm());
     if (!(by <= worst.by)) worst = {std::move(law), by};
   };

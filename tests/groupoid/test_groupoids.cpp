@@ -19,7 +19,7 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Turn = Element<SO<3>, double>;
 
-Eigen::VectorXd column(Draw& draw, int n) { return draw.vector<double>(n); }
+Vector<double> column(Draw& draw, int n) { return draw.vector<double>(n); }
 
 /// Composition without the change of the vector: it is not associative with the targets.
 struct Forgetful : ActionGroupoid<SO<3>> {
@@ -30,7 +30,7 @@ struct Forgetful : ActionGroupoid<SO<3>> {
 /// The trace Lagrangian of a body with a weight.
 auto const heavy = [](auto const& g) {
   using S = typename std::decay_t<decltype(g)>::Scalar;
-  Eigen::Vector3d const lambda(0.5, 0.8, 1.3);
+  Vector<double, 3> const lambda(0.5, 0.8, 1.3);
   S sum(0);
   for (int i = 0; i < 3; ++i) sum += (S(1) - g.turn.value(i, i)) * S(lambda[i] / 0.1);
   return S(sum - g.vector[2] * S(0.05));
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(laws_hold_on_every_groupoid) {
     Carried const x{a, column(draw, 3)}, y{b, carrying.target(x).value}, z{c, carrying.target(y).value};
     good(groupoid_laws(carrying, x, y, z));
     using Gauged = Arrow<GaugeGroupoid<SO<3>>, double>;
-    Eigen::VectorXd const p = column(draw, 2), q = column(draw, 2), s = column(draw, 2), t = column(draw, 2);
+    Vector<double> const p = column(draw, 2), q = column(draw, 2), s = column(draw, 2), t = column(draw, 2);
     good(groupoid_laws(GaugeGroupoid<SO<3>>{{}, 2}, Gauged{p, q, a}, Gauged{q, s, b}, Gauged{s, t, c}));
   }
 }
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(laws_hold_on_every_groupoid) {
 BOOST_AUTO_TEST_CASE(a_broken_law_is_found) {
   Draw draw(12);
   using Carried = Arrow<ActionGroupoid<SO<3>>, double>;
-  Eigen::VectorXd const v = column(draw, 3);
+  Vector<double> const v = column(draw, 3);
   Carried const x{draw.element<double>(SO<3>{}), v}, y{draw.element<double>(SO<3>{}), v}, z{draw.element<double>(SO<3>{}), v};
   auto const worst = groupoid_laws(Forgetful{}, x, y, z);
   BOOST_TEST(worst.by > 0.01);
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE(a_broken_law_is_found) {
 BOOST_AUTO_TEST_CASE(a_step_solves_the_equation_and_the_generated_map_joins_its_ends) {
   ActionGroupoid<SO<3>> const gamma;
   Draw draw(13);
-  auto const turn = exp(velocity(SO<3>{}, Eigen::Vector3d(0.1, 0.25, -0.2)));
+  auto const turn = exp(velocity(SO<3>{}, Vector<double, 3>(0.1, 0.25, -0.2)));
   Arrow<ActionGroupoid<SO<3>>, double> g{turn, column(draw, 3)};
   for (int k = 0; k < 50; ++k) {
     Arrow<ActionGroupoid<SO<3>>, double> const guess{g.turn, gamma.target(g).value};
@@ -103,11 +103,11 @@ BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
   ActionGroupoid<SO<3>> const gamma;
   Draw draw(15);
   Arrow<ActionGroupoid<SO<3>>, double> const guess{identity<double>(SO<3>{}), column(draw, 3)};
-  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Eigen::Vector3d(1, std::nan(""), 0), guess), NotFinite);
+  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(1, std::nan(""), 0), guess), NotFinite);
   // More momentum than any turn can take up: the trace Lagrangian is bounded.
-  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Eigen::Vector3d(0, 0, 1000), guess), Error);
+  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(0, 0, 1000), guess), Error);
   auto const flat = [](auto const& g) { return g.turn.value(0, 0) * 0; };
-  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, flat, Eigen::Vector3d(1, 0, 0), guess), Singular);
+  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, flat, Vector<double, 3>(1, 0, 0), guess), Singular);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -9,8 +9,8 @@
 #include "actio/reduction/natural_chart.hpp"
 
 using namespace actio;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
+using Matrix3d = actio::Matrix<double, 3, 3>;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
@@ -46,14 +46,14 @@ BOOST_AUTO_TEST_CASE(a_gyrostat_moves_as_somebody_elses_code_says) {
   auto const l = gyrostat();
   auto const pi = some_momentum();
   double const t = 5;
-  auto const rates = [&](double, Eigen::Vector4d const& y) {
+  auto const rates = [&](double, Vector<double, 4> const& y) {
     auto const m = momentum(SO<3>{}, Vector3d(y.head<3>()));
     Vector3d const w = l.inverse_a * (m.components - l.b);
-    Eigen::Vector4d rate;
+    Vector<double, 4> rate;
     rate << cross(m.components, w), m.components.dot(w) - l(m);
     return rate;
   };
-  Eigen::Vector4d start;
+  Vector<double, 4> start;
   start << pi.components, 0;
   auto const end = reference_solution(rates, start, 0, t);
   auto const motion = free_motion_left(l, pi, t);
@@ -97,8 +97,8 @@ BOOST_AUTO_TEST_CASE(odd_terms_vanish_and_the_first_even_one_is_the_square_of_th
   // Over the rationals, on the affine group of the line, with a linear term.
   Draw draw(3);
   Aff1 const group;
-  using Matrix2 = Eigen::Matrix<rational, 2, 2>;
-  using Vector2 = Eigen::Matrix<rational, 2, 1>;
+  using Matrix2 = Matrix<rational, 2, 2>;
+  using Vector2 = Matrix<rational, 2, 1>;
   Matrix2 m;
   for (int i = 0; i < 4; ++i) m(i) = draw.number<rational>() / 4;
   QuadraticLagrangian<Aff1, rational> const l(group, Matrix2(Matrix2::Identity() + m * m.transpose()), draw.momentum<rational>(group).components);

@@ -18,7 +18,7 @@ struct Sphere {
   auto operator()(V const& y) const {
     using std::sin;
     using T = typename V::Scalar;
-    Eigen::Matrix<T, 2, 2> g = Eigen::Matrix<T, 2, 2>::Identity();
+    Matrix<T, 2, 2> g = Matrix<T, 2, 2>::Identity();
     g(1, 1) = sin(y[0]) * sin(y[0]);
     return g;
   }
@@ -28,18 +28,18 @@ struct Meridians {
   template <class V>
   auto operator()(V const&) const {
     using T = typename V::Scalar;
-    return Eigen::Matrix<T, 2, 1>(T(0.0), T(1.0));
+    return Matrix<T, 2, 1>(T(0.0), T(1.0));
   }
 };
 auto const rotation = [](auto const& at) {
   using T = typename std::remove_cvref_t<decltype(at)>::Scalar;
-  return Eigen::Matrix<T, 2, 1>(T(-at[2]), T(at[1]));
+  return Matrix<T, 2, 1>(T(-at[2]), T(at[1]));
 };
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_plane_rotates_with_the_pressure_of_a_paraboloid) {
-  Eigen::Vector3d const at(0.4, 0.8, -0.3);
+  Vector<double, 3> const at(0.4, 0.8, -0.3);
   BOOST_TEST((eulerian_acceleration(Euclidean<2>{}, rotation, at) + at.tail<2>()).norm() == 0);
   BOOST_TEST(divergence(Euclidean<2>{}, rotation, at) == 0);
   // p = |y|^2/2 has Laplacian 2.
@@ -53,9 +53,9 @@ BOOST_AUTO_TEST_CASE(the_plane_rotates_with_the_pressure_of_a_paraboloid) {
 
 BOOST_AUTO_TEST_CASE(the_sphere_rotates_with_a_pressure_that_feels_its_curvature) {
   double const theta = 0.7;
-  Eigen::Vector3d const at(0, theta, 1.1);
+  Vector<double, 3> const at(0, theta, 1.1);
   // Down the meridian the particles turn with -sin cos; p = sin^2/2.
-  Eigen::Vector2d const acceleration = eulerian_acceleration(Sphere{}, Meridians{}, at);
+  Vector<double, 2> const acceleration = eulerian_acceleration(Sphere{}, Meridians{}, at);
   BOOST_TEST(std::abs(acceleration[0] + std::sin(theta) * std::cos(theta)) < 8 * eps);
   auto const p = [](auto const& y) {
     using std::sin;
@@ -64,20 +64,20 @@ BOOST_AUTO_TEST_CASE(the_sphere_rotates_with_a_pressure_that_feels_its_curvature
   BOOST_TEST((acceleration + gradient(Sphere{}, p, at)).norm() < 8 * eps);
   BOOST_TEST(std::abs(pressure_source(Sphere{}, Meridians{}, at) - laplacian(Sphere{}, p, at)) < 64 * eps);
   // Ricci's tensor of the unit sphere is its metric.
-  BOOST_TEST((ricci_tensor(Sphere{}, Eigen::Vector2d(theta, 1.1)) - Sphere{}(Eigen::Vector2d(theta, 1.1))).cwiseAbs().maxCoeff() < 64 * eps);
+  BOOST_TEST((ricci_tensor(Sphere{}, Vector<double, 2>(theta, 1.1)) - Sphere{}(Vector<double, 2>(theta, 1.1))).cwiseAbs().maxCoeff() < 64 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(at_the_pole_polar_coordinates_have_no_inverse_metric) {
-  BOOST_CHECK_THROW(eulerian_acceleration(Sphere{}, Meridians{}, Eigen::Vector3d(0, 0, 0)), Singular);
+  BOOST_CHECK_THROW(eulerian_acceleration(Sphere{}, Meridians{}, Vector<double, 3>(0, 0, 0)), Singular);
 }
 
 BOOST_AUTO_TEST_CASE(the_bracket_of_translation_and_rotation_is_a_translation) {
-  auto const turn = [](auto const& y) { return (Eigen::Matrix<typename std::remove_cvref_t<decltype(y)>::Scalar, 2, 1>() << -y[1], y[0]).finished(); };
+  auto const turn = [](auto const& y) { return (Matrix<typename std::remove_cvref_t<decltype(y)>::Scalar, 2, 1>() << -y[1], y[0]).finished(); };
   auto const shift = [](auto const& y) {
     using T = typename std::remove_cvref_t<decltype(y)>::Scalar;
-    return Eigen::Matrix<T, 2, 1>(T(1.0), T(0.0));
+    return Matrix<T, 2, 1>(T(1.0), T(0.0));
   };
-  Eigen::Vector2d const bracket = diffeomorphism_bracket(turn, shift)(Eigen::Vector2d(0.3, 0.4));
+  Vector<double, 2> const bracket = diffeomorphism_bracket(turn, shift)(Vector<double, 2>(0.3, 0.4));
   BOOST_TEST(bracket[0] == 0);
   BOOST_TEST(bracket[1] == 1);
 }
@@ -87,16 +87,16 @@ BOOST_AUTO_TEST_CASE(the_motion_alone_tells_the_slope_of_the_pressure) {
   auto const stretch = [](auto const& x) {
     using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
     T const a = x[0] + 1.0;
-    return Eigen::Matrix<T, 2, 1>(T(x[1] * a), T(x[2] / a));
+    return Matrix<T, 2, 1>(T(x[1] * a), T(x[2] / a));
   };
   auto const fluid = incompressible(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{1}, NoStoredEnergy{}});
-  auto const slope = required_pressure_gradient(fluid, second_jet(stretch, Eigen::Vector3d(1, 0.5, 0.8)));
+  auto const slope = required_pressure_gradient(fluid, second_jet(stretch, Vector<double, 3>(1, 0.5, 0.8)));
   // a'' = 0 and (1/a)'' = 2/a^3 = 1/4: the force on x2 alone, -x2/4 through F = 1/2.
   BOOST_TEST(std::abs(slope[0]) < 8 * eps);
   BOOST_TEST(std::abs(slope[1] + 0.1) < 8 * eps);
   auto const flat = [](auto const& x) {
     using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
-    return Eigen::Matrix<T, 2, 1>(T(x[1]), T(x[1] * 2.0));
+    return Matrix<T, 2, 1>(T(x[1]), T(x[1] * 2.0));
   };
-  BOOST_CHECK_THROW(required_pressure_gradient(fluid, second_jet(flat, Eigen::Vector3d(1, 0.5, 0.8))), NotOrientationPreserving);
+  BOOST_CHECK_THROW(required_pressure_gradient(fluid, second_jet(flat, Vector<double, 3>(1, 0.5, 0.8))), NotOrientationPreserving);
 }

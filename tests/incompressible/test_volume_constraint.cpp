@@ -12,19 +12,19 @@ using Flat = Euclidean<2>;
 VolumeConstraint<Flat, Flat> const volume_kept{};
 
 /// The jet of a linear map at rest.
-Jet<double, 2, 2> jet_of(Eigen::Matrix2d const& F, Eigen::Vector2d const& velocity = Eigen::Vector2d::Zero()) {
-  Jet<double, 2, 2> j{{0, 0.3, -0.2}, F * Eigen::Vector2d(0.3, -0.2), {}};
+Jet<double, 2, 2> jet_of(Matrix<double, 2, 2> const& F, Vector<double, 2> const& velocity = Vector<double, 2>::Zero()) {
+  Jet<double, 2, 2> j{{0, 0.3, -0.2}, F * Vector<double, 2>(0.3, -0.2), {}};
   j.v << velocity, F;
   return j;
 }
-Eigen::Matrix2d matrix(double a, double b, double c, double d) { return (Eigen::Matrix2d() << a, b, c, d).finished(); }
+Matrix<double, 2, 2> matrix(double a, double b, double c, double d) { return (Matrix<double, 2, 2>() << a, b, c, d).finished(); }
 
 auto const fluid = incompressible(Continuum{Flat{}, Flat{}, Homogeneous<double>{2}, NoStoredEnergy{}});
 
 /// A jet of the extended bundle over a linear map with pressure.
-Jet<double, 2, 3> with_multiplier(Eigen::Matrix2d const& F, double lambda) {
+Jet<double, 2, 3> with_multiplier(Matrix<double, 2, 2> const& F, double lambda) {
   auto const below = jet_of(F, {0.5, 1.5});
-  Jet<double, 2, 3> j{below.x, {below.y[0], below.y[1], lambda}, Eigen::Matrix<double, 3, 3>::Zero()};
+  Jet<double, 2, 3> j{below.x, {below.y[0], below.y[1], lambda}, Matrix<double, 3, 3>::Zero()};
   j.v.topRows<2>() = below.v;
   return j;
 }
@@ -33,7 +33,7 @@ Jet<double, 2, 3> with_multiplier(Eigen::Matrix2d const& F, double lambda) {
 struct Indefinite {
   template <class V>
   auto operator()(V const&) const {
-    Eigen::Matrix<typename V::Scalar, 2, 2> g = Eigen::Matrix<typename V::Scalar, 2, 2>::Identity();
+    Matrix<typename V::Scalar, 2, 2> g = Matrix<typename V::Scalar, 2, 2>::Identity();
     g(1, 1) = typename V::Scalar(-1.0);
     return g;
   }
@@ -56,7 +56,7 @@ BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_or_flattened_is_refused_with_its_v
     BOOST_TEST(std::string(error.what()).find("volume constraint") != std::string::npos);
   }
   BOOST_CHECK_THROW(momenta(fluid, with_multiplier(matrix(1, 2, 2, 4), 1)), NotOrientationPreserving);
-  BOOST_CHECK_THROW(legendre(fluid, with_multiplier(Eigen::Matrix2d::Zero(), 1)), NotOrientationPreserving);
+  BOOST_CHECK_THROW(legendre(fluid, with_multiplier(Matrix<double, 2, 2>::Zero(), 1)), NotOrientationPreserving);
   BOOST_CHECK_THROW(incompressible_momenta(fluid, with_multiplier(matrix(1, 0, 0, -2), 1)), NotOrientationPreserving);
 }
 
@@ -69,12 +69,12 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_none_and_metrics_that_are_none_are_refused
 
 BOOST_AUTO_TEST_CASE(the_constraint_is_regular_where_the_volume_is_positive_and_not_where_all_is_flat) {
   BOOST_CHECK_NO_THROW(require_regular(volume_kept, jet_of(matrix(1, 3, 0, 1))));
-  BOOST_CHECK_THROW(require_regular(volume_kept, jet_of(Eigen::Matrix2d::Zero())), NotRegular);
+  BOOST_CHECK_THROW(require_regular(volume_kept, jet_of(Matrix<double, 2, 2>::Zero())), NotRegular);
 }
 
 BOOST_AUTO_TEST_CASE(the_pressure_of_the_multiplier_pushes_outwards) {
   // A square of fluid at rest under pressure 5: the momenta of space are the pressure times the normals' areas.
-  auto const z = legendre(fluid, with_multiplier(Eigen::Matrix2d::Identity(), 5));
+  auto const z = legendre(fluid, with_multiplier(Matrix<double, 2, 2>::Identity(), 5));
   BOOST_TEST(z.p(0, 1) == 5);
   BOOST_TEST(z.p(1, 2) == 5);
   BOOST_TEST(z.p(0, 2) == 0);

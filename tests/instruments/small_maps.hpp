@@ -62,7 +62,7 @@ auto chart_lagrangian(FreeBody<G> const& body, T const& h) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
     auto const eta = log(f).coordinates;
     S sum(0);
-    for (Eigen::Index a = 0; a < eta.size(); ++a) sum += eta[a] * eta[a] * Base<S>(body.inertia[a]);
+    for (Index a = 0; a < eta.size(); ++a) sum += eta[a] * eta[a] * Base<S>(body.inertia[a]);
     return S(sum / (S(2) * S(h)));
   };
 }

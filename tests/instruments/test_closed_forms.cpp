@@ -13,7 +13,7 @@
 
 using namespace actio;
 using namespace actio::testing;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
@@ -23,10 +23,10 @@ auto const pi = momentum(SO<3>{}, Vector3d(0.75, -1.25, 0.5));
 
 // A point of T*R^2.
 using Plane = Translations<2>;
-Costate<Plane, double> const q_and_p{{{}, Eigen::Vector2d(0.3, -0.2)}, {{}, Eigen::Vector2d(1.5, 0.75)}};
+Costate<Plane, double> const q_and_p{{{}, Vector<double, 2>(0.3, -0.2)}, {{}, Vector<double, 2>(1.5, 0.75)}};
 
 // p goes to p + K q.
-auto kick(Eigen::Matrix2d const& k) {
+auto kick(Matrix<double, 2, 2> const& k) {
   return [k](auto const& x) {
     auto y = x;
     for (int i = 0; i < 2; ++i)
@@ -45,7 +45,7 @@ auto const turned_round = [](auto const& mu) { return -mu; };
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_linear_canonical_map_has_no_defect) {
-  Eigen::Matrix2d symmetric;
+  Matrix<double, 2, 2> symmetric;
   symmetric << 2, -1, -1, 3;
   auto const map = kick(symmetric);
   BOOST_TEST(symplectic_defect(CotangentBundle{}, map, q_and_p) == 0);
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(a_linear_canonical_map_has_no_defect) {
 }
 
 BOOST_AUTO_TEST_CASE(a_force_with_a_curl_has_the_defect_of_its_curl) {
-  Eigen::Matrix2d k;
+  Matrix<double, 2, 2> k;
   k << 2, -1, 0.5, 3;
   // The sizes: 1 for places, |p| for momenta. Omega has four entries |p|, the defect two entries K_12 - K_21.
   double const p = q_and_p.momentum.components.norm(), curl = 1.5;
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(a_way_across_the_spheres_has_the_slope_it_leaves_them_with)
 }
 
 BOOST_AUTO_TEST_CASE(explicit_euler_is_undone_up_to_the_square_of_the_step) {
-  auto const x = momentum(Translations<1>{}, Eigen::Matrix<double, 1, 1>(3.0));
+  auto const x = momentum(Translations<1>{}, Matrix<double, 1, 1>(3.0));
   auto const euler = [](double h, auto const& y) { return y + h * y; };
   BOOST_TEST(std::abs(self_adjointness_defect(LiePoissonPlus{}, euler, 0.25, x) - 0.0625) < 2 * eps);
   BOOST_TEST(self_adjointness_defect(

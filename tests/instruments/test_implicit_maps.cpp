@@ -8,7 +8,7 @@
 
 using namespace actio;
 using namespace actio::testing;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Vector6d = Matrix<double, 6, 1>;
 
 namespace {
 
@@ -30,7 +30,7 @@ auto const f = exp(velocity(SE<3>{}, Vector6d{{0.1, -0.2, 0.15, 0.4, 0.1, 0.3}})
 
 // The tangent in natural coordinates.
 template <class At>
-Eigen::MatrixXd natural(At const& at) {
+Matrix<double> natural(At const& at) {
   return at.sizes.asDiagonal() * at.tangent * at.sizes.cwiseInverse().asDiagonal();
 }
 
@@ -45,7 +45,7 @@ auto const by_update = [](auto const& x) {
 
 BOOST_AUTO_TEST_CASE(both_ways_have_the_tangent_of_the_equation) {
   auto const next = by_solver(f);
-  Eigen::MatrixXd const expected = euler_poincare_tangent_left(l, f, next);
+  Matrix<double> const expected = euler_poincare_tangent_left(l, f, next);
   // The equation is solved to 16 epsilon of a motion, and a second derivative is inverted whose entries differ as the inertia does, sixfold.
   double const room = 16 * 6 * 6 * eps * magnitude(expected);
   RelativeMotionsLeft const space(l);

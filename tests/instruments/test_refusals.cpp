@@ -11,7 +11,7 @@
 #include "actio/variational/momentum_map.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
@@ -87,8 +87,8 @@ BOOST_AUTO_TEST_CASE(a_map_to_no_number_is_refused) {
 
 BOOST_AUTO_TEST_CASE(a_momentum_of_the_wrong_length_is_refused) {
   auto const group = plane_turns();
-  Momentum<SpannedGroup, double> const short_of_one{group, Eigen::VectorXd::Zero(0)}, one_too_many{group, Eigen::VectorXd::Ones(2)},
-      right{group, Eigen::VectorXd::Ones(1)};
+  Momentum<SpannedGroup, double> const short_of_one{group, Vector<double>::Zero(0)}, one_too_many{group, Vector<double>::Ones(2)},
+      right{group, Vector<double>::Ones(1)};
   BOOST_TEST(poisson_defect(momenta, stay, right) == 0);
   BOOST_CHECK_THROW(poisson_defect(momenta, stay, short_of_one), OutsideDomain);
   BOOST_CHECK_EXCEPTION(poisson_defect(momenta, stay, one_too_many), OutsideDomain,

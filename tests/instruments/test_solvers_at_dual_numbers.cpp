@@ -13,7 +13,7 @@
 
 using namespace actio;
 using namespace actio::testing;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 constexpr double h = 0.25;

@@ -12,10 +12,10 @@
 
 using namespace actio;
 using namespace actio::testing;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 BOOST_AUTO_TEST_CASE(metres_and_kibimetres_give_the_same_defects) {
-  using Vector6d = Eigen::Matrix<double, 6, 1>;
+  using Vector6d = Matrix<double, 6, 1>;
   SE<3> const space;
   Vector6d const inertia{{2, 5, 6, 1, 3, 4}}, m{{0.4, -0.9, 0.7, 1.1, 0.3, -0.6}};
   Vector6d const where{{0.3, 0.2, -0.5, 1.0, -2.0, 0.5}}, ahead{{0.1, -0.2, 0.15, 0.4, 0.1, 0.3}};

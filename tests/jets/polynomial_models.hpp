@@ -14,7 +14,7 @@ struct Motion {
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 2, 1> y;
+    Matrix<T, 2, 1> y;
     y << x[1] + x[0] * x[2] * x[1] / 3, x[2] * 2 + x[1] * x[1] * x[0] / 5 - x[0] * x[0];
     return y;
   }
@@ -31,14 +31,14 @@ struct Density {
 
 /// A point that no coordinate of is zero.
 template <class S>
-Eigen::Matrix<S, 3, 1> event() {
+Matrix<S, 3, 1> event() {
   return {ratio<S>(1, 3), ratio<S>(-1, 7), ratio<S>(2, 5)};
 }
 
 /// A 2-form on 4-space with coefficients of second degree.
 struct TwoForm {
   template <class S>
-  S operator()(Eigen::Matrix<S, 4, 1> const& at, Tangents<S, 4, 2> const& V) const {
+  S operator()(Matrix<S, 4, 1> const& at, Tangents<S, 4, 2> const& V) const {
     auto const minor = [&V](int i, int k) { return S(V(i, 0) * V(k, 1) - V(i, 1) * V(k, 0)); };
     return minor(0, 1) * at[2] * at[3] + minor(1, 3) * at[0] * at[1] - minor(0, 2) * at[3] * at[3] + minor(2, 3) * at[1];
   }

@@ -35,14 +35,14 @@ S by_hand(int k) {
 template <class S>
 S by_rule(int k, int degree) {
   auto const b = box<S>();
-  return integral([k](Eigen::Matrix<S, 2, 1> const& x) { return S(power(x[0], k) * power(x[1], k)); }, b.low, b.high, degree);
+  return integral([k](Matrix<S, 2, 1> const& x) { return S(power(x[0], k) * power(x[1], k)); }, b.low, b.high, degree);
 }
 
 /// A section over one space dimension.
 struct Line {
   template <class V>
   auto operator()(V const& x) const {
-    return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[0] * x[1] + x[0], x[1] * x[1] - x[0] * 2);
+    return Matrix<ScalarOf<V>, 2, 1>(x[0] * x[1] + x[0], x[1] * x[1] - x[0] * 2);
   }
 };
 
@@ -51,7 +51,7 @@ struct Tilt {
   template <class V>
   auto operator()(V const& p) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 4, 1> rate;
+    Matrix<T, 4, 1> rate;
     rate << p[0] * p[1], p[0] - p[1] * 2, p[2] * p[1] + p[3], p[0] * p[0] - p[2];
     return rate;
   }
@@ -62,9 +62,9 @@ template <class S>
 auto tilted(S const& amount) {
   return [amount]<class V>(V const& x) {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 4, 1> point;
+    Matrix<T, 4, 1> point;
     point << x, Line{}(x);
-    Eigen::Matrix<T, 4, 1> const rate = Tilt{}(point);
+    Matrix<T, 4, 1> const rate = Tilt{}(point);
     for (int i = 0; i < 4; ++i) point[i] += rate[i] * T(amount);
     return point;
   };
@@ -88,31 +88,31 @@ BOOST_AUTO_TEST_CASE(quadrature_is_exact_to_its_degree_and_not_one_beyond) {
 
 BOOST_AUTO_TEST_CASE(boundary_integrals_obey_stokes) {
   // On boxes of two and of three dimensions, with coefficients of second degree.
-  auto const line = []<class S>(Eigen::Matrix<S, 2, 1> const& x, Tangents<S, 2, 1> const& V) { return S(x[0] * x[1] * V(0, 0) + (x[0] * x[0] - x[1]) * V(1, 0)); };
-  auto const d_line = [&](Eigen::Matrix<Q, 2, 1> const& x) { return exterior_derivative(line)(x, Tangents<Q, 2, 2>(Tangents<Q, 2, 2>::Identity())); };
+  auto const line = []<class S>(Matrix<S, 2, 1> const& x, Tangents<S, 2, 1> const& V) { return S(x[0] * x[1] * V(0, 0) + (x[0] * x[0] - x[1]) * V(1, 0)); };
+  auto const d_line = [&](Matrix<Q, 2, 1> const& x) { return exterior_derivative(line)(x, Tangents<Q, 2, 2>(Tangents<Q, 2, 2>::Identity())); };
   auto const b = box<Q>();
   Q const through = boundary_integral(line, b, 2);
   BOOST_TEST(through == integral(d_line, b.low, b.high, 2));
   BOOST_TEST(through != 0);
-  auto const surface = []<class S>(Eigen::Matrix<S, 3, 1> const& x, Tangents<S, 3, 2> const& V) {
-    Eigen::Matrix<S, 3, 3> m;
-    m << Eigen::Matrix<S, 3, 1>(x[0] * x[1], x[1] * x[1] + x[2], x[2] * x[0] + x[1]), V;
+  auto const surface = []<class S>(Matrix<S, 3, 1> const& x, Tangents<S, 3, 2> const& V) {
+    Matrix<S, 3, 3> m;
+    m << Matrix<S, 3, 1>(x[0] * x[1], x[1] * x[1] + x[2], x[2] * x[0] + x[1]), V;
     return determinant(m);
   };
-  auto const d_surface = [&](Eigen::Matrix<Q, 3, 1> const& x) { return exterior_derivative(surface)(x, Tangents<Q, 3, 3>(Tangents<Q, 3, 3>::Identity())); };
+  auto const d_surface = [&](Matrix<Q, 3, 1> const& x) { return exterior_derivative(surface)(x, Tangents<Q, 3, 3>(Tangents<Q, 3, 3>::Identity())); };
   Box<Q, 2> const cube{{Q(0), ratio<Q>(-1, 3), ratio<Q>(1, 5)}, {Q(1), Q(2), Q(3)}};
   BOOST_TEST(boundary_integral(surface, cube, 2) == integral(d_surface, cube.low, cube.high, 2));
 }
 
 BOOST_AUTO_TEST_CASE(the_action_of_a_straight_motion_is_that_of_its_speed) {
   auto const kinetic = []<class T>(Jet<T, 1, 1> const& j) { return T(j.v(0, 0) * j.v(0, 0) / 2); };
-  auto const uniform = [](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * 3 + x[1]); };
+  auto const uniform = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * 3 + x[1]); };
   // 9/2 times the area 2 x 5/3.
   BOOST_TEST(action(kinetic, uniform, box<Q>(), 0) == Q(15));
 }
 
 BOOST_AUTO_TEST_CASE(a_section_that_is_not_tilted_has_its_own_jets_and_action) {
-  Eigen::Matrix<Q, 2, 1> const x(ratio<Q>(1, 3), ratio<Q>(1, 2));
+  Matrix<Q, 2, 1> const x(ratio<Q>(1, 3), ratio<Q>(1, 2));
   auto const at_rest = tilted_jet(tilted(Q(0)), x);
   auto const j = first_jet(Line{}, x);
   BOOST_TEST((at_rest.jet.v == j.v));
@@ -122,15 +122,15 @@ BOOST_AUTO_TEST_CASE(a_section_that_is_not_tilted_has_its_own_jets_and_action) {
 
 BOOST_AUTO_TEST_CASE(a_tilted_section_has_the_jets_of_the_section_it_makes) {
   // t and x exchanged for u: x = (2u + w, w - u), and the section y = (t x, t + x^2) written on it.
-  auto const straight = [](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 2, 1>(x[0] * x[1], x[0] + x[1] * x[1]); };
+  auto const straight = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 2, 1>(x[0] * x[1], x[0] + x[1] * x[1]); };
   auto const map = [&]<class V>(V const& u) {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 2, 1> const x(u[0] * 2 + u[1], u[1] - u[0]);
-    Eigen::Matrix<T, 4, 1> point;
+    Matrix<T, 2, 1> const x(u[0] * 2 + u[1], u[1] - u[0]);
+    Matrix<T, 4, 1> point;
     point << x, straight(x);
     return point;
   };
-  Eigen::Matrix<Q, 2, 1> const u(ratio<Q>(1, 3), ratio<Q>(1, 2));
+  Matrix<Q, 2, 1> const u(ratio<Q>(1, 3), ratio<Q>(1, 2));
   auto const tilted = tilted_jet(map, u);
   BOOST_TEST((tilted.jet.v == first_jet(straight, tilted.jet.x).v));
   BOOST_TEST(tilted.stretch == 3);
@@ -149,11 +149,11 @@ BOOST_AUTO_TEST_CASE(the_variation_of_the_action_is_the_limit_of_its_differences
 BOOST_AUTO_TEST_CASE(the_variation_of_the_action_is_exact_over_the_rationals) {
   // The derivative of a polynomial that a second computation finds term by term: the bulk and the boundary.
   auto const b = box<Q>();
-  auto const bulk = [](Eigen::Matrix<Q, 2, 1> const& x) {
+  auto const bulk = [](Matrix<Q, 2, 1> const& x) {
     auto const j = second_jet(Line{}, x);
     return Q(euler_lagrange(Density{}, j).dot(vertical_part<Q, 1, 2>(j, Tilt{}(point_of<Q, 1, 2>(j)))));
   };
-  auto const current = []<class S>(Eigen::Matrix<S, 2, 1> const& x, Tangents<S, 2, 1> const& V) {
+  auto const current = []<class S>(Matrix<S, 2, 1> const& x, Tangents<S, 2, 1> const& V) {
     auto const j = first_jet(Line{}, x);
     auto const B = boundary_current(Density{}, j, Tilt{}(point_of(j)));
     return S(B[0] * V(1, 0) - B[1] * V(0, 0));
@@ -162,9 +162,9 @@ BOOST_AUTO_TEST_CASE(the_variation_of_the_action_is_exact_over_the_rationals) {
 }
 
 BOOST_AUTO_TEST_CASE(a_map_that_covers_no_embedding_is_refused) {
-  Eigen::Matrix<double, 2, 1> const x(0.25, 0.5);
+  Matrix<double, 2, 1> const x(0.25, 0.5);
   auto const reflected = []<class V>(V const& u) {
-    Eigen::Matrix<ScalarOf<V>, 4, 1> point;
+    Matrix<ScalarOf<V>, 4, 1> point;
     point << -u[0], u[1], u[0], u[1];
     return point;
   };

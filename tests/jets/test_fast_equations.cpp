@@ -13,11 +13,11 @@ template <class S, int n>
 SecondJet<S, n, n> second_jet_near_rest(Draw& draw) {
   SecondJet<S, n, n> j;
   j.x = draw.vector<S, Event<S, n>>(n + 1);
-  j.y = draw.vector<S, Eigen::Matrix<S, n, 1>>(n);
+  j.y = draw.vector<S, Matrix<S, n, 1>>(n);
   for (int mu = 0; mu <= n; ++mu) {
-    j.v.col(mu) = draw.vector<S, Eigen::Matrix<S, n, 1>>(n) * ratio<S>(1, 5);
+    j.v.col(mu) = draw.vector<S, Matrix<S, n, 1>>(n) * ratio<S>(1, 5);
     if (mu > 0) j.v(mu - 1, mu) += S(1);
-    for (int nu = 0; nu <= mu; ++nu) j.w[mu].col(nu) = draw.vector<S, Eigen::Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
+    for (int nu = 0; nu <= mu; ++nu) j.w[mu].col(nu) = draw.vector<S, Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
   }
   return j;
 }
@@ -25,7 +25,7 @@ SecondJet<S, n, n> second_jet_near_rest(Draw& draw) {
 /// A law that the library has no derivatives of, and that is not isotropic: fibres along the first axis.
 struct Fibres {
   template <class T, int n>
-  T operator()(Eigen::Matrix<T, n, n> const& C) const {
+  T operator()(Matrix<T, n, n> const& C) const {
     T const stretch = C(0, 0) - Base<T>(1);
     return stretch * stretch * stretch / Base<T>(7) + C.trace() * C(0, n - 1) + C(0, 0) / C(n - 1, n - 1) + C(n - 1, 0) * C(n - 1, 0);
   }
@@ -40,9 +40,9 @@ void agree(Energy const& energy, char const* name) {
     auto const fast = elastic_equation(medium, j);
     auto const general = euler_lagrange(medium, j), by_terms = euler_lagrange_by_terms(medium, j);
     // Both sum some hundred products of moderate numbers, of which logarithms and inverse powers of J, not far from 1, are the largest.
-    S const gap = magnitude(Eigen::Matrix<S, n, 1>(fast - general)), bound = S(500) * epsilon<S>() * (S(1) + magnitude(general));
+    S const gap = magnitude(Matrix<S, n, 1>(fast - general)), bound = S(500) * epsilon<S>() * (S(1) + magnitude(general));
     BOOST_TEST((gap <= bound), name << ", n = " << n << ": " << to_double(gap) << " over " << to_double(bound));
-    S const between = magnitude(Eigen::Matrix<S, n, 1>(general - by_terms));
+    S const between = magnitude(Matrix<S, n, 1>(general - by_terms));
     BOOST_TEST((between <= bound), name << ", n = " << n << ", one evaluation and term by term: " << to_double(between) << " over " << to_double(bound));
     BOOST_TEST((magnitude(general) > ratio<S>(1, 100)), name << ", n = " << n << ": the equation says something");
   }

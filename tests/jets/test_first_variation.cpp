@@ -15,18 +15,18 @@ using Q = rational;
 struct One {
   template <class V>
   auto operator()(V const& x) const {
-    return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[0] * x[0] - x[1] * x[2], x[2] * x[2] * x[0] + x[1]);
+    return Matrix<ScalarOf<V>, 2, 1>(x[0] * x[0] - x[1] * x[2], x[2] * x[2] * x[0] + x[1]);
   }
 };
 struct Other {
   template <class V>
   auto operator()(V const& x) const {
-    return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1] + x[2] * x[2], x[0] * x[1] - x[0] * x[0] * 3);
+    return Matrix<ScalarOf<V>, 2, 1>(x[1] + x[2] * x[2], x[0] * x[1] - x[0] * x[0] * 3);
   }
 };
 
 auto current_of = []<class V, class W>(V const& v, W const& w) {
-  return [v, w]<class T>(Eigen::Matrix<T, 3, 1> const& x) { return multisymplectic_current(Density{}, first_jet(Motion{}, x), first_jet(v, x), first_jet(w, x)); };
+  return [v, w]<class T>(Matrix<T, 3, 1> const& x) { return multisymplectic_current(Density{}, first_jet(Motion{}, x), first_jet(v, x), first_jet(w, x)); };
 };
 
 /// A density that has two derivatives and no third where the strain vanishes.
@@ -87,16 +87,16 @@ BOOST_AUTO_TEST_CASE(the_boundary_current_of_a_vertical_variation_has_the_moment
   auto const j = first_jet(Motion{}, event<Q>());
   Variation<Q, 2, 2> V = tangents<Q, 5, 1>();
   V.head<3>().setZero();
-  Eigen::Matrix<Q, 3, 1> const expected = momenta(Density{}, j).transpose() * V.tail<2>();
+  Matrix<Q, 3, 1> const expected = momenta(Density{}, j).transpose() * V.tail<2>();
   BOOST_TEST((boundary_current(Density{}, j, V) == expected));
   // The variation that drags a section along itself is no variation of places at all.
   Variation<Q, 2, 2> drag;
-  drag << Q(1), Q(-2), Q(3), (j.v * Eigen::Matrix<Q, 3, 1>(Q(1), Q(-2), Q(3))).eval();
+  drag << Q(1), Q(-2), Q(3), (j.v * Matrix<Q, 3, 1>(Q(1), Q(-2), Q(3))).eval();
   BOOST_TEST((boundary_current(Density{}, j, drag) == (drag.head<3>() * Density{}(j)).eval()));
 }
 
 BOOST_AUTO_TEST_CASE(a_density_without_a_third_derivative_refuses_to_be_linearised_there) {
-  auto const flat = [](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0]); };
-  auto const j = second_jet(flat, Eigen::Vector2d(0.25, 0.5));
+  auto const flat = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0]); };
+  auto const j = second_jet(flat, Vector<double, 2>(0.25, 0.5));
   BOOST_CHECK_EXCEPTION(linearised_euler_lagrange(PowerOfStrain{}, j, j), NoDerivative, [](NoDerivative const& e) { return std::string(e.what()).find("(0.25, 0.5)") != std::string::npos; });
 }

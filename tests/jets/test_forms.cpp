@@ -1,6 +1,7 @@
 // Laws of forms, exactly over the rationals.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/foundations/groups/determinant.hpp"
 #include "actio/foundations/wedge.hpp"
 #include "polynomial_models.hpp"
 
@@ -10,14 +11,14 @@ using namespace actio::testing;
 namespace {
 
 using Q = rational;
-Eigen::Matrix<Q, 4, 1> const at(ratio<Q>(1, 2), ratio<Q>(-2, 3), Q(3), ratio<Q>(5, 7));
+Matrix<Q, 4, 1> const at(ratio<Q>(1, 2), ratio<Q>(-2, 3), Q(3), ratio<Q>(5, 7));
 
 /// A map of the plane into 4-space.
 struct Surface {
   template <class V>
   auto operator()(V const& u) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 4, 1> x;
+    Matrix<T, 4, 1> x;
     x << u[0] * u[1], u[1] - u[0] * u[0] * 2, u[2] * u[0] + 1, u[0] + u[1] * u[2];
     return x;
   }
@@ -28,7 +29,7 @@ struct Stream {
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 4, 1> w;
+    Matrix<T, 4, 1> w;
     w << x[1], x[0] * x[3], x[2] - 2, x[1] * x[1];
     return w;
   }
@@ -40,7 +41,7 @@ BOOST_AUTO_TEST_CASE(a_form_differentiated_twice_is_zero) {
   auto const once = exterior_derivative(TwoForm{});
   BOOST_TEST(once(at, tangents<Q, 4, 3>()) != 0);
   auto const coordinate = [](auto const& x, auto const&) { return decltype(x[0] * x[0])(x[0] * x[1] * x[2] + x[3] * x[3] * x[0]); };
-  auto const d = exterior_derivative([coordinate]<class S>(Eigen::Matrix<S, 4, 1> const& x, Tangents<S, 4, 1> const& V) {
+  auto const d = exterior_derivative([coordinate]<class S>(Matrix<S, 4, 1> const& x, Tangents<S, 4, 1> const& V) {
     // x^1 d(f), with f the function above: not closed.
     return S(coordinate(x, V) * V(1, 0));
   });
@@ -50,7 +51,7 @@ BOOST_AUTO_TEST_CASE(a_form_differentiated_twice_is_zero) {
 }
 
 BOOST_AUTO_TEST_CASE(pull_back_commutes_with_the_exterior_derivative) {
-  Eigen::Matrix<Q, 3, 1> const u(ratio<Q>(1, 3), ratio<Q>(-3, 2), Q(2));
+  Matrix<Q, 3, 1> const u(ratio<Q>(1, 3), ratio<Q>(-3, 2), Q(2));
   auto const V = tangents<Q, 3, 3>();
   Q const before = pull_back(Surface{}, exterior_derivative(TwoForm{}))(u, V), after = exterior_derivative(pull_back(Surface{}, TwoForm{}))(u, V);
   BOOST_TEST(before == after);
@@ -92,6 +93,6 @@ BOOST_AUTO_TEST_CASE(exterior_products_are_alternating_and_obey_the_product_rule
 
 BOOST_AUTO_TEST_CASE(determinants_without_division_agree_with_elimination) {
   auto const m = tangents<Q, 5, 5>();
-  BOOST_TEST(determinant(m) == Q(m.transpose().eval().determinant()));
+  BOOST_TEST(determinant(m) == determinant_by_elimination(m.transpose()));
   BOOST_TEST(determinant(m) != 0);
 }

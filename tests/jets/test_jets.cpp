@@ -17,7 +17,7 @@ struct Wave {
   auto operator()(V const& x) const {
     using std::cos, std::exp, std::sin;
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 2, 1> y;
+    Matrix<T, 2, 1> y;
     y << sin(x[1] + x[0] * 2) * x[2], exp(x[2] * x[1]) + cos(x[0]) / (x[1] * x[1] + 1);
     return y;
   }
@@ -25,7 +25,7 @@ struct Wave {
 
 /// Second derivatives by dual numbers of dual numbers.
 template <class S>
-SecondJet<S, 2, 2> by_nested_duals(Eigen::Matrix<S, 3, 1> const& x) {
+SecondJet<S, 2, 2> by_nested_duals(Matrix<S, 3, 1> const& x) {
   SecondJet<S, 2, 2> jet;
   static_cast<Jet<S, 2, 2>&>(jet) = first_jet(Wave{}, x);
   for (int mu = 0; mu < 3; ++mu) {
@@ -79,8 +79,8 @@ BOOST_AUTO_TEST_CASE(coordinates_of_jets_and_dual_jets_go_there_and_back) {
 
 BOOST_AUTO_TEST_CASE(the_field_equations_of_a_string_are_its_wave_equation) {
   auto const string = []<class T>(Jet<T, 1, 1> const& j) { return T((j.v(0, 0) * j.v(0, 0) - j.v(0, 1) * j.v(0, 1) * 9) / 2); };
-  auto const shape = [](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0] * x[1] + x[1] * x[1] * x[1]); };
-  Eigen::Matrix<rational, 2, 1> const x(ratio<rational>(1, 2), ratio<rational>(1, 3));
+  auto const shape = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0] * x[1] + x[1] * x[1] * x[1]); };
+  Matrix<rational, 2, 1> const x(ratio<rational>(1, 2), ratio<rational>(1, 3));
   // -phi_tt + 9 phi_xx = -2 x + 54 x.
   BOOST_TEST(euler_lagrange(string, shape, x)[0] == rational(52) / 3);
 }
@@ -98,8 +98,8 @@ BOOST_AUTO_TEST_CASE(a_density_without_a_derivative_says_so_and_where) {
   auto const at_the_point = [](NoDerivative const& e) { return names(e, "x = (0.25, 0.5), y = (2)") && names(e, "no derivative"); };
   BOOST_CHECK_EXCEPTION(momenta(RootOfStrain{}, j), NoDerivative, at_the_point);
   BOOST_CHECK_EXCEPTION(legendre(RootOfStrain{}, j), NoDerivative, at_the_point);
-  auto const flat = [](auto const& x) { return Eigen::Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0]); };
-  BOOST_CHECK_THROW(euler_lagrange(RootOfStrain{}, flat, Eigen::Vector2d(0.25, 0.5)), NoDerivative);
+  auto const flat = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0]); };
+  BOOST_CHECK_THROW(euler_lagrange(RootOfStrain{}, flat, Vector<double, 2>(0.25, 0.5)), NoDerivative);
   // The derivative by the velocity is taken through the root as well.
   BOOST_CHECK_EXCEPTION(energy_density(RootOfStrain{}, j), NoDerivative, at_the_point);
   j.v(0, 1) = -0.5;
@@ -107,15 +107,15 @@ BOOST_AUTO_TEST_CASE(a_density_without_a_derivative_says_so_and_where) {
 }
 
 BOOST_AUTO_TEST_CASE(a_fluid_turned_inside_out_and_a_matrix_that_is_no_metric_are_refused) {
-  auto const fluid = [](Eigen::Matrix2d const& G) {
+  auto const fluid = [](Matrix<double, 2, 2> const& G) {
     return Continuum{ConstantMetric<double, 2>{G}, Euclidean<2>{}, Homogeneous<double>{1}, Barotropic{WholePolytropic<double, 2>{1}}};
   };
   auto j = first_jet(Motion{}, event<double>());
-  BOOST_CHECK_NO_THROW(momenta(fluid(Eigen::Matrix2d::Identity()), j));
-  BOOST_CHECK_EXCEPTION(momenta(fluid((Eigen::Matrix2d() << 1, 2, 2, 1).finished()), j), NotAMetric, [](NotAMetric const& e) { return e.measured < 0 && names(e, "body"); });
-  BOOST_CHECK_THROW(momenta(fluid((Eigen::Matrix2d() << 1, 0.5, 0, 1).finished()), j), NotAMetric);
+  BOOST_CHECK_NO_THROW(momenta(fluid(Matrix<double, 2, 2>::Identity()), j));
+  BOOST_CHECK_EXCEPTION(momenta(fluid((Matrix<double, 2, 2>() << 1, 2, 2, 1).finished()), j), NotAMetric, [](NotAMetric const& e) { return e.measured < 0 && names(e, "body"); });
+  BOOST_CHECK_THROW(momenta(fluid((Matrix<double, 2, 2>() << 1, 0.5, 0, 1).finished()), j), NotAMetric);
   j.v.col(1) = -j.v.col(1);
-  BOOST_CHECK_EXCEPTION(momenta(fluid(Eigen::Matrix2d::Identity()), j), NotOrientationPreserving, [](NotOrientationPreserving const& e) { return e.measured < 0 && e.bound == 0; });
+  BOOST_CHECK_EXCEPTION(momenta(fluid(Matrix<double, 2, 2>::Identity()), j), NotOrientationPreserving, [](NotOrientationPreserving const& e) { return e.measured < 0 && e.bound == 0; });
 }
 
 BOOST_AUTO_TEST_CASE(roots_over_the_rationals_are_exact_or_refused) {
@@ -128,29 +128,29 @@ BOOST_AUTO_TEST_CASE(a_prolonged_field_is_the_rate_of_the_prolonged_flow) {
   // The field (t + 2x, 3 - t, y) generates nothing linear in eps but is enough to first order: move a section by x + eps xi and look at its jets there.
   auto const xi = []<class V>(V const& p) {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, 4, 1> rate;
+    Matrix<T, 4, 1> rate;
     rate << p[0] + p[1] * p[1] * 2, T(3) - p[0] * p[1], p[2] * p[3] + p[0], p[2] * p[1];
     return rate;
   };
   using Q = rational;
   using T = Dual<Q>;
   using Inner = Dual<T, 2>;
-  Eigen::Matrix<Q, 2, 1> const x(ratio<Q>(1, 3), ratio<Q>(2, 5));
-  auto const phi = [](auto const& u) { return Eigen::Matrix<ScalarOf<decltype(u)>, 2, 1>(u[0] * u[1] + u[0], u[1] * u[1] - u[0]); };
+  Matrix<Q, 2, 1> const x(ratio<Q>(1, 3), ratio<Q>(2, 5));
+  auto const phi = [](auto const& u) { return Matrix<ScalarOf<decltype(u)>, 2, 1>(u[0] * u[1] + u[0], u[1] * u[1] - u[0]); };
   // Tangent map of the moved graph: rows X and Y, columns u.
-  Eigen::Matrix<Inner, 2, 1> u;
+  Matrix<Inner, 2, 1> u;
   for (int i = 0; i < 2; ++i) u[i] = Inner(T(x[i])), u[i].part[i] = T(Q(1));
-  Eigen::Matrix<Inner, 4, 1> point;
+  Matrix<Inner, 4, 1> point;
   point << u, phi(u);
   T eps(Q(0));
   eps.part[0] = Q(1);
-  Eigen::Matrix<Inner, 4, 1> const rate = xi(point);
-  Eigen::Matrix<T, 2, 2> DX, DY;
+  Matrix<Inner, 4, 1> const rate = xi(point);
+  Matrix<T, 2, 2> DX, DY;
   for (int i = 0; i < 4; ++i) {
     Inner const moved = point[i] + rate[i] * Inner(eps);
     for (int c = 0; c < 2; ++c) (i < 2 ? DX(i, c) : DY(i - 2, c)) = moved.part[c];
   }
-  Eigen::Matrix<T, 2, 2> const v = DY * inverse_matrix(DX);
+  Matrix<T, 2, 2> const v = DY * inverse_matrix(DX);
   auto const lifted = jet_at<1, 2>(prolonged<1, 2>(xi)(coordinates(first_jet(phi, x))));
   for (int a = 0; a < 2; ++a)
     for (int mu = 0; mu < 2; ++mu) BOOST_TEST(lifted.v(a, mu) == v(a, mu).part[0]);

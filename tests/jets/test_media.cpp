@@ -13,7 +13,7 @@ namespace {
 
 double const eps = epsilon<double>();
 template <class S, int n>
-using Square = Eigen::Matrix<S, n, n>;
+using Square = Matrix<S, n, n>;
 
 /// A second jet near that of the body at rest, of no section.
 template <class S, int n>
@@ -21,11 +21,11 @@ SecondJet<S, n, n> any_second_jet(Draw& draw) {
   SecondJet<S, n, n> j;
   S const size = ratio<S>(1, 5);
   j.x = draw.vector<S, Event<S, n>>(n + 1);
-  j.y = draw.vector<S, Eigen::Matrix<S, n, 1>>(n);
+  j.y = draw.vector<S, Matrix<S, n, 1>>(n);
   for (int mu = 0; mu <= n; ++mu) {
-    j.v.col(mu) = draw.vector<S, Eigen::Matrix<S, n, 1>>(n) * size;
+    j.v.col(mu) = draw.vector<S, Matrix<S, n, 1>>(n) * size;
     if (mu > 0) j.v(mu - 1, mu) += S(1);
-    for (int nu = 0; nu <= mu; ++nu) j.w[mu].col(nu) = draw.vector<S, Eigen::Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
+    for (int nu = 0; nu <= mu; ++nu) j.w[mu].col(nu) = draw.vector<S, Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
   }
   return j;
 }
@@ -33,7 +33,7 @@ SecondJet<S, n, n> any_second_jet(Draw& draw) {
 /// The body at rest but for its deformation gradient.
 template <class S, int n>
 Jet<S, n, n> strained(Square<S, n> const& F) {
-  Jet<S, n, n> j{Event<S, n>::Zero(), Eigen::Matrix<S, n, 1>::Zero(), Eigen::Matrix<S, n, n + 1>::Zero()};
+  Jet<S, n, n> j{Event<S, n>::Zero(), Matrix<S, n, 1>::Zero(), Matrix<S, n, n + 1>::Zero()};
   j.v.template rightCols<n>() = F;
   return j;
 }
@@ -43,7 +43,7 @@ template <class S, int n>
 ConstantMetric<S, n> const constant_identity{Square<S, n>::Identity()};
 struct IdentitySomehow {
   template <class T, int n>
-  Square<T, n> operator()(Eigen::Matrix<T, n, 1> const&) const {
+  Square<T, n> operator()(Matrix<T, n, 1> const&) const {
     return Square<T, n>::Identity();
   }
 };
@@ -51,7 +51,7 @@ struct IdentitySomehow {
 /// The unit sphere in angles.
 struct Sphere {
   template <class T>
-  Square<T, 2> operator()(Eigen::Matrix<T, 2, 1> const& y) const {
+  Square<T, 2> operator()(Matrix<T, 2, 1> const& y) const {
     using std::sin;
     Square<T, 2> g;
     g << T(1), T(0), T(0), sin(y[0]) * sin(y[0]);
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_flat_metric_stores_nothing) {
 }
 
 BOOST_AUTO_TEST_CASE(the_symbols_of_the_sphere_are_the_known_ones) {
-  Eigen::Vector2d const y(0.7, 2.1);
+  Vector<double, 2> const y(0.7, 2.1);
   auto const gamma = christoffel(Sphere{}, y);
   BOOST_TEST(std::abs(gamma[0](1, 1) + std::sin(0.7) * std::cos(0.7)) < 4 * eps);
   BOOST_TEST(std::abs(gamma[1](0, 1) - std::cos(0.7) / std::sin(0.7)) < 8 * eps);
@@ -133,7 +133,7 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
   for (int sample = 0; sample < 4; ++sample) {
     // The derivative of the stress at rest along H is Hooke's stress of the symmetric part of H.
     Square<S, n> H, A;
-    for (int i = 0; i < n; ++i) H.col(i) = draw.vector<S, Eigen::Matrix<S, n, 1>>(n), A.col(i) = draw.vector<S, Eigen::Matrix<S, n, 1>>(n);
+    for (int i = 0; i < n; ++i) H.col(i) = draw.vector<S, Matrix<S, n, 1>>(n), A.col(i) = draw.vector<S, Matrix<S, n, 1>>(n);
     Square<Dual<S>, n> moved = one.template cast<Dual<S>>();
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < n; ++i) moved(a, i).part[0] = H(a, i);
@@ -146,7 +146,7 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
 
     // A turn by Cayley's map: exact over the rationals.
     Square<S, n> const spin = A - A.transpose(), turn = solve_linear(Square<S, n>(one - spin), Square<S, n>(one + spin)), F = one + H / S(5);
-    auto const kept = [&](Square<S, n> const& at) { return body.W(Eigen::Matrix<S, n, 1>(Eigen::Matrix<S, n, 1>::Zero()), Kronecker<n>{}, Kronecker<n>{}, at); };
+    auto const kept = [&](Square<S, n> const& at) { return body.W(Matrix<S, n, 1>(Matrix<S, n, 1>::Zero()), Kronecker<n>{}, Kronecker<n>{}, at); };
     BOOST_TEST(std::abs(to_double(S(kept(turn * F) - kept(F)))) <= bound);
     // The stress turns with the body: sigma(QF) = Q sigma(F) Q^T.
     Square<S, n> const sigma = cauchy_stress(body, strained<S, n>(F)), turned = cauchy_stress(body, strained<S, n>(turn * F));
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(solids_are_free_of_stress_at_rest_and_obey_hooke_nearby) {
 
 BOOST_AUTO_TEST_CASE(fluids_have_the_pressures_that_their_names_say) {
   double const J = 1.3, rho = 2.5, K = 0.8, gamma = 1.4;
-  Eigen::Matrix2d F;
+  Matrix<double, 2, 2> F;
   F << 1.3, 0.4, 0, 1;
   auto const pressure = [&](auto const& law) { return material_pressure(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{rho}, Barotropic{law}}, strained<double, 2>(F)); };
   BOOST_TEST(std::abs(pressure(Polytropic<double>{K, gamma}) - rho * K * std::pow(J, -gamma)) < 16 * eps);
@@ -213,7 +213,7 @@ BOOST_AUTO_TEST_CASE(mass_grows_linearly_and_pulls_the_pressure_with_it) {
   SecondJet<S, 2, 2> still{strained<S, 2>(Square<S, 2>::Identity()), {}};
   for (auto& w : still.w) w.setZero();
   // P = 3 rho at J = 1, so its slope is 3.
-  Eigen::Matrix<S, 2, 1> const force = fluid_equation(fluid, still);
+  Matrix<S, 2, 1> const force = fluid_equation(fluid, still);
   BOOST_TEST(force[0] == S(3));
   BOOST_TEST(force[1] == S(0));
 }

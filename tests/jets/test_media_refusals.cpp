@@ -10,7 +10,7 @@ namespace {
 
 /// A jet at the point (0, 3/10, -2/5) of the body with this deformation gradient.
 template <class S>
-SecondJet<S, 2, 2> jet_with(Eigen::Matrix<S, 2, 2> const& F) {
+SecondJet<S, 2, 2> jet_with(Matrix<S, 2, 2> const& F) {
   SecondJet<S, 2, 2> j;
   j.x << S(0), ratio<S>(3, 10), ratio<S>(-2, 5);
   j.y << ratio<S>(1, 2), ratio<S>(1, 4);
@@ -21,13 +21,13 @@ SecondJet<S, 2, 2> jet_with(Eigen::Matrix<S, 2, 2> const& F) {
 }
 template <class S>
 SecondJet<S, 2, 2> at_rest() {
-  return jet_with<S>(Eigen::Matrix<S, 2, 2>::Identity());
+  return jet_with<S>(Matrix<S, 2, 2>::Identity());
 }
 
 /// A metric of this value.
 template <class S>
 ConstantMetric<S, 2> metric(S const& a, S const& b, S const& c, S const& d) {
-  Eigen::Matrix<S, 2, 2> g;
+  Matrix<S, 2, 2> g;
   g << a, b, c, d;
   return {g};
 }
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused_with_its_jacobian) {
   Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, mass, gas};
   Continuum const solid{Euclidean<2>{}, Euclidean<2>{}, mass, OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{1.0}}}};
   for (double const J : {0.0, -2.0}) {
-    Eigen::Matrix2d F;
+    Matrix<double, 2, 2> F;
     F << 1, 0.5, 0, J;
     auto const j = jet_with<double>(F);
     all_refuse<NotOrientationPreserving>(fluid, j, judge(J));
@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused_with_its_jacobian) {
     BOOST_CHECK_NO_THROW(euler_lagrange(soft, j));
     BOOST_CHECK_EXCEPTION(cauchy_stress(soft, static_cast<Jet<double, 2, 2> const&>(j)), NotOrientationPreserving, judge(J));
   }
-  Eigen::Matrix2d F;
+  Matrix<double, 2, 2> F;
   F << std::nan(""), 0, 0, 1;
   all_refuse<NotOrientationPreserving>(fluid, jet_with<double>(F), [](NotOrientationPreserving const& e) { return std::isnan(e.measured); });
 }
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(an_energy_without_derivative_at_rest_is_refused_with_the_po
   };
   Continuum const solid{Euclidean<2>{}, Euclidean<2>{}, mass, OfGreenTensor{cone}};
   all_refuse<NoDerivative>(solid, at_rest<double>(), [](NoDerivative const& e) { return says(e, "(0, 0.3, -0.4)"); });
-  Eigen::Matrix2d F;
+  Matrix<double, 2, 2> F;
   F << 1.1, 0, 0, 1;
   BOOST_CHECK_NO_THROW(euler_lagrange(solid, jet_with<double>(F)));
   // At rest there is a first derivative of the strain to the power 3/2, and no second one.

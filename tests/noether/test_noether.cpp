@@ -11,13 +11,13 @@ using namespace actio;
 
 namespace {
 
-using Place = Eigen::Vector2d;
+using Place = Vector<double, 2>;
 
 /// The plane in polar coordinates: its volume is r.
 struct Polar {
   template <class V>
   auto operator()(V const& x) const {
-    Eigen::Matrix<typename V::Scalar, 2, 2> G = Eigen::Matrix<typename V::Scalar, 2, 2>::Identity();
+    Matrix<typename V::Scalar, 2, 2> G = Matrix<typename V::Scalar, 2, 2>::Identity();
     G(1, 1) = x[0] * x[0];
     return G;
   }
@@ -26,7 +26,7 @@ struct Polar {
 struct Stream {
   template <class V>
   auto operator()(V const& x) const {
-    return Eigen::Matrix<typename V::Scalar, 1, 1>(x[0] * x[0] * x[1] + x[1] * x[1]);
+    return Matrix<typename V::Scalar, 1, 1>(x[0] * x[0] * x[1] + x[1] * x[1]);
   }
 };
 /// A gas of the plane that moves along, turning about the origin at unit rate when it is laid out in polar coordinates.
@@ -36,7 +36,7 @@ struct Turning {
     using std::cos, std::sin;
     using T = typename V::Scalar;
     T const angle = x[2] + x[0];
-    return Eigen::Matrix<T, 2, 1>(x[1] * cos(angle), x[1] * sin(angle));
+    return Matrix<T, 2, 1>(x[1] * cos(angle), x[1] * sin(angle));
   }
 };
 auto const gas = Continuum{Polar{}, Euclidean<2>{}, Homogeneous<double>{2}, Barotropic{WholePolytropic<double, 1>{0.5}}};
@@ -50,9 +50,9 @@ BOOST_AUTO_TEST_CASE(an_automorphism_without_inverse_is_refused_with_its_pivot_a
   auto const says_where = [](Singular const& e) { return e.measured <= e.bound && std::string(e.what()).find("(0.3, 0.8, -0.4)") != std::string::npos; };
   BOOST_CHECK_EXCEPTION(prolongation(relabelling<2>(fold), j), Singular, says_where);
   BOOST_CHECK_EXCEPTION(equivariance_defect(gas, relabelling<2>(fold), j), Singular, says_where);
-  DualJet<double, 2, 2> const z{event, {1, 2}, 3, Eigen::Matrix<double, 2, 3>::Ones()};
+  DualJet<double, 2, 2> const z{event, {1, 2}, 3, Matrix<double, 2, 3>::Ones()};
   BOOST_CHECK_EXCEPTION(dual_prolongation(relabelling<2>(fold), z), Singular, says_where);
-  auto const flat = Automorphism{[](auto const& x) { return x; }, [](auto const& point) { return Eigen::Matrix<typename std::remove_cvref_t<decltype(point)>::Scalar, 2, 1>(point[3], point[3]); }};
+  auto const flat = Automorphism{[](auto const& x) { return x; }, [](auto const& point) { return Matrix<typename std::remove_cvref_t<decltype(point)>::Scalar, 2, 1>(point[3], point[3]); }};
   BOOST_CHECK_THROW(dual_prolongation(flat, z), Singular);
 }
 
@@ -70,7 +70,7 @@ BOOST_AUTO_TEST_CASE(a_field_with_divergence_is_refused_with_the_divergence_meas
 
 BOOST_AUTO_TEST_CASE(a_field_that_does_not_preserve_the_metric_is_refused) {
   StereographicSphere<double, 2> const sphere{3};
-  Eigen::Matrix2d turn;
+  Matrix<double, 2, 2> turn;
   turn << 0, -2, 2, 0;
   Place const y(0.4, 1.3), tilt(0.5, -1);
   BOOST_CHECK_NO_THROW(require_killing(sphere, SphereRotation<double, 2>{turn, tilt}, y, 9.0));
@@ -80,7 +80,7 @@ BOOST_AUTO_TEST_CASE(a_field_that_does_not_preserve_the_metric_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_gas_turned_inside_out_has_no_current) {
-  auto const mirrored = [](auto const& x) { return Eigen::Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[2], x[1]); };
+  auto const mirrored = [](auto const& x) { return Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[2], x[1]); };
   auto const j = second_jet(mirrored, event);
   auto const first = static_cast<Jet<double, 2, 2> const&>(j);
   auto const field = relabelling_field<2>(RelabellingField{Polar{}, Stream{}});
@@ -103,11 +103,11 @@ BOOST_AUTO_TEST_CASE(prolongations_compose) {
 
 BOOST_AUTO_TEST_CASE(a_turning_disc_has_the_circulation_of_its_rotation) {
   // Along a material circle of radius r: 2 pi r^2, wherever the loop is wavy in between twice the area it encloses.
-  auto const circle = [](auto const& a) { return Eigen::Matrix<std::remove_cvref_t<decltype(a)>, 2, 1>(0 * a + 0.5, a); };
+  auto const circle = [](auto const& a) { return Matrix<std::remove_cvref_t<decltype(a)>, 2, 1>(0 * a + 0.5, a); };
   BOOST_TEST(std::abs(circulation(Turning{}, Euclidean<2>{}, circle, 0.7) - std::numbers::pi / 2) < 1e-14);
   auto const wavy = [](auto const& a) {
     using std::cos;
-    return Eigen::Matrix<std::remove_cvref_t<decltype(a)>, 2, 1>(0.5 + 0.1 * cos(4 * a), a);
+    return Matrix<std::remove_cvref_t<decltype(a)>, 2, 1>(0.5 + 0.1 * cos(4 * a), a);
   };
   double const area = std::numbers::pi * (0.25 + 0.005);
   BOOST_TEST(std::abs(circulation(Turning{}, Euclidean<2>{}, wavy, 0.7) - 2 * area) < 1e-14);

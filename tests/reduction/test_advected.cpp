@@ -11,13 +11,13 @@
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 template <class S>
-using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+using Column = Matrix<S, Dynamic, 1>;
 
 /// A group of the library, known from the basis of its algebra alone: so one compiled test serves them all.
 template <class G>
@@ -34,7 +34,7 @@ std::vector<SpannedGroup> groups() { return {from_basis("SO(3)", SO<3>{}), from_
 
 /// A polynomial of third degree in the entries of f and a, with no symmetry and no parity.
 struct CubicLagrangian {
-  Eigen::Matrix<rational, Eigen::Dynamic, Eigen::Dynamic> u, v;
+  Matrix<rational, Dynamic, Dynamic> u, v;
   Column<rational> w;
   CubicLagrangian(Draw& draw, int n) : u(n, n), v(n, n), w(draw.vector<rational>(n)) {
     for (int i = 0; i < n; ++i) u.col(i) = draw.vector<rational>(n), v.col(i) = draw.vector<rational>(n);
@@ -42,9 +42,9 @@ struct CubicLagrangian {
   template <class E, class T>
   T operator()(E const& f, Column<T> const& a) const {
     T x(0), y(0), z(0);
-    for (Eigen::Index i = 0; i < a.size(); ++i) {
+    for (Index i = 0; i < a.size(); ++i) {
       z += a[i] * T(w[i]);
-      for (Eigen::Index j = 0; j < a.size(); ++j) x += f.value(i, j) * T(u(i, j)), y += f.value(i, j) * T(v(i, j)) * a[j];
+      for (Index j = 0; j < a.size(); ++j) x += f.value(i, j) * T(u(i, j)), y += f.value(i, j) * T(v(i, j)) * a[j];
     }
     return x * x + x * y + x * z + y + z * z * T(3);
   }
@@ -58,29 +58,29 @@ constexpr auto on_rows = [](auto const& g, auto const& a) {
 
 /// Kinetic energy of a body without any symmetry of its own, through the natural chart, and a potential that sees the vector, by the trapezoidal rule.
 struct BodyInField {
-  Eigen::MatrixXd inertia;
-  Eigen::VectorXd slope;
+  Matrix<double> inertia;
+  Vector<double> slope;
   double stiffness, h;
 
   template <class T>
   T potential(Column<T> const& a) const {
     T height(0);
-    for (Eigen::Index i = 0; i < a.size(); ++i) height += a[i] * slope[i];
+    for (Index i = 0; i < a.size(); ++i) height += a[i] * slope[i];
     return height + height * height * (stiffness / 2);
   }
   template <class G, class T>
   T operator()(Element<G, T> const& f, Column<T> const& a) const {
     auto const w = log(f).coordinates;
     T kinetic(0);
-    for (Eigen::Index i = 0; i < w.size(); ++i)
-      for (Eigen::Index j = 0; j < w.size(); ++j) kinetic += w[i] * w[j] * inertia(i, j);
+    for (Index i = 0; i < w.size(); ++i)
+      for (Index j = 0; j < w.size(); ++j) kinetic += w[i] * w[j] * inertia(i, j);
     return kinetic / (2 * h) - (potential(a) + potential(Column<T>(f.value * a))) * (h / 2);
   }
 };
 
 BodyInField random_body(Draw& draw, SpannedGroup const& group, double h) {
   int const n = group.dimension();
-  BodyInField body{Eigen::MatrixXd::Identity(n, n) * (n + 1), draw.vector<double, Eigen::VectorXd>(group.matrix_size()), 0.5, h};
+  BodyInField body{Matrix<double>::Identity(n, n) * (n + 1), draw.vector<double, Vector<double>>(group.matrix_size()), 0.5, h};
   for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j) body.inertia(i, j) = body.inertia(j, i) = body.inertia(i, j) + draw.number<double>();
   return body;
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exac
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       int const n = group.matrix_size(), d = group.dimension();
       std::vector<SpannedGroup::WholeMatrix> basis(d + n, SpannedGroup::WholeMatrix::Zero(n + 1, n + 1));
-      for (int a = 0; a < d; ++a) basis[a].topLeftCorner(n, n) = -group.hat(Eigen::VectorXd(Eigen::VectorXd::Unit(d, a))).cast<int>().transpose();
+      for (int a = 0; a < d; ++a) basis[a].topLeftCorner(n, n) = -group.hat(Vector<double>(Vector<double>::Unit(d, a))).cast<int>().transpose();
       for (int i = 0; i < n; ++i) basis[d + i](i, n) = 1;
       SpannedGroup const product("semidirect product", basis);
 
@@ -249,11 +249,11 @@ BOOST_AUTO_TEST_CASE(a_ship_under_water_rights_itself_as_its_equations_say) {
   // As heavy as the water it displaces, its weight below the middle: Kirchhoff's equations with a righting torque. The vertical is the vector, with a
   // zero for its fourth component.
   auto const group = from_basis("SE(3)", SE<3>{});
-  Eigen::Matrix<double, 6, 1> inertia, moving;
+  Matrix<double, 6, 1> inertia, moving;
   inertia << 2, 3, 4, 5, 7, 9;
   moving << 0.4, -0.3, 0.5, 0.6, 0.2, -0.1;
   Vector3d const down(0.2, 0.1, -0.8), vertical(0.6, 0, 0.8);
-  using State = Eigen::Matrix<double, 9, 1>;
+  using State = Matrix<double, 9, 1>;
   State start;
   start << inertia.cwiseProduct(moving), vertical;
   auto const rate = [&](double, State const& y) {
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(a_ship_under_water_rights_itself_as_its_equations_say) {
   std::vector<double> errors;
   for (int const count : {10, 20, 40, 80, 160}) {
     double const h = duration / count;
-    BodyInField const l{inertia.asDiagonal(), Eigen::Vector4d(down[0], down[1], down[2], 0), 0, h};
+    BodyInField const l{inertia.asDiagonal(), Vector<double, 4>(down[0], down[1], down[2], 0), 0, h};
     auto pi = momentum(group, Column<double>(start.head<6>()));
     Column<double> a(4);
     a << vertical, 0;
@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(quaternions_carry_a_vector_as_matrices_do) {
     auto const w = log(q).coordinates, moved = turned(q, a);
     return (w[0] * w[0] + w[1] * w[1] * 2 + w[2] * w[2] * 3) / (2 * h) - (a[0] + a[2] * 2 + moved[0] + moved[2] * 2) * (h / 2);
   };
-  BodyInField const by_matrices{Eigen::Vector3d(1, 2, 3).asDiagonal(), Vector3d(1, 0, 2), 0, h};
+  BodyInField const by_matrices{Vector<double, 3>(1, 2, 3).asDiagonal(), Vector3d(1, 0, 2), 0, h};
   Vector3d const turn(-0.03, 0.05, -0.1), vertical(0.6, 0, 0.8);
   auto f = exp(velocity(from_basis("SO(3)", SO<3>{}), Column<double>(turn)));
   auto q = exp(velocity(SU2{}, turn));
@@ -334,7 +334,7 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   BOOST_CHECK_EXCEPTION(stabiliser_momentum(pi, other, a), OutsideDomain, [](OutsideDomain const& e) { return e.measured > e.bound; });
   // No inertia about one axis: nothing says how fast it turns there.
   auto flat = l;
-  flat.inertia = Eigen::Vector3d(1, 2, 0).asDiagonal();
+  flat.inertia = Vector<double, 3>(1, 2, 0).asDiagonal();
   flat.slope.setZero();
   BOOST_CHECK_THROW(advected_relative_motion_left(flat, momentum(group, Column<double>(Vector3d(0, 0, 1))), a, identity<double>(group)), Singular);
 }

@@ -19,10 +19,10 @@ namespace {
 double const eps = epsilon<double>();
 using G = SL<3>;
 using Place = Element<G, double>;
-using Matrix = Eigen::Matrix3d;
+using Square = actio::Matrix<double, 3, 3>;
 
 template <class T>
-T square(Eigen::Matrix<T, 3, 3> const& a) {
+T square(actio::Matrix<T, 3, 3> const& a) {
   T sum(0);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) sum += a(i, j) * a(i, j);
@@ -43,16 +43,16 @@ auto carried_around(double h) {
 auto const half_square = [](auto const& xi) { return square(xi.group.hat(xi.coordinates)) / 2; };
 
 /// A velocity whose matrix is like a skew one, so that the motions below stay bounded, but is none.
-Matrix elliptic() {
-  Matrix m;
+Square elliptic() {
+  Square m;
   m << 0, -0.5, 0.8, 0.25, 0, -1.2, -0.2, 0.6, 0;
-  Matrix const stretch = Eigen::Vector3d(1, 0.5, 2).asDiagonal();
-  return stretch * (m - m.transpose()) * stretch.inverse() / 2;
+  Square const stretch = actio::Vector<double, 3>(1, 0.5, 2).asDiagonal();
+  return stretch * (m - m.transpose()) * inverse_matrix(stretch) / 2;
 }
-Velocity<G, double> as_velocity(Matrix const& m) { return velocity(G{}, G{}.vee(m)); }
+Velocity<G, double> as_velocity(Square const& m) { return velocity(G{}, G{}.vee(m)); }
 
 /// \f$e^{tM^T}e^{t(M-M^T)}\f$: the geodesic from 1 with velocity M of the metric \f$\mathrm{tr}(\xi^T\xi)\f$ carried around by left multiplication.
-Place geodesic(Matrix const& m, double t) { return exp(t * as_velocity(m.transpose())) * exp(t * as_velocity(m - m.transpose())); }
+Place geodesic(Square const& m, double t) { return exp(t * as_velocity(m.transpose())) * exp(t * as_velocity(m - m.transpose())); }
 
 struct Deviation {
   double miss;       ///< of the last place from the geodesic
@@ -62,7 +62,7 @@ struct Deviation {
 /// Steps by l, from 1 with the velocity that the geodesic begins with.
 template <class L>
 Deviation steps_by(L const& l, double h, int steps) {
-  Matrix const m = elliptic();
+  Square const m = elliptic();
   Place g = identity<double>(G{});
   // The first step leaves with the momentum of the velocity M: of the matrices tr(M^T xi).
   Momentum<G, double> pi{G{}, Coordinates<G, double>(8)};
@@ -108,15 +108,15 @@ BOOST_AUTO_TEST_CASE(momentum_in_space_is_kept_over_ten_thousand_steps) {
 namespace {
 
 /// \f$\ddot A = \lambda A^{-T}\f$ with the multiplier that keeps the determinant.
-Eigen::VectorXd ellipsoid_rate(double, Eigen::VectorXd const& state) {
-  Matrix const a = Eigen::Map<Matrix const>(state.data()), rate = Eigen::Map<Matrix const>(state.data() + 9), inverse = a.inverse();
-  Matrix const velocity = inverse * rate, force = inverse.transpose() * ((velocity * velocity).trace() / inverse.squaredNorm());
-  Eigen::VectorXd change(18);
-  change << state.tail(9), Eigen::Map<Eigen::VectorXd const>(force.data(), 9);
+actio::Vector<double> ellipsoid_rate(double, actio::Vector<double> const& state) {
+  Square const a = as_matrix<3, 3>(state.data()), rate = as_matrix<3, 3>(state.data() + 9), inverse = inverse_matrix(a);
+  Square const velocity = inverse * rate, force = inverse.transpose() * ((velocity * velocity).trace() / inverse.squaredNorm());
+  actio::Vector<double> change(18);
+  change << state.tail(9), force.reshaped();
   return change;
 }
 
-Matrix const start_velocity = (Matrix() << 0.1, -0.4, 0.3, 0.5, 0.2, -0.2, -0.1, 0.4, -0.3).finished();
+Square const start_velocity = (Square() << 0.1, -0.4, 0.3, 0.5, 0.2, -0.2, -0.1, 0.4, -0.3).finished();
 
 /// The second place: where the action of the first step leaves with the momentum of the velocity.
 Place second_place(double h) {
@@ -131,9 +131,9 @@ Place second_place(double h) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_ellipsoid_of_Dirichlet_moves_as_its_equations_say) {
-  Eigen::VectorXd state(18);
-  state << Eigen::Map<Eigen::VectorXd const>(Matrix::Identity().eval().data(), 9), Eigen::Map<Eigen::VectorXd const>(start_velocity.data(), 9);
-  Eigen::VectorXd const exact = reference_solution(ellipsoid_rate, state, 0, 1);
+  actio::Vector<double> state(18);
+  state << Square::Identity().reshaped(), start_velocity.reshaped();
+  actio::Vector<double> const exact = reference_solution(ellipsoid_rate, state, 0, 1);
   std::vector<double> miss;
   for (int const steps : {50, 100}) {
     double const h = 1.0 / steps;
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(the_ellipsoid_of_Dirichlet_moves_as_its_equations_say) {
       auto const next = step_euler_lagrange(ellipsoid(h), before, place).value;
       before = place, place = next;
     }
-    miss.push_back((place.value - Eigen::Map<Matrix const>(exact.data())).cwiseAbs().maxCoeff());
+    miss.push_back((place.value - as_matrix<3, 3>(exact.data())).cwiseAbs().maxCoeff());
   }
   BOOST_TEST(std::abs(miss[0] / miss[1] - 4) < 0.1);
 }
@@ -152,20 +152,20 @@ BOOST_AUTO_TEST_CASE(the_ellipsoid_keeps_angular_momentum_and_circulation_over_t
   int const steps = 10000;
   auto const L = ellipsoid(h);
   Place before = identity<double>(G{}), place = second_place(h);
-  Matrix turn = Matrix::Zero();
+  Square turn = Square::Zero();
   turn(0, 1) = -1, turn(1, 0) = 1;
   auto const zeta = as_velocity(turn);
   // Rotations of space act from the left, rotations of the labels from the right.
   auto const in_space = [&](auto const& g) { return like(g, zeta); };
   auto const of_labels = [&](auto const& g) { return Ad(g, like(g, zeta)); };
   // A velocity that is no rotation is no symmetry.
-  auto const stretch = [&](auto const& g) { return like(g, as_velocity(Eigen::Vector3d(1, -1, 0).asDiagonal())); };
+  auto const stretch = [&](auto const& g) { return like(g, as_velocity(actio::Vector<double, 3>(1, -1, 0).asDiagonal())); };
   auto const all = [&] {
-    return Eigen::Vector3d(discrete_momentum(L, before, place, in_space), discrete_momentum(L, before, place, of_labels),
+    return actio::Vector<double, 3>(discrete_momentum(L, before, place, in_space), discrete_momentum(L, before, place, of_labels),
                            discrete_momentum(L, before, place, stretch));
   };
-  Eigen::Vector3d const start = all();
-  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
+  actio::Vector<double, 3> const start = all();
+  actio::Vector<double, 3> drift = actio::Vector<double, 3>::Zero();
   for (int k = 1; k < steps; ++k) {
     auto const next = step_euler_lagrange(L, before, place).value;
     before = place, place = next;

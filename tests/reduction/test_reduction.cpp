@@ -33,9 +33,9 @@ SpannedGroup from_basis(std::string const& name, G const& group) {
 
 /// Kinetic energy of a body without any symmetry of its own.
 struct KineticEnergy {
-  Eigen::MatrixXd inertia;
+  Matrix<double> inertia;
 
-  KineticEnergy(Draw& draw, int n) : inertia(Eigen::MatrixXd::Identity(n, n) * (n + 1)) {
+  KineticEnergy(Draw& draw, int n) : inertia(Matrix<double>::Identity(n, n) * (n + 1)) {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j <= i; ++j) inertia(i, j) = inertia(j, i) = inertia(i, j) + draw.number<double>();
   }
@@ -90,7 +90,7 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_on_seven_groups) {
 BOOST_AUTO_TEST_CASE(a_body_keeps_its_momentum_in_space_over_ten_thousand_steps) {
   double const h = 0.1;
   auto const l = natural_chart_lagrangian_left(spinning_body, h);
-  auto f = exp(velocity(SO<3>{}, Eigen::Vector3d(-0.03, 0.11, -0.07)));
+  auto f = exp(velocity(SO<3>{}, Vector<double, 3>(-0.03, 0.11, -0.07)));
   auto g = identity<double>(SO<3>{});
   auto const in_space = [&] { return Ad_star(inverse(g), momentum_before_left(l, f)); };
   auto const start = in_space();
@@ -110,7 +110,7 @@ BOOST_AUTO_TEST_CASE(a_discrete_lagrangian_that_is_blind_to_a_direction_is_refus
     return w[0] * w[0] + w[1] * w[1];
   };
   // Along the third axis it has no second derivative at all.
-  auto const f = exp(velocity(SO<3>{}, Eigen::Vector3d(0, 0, 0.1)));
+  auto const f = exp(velocity(SO<3>{}, Vector<double, 3>(0, 0, 0.1)));
   BOOST_CHECK_EXCEPTION(step_euler_poincare_right(flat, f), Singular, [](Singular const& e) { return e.measured <= e.bound; });
   BOOST_CHECK_THROW(step_euler_lagrange(lift_right(flat), f, identity<double>(SO<3>{})), Singular);
 }
@@ -119,26 +119,26 @@ BOOST_AUTO_TEST_CASE(a_step_past_the_chart_throws_and_never_returns) {
   // Three quarters of a turn in a step: beyond the natural chart, whatever the body.
   double const h = 1;
   auto const l = natural_chart_lagrangian_left(spinning_body, h);
-  auto const pi = momentum(SO<3>{}, Eigen::Vector3d(0.5, 9.4, 1.1));
-  BOOST_CHECK_THROW(relative_motion_from_momentum_left(l, pi, exp(velocity(SO<3>{}, Eigen::Vector3d(-0.5, -3, -0.3)))), Error);
+  auto const pi = momentum(SO<3>{}, Vector<double, 3>(0.5, 9.4, 1.1));
+  BOOST_CHECK_THROW(relative_motion_from_momentum_left(l, pi, exp(velocity(SO<3>{}, Vector<double, 3>(-0.5, -3, -0.3)))), Error);
 }
 
 BOOST_AUTO_TEST_CASE(a_rotation_by_pi_has_no_place_in_the_natural_chart) {
   auto const l = natural_chart_lagrangian_left(spinning_body, 0.1);
-  Eigen::Matrix3d const half_turn = Eigen::Vector3d(1, -1, -1).asDiagonal();
+  Matrix<double, 3, 3> const half_turn = Vector<double, 3>(1, -1, -1).asDiagonal();
   BOOST_CHECK_EXCEPTION(step_euler_poincare_left(l, Element<SO<3>, double>{SO<3>{}, half_turn}), OutsideDomain, [](OutsideDomain const& e) { return e.measured >= e.bound; });
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_is_no_number_gets_in) {
   double const nan = std::nan(""), infinity = HUGE_VAL;
   auto const l = natural_chart_lagrangian_left(spinning_body, 0.1);
-  auto const f = exp(velocity(SO<3>{}, Eigen::Vector3d(0.1, 0.2, 0.3)));
+  auto const f = exp(velocity(SO<3>{}, Vector<double, 3>(0.1, 0.2, 0.3)));
   for (double const bad : {nan, infinity, -infinity}) {
     auto broken = f;
     broken.value(1, 2) = bad;
     BOOST_CHECK_THROW(step_euler_poincare_left(l, broken), NotFinite);
     BOOST_CHECK_THROW(step_euler_lagrange(lift_left(l), f, broken), NotFinite);
-    BOOST_CHECK_THROW(relative_motion_from_momentum_left(l, momentum(SO<3>{}, Eigen::Vector3d(bad, 0, 0)), f), NotFinite);
+    BOOST_CHECK_THROW(relative_motion_from_momentum_left(l, momentum(SO<3>{}, Vector<double, 3>(bad, 0, 0)), f), NotFinite);
     auto const broken_energy = [bad](auto const& xi) { return spinning_body(xi) * bad; };
     BOOST_CHECK_THROW(step_euler_poincare_left(natural_chart_lagrangian_left(broken_energy, 0.1), f), NotFinite);
     BOOST_CHECK_THROW(natural_chart_lagrangian_left(spinning_body, bad), Error);

@@ -9,7 +9,7 @@
 #include "actio/reduction/galerkin.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
@@ -19,7 +19,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 auto const kinetic = [](auto const& xi) {
   auto const& v = xi.coordinates;
   auto sum = v[0] * v[0] + v[0] * v[1] * 0.4;
-  for (Eigen::Index i = 1; i < v.size(); ++i) sum += v[i] * v[i] * (1 + 0.3 * i);
+  for (Index i = 1; i < v.size(); ++i) sum += v[i] * v[i] * (1 + 0.3 * i);
   return sum / 2;
 };
 template <class G>
@@ -38,9 +38,9 @@ template <class M>
 double condition(M const& derivative) {
   M const inverse = inverse_matrix(derivative);
   double worst = 0;
-  for (Eigen::Index i = 0; i < inverse.rows(); ++i) {
+  for (Index i = 0; i < inverse.rows(); ++i) {
     double sum = 0;
-    for (Eigen::Index j = 0; j < inverse.cols(); ++j) sum += std::abs(inverse(i, j)) * derivative.row(j).cwiseAbs().sum();
+    for (Index j = 0; j < inverse.cols(); ++j) sum += std::abs(inverse(i, j)) * derivative.row(j).cwiseAbs().sum();
     worst = std::max(worst, sum);
   }
   return worst;
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
       [](auto const& xi) { return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1]; }, h);
   EulerPoincareStepsLeft flat(degenerate, identity<double>(SO<3>{}));
   BOOST_CHECK_THROW(flat.advance(), Singular);
-  BOOST_TEST((flat.relative_motion().value == Eigen::Matrix3d::Identity()));
+  BOOST_TEST((flat.relative_motion().value == Matrix<double, 3, 3>::Identity()));
 
   // An energy that ends: where it is no number there is no step, neither at the first nor after good ones.
   double end = 1e9;

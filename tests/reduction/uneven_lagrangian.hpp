@@ -15,11 +15,6 @@
 
 namespace actio::testing {
 
-template <class S>
-using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-template <class S>
-using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-
 /// A group of the library, known from the basis of its algebra alone: so one compiled test serves them all.
 template <class G>
 SpannedGroup from_basis(std::string const& name, G const& group) {
@@ -51,9 +46,9 @@ struct UnevenLagrangian {
   T operator()(Velocity<SpannedGroup, T> const& xi) const {
     Vector<T> const& x = xi.coordinates;
     T sum(0), along(0);
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
+    for (Index i = 0; i < x.size(); ++i) {
       T row(0);
-      for (Eigen::Index j = 0; j < x.size(); ++j) row += x[j] * a(i, j);
+      for (Index j = 0; j < x.size(); ++j) row += x[j] * a(i, j);
       sum += x[i] * (row / S(2) + T(b[i]));
       along += x[i] * c[i];
     }
@@ -63,11 +58,11 @@ struct UnevenLagrangian {
   template <class T>
   Vector<T> gradient_by_hand(Vector<T> const& x) const {
     T along(0);
-    for (Eigen::Index i = 0; i < x.size(); ++i) along += x[i] * T(c[i]);
+    for (Index i = 0; i < x.size(); ++i) along += x[i] * T(c[i]);
     Vector<T> p(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
+    for (Index i = 0; i < x.size(); ++i) {
       p[i] = T(b[i]) + along * along * T(c[i]) * T(kappa);
-      for (Eigen::Index j = 0; j < x.size(); ++j) p[i] += x[j] * T(a(i, j));
+      for (Index j = 0; j < x.size(); ++j) p[i] += x[j] * T(a(i, j));
     }
     return p;
   }

@@ -18,7 +18,7 @@ struct RandomBody {
 template <int n>
 RandomBody<n> random_body(std::mt19937& random, int size = n) {
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::Matrix<double, n, 1> lambda(size);
+  Matrix<double, n, 1> lambda(size);
   for (auto& l : lambda) l = 1.25 + 0.75 * uniform(random);
   auto const inertia = inertia_from_lambda<n, double>(lambda);
   Coordinates<SO<n>, double> xi(inertia.group.dimension());

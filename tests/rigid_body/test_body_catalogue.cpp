@@ -7,7 +7,8 @@
 #include "actio/rigid_body/body_catalogue.hpp"
 
 using namespace actio;
-using Eigen::Matrix3d, Eigen::Vector3d;
+using Matrix3d = actio::Matrix<double, 3, 3>;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();

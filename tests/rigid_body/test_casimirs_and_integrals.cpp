@@ -10,7 +10,7 @@
 #include "random_bodies.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
@@ -25,7 +25,7 @@ void kept_along_the_scheme() {
   MoserVeselov<n> const scheme(inertia, 0.3);
   Storage<SO<n>, double> const lambda = inertia.lambda.asDiagonal();
   auto pi = body_momentum(inertia, spin);
-  Eigen::VectorXd const c = casimirs(pi), i = isospectral_integrals(lambda, 0.3 * pi);
+  Vector<double> const c = casimirs(pi), i = isospectral_integrals(lambda, 0.3 * pi);
   int const steps = 100;
   for (int k = 0; k < steps; ++k) pi = scheme.step_lie_poisson(pi);
   BOOST_TEST((casimirs(pi) - c).norm() <= 16 * steps * eps * c.norm());
@@ -43,12 +43,12 @@ BOOST_AUTO_TEST_SUITE(casimirs_and_integrals)
 BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
   Draw draw(1);
   for (int n = 2; n <= 7; ++n) {
-    SO<Eigen::Dynamic> group;
+    SO<Dynamic> group;
     group.n = n;
     auto const mu = draw.momentum<rational>(group);
     auto const c = casimirs(mu);
     BOOST_TEST(c.size() == n / 2);
-    Eigen::Matrix<rational, Eigen::Dynamic, Eigen::Dynamic> const m = group.hat(mu.components), one = Eigen::Matrix<rational, Eigen::Dynamic, Eigen::Dynamic>::Identity(n, n);
+    Matrix<rational, Dynamic, Dynamic> const m = group.hat(mu.components), one = Matrix<rational, Dynamic, Dynamic>::Identity(n, n);
     if (n % 2 == 0) {
       // The square of the Pfaffian is the determinant, exactly.
       rational const square = c[n / 2 - 1] * c[n / 2 - 1], determinant = characteristic_coefficients(m)[n - 1];
@@ -67,20 +67,20 @@ BOOST_AUTO_TEST_CASE(kept_by_the_scheme) {
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
-  Momentum<SO<4>, double> const mu{{}, Eigen::Matrix<double, 6, 1>::Ones()};
+  Momentum<SO<4>, double> const mu{{}, Matrix<double, 6, 1>::Ones()};
   auto bad = mu;
   bad.components[2] = std::nan("");
-  Eigen::Matrix4d const lambda = Eigen::Vector4d(1, 2, 3, 4).asDiagonal();
+  Matrix<double, 4, 4> const lambda = Vector<double, 4>(1, 2, 3, 4).asDiagonal();
   auto const spin = velocity(SO<3>{}, Vector3d(1, 1, 1));
-  BOOST_CHECK_THROW(pfaffian(Eigen::Matrix3d(Eigen::Matrix3d::Zero())), OutsideDomain);
-  BOOST_CHECK_THROW(characteristic_coefficients(Eigen::MatrixXd(Eigen::MatrixXd::Zero(2, 3))), OutsideDomain);
+  BOOST_CHECK_THROW(pfaffian(Matrix<double, 3, 3>(Matrix<double, 3, 3>::Zero())), OutsideDomain);
+  BOOST_CHECK_THROW(characteristic_coefficients(Matrix<double>(Matrix<double>::Zero(2, 3))), OutsideDomain);
   BOOST_CHECK_THROW(casimirs(bad), NotFinite);
   BOOST_CHECK_THROW(isospectral_integrals(lambda, bad), NotFinite);
-  BOOST_CHECK_THROW(isospectral_integrals(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), mu), OutsideDomain);
+  BOOST_CHECK_THROW(isospectral_integrals(Matrix<double, 3, 3>(Matrix<double, 3, 3>::Identity()), mu), OutsideDomain);
   BOOST_CHECK_THROW(algebra_casimir(Coordinates<SO<3>, double>(1, -2, 3), spin), UnphysicalInertia);
   BOOST_CHECK_THROW(algebra_casimir(Coordinates<SO<3>, double>(1, std::nan(""), 3), spin), Error);
-  Eigen::Matrix3d const body = Vector3d(1, 2, 3).asDiagonal(), one = Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d skew = one, broken = one;
+  Matrix<double, 3, 3> const body = Vector3d(1, 2, 3).asDiagonal(), one = Matrix<double, 3, 3>::Identity();
+  Matrix<double, 3, 3> skew = one, broken = one;
   skew(0, 1) = 1, broken(2, 2) = std::nan("");
   BOOST_CHECK_THROW(euler_poincare_with_multiplier(skew, one, one, one), OutsideDomain);
   BOOST_CHECK_THROW(euler_poincare_without_multiplier(body, broken, one), NotFinite);

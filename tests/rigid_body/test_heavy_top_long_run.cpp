@@ -12,7 +12,7 @@
 #include "random_bodies.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(the_benchmark_of_bruls_and_cardona_comes_out_to_nine_places
   auto const [exact_top, exact_spin] = bruls_cardona_top<dec50>();
   testing::EulerPoisson<dec50> const equations{exact_top.inertia.moments, exact_top.lever()};
   auto const start = testing::together(release(exact_top, identity<dec50>(SO<3>{}), exact_spin));
-  Eigen::Matrix<dec50, 6, 1> const end = taylor_reference<dec50>(equations, start, dec50(1));
+  Matrix<dec50, 6, 1> const end = taylor_reference<dec50>(equations, start, dec50(1));
   Vector3d const truth = end.head<3>().cwiseQuotient(exact_top.inertia.moments).unaryExpr([](dec50 const& x) { return to_double(x); });
 
   auto const [top, spin] = bruls_cardona_top<double>();

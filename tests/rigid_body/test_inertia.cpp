@@ -1,11 +1,13 @@
 // Inertia: the operator J, principal moments and tensors, every kind of input that is no inertia, and sizes from 1e-47 to 1e+47.
 #include <boost/test/unit_test.hpp>
 
+#include "actio/foundations/forms.hpp"
 #include "actio/rigid_body/inertia.hpp"
 #include "random_bodies.hpp"
 
 using namespace actio;
-using Eigen::Matrix3d, Eigen::Vector3d;
+using Matrix3d = actio::Matrix<double, 3, 3>;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -34,19 +36,19 @@ BOOST_AUTO_TEST_CASE(the_operator_is_the_anticommutator_with_lambda) {
   operator_is_the_anticommutator<3>();
   operator_is_the_anticommutator<4>();
   operator_is_the_anticommutator<5>();
-  operator_is_the_anticommutator<Eigen::Dynamic>(3);
-  operator_is_the_anticommutator<Eigen::Dynamic>(7);
+  operator_is_the_anticommutator<Dynamic>(3);
+  operator_is_the_anticommutator<Dynamic>(7);
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_at_run_time_are_those_of_a_fixed_size) {
   std::mt19937 random(testing::seed);
   for (int repeat = 0; repeat < 3; ++repeat) {
     auto const three = testing::random_body<3>(random).spin.coordinates;
-    BOOST_TEST((SO<Eigen::Dynamic>{3}.hat(three) - SO<3>::hat(three)).norm() == 0);
+    BOOST_TEST((SO<Dynamic>{3}.hat(three) - SO<3>::hat(three)).norm() == 0);
     auto const four = testing::random_body<4>(random).spin.coordinates;
-    BOOST_TEST((SO<Eigen::Dynamic>{4}.hat(four) - SO<4>::hat(four)).norm() == 0);
+    BOOST_TEST((SO<Dynamic>{4}.hat(four) - SO<4>::hat(four)).norm() == 0);
     auto const two = testing::random_body<2>(random).spin.coordinates;
-    BOOST_TEST((SO<Eigen::Dynamic>{2}.hat(two) - SO<2>::hat(two)).norm() == 0);
+    BOOST_TEST((SO<Dynamic>{2}.hat(two) - SO<2>::hat(two)).norm() == 0);
   }
 }
 
@@ -85,19 +87,19 @@ BOOST_AUTO_TEST_CASE(moments_that_no_body_has_are_refused_with_the_excess) {
 }
 
 BOOST_AUTO_TEST_CASE(a_generalized_body_needs_positive_sums_only) {
-  using Vector4 = Eigen::Vector4d;
+  using Vector4 = Vector<double, 4>;
   BOOST_CHECK_NO_THROW((inertia_from_lambda<4, double>(Vector4(-0.5, 1, 2, 3))));
   BOOST_CHECK_NO_THROW((inertia_from_lambda<4, double>(Vector4(0, 1, 2, 3))));
   BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector4(-1, 1, 2, 3))), UnphysicalInertia);
   BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector4(0, 0, 2, 3))), UnphysicalInertia);
   BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector4(0, 0, 0, 0))), UnphysicalInertia);
-  BOOST_CHECK_THROW((inertia_from_lambda<Eigen::Dynamic, double>(Eigen::VectorXd(Eigen::VectorXd::Ones(1)))), OutsideDomain);
+  BOOST_CHECK_THROW((inertia_from_lambda<Dynamic, double>(Vector<double>(Vector<double>::Ones(1)))), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(no_number_is_no_inertia) {
   for (double const bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     BOOST_CHECK_THROW(inertia_from_moments(1, bad, 1), NotFinite);
-    BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Eigen::Vector4d(1, 1, bad, 1))), NotFinite);
+    BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector<double, 4>(1, 1, bad, 1))), NotFinite);
     Matrix3d tensor = Matrix3d::Identity();
     tensor(1, 2) = bad;
     BOOST_CHECK_THROW(principal_inertia(tensor), NotFinite);
@@ -111,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_tensor_gives_its_moments_and_axes) {
     Matrix3d const tensor = unit * (axes * moments.asDiagonal() * axes.transpose());
     auto const found = principal_inertia((tensor + tensor.transpose()) / 2);
     for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(found.inertia.moments[i] / unit - moments[i]) <= 16 * eps);
-    BOOST_TEST(found.axes.determinant() > 0);
+    BOOST_TEST(determinant(actio::Matrix<double, 3, 3>(found.axes)) > 0);
     BOOST_TEST(magnitude((found.axes * (found.inertia.moments / unit).asDiagonal() * found.axes.transpose() - tensor / unit).eval()) <= 32 * eps);
   }
 }

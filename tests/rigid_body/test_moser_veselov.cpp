@@ -5,7 +5,7 @@
 #include "random_bodies.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -29,7 +29,7 @@ void solves_up_to_the_longest_step_and_refuses_beyond(int size = n) {
       BOOST_TEST(defect<n>(inertia, part * longest, f.value, pi.components) <= 64 * eps);
       BOOST_TEST(magnitude((f.value.transpose() * f.value - identity<double>(inertia.group).value).eval()) <= 8 * eps);
       // The branch of the identity: the spectrum of f^T Lambda lies to the right. Close to the end the least real part goes with the root.
-      Eigen::MatrixXd const x = f.value.transpose() * inertia.lambda.asDiagonal();
+      Matrix<double> const x = f.value.transpose() * inertia.lambda.asDiagonal();
       BOOST_TEST(real_parts_of_eigenvalues(x)[0] > 0.1 * std::sqrt(1 - part) * inertia.lambda.minCoeff());
     }
     for (double const part : {1.000001, 1.001, 1.1, 3.0, 100.0}) {
@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(solves_up_to_the_longest_step_and_refuses_beyond_it) {
   solves_up_to_the_longest_step_and_refuses_beyond<4>();
   solves_up_to_the_longest_step_and_refuses_beyond<5>();
   solves_up_to_the_longest_step_and_refuses_beyond<8>();
-  solves_up_to_the_longest_step_and_refuses_beyond<Eigen::Dynamic>(6);
+  solves_up_to_the_longest_step_and_refuses_beyond<Dynamic>(6);
 }
 
 BOOST_AUTO_TEST_CASE(about_a_principal_axis_the_sine_of_the_angle_is_h_times_the_velocity) {
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(a_body_at_rest_stays) {
   auto const rest = momentum(SO<3>{}, Vector3d(Vector3d::Zero()));
   BOOST_TEST(std::isinf(largest_step(inertia, rest)));
   auto const f = MoserVeselov<3>(inertia, 1e6).relative_motion(rest).value;
-  BOOST_TEST((f.value - Eigen::Matrix3d::Identity()).norm() == 0);
+  BOOST_TEST((f.value - Matrix<double, 3, 3>::Identity()).norm() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetric_body_and_a_sphere_move) {
@@ -153,13 +153,13 @@ BOOST_AUTO_TEST_CASE(no_number_and_no_step_are_refused) {
 
 BOOST_AUTO_TEST_CASE(a_reflection_is_no_relative_motion) {
   MoserVeselov<3> const scheme(inertia_from_moments(1.5, 2, 3), 0.1);
-  Element<SO<3>, double> const mirror{{}, Eigen::Matrix3d(Vector3d(1, 1, -1).asDiagonal())};
+  Element<SO<3>, double> const mirror{{}, Matrix<double, 3, 3>(Vector3d(1, 1, -1).asDiagonal())};
   BOOST_CHECK_THROW(scheme.relative_motion({{}, Vector3d(0.1, 0.2, 0.3)}, mirror), OutsideDomain);
   BOOST_CHECK_THROW(scheme.step_euler_poincare(mirror), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(a_generalized_body_with_a_negative_lambda_moves_in_short_steps) {
-  auto const inertia = inertia_from_lambda<4, double>(Eigen::Vector4d(-0.3, 1, 1.5, 2));
+  auto const inertia = inertia_from_lambda<4, double>(Vector<double, 4>(-0.3, 1, 1.5, 2));
   std::mt19937 random(testing::seed);
   auto const pi = body_momentum(inertia, testing::random_body<4>(random).spin);
   auto const f = MoserVeselov<4>(inertia, 0.01).relative_motion(pi).value;

@@ -42,9 +42,9 @@ BOOST_AUTO_TEST_SUITE(long_run)
 BOOST_AUTO_TEST_CASE(momenta_stay_over_a_million_steps) {
   keeps_its_momenta<3>(0.01, 1e-11);
   keeps_its_momenta<3>(0.2, 1e-11);
-  keeps_its_momenta<Eigen::Dynamic>(0.1, 5e-11, 4);
-  keeps_its_momenta<Eigen::Dynamic>(0.1, 5e-11, 5);
-  keeps_its_momenta<Eigen::Dynamic>(0.05, 5e-11, 8);
+  keeps_its_momenta<Dynamic>(0.1, 5e-11, 4);
+  keeps_its_momenta<Dynamic>(0.1, 5e-11, 5);
+  keeps_its_momenta<Dynamic>(0.05, 5e-11, 8);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

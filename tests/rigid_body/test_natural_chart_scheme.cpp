@@ -6,7 +6,7 @@
 #include "random_bodies.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -12,18 +12,18 @@ namespace {
 
 // M' = [M, xi] with matrices, and g' = g xi: momentum and attitude in one vector.
 template <int n>
-Eigen::VectorXd flow(Inertia<n> const& inertia, Momentum<SO<n>, double> const& pi, double duration) {
-  using Matrix = Eigen::Matrix<double, n, n>;
+actio::Vector<double> flow(Inertia<n> const& inertia, Momentum<SO<n>, double> const& pi, double duration) {
+  using Matrix = actio::Matrix<double, n, n>;
   constexpr int d = SO<n>::dim;
-  Eigen::VectorXd y(d + n * n);
+  actio::Vector<double> y(d + n * n);
   y.head(d) = pi.components;
-  Eigen::Map<Matrix>(y.data() + d).setIdentity();
-  auto const rate = [&](double, Eigen::VectorXd const& state) {
+  as_matrix<n, n>(y.data() + d).setIdentity();
+  auto const rate = [&](double, actio::Vector<double> const& state) {
     Coordinates<SO<n>, double> const m = state.head(d);
-    Matrix const M = SO<n>::hat(m), xi = SO<n>::hat(m.cwiseQuotient(inertia.moments)), g = Eigen::Map<Matrix const>(state.data() + d);
-    Eigen::VectorXd change(d + n * n);
+    Matrix const M = SO<n>::hat(m), xi = SO<n>::hat(m.cwiseQuotient(inertia.moments)), g = as_matrix<n, n>(state.data() + d);
+    actio::Vector<double> change(d + n * n);
     change.head(d) = SO<n>::vee((M * xi - xi * M).eval());
-    Eigen::Map<Matrix>(change.data() + d) = g * xi;
+    as_matrix<n, n>(change.data() + d) = g * xi;
     return change;
   };
   return reference_solution(rate, y, 0, duration);
@@ -34,7 +34,7 @@ template <class Scheme, int n>
 void has_order_two(Inertia<n> const& inertia, Velocity<SO<n>, double> const& spin) {
   auto const start = body_momentum(inertia, spin);
   double const duration = 2;
-  Eigen::VectorXd const truth = flow(inertia, start, duration);
+  actio::Vector<double> const truth = flow(inertia, start, duration);
   std::vector<double> steps, in_momentum, in_attitude;
   for (int count = 40; count <= 1280; count *= 2) {
     Scheme const scheme(inertia, duration / count);
@@ -47,7 +47,7 @@ void has_order_two(Inertia<n> const& inertia, Velocity<SO<n>, double> const& spi
     }
     steps.push_back(scheme.step());
     in_momentum.push_back((pi.components - truth.head(SO<n>::dim)).norm());
-    in_attitude.push_back((Eigen::Map<Eigen::VectorXd const>(g.value.data(), n * n) - truth.tail(n * n)).norm());
+    in_attitude.push_back((g.value.reshaped() - truth.tail(n * n)).norm());
   }
   for (auto const* errors : {&in_momentum, &in_attitude}) {
     auto const fit = testing::fit_order(steps, *errors);
@@ -61,20 +61,20 @@ void has_order_two(Inertia<n> const& inertia, Velocity<SO<n>, double> const& spi
 BOOST_AUTO_TEST_SUITE(order)
 
 BOOST_AUTO_TEST_CASE(the_reference_solution_knows_sines_and_a_free_top) {
-  auto const oscillator = [](double, Eigen::Vector2d const& y) { return Eigen::Vector2d(y[1], -y[0]); };
-  Eigen::Vector2d const y = reference_solution(oscillator, Eigen::Vector2d(0, 1), 0, 10);
+  auto const oscillator = [](double, actio::Vector<double, 2> const& y) { return actio::Vector<double, 2>(y[1], -y[0]); };
+  actio::Vector<double, 2> const y = reference_solution(oscillator, actio::Vector<double, 2>(0, 1), 0, 10);
   BOOST_TEST(std::abs(y[0] - std::sin(10.0)) < 1e-13);
   BOOST_TEST(std::abs(y[1] - std::cos(10.0)) < 1e-13);
   auto const back = reference_solution(oscillator, y, 10, 0);
   BOOST_TEST(std::abs(back[0]) < 1e-13);
   // Small numbers are as good as large ones.
-  Eigen::Vector2d const tiny = reference_solution(oscillator, Eigen::Vector2d(0, 1e-60), 0, 10);
+  actio::Vector<double, 2> const tiny = reference_solution(oscillator, actio::Vector<double, 2>(0, 1e-60), 0, 10);
   BOOST_TEST(std::abs(tiny[0] / 1e-60 - std::sin(10.0)) < 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(the_reference_solution_refuses_what_is_no_number) {
-  auto const blow_up = [](double, Eigen::Matrix<double, 1, 1> const& y) { return Eigen::Matrix<double, 1, 1>(y * y[0]); };
-  Eigen::Matrix<double, 1, 1> one, bad;
+  auto const blow_up = [](double, actio::Matrix<double, 1, 1> const& y) { return actio::Matrix<double, 1, 1>(y * y[0]); };
+  actio::Matrix<double, 1, 1> one, bad;
   one << 1;
   bad << std::nan("");
   BOOST_CHECK_THROW(reference_solution(blow_up, one, 0, 2), Error);  // the solution 1/(1-t) ends at t = 1

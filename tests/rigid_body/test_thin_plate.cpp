@@ -4,7 +4,7 @@
 #include "actio/rigid_body/moser_veselov.hpp"
 
 using namespace actio;
-using Eigen::Vector3d;
+using Vector3d = actio::Vector<double, 3>;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -25,7 +25,7 @@ void drift(book::Program& program) {
   struct Case {
     char const* name;
     Three<double> moments;
-    Eigen::Vector3d momentum;
+    Vector<double, 3> momentum;
     double h;
     long steps;
   };

@@ -55,10 +55,10 @@ int main(int argc, char** argv) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(0.5, 2.0);
   for (int const n : {4, 5, 6, 8}) {
-    Eigen::VectorXd lambda(n), xi(n * (n - 1) / 2);
+    Vector<double> lambda(n), xi(n * (n - 1) / 2);
     for (auto& l : lambda) l = uniform(random);
     for (auto& c : xi) c = uniform(random) - 1.25;
-    auto const inertia = inertia_from_lambda<Eigen::Dynamic, double>(lambda);
+    auto const inertia = inertia_from_lambda<Dynamic, double>(lambda);
     add("body on SO(" + std::to_string(n) + ")", 1'000'000, keep(inertia, velocity(inertia.group, xi), 1'000'000));
   }
   program.table("kept", {"body", "steps", "Casimir", "momentum in space", "energy", "growth"}, rows, "Largest relative changes with steps of 0.1 rad.");

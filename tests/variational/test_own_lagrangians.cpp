@@ -11,7 +11,7 @@ using namespace actio;
 using testing::eps, testing::spinning_body;
 
 namespace {
-Eigen::Vector3d const spin(0.3, -1.1, 0.7);
+Vector<double, 3> const spin(0.3, -1.1, 0.7);
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_lagrangian_blind_to_a_velocity_is_refused_with_its_pivot) {
@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE(a_readers_own_lagrangian_on_se3_needs_no_derivatives) {
     auto const turning = body.template head<3>(), sliding = body.template tail<3>();
     return turning.dot(turning) + sliding.dot(sliding) * 3 / 2 - place.dot(place) * 5 / 2 + body[0] * place[2];
   };
-  Eigen::Matrix<double, 6, 1> motion;
+  Matrix<double, 6, 1> motion;
   motion << 0.1, 0.2, -0.3, 1.0, 0.5, -0.25;
   State<SE<3>, double> const v{exp(velocity(SE<3>{}, motion)), velocity(SE<3>{}, motion)};
   auto const acceleration = lagrange_acceleration(L, v);
@@ -43,9 +43,9 @@ BOOST_AUTO_TEST_CASE(a_readers_own_lagrangian_on_se3_needs_no_derivatives) {
   // Energy stays: its rate along the vector field.
   BOOST_TEST(std::abs(energy(L, moved(v, lagrange_vector_field(L, v))).part[0]) < 100 * eps);
   // The equation of the spring, in the frame of space: the force on the mass is -5 times the place, and what the wind adds.
-  Eigen::Vector3d const x = v.place.value.topRightCorner<3, 1>(), w = motion.head<3>(), u = motion.tail<3>() + w.cross(x);
-  Eigen::Vector3d const accelerated = acceleration.coordinates.tail<3>() + acceleration.coordinates.head<3>().cross(x) + w.cross(u);
-  Eigen::Vector3d const wind(0, 0, (v.place.value.topLeftCorner<3, 3>().transpose() * w)[0]);
+  Vector<double, 3> const x = v.place.value.topRightCorner<3, 1>(), w = motion.head<3>(), u = motion.tail<3>() + w.cross(x);
+  Vector<double, 3> const accelerated = acceleration.coordinates.tail<3>() + acceleration.coordinates.head<3>().cross(x) + w.cross(u);
+  Vector<double, 3> const wind(0, 0, (v.place.value.topLeftCorner<3, 3>().transpose() * w)[0]);
   BOOST_TEST((3 * accelerated + 5 * x - wind).norm() < 200 * eps);
 }
 
@@ -53,12 +53,12 @@ BOOST_AUTO_TEST_CASE(quaternions_and_matrices_give_the_same_motion) {
   // The weight of a top: height of a point fixed in the body.
   auto const top = [](auto const& v) {
     auto const body = body_velocity(v);
-    Eigen::Matrix<typename std::decay_t<decltype(v)>::Scalar, 3, 1> up;
+    Matrix<typename std::decay_t<decltype(v)>::Scalar, 3, 1> up;
     up << 0, 0, 1;
     auto const height = Ad(inverse(v.place), decltype(body){body.group, up}).coordinates[0];
     return spinning_body(body) - height * 3;
   };
-  auto const turn = Eigen::Vector3d(0.5, 0.2, -0.9);
+  auto const turn = Vector<double, 3>(0.5, 0.2, -0.9);
   State<SO<3>, double> const matrices{exp(velocity(SO<3>{}, turn)), velocity(SO<3>{}, spin)};
   State<SU2, double> const quaternions{exp(velocity(SU2{}, turn)), velocity(SU2{}, spin)};
   BOOST_TEST((lagrange_acceleration(top, matrices).coordinates - lagrange_acceleration(top, quaternions).coordinates).norm() < 100 * eps);

@@ -34,7 +34,7 @@ struct ExtendedSection {
     auto const y = phi(x);
     auto const l = lambda(x);
     constexpr int N = decltype(y)::RowsAtCompileTime, k = decltype(l)::RowsAtCompileTime;
-    Eigen::Matrix<typename V::Scalar, N + k, 1> both;
+    Matrix<typename V::Scalar, N + k, 1> both;
     both << y, l;
     return both;
   }
@@ -58,7 +58,7 @@ struct AugmentedDensity {
   template <class S, int n, int M>
   S operator()(Jet<S, n, M> const& jet) const {
     auto const j = configuration<M - components>(jet);
-    Eigen::Matrix<S, components, 1> const value = constraint(j), lambda = jet.y.template tail<components>();
+    Matrix<S, components, 1> const value = constraint(j), lambda = jet.y.template tail<components>();
     S sum = density(j);
     // [claim_7_2_augmented_lagrangian]
     for (int i = 0; i < components; ++i) sum += lambda[i] * value[i];

@@ -13,11 +13,11 @@ namespace detail {
 template <class T, class Phi>
 struct Paired {
   Phi const& constraint;
-  Eigen::Matrix<T, Phi::components, 1> lambda;
+  Matrix<T, Phi::components, 1> lambda;
 
   template <class S, int n, int N>
   S operator()(Jet<S, n, N> const& jet) const {
-    Eigen::Matrix<S, Phi::components, 1> const value = constraint(jet);
+    Matrix<S, Phi::components, 1> const value = constraint(jet);
     S sum(0);
     for (int i = 0; i < Phi::components; ++i) sum += value[i] * S(lambda[i]);
     return sum;
@@ -30,14 +30,14 @@ struct Paired {
 /// @param lambda  first jet of the multiplier at the same point, \ref first_jet
 template <class S, int n, int N, class Phi>
   requires ConstraintOver<Phi, S, n, N>
-Eigen::Matrix<S, N, 1> reaction(Phi const& constraint, SecondJet<S, n, N> const& j, Jet<S, n, Phi::components> const& lambda) {
+Matrix<S, N, 1> reaction(Phi const& constraint, SecondJet<S, n, N> const& j, Jet<S, n, Phi::components> const& lambda) {
   constexpr int k = Phi::components;
-  Eigen::Matrix<S, N, 1> r = place_derivative(detail::Paired<S, Phi>{constraint, lambda.y}, static_cast<Jet<S, n, N> const&>(j));
+  Matrix<S, N, 1> r = place_derivative(detail::Paired<S, Phi>{constraint, lambda.y}, static_cast<Jet<S, n, N> const&>(j));
   for (int mu = 0; mu <= n; ++mu) {
     // The total derivative meets lambda(x) as well.
-    Eigen::Matrix<Dual<S>, k, 1> moved = lambda.y.template cast<Dual<S>>();
+    Matrix<Dual<S>, k, 1> moved = lambda.y.template cast<Dual<S>>();
     for (int i = 0; i < k; ++i) moved[i].part[0] = lambda.v(i, mu);
-    Eigen::Matrix<Dual<S>, N, 1> const p = detail::momentum_column(detail::Paired<Dual<S>, Phi>{constraint, moved}, along(j, mu), mu);
+    Matrix<Dual<S>, N, 1> const p = detail::momentum_column(detail::Paired<Dual<S>, Phi>{constraint, moved}, along(j, mu), mu);
     for (int a = 0; a < N; ++a) r[a] -= p[a].part[0];
   }
   return r;
@@ -53,13 +53,13 @@ Eigen::Matrix<S, N, 1> reaction(Phi const& constraint, SecondJet<S, n, N> const&
 /// Accuracy: exact but for rounding.
 template <class S, int n, int N, class L, class Phi>
   requires DensityOver<L, S, n, N> && ConstraintOver<Phi, S, n, N>
-Eigen::Matrix<S, N, 1> constrained_field_equations(L const& density, Phi const& constraint, SecondJet<S, n, N> const& j,
+Matrix<S, N, 1> constrained_field_equations(L const& density, Phi const& constraint, SecondJet<S, n, N> const& j,
                                                    Jet<S, n, Phi::components> const& lambda) {
   auto const& jet = static_cast<Jet<S, n, N> const&>(j);
   detail::examine(density, jet);
   detail::examine(constraint, jet);
   // [eq_7_2]
-  Eigen::Matrix<S, N, 1> const r = momentum_divergence(density, j) - place_derivative(density, jet) + reaction(constraint, j, lambda);
+  Matrix<S, N, 1> const r = momentum_divergence(density, j) - place_derivative(density, jet) + reaction(constraint, j, lambda);
   // [eq_7_2]
   detail::require_derivative(r, jet, "constrained_field_equations");
   return r;

@@ -13,7 +13,7 @@ namespace actio {
 template <class Phi, class S, int n, int N>
 concept ConstraintOver = requires(Phi const& phi, Jet<S, n, N> const& jet) {
   { Phi::components } -> std::convertible_to<int>;
-  { Eigen::Matrix<S, Phi::components, 1>(phi(jet)) };
+  { Matrix<S, Phi::components, 1>(phi(jet)) };
 };
 
 /// A callable with k components as a constraint.
@@ -24,7 +24,7 @@ struct Constraint {
 
   /// Its components at a jet.
   template <class S, int n, int N>
-  Eigen::Matrix<S, k, 1> operator()(Jet<S, n, N> const& jet) const {
+  Matrix<S, k, 1> operator()(Jet<S, n, N> const& jet) const {
     return phi(jet);
   }
 };
@@ -40,7 +40,7 @@ Constraint<k, F> constraint(F phi) {
 /// Accuracy: exact but for the rounding of phi and Phi.
 template <class Phi, class Section>
 auto induced_constraint(Phi const& constraint, Section const& phi) {
-  return [constraint, phi]<class S, int rows>(Eigen::Matrix<S, rows, 1> const& x) -> Eigen::Matrix<S, Phi::components, 1> {
+  return [constraint, phi]<class S, int rows>(Matrix<S, rows, 1> const& x) -> Matrix<S, Phi::components, 1> {
     // [eq_7_1]
     return constraint(first_jet(phi, x));
     // [eq_7_1]
@@ -59,8 +59,8 @@ auto constraint_derivative(Phi const& constraint, Jet<S, n, N> const& jet) {
     moved.y[a].part[a] = S(1);
     for (int mu = 0; mu <= n; ++mu) moved.v(a, mu).part[N * (mu + 1) + a] = S(1);
   }
-  Eigen::Matrix<D, k, 1> const value = constraint(moved);
-  Eigen::Matrix<S, k, directions> rate;
+  Matrix<D, k, 1> const value = constraint(moved);
+  Matrix<S, k, directions> rate;
   for (int i = 0; i < k; ++i)
     for (int c = 0; c < directions; ++c) rate(i, c) = value[i].part[c];
   detail::require_derivative(rate, jet, "constraint_derivative");

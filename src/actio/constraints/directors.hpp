@@ -11,8 +11,8 @@ namespace actio {
 
 /// The vectors that a strain energy may depend on, as columns: \f$r_{,1},\dots,r_{,n},\ d,\ d_{,1},\dots,d_{,n}\f$.
 template <class S, int n>
-Eigen::Matrix<S, 3, 2 * n + 1> director_frame(Jet<S, n, 6> const& j) {
-  Eigen::Matrix<S, 3, 2 * n + 1> frame;
+Matrix<S, 3, 2 * n + 1> director_frame(Jet<S, n, 6> const& j) {
+  Matrix<S, 3, 2 * n + 1> frame;
   for (int i = 0; i < n; ++i) {
     frame.col(i) = j.v.col(i + 1).template head<3>();
     frame.col(n + 1 + i) = j.v.col(i + 1).template tail<3>();
@@ -37,7 +37,7 @@ struct DirectedBody {
     auto const frame = director_frame(j);
     T kinetic(0);
     for (int a = 0; a < 3; ++a) kinetic += j.v(a, 0) * j.v(a, 0) * T(Base<T>(rho)) + j.v(a + 3, 0) * j.v(a + 3, 0) * T(Base<T>(iota));
-    return kinetic / T(2) - W(j.particle(), Eigen::Matrix<T, 2 * n + 1, 2 * n + 1>(frame.transpose() * frame));
+    return kinetic / T(2) - W(j.particle(), Matrix<T, 2 * n + 1, 2 * n + 1>(frame.transpose() * frame));
   }
 };
 
@@ -46,9 +46,9 @@ struct UnitDirector {
   static constexpr int components = 1;  ///< one multiplier
   /// Half of the excess of the squared length.
   template <class S, int n>
-  Eigen::Matrix<S, 1, 1> operator()(Jet<S, n, 6> const& j) const {
-    Eigen::Matrix<S, 3, 1> const d = j.y.template tail<3>();
-    Eigen::Matrix<S, 1, 1> value;
+  Matrix<S, 1, 1> operator()(Jet<S, n, 6> const& j) const {
+    Matrix<S, 3, 1> const d = j.y.template tail<3>();
+    Matrix<S, 1, 1> value;
     value[0] = (inner(Kronecker<3>{}, d, d) - S(1)) / S(2);
     return value;
   }
@@ -60,10 +60,10 @@ struct NormalDirector {
   static constexpr int components = n + 1;  ///< the shear forces, and one for the length
   /// The products with the tangents, and half of the excess of the squared length.
   template <class S>
-  Eigen::Matrix<S, n + 1, 1> operator()(Jet<S, n, 6> const& j) const {
-    Eigen::Matrix<S, 3, 1> const d = j.y.template tail<3>();
-    Eigen::Matrix<S, n + 1, 1> value;
-    for (int i = 0; i < n; ++i) value[i] = inner(Kronecker<3>{}, d, Eigen::Matrix<S, 3, 1>(j.v.col(i + 1).template head<3>()));
+  Matrix<S, n + 1, 1> operator()(Jet<S, n, 6> const& j) const {
+    Matrix<S, 3, 1> const d = j.y.template tail<3>();
+    Matrix<S, n + 1, 1> value;
+    for (int i = 0; i < n; ++i) value[i] = inner(Kronecker<3>{}, d, Matrix<S, 3, 1>(j.v.col(i + 1).template head<3>()));
     value[n] = (inner(Kronecker<3>{}, d, d) - S(1)) / S(2);
     return value;
   }

@@ -15,9 +15,9 @@ struct Inextensible {
 
   /// Half of what is missing in the squared length of the tangent.
   template <class S, int N>
-  Eigen::Matrix<S, 1, 1> operator()(Jet<S, 1, N> const& j) const {
-    Eigen::Matrix<S, N, 1> const along = j.v.col(1);
-    Eigen::Matrix<S, 1, 1> value;
+  Matrix<S, 1, 1> operator()(Jet<S, 1, N> const& j) const {
+    Matrix<S, N, 1> const along = j.v.col(1);
+    Matrix<S, 1, 1> value;
     value[0] = (S(1) - inner(g(j.y), along, along)) / S(2);
     return value;
   }
@@ -30,7 +30,7 @@ Inextensible(SpaceMetric) -> Inextensible<SpaceMetric>;
 template <class S, int N>
 struct HeavyString {
   S rho;                          ///< mass per length
-  Eigen::Matrix<S, N, 1> gravity;  ///< acceleration of a free fall
+  Matrix<S, N, 1> gravity;  ///< acceleration of a free fall
 
   /// Kinetic energy and potential per length.
   template <class T>

@@ -13,8 +13,8 @@ namespace actio {
 namespace detail {
 /// Dual numbers along all m directions at a point.
 template <class S, int m>
-Eigen::Matrix<Dual<S, m>, m, 1> all_directions(Eigen::Matrix<S, m, 1> const& q) {
-  Eigen::Matrix<Dual<S, m>, m, 1> moved = q.template cast<Dual<S, m>>();
+Matrix<Dual<S, m>, m, 1> all_directions(Matrix<S, m, 1> const& q) {
+  Matrix<Dual<S, m>, m, 1> moved = q.template cast<Dual<S, m>>();
   for (int i = 0; i < m; ++i) moved[i].part[i] = S(1);
   return moved;
 }
@@ -35,18 +35,18 @@ struct ConstrainedFunction {
 
   /// \f$dh\f$ at a point.
   template <class S, int m>
-  Eigen::Matrix<S, m, 1> differential(Eigen::Matrix<S, m, 1> const& q) const {
+  Matrix<S, m, 1> differential(Matrix<S, m, 1> const& q) const {
     auto const value = h(detail::all_directions(q));
-    Eigen::Matrix<S, m, 1> d;
+    Matrix<S, m, 1> d;
     for (int i = 0; i < m; ++i) d[i] = value.part[i];
     return d;
   }
 
   /// \f$D\Psi\f$ at a point: k rows, m columns.
   template <class S, int m>
-  Eigen::Matrix<S, k, m> constraint_derivative(Eigen::Matrix<S, m, 1> const& q) const {
-    Eigen::Matrix<Dual<S, m>, k, 1> const value = constraint(detail::all_directions(q));
-    Eigen::Matrix<S, k, m> d;
+  Matrix<S, k, m> constraint_derivative(Matrix<S, m, 1> const& q) const {
+    Matrix<Dual<S, m>, k, 1> const value = constraint(detail::all_directions(q));
+    Matrix<S, k, m> d;
     for (int j = 0; j < k; ++j)
       for (int i = 0; i < m; ++i) d(j, i) = value[j].part[i];
     return d;
@@ -55,7 +55,7 @@ struct ConstrainedFunction {
   /// Refuses a point at which \f$D\Psi\f$ is not onto.
   /// @throws NotRegular
   template <class S, int m>
-  void require_regular(Eigen::Matrix<S, m, 1> const& q) const {
+  void require_regular(Matrix<S, m, 1> const& q) const {
     require_onto(constraint_derivative(q), q, "ConstrainedFunction");
   }
 
@@ -63,27 +63,27 @@ struct ConstrainedFunction {
   /// the restriction.
   /// @throws NotRegular  where the kernel is not a tangent space
   template <class S, int m>
-  Eigen::Matrix<S, Eigen::Dynamic, 1> restricted_differential(Eigen::Matrix<S, m, 1> const& q) const {
+  Matrix<S, Dynamic, 1> restricted_differential(Matrix<S, m, 1> const& q) const {
     require_regular(q);
     return echelon(constraint_derivative(q)).kernel().transpose() * differential(q);
   }
 
   /// The augmented function \f$\bar h(q, \lambda) = h(q) - \langle\lambda, \Psi(q)\rangle_q\f$.
   template <class S, int m>
-  S augmented(Eigen::Matrix<S, m, 1> const& q, Eigen::Matrix<S, k, 1> const& lambda) const {
+  S augmented(Matrix<S, m, 1> const& q, Matrix<S, k, 1> const& lambda) const {
     // [thm_7_1_1]
-    return h(q) - inner(fibre(q), lambda, Eigen::Matrix<S, k, 1>(constraint(q)));
+    return h(q) - inner(fibre(q), lambda, Matrix<S, k, 1>(constraint(q)));
     // [thm_7_1_1]
   }
 
   /// The second statement: the differential of \ref augmented in q and in \f$\lambda\f$, m + k numbers.
   template <class S, int m>
-  Eigen::Matrix<S, m + k, 1> augmented_differential(Eigen::Matrix<S, m, 1> const& q, Eigen::Matrix<S, k, 1> const& lambda) const {
-    Eigen::Matrix<S, m + k, 1> both;
+  Matrix<S, m + k, 1> augmented_differential(Matrix<S, m, 1> const& q, Matrix<S, k, 1> const& lambda) const {
+    Matrix<S, m + k, 1> both;
     both << q, lambda;
-    Eigen::Matrix<Dual<S, m + k>, m + k, 1> const moved = detail::all_directions(both);
-    auto const value = augmented(Eigen::Matrix<Dual<S, m + k>, m, 1>(moved.template head<m>()), Eigen::Matrix<Dual<S, m + k>, k, 1>(moved.template tail<k>()));
-    Eigen::Matrix<S, m + k, 1> d;
+    Matrix<Dual<S, m + k>, m + k, 1> const moved = detail::all_directions(both);
+    auto const value = augmented(Matrix<Dual<S, m + k>, m, 1>(moved.template head<m>()), Matrix<Dual<S, m + k>, k, 1>(moved.template tail<k>()));
+    Matrix<S, m + k, 1> d;
     for (int i = 0; i < m + k; ++i) d[i] = value.part[i];
     return d;
   }
@@ -95,11 +95,11 @@ struct ConstrainedFunction {
   /// @throws NotRegular  where \f$D\Psi\f$ is not onto: there may be no multiplier, or many
   /// Accuracy: that of the normal equations; exact over the rationals.
   template <class S, int m>
-  Eigen::Matrix<S, k, 1> multiplier(Eigen::Matrix<S, m, 1> const& q) const {
+  Matrix<S, k, 1> multiplier(Matrix<S, m, 1> const& q) const {
     require_regular(q);
     // [claim_7_1_first_to_second]
-    Eigen::Matrix<S, k, m> const A = lowered(fibre(q), constraint_derivative(q));
-    return solve_linear(Eigen::Matrix<S, k, k>(A * A.transpose()), Eigen::Matrix<S, k, 1>(A * differential(q)), "multiplier");
+    Matrix<S, k, m> const A = lowered(fibre(q), constraint_derivative(q));
+    return solve_linear(Matrix<S, k, k>(A * A.transpose()), Matrix<S, k, 1>(A * differential(q)), "multiplier");
     // [claim_7_1_first_to_second]
   }
 };

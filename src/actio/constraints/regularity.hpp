@@ -30,7 +30,7 @@ struct NotRegular : OutsideDomain {
 /// A linear map brought to echelon form by elimination with full pivoting: its rank, how clear that is, and its kernel.
 template <class S>
 struct Echelon {
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> matrix;  ///< the first `rank` rows have the identity in the first `rank` of the exchanged columns
+  Matrix<S, Dynamic, Dynamic> matrix;  ///< the first `rank` rows have the identity in the first `rank` of the exchanged columns
   std::vector<int> column;                                  ///< where the columns came from
   int rank = 0;                                             ///< how many pivots stand out of rounding
   double pivot = 1;  ///< the last pivot that was tried, over the largest term it was made from: 0 where nothing was left
@@ -40,9 +40,9 @@ struct Echelon {
   bool onto() const { return rank == matrix.rows(); }
 
   /// A basis of the vectors that are sent to zero, as columns.
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> kernel() const {
+  Matrix<S, Dynamic, Dynamic> kernel() const {
     int const m = static_cast<int>(matrix.cols());
-    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> basis(m, m - rank);
+    Matrix<S, Dynamic, Dynamic> basis(m, m - rank);
     for (int c = rank; c < m; ++c) {
       for (int i = 0; i < m; ++i) basis(column[i], c - rank) = i < rank ? S(-matrix(i, c)) : S(i == c ? 1 : 0);
     }
@@ -54,8 +54,8 @@ struct Echelon {
 /// comparison with the terms whose difference it is.
 /// @throws NotFinite  where an entry is a NaN or an infinity
 /// Accuracy: exact over the rationals.
-template <class M>
-Echelon<typename M::Scalar> echelon(Eigen::MatrixBase<M> const& given) {
+template <MatrixLike M>
+Echelon<typename M::Scalar> echelon(M const& given) {
   using S = typename M::Scalar;
   using T = Base<S>;
   require_finite(given, "echelon");
@@ -63,7 +63,7 @@ Echelon<typename M::Scalar> echelon(Eigen::MatrixBase<M> const& given) {
   auto& a = e.matrix;
   int const k = static_cast<int>(a.rows()), m = static_cast<int>(a.cols());
   for (int c = 0; c < m; ++c) e.column.push_back(c);
-  Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> terms(k, m);
+  Matrix<T, Dynamic, Dynamic> terms(k, m);
   for (int i = 0; i < k; ++i) {
     T largest(0);
     for (int c = 0; c < m; ++c)
@@ -105,12 +105,12 @@ Echelon<typename M::Scalar> echelon(Eigen::MatrixBase<M> const& given) {
 /// @param at     the point, for the message
 /// @param where  who asks
 /// @throws NotRegular  with the point, the pivot and its bound
-template <class M, class V>
-void require_onto(Eigen::MatrixBase<M> const& derivative, Eigen::MatrixBase<V> const& at, char const* where) {
+template <MatrixLike M, MatrixLike V>
+void require_onto(M const& derivative, V const& at, char const* where) {
   auto const e = echelon(derivative);
   if (e.onto()) return;
   std::vector<double> point;
-  for (Eigen::Index i = 0; i < at.size(); ++i) point.push_back(to_double(base_value(at(i))));
+  for (Index i = 0; i < at.size(); ++i) point.push_back(to_double(base_value(at(i))));
   throw NotRegular(where, std::move(point), e.pivot, e.bound);
 }
 

@@ -116,7 +116,7 @@ class ChordIteration {
   Coordinates<G, S> evaluate_derivative(Residual const& residual, Element<G, S> const& f) {
     int const n = f.group.dimension();
     Coordinates<G, S> value(n);
-    Eigen::Matrix<S, G::dim, G::dim> derivative(n, n);
+    Matrix<S, G::dim, G::dim> derivative(n, n);
     over_batches(n, [&](int first) {
       auto const moved = residual(moved_left(f, first)).components;
       store_parts(derivative, moved, first);
@@ -136,7 +136,7 @@ class ChordIteration {
   }
   double relative_size(Coordinates<G, S> const& value) const {
     S largest(0);
-    for (Eigen::Index i = 0; i < value.size(); ++i) {
+    for (Index i = 0; i < value.size(); ++i) {
       S const size = magnitude(value[i]) * per_row_[i];
       if (size > largest) largest = size;
     }
@@ -155,7 +155,7 @@ class ChordIteration {
     next *= square / rest;
   }
 
-  Eigen::Matrix<S, G::dim, G::dim> inverse_;
+  Matrix<S, G::dim, G::dim> inverse_;
   Coordinates<G, S> per_row_;
   Coordinates<G, S> moved_;
   bool known_ = false;

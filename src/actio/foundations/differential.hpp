@@ -77,7 +77,7 @@ Element<G, Moved<S>> moved_left(Element<G, S> const& g, int first) {
   if constexpr (moves_by_matrices<G, S>) {
     // The rate of change along e_a is the matrix e_a g. Basis matrices are nearly empty: add rows of g.
     over_entries<Base<S>>(g.group, first, [&](int a, int i, int k, Base<S> const& entry) {
-      for (Eigen::Index j = 0; j < value.cols(); ++j) value(i, j).part[a] += g.value(k, j) * entry;
+      for (Index j = 0; j < value.cols(); ++j) value(i, j).part[a] += g.value(k, j) * entry;
     });
   } else {
     value = primitive::compose(g.group, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)), value);
@@ -90,7 +90,7 @@ Element<G, Moved<S>> moved_right(Element<G, S> const& g, int first) {
   Storage<G, Moved<S>> value = g.value.template cast<Moved<S>>();
   if constexpr (moves_by_matrices<G, S>) {
     over_entries<Base<S>>(g.group, first, [&](int a, int k, int j, Base<S> const& entry) {
-      for (Eigen::Index i = 0; i < value.rows(); ++i) value(i, j).part[a] += g.value(i, k) * entry;
+      for (Index i = 0; i < value.rows(); ++i) value(i, j).part[a] += g.value(i, k) * entry;
     });
   } else {
     value = primitive::compose(g.group, value, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)));
@@ -178,7 +178,7 @@ Velocity<G, S> gradient(F const& h, Momentum<G, S> const& mu) {
 /// The parts of a column of dual numbers along one batch, as columns of a matrix beginning at column `first`.
 template <class Matrix, class Column>
 void store_parts(Matrix& matrix, Column const& column, int first) {
-  for (Eigen::Index i = 0; i < column.size(); ++i)
+  for (Index i = 0; i < column.size(); ++i)
     for (int a = 0; a < batch && first + a < matrix.cols(); ++a) matrix(i, first + a) = column[i].part[a];
 }
 

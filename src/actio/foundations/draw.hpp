@@ -36,7 +36,7 @@ struct Draw {
   }
 
   /// n numbers in (-1, 1).
-  template <Field S, class V = Eigen::Matrix<S, Eigen::Dynamic, 1>>
+  template <Field S, class V = Matrix<S, Dynamic, 1>>
   V vector(int n) {
     V v(n);
     for (int i = 0; i < n; ++i) v[i] = number<S>();

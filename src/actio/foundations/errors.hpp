@@ -42,21 +42,21 @@ struct NotFinite : Error {
 ///
 /// What a scalar is extended by is not looked at: it is no number only where a value is none, or where a derivative does not exist, and that
 /// is seen when the derivative is taken.
-template <class Derived>
-void require_finite(Eigen::MatrixBase<Derived> const& m, char const* where) {
+template <MatrixLike Derived>
+void require_finite(Derived const& m, char const* where) {
   using T = Base<typename Derived::Scalar>;
   if constexpr (std::is_floating_point_v<T>) {
     // The difference of a number and itself is zero, of anything else it is no number: one question for all entries.
     T sum(0);
-    for (Eigen::Index j = 0; j < m.cols(); ++j)
-      for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Index j = 0; j < m.cols(); ++j)
+      for (Index i = 0; i < m.rows(); ++i) {
         T const x = base_value(m(i, j));
         sum += x - x;
       }
     if (!(sum == T(0))) throw NotFinite(where);
   } else if constexpr (!is_exact<T>)
-    for (Eigen::Index j = 0; j < m.cols(); ++j)
-      for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Index j = 0; j < m.cols(); ++j)
+      for (Index i = 0; i < m.rows(); ++i)
         if (!is_finite(base_value(m(i, j)))) throw NotFinite(where);
 }
 

@@ -10,12 +10,12 @@ namespace actio {
 
 /// k tangent vectors at a point with D coordinates, as columns.
 template <class S, int D, int k>
-using Tangents = Eigen::Matrix<S, D, k>;
+using Tangents = Matrix<S, D, k>;
 
 /// The determinant of a small square matrix whose size the compiler knows, along its first column: without a division, over any ring.
 template <class S, int k>
   requires(k >= 0)
-S determinant(Eigen::Matrix<S, k, k> const& m) {
+S determinant(Matrix<S, k, k> const& m) {
   if constexpr (k == 0) {
     return S(1);
   } else if constexpr (k == 1) {
@@ -27,7 +27,7 @@ S determinant(Eigen::Matrix<S, k, k> const& m) {
     S sum(0);
     for (int i = 0; i < k; ++i) {
       if (m(i, 0) == S(0)) continue;
-      Eigen::Matrix<S, k - 1, k - 1> minor;
+      Matrix<S, k - 1, k - 1> minor;
       for (int r = 0, to = 0; r < k; ++r) {
         if (r == i) continue;
         for (int c = 1; c < k; ++c) minor(to, c - 1) = m(r, c);
@@ -47,7 +47,7 @@ S determinant(Eigen::Matrix<S, k, k> const& m) {
 /// @param W  vector field: a callable from points to tangent vectors
 template <class Field, class Form>
 auto contract(Field const& W, Form const& omega) {
-  return [W, omega]<class S, int D, int k>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
+  return [W, omega]<class S, int D, int k>(Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
     Tangents<S, D, k + 1> all;
     all.col(0) = W(at);
     if constexpr (k > 0) all.template rightCols<k>() = V;
@@ -57,9 +57,9 @@ auto contract(Field const& W, Form const& omega) {
 
 /// The tangent map of f at a point, applied to each column of V.
 template <class S, int D, int k, class Map>
-auto pushed(Map const& f, Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) {
+auto pushed(Map const& f, Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) {
   using T = Dual<S, k>;
-  Eigen::Matrix<T, D, 1> moved = at.template cast<T>();
+  Matrix<T, D, 1> moved = at.template cast<T>();
   for (int i = 0; i < D; ++i)
     for (int c = 0; c < k; ++c) moved[i].part[c] = V(i, c);
   auto const image = f(moved);
@@ -74,7 +74,7 @@ auto pushed(Map const& f, Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, k> co
 /// @param f  a callable between coordinates, over any scalar
 template <class Map, class Form>
 auto pull_back(Map const& f, Form const& omega) {
-  return [f, omega]<class S, int D, int k>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
+  return [f, omega]<class S, int D, int k>(Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
     if constexpr (k == 0) {
       auto const image = f(at);
       return omega(image.eval(), Tangents<S, std::remove_cvref_t<decltype(image)>::RowsAtCompileTime, 0>());
@@ -87,11 +87,11 @@ auto pull_back(Map const& f, Form const& omega) {
 /// The exterior derivative: \f$(d\omega)(V_0,\dots,V_k) = \sum_i (-1)^i\,V_i\bigl[\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\bigr]\f$ for constant fields.
 template <class Form>
 auto exterior_derivative(Form const& omega) {
-  return [omega]<class S, int D, int k>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
+  return [omega]<class S, int D, int k>(Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
     using T = Dual<S>;
     S sum(0);
     for (int i = 0; i < k; ++i) {
-      Eigen::Matrix<T, D, 1> moved = at.template cast<T>();
+      Matrix<T, D, 1> moved = at.template cast<T>();
       for (int r = 0; r < D; ++r) moved[r].part[0] = V(r, i);
       Tangents<T, D, k - 1> others;
       for (int c = 0, to = 0; c < k; ++c)

@@ -79,12 +79,12 @@ template <Field S, Group G>
 Element<G, S> identity(G const& group) {
   return {group, primitive::identity<S>(group)};
 }
-template <Group G, class V>
-auto velocity(G const& group, Eigen::MatrixBase<V> const& coordinates) {
+template <Group G, MatrixLike V>
+auto velocity(G const& group, V const& coordinates) {
   return Velocity<G, typename V::Scalar>{group, coordinates};
 }
-template <Group G, class V>
-auto momentum(G const& group, Eigen::MatrixBase<V> const& components) {
+template <Group G, MatrixLike V>
+auto momentum(G const& group, V const& components) {
   return Momentum<G, typename V::Scalar>{group, components};
 }
 /// The a-th basis vector of the algebra.
@@ -123,7 +123,7 @@ Momentum<G, S> operator/(Momentum<G, S> const& a, std::type_identity_t<S> const&
 template <Group G, Field S>
 S pair(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
   S sum(0);
-  for (Eigen::Index a = 0; a < mu.components.size(); ++a) sum += mu.components[a] * xi.coordinates[a];
+  for (Index a = 0; a < mu.components.size(); ++a) sum += mu.components[a] * xi.coordinates[a];
   return sum;
 }
 

@@ -10,12 +10,12 @@
 namespace actio {
 
 /// Largest sum of moduli along a row, by plain values.
-template <class Derived>
-double row_norm(Eigen::MatrixBase<Derived> const& m) {
+template <MatrixLike Derived>
+double row_norm(Derived const& m) {
   double norm = 0;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+  for (Index i = 0; i < m.rows(); ++i) {
     double sum = 0;
-    for (Eigen::Index j = 0; j < m.cols(); ++j) sum += std::abs(to_double(typename Derived::Scalar(m(i, j))));
+    for (Index j = 0; j < m.cols(); ++j) sum += std::abs(to_double(typename Derived::Scalar(m(i, j))));
     if (sum != sum) return sum;
     if (sum > norm) norm = sum;
   }
@@ -24,8 +24,8 @@ double row_norm(Eigen::MatrixBase<Derived> const& m) {
 
 /// How often a matrix has to be halved to have norm at most 1/2.
 /// @throws NotFinite  where an entry is no number
-template <class Derived>
-int halvings(Eigen::MatrixBase<Derived> const& m, char const* where) {
+template <MatrixLike Derived>
+int halvings(Derived const& m, char const* where) {
   double const norm = row_norm(m);
   if (!std::isfinite(norm)) throw NotFinite(where);
   int s = 0;
@@ -37,9 +37,9 @@ int halvings(Eigen::MatrixBase<Derived> const& m, char const* where) {
 ///
 /// \implements{eq_3_21}
 /// Accuracy: a few epsilon times \f$e^{|w|}\f$ (series on w/2^s, then doubling).
-template <class M>
+template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto iex(Eigen::MatrixBase<M> const& w) {
+auto iex(M const& w) {
   using S = typename M::Scalar;
   using Matrix = typename M::PlainObject;
   int const s = halvings(w, "iex");
@@ -67,9 +67,9 @@ auto iex(Eigen::MatrixBase<M> const& w) {
 ///
 /// \implements{claim_3_3_chi_function}
 /// @throws Singular  where iex(w) has no inverse: an eigenvalue of w at a nonzero multiple of 2 pi i
-template <class M>
+template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto chi(Eigen::MatrixBase<M> const& w) {
+auto chi(M const& w) {
   return inverse_matrix(iex(w), "chi");
 }
 
@@ -77,9 +77,9 @@ auto chi(Eigen::MatrixBase<M> const& w) {
 ///
 /// Not of w itself, where the two terms would cancel as the matrix contracts.
 /// Accuracy: a few epsilon times the size of w.
-template <class M>
+template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto matrix_exponential(Eigen::MatrixBase<M> const& w) {
+auto matrix_exponential(M const& w) {
   using S = typename M::Scalar;
   int const s = halvings(w, "exp");
   Base<S> scale(1);

@@ -12,29 +12,23 @@
 
 namespace actio {
 
-/// The cross product of 3-space.
-template <class A, class B>
-Eigen::Matrix<typename A::Scalar, 3, 1> cross(Eigen::MatrixBase<A> const& v, Eigen::MatrixBase<B> const& w) {
-  return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
-}
-
 namespace detail {
 
 /// The size that the elimination is compiled for. A fixed size makes it quicker over machine numbers; over others it does not, and one for all sizes compiles sooner.
 template <class S, int size>
-inline constexpr int compiled_size = std::is_arithmetic_v<Base<S>> ? size : Eigen::Dynamic;
+inline constexpr int compiled_size = std::is_arithmetic_v<Base<S>> ? size : Dynamic;
 
 /// Elimination in place, \ref solve_linear: a is lost, and x, the right sides, becomes the solution.
 template <class S, int size, int columns>
-void eliminate(Eigen::Matrix<S, size, size>& a, Eigen::Map<Eigen::Matrix<S, size, columns>> x, char const* where) {
+void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char const* where) {
   using T = Base<S>;
   require_finite(a, where);
   require_finite(x, where);
   int const n = static_cast<int>(a.rows());
 
   // The terms that each entry is made from, as far as the elimination has come, and the size of each row.
-  Eigen::Matrix<T, size, size> terms(n, n);
-  Eigen::Matrix<T, size, 1> per_row(n);
+  Matrix<T, size, size> terms(n, n);
+  Matrix<T, size, 1> per_row(n);
   for (int i = 0; i < n; ++i) {
     T largest(0);
     for (int j = 0; j < n; ++j) {
@@ -85,7 +79,7 @@ void eliminate(Eigen::Matrix<S, size, size>& a, Eigen::Map<Eigen::Matrix<S, size
       x(k, j) = sum * a(k, k);
     }
   if constexpr (!is_exact<S>)
-    for (Eigen::Index j = 0; j < x.cols(); ++j)
+    for (Index j = 0; j < x.cols(); ++j)
       for (int i = 0; i < n; ++i)
         if (!is_finite(base_value(x(i, j)))) throw NotFinite(std::string(where) + ": the solution is beyond the largest number");
 }
@@ -101,19 +95,19 @@ void eliminate(Eigen::Matrix<S, size, size>& a, Eigen::Map<Eigen::Matrix<S, size
 /// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
 /// @throws NotFinite  where an entry is a NaN or an infinity, or where the solution would be
 /// Accuracy: that of elimination with partial pivoting; exact over the rationals.
-template <class A, class B>
-auto solve_linear(Eigen::MatrixBase<A> const& matrix, Eigen::MatrixBase<B> const& right, char const* where = "solve_linear") {
+template <MatrixLike A, MatrixLike B>
+auto solve_linear(A const& matrix, B const& right, char const* where = "solve_linear") {
   using S = typename A::Scalar;
   constexpr int size = detail::compiled_size<S, A::RowsAtCompileTime>, columns = detail::compiled_size<S, B::ColsAtCompileTime>;
-  Eigen::Matrix<S, size, size> a = matrix;
-  Eigen::Matrix<S, B::RowsAtCompileTime, B::ColsAtCompileTime> x = right.template cast<S>();
-  detail::eliminate<S, size, columns>(a, Eigen::Map<Eigen::Matrix<S, size, columns>>(x.data(), x.rows(), x.cols()), where);
+  Matrix<S, size, size> a = matrix;
+  Matrix<S, B::RowsAtCompileTime, B::ColsAtCompileTime> x = right.template cast<S>();
+  detail::eliminate<S, size, columns>(a, MatrixView<S, size, columns>(x.data(), x.rows(), x.cols(), 1, x.rows()), where);
   return x;
 }
 
 /// The inverse of a square matrix over any field.
-template <class A>
-auto inverse_matrix(Eigen::MatrixBase<A> const& matrix, char const* where = "inverse_matrix") {
+template <MatrixLike A>
+auto inverse_matrix(A const& matrix, char const* where = "inverse_matrix") {
   typename A::PlainObject const identity = A::PlainObject::Identity(matrix.rows(), matrix.cols());
   return solve_linear(matrix, identity, where);
 }

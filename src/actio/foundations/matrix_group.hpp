@@ -12,7 +12,7 @@ namespace actio {
 
 /// Coordinates in the algebra of G, or in its dual: as many as the group has dimensions.
 template <class G, class S>
-using Coordinates = Eigen::Matrix<S, G::dim, 1>;
+using Coordinates = Matrix<S, G::dim, 1>;
 
 /// Size and dimension, for a group of n by n matrices to derive from.
 template <int n, int d>
@@ -29,7 +29,7 @@ concept MatrixGroup = requires(G const& group, Coordinates<G, double> const& v) 
   { G::size } -> std::convertible_to<int>;
   { group.matrix_size() } -> std::convertible_to<int>;
   { group.dimension() } -> std::convertible_to<int>;
-  { group.hat(v) } -> std::convertible_to<Eigen::Matrix<double, G::size, G::size>>;
+  { group.hat(v) } -> std::convertible_to<Matrix<double, G::size, G::size>>;
   { group.vee(group.hat(v)) } -> std::convertible_to<Coordinates<G, double>>;
 };
 
@@ -42,7 +42,7 @@ struct StorageOf<G, S> {
 };
 template <MatrixGroup G, class S>
 struct StorageOf<G, S> {
-  using type = Eigen::Matrix<S, G::size, G::size>;
+  using type = Matrix<S, G::size, G::size>;
 };
 /// What stores an element of G: a matrix, or whatever the group says.
 template <class G, class S>
@@ -50,8 +50,8 @@ using Storage = typename StorageOf<G, S>::type;
 
 /// The Cayley transform \f$(1 - A/2)^{-1}(1 + A/2)\f$: a rational stand-in for the exponential, equal to it to second order.
 /// @throws Singular  where A has the eigenvalue 2
-template <class M>
-typename M::PlainObject cayley(Eigen::MatrixBase<M> const& a) {
+template <MatrixLike M>
+typename M::PlainObject cayley(M const& a) {
   using S = typename M::Scalar;
   typename M::PlainObject const one = M::PlainObject::Identity(a.rows(), a.cols());
   typename M::PlainObject const half = a / S(2);
@@ -59,8 +59,8 @@ typename M::PlainObject cayley(Eigen::MatrixBase<M> const& a) {
 }
 /// The inverse of \ref cayley: \f$2(Q - 1)(Q + 1)^{-1}\f$.
 /// @throws Singular  where Q has the eigenvalue -1
-template <class M>
-typename M::PlainObject inverse_cayley(Eigen::MatrixBase<M> const& q) {
+template <MatrixLike M>
+typename M::PlainObject inverse_cayley(M const& q) {
   using S = typename M::Scalar;
   typename M::PlainObject const one = M::PlainObject::Identity(q.rows(), q.cols());
   return solve_linear((q + one).eval(), ((q - one) * S(2)).eval(), "inverse_cayley");
@@ -103,10 +103,10 @@ V Ad(G const& group, A const& a, V const& v) {
 
 /// The matrix of \f$\mathrm{Ad}_a\f$.
 template <class S, class G, class A>
-Eigen::Matrix<S, G::dim, G::dim> Ad_matrix(G const& group, A const& a) {
+Matrix<S, G::dim, G::dim> Ad_matrix(G const& group, A const& a) {
   using V = Coordinates<G, S>;
   int const n = group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> m(n, n);
+  Matrix<S, G::dim, G::dim> m(n, n);
   auto const fill = [&](auto const& image) {
     for (int k = 0; k < n; ++k) {
       V e = V::Zero(n);
@@ -176,7 +176,7 @@ template <class G, class V>
 auto ad_matrix(G const& group, V const& v) {
   using S = typename V::Scalar;
   int const n = group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> m(n, n);
+  Matrix<S, G::dim, G::dim> m(n, n);
   for (int a = 0; a < n; ++a) {
     V e = V::Zero(n);
     e[a] = S(1);
@@ -187,7 +187,7 @@ auto ad_matrix(G const& group, V const& v) {
 
 /// The logarithm extended to dual numbers by its known derivative: \f$d\log = \mathrm{iex}(\mathrm{ad}_{\log g})^{-1}(dg\,g^{-1})\f$.
 template <class G, class S, int N>
-Coordinates<G, Dual<S, N>> lifted_log(G const& group, Eigen::Matrix<Dual<S, N>, G::size, G::size> const& a) {
+Coordinates<G, Dual<S, N>> lifted_log(G const& group, Matrix<Dual<S, N>, G::size, G::size> const& a) {
   int const n = group.matrix_size(), d = group.dimension();
   Storage<G, S> value(n, n);
   for (int i = 0; i < n; ++i)
@@ -195,14 +195,14 @@ Coordinates<G, Dual<S, N>> lifted_log(G const& group, Eigen::Matrix<Dual<S, N>, 
   Coordinates<G, S> const x = log_of<G, S>(group, value);
   Storage<G, S> const inverse_value = primitive::inverse(group, value);
 
-  Eigen::Matrix<S, G::dim, Eigen::Dynamic> rates(d, N);
+  Matrix<S, G::dim, Dynamic> rates(d, N);
   for (int k = 0; k < N; ++k) {
     Storage<G, S> rate(n, n);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) rate(i, j) = a(i, j).part[k];
     rates.col(k) = group.vee(Storage<G, S>(rate * inverse_value));
   }
-  Eigen::Matrix<S, G::dim, Eigen::Dynamic> const solved = solve_linear(iex(primitive::ad_matrix(group, x)), rates, "log");
+  Matrix<S, G::dim, Dynamic> const solved = solve_linear(iex(primitive::ad_matrix(group, x)), rates, "log");
 
   Coordinates<G, Dual<S, N>> result(d);
   for (int c = 0; c < d; ++c) {

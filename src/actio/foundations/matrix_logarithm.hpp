@@ -7,8 +7,8 @@ namespace actio {
 
 /// The square root with eigenvalues in the right half plane, by the product form of the Denman-Beavers iteration.
 /// @throws OutsideDomain  where it does not converge: an eigenvalue on the negative real axis, or too near to it
-template <class M>
-typename M::PlainObject matrix_square_root(Eigen::MatrixBase<M> const& a) {
+template <MatrixLike M>
+typename M::PlainObject matrix_square_root(M const& a) {
   using S = typename M::Scalar;
   using Matrix = typename M::PlainObject;
   Matrix const one = Matrix::Identity(a.rows(), a.cols());
@@ -36,9 +36,9 @@ typename M::PlainObject matrix_square_root(Eigen::MatrixBase<M> const& a) {
 /// Accuracy: a few epsilon relative to the largest entry, as long as no eigenvalue comes near the negative real axis; near it
 /// the answer is compared with its exponential, and refused where they differ.
 /// @throws OutsideDomain  at and next to the edge of the chart
-template <class M>
+template <MatrixLike M>
   requires Real<typename M::Scalar>
-typename M::PlainObject matrix_logarithm(Eigen::MatrixBase<M> const& a) {
+typename M::PlainObject matrix_logarithm(M const& a) {
   using S = typename M::Scalar;
   using Matrix = typename M::PlainObject;
   Matrix const one = Matrix::Identity(a.rows(), a.cols());

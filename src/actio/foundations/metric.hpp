@@ -31,9 +31,9 @@ struct Euclidean {
 template <class S, int n>
 struct ConstantMetric {
   static constexpr bool constant = true;  ///< its derivatives vanish
-  Eigen::Matrix<S, n, n> matrix;  ///< symmetric, positive definite
+  Matrix<S, n, n> matrix;  ///< symmetric, positive definite
   template <class V>
-  Eigen::Matrix<typename V::Scalar, n, n> operator()(V const&) const {
+  Matrix<typename V::Scalar, n, n> operator()(V const&) const {
     return matrix.template cast<typename V::Scalar>();
   }
 };
@@ -55,18 +55,18 @@ struct NotAMetric : OutsideDomain {
 
 /// The matrix of a metric's value over the scalar S.
 template <class S, int n>
-Eigen::Matrix<S, n, n> as_matrix(Eigen::Matrix<S, n, n> const& g) {
+Matrix<S, n, n> as_matrix(Matrix<S, n, n> const& g) {
   return g;
 }
 /// The same for the Euclidean metric.
 template <class S, int n>
-Eigen::Matrix<S, n, n> as_matrix(Kronecker<n>) {
-  return Eigen::Matrix<S, n, n>::Identity();
+Matrix<S, n, n> as_matrix(Kronecker<n>) {
+  return Matrix<S, n, n>::Identity();
 }
 
 /// \f$g_{ab}u^aw^b\f$.
 template <class S, int n>
-S inner(Eigen::Matrix<S, n, n> const& g, Eigen::Matrix<S, n, 1> const& u, Eigen::Matrix<S, n, 1> const& w) {
+S inner(Matrix<S, n, n> const& g, Matrix<S, n, 1> const& u, Matrix<S, n, 1> const& w) {
   S sum(0);
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < n; ++b) sum += g(a, b) * u[a] * w[b];
@@ -74,7 +74,7 @@ S inner(Eigen::Matrix<S, n, n> const& g, Eigen::Matrix<S, n, 1> const& u, Eigen:
 }
 /// The same for the Euclidean metric.
 template <class S, int n>
-S inner(Kronecker<n>, Eigen::Matrix<S, n, 1> const& u, Eigen::Matrix<S, n, 1> const& w) {
+S inner(Kronecker<n>, Matrix<S, n, 1> const& u, Matrix<S, n, 1> const& w) {
   S sum(0);
   for (int a = 0; a < n; ++a) add_product(sum, u[a], w[a]);
   return sum;
@@ -83,7 +83,7 @@ S inner(Kronecker<n>, Eigen::Matrix<S, n, 1> const& u, Eigen::Matrix<S, n, 1> co
 /// \f$\sqrt{\det g}\f$.
 /// @throws NotASquare  over the rationals, where it is irrational
 template <class S, int n>
-S volume(Eigen::Matrix<S, n, n> const& g) {
+S volume(Matrix<S, n, n> const& g) {
   return square_root(determinant(g));
 }
 /// The same for the Euclidean metric.
@@ -94,13 +94,13 @@ Base<S> volume(Kronecker<n>) {
 
 /// The pulled-back metric \f$g_{ab}F^a{}_iF^b{}_j\f$.
 template <class S, int N, int n>
-Eigen::Matrix<S, n, n> pulled_back(Eigen::Matrix<S, N, N> const& g, Eigen::Matrix<S, N, n> const& F) {
+Matrix<S, n, n> pulled_back(Matrix<S, N, N> const& g, Matrix<S, N, n> const& F) {
   return F.transpose() * (g * F).eval();
 }
 /// The same for the Euclidean metric.
 template <class S, int N, int n>
-Eigen::Matrix<S, n, n> pulled_back(Kronecker<N>, Eigen::Matrix<S, N, n> const& F) {
-  Eigen::Matrix<S, n, n> C;
+Matrix<S, n, n> pulled_back(Kronecker<N>, Matrix<S, N, n> const& F) {
+  Matrix<S, n, n> C;
 #pragma GCC unroll 3
   for (int i = 0; i < n; ++i)
 #pragma GCC unroll 3
@@ -115,22 +115,22 @@ Eigen::Matrix<S, n, n> pulled_back(Kronecker<N>, Eigen::Matrix<S, N, n> const& F
 
 /// \f$G^{-1}C\f$: the first index raised.
 template <class S, int n, int k>
-Eigen::Matrix<S, n, k> raised(Eigen::Matrix<S, n, n> const& G, Eigen::Matrix<S, n, k> const& C) {
+Matrix<S, n, k> raised(Matrix<S, n, n> const& G, Matrix<S, n, k> const& C) {
   return solve_linear(G, C, "raised");
 }
 /// The same for the Euclidean metric.
 template <class S, int n, int k>
-Eigen::Matrix<S, n, k> raised(Kronecker<n>, Eigen::Matrix<S, n, k> const& C) {
+Matrix<S, n, k> raised(Kronecker<n>, Matrix<S, n, k> const& C) {
   return C;
 }
 /// \f$g\,T\f$: the first index lowered.
 template <class S, int n, int k>
-Eigen::Matrix<S, n, k> lowered(Eigen::Matrix<S, n, n> const& g, Eigen::Matrix<S, n, k> const& T) {
+Matrix<S, n, k> lowered(Matrix<S, n, n> const& g, Matrix<S, n, k> const& T) {
   return g * T;
 }
 /// The same for the Euclidean metric.
 template <class S, int n, int k>
-Eigen::Matrix<S, n, k> lowered(Kronecker<n>, Eigen::Matrix<S, n, k> const& T) {
+Matrix<S, n, k> lowered(Kronecker<n>, Matrix<S, n, k> const& T) {
   return T;
 }
 
@@ -139,7 +139,7 @@ namespace detail {
 template <class V>
 std::string metric_at(char const* which, V const& at) {
   std::string text = std::string(which) + " at (";
-  for (Eigen::Index i = 0; i < at.size(); ++i) text += (i ? ", " : "") + show(to_double(at[i]));
+  for (Index i = 0; i < at.size(); ++i) text += (i ? ", " : "") + show(to_double(at[i]));
   return text + ")";
 }
 }  // namespace detail
@@ -148,7 +148,7 @@ std::string metric_at(char const* which, V const& at) {
 /// @param at  the point, for the message
 /// @throws NotAMetric  with the asymmetry over the largest entry, or the pivot of the elimination that is not positive
 template <class S, int n, class V>
-void require_metric(Eigen::Matrix<S, n, n> const& g, V const& at, char const* which) {
+void require_metric(Matrix<S, n, n> const& g, V const& at, char const* which) {
   auto const where = [&] { return detail::metric_at(which, at); };
   if (!is_finite(g)) throw NotFinite(where());
   Base<S> const size = magnitude(g);
@@ -160,7 +160,7 @@ void require_metric(Eigen::Matrix<S, n, n> const& g, V const& at, char const* wh
       if (gap > bound) throw NotAMetric(where(), "a metric is symmetric; difference of g(a, b) and g(b, a) over the largest entry", to_double(Base<S>(gap / size)), to_double(Base<S>(bound / size)));
     }
   // Elimination without exchanges: all pivots of a positive definite matrix are positive.
-  Eigen::Matrix<Base<S>, n, n> left;
+  Matrix<Base<S>, n, n> left;
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < n; ++b) left(a, b) = base_value(g(a, b));
   for (int k = 0; k < n; ++k) {
@@ -179,7 +179,7 @@ void require_metric(Kronecker<n>, V const&, char const*) {}
 /// @param at  the point, for the message
 /// @throws NotASquare  with the determinant
 template <class S, int n, class V>
-void require_volume(Eigen::Matrix<S, n, n> const& g, V const& at, char const* which) {
+void require_volume(Matrix<S, n, n> const& g, V const& at, char const* which) {
   if constexpr (is_exact<S>) {
     S const square = determinant(g);
     try {
@@ -197,15 +197,15 @@ void require_volume(Kronecker<n>, V const&, char const*) {}
 
 /// \f$\partial g_{ab}/\partial y^c\f$ for all c: `rates[c](a, b)`.
 template <class Metric, class S, int n>
-std::array<Eigen::Matrix<S, n, n>, n> metric_derivatives(Metric const& g, Eigen::Matrix<S, n, 1> const& y) {
+std::array<Matrix<S, n, n>, n> metric_derivatives(Metric const& g, Matrix<S, n, 1> const& y) {
   using D = Dual<S, n>;
-  std::array<Eigen::Matrix<S, n, n>, n> rates;
+  std::array<Matrix<S, n, n>, n> rates;
   if constexpr (is_constant_metric<Metric>) {
     for (auto& rate : rates) rate.setZero();
   } else {
-    Eigen::Matrix<D, n, 1> moved = y.template cast<D>();
+    Matrix<D, n, 1> moved = y.template cast<D>();
     for (int c = 0; c < n; ++c) moved[c].part[c] = S(1);
-    Eigen::Matrix<D, n, n> const value = g(moved);
+    Matrix<D, n, n> const value = g(moved);
     for (int c = 0; c < n; ++c)
       for (int a = 0; a < n; ++a)
         for (int b = 0; b < n; ++b) rates[c](a, b) = value(a, b).part[c];
@@ -219,12 +219,12 @@ std::array<Eigen::Matrix<S, n, n>, n> metric_derivatives(Metric const& g, Eigen:
 /// @throws Singular  where g is
 /// Accuracy: exact but for rounding; zero, without a computation, for constant metrics.
 template <class Metric, class S, int n>
-std::array<Eigen::Matrix<S, n, n>, n> christoffel(Metric const& g, Eigen::Matrix<S, n, 1> const& y) {
-  std::array<Eigen::Matrix<S, n, n>, n> gamma;
+std::array<Matrix<S, n, n>, n> christoffel(Metric const& g, Matrix<S, n, 1> const& y) {
+  std::array<Matrix<S, n, n>, n> gamma;
   for (auto& m : gamma) m.setZero();
   if constexpr (!is_constant_metric<Metric>) {
     auto const rates = metric_derivatives(g, y);
-    Eigen::Matrix<S, n, n> const inverse = inverse_matrix(Eigen::Matrix<S, n, n>(g(y)), "christoffel");
+    Matrix<S, n, n> const inverse = inverse_matrix(Matrix<S, n, n>(g(y)), "christoffel");
     for (int c = 0; c < n; ++c)
       for (int a = 0; a < n; ++a)
         for (int b = 0; b < n; ++b)
@@ -239,8 +239,8 @@ std::array<Eigen::Matrix<S, n, n>, n> christoffel(Metric const& g, Eigen::Matrix
 
 /// \f$\gamma^c_{ab}u^aw^b\f$.
 template <class Metric, class S, int n>
-Eigen::Matrix<S, n, 1> connection(Metric const& g, Eigen::Matrix<S, n, 1> const& y, Eigen::Matrix<S, n, 1> const& u, Eigen::Matrix<S, n, 1> const& w) {
-  Eigen::Matrix<S, n, 1> sum = Eigen::Matrix<S, n, 1>::Zero();
+Matrix<S, n, 1> connection(Metric const& g, Matrix<S, n, 1> const& y, Matrix<S, n, 1> const& u, Matrix<S, n, 1> const& w) {
+  Matrix<S, n, 1> sum = Matrix<S, n, 1>::Zero();
   if constexpr (!is_constant_metric<Metric>) {
     auto const gamma = christoffel(g, y);
     for (int c = 0; c < n; ++c) sum[c] = inner(gamma[c], u, w);

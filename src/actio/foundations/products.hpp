@@ -8,13 +8,9 @@
 
 #include <type_traits>
 
-namespace actio {
+#include "actio/foundations/matrix.hpp"
 
-/// z += x y.
-template <class S>
-void add_product(S& z, S const& x, S const& y) {
-  z += x * y;
-}
+namespace actio {
 
 namespace detail {
 
@@ -26,19 +22,19 @@ inline constexpr bool own_arithmetic = false;
 template <class S>
 struct Strided {
   S* data;                    ///< the entry (0, 0)
-  Eigen::Index inner, outer;  ///< steps from row to row, and from column to column
+  Index inner, outer;  ///< steps from row to row, and from column to column
 
   /// The entry in row i and column j.
-  S& operator()(Eigen::Index i, Eigen::Index j) const { return data[i * inner + j * outer]; }
+  S& operator()(Index i, Index j) const { return data[i * inner + j * outer]; }
 };
 
 /// out += sign a b, for an l x m matrix a and an m x n matrix b; `out` overlaps neither.
 template <class S>
-void add_plain_product(Strided<S> out, Strided<S const> a, Strided<S const> b, Eigen::Index l, Eigen::Index m, Eigen::Index n, bool negative) {
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (Eigen::Index i = 0; i < l; ++i) {
+void add_plain_product(Strided<S> out, Strided<S const> a, Strided<S const> b, Index l, Index m, Index n, bool negative) {
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < l; ++i) {
       S sum(0);
-      for (Eigen::Index k = 0; k < m; ++k) add_product(sum, a(i, k), b(k, j));
+      for (Index k = 0; k < m; ++k) add_product(sum, a(i, k), b(k, j));
       if (negative)
         out(i, j) -= sum;
       else

@@ -6,10 +6,10 @@
 namespace actio {
 
 /// The rank of a matrix: how many pivots stand out of rounding, 256 n epsilon of the largest entry.
-template <class M>
-int matrix_rank(Eigen::MatrixBase<M> const& matrix) {
+template <MatrixLike M>
+int matrix_rank(M const& matrix) {
   using S = typename M::Scalar;
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> a = matrix;
+  Matrix<S, Dynamic, Dynamic> a = matrix;
   int const rows = static_cast<int>(a.rows()), columns = static_cast<int>(a.cols()), largest = rows > columns ? rows : columns;
   Base<S> const tiny = Base<S>(256 * largest) * epsilon<S>() * magnitude(a);
   int rank = 0;

@@ -18,15 +18,15 @@ namespace actio {
 
 /// y(t1) of \f$\dot y = f(t, y)\f$, \f$y(t_0) = y_0\f$.
 ///
-/// @param f         (double t, vector y) -> vector; any column vector of Eigen, fixed or not
+/// @param f         (double t, vector y) -> vector; any column vector, fixed or not
 /// @param y0        the state at t0
 /// @param relative  local error allowed per step, relative to the largest component of y0 (and of y as it goes)
 /// @throws NotFinite     where t0, t1, y0 or the solution is no number
 /// @throws NotConverged  where the step control gives up
 /// @throws OutsideDomain where `relative` is not positive
 /// Accuracy: a few hundred times `relative` over tens of periods; compare two values of `relative` to know.
-template <class F, class Derived>
-typename Derived::PlainObject reference_solution(F const& f, Eigen::MatrixBase<Derived> const& y0, double t0, double t1, double relative = 1e-15) {
+template <class F, MatrixLike Derived>
+typename Derived::PlainObject reference_solution(F const& f, Derived const& y0, double t0, double t1, double relative = 1e-15) {
   using Vector = typename Derived::PlainObject;
   Vector y = y0;
   if (!is_finite(y) || !std::isfinite(t0) || !std::isfinite(t1)) throw NotFinite("reference_solution: initial state or times");
@@ -36,13 +36,15 @@ typename Derived::PlainObject reference_solution(F const& f, Eigen::MatrixBase<D
 
   struct Problem {
     F const& f;
-    Eigen::Index size;
+    Index size;
   } problem{f, y.size()};
   gsl_odeiv2_system system{
       [](double t, double const* state, double* rate, void* data) -> int {
         auto const& p = *static_cast<Problem*>(data);
-        Vector const value = p.f(t, Vector(Eigen::Map<Vector const>(state, p.size)));
-        Eigen::Map<Vector>(rate, p.size) = value;
+        Vector place(p.size);
+        for (Index i = 0; i < p.size; ++i) place[i] = state[i];
+        Vector const value = p.f(t, place);
+        for (Index i = 0; i < p.size; ++i) rate[i] = value[i];
         return is_finite(value) ? GSL_SUCCESS : GSL_EBADFUNC;
       },
       nullptr, static_cast<std::size_t>(y.size()), &problem};

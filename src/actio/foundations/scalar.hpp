@@ -18,6 +18,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "actio/foundations/matrix.hpp"
 #include "actio/foundations/products.hpp"
 
 namespace actio {
@@ -116,11 +117,11 @@ S ratio(long numerator, long denominator) {
 }
 
 /// A matrix or vector of scalars with as many rows and columns, whose largest coefficient is asked for.
-template <class Derived>
-auto magnitude(Eigen::MatrixBase<Derived> const& m) {
+template <MatrixLike Derived>
+auto magnitude(Derived const& m) {
   Base<typename Derived::Scalar> largest(0);
-  for (Eigen::Index j = 0; j < m.cols(); ++j)
-    for (Eigen::Index i = 0; i < m.rows(); ++i) {
+  for (Index j = 0; j < m.cols(); ++j)
+    for (Index i = 0; i < m.rows(); ++i) {
       auto const size = magnitude(typename Derived::Scalar(m(i, j)));
       if (size != size) return size;  // no number: say so, whatever follows
       if (size > largest) largest = size;
@@ -128,10 +129,10 @@ auto magnitude(Eigen::MatrixBase<Derived> const& m) {
   return largest;
 }
 
-template <class Derived>
-bool is_finite(Eigen::MatrixBase<Derived> const& m) {
-  for (Eigen::Index j = 0; j < m.cols(); ++j)
-    for (Eigen::Index i = 0; i < m.rows(); ++i)
+template <MatrixLike Derived>
+bool is_finite(Derived const& m) {
+  for (Index j = 0; j < m.cols(); ++j)
+    for (Index i = 0; i < m.rows(); ++i)
       if (!is_finite(typename Derived::Scalar(m(i, j)))) return false;
   return true;
 }

@@ -24,13 +24,13 @@ struct Solved {
 };
 
 /// Largest |value_i| / sum_j |derivative_ij|: the residual in units of motion in the group, whatever its components' units are.
-template <class V, class M>
-double relative_residual(Eigen::MatrixBase<V> const& value, Eigen::MatrixBase<M> const& derivative) {
+template <MatrixLike V, MatrixLike M>
+double relative_residual(V const& value, M const& derivative) {
   using S = typename V::Scalar;
   double largest = 0;
-  for (Eigen::Index i = 0; i < value.size(); ++i) {
+  for (Index i = 0; i < value.size(); ++i) {
     S row(0);
-    for (Eigen::Index j = 0; j < derivative.cols(); ++j) row += magnitude(S(derivative(i, j)));
+    for (Index j = 0; j < derivative.cols(); ++j) row += magnitude(S(derivative(i, j)));
     S const size = magnitude(S(value[i]));
     if (size > S(0)) largest = std::max(largest, row > S(0) ? to_double(S(size / row)) : HUGE_VAL);
   }
@@ -44,8 +44,8 @@ template <Group G, Field S>
 double turning_size(Velocity<G, S> const& xi) {
   auto const ad = ad_matrix(xi);
   double trace = 0;
-  for (Eigen::Index i = 0; i < ad.rows(); ++i)
-    for (Eigen::Index j = 0; j < ad.cols(); ++j) trace += to_double(S(ad(i, j))) * to_double(S(ad(j, i)));
+  for (Index i = 0; i < ad.rows(); ++i)
+    for (Index j = 0; j < ad.cols(); ++j) trace += to_double(S(ad(i, j))) * to_double(S(ad(j, i)));
   return std::sqrt(std::abs(trace)) / 2;
 }
 
@@ -70,7 +70,7 @@ Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> con
   Report& report = found.report;
   report.residuals.reserve(8);
   report.tolerance = 16 * to_double(epsilon<S>());
-  Eigen::Matrix<S, G::dim, G::dim> derivative(n, n);
+  Matrix<S, G::dim, G::dim> derivative(n, n);
   Coordinates<G, S> value(n);
 
   for (int iteration = 0; iteration < limit; ++iteration) {

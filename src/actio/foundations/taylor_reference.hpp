@@ -22,19 +22,19 @@ int taylor_terms() {
 ///                        the time asked for
 /// Accuracy: a few epsilon of the largest component for each step, magnified as the flow magnifies errors.
 template <Real S, int n, class F>
-Eigen::Matrix<S, n, 1> taylor_reference(F const& f, Eigen::Matrix<S, n, 1> const& start, std::type_identity_t<S> const& duration) {
+Matrix<S, n, 1> taylor_reference(F const& f, Matrix<S, n, 1> const& start, std::type_identity_t<S> const& duration) {
   using std::log, std::exp;
   int const terms = taylor_terms<S>(), size = static_cast<int>(start.size());
-  Eigen::Matrix<S, n, 1> y = start;
+  Matrix<S, n, 1> y = start;
   S reached(0);
   while (reached != duration) {
     require_finite(y, "taylor_reference");
     // Each evaluation of f on the series known so far gives one power more.
-    Eigen::Matrix<Taylor<S>, n, 1> series(size);
+    Matrix<Taylor<S>, n, 1> series(size);
     for (int i = 0; i < size; ++i) series[i] = Taylor<S>::series({y[i]});
     std::vector<S> largest(terms + 1, S(0));
     for (int k = 0; k < terms; ++k) {
-      Eigen::Matrix<Taylor<S>, n, 1> const rate = f(series);
+      Matrix<Taylor<S>, n, 1> const rate = f(series);
       for (int i = 0; i < size; ++i) {
         series[i].coefficients.push_back(rate[i].coefficient(k) / S(k + 1));
         series[i].order = k + 1;

@@ -7,7 +7,7 @@ namespace actio {
 
 /// The differential \f$dx^i\f$ of one coordinate.
 inline auto differential_of_coordinate(int i) {
-  return [i]<class S, int D>(Eigen::Matrix<S, D, 1> const&, Tangents<S, D, 1> const& V) -> S { return V(i, 0); };
+  return [i]<class S, int D>(Matrix<S, D, 1> const&, Tangents<S, D, 1> const& V) -> S { return V(i, 0); };
 }
 
 /// The exterior product \f$(\alpha\wedge\omega)(V_0,\dots,V_k) = \sum_i(-1)^i\,\alpha(V_i)\,\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\f$.
@@ -15,7 +15,7 @@ inline auto differential_of_coordinate(int i) {
 /// @param omega  k-form, k = 0 included
 template <class Alpha, class Omega>
 auto wedge(Alpha const& alpha, Omega const& omega) {
-  return [alpha, omega]<class S, int D, int k>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
+  return [alpha, omega]<class S, int D, int k>(Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {
     S sum(0);
     for (int i = 0; i < k; ++i) {
       Tangents<S, D, k - 1> others;

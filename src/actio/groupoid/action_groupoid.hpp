@@ -13,13 +13,13 @@ template <Group G, Field S>
 struct ActionArrow {
   using Scalar = S;
   Element<G, S> turn;                          ///< g
-  Eigen::Matrix<S, Eigen::Dynamic, 1> vector;  ///< a
+  Matrix<S, Dynamic, 1> vector;  ///< a
 };
 /// A vector, as a point of the base.
 template <Field S>
 struct CarriedVector {
   using Scalar = S;
-  Eigen::Matrix<S, Eigen::Dynamic, 1> value;  ///< its components
+  Matrix<S, Dynamic, 1> value;  ///< its components
 };
 
 /// \f$G\ltimes\mathbb R^m\f$ over \f$\mathbb R^m\f$ for a group of m by m matrices that acts on vectors by multiplication: \f$(g, a)(h, g^{-1}a) = (gh, a)\f$.
@@ -31,7 +31,7 @@ struct ActionGroupoid {
   template <class S>
   using PointOver = CarriedVector<S>;
   template <class S>
-  using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  using Column = Matrix<S, Dynamic, 1>;
   [[no_unique_address]] G group;
 
   int dimension() const { return group.dimension(); }
@@ -59,7 +59,7 @@ struct ActionGroupoid {
   template <class S>
   static Column<S> entries(ActionArrow<G, S> const& g) {
     Column<S> all(g.turn.value.size() + g.vector.size());
-    for (Eigen::Index i = 0; i < g.turn.value.size(); ++i) all[i] = g.turn.value(i);
+    for (Index i = 0; i < g.turn.value.size(); ++i) all[i] = g.turn.value(i);
     all.tail(g.vector.size()) = g.vector;
     return all;
   }

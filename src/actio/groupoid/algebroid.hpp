@@ -29,7 +29,7 @@ auto moved_at_target(Gamma const& gamma, A const& g, int a) {
 template <MovableGroupoid Gamma, class A>
 auto anchor(Gamma const& gamma, A const& g) {
   using S = typename A::Scalar;
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> rho(gamma.base_dimension(), gamma.dimension());
+  actio::Matrix<S, Dynamic, Dynamic> rho(gamma.base_dimension(), gamma.dimension());
   for (int a = 0; a < gamma.dimension(); ++a) rho.col(a) = gamma.base_rate(gamma.target(detail::moved_at_target(gamma, g, a)));
   return rho;
 }
@@ -41,19 +41,19 @@ auto anchor(Gamma const& gamma, A const& g) {
 template <MovableGroupoid Gamma, class A>
 auto algebroid_bracket(Gamma const& gamma, A const& g) {
   using S = typename A::Scalar;
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
   int const n = gamma.dimension();
   auto const first_rate = [&](int a) {
     auto const moved = gamma.entries(detail::moved_at_target(gamma, g, a));
-    Eigen::Matrix<S, Eigen::Dynamic, 1> rate(moved.size());
-    for (Eigen::Index i = 0; i < moved.size(); ++i) rate[i] = moved[i].part[0];
+    actio::Matrix<S, Dynamic, 1> rate(moved.size());
+    for (Index i = 0; i < moved.size(); ++i) rate[i] = moved[i].part[0];
     return rate;
   };
   // X_a X_b: move along a, then along b from there.
   auto const second_rate = [&](int a, int b) {
     auto const moved = gamma.entries(detail::moved_at_target(gamma, detail::moved_at_target(gamma, g, a), b));
-    Eigen::Matrix<S, Eigen::Dynamic, 1> rate(moved.size());
-    for (Eigen::Index i = 0; i < moved.size(); ++i) rate[i] = moved[i].part[0].part[0];
+    actio::Matrix<S, Dynamic, 1> rate(moved.size());
+    for (Index i = 0; i < moved.size(); ++i) rate[i] = moved[i].part[0].part[0];
     return rate;
   };
   Matrix fields(gamma.entries(g).size(), n);
@@ -62,8 +62,8 @@ auto algebroid_bracket(Gamma const& gamma, A const& g) {
   std::vector<Matrix> bracket(n, Matrix::Zero(n, n));
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < a; ++b) {
-      Eigen::Matrix<S, Eigen::Dynamic, 1> const commutator = second_rate(a, b) - second_rate(b, a);
-      bracket[a].col(b) = solve_linear(gram, Eigen::Matrix<S, Eigen::Dynamic, 1>(transposed * commutator), "algebroid_bracket: entries");
+      actio::Matrix<S, Dynamic, 1> const commutator = second_rate(a, b) - second_rate(b, a);
+      bracket[a].col(b) = solve_linear(gram, actio::Matrix<S, Dynamic, 1>(transposed * commutator), "algebroid_bracket: entries");
       bracket[b].col(a) = -bracket[a].col(b);
     }
   return bracket;
@@ -78,7 +78,7 @@ template <MovableGroupoid Gamma, class A>
 auto dual_bivector(Gamma const& gamma, A const& g, Fibre<Gamma, typename A::Scalar> const& p) {
   using S = typename A::Scalar;
   int const m = gamma.base_dimension(), n = gamma.dimension();
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> pi = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(m + n, m + n);
+  actio::Matrix<S, Dynamic, Dynamic> pi = actio::Matrix<S, Dynamic, Dynamic>::Zero(m + n, m + n);
   auto const rho = anchor(gamma, g);
   auto const bracket = algebroid_bracket(gamma, g);
   // [claim_4_1_dual_poisson]

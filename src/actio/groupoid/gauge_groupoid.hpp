@@ -12,15 +12,15 @@ namespace actio {
 template <Group K, Field S>
 struct GaugeArrow {
   using Scalar = S;
-  Eigen::Matrix<S, Eigen::Dynamic, 1> from;  ///< x0
-  Eigen::Matrix<S, Eigen::Dynamic, 1> to;    ///< x1
+  Matrix<S, Dynamic, 1> from;  ///< x0
+  Matrix<S, Dynamic, 1> to;    ///< x1
   Element<K, S> turn;                        ///< k
 };
 /// A point of the base.
 template <Field S>
 struct BasePoint {
   using Scalar = S;
-  Eigen::Matrix<S, Eigen::Dynamic, 1> value;  ///< its coordinates
+  Matrix<S, Dynamic, 1> value;  ///< its coordinates
 };
 
 /// \f$(M\times M)/K\f$ over \f$\mathbb R^m\f$, \f$M = \mathbb R^m\times K\f$ with K acting from the left: the pair ((x0, k0), (x1, k1)) has the turn \f$k_0^{-1}k_1\f$.
@@ -28,13 +28,13 @@ struct BasePoint {
 /// \f$(x_0, x_1, k)(x_1, x_2, l) = (x_0, x_2, kl)\f$. A vector of the algebroid is \f$(\delta x_1, k^{-1}\delta k)\f$.
 template <Group K>
 struct GaugeGroupoid {
-  static constexpr int dim = Eigen::Dynamic;
+  static constexpr int dim = Dynamic;
   template <class S>
   using ArrowOver = GaugeArrow<K, S>;
   template <class S>
   using PointOver = BasePoint<S>;
   template <class S>
-  using Column = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  using Column = Matrix<S, Dynamic, 1>;
   [[no_unique_address]] K group;
   int base = 1;  ///< m
 
@@ -64,10 +64,10 @@ struct GaugeGroupoid {
 
   template <class S>
   static Column<S> entries(GaugeArrow<K, S> const& g) {
-    Eigen::Index const m = g.from.size();
+    Index const m = g.from.size();
     Column<S> all(2 * m + g.turn.value.size());
     all.head(m) = g.from, all.segment(m, m) = g.to;
-    for (Eigen::Index i = 0; i < g.turn.value.size(); ++i) all[2 * m + i] = g.turn.value(i);
+    for (Index i = 0; i < g.turn.value.size(); ++i) all[2 * m + i] = g.turn.value(i);
     return all;
   }
   template <class S>

@@ -14,7 +14,7 @@ namespace actio {
 /// The Lagrangian \f$l(\xi) = \tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle\f$ with its Hamiltonian \f$h(\mu) = \tfrac12\langle\mu-b, A^{-1}(\mu-b)\rangle\f$.
 template <Group G, Field S>
 struct QuadraticLagrangian {
-  using Matrix = Eigen::Matrix<S, G::dim, G::dim>;  ///< as many rows as the algebra has dimensions
+  using Matrix = actio::Matrix<S, G::dim, G::dim>;  ///< as many rows as the algebra has dimensions
   [[no_unique_address]] G group;
   Matrix a;              ///< A, symmetric; mass, or mass x length^2
   Matrix inverse_a;      ///< its inverse
@@ -98,7 +98,7 @@ struct FreeMotionSeries {
 
  private:
   T energy;
-  std::vector<Eigen::Matrix<T, G::dim, G::dim>> ad_star_of_xi;
+  std::vector<actio::Matrix<T, G::dim, G::dim>> ad_star_of_xi;
   std::vector<Storage<G, T>> hat_of_xi;
   std::vector<Coordinates<G, T>> velocities;
 };
@@ -168,7 +168,7 @@ struct ExactGeneratingFunction {
       Element<G, U> const below{g.group, g.value.unaryExpr([](T const& x) { return x.value; })};
       auto const pi0 = initial_momentum(below, t.value);
       auto const wide = over<T>(pi0);
-      Eigen::Matrix<T, G::dim, G::dim> const slope = derivative(pi0, below, t.value).template cast<T>();
+      actio::Matrix<T, G::dim, G::dim> const slope = derivative(pi0, below, t.value).template cast<T>();
       return wide - Momentum<G, T>{wide.group, solve_linear(slope, miss(wide, g, t), "ExactGeneratingFunction: derivative by the initial momentum")};
     } else {
       if (t == T(0)) throw OutsideDomain("ExactGeneratingFunction", "the time must differ from zero", 0, 0);
@@ -197,7 +197,7 @@ struct ExactGeneratingFunction {
   template <Real T>
   auto derivative(Momentum<G, T> const& pi0, Element<G, T> const& g, T const& t) const {
     int const n = l.group.dimension();
-    Eigen::Matrix<T, G::dim, G::dim> m(n, n);
+    actio::Matrix<T, G::dim, G::dim> m(n, n);
     over_batches(n, [&](int first) {
       auto moved = over<Moved<T>>(pi0);
       for (int a = 0; a < batch && first + a < n; ++a) moved.components[first + a].part[a] = T(1);

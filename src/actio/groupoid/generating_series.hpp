@@ -62,8 +62,8 @@ struct Polynomial {
     return d;
   }
   /// The value at a column of coordinates.
-  template <class V>
-  typename V::Scalar at(Eigen::MatrixBase<V> const& x) const {
+  template <MatrixLike V>
+  typename V::Scalar at(V const& x) const {
     using T = typename V::Scalar;
     // Powers of each coordinate, as far as they are needed.
     std::vector<std::vector<T>> raised(x.size(), std::vector<T>{T(1)});

@@ -42,15 +42,15 @@ struct GroupAsGroupoid {
   static Element<G, T> over(Element<G, S> const& g) { return actio::over<T>(g); }
 
   template <class S>
-  static Eigen::Matrix<S, Eigen::Dynamic, 1> entries(Element<G, S> const& g) {
-    Eigen::Matrix<S, Eigen::Dynamic, 1> all(g.value.size());
-    for (Eigen::Index i = 0; i < g.value.size(); ++i) all[i] = g.value(i);
+  static Matrix<S, Dynamic, 1> entries(Element<G, S> const& g) {
+    Matrix<S, Dynamic, 1> all(g.value.size());
+    for (Index i = 0; i < g.value.size(); ++i) all[i] = g.value(i);
     return all;
   }
   template <class S>
-  Element<G, S> moved(Element<G, S> const& g, Eigen::Matrix<S, Eigen::Dynamic, 1> const& w) const { return near_unit(SinglePoint<S>{}, Coordinates<G, S>(w)) * g; }
+  Element<G, S> moved(Element<G, S> const& g, Matrix<S, Dynamic, 1> const& w) const { return near_unit(SinglePoint<S>{}, Coordinates<G, S>(w)) * g; }
   template <class S>
-  static Eigen::Matrix<S, Eigen::Dynamic, 1> base_rate(SinglePoint<Dual<S>> const&) { return Eigen::Matrix<S, Eigen::Dynamic, 1>(0); }
+  static Matrix<S, Dynamic, 1> base_rate(SinglePoint<Dual<S>> const&) { return Matrix<S, Dynamic, 1>(0); }
 };
 
 }  // namespace actio

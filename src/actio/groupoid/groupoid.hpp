@@ -17,7 +17,7 @@ template <class Gamma, class S>
 using Point = typename Gamma::template PointOver<S>;
 /// Coordinates in a fibre of its algebroid, or of the dual of that.
 template <class Gamma, class S>
-using Fibre = Eigen::Matrix<S, Gamma::dim, 1>;
+using Fibre = Matrix<S, Gamma::dim, 1>;
 
 /// A Lie groupoid over any field.
 ///
@@ -37,11 +37,11 @@ concept Groupoid = requires(Gamma const& gamma, Arrow<Gamma, double> const& g, P
 
 /// A groupoid whose arrows and points can be moved about and written down: what its algebroid is computed from (algebroid.hpp).
 template <class Gamma>
-concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<Gamma, double> const& g, Eigen::VectorXd const& w, Point<Gamma, Dual<double>> const& x) {
+concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<Gamma, double> const& g, Vector<double> const& w, Point<Gamma, Dual<double>> const& x) {
   { gamma.base_dimension() } -> std::convertible_to<int>;       // of the base; that of the groupoid is base_dimension() + dimension()
-  { gamma.entries(g) } -> std::convertible_to<Eigen::VectorXd>;  // numbers that tell arrows apart, by their first derivatives too
+  { gamma.entries(g) } -> std::convertible_to<Vector<double>>;  // numbers that tell arrows apart, by their first derivatives too
   { gamma.moved(g, w) } -> std::convertible_to<Arrow<Gamma, double>>;  // g moved by an infinitesimal w, base_dimension() + dimension() components
-  { gamma.base_rate(x) } -> std::convertible_to<Eigen::VectorXd>;  // how a point moves, base_dimension() components
+  { gamma.base_rate(x) } -> std::convertible_to<Vector<double>>;  // how a point moves, base_dimension() components
 };
 
 /// A point of the dual of the algebroid: a covector on the fibre over a point of the base.

@@ -37,10 +37,10 @@ template <class F, class V>
 GeneratedMomenta<V> generated_momenta(F const& s, V const& q, V const& q0, typename V::Scalar const& t) {
   using S = typename V::Scalar;
   using D = Dual<S>;
-  using Moving = Eigen::Matrix<D, V::RowsAtCompileTime, 1>;
+  using Moving = Matrix<D, V::RowsAtCompileTime, 1>;
   GeneratedMomenta<V> p{V(q.size()), V(q.size())};
   Moving const still = q.template cast<D>(), still0 = q0.template cast<D>();
-  for (Eigen::Index i = 0; i < q.size(); ++i) {
+  for (Index i = 0; i < q.size(); ++i) {
     Moving moved = still, moved0 = still0;
     moved[i].part[0] = moved0[i].part[0] = S(1);
     // [claim_4_2_classical_hamilton_jacobi]

@@ -84,7 +84,7 @@ Solved<A> arrow_with_source_covector(Gamma const& gamma, L const& l, Fibre<Gamma
   Solved<A> found{start, {}};
   Report& report = found.report;
   report.tolerance = 16 * to_double(epsilon<S>());
-  Eigen::Matrix<S, Gamma::dim, Gamma::dim> derivative(n, n);
+  Matrix<S, Gamma::dim, Gamma::dim> derivative(n, n);
   Fibre<Gamma, S> value(n);
   for (int iteration = 0; iteration < limit; ++iteration) {
     // The residual on arrows moved infinitely little at their free end: value and derivative at once.

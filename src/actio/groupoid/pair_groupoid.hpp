@@ -54,18 +54,18 @@ struct PairGroupoid {
   static PairArrow<G, T> over(PairArrow<G, S> const& g) { return {actio::over<T>(g.first), actio::over<T>(g.second)}; }
 
   template <class S>
-  static Eigen::Matrix<S, Eigen::Dynamic, 1> entries(PairArrow<G, S> const& g) {
-    Eigen::Matrix<S, Eigen::Dynamic, 1> all(2 * g.first.value.size());
-    for (Eigen::Index i = 0; i < g.first.value.size(); ++i) all[i] = g.first.value(i), all[g.first.value.size() + i] = g.second.value(i);
+  static Matrix<S, Dynamic, 1> entries(PairArrow<G, S> const& g) {
+    Matrix<S, Dynamic, 1> all(2 * g.first.value.size());
+    for (Index i = 0; i < g.first.value.size(); ++i) all[i] = g.first.value(i), all[g.first.value.size() + i] = g.second.value(i);
     return all;
   }
   template <class S>
-  PairArrow<G, S> moved(PairArrow<G, S> const& g, Eigen::Matrix<S, Eigen::Dynamic, 1> const& w) const {
+  PairArrow<G, S> moved(PairArrow<G, S> const& g, Matrix<S, Dynamic, 1> const& w) const {
     Coordinates<G, S> const first = w.head(dimension()), second = w.tail(dimension());
     return {near_unit(g.first, first).second, near_unit(g.second, second).second};
   }
   template <class S>
-  static Eigen::Matrix<S, Eigen::Dynamic, 1> base_rate(Element<G, Dual<S>> const& x) { return rate_right(x).coordinates; }
+  static Matrix<S, Dynamic, 1> base_rate(Element<G, Dual<S>> const& x) { return rate_right(x).coordinates; }
 };
 
 }  // namespace actio

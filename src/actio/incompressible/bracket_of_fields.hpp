@@ -10,16 +10,16 @@ namespace actio {
 /// The Lie algebra of a group of diffeomorphisms, with composition as product, has minus this bracket.
 template <class X, class Y>
 auto jacobi_lie_bracket(X const& x, Y const& y) {
-  return [x, y]<class S, int n>(Eigen::Matrix<S, n, 1> const& at) {
-    auto const rate_along = [&at](auto const& field, Eigen::Matrix<S, n, 1> const& direction) {
-      Eigen::Matrix<Dual<S>, n, 1> moved = at.template cast<Dual<S>>();
+  return [x, y]<class S, int n>(Matrix<S, n, 1> const& at) {
+    auto const rate_along = [&at](auto const& field, Matrix<S, n, 1> const& direction) {
+      Matrix<Dual<S>, n, 1> moved = at.template cast<Dual<S>>();
       for (int a = 0; a < n; ++a) moved[a].part[0] = direction[a];
-      Eigen::Matrix<Dual<S>, n, 1> const value = field(moved);
-      Eigen::Matrix<S, n, 1> rate;
+      Matrix<Dual<S>, n, 1> const value = field(moved);
+      Matrix<S, n, 1> rate;
       for (int a = 0; a < n; ++a) rate[a] = value[a].part[0];
       return rate;
     };
-    return Eigen::Matrix<S, n, 1>(rate_along(y, x(at)) - rate_along(x, y(at)));
+    return Matrix<S, n, 1>(rate_along(y, x(at)) - rate_along(x, y(at)));
   };
 }
 

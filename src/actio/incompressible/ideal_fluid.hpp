@@ -12,14 +12,14 @@ namespace actio {
 namespace detail {
 /// A place that moves along all coordinates of space, with its time.
 template <class S, int rows>
-Eigen::Matrix<Dual<S, rows>, rows, 1> in_all_directions(Eigen::Matrix<S, rows, 1> const& at) {
+Matrix<Dual<S, rows>, rows, 1> in_all_directions(Matrix<S, rows, 1> const& at) {
   auto moved = at.template cast<Dual<S, rows>>().eval();
   for (int i = 0; i < rows; ++i) moved[i].part[i] = S(1);
   return moved;
 }
 /// The place of a point (t, y).
 template <class S, int rows>
-Eigen::Matrix<S, rows - 1, 1> place_of(Eigen::Matrix<S, rows, 1> const& at) {
+Matrix<S, rows - 1, 1> place_of(Matrix<S, rows, 1> const& at) {
   return at.template tail<rows - 1>();
 }
 }  // namespace detail
@@ -27,13 +27,13 @@ Eigen::Matrix<S, rows - 1, 1> place_of(Eigen::Matrix<S, rows, 1> const& at) {
 /// A velocity field at a point, and its derivatives there.
 template <class S, int n>
 struct VelocityGradient {
-  Eigen::Matrix<S, n, 1> value;  ///< \f$u\f$
-  Eigen::Matrix<S, n, 1> rate;   ///< \f$\partial_tu\f$
-  Eigen::Matrix<S, n, n> slope;  ///< the covariant derivatives \f$u^a{}_{;b}\f$, a row for each a
+  Matrix<S, n, 1> value;  ///< \f$u\f$
+  Matrix<S, n, 1> rate;   ///< \f$\partial_tu\f$
+  Matrix<S, n, n> slope;  ///< the covariant derivatives \f$u^a{}_{;b}\f$, a row for each a
 };
 /// The value of a velocity field at a point (t, y), its rate, and its covariant derivatives.
 template <class SpaceMetric, class Field, class S, int rows>
-VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;
   auto const j = first_jet(u, at);
   VelocityGradient<S, n> out{j.y, j.velocity(), j.gradient()};
@@ -48,7 +48,7 @@ VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field cons
 ///
 /// \implements{claim_8_3_euler_equations}
 template <class SpaceMetric, class Field, class S, int rows>
-Eigen::Matrix<S, rows - 1, 1> eulerian_acceleration(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+Matrix<S, rows - 1, 1> eulerian_acceleration(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   auto const d = velocity_gradient(g, u, at);
   // [claim_8_3_euler_equations]
   return d.rate + d.slope * d.value;
@@ -57,14 +57,14 @@ Eigen::Matrix<S, rows - 1, 1> eulerian_acceleration(SpaceMetric const& g, Field 
 
 /// \f$\nabla_uu\f$, what of the acceleration a steady flow has.
 template <class SpaceMetric, class Field, class S, int rows>
-Eigen::Matrix<S, rows - 1, 1> self_advection(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+Matrix<S, rows - 1, 1> self_advection(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   auto const d = velocity_gradient(g, u, at);
   return d.slope * d.value;
 }
 
 /// The divergence \f$\frac{1}{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a field at a point (t, y).
 template <class SpaceMetric, class Field, class S, int rows>
-S divergence(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+S divergence(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;
   auto const moved = detail::in_all_directions(at);
   Dual<S, rows> const root = volume<Dual<S, rows>>(g(detail::place_of(moved)));
@@ -76,17 +76,17 @@ S divergence(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> con
 
 /// The gradient \f$g^{ab}\partial_bp\f$ of a function at a point (t, y).
 template <class SpaceMetric, class Pressure, class S, int rows>
-Eigen::Matrix<S, rows - 1, 1> gradient(SpaceMetric const& g, Pressure const& p, Eigen::Matrix<S, rows, 1> const& at) {
+Matrix<S, rows - 1, 1> gradient(SpaceMetric const& g, Pressure const& p, Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;
   auto const value = p(detail::in_all_directions(at));
-  Eigen::Matrix<S, n, 1> rates;
+  Matrix<S, n, 1> rates;
   for (int a = 0; a < n; ++a) rates[a] = value.part[a + 1];
   return raised(g(detail::place_of(at)), rates);
 }
 
 /// \f$\Delta p = \mathrm{div}\,\mathrm{grad}\,p\f$.
 template <class SpaceMetric, class Pressure, class S, int rows>
-S laplacian(SpaceMetric const& g, Pressure const& p, Eigen::Matrix<S, rows, 1> const& at) {
+S laplacian(SpaceMetric const& g, Pressure const& p, Matrix<S, rows, 1> const& at) {
   return divergence(g, [&](auto const& y) { return gradient(g, p, y); }, at);
 }
 
@@ -94,7 +94,7 @@ S laplacian(SpaceMetric const& g, Pressure const& p, Eigen::Matrix<S, rows, 1> c
 ///
 /// \implements{eq_8_14}
 template <class SpaceMetric, class Field, class S, int rows>
-S pressure_source(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1> const& at) {
+S pressure_source(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   // [eq_8_14]
   return -divergence(g, [&](auto const& y) { return self_advection(g, u, y); }, at);
   // [eq_8_14]
@@ -105,7 +105,7 @@ S pressure_source(SpaceMetric const& g, Field const& u, Eigen::Matrix<S, rows, 1
 /// It is the boundary condition that goes with (8.14), and with which it has one solution but for a function of time.
 /// @param f  a callable on places, zero on the wall
 template <class SpaceMetric, class Field, class Wall, class S, int rows>
-S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Eigen::Matrix<S, rows, 1> const& at) {
+S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;
   auto const along_wall = f(detail::in_all_directions(detail::place_of(at)));
   auto const acceleration = eulerian_acceleration(g, u, at);
@@ -118,8 +118,8 @@ S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Ei
 ///
 /// With it the source of (8.14) is \f$-u^a{}_{;b}u^b{}_{;a} - R_{ab}u^au^b\f$ wherever \f$\mathrm{div}\,u = 0\f$ around.
 template <class SpaceMetric, class S, int n>
-Eigen::Matrix<S, n, n> ricci_tensor(SpaceMetric const& g, Eigen::Matrix<S, n, 1> const& y) {
-  Eigen::Matrix<S, n, n> ricci = Eigen::Matrix<S, n, n>::Zero();
+Matrix<S, n, n> ricci_tensor(SpaceMetric const& g, Matrix<S, n, 1> const& y) {
+  Matrix<S, n, n> ricci = Matrix<S, n, n>::Zero();
   if constexpr (!is_constant_metric<SpaceMetric>) {
     auto const moved = christoffel(g, detail::in_all_directions(y));
     for (int b = 0; b < n; ++b)

@@ -25,7 +25,7 @@ auto incompressible(Continuum<BodyMetric, SpaceMetric, Mass, Energy> const& medi
 /// No stored energy: that of an ideal incompressible fluid, whose energy is a function of J alone and J is one (section 8.3).
 struct NoStoredEnergy {
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  S operator()(Eigen::Matrix<S, n, 1> const&, BodyMetric const&, SpaceMetric const&, Eigen::Matrix<S, N, n> const&) const {
+  S operator()(Matrix<S, n, 1> const&, BodyMetric const&, SpaceMetric const&, Matrix<S, N, n> const&) const {
     return S(0);
   }
 };
@@ -41,12 +41,12 @@ DualJet<S, n, M> incompressible_momenta(IncompressibleDensity<Medium, BodyMetric
   detail::examine(density, extended);
   auto const& medium = density.density;
   auto const j = deformation(extended);
-  Eigen::Matrix<S, n, 1> const x = j.particle(), velocity = j.velocity();
+  Matrix<S, n, 1> const x = j.particle(), velocity = j.velocity();
   auto const G = medium.G(x);
   auto const g = medium.g(j.y);
   S const rho = medium.rho(x), root = volume<S>(G), P = multiplier_pressure(medium.G, extended), J = density.constraint.volume_ratio(j);
-  Eigen::Matrix<S, n, n> const W_v = detail::strain_derivative(medium, j), cofactor = area_transformation(G, g, j.gradient());
-  DualJet<S, n, M> z{extended.x, extended.y, S(0), Eigen::Matrix<S, M, n + 1>::Zero()};
+  Matrix<S, n, n> const W_v = detail::strain_derivative(medium, j), cofactor = area_transformation(G, g, j.gradient());
+  DualJet<S, n, M> z{extended.x, extended.y, S(0), Matrix<S, M, n + 1>::Zero()};
   z.p.col(0).template head<n>() = lowered(g, velocity) * S(rho * root);
   S work(0);
   for (int k = 0; k < n; ++k)

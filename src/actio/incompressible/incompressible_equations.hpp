@@ -13,13 +13,13 @@ namespace actio {
 /// \f$\partial P/\partial x^k\,(F^{-1})^k{}_a\f$: the derivatives in space, at the place of the particle, of the pressure \f$p = P\circ\phi_t^{-1}\f$.
 /// @throws Singular  where the deformation gradient has no inverse
 template <class BodyMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> spatial_pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
+Matrix<S, n, 1> spatial_pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
   return inverse_matrix(deformation(j).gradient(), "deformation gradient").transpose() * pressure_gradient(G, j);
 }
 
 /// The force of the pressure on a unit of volume of the body, \f$\frac{\partial P}{\partial x^k}\,(v^{-1})^k{}_a\,J\f$ of (8.7) and (8.9).
 template <class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> pressure_term(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> pressure_term(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
   auto const j = deformation(extended);
   S const J = jacobian(G(j.particle()), g(j.y), j.gradient());
   return spatial_pressure_gradient(G, extended) * J;
@@ -27,7 +27,7 @@ Eigen::Matrix<S, n, 1> pressure_term(BodyMetric const& G, SpaceMetric const& g, 
 
 /// \f$g_{ab}(D_g\dot\phi/Dt)^b\f$, the material acceleration with its index lowered.
 template <class SpaceMetric, class S, int n>
-Eigen::Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n, n> const& j) {
   return lowered(g(j.y), material_acceleration(g, j));
 }
 
@@ -37,7 +37,7 @@ Eigen::Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n
 /// @throws Singular  where the deformation gradient has no inverse; NotOrientationPreserving where it turns the body inside out
 /// Accuracy: exact but for rounding.
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
   detail::examine(density, static_cast<Jet<S, n, M> const&>(extended));
   auto const& medium = density.density;
   // [eq_8_7]
@@ -51,9 +51,9 @@ Eigen::Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint
 /// @param density  medium and constraint; @param j  second jet of the deformation, without a multiplier
 /// @throws NotOrientationPreserving  where the body is turned inside out
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n>
-Eigen::Matrix<S, n, 1> required_pressure_gradient(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> required_pressure_gradient(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, n> const& j) {
   detail::examine(density.constraint, static_cast<Jet<S, n, n> const&>(j));
-  Eigen::Matrix<S, n, 1> const force = medium_equation(density.density, j);
+  Matrix<S, n, 1> const force = medium_equation(density.density, j);
   return -(j.gradient().transpose() * force) / density.constraint.volume_ratio(j);
 }
 
@@ -61,7 +61,7 @@ Eigen::Matrix<S, n, 1> required_pressure_gradient(AugmentedDensity<Medium, Volum
 ///
 /// \implements{eq_8_9}
 template <class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> ideal_fluid_residual(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> ideal_fluid_residual(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
   // [eq_8_9]
   return lowered_acceleration(g, deformation(extended)) + pressure_term(G, g, extended);
   // [eq_8_9]
@@ -71,7 +71,7 @@ Eigen::Matrix<S, n, 1> ideal_fluid_residual(BodyMetric const& G, SpaceMetric con
 ///
 /// \implements{eq_8_11,eq_8_13}
 template <class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, M> const& extended) {
   auto const j = deformation(extended);
   // [eq_8_11]
   return material_acceleration(g, j) + raised(g(j.y), spatial_pressure_gradient(G, extended));
@@ -82,7 +82,7 @@ Eigen::Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetri
 ///
 /// \implements{claim_8_4_elasticity_components}
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
   auto const& medium = density.density;
   auto const j = deformation(extended);
   // [claim_8_4_elasticity_components]
@@ -94,7 +94,7 @@ Eigen::Matrix<S, n, 1> elastic_residual(AugmentedDensity<Medium, VolumeConstrain
 ///
 /// \implements{claim_8_4_elasticity_covariant}
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> covariant_elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> covariant_elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
   auto const& medium = density.density;
   auto const j = deformation(extended);
   // [claim_8_4_elasticity_covariant]

@@ -32,9 +32,9 @@ Pressures<S> pressures(Medium const& fluid, Jet<S, n, M> const& extended) {
 ///
 /// \implements{claim_8_3_combined_pressure_equation}
 template <FluidMedium Medium, class S, int n, int M>
-Eigen::Matrix<S, n, 1> two_pressures_residual(Medium const& fluid, SecondJet<S, n, M> const& extended) {
+Matrix<S, n, 1> two_pressures_residual(Medium const& fluid, SecondJet<S, n, M> const& extended) {
   auto const j = deformation(extended);
-  Eigen::Matrix<S, n, 1> slope;
+  Matrix<S, n, 1> slope;
   for (int k = 0; k < n; ++k) slope[k] = pressures(fluid, along(extended, k + 1)).total().part[0];
   return inertia(fluid, j) + area_transformation(fluid.G(j.particle()), fluid.g(j.y), j.gradient()) * slope;
 }

@@ -26,17 +26,17 @@ struct VolumeConstraint {
   }
   /// \f$\Phi\f$, a column of one component as all constraints are.
   template <class S, int n>
-  Eigen::Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
+  Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
     // [eq_8_1]
     S const Phi = volume_ratio(j) - S(1);
     // [eq_8_1]
-    return Eigen::Matrix<S, 1, 1>(Phi);
+    return Matrix<S, 1, 1>(Phi);
   }
   /// Refuses what is no metric, and a jet whose Jacobian is not positive: there \f$\partial\Phi/\partial v\f$ may vanish, and no pressure holds the volume.
   /// @throws NotAMetric, NotOrientationPreserving
   template <class S, int n>
   void examine(Jet<S, n, n> const& j) const {
-    Eigen::Matrix<S, n, 1> const x = j.particle();
+    Matrix<S, n, 1> const x = j.particle();
     require_metric(G(x), x, "metric of the body");
     require_metric(g(j.y), j.y, "metric of the space");
     detail::require_orientation(volume_ratio(j), x, "volume constraint");
@@ -66,11 +66,11 @@ SecondJet<S, n, M - 1> deformation(SecondJet<S, n, M> const& j) {
 /// @param P    material pressure: a callable on points of space-time
 template <class Phi, class Pressure, class BodyMetric>
 auto with_pressure(Phi const& phi, Pressure const& P, BodyMetric const& G) {
-  return [phi, P, G]<class S, int rows>(Eigen::Matrix<S, rows, 1> const& x) {
+  return [phi, P, G]<class S, int rows>(Matrix<S, rows, 1> const& x) {
     auto const place = phi(x).eval();
     constexpr int N = std::remove_cvref_t<decltype(place)>::RowsAtCompileTime;
-    Eigen::Matrix<S, rows - 1, 1> const particle = x.template tail<rows - 1>();
-    Eigen::Matrix<S, N + 1, 1> both;
+    Matrix<S, rows - 1, 1> const particle = x.template tail<rows - 1>();
+    Matrix<S, N + 1, 1> both;
     both.template head<N>() = place;
     // [eq_8_2]
     both[N] = volume<S>(G(particle)) * P(x);
@@ -87,8 +87,8 @@ S multiplier_pressure(BodyMetric const& G, Jet<S, n, M> const& j) {
 
 /// The derivatives \f$\partial P/\partial x^k\f$, k = 1, ..., n, of the material pressure.
 template <class BodyMetric, class S, int n, int M>
-Eigen::Matrix<S, n, 1> pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
-  Eigen::Matrix<S, n, 1> rates;
+Matrix<S, n, 1> pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
+  Matrix<S, n, 1> rates;
   for (int k = 0; k < n; ++k) rates[k] = multiplier_pressure(G, along(j, k + 1)).part[0];
   return rates;
 }

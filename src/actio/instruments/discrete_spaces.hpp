@@ -16,7 +16,7 @@ template <Group G, class M>
 auto sizes_from_hessian(G const& group, M const& hessian) {
   using S = typename M::Scalar;
   auto const classes = unit_classes(group);
-  AnyVector<S> entries = AnyVector<S>::Zero(static_cast<Eigen::Index>(classes.has_length.size())),
+  AnyVector<S> entries = AnyVector<S>::Zero(static_cast<Index>(classes.has_length.size())),
                sizes = AnyVector<S>::Constant(group.dimension(), S(1));
   S turns(0);
   for (int a = 0; a < group.dimension(); ++a)

@@ -28,13 +28,13 @@ Element<G, S> solve_implicit(Residual const& residual, Parameter const& paramete
     int const n = start.group.dimension();
     auto const below = value_of(parameter);
     auto const f = solve_implicit(residual, below, value_of(start));
-    Eigen::Matrix<Below, G::dim, G::dim> derivative(n, n);
+    Matrix<Below, G::dim, G::dim> derivative(n, n);
     over_batches(n, [&](int first) { store_parts(derivative, residual(moved_left(f, first), below).components, first); });
 
     // What the parameter does to the residual while f stays, and the change of f that makes up for it.
     auto const moved = residual(over<S>(f), parameter).components;
     constexpr int directions = static_cast<int>(std::tuple_size_v<decltype(S::part)>);
-    Eigen::Matrix<Below, G::dim, Eigen::Dynamic> right(n, directions);
+    Matrix<Below, G::dim, Dynamic> right(n, directions);
     for (int i = 0; i < n; ++i)
       for (int a = 0; a < directions; ++a) right(i, a) = -moved[i].part[a];
     auto const solved = solve_linear(derivative, right, "implicit map: derivative of the residual");

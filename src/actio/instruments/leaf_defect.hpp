@@ -82,7 +82,7 @@ typename Point::Scalar leaf_defect(Space const& space, Family const& family, typ
   auto const sizes = space.sizes(x);
   detail::AnyVector<Moved<S>> const change = space.change(image);
   detail::AnyVector<S> rate(change.size());
-  for (Eigen::Index i = 0; i < rate.size(); ++i) rate[i] = change[i].part[0] / sizes[i];
+  for (Index i = 0; i < rate.size(); ++i) rate[i] = change[i].part[0] / sizes[i];
   S const whole = detail::length_of(rate);
   // In a time h an image that stands still seems to move by its rounding.
   if (!(whole * magnitude(h) > S(64) * epsilon<S>())) return S(0);

@@ -13,7 +13,7 @@ S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
   S sum(0);
   for (std::size_t k = 0; k < classes.has_length.size(); ++k) {
     AnyVector<S> m = mu.components, v = xi.coordinates;
-    for (Eigen::Index a = 0; a < m.size(); ++a)
+    for (Index a = 0; a < m.size(); ++a)
       if (classes.of[static_cast<std::size_t>(a)] != static_cast<int>(k)) m[a] = v[a] = S(0);
     sum += length_of(m) * length_of(v);
   }

@@ -30,10 +30,10 @@ S value_of(Dual<S, N> const& x) {
   return x.value;
 }
 /// The values of the entries.
-template <class Derived>
-auto value_of(Eigen::MatrixBase<Derived> const& m) {
+template <MatrixLike Derived>
+auto value_of(Derived const& m) {
   using S = decltype(value_of(m(0, 0)));
-  Eigen::Matrix<S, Derived::RowsAtCompileTime, Derived::ColsAtCompileTime> values =
+  Matrix<S, Derived::RowsAtCompileTime, Derived::ColsAtCompileTime> values =
       m.unaryExpr([](auto const& x) -> S { return value_of(x); });
   return values;
 }
@@ -75,13 +75,13 @@ void require_coordinates(V const& v, int dimension, char const* where) {
   if (v.size() != dimension)
     throw OutsideDomain(where, "as many components as the group has dimensions are needed; components", static_cast<double>(v.size()),
                         dimension);
-  for (Eigen::Index i = 0; i < v.size(); ++i)
+  for (Index i = 0; i < v.size(); ++i)
     if (!is_finite(v[i])) throw NotFinite(where);
 }
 template <class M>
 void require_numbers(M const& m, char const* where) {
-  for (Eigen::Index j = 0; j < m.cols(); ++j)
-    for (Eigen::Index i = 0; i < m.rows(); ++i)
+  for (Index j = 0; j < m.cols(); ++j)
+    for (Index i = 0; i < m.rows(); ++i)
       if (!is_finite(m(i, j))) throw NotFinite(where);
 }
 }  // namespace detail

@@ -13,7 +13,7 @@ auto distance_in_sizes(Space const& space, Point const& x, Point const& y, char 
   require_image(space, x, y, where);
   AnyVector<S> away = space.difference(x, y);
   auto const sizes = space.sizes(x);
-  for (Eigen::Index i = 0; i < away.size(); ++i) away[i] /= sizes[i];
+  for (Index i = 0; i < away.size(); ++i) away[i] /= sizes[i];
   return length_of(away);
 }
 }  // namespace detail

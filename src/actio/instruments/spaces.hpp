@@ -64,7 +64,7 @@ Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
     for (int a = 0; a < batch; ++a) {
       Storage<G, S> const rate = g.value.unaryExpr([a](Moved<S> const& x) -> S { return x.part[a]; });
       Coordinates<G, S> const theta = g.group.vee(Storage<G, S>(rate * back.value));
-      for (Eigen::Index i = 0; i < theta.size(); ++i) change[i].part[a] = theta[i];
+      for (Index i = 0; i < theta.size(); ++i) change[i].part[a] = theta[i];
     }
     return change;
   } else {
@@ -79,8 +79,8 @@ Coordinates<G, S> difference_of_places(Element<G, S> const& g, Element<G, S> con
 template <class V, class W>
 auto stacked(V const& v, W const& w) {
   AnyVector<typename V::Scalar> both(v.size() + w.size());
-  for (Eigen::Index i = 0; i < v.size(); ++i) both[i] = v[i];
-  for (Eigen::Index i = 0; i < w.size(); ++i) both[v.size() + i] = w[i];
+  for (Index i = 0; i < v.size(); ++i) both[i] = v[i];
+  for (Index i = 0; i < w.size(); ++i) both[v.size() + i] = w[i];
   return both;
 }
 /// What the two signs of the bracket on the dual of an algebra have in common.
@@ -148,9 +148,9 @@ struct CotangentBundle {
     auto const classes = unit_classes(p.place.group);
     detail::AnyVector<S> places = detail::AnyVector<S>::Constant(momenta.size(), S(1));
     S turns(0);
-    for (Eigen::Index a = 0; a < momenta.size(); ++a)
+    for (Index a = 0; a < momenta.size(); ++a)
       if (!classes.has_length[classes.of[a]]) turns = momenta[a];
-    for (Eigen::Index a = 0; a < momenta.size() && turns > S(0); ++a) places[a] = turns / momenta[a];
+    for (Index a = 0; a < momenta.size() && turns > S(0); ++a) places[a] = turns / momenta[a];
     return detail::stacked(places, momenta);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.

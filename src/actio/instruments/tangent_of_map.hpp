@@ -55,28 +55,28 @@ namespace detail {
 /// \f$A\,B\,A^T\f$.
 template <class S>
 AnyMatrix<S> congruent(AnyMatrix<S> const& a, AnyMatrix<S> const& b) {
-  Eigen::Index const n = a.rows(), m = b.rows();
+  Index const n = a.rows(), m = b.rows();
   AnyMatrix<S> ab = AnyMatrix<S>::Zero(n, m), result = AnyMatrix<S>::Zero(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < m; ++j)
-      for (Eigen::Index k = 0; k < m; ++k) ab(i, j) += a(i, k) * b(k, j);
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      for (Eigen::Index k = 0; k < m; ++k) result(i, j) += ab(i, k) * a(j, k);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < m; ++j)
+      for (Index k = 0; k < m; ++k) ab(i, j) += a(i, k) * b(k, j);
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < n; ++j)
+      for (Index k = 0; k < m; ++k) result(i, j) += ab(i, k) * a(j, k);
   return result;
 }
 /// Each entry times the sizes of its row and its column.
 template <class S>
 AnyMatrix<S> times_sizes(AnyMatrix<S> m, AnyVector<S> const& sizes) {
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < m.cols(); ++j) m(i, j) *= sizes[i] * sizes[j];
+  for (Index i = 0; i < m.rows(); ++i)
+    for (Index j = 0; j < m.cols(); ++j) m(i, j) *= sizes[i] * sizes[j];
   return m;
 }
 /// Each entry over the sizes of its row and its column.
 template <class S>
 AnyMatrix<S> over_sizes(AnyMatrix<S> m, AnyVector<S> const& sizes) {
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < m.cols(); ++j) m(i, j) /= sizes[i] * sizes[j];
+  for (Index i = 0; i < m.rows(); ++i)
+    for (Index j = 0; j < m.cols(); ++j) m(i, j) /= sizes[i] * sizes[j];
   return m;
 }
 /// \f$|a-b|/(|a|+|b|)\f$, lengths of all entries as one column; 0 where both vanish.

@@ -14,9 +14,9 @@ namespace actio {
 
 namespace detail {
 template <class S>
-using AnyVector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+using AnyVector = Matrix<S, Dynamic, 1>;
 template <class S>
-using AnyMatrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+using AnyMatrix = Matrix<S, Dynamic, Dynamic>;
 
 /// Square root of the sum of squares, without overflow; over the rationals the largest modulus.
 template <class V>
@@ -29,7 +29,7 @@ auto length_of(V const& v) {
     using std::sqrt;
     if (!(largest > S(0))) return largest;
     S sum(0);
-    for (Eigen::Index i = 0; i < v.size(); ++i) sum += S(v[i] / largest) * S(v[i] / largest);
+    for (Index i = 0; i < v.size(); ++i) sum += S(v[i] / largest) * S(v[i] / largest);
     return S(largest * sqrt(sum));
   }
 }
@@ -49,9 +49,9 @@ template <Group G>
 UnitClasses unit_classes(G const& group) {
   int const n = group.dimension();
   // Rows in reduced echelon form: the equations w_a + w_b = w_c for the logarithms w of the units.
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n, n);
+  Matrix<double> rows = Matrix<double>::Zero(n, n);
   std::vector<bool> solved(n, false), met(n, false);
-  auto const add = [&](Eigen::VectorXd equation) {
+  auto const add = [&](Vector<double> equation) {
     for (int p = 0; p < n; ++p)
       if (solved[p]) equation -= equation[p] * rows.row(p).transpose().eval();
     int q = 0;
@@ -68,7 +68,7 @@ UnitClasses unit_classes(G const& group) {
       auto const ab = bracket(basis_velocity<double>(group, a), basis_velocity<double>(group, b)).coordinates;
       for (int c = 0; c < n; ++c) {
         if (std::abs(ab[c]) < 1e-12) continue;
-        Eigen::VectorXd equation = Eigen::VectorXd::Zero(n);
+        Vector<double> equation = Vector<double>::Zero(n);
         equation[a] += 1, equation[b] += 1, equation[c] -= 1;
         met[a] = met[b] = met[c] = true;
         add(equation);
@@ -76,7 +76,7 @@ UnitClasses unit_classes(G const& group) {
     }
   // Each w_a by the ones that are free.
   auto const weight = [&](int a) {
-    Eigen::VectorXd w = Eigen::VectorXd::Zero(n);
+    Vector<double> w = Vector<double>::Zero(n);
     for (int f = 0; f < n; ++f)
       if (!solved[f]) w[f] = solved[a] ? -rows(a, f) : a == f ? 1 : 0;
     return w;

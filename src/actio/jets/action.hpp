@@ -38,7 +38,7 @@ IntervalRule<S> rule_for(int degree) {
   } else {
     // Weights from the moments: sum_i b_i c_i^k = 1/(k + 1).
     int const count = degree + 1;
-    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> powers(count, count), moments(count, 1);
+    Matrix<S, Dynamic, Dynamic> powers(count, count), moments(count, 1);
     IntervalRule<S> rule;
     for (int i = 0; i < count; ++i) rule.nodes.push_back(ratio<S>(i + 1, count + 1));
     for (int k = 0; k < count; ++k) {
@@ -54,14 +54,14 @@ IntervalRule<S> rule_for(int degree) {
 /// \f$\int f\,d^{n+1}x\f$ over a box, exact for polynomials of the given degree in each coordinate.
 /// @param f  a callable on points of space-time; what it returns is summed, so it may return dual numbers
 template <class S, int rows, class F>
-auto integral(F const& f, Eigen::Matrix<S, rows, 1> const& low, Eigen::Matrix<S, rows, 1> const& high, int degree) {
+auto integral(F const& f, Matrix<S, rows, 1> const& low, Matrix<S, rows, 1> const& high, int degree) {
   using R = std::remove_cvref_t<decltype(f(low))>;
   auto const rule = rule_for<S>(degree);
   int const count = static_cast<int>(rule.nodes.size());
   R sum(0);
   std::array<int, rows> index{};
   for (bool more = true; more;) {
-    Eigen::Matrix<S, rows, 1> x;
+    Matrix<S, rows, 1> x;
     S weight(1);
     for (int mu = 0; mu < rows; ++mu) {
       x[mu] = low[mu] + (high[mu] - low[mu]) * rule.nodes[index[mu]];
@@ -94,7 +94,7 @@ S boundary_integral(Form const& alpha, Box<S, n> const& box, int degree) {
   for (int mu = 0; mu <= n; ++mu) {
     // The side x^mu = const, with the other coordinates in their order; the outward normal first gives it the sign (-1)^mu at the upper end.
     Tangents<S, n + 1, n> sides = Tangents<S, n + 1, n>::Zero();
-    Eigen::Matrix<S, n, 1> low, high;
+    Matrix<S, n, 1> low, high;
     for (int nu = 0, k = 0; nu <= n; ++nu)
       if (nu != mu) {
         sides(nu, k) = S(1);
@@ -102,7 +102,7 @@ S boundary_integral(Form const& alpha, Box<S, n> const& box, int degree) {
         ++k;
       }
     for (bool upper : {false, true}) {
-      auto const side = [&](Eigen::Matrix<S, n, 1> const& s) {
+      auto const side = [&](Matrix<S, n, 1> const& s) {
         Event<S, n> x;
         for (int nu = 0, k = 0; nu <= n; ++nu) x[nu] = nu == mu ? (upper ? box.high[nu] : box.low[nu]) : s[k++];
         return S(alpha(x, sides));

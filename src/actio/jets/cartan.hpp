@@ -13,12 +13,12 @@ namespace detail {
 
 /// \f$p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ on n + 1 vectors whose first n + 1 + N components are those of x and y.
 template <int n, int N, class S, int D>
-S affine_form(Eigen::Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n + 1> const& V) {
-  Eigen::Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
+S affine_form(Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n + 1> const& V) {
+  Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
   S sum = Pi * determinant(dx);
   for (int mu = 0; mu <= n; ++mu) {
     // The determinant is linear in the row: one for all a.
-    Eigen::Matrix<S, n + 1, n + 1> replaced = dx;
+    Matrix<S, n + 1, n + 1> replaced = dx;
     for (int c = 0; c <= n; ++c) {
       S entry(0);
       for (int a = 0; a < N; ++a) entry += p(a, mu) * V(n + 1 + a, c);
@@ -36,7 +36,7 @@ S affine_form(Eigen::Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n
 /// \implements{claim_6_1_canonical_forms}
 template <int n, int N>
 auto canonical_form() {
-  return []<class S, int D>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
+  return []<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
     // [claim_6_1_canonical_forms]
     auto const z = dual_jet_at<n, N>(at);
     return detail::affine_form<n, N>(z.p, z.Pi, V);
@@ -47,7 +47,7 @@ auto canonical_form() {
 /// \f$\Omega = -d\Theta\f$ on the dual jet bundle, an (n+2)-form.
 template <int n, int N>
 auto canonical_two_form() {
-  return [d = exterior_derivative(canonical_form<n, N>())]<class S, int D>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, n + 2> const& V) -> S {
+  return [d = exterior_derivative(canonical_form<n, N>())]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 2> const& V) -> S {
     return -d(at, V);
   };
 }
@@ -59,7 +59,7 @@ auto canonical_two_form() {
 /// @return  a callable on coordinates of a jet and n + 1 tangent vectors
 template <int n, int N, class L>
 auto cartan_form(L const& density) {
-  return [density]<class S, int D>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
+  return [density]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
     static_assert(D == Jet<S, n, N>::dimension, "the Cartan form takes coordinates of the first jet bundle");
     // The dual bundle has the same x and y, and they are all that the vectors meet there.
     // [eq_6_10]
@@ -72,7 +72,7 @@ auto cartan_form(L const& density) {
 /// The multisymplectic form \f$\Omega_L = -d\Theta_L\f$, an (n+2)-form on the jet bundle.
 template <int n, int N, class L>
 auto multisymplectic_form(L const& density) {
-  return [d = exterior_derivative(cartan_form<n, N>(density))]<class S, int D>(Eigen::Matrix<S, D, 1> const& at, Tangents<S, D, n + 2> const& V) -> S {
+  return [d = exterior_derivative(cartan_form<n, N>(density))]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 2> const& V) -> S {
     return -d(at, V);
   };
 }
@@ -80,7 +80,7 @@ auto multisymplectic_form(L const& density) {
 /// The first jet of a section as a map between coordinates, for pull-backs.
 template <class Phi>
 auto jet_extension(Phi const& phi) {
-  return [phi]<class S, int rows>(Eigen::Matrix<S, rows, 1> const& x) { return coordinates(first_jet(phi, x)); };
+  return [phi]<class S, int rows>(Matrix<S, rows, 1> const& x) { return coordinates(first_jet(phi, x)); };
 }
 
 }  // namespace actio

@@ -21,9 +21,9 @@ struct NotAMassDensity : OutsideDomain {
 
 /// A medium with an n-dimensional body in an N-dimensional space: metrics of those dimensions, a mass density, and a stored energy that takes their values.
 template <class Medium, class S, int n, int N>
-concept MediumOver = requires(Medium const& medium, Eigen::Matrix<S, n, 1> const& x, Eigen::Matrix<S, N, 1> const& y, Eigen::Matrix<S, N, n> const& F) {
-  { as_matrix<S>(medium.G(x)) } -> std::same_as<Eigen::Matrix<S, n, n>>;
-  { as_matrix<S>(medium.g(y)) } -> std::same_as<Eigen::Matrix<S, N, N>>;
+concept MediumOver = requires(Medium const& medium, Matrix<S, n, 1> const& x, Matrix<S, N, 1> const& y, Matrix<S, N, n> const& F) {
+  { as_matrix<S>(medium.G(x)) } -> std::same_as<Matrix<S, n, n>>;
+  { as_matrix<S>(medium.g(y)) } -> std::same_as<Matrix<S, N, N>>;
   { medium.rho(x) } -> std::convertible_to<S>;
   { medium.W(x, medium.G(x), medium.g(y), F) } -> std::convertible_to<S>;
 };
@@ -34,21 +34,21 @@ concept MediumOver = requires(Medium const& medium, Eigen::Matrix<S, n, 1> const
 /// @param G  value of the body's metric, @param g value of the space's metric, both matrices or `Kronecker`
 /// @param F  deformation gradient
 template <class BodyMetric, class SpaceMetric, class S, int n>
-S jacobian(BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> const& F) {
+S jacobian(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) {
   // [eq_6_1]
   return determinant(F) * volume<S>(g) / volume<S>(G);
   // [eq_6_1]
 }
 /// The same between Euclidean spaces.
 template <int n, class S>
-S jacobian(Kronecker<n>, Kronecker<n>, Eigen::Matrix<S, n, n> const& F) {
+S jacobian(Kronecker<n>, Kronecker<n>, Matrix<S, n, n> const& F) {
   return determinant(F);
 }
 
 namespace detail {
 /// @throws NotOrientationPreserving  with J, where it is not positive
 template <class S, int n>
-void require_orientation(S const& J, Eigen::Matrix<S, n, 1> const& x, char const* which) {
+void require_orientation(S const& J, Matrix<S, n, 1> const& x, char const* which) {
   if (!(base_value(J) > Base<S>(0)))
     throw NotOrientationPreserving(std::string(which) + " at x = " + shown(x), "the Jacobian of a motion is positive", to_double(J), 0);
 }
@@ -58,7 +58,7 @@ void require_orientation(S const& J, Eigen::Matrix<S, n, 1> const& x, char const
 ///
 /// \implements{eq_6_2}
 template <class SpaceMetric, class S, int N, int n>
-Eigen::Matrix<S, n, n> green_tensor(SpaceMetric const& g, Eigen::Matrix<S, N, n> const& F) {
+Matrix<S, n, n> green_tensor(SpaceMetric const& g, Matrix<S, N, n> const& F) {
   // [eq_6_2]
   return pulled_back(g, F);
   // [eq_6_2]
@@ -69,8 +69,8 @@ Eigen::Matrix<S, n, n> green_tensor(SpaceMetric const& g, Eigen::Matrix<S, N, n>
 /// \implements{eq_6_2}
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class S, int n>
-Eigen::Matrix<S, n, n> inverse_finger_tensor(BodyMetric const& G, Eigen::Matrix<S, n, n> const& F) {
-  return pulled_back(G, Eigen::Matrix<S, n, n>(inverse_matrix(F, "inverse_finger_tensor")));
+Matrix<S, n, n> inverse_finger_tensor(BodyMetric const& G, Matrix<S, n, n> const& F) {
+  return pulled_back(G, Matrix<S, n, n>(inverse_matrix(F, "inverse_finger_tensor")));
 }
 
 /// A density that is the same everywhere.
@@ -100,10 +100,10 @@ struct Continuum {
   template <class S, int n, int N>
     requires MediumOver<Continuum, S, n, N>
   S operator()(Jet<S, n, N> const& j) const {
-    Eigen::Matrix<S, n, 1> const x = j.particle();
+    Matrix<S, n, 1> const x = j.particle();
     auto const here = G(x);
     auto const there = g(j.y);
-    Eigen::Matrix<S, N, 1> const velocity = j.velocity();
+    Matrix<S, N, 1> const velocity = j.velocity();
     // [eq_6_3]
     return volume<S>(here) * rho(x) * (inner(there, velocity, velocity) / Base<S>(2) - W(x, here, there, j.gradient()));
     // [eq_6_3]
@@ -113,7 +113,7 @@ struct Continuum {
   /// @throws NotAMetric, NotAMassDensity, NotOrientationPreserving; NotASquare over the rationals, where the volume of the body is irrational
   template <class S, int n, int N>
   void examine(Jet<S, n, N> const& j) const {
-    Eigen::Matrix<S, n, 1> const x = j.particle();
+    Matrix<S, n, 1> const x = j.particle();
     auto const here = G(x);
     auto const there = g(j.y);
     require_metric(here, x, "metric of the body");
@@ -131,7 +131,7 @@ Continuum(BodyMetric, SpaceMetric, Mass, Energy) -> Continuum<BodyMetric, SpaceM
 ///
 /// \implements{claim_6_2_material_acceleration}
 template <class SpaceMetric, class S, int n, int N>
-Eigen::Matrix<S, N, 1> material_acceleration(SpaceMetric const& g, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> material_acceleration(SpaceMetric const& g, SecondJet<S, n, N> const& j) {
   // [claim_6_2_material_acceleration]
   return j.acceleration() + connection(g, j.y, j.velocity(), j.velocity());
   // [claim_6_2_material_acceleration]

@@ -11,18 +11,18 @@ namespace actio {
 /// \f$\rho\,g_{ab}\,(D_g\dot\phi/Dt)^b\f$: mass times acceleration.
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Eigen::Matrix<S, N, 1> inertia(Medium const& medium, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> inertia(Medium const& medium, SecondJet<S, n, N> const& j) {
   return lowered(medium.g(j.y), material_acceleration(medium.g, j)) * S(medium.rho(j.particle()));
 }
 
 /// \f$-\rho\,\frac{\partial W}{\partial g_{bc}}\,\frac{\partial g_{bc}}{\partial y^a}\f$: the right side of (6.13), zero where g is constant.
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Eigen::Matrix<S, N, 1> metric_force(Medium const& medium, Jet<S, n, N> const& j) {
-  Eigen::Matrix<S, N, 1> force = Eigen::Matrix<S, N, 1>::Zero();
+Matrix<S, N, 1> metric_force(Medium const& medium, Jet<S, n, N> const& j) {
+  Matrix<S, N, 1> force = Matrix<S, N, 1>::Zero();
   if constexpr (!is_constant_metric<std::remove_cvref_t<decltype(medium.g)>>) {
     auto const rates = metric_derivatives(medium.g, j.y);
-    Eigen::Matrix<S, N, N> const by_metric = detail::metric_derivative(medium, j) * S(medium.rho(j.particle()));
+    Matrix<S, N, N> const by_metric = detail::metric_derivative(medium, j) * S(medium.rho(j.particle()));
     for (int a = 0; a < N; ++a) force[a] = -by_metric.cwiseProduct(rates[a]).sum();
   }
   return force;
@@ -35,7 +35,7 @@ Eigen::Matrix<S, N, 1> metric_force(Medium const& medium, Jet<S, n, N> const& j)
 /// @throws NoDerivative  where W has no second derivative; and what the medium refuses
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Eigen::Matrix<S, N, 1> medium_equation(Medium const& medium, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> medium_equation(Medium const& medium, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
   detail::examine(medium, first);
   auto const weighted = [&]<class T>(Jet<T, n, N> const& jet) {
@@ -43,7 +43,7 @@ Eigen::Matrix<S, N, 1> medium_equation(Medium const& medium, SecondJet<S, n, N> 
     return (detail::strain_derivative(medium, jet) * weight).eval();
   };
   // [eq_6_13]
-  Eigen::Matrix<S, N, 1> const r = inertia(medium, j) - detail::two_point_rates(weighted, j).divergence / volume<S>(medium.G(j.particle())) - metric_force(medium, first);
+  Matrix<S, N, 1> const r = inertia(medium, j) - detail::two_point_rates(weighted, j).divergence / volume<S>(medium.G(j.particle())) - metric_force(medium, first);
   // [eq_6_13]
   detail::require_derivative(r, first, "medium_equation");
   return r;
@@ -55,13 +55,13 @@ Eigen::Matrix<S, N, 1> medium_equation(Medium const& medium, SecondJet<S, n, N> 
 /// @throws NotOrientationPreserving  where J is not positive; and what else the medium refuses
 template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n> && FluidMedium<Medium>
-Eigen::Matrix<S, n, 1> fluid_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> fluid_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
   Jet<S, n, n> const& first = j;
   detail::examine(medium, first);
-  Eigen::Matrix<S, n, 1> slope;
+  Matrix<S, n, 1> slope;
   for (int k = 0; k < n; ++k) slope[k] = detail::pressure(medium, along(j, k + 1)).part[0];
   // [eq_6_18]
-  Eigen::Matrix<S, n, 1> const r = inertia(medium, j) + area_transformation(medium.G(j.particle()), medium.g(j.y), j.gradient()) * slope;
+  Matrix<S, n, 1> const r = inertia(medium, j) + area_transformation(medium.G(j.particle()), medium.g(j.y), j.gradient()) * slope;
   // [eq_6_18]
   detail::require_derivative(r, first, "fluid_equation");
   return r;
@@ -71,10 +71,10 @@ Eigen::Matrix<S, n, 1> fluid_equation(Medium const& medium, SecondJet<S, n, n> c
 /// @throws NoDerivative  where W has no second derivative; and what the medium refuses
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Eigen::Matrix<S, N, 1> stress_divergence(Medium const& medium, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> stress_divergence(Medium const& medium, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
   detail::examine(medium, first);
-  Eigen::Matrix<S, N, 1> const r = two_point_divergence(medium.G, medium.g, j, [&](auto const& jet) { return detail::piola_kirchhoff(medium, jet); });
+  Matrix<S, N, 1> const r = two_point_divergence(medium.G, medium.g, j, [&](auto const& jet) { return detail::piola_kirchhoff(medium, jet); });
   detail::require_derivative(r, first, "stress_divergence");
   return r;
 }
@@ -85,15 +85,15 @@ Eigen::Matrix<S, N, 1> stress_divergence(Medium const& medium, SecondJet<S, n, N
 /// @throws NoDerivative  where W has no second derivative; and what the medium refuses
 template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n>
-Eigen::Matrix<S, n, 1> stress_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> stress_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
   Jet<S, n, n> const& first = j;
-  Eigen::Matrix<S, n, 1> r = inertia(medium, j) - stress_divergence(medium, j);
+  Matrix<S, n, 1> r = inertia(medium, j) - stress_divergence(medium, j);
   if constexpr (!is_constant_metric<std::remove_cvref_t<decltype(medium.g)>>) {
     auto const there = medium.g(j.y);
     S const J = jacobian(medium.G(j.particle()), there, j.gradient());
     auto const gamma = christoffel(medium.g, j.y);
     // [eq_6_20]
-    Eigen::Matrix<S, n, n> const excess = first_piola_kirchhoff_stress(medium, first) * j.gradient().transpose() - lowered(there, cauchy_stress(medium, first)) * J;
+    Matrix<S, n, n> const excess = first_piola_kirchhoff_stress(medium, first) * j.gradient().transpose() - lowered(there, cauchy_stress(medium, first)) * J;
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
         for (int c = 0; c < n; ++c) r[a] -= gamma[b](a, c) * excess(b, c);
@@ -109,7 +109,7 @@ Eigen::Matrix<S, n, 1> stress_equation(Medium const& medium, SecondJet<S, n, n> 
 /// @throws NoDerivative  where W has no second derivative; and what the medium refuses
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Eigen::Matrix<S, N, 1> solid_equation(Medium const& medium, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> solid_equation(Medium const& medium, SecondJet<S, n, N> const& j) {
   // [eq_6_21]
   return material_acceleration(medium.g, j) * S(medium.rho(j.particle())) - raised(medium.g(j.y), stress_divergence(medium, j));
   // [eq_6_21]

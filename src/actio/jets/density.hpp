@@ -24,10 +24,10 @@ struct NoDerivative : NotFinite {
 namespace detail {
 
 /// Coordinates for a message.
-template <class V>
-std::string shown(Eigen::MatrixBase<V> const& v) {
+template <MatrixLike V>
+std::string shown(V const& v) {
   std::string text = "(";
-  for (Eigen::Index i = 0; i < v.size(); ++i) text += (i ? ", " : "") + show(to_double(v(i)));
+  for (Index i = 0; i < v.size(); ++i) text += (i ? ", " : "") + show(to_double(v(i)));
   return text + ")";
 }
 
@@ -37,8 +37,8 @@ void examine(L const& density, Jet<S, n, N> const& jet) {
   if constexpr (requires { density.examine(jet); }) density.examine(jet);
 }
 
-template <class M, class S, int n, int N>
-void require_derivative(Eigen::MatrixBase<M> const& derivative, Jet<S, n, N> const& jet, char const* where) {
+template <MatrixLike M, class S, int n, int N>
+void require_derivative(M const& derivative, Jet<S, n, N> const& jet, char const* where) {
   if constexpr (!is_exact<S>)
     if (!is_finite(derivative))
       throw NoDerivative(std::string(where) + " at x = " + shown(jet.x) + ", y = " + shown(jet.y) + ": the density has no derivative there");
@@ -46,12 +46,12 @@ void require_derivative(Eigen::MatrixBase<M> const& derivative, Jet<S, n, N> con
 
 /// \f$\partial L/\partial v^a{}_\mu\f$ for all a and one \f$\mu\f$.
 template <class S, int n, int N, class L>
-Eigen::Matrix<S, N, 1> momentum_column(L const& density, Jet<S, n, N> const& jet, int mu) {
+Matrix<S, N, 1> momentum_column(L const& density, Jet<S, n, N> const& jet, int mu) {
   using D = Dual<S, N>;
   Jet<D, n, N> moved = jet.template cast<D>();
   for (int a = 0; a < N; ++a) moved.v(a, mu).part[a] = S(1);
   D const value = density(moved);
-  Eigen::Matrix<S, N, 1> p;
+  Matrix<S, N, 1> p;
   for (int a = 0; a < N; ++a) p[a] = value.part[a];
   return p;
 }
@@ -65,9 +65,9 @@ Eigen::Matrix<S, N, 1> momentum_column(L const& density, Jet<S, n, N> const& jet
 /// Accuracy: exact but for the rounding of L.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Eigen::Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
+Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
   detail::examine(density, jet);
-  Eigen::Matrix<S, N, n + 1> p;
+  Matrix<S, N, n + 1> p;
   // [eq_6_4]
   for (int mu = 0; mu <= n; ++mu) p.col(mu) = detail::momentum_column(density, jet, mu);
   // [eq_6_4]
@@ -78,12 +78,12 @@ Eigen::Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
 /// \f$\partial L/\partial y^a\f$ at a jet.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Eigen::Matrix<S, N, 1> place_derivative(L const& density, Jet<S, n, N> const& jet) {
+Matrix<S, N, 1> place_derivative(L const& density, Jet<S, n, N> const& jet) {
   using D = Dual<S, N>;
   Jet<D, n, N> moved = jet.template cast<D>();
   for (int a = 0; a < N; ++a) moved.y[a].part[a] = S(1);
   D const value = density(moved);
-  Eigen::Matrix<S, N, 1> rate;
+  Matrix<S, N, 1> rate;
   for (int a = 0; a < N; ++a) rate[a] = value.part[a];
   return rate;
 }
@@ -94,9 +94,9 @@ struct DualJet {
   static constexpr int dimension = n + 1 + N + 1 + N * (n + 1);  ///< of the dual jet bundle
 
   Event<S, n> x;                 ///< point of space-time, t first
-  Eigen::Matrix<S, N, 1> y;      ///< place
+  Matrix<S, N, 1> y;      ///< place
   S Pi;                          ///< \f$\Pi\f$, the affine component
-  Eigen::Matrix<S, N, n + 1> p;  ///< \f$p_a{}^\mu\f$, a row for each a
+  Matrix<S, N, n + 1> p;  ///< \f$p_a{}^\mu\f$, a row for each a
 };
 
 /// The value \f$\Pi + p_a{}^\mu v^a{}_\mu\f$ of a dual jet on a jet over the same place.
@@ -129,7 +129,7 @@ template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 S energy_density(L const& density, Jet<S, n, N> const& jet) {
   detail::examine(density, jet);
-  Eigen::Matrix<S, N, 1> const p0 = detail::momentum_column(density, jet, 0);
+  Matrix<S, N, 1> const p0 = detail::momentum_column(density, jet, 0);
   detail::require_derivative(p0, jet, "energy_density");
   // [eq_6_5]
   return p0.dot(jet.velocity()) - density(jet);
@@ -138,8 +138,8 @@ S energy_density(L const& density, Jet<S, n, N> const& jet) {
 
 /// The coordinates of a dual jet in one column: \f$x^\mu\f$, \f$y^a\f$, \f$\Pi\f$, then \f$p_a{}^\mu\f$ with \f$\mu\f$ slowest.
 template <class S, int n, int N>
-Eigen::Matrix<S, DualJet<S, n, N>::dimension, 1> coordinates(DualJet<S, n, N> const& z) {
-  Eigen::Matrix<S, DualJet<S, n, N>::dimension, 1> c;
+Matrix<S, DualJet<S, n, N>::dimension, 1> coordinates(DualJet<S, n, N> const& z) {
+  Matrix<S, DualJet<S, n, N>::dimension, 1> c;
   c.template head<n + 1>() = z.x;
   c.template segment<N>(n + 1) = z.y;
   c[n + 1 + N] = z.Pi;
@@ -148,8 +148,8 @@ Eigen::Matrix<S, DualJet<S, n, N>::dimension, 1> coordinates(DualJet<S, n, N> co
 }
 
 /// The dual jet with these coordinates.
-template <int n, int N, class C>
-DualJet<typename C::Scalar, n, N> dual_jet_at(Eigen::MatrixBase<C> const& c) {
+template <int n, int N, MatrixLike C>
+DualJet<typename C::Scalar, n, N> dual_jet_at(C const& c) {
   DualJet<typename C::Scalar, n, N> z;
   z.x = c.template head<n + 1>();
   z.y = c.template segment<N>(n + 1);

@@ -20,9 +20,9 @@ S const& bend(SecondJet<S, n, n> const& j, int a, int i, int k) {
 
 /// The cofactors \f$J(F^{-1})^i{}_a\f$, n = 1, 2 or 3: the derivative of det F.
 template <class S, int n>
-Eigen::Matrix<S, n, n> cofactors(Eigen::Matrix<S, n, n> const& F) {
+Matrix<S, n, n> cofactors(Matrix<S, n, n> const& F) {
   static_assert(n <= 3);
-  Eigen::Matrix<S, n, n> K;
+  Matrix<S, n, n> K;
   if constexpr (n == 1)
     K(0, 0) = S(1);
   else if constexpr (n == 2)
@@ -40,7 +40,7 @@ Eigen::Matrix<S, n, n> cofactors(Eigen::Matrix<S, n, n> const& F) {
 
 /// Adds \f$F^a{}_i d_i\f$ for all a.
 template <class S, int n>
-[[gnu::always_inline]] inline void add_along(Eigen::Matrix<S, n, 1>& sum, Eigen::Matrix<S, n, n> const& F, Eigen::Matrix<S, n, 1> const& d) {
+[[gnu::always_inline]] inline void add_along(Matrix<S, n, 1>& sum, Matrix<S, n, n> const& F, Matrix<S, n, 1> const& d) {
 #pragma GCC unroll 3
   for (int a = 0; a < n; ++a)
 #pragma GCC unroll 3
@@ -49,12 +49,12 @@ template <class S, int n>
 
 /// Adds the divergence of \f$U'(J)\,\mathrm{cof}F\f$: the cofactors times \f$U''\,\partial_iJ\f$.
 template <class S, int n, class U>
-void add_volume_divergence(Eigen::Matrix<S, n, 1>& sum, U const& u, Eigen::Matrix<S, n, n> const& F, SecondJet<S, n, n> const& j) {
+void add_volume_divergence(Matrix<S, n, 1>& sum, U const& u, Matrix<S, n, n> const& F, SecondJet<S, n, n> const& j) {
   auto const K = cofactors(F);
   S J(0);
   for (int i = 0; i < n; ++i) J += K(0, i) * F(0, i);
   S const curvature = second_derivative(u, J);
-  Eigen::Matrix<S, n, 1> gradient;
+  Matrix<S, n, 1> gradient;
 #pragma GCC unroll 3
   for (int i = 0; i < n; ++i) {
     S rate(0);
@@ -70,14 +70,14 @@ void add_volume_divergence(Eigen::Matrix<S, n, 1>& sum, U const& u, Eigen::Matri
 /// Div P of a law that \ref split_law knows, which has the stress \f$P = 2f'F + b\,FC + U'\,\mathrm{cof}F\f$.
 template <class S, int n, class Law>
   requires requires(Law const& law, S const& trace) { split_law(law, trace, n); }
-Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
-  Eigen::Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
+Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
+  Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
   auto const law = split_law(energy.w, S(C.trace()), n);
   constexpr bool has_square = !std::same_as<decltype(law.square), Absent>, has_volume = !std::same_as<decltype(law.volume), Absent>;
   Base<S> b(0);
   if constexpr (has_square) b = law.square;
 
-  Eigen::Matrix<S, n, 1> laplacian, d, sum;
+  Matrix<S, n, 1> laplacian, d, sum;
 #pragma GCC unroll 3
   for (int a = 0; a < n; ++a) {
     laplacian[a] = bend(j, a, 0, 0);
@@ -117,10 +117,10 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
 
 /// Div P of any law of the Green tensor: \f$\phi^a{}_{,ij}S_{ij} + F^a{}_j\,\partial_iS_{ij}\f$ with \f$S = 2\,\partial w/\partial C\f$.
 template <class S, int n, class Law>
-Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
   using T = DivergenceNumber<S, n, n>;
-  Eigen::Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
-  Eigen::Matrix<T, n, n> moved = C.template cast<T>();
+  Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
+  Matrix<T, n, n> moved = C.template cast<T>();
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k) {
       for (int mu = 0; mu < n; ++mu) {
@@ -133,7 +133,7 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
       moved(i, k).set_slope(k, i, moved(i, k).slope(k, i) + S(1));
     }
   T const w = energy.w(moved);
-  Eigen::Matrix<S, n, 1> sum = Eigen::Matrix<S, n, 1>::Zero(), d;
+  Matrix<S, n, 1> sum = Matrix<S, n, 1>::Zero(), d;
   for (int k = 0; k < n; ++k) {
     d[k] = w.sum(k);
     for (int a = 0; a < n; ++a)
@@ -145,9 +145,9 @@ Eigen::Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, Secon
 
 /// Div P of a barotropic fluid, where \f$P = w'\,\mathrm{cof}F\f$.
 template <class S, int n, class Law>
-Eigen::Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJet<S, n, n> const& j) {
-  Eigen::Matrix<S, n, 1> sum = Eigen::Matrix<S, n, 1>::Zero();
-  add_volume_divergence(sum, energy.w, Eigen::Matrix<S, n, n>(j.gradient()), j);
+Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJet<S, n, n> const& j) {
+  Matrix<S, n, 1> sum = Matrix<S, n, 1>::Zero();
+  add_volume_divergence(sum, energy.w, Matrix<S, n, n>(j.gradient()), j);
   return sum;
 }
 
@@ -161,9 +161,9 @@ Eigen::Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJe
 /// @throws NotAMassDensity, NotOrientationPreserving, NoDerivative
 /// Accuracy: rounding.
 template <class S, int n, class R, class Energy>
-Eigen::Matrix<S, n, 1> elastic_equation(Continuum<Euclidean<n>, Euclidean<n>, Homogeneous<R>, Energy> const& medium, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> elastic_equation(Continuum<Euclidean<n>, Euclidean<n>, Homogeneous<R>, Energy> const& medium, SecondJet<S, n, n> const& j) {
   detail::examine(medium, static_cast<Jet<S, n, n> const&>(j));
-  Eigen::Matrix<S, n, 1> r = detail::stress_divergence(medium.W, j);
+  Matrix<S, n, 1> r = detail::stress_divergence(medium.W, j);
 #pragma GCC unroll 3
   for (int a = 0; a < n; ++a) r[a] = (r[a] - j.w[0](a, 0)) * Base<S>(medium.rho.value);
   detail::require_derivative(r, static_cast<Jet<S, n, n> const&>(j), "elastic_equation");

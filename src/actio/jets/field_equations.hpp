@@ -32,8 +32,8 @@ Jet<DivergenceNumber<S, n + 1, N>, n, N> all_ways(SecondJet<S, n, N> const& j) {
 
 /// How a matrix changes in the direction of its dual numbers.
 template <class S, int rows, int columns>
-Eigen::Matrix<S, rows, columns> rates(Eigen::Matrix<Dual<S>, rows, columns> const& moved) {
-  Eigen::Matrix<S, rows, columns> rate;
+Matrix<S, rows, columns> rates(Matrix<Dual<S>, rows, columns> const& moved) {
+  Matrix<S, rows, columns> rate;
   for (int i = 0; i < rows; ++i)
     for (int k = 0; k < columns; ++k) rate(i, k) = moved(i, k).part[0];
   return rate;
@@ -41,8 +41,8 @@ Eigen::Matrix<S, rows, columns> rates(Eigen::Matrix<Dual<S>, rows, columns> cons
 
 /// What stands at \f$\tau_a\f$, for each a.
 template <int N, class S, int m>
-Eigen::Matrix<S, N, 1> sums(DivergenceNumber<S, m, N> const& x) {
-  Eigen::Matrix<S, N, 1> all;
+Matrix<S, N, 1> sums(DivergenceNumber<S, m, N> const& x) {
+  Matrix<S, N, 1> all;
   for (int a = 0; a < N; ++a) all[a] = x.sum(a);
   return all;
 }
@@ -52,7 +52,7 @@ Eigen::Matrix<S, N, 1> sums(DivergenceNumber<S, m, N> const& x) {
 /// The total derivative along a section of the momenta, summed: \f$D_\mu\,(\partial L/\partial v^a{}_\mu)\f$.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Eigen::Matrix<S, N, 1> momentum_divergence(L const& density, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> momentum_divergence(L const& density, SecondJet<S, n, N> const& j) {
   DivergenceNumber<S, n + 1, N> const value = density(detail::all_ways(j));
   return detail::sums<N>(value);
 }
@@ -65,11 +65,11 @@ Eigen::Matrix<S, N, 1> momentum_divergence(L const& density, SecondJet<S, n, N> 
 /// @throws NoDerivative  where the density has no second derivative; and what the density itself refuses
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Eigen::Matrix<S, N, 1> euler_lagrange_by_terms(L const& density, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> euler_lagrange_by_terms(L const& density, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
   detail::examine(density, first);
   // [eq_6_12]
-  Eigen::Matrix<S, N, 1> r = place_derivative(density, first);
+  Matrix<S, N, 1> r = place_derivative(density, first);
   for (int mu = 0; mu <= n; ++mu) r -= detail::rates<S, N, 1>(detail::momentum_column(density, along(j, mu), mu));
   // [eq_6_12]
   detail::require_derivative(r, first, "euler_lagrange_by_terms");
@@ -86,20 +86,20 @@ Eigen::Matrix<S, N, 1> euler_lagrange_by_terms(L const& density, SecondJet<S, n,
 /// Accuracy: exact but for the rounding of L.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Eigen::Matrix<S, N, 1> euler_lagrange(L const& density, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> euler_lagrange(L const& density, SecondJet<S, n, N> const& j) {
   detail::examine(density, static_cast<Jet<S, n, N> const&>(j));
   // With y^a moved by -tau_a as well, L has D_mu(dL/dv^a_mu) - dL/dy^a at tau_a.
   auto moved = detail::all_ways(j);
   for (int a = 0; a < N; ++a) moved.y[a].set_sum(a, S(-1));
   DivergenceNumber<S, n + 1, N> const value = density(moved);
-  Eigen::Matrix<S, N, 1> const r = -detail::sums<N>(value);
+  Matrix<S, N, 1> const r = -detail::sums<N>(value);
   detail::require_derivative(r, static_cast<Jet<S, n, N> const&>(j), "euler_lagrange");
   return r;
 }
 
 /// The same along a section, at a point of space-time.
 template <class S, int rows, class L, class Phi>
-Eigen::Matrix<S, detail::fibre_dimension<Phi, S, rows - 1>, 1> euler_lagrange(L const& density, Phi const& phi, Eigen::Matrix<S, rows, 1> const& x) {
+Matrix<S, detail::fibre_dimension<Phi, S, rows - 1>, 1> euler_lagrange(L const& density, Phi const& phi, Matrix<S, rows, 1> const& x) {
   return euler_lagrange(density, second_jet(phi, x));
 }
 

@@ -11,14 +11,14 @@ namespace actio {
 
 /// A tangent vector of Y: \f$(V^\mu, V^a)\f$.
 template <class S, int n, int N>
-using Variation = Eigen::Matrix<S, n + 1 + N, 1>;
+using Variation = Matrix<S, n + 1 + N, 1>;
 
 /// The vertical part \f$V^a - v^a{}_\mu V^\mu\f$ of a variation at a jet.
 ///
 /// \implements{claim_6_2_vertical_variations}
 template <class S, int n, int N>
-Eigen::Matrix<S, N, 1> vertical_part(Jet<S, n, N> const& j, Variation<S, n, N> const& V) {
-  Eigen::Matrix<S, N, 1> q;
+Matrix<S, N, 1> vertical_part(Jet<S, n, N> const& j, Variation<S, n, N> const& V) {
+  Matrix<S, N, 1> q;
   for (int a = 0; a < N; ++a) {
     // [claim_6_2_vertical_variations]
     q[a] = V[n + 1 + a];
@@ -76,7 +76,7 @@ SecondJet<Dual<S>, n, N> varied(SecondJet<S, n, N> const& j, SecondJet<S, n, N> 
 /// Accuracy: exact but for the rounding of L.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Eigen::Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> const& j, SecondJet<S, n, N> const& V) {
+Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> const& j, SecondJet<S, n, N> const& V) {
   return detail::rates<S, N, 1>(euler_lagrange(density, varied(j, V)));
 }
 
@@ -111,11 +111,11 @@ Event<S, n> multisymplectic_current(L const& density, Jet<S, n, N> const& j, Jet
 /// The divergence \f$\partial_\mu B^\mu\f$ of a field on space-time.
 /// @param B  a callable from points of space-time, over any scalar, to n + 1 components
 template <class S, int rows, class Field>
-S divergence(Field const& B, Eigen::Matrix<S, rows, 1> const& x) {
+S divergence(Field const& B, Matrix<S, rows, 1> const& x) {
   using D = Dual<S, rows>;
-  Eigen::Matrix<D, rows, 1> moved = x.template cast<D>();
+  Matrix<D, rows, 1> moved = x.template cast<D>();
   for (int mu = 0; mu < rows; ++mu) moved[mu].part[mu] = S(1);
-  Eigen::Matrix<D, rows, 1> const value = B(moved);
+  Matrix<D, rows, 1> const value = B(moved);
   S sum(0);
   for (int mu = 0; mu < rows; ++mu) sum += value[mu].part[mu];
   return sum;

@@ -14,7 +14,7 @@ namespace actio {
 
 /// A point of space-time: (t, x^1, ..., x^n).
 template <class S, int n>
-using Event = Eigen::Matrix<S, n + 1, 1>;
+using Event = Matrix<S, n + 1, 1>;
 
 /// A point of the first jet bundle \f$J^1Y\f$ over an n-dimensional body in an N-dimensional space.
 template <class S, int n, int N>
@@ -25,15 +25,15 @@ struct Jet {
   static constexpr int dimension = n + 1 + N + N * (n + 1);  ///< of the jet bundle
 
   Event<S, n> x;                      ///< point of space-time, t first
-  Eigen::Matrix<S, N, 1> y;           ///< place \f$y^a\f$
-  Eigen::Matrix<S, N, n + 1> v;       ///< \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
+  Matrix<S, N, 1> y;           ///< place \f$y^a\f$
+  Matrix<S, N, n + 1> v;       ///< \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
 
   /// \f$v^a{}_0\f$.
-  Eigen::Matrix<S, N, 1> velocity() const { return v.col(0); }
+  Matrix<S, N, 1> velocity() const { return v.col(0); }
   /// The deformation gradient \f$F^a{}_i = v^a{}_i\f$.
-  Eigen::Matrix<S, N, n> gradient() const { return v.template rightCols<n>(); }
+  Matrix<S, N, n> gradient() const { return v.template rightCols<n>(); }
   /// The point of the body, \f$x^1,\dots,x^n\f$.
-  Eigen::Matrix<S, n, 1> particle() const { return x.template tail<n>(); }
+  Matrix<S, n, 1> particle() const { return x.template tail<n>(); }
 
   /// The same jet over a scalar that extends S.
   template <class T>
@@ -46,10 +46,10 @@ struct Jet {
 template <class S, int n, int N>
 struct SecondJet : Jet<S, n, N> {
   /// `w[mu]` holds \f$w^a{}_{\mu\nu}\f$ with a row for each a and a column for each nu.
-  std::array<Eigen::Matrix<S, N, n + 1>, n + 1> w;
+  std::array<Matrix<S, N, n + 1>, n + 1> w;
 
   /// The acceleration \f$w^a{}_{00}\f$.
-  Eigen::Matrix<S, N, 1> acceleration() const { return w[0].col(0); }
+  Matrix<S, N, 1> acceleration() const { return w[0].col(0); }
 };
 
 /// What may be called a section over points of space-time with n space dimensions.
@@ -74,13 +74,13 @@ inline constexpr int fibre_dimension = std::remove_cvref_t<decltype(std::declval
 /// Accuracy: exact but for the rounding of phi itself.
 template <class S, int rows, class Phi>
   requires SectionOver<Phi, S, rows - 1>
-auto first_jet(Phi const& phi, Eigen::Matrix<S, rows, 1> const& x) {
+auto first_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0, "a section returns a place with as many coordinates as the fibre has dimensions, known when it is compiled");
   using D = Dual<S, rows>;
   Event<D, n> moved = x.template cast<D>();
   for (int mu = 0; mu <= n; ++mu) moved[mu].part[mu] = S(1);
-  Eigen::Matrix<D, N, 1> const place = phi(moved);
+  Matrix<D, N, 1> const place = phi(moved);
   Jet<S, n, N> jet{x, {}, {}};
   for (int a = 0; a < N; ++a) {
     jet.y[a] = place[a].value;
@@ -94,13 +94,13 @@ auto first_jet(Phi const& phi, Eigen::Matrix<S, rows, 1> const& x) {
 /// The second jet \f$j^2\phi(x)\f$ of a section: \ref first_jet and \f$\partial_\mu\partial_\nu\phi^a(x)\f$, from one evaluation on truncated polynomials.
 template <class S, int rows, class Phi>
   requires SectionOver<Phi, S, rows - 1>
-auto second_jet(Phi const& phi, Eigen::Matrix<S, rows, 1> const& x) {
+auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0, "a section returns a place with as many coordinates as the fibre has dimensions, known when it is compiled");
   using D = SecondOrder<S, rows>;
   Event<D, n> moved;
   for (int mu = 0; mu <= n; ++mu) moved[mu] = D::variable(x[mu], mu);
-  Eigen::Matrix<D, N, 1> const place = phi(moved);
+  Matrix<D, N, 1> const place = phi(moved);
   SecondJet<S, n, N> jet;
   jet.x = x;
   for (int a = 0; a < N; ++a) {
@@ -129,8 +129,8 @@ Jet<Dual<S>, n, N> along(SecondJet<S, n, N> const& j, int mu) {
 
 /// The coordinates of a jet in one column: \f$x^\mu\f$, then \f$y^a\f$, then \f$v^a{}_\mu\f$ with \f$\mu\f$ slowest. Forms on the jet bundle take these.
 template <class S, int n, int N>
-Eigen::Matrix<S, Jet<S, n, N>::dimension, 1> coordinates(Jet<S, n, N> const& j) {
-  Eigen::Matrix<S, Jet<S, n, N>::dimension, 1> c;
+Matrix<S, Jet<S, n, N>::dimension, 1> coordinates(Jet<S, n, N> const& j) {
+  Matrix<S, Jet<S, n, N>::dimension, 1> c;
   c.template head<n + 1>() = j.x;
   c.template segment<N>(n + 1) = j.y;
   for (int mu = 0; mu <= n; ++mu) c.template segment<N>(n + 1 + N + N * mu) = j.v.col(mu);
@@ -138,8 +138,8 @@ Eigen::Matrix<S, Jet<S, n, N>::dimension, 1> coordinates(Jet<S, n, N> const& j) 
 }
 
 /// The jet with these \ref coordinates.
-template <int n, int N, class C>
-Jet<typename C::Scalar, n, N> jet_at(Eigen::MatrixBase<C> const& c) {
+template <int n, int N, MatrixLike C>
+Jet<typename C::Scalar, n, N> jet_at(C const& c) {
   Jet<typename C::Scalar, n, N> j;
   j.x = c.template head<n + 1>();
   j.y = c.template segment<N>(n + 1);

@@ -14,7 +14,7 @@ namespace actio {
 template <class S, int n>
 struct LinearDensity {
   S at_origin;                 ///< \f$\rho_0\f$, mass per volume of the body
-  Eigen::Matrix<S, n, 1> slope;  ///< s, per length
+  Matrix<S, n, 1> slope;  ///< s, per length
   template <class V>
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
@@ -32,14 +32,14 @@ struct Barotropic {
   Law w;  ///< stored energy per unit mass as a function of J, over any scalar
 
   template <class BodyMetric, class SpaceMetric, class S, int n>
-  S operator()(Eigen::Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> const& F) const {
+  S operator()(Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) const {
     return w(jacobian(G, g, F));
   }
 
   /// @throws NotOrientationPreserving  where J is not positive
   /// @throws NotASquare  over the rationals, where the volume of space is irrational
   template <class BodyMetric, class SpaceMetric, class S, int n>
-  void examine(Eigen::Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> const& F) const {
+  void examine(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) const {
     require_volume(g, x, "metric of the space at the place of x =");
     detail::require_orientation(S(jacobian(G, g, F)), x, "fluid");
   }
@@ -117,14 +117,14 @@ struct OfGreenTensor {
   Law w;  ///< stored energy per unit mass as a function of the matrix \f$C^i{}_j\f$
 
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  S operator()(Eigen::Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, N, n> const& F) const {
+  S operator()(Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g, Matrix<S, N, n> const& F) const {
     return w(raised(G, green_tensor(g, F)));
   }
 
   /// Where the law resists collapse, refuses a body without volume, or turned inside out.
   /// @throws NotOrientationPreserving  with det F, or det C where space has more dimensions than the body
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  void examine(Eigen::Matrix<S, n, 1> const& x, BodyMetric const&, SpaceMetric const& g, Eigen::Matrix<S, N, n> const& F) const {
+  void examine(Matrix<S, n, 1> const& x, BodyMetric const&, SpaceMetric const& g, Matrix<S, N, n> const& F) const {
     if constexpr (requires { Law::resists_collapse; }) {
       if constexpr (n == N)
         detail::require_orientation(S(determinant(F)), x, "solid");
@@ -139,7 +139,7 @@ OfGreenTensor(Law) -> OfGreenTensor<Law>;
 namespace detail {
 /// \f$\mathrm{tr}\,C\f$ and \f$\mathrm{tr}\,C^2\f$.
 template <class T, int n>
-std::array<T, 2> traces(Eigen::Matrix<T, n, n> const& C) {
+std::array<T, 2> traces(Matrix<T, n, n> const& C) {
   T trace(0), square(0), crossed(0);
   for (int i = 0; i < n; ++i) {
     trace += C(i, i);
@@ -158,8 +158,8 @@ struct StVenantKirchhoff {
   S lambda;  ///< Lame's first modulus over the mass density
   S mu;      ///< shear modulus over the mass density
   template <class T, int n>
-  T operator()(Eigen::Matrix<T, n, n> const& C) const {
-    Eigen::Matrix<T, n, n> E = C;
+  T operator()(Matrix<T, n, n> const& C) const {
+    Matrix<T, n, n> E = C;
     for (int i = 0; i < n; ++i) E(i, i) = E(i, i) - Base<T>(1);
     auto const [trace, square] = detail::traces(E);
     return trace * trace * Base<T>(lambda / S(8)) + square * Base<T>(mu / S(4));
@@ -195,7 +195,7 @@ struct NeoHookean {
   S mu;           ///< shear modulus over the mass density
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
-  T operator()(Eigen::Matrix<T, n, n> const& C) const {
+  T operator()(Matrix<T, n, n> const& C) const {
     Base<T> const half = Base<T>(mu) / Base<T>(2);
     return (C.trace() - Base<T>(n)) * half + volume(determinant(C), half);
   }
@@ -212,7 +212,7 @@ struct MooneyRivlin {
   S c2;           ///< modulus of the second
   Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
-  T operator()(Eigen::Matrix<T, n, n> const& C) const {
+  T operator()(Matrix<T, n, n> const& C) const {
     auto const [trace, square] = detail::traces(C);
     T const second = (trace * trace - square) / Base<T>(2) - Base<T>(n * (n - 1) / 2);
     Base<T> const slope = Base<T>(c1) + Base<T>(c2) * Base<T>(n - 1);

@@ -7,8 +7,8 @@ namespace actio {
 
 /// A point of Y: x, then y, in one column.
 template <class S, int n, int N>
-Eigen::Matrix<S, n + 1 + N, 1> point_of(Jet<S, n, N> const& j) {
-  Eigen::Matrix<S, n + 1 + N, 1> point;
+Matrix<S, n + 1 + N, 1> point_of(Jet<S, n, N> const& j) {
+  Matrix<S, n + 1 + N, 1> point;
   point << j.x, j.y;
   return point;
 }
@@ -21,15 +21,15 @@ Eigen::Matrix<S, n + 1 + N, 1> point_of(Jet<S, n, N> const& j) {
 /// @return    a vector field on the jet bundle: a callable from coordinates to tangent vectors
 template <int n, int N, class Xi>
 auto prolonged(Xi const& xi) {
-  return [xi]<class S, int D>(Eigen::Matrix<S, D, 1> const& at) {
+  return [xi]<class S, int D>(Matrix<S, D, 1> const& at) {
     using T = Dual<S, n + 1>;
     auto const j = jet_at<n, N>(at);
-    Eigen::Matrix<T, n + 1 + N, 1> moved = point_of(j).template cast<T>();
+    Matrix<T, n + 1 + N, 1> moved = point_of(j).template cast<T>();
     for (int mu = 0; mu <= n; ++mu) {
       moved[mu].part[mu] = S(1);
       for (int b = 0; b < N; ++b) moved[n + 1 + b].part[mu] = j.v(b, mu);
     }
-    Eigen::Matrix<T, n + 1 + N, 1> const rate = xi(moved);
+    Matrix<T, n + 1 + N, 1> const rate = xi(moved);
     Jet<S, n, N> lifted;
     for (int mu = 0; mu <= n; ++mu) lifted.x[mu] = rate[mu].value;
     for (int a = 0; a < N; ++a) {

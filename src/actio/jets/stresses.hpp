@@ -12,7 +12,7 @@ namespace detail {
 
 /// The value of a metric over a scalar that extends its own.
 template <class T, class S, int n>
-Eigen::Matrix<T, n, n> metric_over(Eigen::Matrix<S, n, n> const& g) {
+Matrix<T, n, n> metric_over(Matrix<S, n, n> const& g) {
   return g.template cast<T>();
 }
 template <class T, int n>
@@ -22,15 +22,15 @@ Kronecker<n> metric_over(Kronecker<n> g) {
 
 /// \f$\partial W/\partial F^a{}_i\f$, a row for each a.
 template <class Medium, class S, int n, int N>
-Eigen::Matrix<S, N, n> strain_derivative(Medium const& medium, Jet<S, n, N> const& j) {
+Matrix<S, N, n> strain_derivative(Medium const& medium, Jet<S, n, N> const& j) {
   using D = Dual<S, N>;
-  Eigen::Matrix<S, n, 1> const x = j.particle();
+  Matrix<S, n, 1> const x = j.particle();
   auto const here = metric_over<D>(medium.G(x));
   auto const there = metric_over<D>(medium.g(j.y));
-  Eigen::Matrix<D, n, 1> const at = x.template cast<D>();
-  Eigen::Matrix<S, N, n> rate;
+  Matrix<D, n, 1> const at = x.template cast<D>();
+  Matrix<S, N, n> rate;
   for (int i = 0; i < n; ++i) {
-    Eigen::Matrix<D, N, n> F = j.gradient().template cast<D>();
+    Matrix<D, N, n> F = j.gradient().template cast<D>();
     for (int a = 0; a < N; ++a) F(a, i).part[a] = S(1);
     D const energy = medium.W(at, here, there, F);
     for (int a = 0; a < N; ++a) rate(a, i) = energy.part[a];
@@ -40,17 +40,17 @@ Eigen::Matrix<S, N, n> strain_derivative(Medium const& medium, Jet<S, n, N> cons
 
 /// The symmetric \f$\partial W/\partial g_{ab}\f$.
 template <class Medium, class S, int n, int N>
-Eigen::Matrix<S, N, N> metric_derivative(Medium const& medium, Jet<S, n, N> const& j) {
+Matrix<S, N, N> metric_derivative(Medium const& medium, Jet<S, n, N> const& j) {
   using D = Dual<S, N>;
-  Eigen::Matrix<S, n, 1> const x = j.particle();
+  Matrix<S, n, 1> const x = j.particle();
   auto const here = metric_over<D>(medium.G(x));
-  Eigen::Matrix<D, N, N> const there = as_matrix<S>(medium.g(j.y)).template cast<D>();
-  Eigen::Matrix<D, n, 1> const at = x.template cast<D>();
-  Eigen::Matrix<D, N, n> const F = j.gradient().template cast<D>();
-  Eigen::Matrix<S, N, N> rate;
+  Matrix<D, N, N> const there = as_matrix<S>(medium.g(j.y)).template cast<D>();
+  Matrix<D, n, 1> const at = x.template cast<D>();
+  Matrix<D, N, n> const F = j.gradient().template cast<D>();
+  Matrix<S, N, N> rate;
   for (int a = 0; a < N; ++a) {
     // Half of the change goes to g_ab and half to g_ba.
-    Eigen::Matrix<D, N, N> moved = there;
+    Matrix<D, N, N> moved = there;
     for (int b = 0; b < N; ++b) moved(a, b).part[b] += ratio<S>(1, 2), moved(b, a).part[b] += ratio<S>(1, 2);
     D const energy = medium.W(at, here, moved, F);
     for (int b = 0; b < N; ++b) rate(a, b) = energy.part[b];
@@ -60,7 +60,7 @@ Eigen::Matrix<S, N, N> metric_derivative(Medium const& medium, Jet<S, n, N> cons
 
 /// \f$\rho\,\partial W/\partial F^a{}_i\f$, of a medium that has been examined.
 template <class Medium, class S, int n, int N>
-Eigen::Matrix<S, N, n> piola_kirchhoff(Medium const& medium, Jet<S, n, N> const& j) {
+Matrix<S, N, n> piola_kirchhoff(Medium const& medium, Jet<S, n, N> const& j) {
   // [eq_6_19]
   return strain_derivative(medium, j) * S(medium.rho(j.particle()));
   // [eq_6_19]
@@ -69,7 +69,7 @@ Eigen::Matrix<S, N, n> piola_kirchhoff(Medium const& medium, Jet<S, n, N> const&
 /// \f$-\rho\,dW/dJ\f$, of a fluid that has been examined.
 template <class Medium, class S, int n>
 S pressure(Medium const& medium, Jet<S, n, n> const& j) {
-  Eigen::Matrix<S, n, 1> const x = j.particle();
+  Matrix<S, n, 1> const x = j.particle();
   Dual<S> J = jacobian(medium.G(x), medium.g(j.y), j.gradient());
   J.part[0] = S(1);
   // [eq_6_16]
@@ -87,9 +87,9 @@ S pressure(Medium const& medium, Jet<S, n, n> const& j) {
 /// Accuracy: exact but for the rounding of W.
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Eigen::Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> const& j) {
+Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> const& j) {
   detail::examine(medium, j);
-  Eigen::Matrix<S, N, n> const stress = detail::piola_kirchhoff(medium, j);
+  Matrix<S, N, n> const stress = detail::piola_kirchhoff(medium, j);
   detail::require_derivative(stress, j, "first_piola_kirchhoff_stress");
   return stress;
 }
@@ -102,15 +102,15 @@ Eigen::Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S,
 /// @throws NoDerivative  where the stored energy has none; and what the medium itself refuses
 template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n>
-Eigen::Matrix<S, n, n> cauchy_stress(Medium const& medium, Jet<S, n, n> const& j) {
+Matrix<S, n, n> cauchy_stress(Medium const& medium, Jet<S, n, n> const& j) {
   detail::examine(medium, j);
-  Eigen::Matrix<S, n, 1> const x = j.particle();
+  Matrix<S, n, 1> const x = j.particle();
   auto const there = medium.g(j.y);
   require_volume(there, j.y, "metric of the space");
   S const J = jacobian(medium.G(x), there, j.gradient());
   detail::require_orientation(J, x, "cauchy_stress");
   // [eq_6_14]
-  Eigen::Matrix<S, n, n> const stress = detail::metric_derivative(medium, j) * S(S(2) * medium.rho(x) / J);
+  Matrix<S, n, n> const stress = detail::metric_derivative(medium, j) * S(S(2) * medium.rho(x) / J);
   // [eq_6_14]
   detail::require_derivative(stress, j, "cauchy_stress");
   return stress;
@@ -129,14 +129,14 @@ template <class Medium, class S, int n>
 S material_pressure(Medium const& medium, Jet<S, n, n> const& j) {
   detail::examine(medium, j);
   S const pressure = detail::pressure(medium, j);
-  detail::require_derivative(Eigen::Matrix<S, 1, 1>(pressure), j, "material_pressure");
+  detail::require_derivative(Matrix<S, 1, 1>(pressure), j, "material_pressure");
   return pressure;
 }
 
 /// \f$J\,(F^{-1})^i{}_a\f$, what carries areas of space to areas of the body: a row for each a, a column for each i, as a Piola-Kirchhoff stress has.
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class SpaceMetric, class S, int n>
-Eigen::Matrix<S, n, n> area_transformation(BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> const& F) {
+Matrix<S, n, n> area_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) {
   return inverse_matrix(F, "area_transformation").transpose() * jacobian(G, g, F);
 }
 
@@ -146,7 +146,7 @@ Eigen::Matrix<S, n, n> area_transformation(BodyMetric const& G, SpaceMetric cons
 /// @param sigma  Cauchy stress with upper indices
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class SpaceMetric, class S, int n>
-Eigen::Matrix<S, n, n> piola_transformation(BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<S, n, n> const& F, Eigen::Matrix<S, n, n> const& sigma) {
+Matrix<S, n, n> piola_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F, Matrix<S, n, n> const& sigma) {
   // [claim_6_2_piola_transform]
   return lowered(g, sigma) * area_transformation(G, g, F);
   // [claim_6_2_piola_transform]

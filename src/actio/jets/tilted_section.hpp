@@ -26,7 +26,7 @@ struct TiltedJet {
 /// @param map  tilted section: a callable from points u to (x, y), one column, over any scalar
 /// @throws NotAnEmbedding  where the determinant of \f$D\varphi_X\f$ is not positive
 template <class S, int rows, class Map>
-auto tilted_jet(Map const& map, Eigen::Matrix<S, rows, 1> const& u) {
+auto tilted_jet(Map const& map, Matrix<S, rows, 1> const& u) {
   constexpr int n = rows - 1;
   using D = Dual<S, rows>;
   Event<D, n> moved = u.template cast<D>();
@@ -34,8 +34,8 @@ auto tilted_jet(Map const& map, Eigen::Matrix<S, rows, 1> const& u) {
   auto const image = map(moved).eval();
   constexpr int N = std::remove_cvref_t<decltype(image)>::RowsAtCompileTime - rows;
   TiltedJet<S, n, N> tilted;
-  Eigen::Matrix<S, rows, rows> DX;
-  Eigen::Matrix<S, N, rows> DY;
+  Matrix<S, rows, rows> DX;
+  Matrix<S, N, rows> DY;
   for (int mu = 0; mu <= n; ++mu) {
     for (int nu = 0; nu <= n; ++nu) DX(nu, mu) = image[nu].part[mu];
     for (int a = 0; a < N; ++a) DY(a, mu) = image[rows + a].part[mu];
@@ -67,9 +67,9 @@ S tilted_action(L const& density, Map const& map, Box<S, n> const& box, int degr
 /// @param V  variation: a callable from points (x, y) of Y, one column, to \f$(V^\mu, V^a)\f$, over any scalar
 /// @throws whatever the density refuses
 template <class S, int rows, class L, class Phi, class Field>
-S density_variation(L const& density, Phi const& phi, Field const& V, Eigen::Matrix<S, rows, 1> const& x) {
+S density_variation(L const& density, Phi const& phi, Field const& V, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
-  auto const flowed = [&]<class T>(Eigen::Matrix<T, rows, 1> const& u) {
+  auto const flowed = [&]<class T>(Matrix<T, rows, 1> const& u) {
     Variation<T, n, N> point;
     point.template head<rows>() = u;
     point.template tail<N>() = phi(u);
@@ -80,7 +80,7 @@ S density_variation(L const& density, Phi const& phi, Field const& V, Eigen::Mat
     return point;
   };
   detail::examine(density, first_jet(phi, x));
-  auto const tilted = tilted_jet(flowed, Eigen::Matrix<Dual<S>, rows, 1>(x.template cast<Dual<S>>()));
+  auto const tilted = tilted_jet(flowed, Matrix<Dual<S>, rows, 1>(x.template cast<Dual<S>>()));
   return S((density(tilted.jet) * tilted.stretch).part[0]);
 }
 

@@ -13,15 +13,15 @@ namespace detail {
 /// A two-point tensor at a jet, and its total derivatives \f$D_iT_a{}^i\f$ with i summed.
 template <class S, int n, int N>
 struct TwoPointRates {
-  Eigen::Matrix<S, N, n> value;
-  Eigen::Matrix<S, N, 1> divergence;
+  Matrix<S, N, n> value;
+  Matrix<S, N, 1> divergence;
 };
 template <class S, int n, int N, class Tensor>
 TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const& j) {
   TwoPointRates<S, n, N> rates;
   rates.divergence.setZero();
   for (int i = 0; i < n; ++i) {
-    Eigen::Matrix<Dual<S>, N, n> const moved = T(along(j, i + 1));
+    Matrix<Dual<S>, N, n> const moved = T(along(j, i + 1));
     for (int a = 0; a < N; ++a) {
       rates.value(a, i) = moved(a, i).value;
       rates.divergence[a] += moved(a, i).part[0];
@@ -43,9 +43,9 @@ TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const
 /// @return      a covector of space: a component for each a
 /// Accuracy: exact but for the rounding of T and of the metrics.
 template <class BodyMetric, class SpaceMetric, class S, int n, int N, class Tensor>
-Eigen::Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, N> const& j, Tensor const& T) {
+Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, N> const& j, Tensor const& T) {
   auto const rates = detail::two_point_rates(T, j);
-  Eigen::Matrix<S, N, 1> sum = rates.divergence;
+  Matrix<S, N, 1> sum = rates.divergence;
   // [claim_6_2_covariant_divergence]
   if constexpr (!is_constant_metric<BodyMetric>) {
     auto const Gamma = christoffel(G, j.particle());
@@ -54,7 +54,7 @@ Eigen::Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric con
   }
   if constexpr (!is_constant_metric<SpaceMetric>) {
     auto const gamma = christoffel(g, j.y);
-    Eigen::Matrix<S, N, N> const on_space = rates.value * j.gradient().transpose();
+    Matrix<S, N, N> const on_space = rates.value * j.gradient().transpose();
     for (int a = 0; a < N; ++a)
       for (int b = 0; b < N; ++b)
         for (int c = 0; c < N; ++c) sum[a] -= gamma[b](a, c) * on_space(b, c);
@@ -70,7 +70,7 @@ Eigen::Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric con
 /// \implements{claim_6_2_cancelling_terms}
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class SpaceMetric, class S, int n>
-Eigen::Matrix<S, n, 1> piola_identity(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> piola_identity(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, n> const& j) {
   // [claim_6_2_cancelling_terms]
   return two_point_divergence(G, g, j, [&](auto const& jet) { return area_transformation(G(jet.particle()), g(jet.y), jet.gradient()); });
   // [claim_6_2_cancelling_terms]

@@ -28,7 +28,7 @@ struct FixedFibre {
   /// y of a point (x, y).
   template <class V>
   auto operator()(V const& point) const {
-    return Eigen::Matrix<typename V::Scalar, N, 1>(point.template tail<N>());
+    return Matrix<typename V::Scalar, N, 1>(point.template tail<N>());
   }
 };
 
@@ -38,10 +38,10 @@ struct FixedFibre {
 /// @param eta  a callable from points of the body to points of the body, over any scalar
 template <int N, class Eta>
 auto relabelling(Eta const& eta) {
-  auto const base = [eta]<class T, int rows>(Eigen::Matrix<T, rows, 1> const& x) {
-    Eigen::Matrix<T, rows, 1> moved;
+  auto const base = [eta]<class T, int rows>(Matrix<T, rows, 1> const& x) {
+    Matrix<T, rows, 1> moved;
     // [eq_9_1]
-    moved << x[0], eta(Eigen::Matrix<T, rows - 1, 1>(x.template tail<rows - 1>()));
+    moved << x[0], eta(Matrix<T, rows - 1, 1>(x.template tail<rows - 1>()));
     // [eq_9_1]
     return moved;
   };
@@ -52,23 +52,23 @@ auto relabelling(Eta const& eta) {
 template <class S, int n, int N>
 struct AutomorphismTangent {
   Event<S, n> x;                            ///< \f$\eta_X(x)\f$
-  Eigen::Matrix<S, N, 1> y;                 ///< \f$\eta_Y(x, y)\f$
-  Eigen::Matrix<S, n + 1, n + 1> base;      ///< \f$\partial\eta_X^\mu/\partial x^\nu\f$
-  Eigen::Matrix<S, N, n + 1> along;         ///< \f$\partial\eta_Y^a/\partial x^\nu\f$
-  Eigen::Matrix<S, N, N> fibre;             ///< \f$\partial\eta_Y^a/\partial y^b\f$
+  Matrix<S, N, 1> y;                 ///< \f$\eta_Y(x, y)\f$
+  Matrix<S, n + 1, n + 1> base;      ///< \f$\partial\eta_X^\mu/\partial x^\nu\f$
+  Matrix<S, N, n + 1> along;         ///< \f$\partial\eta_Y^a/\partial x^\nu\f$
+  Matrix<S, N, N> fibre;             ///< \f$\partial\eta_Y^a/\partial y^b\f$
 };
 
 /// The tangent map of an automorphism at (x, y), from one evaluation on dual numbers.
 template <int n, int N, class Eta, class S>
-AutomorphismTangent<S, n, N> tangent(Eta const& eta, Event<S, n> const& x, Eigen::Matrix<S, N, 1> const& y) {
+AutomorphismTangent<S, n, N> tangent(Eta const& eta, Event<S, n> const& x, Matrix<S, N, 1> const& y) {
   using T = Dual<S, n + 1 + N>;
-  Eigen::Matrix<T, n + 1 + N, 1> point;
+  Matrix<T, n + 1 + N, 1> point;
   for (int i = 0; i < n + 1 + N; ++i) {
     point[i] = T(i <= n ? x[i] : y[i - n - 1]);
     point[i].part[i] = S(1);
   }
   Event<T, n> const to = eta.base(Event<T, n>(point.template head<n + 1>()));
-  Eigen::Matrix<T, N, 1> const place = eta.fibre(point);
+  Matrix<T, N, 1> const place = eta.fibre(point);
   AutomorphismTangent<S, n, N> d;
   for (int mu = 0; mu <= n; ++mu) {
     d.x[mu] = to[mu].value;
@@ -123,7 +123,7 @@ DualJet<S, n, N> dual_prolongation(Eta const& eta, DualJet<S, n, N> const& z) {
   auto const d = tangent<n, N>(eta, z.x, z.y);
   S const det = determinant(d.base);
   if (base_value(det) == Base<S>(0)) throw Singular("dual_prolongation at " + detail::shown(z.x), "an automorphism has a tangent map with an inverse; determinant", 0, 0);
-  Eigen::Matrix<S, N, n + 1> const q = detail::inverse_of_tangent(d.fibre, "dual_prolongation", z.x).transpose() * z.p;
+  Matrix<S, N, n + 1> const q = detail::inverse_of_tangent(d.fibre, "dual_prolongation", z.x).transpose() * z.p;
   S Pi = z.Pi;
   for (int mu = 0; mu <= n; ++mu)
     for (int a = 0; a < N; ++a) Pi -= q(a, mu) * d.along(a, mu);
@@ -134,10 +134,10 @@ DualJet<S, n, N> dual_prolongation(Eta const& eta, DualJet<S, n, N> const& z) {
 /// @param back  \f$\eta_X^{-1}\f$, a callable on points of space-time
 template <class Eta, class Back, class Phi>
 auto moved_section(Eta const& eta, Back const& back, Phi const& phi) {
-  return [eta, back, phi]<class T, int rows>(Eigen::Matrix<T, rows, 1> const& at) {
-    Eigen::Matrix<T, rows, 1> const x = back(at);
+  return [eta, back, phi]<class T, int rows>(Matrix<T, rows, 1> const& at) {
+    Matrix<T, rows, 1> const x = back(at);
     auto const y = phi(x).eval();
-    Eigen::Matrix<T, rows + std::remove_cvref_t<decltype(y)>::RowsAtCompileTime, 1> point;
+    Matrix<T, rows + std::remove_cvref_t<decltype(y)>::RowsAtCompileTime, 1> point;
     point << x, y;
     return eta.fibre(point);
   };

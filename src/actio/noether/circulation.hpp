@@ -13,8 +13,8 @@ namespace actio {
 
 /// The velocity carried back to the body, \f$u_k = g_{ab}\,\dot\phi^a\phi^b{}_{,k}\f$: \f$p_a{}^0v^a{}_k\f$ over \f$\rho\sqrt{\det G}\f$.
 template <class SpaceMetric, class S, int n, int N>
-Eigen::Matrix<S, n, 1> material_velocity_form(SpaceMetric const& g, Jet<S, n, N> const& j) {
-  Eigen::Matrix<S, N, 1> const lower = lowered(g(j.y), j.velocity());
+Matrix<S, n, 1> material_velocity_form(SpaceMetric const& g, Jet<S, n, N> const& j) {
+  Matrix<S, N, 1> const lower = lowered(g(j.y), j.velocity());
   return j.gradient().transpose() * lower;
 }
 
@@ -44,8 +44,8 @@ S circulation(Phi const& phi, SpaceMetric const& g, Loop const& loop, S const& t
 
 /// The vorticity \f$\partial_ju_k - \partial_ku_j\f$ of the velocity form along a section, from its second jet: a skew matrix, in (j, k).
 template <class SpaceMetric, class S, int n, int N>
-Eigen::Matrix<S, n, n> material_vorticity(SpaceMetric const& g, SecondJet<S, n, N> const& j) {
-  Eigen::Matrix<S, n, n> slope;
+Matrix<S, n, n> material_vorticity(SpaceMetric const& g, SecondJet<S, n, N> const& j) {
+  Matrix<S, n, n> slope;
   for (int i = 0; i < n; ++i) {
     auto const u = material_velocity_form(g, along(j, i + 1));
     for (int k = 0; k < n; ++k) slope(i, k) = u[k].part[0];

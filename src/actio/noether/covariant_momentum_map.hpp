@@ -54,8 +54,8 @@ Event<S, n> noether_current(L const& density, Xi const& xi, Jet<S, n, N> const& 
 /// @param current  a callable from points of space-time to components
 template <class Current>
 auto flux_form(Current const& current) {
-  return [current]<class S, int rows>(Eigen::Matrix<S, rows, 1> const& x, Tangents<S, rows, rows - 1> const& V) -> S {
-    Eigen::Matrix<S, rows, rows> all;
+  return [current]<class S, int rows>(Matrix<S, rows, 1> const& x, Tangents<S, rows, rows - 1> const& V) -> S {
+    Matrix<S, rows, rows> all;
     all.col(0) = current(x);
     all.template rightCols<rows - 1>() = V;
     return determinant(all);

@@ -53,9 +53,9 @@ S equivariance_rate(L const& density, Xi const& xi, Jet<S, n, N> const& j) {
   T const value = density(jet_at<n, N>(moved));
   // The divergence of the part of the field on space-time.
   using E = Dual<S, n + 1>;
-  Eigen::Matrix<E, n + 1 + N, 1> point = point_of(j).template cast<E>();
+  Matrix<E, n + 1 + N, 1> point = point_of(j).template cast<E>();
   for (int mu = 0; mu <= n; ++mu) point[mu].part[mu] = S(1);
-  Eigen::Matrix<E, n + 1 + N, 1> const rate = xi(point);
+  Matrix<E, n + 1 + N, 1> const rate = xi(point);
   S divergence(0);
   for (int mu = 0; mu <= n; ++mu) divergence += rate[mu].part[mu];
   return value.part[0] + value.value * divergence;

@@ -18,13 +18,13 @@ struct NotKilling : OutsideDomain {
 ///
 /// \implements{claim_9_0_isometries}
 template <class Metric, class Field, class S, int N>
-Eigen::Matrix<S, N, N> lie_derivative(Metric const& g, Field const& k, Eigen::Matrix<S, N, 1> const& y) {
+Matrix<S, N, N> lie_derivative(Metric const& g, Field const& k, Matrix<S, N, 1> const& y) {
   using T = Dual<S, N>;
-  Eigen::Matrix<T, N, 1> moved = y.template cast<T>();
+  Matrix<T, N, 1> moved = y.template cast<T>();
   for (int c = 0; c < N; ++c) moved[c].part[c] = S(1);
-  Eigen::Matrix<T, N, 1> const field = k(moved);
-  Eigen::Matrix<T, N, N> const metric = as_matrix<T>(g(moved));
-  Eigen::Matrix<S, N, N> rate = Eigen::Matrix<S, N, N>::Zero();
+  Matrix<T, N, 1> const field = k(moved);
+  Matrix<T, N, N> const metric = as_matrix<T>(g(moved));
+  Matrix<S, N, N> rate = Matrix<S, N, N>::Zero();
   for (int a = 0; a < N; ++a)
     for (int b = 0; b < N; ++b)
       for (int c = 0; c < N; ++c)
@@ -36,7 +36,7 @@ Eigen::Matrix<S, N, N> lie_derivative(Metric const& g, Field const& k, Eigen::Ma
 /// @param rate  what the Lie derivative is compared with: the metric's size times the rates of the field
 /// @throws NotKilling  with the largest entry of the Lie derivative over `rate`
 template <class Metric, class Field, class S, int N>
-void require_killing(Metric const& g, Field const& k, Eigen::Matrix<S, N, 1> const& y, Base<S> const& rate) {
+void require_killing(Metric const& g, Field const& k, Matrix<S, N, 1> const& y, Base<S> const& rate) {
   Base<S> const found = magnitude(lie_derivative(g, k, y));
   Base<S> const bound = Base<S>(256 * N) * epsilon<S>();
   if (!is_finite(found)) throw NotFinite("Killing field at y = " + detail::shown(y));
@@ -47,13 +47,13 @@ void require_killing(Metric const& g, Field const& k, Eigen::Matrix<S, N, 1> con
 /// The rotation \f$k^a = A^a{}_by^b\f$ of flat space about the origin, A skew; with `shift` a translation too.
 template <class S, int N>
 struct RigidMotion {
-  Eigen::Matrix<S, N, N> turn;   ///< A, skew
-  Eigen::Matrix<S, N, 1> shift;  ///< velocity of the origin
+  Matrix<S, N, N> turn;   ///< A, skew
+  Matrix<S, N, 1> shift;  ///< velocity of the origin
   /// The field at a place.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
-    Eigen::Matrix<T, N, 1> k;
+    Matrix<T, N, 1> k;
     for (int a = 0; a < N; ++a) {
       k[a] = T(shift[a]);
       for (int b = 0; b < N; ++b) k[a] += y[b] * T(turn(a, b));
@@ -73,7 +73,7 @@ struct StereographicSphere {
     T square(1);
     for (int a = 0; a < N; ++a) square += y[a] * y[a];
     T const root = T(S(2 * radius)) / square;
-    Eigen::Matrix<T, N, N> g = Eigen::Matrix<T, N, N>::Zero();
+    Matrix<T, N, N> g = Matrix<T, N, N>::Zero();
     for (int a = 0; a < N; ++a) g(a, a) = root * root;
     return g;
   }
@@ -82,8 +82,8 @@ struct StereographicSphere {
 /// The Killing fields \f$k = Ay + \tfrac12(1-|y|^2)\,b + (b\cdot y)\,y\f$ of the sphere in stereographic coordinates: A skew turns it about the axis of the projection, b about others.
 template <class S, int N>
 struct SphereRotation {
-  Eigen::Matrix<S, N, N> turn;  ///< A, skew
-  Eigen::Matrix<S, N, 1> tilt;  ///< b
+  Matrix<S, N, N> turn;  ///< A, skew
+  Matrix<S, N, 1> tilt;  ///< b
   /// The field at a place.
   template <class V>
   auto operator()(V const& y) const {
@@ -93,7 +93,7 @@ struct SphereRotation {
       square += y[a] * y[a];
       along += y[a] * T(tilt[a]);
     }
-    Eigen::Matrix<T, N, 1> k;
+    Matrix<T, N, 1> k;
     for (int a = 0; a < N; ++a) {
       k[a] = along * y[a] + (T(1) - square) * T(S(tilt[a] / S(2)));
       for (int b = 0; b < N; ++b) k[a] += y[b] * T(turn(a, b));
@@ -110,8 +110,8 @@ struct SpaceMotion {
   template <class V>
   auto operator()(V const& point) const {
     using T = typename V::Scalar;
-    Eigen::Matrix<T, V::RowsAtCompileTime, 1> rate = Eigen::Matrix<T, V::RowsAtCompileTime, 1>::Zero();
-    rate.template tail<N>() = k(Eigen::Matrix<T, N, 1>(point.template tail<N>()));
+    Matrix<T, V::RowsAtCompileTime, 1> rate = Matrix<T, V::RowsAtCompileTime, 1>::Zero();
+    rate.template tail<N>() = k(Matrix<T, N, 1>(point.template tail<N>()));
     return rate;
   }
 };

@@ -25,14 +25,14 @@ struct RelabellingField {
 
   /// The field at a point of the body.
   template <class S, int n>
-  Eigen::Matrix<S, n, 1> operator()(Eigen::Matrix<S, n, 1> const& x) const {
+  Matrix<S, n, 1> operator()(Matrix<S, n, 1> const& x) const {
     static_assert(n == 2 || n == 3, "potentials are written out for bodies of two and three dimensions");
     using T = Dual<S, n>;
-    Eigen::Matrix<T, n, 1> moved = x.template cast<T>();
+    Matrix<T, n, 1> moved = x.template cast<T>();
     for (int i = 0; i < n; ++i) moved[i].part[i] = S(1);
     auto const potential = A(moved).eval();
     S const density = volume<S>(G(x));
-    Eigen::Matrix<S, n, 1> xi;
+    Matrix<S, n, 1> xi;
     if constexpr (n == 2)
       xi << potential[0].part[1], -potential[0].part[0];
     else
@@ -46,11 +46,11 @@ RelabellingField(Metric, Potential) -> RelabellingField<Metric, Potential>;
 
 /// The divergence \f$\frac1{\sqrt{\det G}}\,\partial_k(\sqrt{\det G}\,\xi^k)\f$ of a field on the body.
 template <class Metric, class Xi, class S, int n>
-S divergence(Metric const& G, Xi const& xi, Eigen::Matrix<S, n, 1> const& x) {
+S divergence(Metric const& G, Xi const& xi, Matrix<S, n, 1> const& x) {
   using T = Dual<S, n>;
-  Eigen::Matrix<T, n, 1> moved = x.template cast<T>();
+  Matrix<T, n, 1> moved = x.template cast<T>();
   for (int i = 0; i < n; ++i) moved[i].part[i] = S(1);
-  Eigen::Matrix<T, n, 1> const field = xi(moved);
+  Matrix<T, n, 1> const field = xi(moved);
   T const density = volume<T>(G(moved));
   S sum(0);
   for (int i = 0; i < n; ++i) sum += (density * field[i]).part[i];
@@ -61,7 +61,7 @@ S divergence(Metric const& G, Xi const& xi, Eigen::Matrix<S, n, 1> const& x) {
 /// @param rate  what the divergence is compared with: the size of the derivatives of the field, 1/time
 /// @throws NotDivergenceFree  with the divergence over `rate`
 template <class Metric, class Xi, class S, int n>
-void require_divergence_free(Metric const& G, Xi const& xi, Eigen::Matrix<S, n, 1> const& x, Base<S> const& rate) {
+void require_divergence_free(Metric const& G, Xi const& xi, Matrix<S, n, 1> const& x, Base<S> const& rate) {
   Base<S> const found = magnitude(divergence(G, xi, x));
   // Derivatives of a potential, of a volume and of their quotient: some tens of roundings for each of n terms.
   Base<S> const bound = Base<S>(256 * n) * epsilon<S>();
@@ -83,8 +83,8 @@ struct Relabelling {
   auto operator()(V const& point) const {
     using T = typename V::Scalar;
     constexpr int n = V::RowsAtCompileTime - 1 - N;
-    Eigen::Matrix<T, n + 1 + N, 1> rate = Eigen::Matrix<T, n + 1 + N, 1>::Zero();
-    rate.template segment<n>(1) = xi(Eigen::Matrix<T, n, 1>(point.template segment<n>(1)));
+    Matrix<T, n + 1 + N, 1> rate = Matrix<T, n + 1 + N, 1>::Zero();
+    rate.template segment<n>(1) = xi(Matrix<T, n, 1>(point.template segment<n>(1)));
     return rate;
   }
 };
@@ -107,13 +107,13 @@ struct DensityRelabelling {
     using T = typename V::Scalar;
     constexpr int n = V::RowsAtCompileTime - 1 - N;
     using D = Dual<T, n>;
-    Eigen::Matrix<D, n, 1> moved;
+    Matrix<D, n, 1> moved;
     for (int i = 0; i < n; ++i) {
       moved[i] = D(point[1 + i]);
       moved[i].part[i] = T(1);
     }
-    Eigen::Matrix<D, n, 1> const field = xi(moved);
-    Eigen::Matrix<T, n + 1 + N, 1> rate = Eigen::Matrix<T, n + 1 + N, 1>::Zero();
+    Matrix<D, n, 1> const field = xi(moved);
+    Matrix<T, n + 1 + N, 1> rate = Matrix<T, n + 1 + N, 1>::Zero();
     for (int i = 0; i < n; ++i) {
       rate[1 + i] = field[i].value;
       rate[n + N] -= point[n + N] * field[i].part[i];
@@ -130,10 +130,10 @@ DensityRelabelling<N, Xi> density_relabelling_field(Xi const& xi) {
 namespace detail {
 /// The current of a fluid whose spatial components are `head` \f$\sqrt{\det G}\,\xi^k\f$.
 template <class G, class g, class S, int n>
-Event<S, n> fluid_current(G const& body, g const& space, S const& rho, S const& head, Eigen::Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
+Event<S, n> fluid_current(G const& body, g const& space, S const& rho, S const& head, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
   S const density = volume<S>(body);
   Event<S, n> current;
-  current[0] = -inner(space, j.velocity(), Eigen::Matrix<S, n, 1>(j.gradient() * xi)) * rho * density;
+  current[0] = -inner(space, j.velocity(), Matrix<S, n, 1>(j.gradient() * xi)) * rho * density;
   current.template tail<n>() = xi * S(head * density);
   return current;
 }
@@ -145,7 +145,7 @@ Event<S, n> fluid_current(G const& body, g const& space, S const& rho, S const& 
 /// @param xi  value of the field at the point of the body
 /// @return    components of the current, time first
 template <class BodyMetric, class SpaceMetric, class Mass, class Law, class S, int n>
-Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Mass, Barotropic<Law>> const& fluid, Eigen::Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
+Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Mass, Barotropic<Law>> const& fluid, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
   detail::examine(fluid, j);
   auto const G = fluid.G(j.particle());
   auto const g = fluid.g(j.y);
@@ -167,7 +167,7 @@ Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Ma
 /// @param rho   mass density of the body, @param P pressure
 /// @param j     first jet of the placement alone, without the multiplier
 template <class G, class g, class S, int n>
-Event<S, n> incompressible_relabelling_current(G const& body, g const& space, S const& rho, S const& P, Eigen::Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
+Event<S, n> incompressible_relabelling_current(G const& body, g const& space, S const& rho, S const& P, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
   // [eq_9_9]
   S const head = rho * inner(space, j.velocity(), j.velocity()) / S(2) - P;
   // [eq_9_9]

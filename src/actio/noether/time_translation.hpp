@@ -13,7 +13,7 @@ struct TimeTranslation {
   template <class V>
   auto operator()(V const&) const {
     using T = typename V::Scalar;
-    Eigen::Matrix<T, V::RowsAtCompileTime, 1> rate = Eigen::Matrix<T, V::RowsAtCompileTime, 1>::Zero();
+    Matrix<T, V::RowsAtCompileTime, 1> rate = Matrix<T, V::RowsAtCompileTime, 1>::Zero();
     rate[0] = T(1);
     return rate;
   }

@@ -22,8 +22,8 @@ namespace actio {
 ///
 /// Laws: act(gh, a) = act(g, act(h, a)), act(e, a) = a, linear in a.
 template <class A, class G, class S, int m>
-concept ActsOn = Group<G> && requires(A const& act, Element<G, S> const& g, Eigen::Matrix<S, m, 1> const& a) {
-  { act(g, a) } -> std::convertible_to<Eigen::Matrix<S, m, 1>>;
+concept ActsOn = Group<G> && requires(A const& act, Element<G, S> const& g, Matrix<S, m, 1> const& a) {
+  { act(g, a) } -> std::convertible_to<Matrix<S, m, 1>>;
 };
 
 /// How a group of m by m matrices acts on columns of m numbers: by multiplication.
@@ -31,7 +31,7 @@ struct MatrixAction {
   /// The product of the matrix and the column.
   /// @throws OutsideDomain  where the column has not as many numbers as the matrix has columns
   template <MatrixGroup G, Field S, int m>
-  Eigen::Matrix<S, m, 1> operator()(Element<G, S> const& g, Eigen::Matrix<S, m, 1> const& a) const {
+  Matrix<S, m, 1> operator()(Element<G, S> const& g, Matrix<S, m, 1> const& a) const {
     if (a.size() != g.value.cols())
       throw OutsideDomain("MatrixAction", "a vector with a number for each column of the matrix is needed; numbers", static_cast<double>(a.size()),
                           static_cast<double>(g.value.cols()));
@@ -43,16 +43,16 @@ struct MatrixAction {
 template <Group G, Field S, int m>
 struct AdvectedState {
   Momentum<G, S> momentum;        ///< of the body for a left-invariant system, in space for a right-invariant one; energy x time
-  Eigen::Matrix<S, m, 1> vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
+  Matrix<S, m, 1> vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
 };
 
 namespace detail {
 /// l with its vector held fixed: a function of the relative motion alone.
 template <class F, class S, int m>
-auto holding(F const& l, Eigen::Matrix<S, m, 1> const& a) {
+auto holding(F const& l, Matrix<S, m, 1> const& a) {
   return [&l, a](auto const& f) {
     using T = typename std::decay_t<decltype(f)>::Scalar;
-    return l(f, Eigen::Matrix<T, m, 1>(a.template cast<T>()));
+    return l(f, Matrix<T, m, 1>(a.template cast<T>()));
   };
 }
 }  // namespace detail
@@ -60,13 +60,13 @@ auto holding(F const& l, Eigen::Matrix<S, m, 1> const& a) {
 /// \f$a_1 = f\,a_0\f$: the vector after a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
 template <Group G, Field S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
-Eigen::Matrix<S, m, 1> advect_left(Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+Matrix<S, m, 1> advect_left(Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return act(f, a);
 }
 /// \f$a_1 = f^{-1}a_0\f$: the vector after a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
 template <Group G, Field S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
-Eigen::Matrix<S, m, 1> advect_right(Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return act(inverse(f), a);
 }
 
@@ -79,10 +79,10 @@ Eigen::Matrix<S, m, 1> advect_right(Element<G, S> const& f, Eigen::Matrix<S, m, 
 /// Exact up to rounding.
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
-Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   auto const moved_vector = [&](auto const& g) {
     using T = typename std::decay_t<decltype(g)>::Scalar;
-    return l(like(g, f), act(g, Eigen::Matrix<T, m, 1>(a.template cast<T>())));
+    return l(like(g, f), act(g, Matrix<T, m, 1>(a.template cast<T>())));
   };
   return right_differential(moved_vector, identity<S>(f.group));
 }
@@ -91,22 +91,22 @@ Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Eigen::
 
 /// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a left-invariant step begins.
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return advected_differential(l, f, a, act) - left_differential(detail::holding(l, a), f);
 }
 /// \f$\Pi_1 = -R_f^*\ell'(f, a_0)\f$: the body momentum with which it ends.
 template <Group G, Field S, int m, class F>
-Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a) {
+Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -right_differential(detail::holding(l, a), f);
 }
 /// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a right-invariant step begins.
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return -right_differential(detail::holding(l, a), f) - advected_differential(l, f, a, act);
 }
 /// \f$\mu_1 = -L_f^*\ell'(f, a_0)\f$: the spatial momentum with which it ends.
 template <Group G, Field S, int m, class F>
-Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a) {
+Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -left_differential(detail::holding(l, a), f);
 }
 
@@ -125,7 +125,7 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 /// @return     covector at the identity
 /// Exact up to rounding.
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Eigen::Matrix<S, m, 1> const& a0, Element<G, S> const& f21,
+Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Element<G, S> const& f21,
                                             Act const& act = {}) {
   auto const a1 = advect_left(f10, a0, act);
   auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
@@ -143,7 +143,7 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
 /// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
 /// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Eigen::Matrix<S, m, 1> const& a0, Element<G, S> const& f12,
+Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Element<G, S> const& f12,
                                              Act const& act = {}) {
   auto const a1 = advect_right(f01, a0, act);
   auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
@@ -154,14 +154,14 @@ Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f0
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 /// @throws NotFinite               where momentum or vector is no number
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> const& pi, Eigen::Matrix<S, m, 1> const& a, Element<G, S> const& start,
+Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> const& pi, Matrix<S, m, 1> const& a, Element<G, S> const& start,
                                                     Act const& act = {}) {
   require_finite(a, "advected_relative_motion_left: vector");
   require_finite(pi.components, "advected_relative_motion_left: momentum");
   return solve_on_group(
       [&](auto const& f) {
         using T = typename std::decay_t<decltype(f)>::Scalar;
-        return advected_momentum_before_left(l, f, Eigen::Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
+        return advected_momentum_before_left(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
       },
       start);
 }
@@ -169,14 +169,14 @@ Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> c
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 /// @throws NotFinite               where momentum or vector is no number
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> const& mu, Eigen::Matrix<S, m, 1> const& a, Element<G, S> const& start,
+Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> const& mu, Matrix<S, m, 1> const& a, Element<G, S> const& start,
                                                      Act const& act = {}) {
   require_finite(a, "advected_relative_motion_right: vector");
   require_finite(mu.components, "advected_relative_motion_right: momentum");
   return solve_on_group(
       [&](auto const& f) {
         using T = typename std::decay_t<decltype(f)>::Scalar;
-        return advected_momentum_before_right(l, f, Eigen::Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
+        return advected_momentum_before_right(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
       },
       start);
 }
@@ -186,7 +186,7 @@ Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> 
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Eigen::Matrix<S, m, 1> const& a0, Act const& act = {}) {
+Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Act const& act = {}) {
   // Hold the momentum left behind, and look for the motion that takes it up where the vector has come to be.
   return advected_relative_motion_left(l, advected_momentum_after_left(l, f10, a0), advect_left(f10, a0, act), f10, act);
 }
@@ -194,7 +194,7 @@ Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Eigen::Matrix<S, m, 1> const& a0, Act const& act = {}) {
+Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Act const& act = {}) {
   return advected_relative_motion_right(l, advected_momentum_after_right(l, f01, a0), advect_right(f01, a0, act), f01, act);
 }
 
@@ -206,7 +206,7 @@ Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, 
 /// are \f$|a|^2\f$ and \f$\langle\Pi, a\rangle\f$.
 /// @param f  the relative motion that takes up \f$\Pi_0\f$
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Momentum<G, S> const& pi,
+Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& pi,
                                                 Act const& act = {}) {
   // [advected_lie_poisson]
   return Ad_star(inverse(f), pi - advected_differential(l, f, a, act));
@@ -215,7 +215,7 @@ Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const&
 /// \f$\mu_1 = \mathrm{Ad}^*_f\bigl(\mu_0 + A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the spatial momentum carried along, right-invariant. Without a
 /// vector it is (3.17).
 template <Group G, Field S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Eigen::Matrix<S, m, 1> const& a, Momentum<G, S> const& mu,
+Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& mu,
                                                  Act const& act = {}) {
   return Ad_star(f, mu + advected_differential(l, f, a, act));
 }
@@ -225,18 +225,18 @@ Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const
 /// The discrete Lagrangian on G x G that l(f, a) stands for, left-invariant: \f$(g_0, g_1)\mapsto\ell(g_1^{-1}g_0,\, g_0^{-1}c)\f$.
 /// @param c  the vector that is fixed in space
 template <class F, class S, int m, class Act = MatrixAction>
-auto lift_advected_left(F l, Eigen::Matrix<S, m, 1> const& c, Act act = {}) {
+auto lift_advected_left(F l, Matrix<S, m, 1> const& c, Act act = {}) {
   return [l, c, act](auto const& g0, auto const& g1) {
     using T = typename std::decay_t<decltype(g0)>::Scalar;
-    return l(relative_motion_left(g0, g1), act(inverse(g0), Eigen::Matrix<T, m, 1>(c.template cast<T>())));
+    return l(relative_motion_left(g0, g1), act(inverse(g0), Matrix<T, m, 1>(c.template cast<T>())));
   };
 }
 /// The same, right-invariant: \f$(g_0, g_1)\mapsto\ell(g_0g_1^{-1},\, g_0c)\f$.
 template <class F, class S, int m, class Act = MatrixAction>
-auto lift_advected_right(F l, Eigen::Matrix<S, m, 1> const& c, Act act = {}) {
+auto lift_advected_right(F l, Matrix<S, m, 1> const& c, Act act = {}) {
   return [l, c, act](auto const& g0, auto const& g1) {
     using T = typename std::decay_t<decltype(g0)>::Scalar;
-    return l(relative_motion_right(g0, g1), act(g0, Eigen::Matrix<T, m, 1>(c.template cast<T>())));
+    return l(relative_motion_right(g0, g1), act(g0, Matrix<T, m, 1>(c.template cast<T>())));
   };
 }
 
@@ -245,11 +245,11 @@ auto lift_advected_right(F l, Eigen::Matrix<S, m, 1> const& c, Act act = {}) {
 /// \f$\zeta\,a = \frac{d}{d\epsilon}e^{\epsilon\zeta}a\f$: how an element of the algebra moves a vector.
 template <Group G, Field S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
-Eigen::Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
-  Eigen::Matrix<S, m, 1> rate = Eigen::Matrix<S, m, 1>::Zero(a.size());
+Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
+  Matrix<S, m, 1> rate = Matrix<S, m, 1>::Zero(a.size());
   over_batches(zeta.group.dimension(), [&](int first) {
-    Eigen::Matrix<Moved<S>, m, 1> const moved = act(moved_left(identity<S>(zeta.group), first), Eigen::Matrix<Moved<S>, m, 1>(a.template cast<Moved<S>>()));
-    for (Eigen::Index i = 0; i < a.size(); ++i)
+    Matrix<Moved<S>, m, 1> const moved = act(moved_left(identity<S>(zeta.group), first), Matrix<Moved<S>, m, 1>(a.template cast<Moved<S>>()));
+    for (Index i = 0; i < a.size(); ++i)
       for (int b = 0; b < batch && first + b < zeta.group.dimension(); ++b) rate[i] += moved[i].part[b] * zeta.coordinates[first + b];
   });
   return rate;
@@ -265,7 +265,7 @@ Eigen::Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Eigen::Matrix<S, m, 
 ///                        Over the rationals it must be 0; elsewhere half of the digits are enough, since rounding may have carried generator and
 ///                        vector along for long.
 template <Group G, Field S, int m, class Act = MatrixAction>
-S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Eigen::Matrix<S, m, 1> const& a, Act const& act = {}) {
+S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
   auto const size = magnitude(zeta.coordinates) * magnitude(a);
   double const measured = size > Base<S>(0) ? to_double(Base<S>(magnitude(moved_by(zeta, a, act)) / size)) : 0.0;
   double const bound = std::sqrt(to_double(epsilon<S>()));

@@ -19,7 +19,7 @@ class AdvectedStepsLeft {
   /// @param a0   the vector at \f$g_0\f$
   /// @param act  the action of G on vectors; multiplication by the matrix unless given
   /// @throws NotFinite  where f10 or a0 is no number, or l or its derivative there
-  AdvectedStepsLeft(F l, Element<G, S> const& f10, Eigen::Matrix<S, m, 1> const& a0, Act act = {})
+  AdvectedStepsLeft(F l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Act act = {})
       : l_(std::move(l)), act_(std::move(act)), motion_(f10), momentum_(advected_momentum_after_left(l_, f10, a0)), vector_(advect_left(f10, a0, act_)),
         solver_(f10) {
     require_finite(a0, "AdvectedStepsLeft: vector");
@@ -32,7 +32,7 @@ class AdvectedStepsLeft {
     Element<G, S> const f = solver_.solve(
         [&](auto const& x) {
           using T = typename std::decay_t<decltype(x)>::Scalar;
-          return advected_momentum_before_left(l_, x, Eigen::Matrix<T, m, 1>(vector_.template cast<T>()), act_) - like(x, momentum_);
+          return advected_momentum_before_left(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) - like(x, momentum_);
         },
         motion_);
     momentum_ = advected_lie_poisson_update_left(l_, f, vector_, momentum_, act_);
@@ -51,7 +51,7 @@ class AdvectedStepsLeft {
   [[no_unique_address]] Act act_;
   Element<G, S> motion_;
   Momentum<G, S> momentum_;
-  Eigen::Matrix<S, m, 1> vector_;
+  Matrix<S, m, 1> vector_;
   PredictorCorrector<G, S> solver_;
 };
 
@@ -65,7 +65,7 @@ class AdvectedStepsRight {
   /// @param a0   the vector at \f$g_0\f$
   /// @param act  the action of G on vectors; multiplication by the matrix unless given
   /// @throws NotFinite  where f01 or a0 is no number, or l or its derivative there
-  AdvectedStepsRight(F l, Element<G, S> const& f01, Eigen::Matrix<S, m, 1> const& a0, Act act = {})
+  AdvectedStepsRight(F l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Act act = {})
       : l_(std::move(l)), act_(std::move(act)), motion_(f01), momentum_(advected_momentum_after_right(l_, f01, a0)), vector_(advect_right(f01, a0, act_)),
         solver_(f01) {
     require_finite(a0, "AdvectedStepsRight: vector");
@@ -78,7 +78,7 @@ class AdvectedStepsRight {
     Element<G, S> const f = solver_.solve(
         [&](auto const& x) {
           using T = typename std::decay_t<decltype(x)>::Scalar;
-          return advected_momentum_before_right(l_, x, Eigen::Matrix<T, m, 1>(vector_.template cast<T>()), act_) - like(x, momentum_);
+          return advected_momentum_before_right(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) - like(x, momentum_);
         },
         motion_);
     momentum_ = advected_lie_poisson_update_right(l_, f, vector_, momentum_, act_);
@@ -97,7 +97,7 @@ class AdvectedStepsRight {
   [[no_unique_address]] Act act_;
   Element<G, S> motion_;
   Momentum<G, S> momentum_;
-  Eigen::Matrix<S, m, 1> vector_;
+  Matrix<S, m, 1> vector_;
   PredictorCorrector<G, S> solver_;
 };
 

@@ -20,13 +20,13 @@ namespace actio {
 /// fifth powers, and \f$[A_1,[A_1,A_3]]\f$ with the cubes weighted by the square of the time \f$m_k\f$ in the middle of the substep.
 /// Exact up to rounding.
 template <Field S>
-Eigen::Matrix<S, 4, 1> composition_conditions(std::vector<S> const& gamma) {
-  Eigen::Matrix<S, 4, 1> left(S(-1), S(0), S(0), S(0));
+Matrix<S, 4, 1> composition_conditions(std::vector<S> const& gamma) {
+  Matrix<S, 4, 1> left(S(-1), S(0), S(0), S(0));
   S reached(0);
   for (S const& g : gamma) {
     // [composition_conditions]
     S const cube = g * g * g, m = reached + g / S(2);
-    left += Eigen::Matrix<S, 4, 1>(g, cube, cube * g * g, cube * m * m);
+    left += Matrix<S, 4, 1>(g, cube, cube * g * g, cube * m * m);
     // [composition_conditions]
     reached += g;
   }
@@ -58,7 +58,7 @@ std::vector<S> kahan_li() {
   S const shift(10000000000000L);  // 10^13
   S const first = (S(3921614440073L) + S(1413927925056L) / shift) / shift;
   using D = Dual<S, 4>;
-  Eigen::Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550), S(0.798543990934829));
+  Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550), S(0.798543990934829));
   std::vector<D> gamma(9, D(first));
   for (double digits = 10; digits < 3 * std::numeric_limits<S>::digits10; digits *= 2) {
     for (int k = 0; k < 4; ++k) {
@@ -67,8 +67,8 @@ std::vector<S> kahan_li() {
       gamma[k + 1] = gamma[7 - k] = moved;
     }
     auto const left = composition_conditions(gamma);
-    Eigen::Matrix<S, 4, 4> slope;
-    Eigen::Matrix<S, 4, 1> value;
+    Matrix<S, 4, 4> slope;
+    Matrix<S, 4, 1> value;
     for (int i = 0; i < 4; ++i) {
       value[i] = left[i].value;
       for (int k = 0; k < 4; ++k) slope(i, k) = left[i].part[k];

@@ -64,7 +64,7 @@ Solved<Element<G, S>> step_euler_poincare_left(F const& l, Element<G, S> const& 
 template <Group G, Field S, class F>
 auto right_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> m(n, n);
+  Matrix<S, G::dim, G::dim> m(n, n);
   over_batches(n, [&](int first) { store_parts(m, right_differential(l, moved_left(f, first)).components, first); });
   return m;
 }
@@ -72,7 +72,7 @@ auto right_second_differential(F const& l, Element<G, S> const& f) {
 template <Group G, Field S, class F>
 auto left_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> m(n, n);
+  Matrix<S, G::dim, G::dim> m(n, n);
   over_batches(n, [&](int first) { store_parts(m, left_differential(l, moved_left(f, first)).components, first); });
   return m;
 }

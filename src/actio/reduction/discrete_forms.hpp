@@ -31,7 +31,7 @@ S discrete_one_form_plus(L const& lagrangian, Element<G, S> const& g0, Element<G
 template <Group G, Field S, class L>
 auto mixed_derivative(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   int const n = g0.group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> m(n, n);
+  Matrix<S, G::dim, G::dim> m(n, n);
   over_batches(n, [&](int first) {
     auto const moved = moved_left(g1, first);
     store_parts(m, D1(lagrangian, like(moved, g0), moved).components, first);
@@ -75,12 +75,12 @@ PairChange<G, S> discrete_flow_tangent(L const& lagrangian, Element<G, S> const&
   using D = Dual<S>;
   auto const shifted = [](Element<G, S> const& g, Velocity<G, S> const& theta) {
     Coordinates<G, D> v = Coordinates<G, D>::Zero(g.group.dimension());
-    for (Eigen::Index a = 0; a < v.size(); ++a) v[a].part[0] = theta.coordinates[a];
+    for (Index a = 0; a < v.size(); ++a) v[a].part[0] = theta.coordinates[a];
     return Element<G, D>{g.group, primitive::near_identity(g.group, v)} * over<D>(g);
   };
   auto const changed = discrete_euler_lagrange(lagrangian, shifted(g0, w.first), shifted(g1, w.second), over<D>(g2)).components;
   Coordinates<G, S> right(changed.size());
-  for (Eigen::Index a = 0; a < right.size(); ++a) right[a] = -changed[a].part[0];
+  for (Index a = 0; a < right.size(); ++a) right[a] = -changed[a].part[0];
   // The change of g2 that makes up for it.
   return {w.second, {g0.group, solve_linear(mixed_derivative(lagrangian, g1, g2), right, "discrete flow: D2 D1 L")}};
 }

@@ -11,7 +11,7 @@ template <Group G, Field S, class L>
 auto discrete_two_form_matrix(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   int const n = g0.group.dimension();
   auto const m = mixed_derivative(lagrangian, g0, g1);
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> omega = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(2 * n, 2 * n);
+  Matrix<S, Dynamic, Dynamic> omega = Matrix<S, Dynamic, Dynamic>::Zero(2 * n, 2 * n);
   omega.topRightCorner(n, n) = -m;
   omega.bottomLeftCorner(n, n) = m.transpose();
   return omega;
@@ -40,11 +40,11 @@ auto reduced_bivector_right(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   auto const pi = discrete_bivector(lift_right(l), f, identity<S>(f.group));
   // The tangent of the quotient map at (f, 1).
-  Eigen::Matrix<S, G::dim, Eigen::Dynamic> tangent(n, 2 * n);
+  Matrix<S, G::dim, Dynamic> tangent(n, 2 * n);
   tangent.leftCols(n).setIdentity();
   tangent.rightCols(n) = -Ad_matrix(f);
   // [eq_3_13]
-  return Eigen::Matrix<S, G::dim, G::dim>(tangent * pi * tangent.transpose());
+  return Matrix<S, G::dim, G::dim>(tangent * pi * tangent.transpose());
   // [eq_3_13]
 }
 
@@ -54,10 +54,10 @@ auto reduced_bivector_left(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   auto const pi = discrete_bivector(lift_left(l), f, identity<S>(f.group));
   // At (f, 1): f changes by theta0 with g0 and by -theta1 with g1, both from the left.
-  Eigen::Matrix<S, G::dim, Eigen::Dynamic> tangent(n, 2 * n);
+  Matrix<S, G::dim, Dynamic> tangent(n, 2 * n);
   tangent.leftCols(n).setIdentity();
-  tangent.rightCols(n) = -Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Identity(n, n);
-  return Eigen::Matrix<S, G::dim, G::dim>(tangent * pi * tangent.transpose());
+  tangent.rightCols(n) = -Matrix<S, Dynamic, Dynamic>::Identity(n, n);
+  return Matrix<S, G::dim, G::dim>(tangent * pi * tangent.transpose());
 }
 
 }  // namespace actio

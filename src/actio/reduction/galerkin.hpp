@@ -24,7 +24,7 @@ V iex_times(M const& w, V const& v) {
   for (int k = 2; k <= 300; ++k) {
     V const next = w * term;
     bool done = true;
-    for (Eigen::Index i = 0; i < v.size(); ++i) {
+    for (Index i = 0; i < v.size(); ++i) {
       term[i] = next[i] / Base<S>(k);
       sum[i] += term[i];
       done = done && !(magnitude(term[i]) > tiny * magnitude(sum[i]));
@@ -36,9 +36,9 @@ V iex_times(M const& w, V const& v) {
 
 /// Several vectors of the algebra, one after another, as a group under addition.
 struct Stack {
-  static constexpr int dim = Eigen::Dynamic;
+  static constexpr int dim = Dynamic;
   template <class S>
-  using Value = Eigen::Matrix<S, Eigen::Dynamic, 1>;
+  using Value = Matrix<S, Dynamic, 1>;
   int size;
 
   int dimension() const { return size; }
@@ -66,7 +66,7 @@ struct Stack {
 
 /// \f$\eta\f$ at the i-th node of the rule, and as its infinitesimal part the rate at which it changes with the fraction of the step.
 template <Group G, Field S>
-Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& group, Eigen::Matrix<S, Eigen::Dynamic, 1> const& xi, int i) {
+Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& group, Matrix<S, Dynamic, 1> const& xi, int i) {
   int const n = group.dimension();
   Velocity<G, Dual<S>> eta{group, Coordinates<G, Dual<S>>::Zero(n)};
   for (int nu = 0; nu < path.degree(); ++nu)
@@ -88,7 +88,7 @@ Velocity<G, S> turn_of_path(Velocity<G, Dual<S>> const& eta) {
 
 /// The action of the path through \f$\xi_1, \dots, \xi_s\f$: \f$h\sum_i b_i\,l(\tfrac1h\,\mathrm{iex}(\pm\mathrm{ad}_{\eta_i})\,\eta_i')\f$.
 template <int side, Group G, Field S, class F>
-S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h, Eigen::Matrix<S, Eigen::Dynamic, 1> const& xi) {
+S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h, Matrix<S, Dynamic, 1> const& xi) {
   S sum(0);
   for (int i = 0; i < path.degree(); ++i) {
     auto const eta = path_at_node(path, group, xi, i);
@@ -106,10 +106,10 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
 /// \f$q = \mathrm{iex}(\pm\mathrm{ad}_\eta)^T p\f$ changes along the path while p changes at the rate \f$\mp\mathrm{ad}^*_\xi\,p\f$. One dual number
 /// carries both.
 template <int side, Group G, Field S, class F>
-Eigen::Matrix<S, Eigen::Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
-                                                          Eigen::Matrix<S, Eigen::Dynamic, 1> const& xi) {
+Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
+                                                          Matrix<S, Dynamic, 1> const& xi) {
   int const n = group.dimension(), s = path.degree();
-  Eigen::Matrix<S, Eigen::Dynamic, 1> differential = Eigen::Matrix<S, Eigen::Dynamic, 1>::Zero(s * n);
+  Matrix<S, Dynamic, 1> differential = Matrix<S, Dynamic, 1>::Zero(s * n);
   for (int i = 0; i < s; ++i) {
     auto const eta = path_at_node(path, group, xi, i);
     auto const turn = turn_of_path<side>(eta);
@@ -129,8 +129,8 @@ Eigen::Matrix<S, Eigen::Dynamic, 1> galerkin_differential(F const& l, Polynomial
 /// The s dim G numbers that vanish for the path that leaves with a given momentum: the differential of the action, less the momentum read in the chart,
 /// \f$\mathrm{iex}(\mp\mathrm{ad}_{\xi_s})^T\mu_0\f$, in its last block.
 template <int side, Group G, Field S, class F>
-Eigen::Matrix<S, Eigen::Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path, Momentum<G, S> const& mu, Base<S> const& h,
-                                                      Eigen::Matrix<S, Eigen::Dynamic, 1> const& xi) {
+Matrix<S, Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path, Momentum<G, S> const& mu, Base<S> const& h,
+                                                      Matrix<S, Dynamic, 1> const& xi) {
   int const n = mu.group.dimension();
   auto left = galerkin_differential<side>(l, path, mu.group, h, xi);
   Velocity<G, S> const last{mu.group, xi.tail(n)};

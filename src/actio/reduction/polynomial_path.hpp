@@ -10,7 +10,7 @@ template <Real S>
   requires Plain<S>
 struct PolynomialPath {
   /// Numbers by node of the rule and by polynomial.
-  using Table = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  using Table = Matrix<S, Dynamic, Dynamic>;
 
   std::vector<S> weights;      ///< \f$b_i\f$
   Table value;                 ///< \f$\lambda_\nu(c_i)\f$, row: node of the rule, column: \f$\nu\f$

@@ -20,7 +20,7 @@ void require_moments(Coordinates<G, S> const& moments, Velocity<G, S> const& xi)
                         static_cast<double>(xi.coordinates.size()));
   require_finite(moments, "Poisson structure of the algebra: moments");
   require_finite(xi.coordinates, "Poisson structure of the algebra: velocity");
-  for (Eigen::Index a = 0; a < moments.size(); ++a)
+  for (Index a = 0; a < moments.size(); ++a)
     if (!(moments[a] > S(0)))
       throw UnphysicalInertia("Poisson structure of the algebra", "J must be positive definite; a moment", to_double(base_value(moments[a])), 0);
 }
@@ -41,8 +41,8 @@ Momentum<G, S> algebra_legendre(Coordinates<G, S> const& moments, Velocity<G, S>
 template <Group G, Field S>
 auto algebra_poisson_tensor(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   auto tensor = lie_poisson_tensor_plus(algebra_legendre(moments, xi));
-  for (Eigen::Index a = 0; a < tensor.rows(); ++a)
-    for (Eigen::Index b = 0; b < tensor.cols(); ++b) tensor(a, b) /= -(moments[a] * moments[b]);
+  for (Index a = 0; a < tensor.rows(); ++a)
+    for (Index b = 0; b < tensor.cols(); ++b) tensor(a, b) /= -(moments[a] * moments[b]);
   return tensor;
 }
 

@@ -13,8 +13,8 @@ namespace actio {
 namespace detail {
 
 /// Refuses a \f$\Lambda\f$ that is no n by n matrix of finite numbers.
-template <class L>
-void require_inertia_matrix(Eigen::MatrixBase<L> const& inertia, Eigen::Index n, char const* where) {
+template <MatrixLike L>
+void require_inertia_matrix(L const& inertia, Index n, char const* where) {
   if (inertia.rows() != n || inertia.cols() != n)
     throw OutsideDomain(where, "Lambda must be as large as the matrices of the group; rows", static_cast<double>(inertia.rows()), static_cast<double>(n));
   require_finite(inertia, where);
@@ -30,17 +30,17 @@ void require_inertia_matrix(Eigen::MatrixBase<L> const& inertia, Eigen::Index n,
 /// @throws OutsideDomain  where the matrix is not square, or its size no multiple of r
 /// @throws NotFinite      where an entry is no number
 /// Accuracy: rounding of the largest product on the way; for up to ten rows or so.
-template <class B>
-auto characteristic_coefficients(Eigen::MatrixBase<B> const& b, int r = 1) {
+template <MatrixLike B>
+auto characteristic_coefficients(B const& b, int r = 1) {
   using S = typename B::Scalar;
-  using Whole = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  using Whole = Matrix<S, Dynamic, Dynamic>;
   int const size = static_cast<int>(b.rows());
   if (b.cols() != size) throw OutsideDomain("characteristic_coefficients", "a square matrix is needed; columns and rows", static_cast<double>(b.cols()), size);
   if (r < 1 || size % r != 0) throw OutsideDomain("characteristic_coefficients", "the multiplicity must divide the size", r, size);
   require_finite(b, "characteristic_coefficients");
   Whole const matrix = b;
   Whole n = Whole::Identity(size, size);
-  Eigen::Matrix<S, Eigen::Dynamic, 1> c(size / r);
+  Matrix<S, Dynamic, 1> c(size / r);
   for (int k = 1; k <= size / r; ++k) {
     n = Whole(matrix * n);
     c[k - 1] = -n.trace() / S(r * k);
@@ -53,13 +53,13 @@ auto characteristic_coefficients(Eigen::MatrixBase<B> const& b, int r = 1) {
 ///
 /// With E made of such blocks, the eigenvalues of \f$E^TM\f$ come in equal pairs, and the Pfaffian is the product of one from each pair.
 /// @throws OutsideDomain  where the size is odd
-template <class M>
-typename M::Scalar pfaffian(Eigen::MatrixBase<M> const& m) {
+template <MatrixLike M>
+typename M::Scalar pfaffian(M const& m) {
   using S = typename M::Scalar;
   int const size = static_cast<int>(m.rows());
   if (size % 2 != 0) throw OutsideDomain("pfaffian", "a skew matrix of even size is needed; rows", size, size + 1);
   if (size == 0) return S(1);
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> turned(size, m.cols());
+  Matrix<S, Dynamic, Dynamic> turned(size, m.cols());
   for (int i = 0; i < size; i += 2) turned.row(i) = -m.row(i + 1), turned.row(i + 1) = m.row(i);
   auto const c = characteristic_coefficients(turned, 2);
   return (size / 2) % 2 == 0 ? c[size / 2 - 1] : -c[size / 2 - 1];
@@ -80,11 +80,11 @@ S trace_of_square(Momentum<SO<n>, S> const& mu) {
 /// for even n the last one being the Pfaffian, whose square is the last coefficient.
 /// @throws NotFinite  where the momentum is no number
 template <int n, Field S>
-Eigen::Matrix<S, Eigen::Dynamic, 1> casimirs(Momentum<SO<n>, S> const& mu) {
+Matrix<S, Dynamic, 1> casimirs(Momentum<SO<n>, S> const& mu) {
   auto const m = mu.group.hat(mu.components);
   auto const c = characteristic_coefficients(m);
   int const count = static_cast<int>(m.rows()) / 2;
-  Eigen::Matrix<S, Eigen::Dynamic, 1> values(count);
+  Matrix<S, Dynamic, 1> values(count);
   for (int k = 0; k < count; ++k) values[k] = c[2 * k + 1];
   if (m.rows() % 2 == 0) values[count - 1] = pfaffian(m);
   return values;
@@ -93,12 +93,12 @@ Eigen::Matrix<S, Eigen::Dynamic, 1> casimirs(Momentum<SO<n>, S> const& mu) {
 /// The Casimirs of the bracket on the group: those of so(n)* at the body momentum before the step, \f$\Pi_0 = -L_f^*\ell'(f)\f$.
 /// @param l  any left-invariant discrete Lagrangian, as a function of \f$f = g_1^{-1}g_0\f$; energy x time
 template <int n, Field S, class F>
-Eigen::Matrix<S, Eigen::Dynamic, 1> casimirs_before(F const& l, Element<SO<n>, S> const& f) {
+Matrix<S, Dynamic, 1> casimirs_before(F const& l, Element<SO<n>, S> const& f) {
   return casimirs(momentum_before_left(l, f));
 }
 /// The same functions through the other Legendre map, at the body momentum after the step, \f$\Pi_1 = -R_f^*\ell'(f)\f$.
 template <int n, Field S, class F>
-Eigen::Matrix<S, Eigen::Dynamic, 1> casimirs_after(F const& l, Element<SO<n>, S> const& f) {
+Matrix<S, Dynamic, 1> casimirs_after(F const& l, Element<SO<n>, S> const& f) {
   return casimirs(-right_differential(l, f));
 }
 
@@ -108,8 +108,8 @@ Eigen::Matrix<S, Eigen::Dynamic, 1> casimirs_after(F const& l, Element<SO<n>, S>
 /// \implements{eq_5_10}
 /// @param lambda  \f$\Lambda\f$ as a symmetric matrix; mass x length^2
 /// @throws OutsideDomain, NotFinite  where it is not as large as f, or has an entry that is no number
-template <class L, int n, Field S>
-S trace_casimir(Eigen::MatrixBase<L> const& lambda, Element<SO<n>, S> const& f) {
+template <MatrixLike L, int n, Field S>
+S trace_casimir(L const& lambda, Element<SO<n>, S> const& f) {
   detail::require_inertia_matrix(lambda, f.value.rows(), "trace_casimir");
   Storage<SO<n>, S> const x = f.value * lambda.template cast<S>();
   // [eq_5_10]

@@ -38,7 +38,7 @@ class HeavyTopScheme {
  public:
   using Place = Element<SO<3>, S>;        ///< of the attitude (body to space), and of the relative motion
   using State = HeavyTopState<S>;         ///< momentum and vertical
-  using Vector = Eigen::Matrix<S, 3, 1>;  ///< of 3-space
+  using Vector = actio::Matrix<S, 3, 1>;  ///< of 3-space
 
   /// @param top    the body
   /// @param step   h, time; negative steps go back in time
@@ -153,7 +153,7 @@ struct KnownTop {
 /// About its centre of mass the disc is flat exactly, \f$I_2 = I_1 + I_3\f$.
 template <Real S>
 KnownTop<S> bruls_cardona_top() {
-  using Vector = Eigen::Matrix<S, 3, 1>;
+  using Vector = actio::Matrix<S, 3, 1>;
   auto const disc = inertia_from_moments<S>(Vector(ratio<S>(15, 64), ratio<S>(15, 32), ratio<S>(15, 64)));
   return {held_at_a_point<S>(S(15), disc, Vector(S(0), S(1), S(0)), Vector(S(0), S(0), ratio<S>(-981, 100))),
           velocity(SO<3>{}, Vector(S(0), S(150), ratio<S>(-461538, 100000)))};
@@ -162,7 +162,7 @@ KnownTop<S> bruls_cardona_top() {
 /// has a fourth integral, \f$|(\Omega_1 + i\Omega_2)^2 - (\Gamma_1 + i\Gamma_2)|^2\f$.
 template <Real S>
 KnownTop<S> kovalevskaya_top() {
-  using Vector = Eigen::Matrix<S, 3, 1>;
+  using Vector = actio::Matrix<S, 3, 1>;
   return {heavy_top<S>(S(1), inertia_from_moments<S>(Vector(S(2), S(2), S(1))), Vector(ratio<S>(1, 2), S(0), S(0)), Vector(S(0), S(0), S(-2))),
           velocity(SO<3>{}, Vector(ratio<S>(1, 2), ratio<S>(1, 3), ratio<S>(7, 5)))};
 }

@@ -23,7 +23,7 @@ using HeavyTopState = AdvectedState<SO<3>, S, 3>;
 /// A body held at a point under gravity. Made by \ref heavy_top or \ref held_at_a_point, which check it.
 template <Real S = double>
 struct HeavyTop {
-  using Vector = Eigen::Matrix<S, 3, 1>;  ///< of 3-space
+  using Vector = actio::Matrix<S, 3, 1>;  ///< of 3-space
 
   S mass;                 ///< not negative; zero for a free body
   Inertia<3, S> inertia;  ///< about the fixed point, in the body frame; mass x length^2
@@ -63,7 +63,7 @@ struct HeavyTop {
 ///                            about the centre, \f$\Lambda - m\chi\chi^T\f$, must not be negative, \f$m\sum_i\chi_i^2/\Lambda_i \le 1\f$. Equality is a
 ///                            body without extent in one direction
 template <Real S>
-HeavyTop<S> heavy_top(S const& mass, Inertia<3, S> const& inertia, Eigen::Matrix<S, 3, 1> const& centre, Eigen::Matrix<S, 3, 1> const& gravity) {
+HeavyTop<S> heavy_top(S const& mass, Inertia<3, S> const& inertia, Matrix<S, 3, 1> const& centre, Matrix<S, 3, 1> const& gravity) {
   if (!is_finite(mass) || !is_finite(centre) || !is_finite(gravity) || !is_finite(inertia.lambda))
     throw NotFinite("heavy top: mass, inertia, centre of mass or gravity");
   if (mass < S(0)) throw OutsideDomain("heavy top", "the mass must not be negative", to_double(mass), 0);
@@ -89,7 +89,7 @@ HeavyTop<S> heavy_top(S const& mass, Inertia<3, S> const& inertia, Eigen::Matrix
 /// @param centre        centre of mass from the fixed point, with one component that is not zero, or none
 /// @throws OutsideDomain  where the centre is on no axis: the principal axes at the fixed point are others then (\ref held_anywhere finds them)
 template <Real S>
-HeavyTop<S> held_at_a_point(S const& mass, Inertia<3, S> const& about_centre, Eigen::Matrix<S, 3, 1> const& centre, Eigen::Matrix<S, 3, 1> const& gravity) {
+HeavyTop<S> held_at_a_point(S const& mass, Inertia<3, S> const& about_centre, Matrix<S, 3, 1> const& centre, Matrix<S, 3, 1> const& gravity) {
   if (!is_finite(mass) || !is_finite(centre)) throw NotFinite("heavy top: mass or centre of mass");
   int off = -1;
   for (int i = 0; i < 3; ++i) off += centre[i] != S(0);

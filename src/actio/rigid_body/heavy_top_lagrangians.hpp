@@ -15,7 +15,7 @@ auto trace_lagrangian(HeavyTop<S> const& top, S const& h) {
   if (h == S(0)) throw OutsideDomain("heavy top", "the step must differ from zero", 0, 0);
   return [lambda = top.inertia.lambda, p = top.lever(), h](auto const& f, auto const& gamma) {
     using T = typename std::decay_t<decltype(f)>::Scalar;
-    Eigen::Matrix<T, 3, 1> const after = f.value * gamma;
+    Matrix<T, 3, 1> const after = f.value * gamma;
     T sum(0);
     for (int i = 0; i < 3; ++i) sum += (T(1) - f.value(i, i)) * (lambda[i] / h) - (gamma[i] + after[i]) * (p[i] * h / S(2));
     return sum;
@@ -32,7 +32,7 @@ auto natural_chart_lagrangian(HeavyTop<S> const& top, S const& h) {
   return [inertia = top.inertia, p = top.lever(), h](auto const& f, auto const& gamma) {
     using T = typename std::decay_t<decltype(f)>::Scalar;
     auto const turn = log(f);
-    Eigen::Matrix<T, 3, 1> const between = exp(turn / T(2)).value * gamma;
+    Matrix<T, 3, 1> const between = exp(turn / T(2)).value * gamma;
     T sum = kinetic_energy(inertia, turn) / T(h);
     for (int i = 0; i < 3; ++i) sum -= between[i] * S(p[i] * h);
     return sum;

@@ -16,12 +16,12 @@
 
 namespace actio {
 
-/// Inertia of a rigid body on SO(n), n fixed or `Eigen::Dynamic`. Made by \ref inertia_from_lambda, \ref inertia_from_moments or \ref principal_inertia,
+/// Inertia of a rigid body on SO(n), n fixed or `Dynamic`. Made by \ref inertia_from_lambda, \ref inertia_from_moments or \ref principal_inertia,
 /// which check it.
 template <int n, Real S = double>
 struct Inertia {
   [[no_unique_address]] SO<n> group;     ///< the rotations of the space the body lives in
-  Eigen::Matrix<S, n, 1> lambda;         ///< second moments of the mass along the body axes; mass x length^2
+  Matrix<S, n, 1> lambda;         ///< second moments of the mass along the body axes; mass x length^2
   Coordinates<SO<n>, S> moments;         ///< \f$\Lambda_i+\Lambda_j\f$ of the plane of each coordinate; mass x length^2
 
   /// The same inertia over another scalar.
@@ -45,12 +45,12 @@ S inertia_tolerance() {
 /// @throws NotFinite          where one is no number
 /// @throws UnphysicalInertia  where \f$\Lambda_i+\Lambda_j\f$ is not positive for some i, j: J would not be positive definite
 template <int n, Real S>
-Inertia<n, S> inertia_from_lambda(Eigen::Matrix<S, n, 1> const& lambda) {
+Inertia<n, S> inertia_from_lambda(Matrix<S, n, 1> const& lambda) {
   if (!is_finite(lambda)) throw NotFinite("inertia: Lambda");
   int const size = static_cast<int>(lambda.size());
   if (size < 2) throw OutsideDomain("inertia", "a body turns in at least two dimensions", size, 2);
   Inertia<n, S> inertia;
-  if constexpr (n == Eigen::Dynamic) inertia.group.n = size;
+  if constexpr (n == Dynamic) inertia.group.n = size;
   inertia.lambda = lambda;
   inertia.moments.resize(size * (size - 1) / 2);
   S const scale = magnitude(lambda);
@@ -73,7 +73,7 @@ Inertia<n, S> inertia_from_lambda(Eigen::Matrix<S, n, 1> const& lambda) {
 /// @throws NotFinite          where one is no number
 /// @throws UnphysicalInertia  where a moment is not positive, or exceeds the sum of the other two by more than rounding (16 epsilon of the largest)
 template <Real S>
-Inertia<3, S> inertia_from_moments(Eigen::Matrix<S, 3, 1> const& moments) {
+Inertia<3, S> inertia_from_moments(Matrix<S, 3, 1> const& moments) {
   if (!is_finite(moments)) throw NotFinite("inertia: principal moments");
   S const scale = magnitude(moments);
   // Halve before adding: the largest numbers of the scalar do not overflow.

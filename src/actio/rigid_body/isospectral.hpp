@@ -22,8 +22,8 @@ namespace actio {
 /// @param momentum  h times a body momentum as a skew matrix; mass x length^2
 /// @param lambda    1/(mass x length^2)
 /// @throws OutsideDomain, NotFinite  where the two matrices are of different sizes, or \f$\Lambda\f$ has an entry that is no number
-template <class L, class M>
-auto lax_matrix(Eigen::MatrixBase<L> const& inertia, Eigen::MatrixBase<M> const& momentum, typename M::Scalar const& lambda) {
+template <MatrixLike L, MatrixLike M>
+auto lax_matrix(L const& inertia, M const& momentum, typename M::Scalar const& lambda) {
   using S = typename M::Scalar;
   detail::require_inertia_matrix(inertia, momentum.rows(), "lax_matrix");
   typename M::PlainObject const squared = inertia.template cast<S>() * inertia.template cast<S>();
@@ -32,23 +32,23 @@ auto lax_matrix(Eigen::MatrixBase<L> const& inertia, Eigen::MatrixBase<M> const&
   return lax;
 }
 /// \f$1 - \lambda X\f$ with \f$X = f^T\Lambda\f$.
-template <class L, int n, Field S>
-Storage<SO<n>, S> lax_factor(Eigen::MatrixBase<L> const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
+template <MatrixLike L, int n, Field S>
+Storage<SO<n>, S> lax_factor(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   detail::require_inertia_matrix(inertia, f.value.rows(), "lax_factor");
   Storage<SO<n>, S> factor = f.value.transpose() * inertia.template cast<S>() * S(-lambda);
   factor.diagonal().array() += S(1);
   return factor;
 }
 /// The Lax matrix of the momentum before the step with relative motion f, from its factors.
-template <class L, int n, Field S>
-Storage<SO<n>, S> lax_matrix_before(Eigen::MatrixBase<L> const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
+template <MatrixLike L, int n, Field S>
+Storage<SO<n>, S> lax_matrix_before(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   return lax_factor(inertia, f, S(-lambda)).transpose() * lax_factor(inertia, f, lambda);
 }
 /// The Lax matrix of the momentum after it: the factors exchanged, and turned by f.
 ///
 /// \implements{claim_1_0_moser_veselov_integrable}
-template <class L, int n, Field S>
-Storage<SO<n>, S> lax_matrix_after(Eigen::MatrixBase<L> const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
+template <MatrixLike L, int n, Field S>
+Storage<SO<n>, S> lax_matrix_after(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   // [claim_1_0_moser_veselov_integrable]
   return f.value * lax_factor(inertia, f, lambda) * lax_factor(inertia, f, S(-lambda)).transpose() * f.value.transpose();
   // [claim_1_0_moser_veselov_integrable]
@@ -74,9 +74,9 @@ inline std::vector<IsospectralDegree> isospectral_degrees(int n) {
 /// @param pi       a body momentum; the unit is free, since each integral is homogeneous in it
 /// @throws OutsideDomain  where the two are of different sizes
 /// @throws NotFinite      where an entry is no number
-template <class L, int n, Field S>
-Eigen::Matrix<S, Eigen::Dynamic, 1> isospectral_integrals(Eigen::MatrixBase<L> const& inertia, Momentum<SO<n>, S> const& pi) {
-  using Whole = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+template <MatrixLike L, int n, Field S>
+Matrix<S, Dynamic, 1> isospectral_integrals(L const& inertia, Momentum<SO<n>, S> const& pi) {
+  using Whole = Matrix<S, Dynamic, Dynamic>;
   Whole const m = pi.group.hat(pi.components);
   int const size = static_cast<int>(m.rows());
   detail::require_inertia_matrix(inertia, size, "isospectral_integrals: Lambda");
@@ -84,7 +84,7 @@ Eigen::Matrix<S, Eigen::Dynamic, 1> isospectral_integrals(Eigen::MatrixBase<L> c
   Whole const squared = inertia.template cast<S>() * inertia.template cast<S>();
 
   auto const degrees = isospectral_degrees(size);
-  Eigen::Matrix<S, Eigen::Dynamic, 1> integrals(degrees.size());
+  Matrix<S, Dynamic, 1> integrals(degrees.size());
   std::vector<Whole> power{Whole::Identity(size, size)};  // by powers of s
   for (int step = 1; step <= size; ++step) {
     std::vector<Whole> next(step + 1, Whole::Zero(size, size));

@@ -10,20 +10,20 @@ namespace actio {
 namespace detail {
 
 /// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ at \f$s = e^{t}\f$.
-inline double spin_against_inertia(Eigen::VectorXd const& lambda, Eigen::MatrixXd const& m, double t) {
+inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> const& m, double t) {
   double const s = std::exp(t);
   // Plain loops: this is no template, so whoever reads the header compiles it, and Eigen's product of matrices takes the compiler half a second.
-  Eigen::Index const n = lambda.size();
-  Eigen::VectorXd w(n);
-  for (Eigen::Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
-  Eigen::MatrixXd a(n, n), square(n, n);
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (Eigen::Index i = 0; i < n; ++i) a(i, j) = w[i] * m(i, j) * w[j];
+  Index const n = lambda.size();
+  Vector<double> w(n);
+  for (Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
+  Matrix<double> a(n, n), square(n, n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) a(i, j) = w[i] * m(i, j) * w[j];
   // The spectral radius of i A, A skew, is the largest singular value of A.
-  for (Eigen::Index j = 0; j < n; ++j)
-    for (Eigen::Index i = 0; i < n; ++i) {
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
       square(i, j) = 0;
-      for (Eigen::Index k = 0; k < n; ++k) square(i, j) += a(k, i) * a(k, j);
+      for (Index k = 0; k < n; ++k) square(i, j) += a(k, i) * a(k, j);
     }
   return s * std::sqrt(largest_eigenvalue(square));
 }
@@ -64,10 +64,10 @@ double largest_step(Inertia<n, S> const& inertia, Momentum<SO<n>, S> const& pi) 
   if (size == S(0)) return std::numeric_limits<double>::infinity();
   S const unit = magnitude(inertia.lambda);
   auto const plain = [](S const& x) { return to_double(x); };
-  Eigen::VectorXd const lambda = (inertia.lambda / unit).unaryExpr(plain);
+  Vector<double> const lambda = (inertia.lambda / unit).unaryExpr(plain);
   if (lambda.minCoeff() < 0)
     throw OutsideDomain("largest_step", "the closed form asks for Lambda_i >= 0; smallest, in units of the largest", lambda.minCoeff(), 0);
-  Eigen::MatrixXd const m = inertia.group.hat((pi.components / size).eval()).unaryExpr(plain);
+  Matrix<double> const m = inertia.group.hat((pi.components / size).eval()).unaryExpr(plain);
   auto const f = [&](double t) { return detail::spin_against_inertia(lambda, m, t); };
 
   // The humps lie where s is among the Lambda_i, or, for a planar body, anywhere below. Scan, then climb the best of them.
@@ -77,7 +77,7 @@ double largest_step(Inertia<n, S> const& inertia, Momentum<SO<n>, S> const& pi) 
   double const low = std::log(smallest) - 12, high = std::log(4.0);
   int const count = 40 + static_cast<int>(4 * (high - low));
   double const gap = (high - low) / count;
-  Eigen::VectorXd value(count + 1);
+  Vector<double> value(count + 1);
   for (int i = 0; i <= count; ++i) value[i] = f(low + i * gap);
   double best = value.maxCoeff();
   for (int i = 0; i <= count; ++i)

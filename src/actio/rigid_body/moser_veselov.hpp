@@ -41,7 +41,7 @@ class MoserVeselov {
     return [lambda = inertia_.lambda, h = step_](auto const& f) {
       using T = typename std::decay_t<decltype(f)>::Scalar;
       T sum(0);
-      for (Eigen::Index i = 0; i < lambda.size(); ++i) sum += (T(1) - f.value(i, i)) * lambda[i];
+      for (Index i = 0; i < lambda.size(); ++i) sum += (T(1) - f.value(i, i)) * lambda[i];
       return T(sum / h);
     };
   }

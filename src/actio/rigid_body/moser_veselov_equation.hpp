@@ -17,7 +17,7 @@ class MoserVeselovEquation {
   using Matrix = Storage<SO<n>, S>;
   using Vector = Coordinates<SO<n>, S>;     ///< of P
 
-  MoserVeselovEquation(SO<n> group, Eigen::Matrix<S, n, 1> lambda, Vector moments) : group_(group), lambda_(std::move(lambda)), moments_(std::move(moments)) {}
+  MoserVeselovEquation(SO<n> group, actio::Matrix<S, n, 1> lambda, Vector moments) : group_(group), lambda_(std::move(lambda)), moments_(std::move(moments)) {}
 
   /// \f$f = 1 - h\xi\f$ and so on, with \f$J\xi = M\f$: right to second order in the step.
   Place first_guess(Vector const& goal) const {
@@ -91,26 +91,26 @@ class MoserVeselovEquation {
 
   /// Whether any two eigenvalues of \f$f^T\Lambda\f$ have a sum with positive real part.
   bool on_branch_of_identity(Place const& f) const {
-    Eigen::Matrix<double, n, n> const x = (f.value.transpose() * lambda_.asDiagonal()).unaryExpr([](S const& v) { return to_double(v); });
+    actio::Matrix<double, n, n> const x = (f.value.transpose() * lambda_.asDiagonal()).unaryExpr([](S const& v) { return to_double(v); });
     // A positive definite symmetric part settles it, and is cheap.
     if (positive_definite(x + x.transpose())) return true;
-    Eigen::VectorXd const real = real_parts_of_eigenvalues(x);
+    actio::Vector<double> const real = real_parts_of_eigenvalues(x);
     // At the end of the branch two solutions meet like the roots of a square: nearer than the root of a rounding error they are one.
     return real[0] + real[1] > -1e-7 * magnitude(x);
   }
 
   /// The determinant, by elimination with row exchanges.
   static double determinant(Place const& f) {
-    Eigen::Matrix<double, n, n> a = f.value.unaryExpr([](S const& v) { return to_double(v); });
+    actio::Matrix<double, n, n> a = f.value.unaryExpr([](S const& v) { return to_double(v); });
     double product = 1;
-    for (Eigen::Index k = 0; k < a.rows(); ++k) {
-      Eigen::Index pivot = k;
-      for (Eigen::Index i = k + 1; i < a.rows(); ++i)
+    for (Index k = 0; k < a.rows(); ++k) {
+      Index pivot = k;
+      for (Index i = k + 1; i < a.rows(); ++i)
         if (std::abs(a(i, k)) > std::abs(a(pivot, k))) pivot = i;
       if (pivot != k) a.row(k).swap(a.row(pivot)), product = -product;
       product *= a(k, k);
       if (product == 0) return 0;
-      for (Eigen::Index i = k + 1; i < a.rows(); ++i) a.row(i).tail(a.cols() - k) -= a.row(k).tail(a.cols() - k) * (a(i, k) / a(k, k));
+      for (Index i = k + 1; i < a.rows(); ++i) a.row(i).tail(a.cols() - k) -= a.row(k).tail(a.cols() - k) * (a(i, k) / a(k, k));
     }
     return product;
   }
@@ -146,7 +146,7 @@ class MoserVeselovEquation {
   /// How \f$X - X^T\f$, \f$X = f^T\Lambda = p^T\f$, falls when f moves to \f$f e^\vartheta\f$: \f$\vartheta\mapsto\vartheta X + X^T\vartheta\f$ in coordinates.
   auto derivative(Matrix const& p) const {
     int const d = group_.dimension(), size = static_cast<int>(p.rows());
-    Eigen::Matrix<S, SO<n>::dim, SO<n>::dim> k(d, d);
+    actio::Matrix<S, SO<n>::dim, SO<n>::dim> k(d, d);
     over_planes(size, [&](int b, int q, int r) {
       over_planes(size, [&](int a, int i, int j) {
         S entry(0);
@@ -161,19 +161,19 @@ class MoserVeselovEquation {
   }
 
   /// By the pivots of the elimination.
-  static bool positive_definite(Eigen::Matrix<double, n, n> a) {
-    for (Eigen::Index k = 0; k < a.rows(); ++k) {
+  static bool positive_definite(actio::Matrix<double, n, n> a) {
+    for (Index k = 0; k < a.rows(); ++k) {
       if (!(a(k, k) > 0)) return false;
-      for (Eigen::Index i = k + 1; i < a.rows(); ++i) {
+      for (Index i = k + 1; i < a.rows(); ++i) {
         double const factor = a(i, k) / a(k, k);
-        for (Eigen::Index j = k + 1; j < a.rows(); ++j) a(i, j) -= factor * a(k, j);
+        for (Index j = k + 1; j < a.rows(); ++j) a(i, j) -= factor * a(k, j);
       }
     }
     return true;
   }
 
   SO<n> group_;
-  Eigen::Matrix<S, n, 1> lambda_;
+  actio::Matrix<S, n, 1> lambda_;
   Vector moments_;
 };
 

@@ -21,7 +21,7 @@ namespace actio {
 namespace detail {
 /// Refuses matrices that are not all n by n, or have an entry that is no number.
 template <class M>
-void require_squares(std::initializer_list<M const*> matrices, Eigen::Index n, char const* where) {
+void require_squares(std::initializer_list<M const*> matrices, Index n, char const* where) {
   for (M const* m : matrices) {
     if (n == 0 || m->rows() != n || m->cols() != n)
       throw OutsideDomain(where, "square matrices of one size are needed; rows and size", static_cast<double>(m->rows()), static_cast<double>(n));
@@ -41,8 +41,8 @@ void require_symmetric(M const& m, char const* where) {
 template <class M>
 typename M::Scalar trace_of_product(M const& a, M const& b) {
   typename M::Scalar sum(0);
-  for (Eigen::Index j = 0; j < a.cols(); ++j)
-    for (Eigen::Index i = 0; i < a.rows(); ++i) sum += a(i, j) * b(i, j);
+  for (Index j = 0; j < a.cols(); ++j)
+    for (Index i = 0; i < a.rows(); ++i) sum += a(i, j) * b(i, j);
   return sum;
 }
 }  // namespace detail

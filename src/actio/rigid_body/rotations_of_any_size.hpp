@@ -22,38 +22,38 @@ void over_planes(int n, Visit const& visit) {
 
 /// SO(n), n at run time.
 template <>
-struct SO<Eigen::Dynamic> {
-  static constexpr int size = Eigen::Dynamic;  ///< known at run time only
-  static constexpr int dim = Eigen::Dynamic;   ///< known at run time only
+struct SO<Dynamic> {
+  static constexpr int size = Dynamic;  ///< known at run time only
+  static constexpr int dim = Dynamic;   ///< known at run time only
   int n = 3;                                   ///< dimension of the space that is rotated
 
   int matrix_size() const { return n; }
   int dimension() const { return n * (n - 1) / 2; }
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
-    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> m = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>::Zero(n, n);
+    Matrix<S, Dynamic, Dynamic> m = Matrix<S, Dynamic, Dynamic>::Zero(n, n);
     over_planes(n, [&](int a, int i, int j) { m(i, j) = v[a], m(j, i) = -v[a]; });
     return m;
   }
   /// The skew part of a matrix, as coordinates.
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& m) const {
+  template <MatrixLike M>
+  auto vee(M const& m) const {
     using S = typename M::Scalar;
-    Eigen::Matrix<S, Eigen::Dynamic, 1> v(dimension());
+    Matrix<S, Dynamic, 1> v(dimension());
     over_planes(n, [&](int a, int i, int j) { v[a] = (m(i, j) - m(j, i)) / S(2); });
     return v;
   }
   template <class S>
-  static Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> inverse(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& a) {
+  static Matrix<S, Dynamic, Dynamic> inverse(Matrix<S, Dynamic, Dynamic> const& a) {
     return a.transpose();
   }
   /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
   /// @throws OutsideDomain  where \f$R^T R\f$ is not even near 1
   template <Real S>
-  static Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> restore(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& a) {
-    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> excess = a.transpose() * a;
+  static Matrix<S, Dynamic, Dynamic> restore(Matrix<S, Dynamic, Dynamic> const& a) {
+    Matrix<S, Dynamic, Dynamic> excess = a.transpose() * a;
     excess.diagonal().array() -= S(1);
     double const distance = to_double(magnitude(excess));
     if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1", distance, 0.1);

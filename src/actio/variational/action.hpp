@@ -23,8 +23,8 @@ struct Quadrature {
     for (int j = 0; j < n; ++j) nodes.push_back(ratio<S>(2048 + std::lround(2047 * std::cos(M_PI * (j + 0.5) / n)), 4096));
 
     // The weights give each Chebyshev polynomial of 2x - 1 its integral: 1/(1 - k^2) for even k, 0 for odd.
-    Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> values(n, n);
-    Eigen::Matrix<S, Eigen::Dynamic, 1> integrals(n);
+    Matrix<S, Dynamic, Dynamic> values(n, n);
+    Matrix<S, Dynamic, 1> integrals(n);
     for (int k = 0; k < n; ++k) {
       integrals[k] = k % 2 == 0 ? ratio<S>(1, 1 - long(k) * k) : S(0);
       for (int j = 0; j < n; ++j) {

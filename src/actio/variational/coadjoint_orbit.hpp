@@ -17,9 +17,9 @@ namespace actio {
 template <Group G, Field S>
 Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w) {
   int const n = mu.group.dimension();
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> a(n, n);
+  Matrix<S, Dynamic, Dynamic> a(n, n);
   for (int c = 0; c < n; ++c) a.col(c) = ad_star(basis_velocity<S>(mu.group, c), mu).components;
-  Eigen::Matrix<S, Eigen::Dynamic, 1> b = w.components;
+  Matrix<S, Dynamic, 1> b = w.components;
   Base<S> const scale = magnitude(a), tiny = Base<S>(256 * n) * epsilon<S>();
 
   // Eliminate with full pivoting until what is left of the matrix is rounding.

@@ -23,7 +23,7 @@ Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocit
   // The rate of the momentum along the curve: the curve's own direction in TG is (xi, xi').
   auto const along = legendre(L, moved(v, {v.velocity, acceleration}));
   Momentum<G, S> rate{v.place.group, Coordinates<G, S>(v.place.group.dimension())};
-  for (Eigen::Index a = 0; a < rate.components.size(); ++a) rate.components[a] = along.components[a].part[0];
+  for (Index a = 0; a < rate.components.size(); ++a) rate.components[a] = along.components[a].part[0];
 
   auto const mu = legendre(L, v);
   // [eq_2_4]

@@ -50,7 +50,7 @@ Momentum<G, S> euler_poincare_left(F const& l, Velocity<G, S> const& xi, Velocit
 template <Group G, Field S, class F>
 auto hessian(F const& l, Velocity<G, S> const& xi) {
   int const n = xi.group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> h(n, n);
+  Matrix<S, G::dim, G::dim> h(n, n);
   over_batches(n, [&](int first) {
     Velocity<G, Moved<S>> moved = over<Moved<S>>(xi);
     for (int a = 0; a < batch && first + a < n; ++a) moved.coordinates[first + a].part[a] = S(1);

@@ -40,7 +40,7 @@ Costate<G, Dual<S>> moved(Costate<G, S> const& p, CostateChange<G, S> const& w) 
   using D = Dual<S>;
   Costate<G, D> result = over<D>(p);
   Coordinates<G, D> turn = Coordinates<G, D>::Zero(p.place.group.dimension());
-  for (Eigen::Index a = 0; a < turn.size(); ++a) {
+  for (Index a = 0; a < turn.size(); ++a) {
     turn[a].part[0] = w.place.coordinates[a];
     result.momentum.components[a].part[0] = w.momentum.components[a];
   }

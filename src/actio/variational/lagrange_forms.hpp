@@ -21,7 +21,7 @@ S lagrange_two_form(Lagrangian const& L, State<G, S> const& v, StateChange<G, S>
   auto const rate = [&](StateChange<G, S> const& along, StateChange<G, S> const& of) {
     auto const mu = legendre(L, moved(v, along));
     S sum(0);
-    for (Eigen::Index a = 0; a < mu.components.size(); ++a) sum += mu.components[a].part[0] * of.place.coordinates[a];
+    for (Index a = 0; a < mu.components.size(); ++a) sum += mu.components[a].part[0] * of.place.coordinates[a];
     return sum;
   };
   return rate(w2, w1) - rate(w1, w2) - pair(legendre(L, v), bracket(w1.place, w2.place));

@@ -40,7 +40,7 @@ S energy(Lagrangian const& L, State<G, S> const& v) {
 template <Group G, Field S, class Lagrangian>
 auto fibre_hessian(Lagrangian const& L, State<G, S> const& v) {
   int const n = v.place.group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> hessian(n, n);
+  Matrix<S, G::dim, G::dim> hessian(n, n);
   over_batches(n, [&](int first) {
     State<G, Moved<S>> moved = over<Moved<S>>(v);
     for (int a = 0; a < batch && first + a < n; ++a) moved.velocity.coordinates[first + a].part[a] = S(1);

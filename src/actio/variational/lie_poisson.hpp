@@ -42,7 +42,7 @@ Momentum<G, S> lie_poisson_rate_left(H const& h, Momentum<G, S> const& mu) {
 template <Group G, Field S>
 auto lie_poisson_tensor_plus(Momentum<G, S> const& mu) {
   int const n = mu.group.dimension();
-  Eigen::Matrix<S, G::dim, G::dim> tensor(n, n);
+  Matrix<S, G::dim, G::dim> tensor(n, n);
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < n; ++b) tensor(a, b) = pair(mu, bracket(basis_velocity<S>(mu.group, a), basis_velocity<S>(mu.group, b)));
   return tensor;

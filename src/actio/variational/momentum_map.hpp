@@ -34,7 +34,7 @@ StateChange<G, S> lifted_generator(State<G, S> const& v, Generator const& genera
   Velocity<G, S> const none{v.place.group, Coordinates<G, S>::Zero(v.place.group.dimension())};
   auto const along = generator(moved(v, {v.velocity, none}).place);
   Velocity<G, S> theta = none, rate = none;
-  for (Eigen::Index a = 0; a < theta.coordinates.size(); ++a) {
+  for (Index a = 0; a < theta.coordinates.size(); ++a) {
     theta.coordinates[a] = along.coordinates[a].value;
     rate.coordinates[a] = along.coordinates[a].part[0];
   }

@@ -67,8 +67,8 @@ K eliminated(std::vector<K> a, int n) {
 }  // namespace detail
 
 /// The determinant of a square matrix. Its derivative is right where the matrix has an inverse.
-template <class M>
-typename M::Scalar determinant_by_elimination(Eigen::MatrixBase<M> const& a) {
+template <MatrixLike M>
+typename M::Scalar determinant_by_elimination(M const& a) {
   int const n = static_cast<int>(a.rows());
   std::vector<typename M::Scalar> entries;
   for (int i = 0; i < n; ++i)
@@ -77,8 +77,8 @@ typename M::Scalar determinant_by_elimination(Eigen::MatrixBase<M> const& a) {
 }
 
 /// The determinant of the complex matrix A + i B, given by the first half of the columns of its real form ((A, -B), (B, A)).
-template <class M>
-Complex<typename M::Scalar> complex_determinant(Eigen::MatrixBase<M> const& a) {
+template <MatrixLike M>
+Complex<typename M::Scalar> complex_determinant(M const& a) {
   int const n = static_cast<int>(a.rows()) / 2;
   std::vector<Complex<typename M::Scalar>> entries;
   for (int i = 0; i < n; ++i)

@@ -19,23 +19,23 @@ struct DirectProduct {
   [[no_unique_address]] H second;  ///< H
 
   /// Whether the sizes of both factors are known to the compiler.
-  static constexpr bool fixed = G::size != Eigen::Dynamic && H::size != Eigen::Dynamic;
-  static constexpr int size = fixed ? G::size + H::size : Eigen::Dynamic;
-  static constexpr int dim = fixed ? G::dim + H::dim : Eigen::Dynamic;
+  static constexpr bool fixed = G::size != Dynamic && H::size != Dynamic;
+  static constexpr int size = fixed ? G::size + H::size : Dynamic;
+  static constexpr int dim = fixed ? G::dim + H::dim : Dynamic;
   constexpr int matrix_size() const { return first.matrix_size() + second.matrix_size(); }
   constexpr int dimension() const { return first.dimension() + second.dimension(); }
   template <class S>
-  using Matrix = Eigen::Matrix<S, size, size>;
+  using Matrix = actio::Matrix<S, size, size>;
   template <class S>
-  using Vector = Eigen::Matrix<S, dim, 1>;
+  using Vector = actio::Matrix<S, dim, 1>;
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
     return blocks<S>(first.hat(head<S>(v)), second.hat(tail<S>(v)));
   }
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& a) const {
+  template <MatrixLike M>
+  auto vee(M const& a) const {
     using S = typename M::Scalar;
     return stacked<S>(first.vee(upper<S>(a)), second.vee(lower<S>(a)));
   }
@@ -75,23 +75,23 @@ struct DirectProduct {
   // The parts of a matrix and of a vector, and what they make up.
 
   /// The block of G.
-  template <class S, class M>
-  Storage<G, S> upper(Eigen::MatrixBase<M> const& a) const {
+  template <class S, MatrixLike M>
+  Storage<G, S> upper(M const& a) const {
     return a.topLeftCorner(first.matrix_size(), first.matrix_size());
   }
   /// The block of H.
-  template <class S, class M>
-  Storage<H, S> lower(Eigen::MatrixBase<M> const& a) const {
+  template <class S, MatrixLike M>
+  Storage<H, S> lower(M const& a) const {
     return a.bottomRightCorner(second.matrix_size(), second.matrix_size());
   }
   /// The coordinates of G.
-  template <class S, class V>
-  Coordinates<G, S> head(Eigen::MatrixBase<V> const& v) const {
+  template <class S, MatrixLike V>
+  Coordinates<G, S> head(V const& v) const {
     return v.head(first.dimension());
   }
   /// The coordinates of H.
-  template <class S, class V>
-  Coordinates<H, S> tail(Eigen::MatrixBase<V> const& v) const {
+  template <class S, MatrixLike V>
+  Coordinates<H, S> tail(V const& v) const {
     return v.tail(second.dimension());
   }
   /// The matrix with these blocks.

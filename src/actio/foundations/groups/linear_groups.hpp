@@ -8,17 +8,17 @@ namespace actio {
 /// GL(n), the component of the identity. Coordinates: the entries of the matrix, row by row.
 template <int n>
 struct GL : Matrices<n, n * n> {
-  template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
+  template <MatrixLike V>
+  static auto hat(V const& v) {
     using S = typename V::Scalar;
-    Eigen::Matrix<S, n, n> a;
+    Matrix<S, n, n> a;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) a(i, j) = v[n * i + j];
     return a;
   }
-  template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
-    Eigen::Matrix<typename M::Scalar, n * n, 1> v;
+  template <MatrixLike M>
+  static auto vee(M const& a) {
+    Matrix<typename M::Scalar, n * n, 1> v;
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) v[n * i + j] = a(i, j);
     return v;
@@ -32,27 +32,27 @@ struct GL : Matrices<n, n * n> {
 
 /// SL(2). Coordinates (a, b, c) of ((a, b), (c, -a)).
 struct SL2 : Matrices<2, 3> {
-  template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
-    Eigen::Matrix<typename V::Scalar, 2, 2> a;
+  template <MatrixLike V>
+  static auto hat(V const& v) {
+    Matrix<typename V::Scalar, 2, 2> a;
     a << v[0], v[1], v[2], -v[0];
     return a;
   }
-  template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
+  template <MatrixLike M>
+  static auto vee(M const& a) {
     using S = typename M::Scalar;
-    return Eigen::Matrix<S, 3, 1>((a(0, 0) - a(1, 1)) / S(2), a(0, 1), a(1, 0));
+    return Matrix<S, 3, 1>((a(0, 0) - a(1, 1)) / S(2), a(0, 1), a(1, 0));
   }
   template <class S>
-  static Eigen::Matrix<S, 2, 2> inverse(Eigen::Matrix<S, 2, 2> const& a) {
-    Eigen::Matrix<S, 2, 2> b;
+  static Matrix<S, 2, 2> inverse(Matrix<S, 2, 2> const& a) {
+    Matrix<S, 2, 2> b;
     b << a(1, 1), -a(0, 1), -a(1, 0), a(0, 0);
     return b;
   }
   /// \f$c_0(d) + c_1(d)\,\hat v\f$ with Stumpff's functions of \f$d = \det\hat v\f$, since \f$\hat v^2 = -d\f$.
   template <Real S>
-  static Eigen::Matrix<S, 2, 2> exp(Eigen::Matrix<S, 3, 1> const& v) {
-    Eigen::Matrix<S, 2, 2> a = hat(v);
+  static Matrix<S, 2, 2> exp(Matrix<S, 3, 1> const& v) {
+    Matrix<S, 2, 2> a = hat(v);
     S const d = -(v[0] * v[0] + v[1] * v[2]);
     if (!(base_value(d) > Base<S>(-1))) return matrix_exponential(a);
     S const c0 = stumpff<0>(d), c1 = stumpff<1>(d);
@@ -62,7 +62,7 @@ struct SL2 : Matrices<2, 3> {
   }
   /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis
   template <Real S>
-  static Eigen::Matrix<S, 3, 1> log(Eigen::Matrix<S, 2, 2> const& a) {
+  static Matrix<S, 3, 1> log(Matrix<S, 2, 2> const& a) {
     if (near_identity_matrix(a)) return near_logarithm(a);
     if constexpr (is_dual<S>)
       return primitive::lifted_log(SL2{}, a);
@@ -71,21 +71,21 @@ struct SL2 : Matrices<2, 3> {
   }
   /// Whether \ref near_logarithm is the logarithm: eigenvalues near 1, determinant 1 up to half of the digits of double.
   template <Real S>
-  static bool near_identity_matrix(Eigen::Matrix<S, 2, 2> const& a) {
+  static bool near_identity_matrix(Matrix<S, 2, 2> const& a) {
     auto const& [p, q, r, s] = std::array<Base<S>, 4>{base_value(a(0, 0)), base_value(a(0, 1)), base_value(a(1, 0)), base_value(a(1, 1))};
     Base<S> const c = (p + s) / 2, half = (p - s) / 2, d = -(half * half + q * r);
     return c > Base<S>(0) && magnitude(d) < ratio<Base<S>>(1, 4) && magnitude(Base<S>(p * s - q * r - Base<S>(1))) <= Base<S>(1e-8);
   }
   /// With \f$a = c + b\f$, b without a trace, \f$b^2 = -d\f$: near the identity \f$\log a = b\,\arcsin\sqrt d/\sqrt d\f$.
   template <Real S>
-  static Eigen::Matrix<S, 3, 1> near_logarithm(Eigen::Matrix<S, 2, 2> const& a) {
-    Eigen::Matrix<S, 3, 1> const b = vee(a);
+  static Matrix<S, 3, 1> near_logarithm(Matrix<S, 2, 2> const& a) {
+    Matrix<S, 3, 1> const b = vee(a);
     return b * asinc_derivative<0>(S(-(b[0] * b[0] + b[1] * b[2])));
   }
   /// Scaled to determinant 1.
   /// @throws OutsideDomain  where the determinant is not even near 1
   template <Real S>
-  static Eigen::Matrix<S, 2, 2> restore(Eigen::Matrix<S, 2, 2> const& a) {
+  static Matrix<S, 2, 2> restore(Matrix<S, 2, 2> const& a) {
     using std::sqrt;
     S const determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
     double const distance = std::abs(to_double(determinant) - 1);

@@ -23,7 +23,7 @@ struct SpanEntry {
 
 /// Odd powers in the span of some matrices of whole numbers.
 struct OddPowers {
-  using WholeMatrix = Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic>;
+  using WholeMatrix = Matrix<int, Dynamic, Dynamic>;
 
   std::vector<WholeMatrix> const& basis;     ///< the matrices
   std::vector<SpanEntry> const& entries;     ///< of the basis
@@ -36,8 +36,8 @@ struct OddPowers {
     Remainders a = Remainders::Zero(basis.front().rows(), basis.front().cols());
     for (WholeMatrix const& e : basis) {
       coordinate = coordinate * 48271 % prime;
-      for (Eigen::Index i = 0; i < a.rows(); ++i)
-        for (Eigen::Index j = 0; j < a.cols(); ++j) a(i, j) = (a(i, j) + coordinate * e(i, j)) % prime;
+      for (Index i = 0; i < a.rows(); ++i)
+        for (Index j = 0; j < a.cols(); ++j) a(i, j) = (a(i, j) + coordinate * e(i, j)) % prime;
     }
     return in_span(product(product(a, a), a));
   }
@@ -48,7 +48,7 @@ struct OddPowers {
       Remainders power = e.cast<std::int64_t>();
       Remainders const square = product(power, power);
       bool stays = true;
-      for (Eigen::Index k = 1; stays && k < e.rows(); ++k) stays = in_span(power = product(power, square));
+      for (Index k = 1; stays && k < e.rows(); ++k) stays = in_span(power = product(power, square));
       leaving += !stays;
     }
     return leaving;
@@ -56,24 +56,24 @@ struct OddPowers {
 
  private:
   static constexpr std::int64_t prime = 2147483647;
-  using Remainders = Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
+  using Remainders = Matrix<std::int64_t, Dynamic, Dynamic>;
 
   static Remainders product(Remainders const& a, Remainders const& b) {
     Remainders c = Remainders::Zero(a.rows(), b.cols());
-    for (Eigen::Index i = 0; i < a.rows(); ++i)
-      for (Eigen::Index j = 0; j < b.cols(); ++j)
-        for (Eigen::Index k = 0; k < a.cols(); ++k) c(i, j) = (c(i, j) + a(i, k) * b(k, j)) % prime;
+    for (Index i = 0; i < a.rows(); ++i)
+      for (Index j = 0; j < b.cols(); ++j)
+        for (Index k = 0; k < a.cols(); ++k) c(i, j) = (c(i, j) + a(i, k) * b(k, j)) % prime;
     return c;
   }
   bool in_span(Remainders const& a) const {
     std::vector<std::int64_t> v(basis.size(), 0);
     for (SpanEntry const& e : projection) v[e.direction] = (v[e.direction] + a(e.row, e.column) * (e.coefficient % prime)) % prime;
     Remainders left = a;
-    for (Eigen::Index i = 0; i < a.rows(); ++i)
-      for (Eigen::Index j = 0; j < a.cols(); ++j) left(i, j) = a(i, j) * (denominator % prime) % prime;
+    for (Index i = 0; i < a.rows(); ++i)
+      for (Index j = 0; j < a.cols(); ++j) left(i, j) = a(i, j) * (denominator % prime) % prime;
     for (SpanEntry const& e : entries) left(e.row, e.column) = (left(e.row, e.column) - v[e.direction] * e.coefficient) % prime;
-    for (Eigen::Index i = 0; i < a.rows(); ++i)
-      for (Eigen::Index j = 0; j < a.cols(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      for (Index j = 0; j < a.cols(); ++j)
         if (left(i, j) != 0) return false;
     return true;
   }

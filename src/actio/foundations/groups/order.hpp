@@ -1,6 +1,6 @@
 // The number n in the name of a group: known when the code is compiled, or chosen when it runs.
 //
-// SL(2), SL(3) and so on differ by one number. A group of fixed order has matrices of fixed size and no data; a group of order Eigen::Dynamic is told its
+// SL(2), SL(3) and so on differ by one number. A group of fixed order has matrices of fixed size and no data; a group of order Dynamic is told its
 // order when it is made, and code for it is compiled once for the whole family.
 #pragma once
 
@@ -16,7 +16,7 @@ struct Order {
   static constexpr int order() { return n; }
 };
 template <int least>
-struct Order<Eigen::Dynamic, least> {
+struct Order<Dynamic, least> {
   /// @throws OutsideDomain  where n is not between `least` and 1000
   explicit Order(int n) : number(n) {
     if (n < least) throw OutsideDomain("order of a group", "too small", n, least);
@@ -32,7 +32,7 @@ struct Order<Eigen::Dynamic, least> {
 /// A number of rows or of dimensions that follows from the order n, as Eigen wants it.
 template <int n>
 constexpr int follows_from(int count) {
-  return n == Eigen::Dynamic ? Eigen::Dynamic : count;
+  return n == Dynamic ? Dynamic : count;
 }
 
 }  // namespace actio

@@ -34,10 +34,10 @@ S angle_of_rotation(S const& sine, S const& cosine, Base<S> const& edge = edge_o
 
 /// A unit quaternion (scalar first) of a rotation matrix, with scalar part not negative; by its largest component, so that nothing cancels.
 template <Real S>
-Eigen::Matrix<S, 4, 1> quaternion_of_rotation(Eigen::Matrix<S, 3, 3> const& r) {
+actio::Matrix<S, 4, 1> quaternion_of_rotation(actio::Matrix<S, 3, 3> const& r) {
   using std::sqrt;
   require_finite(r, "quaternion_of_rotation");
-  Eigen::Matrix<S, 4, 1> q;
+  actio::Matrix<S, 4, 1> q;
   S const trace = r(0, 0) + r(1, 1) + r(2, 2);
   int i = 0;
   if (r(1, 1) > r(i, i)) i = 1;
@@ -62,9 +62,9 @@ Eigen::Matrix<S, 4, 1> quaternion_of_rotation(Eigen::Matrix<S, 3, 3> const& r) {
 /// The rotation vector (axis times angle, below pi) of a unit quaternion with scalar part not negative.
 /// @throws OutsideDomain  at a rotation by pi
 template <Real S>
-Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 4, 1> const& q) {
+actio::Matrix<S, 3, 1> rotation_vector(actio::Matrix<S, 4, 1> const& q) {
   using std::atan2, std::sqrt;
-  Eigen::Matrix<S, 3, 1> const v = q.template tail<3>();
+  actio::Matrix<S, 3, 1> const v = q.template tail<3>();
   S const square = v.squaredNorm();
   if (base_value(square) < Base<S>(1) / Base<S>(4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
   if (base_value(q[0]) <= edge_of_chart<S>())
@@ -76,11 +76,11 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 4, 1> const& q) {
 /// The rotation vector of a rotation matrix of 3-space.
 /// @throws OutsideDomain  at a rotation by pi
 template <Real S>
-Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
+actio::Matrix<S, 3, 1> rotation_vector(actio::Matrix<S, 3, 3> const& r) {
   require_finite(r, "log");
   if (base_value(r(0, 0)) + base_value(r(1, 1)) + base_value(r(2, 2)) > Base<S>(2)) {
     // Below 30 degrees the skew part, the sine times the axis, is enough: no root, no division.
-    Eigen::Matrix<S, 3, 1> const v{(r(2, 1) - r(1, 2)) / 2, (r(0, 2) - r(2, 0)) / 2, (r(1, 0) - r(0, 1)) / 2};
+    actio::Matrix<S, 3, 1> const v{(r(2, 1) - r(1, 2)) / 2, (r(0, 2) - r(2, 0)) / 2, (r(1, 0) - r(0, 1)) / 2};
     S const square = v.squaredNorm();
     if (base_value(square) < ratio<Base<S>>(1, 4)) return v * asinc_derivative<0>(square);
   }
@@ -90,10 +90,10 @@ Eigen::Matrix<S, 3, 1> rotation_vector(Eigen::Matrix<S, 3, 3> const& r) {
 /// The logarithm of a unit quaternion, of q itself and not of the rotation it covers: v with q = (cos(|v|/2), sin(|v|/2) v/|v|), |v| below 2 pi.
 /// @throws OutsideDomain  at q = -1
 template <Real S>
-Eigen::Matrix<S, 3, 1> quaternion_logarithm(Eigen::Matrix<S, 4, 1> const& q) {
+actio::Matrix<S, 3, 1> quaternion_logarithm(actio::Matrix<S, 4, 1> const& q) {
   using std::atan2, std::sqrt;
   require_finite(q, "log");
-  Eigen::Matrix<S, 3, 1> const v = q.template tail<3>();
+  actio::Matrix<S, 3, 1> const v = q.template tail<3>();
   S const square = v.squaredNorm();
   bool const front = base_value(q[0]) > Base<S>(0);
   if (front && base_value(square) < ratio<Base<S>>(1, 4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
@@ -111,15 +111,15 @@ constexpr int unit_sign(int a, int b) {
 
 /// The exponential of a skew matrix of 4-space, at any scalar: \f$e^Ax = e^a\,x\,e^{-b}\f$ with the quaternions of \f$Ax = a\,x - x\,b\f$.
 template <Real S>
-Eigen::Matrix<S, 4, 4> rotation_exponential(Eigen::Matrix<S, 4, 4> const& A) {
+actio::Matrix<S, 4, 4> rotation_exponential(actio::Matrix<S, 4, 4> const& A) {
   auto const half_turn = [](S const& x, S const& y, S const& z) {
     S const square = (x * x + y * y + z * z) / 4, sine = stumpff<1>(square) / 2;
-    return Eigen::Matrix<S, 4, 1>{stumpff<0>(square), x * sine, y * sine, z * sine};
+    return actio::Matrix<S, 4, 1>{stumpff<0>(square), x * sine, y * sine, z * sine};
   };
   auto const p = half_turn(A(3, 2) + A(1, 0), A(1, 3) + A(2, 0), A(2, 1) + A(3, 0));
   auto const q = half_turn(A(3, 2) - A(1, 0), A(1, 3) - A(2, 0), A(2, 1) - A(3, 0));
   // The product with p from the left, and with the conjugate of q from the right.
-  Eigen::Matrix<S, 4, 4> left, right;
+  actio::Matrix<S, 4, 4> left, right;
   left << p[0], -p[1], -p[2], -p[3], p[1], p[0], -p[3], p[2], p[2], p[3], p[0], -p[1], p[3], -p[2], p[1], p[0];
   right << q[0], q[1], q[2], q[3], -q[1], q[0], -q[3], q[2], -q[2], q[3], q[0], -q[1], -q[3], -q[2], q[1], q[0];
   return left * right;
@@ -127,9 +127,9 @@ Eigen::Matrix<S, 4, 4> rotation_exponential(Eigen::Matrix<S, 4, 4> const& A) {
 
 /// The skew matrix of 4-space \f$Ax = a\,x - x\,b\f$ of two quaternions without scalar part.
 template <class S>
-Eigen::Matrix<S, 4, 4> skew_of_quaternions(Eigen::Matrix<S, 3, 1> const& a, Eigen::Matrix<S, 3, 1> const& b) {
-  Eigen::Matrix<S, 3, 1> const outer = a - b, lower = a + b;
-  Eigen::Matrix<S, 4, 4> A = Eigen::Matrix<S, 4, 4>::Zero();
+actio::Matrix<S, 4, 4> skew_of_quaternions(actio::Matrix<S, 3, 1> const& a, actio::Matrix<S, 3, 1> const& b) {
+  actio::Matrix<S, 3, 1> const outer = a - b, lower = a + b;
+  actio::Matrix<S, 4, 4> A = actio::Matrix<S, 4, 4>::Zero();
   A(1, 0) = outer[0], A(2, 0) = outer[1], A(3, 0) = outer[2], A(0, 1) = -outer[0], A(0, 2) = -outer[1], A(0, 3) = -outer[2];
   A(3, 2) = lower[0], A(1, 3) = lower[1], A(2, 1) = lower[2], A(2, 3) = -lower[0], A(3, 1) = -lower[1], A(1, 2) = -lower[2];
   return A;
@@ -141,22 +141,22 @@ Eigen::Matrix<S, 4, 4> skew_of_quaternions(Eigen::Matrix<S, 3, 1> const& a, Eige
 /// angles add up to less than pi.
 /// @throws OutsideDomain  where one of the angles of R is pi
 template <Real S>
-Eigen::Matrix<S, 4, 4> rotation_logarithm(Eigen::Matrix<S, 4, 4> const& r) {
+actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
   using std::sqrt;
   using T = Base<S>;
-  using Quaternion = Eigen::Matrix<S, 4, 1>;
+  using Quaternion = actio::Matrix<S, 4, 1>;
   require_finite(r, "log");
   // A x = a x - x b with a = log p and b = log q.
   auto const of_quaternions = [](Quaternion const& p, Quaternion const& q) {
-    Eigen::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
+    actio::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
     return skew_of_quaternions<S>(a, b);
   };
 
   // Below about 60 degrees the skew part of R, which is x -> q_0 a x - x b p_0 with the vector parts a of p and b of q, and the trace, 4 p_0 q_0, do.
   S const scalars = (r(0, 0) + r(1, 1) + r(2, 2) + r(3, 3)) / 4;
   if (base_value(scalars) > ratio<T>(3, 4)) {
-    Eigen::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)}, outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
-    Eigen::Matrix<S, 3, 1> a = (lower + outer) / S(4), b = (lower - outer) / S(4);
+    actio::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)}, outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
+    actio::Matrix<S, 3, 1> a = (lower + outer) / S(4), b = (lower - outer) / S(4);
     S const p0 = sqrt(S(scalars * scalars + b.squaredNorm())), q0 = sqrt(S(scalars * scalars + a.squaredNorm()));
     a /= q0, b /= p0;
     return of_quaternions(Quaternion{p0, a[0], a[1], a[2]}, Quaternion{q0, b[0], b[1], b[2]});
@@ -211,10 +211,10 @@ Eigen::Matrix<S, 4, 4> rotation_logarithm(Eigen::Matrix<S, 4, 4> const& r) {
 /// algorithm: the logarithm is not differentiable where both reach it.
 template <Real S, int n>
   requires(n > 4)
-Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
+actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
   static_assert(Plain<S>, "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
   // One size for the compiler: a Schur form of each fixed size would take it many seconds.
-  using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
+  using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
   require_finite(r, "log");
   if (row_norm(Matrix(r - Matrix::Identity(r.rows(), r.cols()))) < 0.25) {
     Matrix const a = matrix_logarithm(Matrix(r));
@@ -222,10 +222,10 @@ Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
   }
   // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, which keeps the iteration from splitting hairs: it neglects
   // what is small beside the diagonal, and the cosines of r may be zero.
-  Matrix const shifted = r + S(4) * Matrix::Identity(r.rows(), r.cols());
-  Eigen::RealSchur<Matrix> const schur(shifted);
+  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const shifted = Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols()));
+  Eigen::RealSchur<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const schur(shifted);
   if (schur.info() != Eigen::Success) throw NotConverged("log: Schur form of a rotation", {}, to_double(epsilon<S>()));
-  Matrix const& t = schur.matrixT();
+  Matrix const t = schur.matrixT(), u = schur.matrixU();
   int const size = static_cast<int>(r.rows());
   Base<S> const edge = Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
   Matrix turns = Matrix::Zero(size, size);
@@ -238,7 +238,7 @@ Eigen::Matrix<S, n, n> rotation_logarithm(Eigen::Matrix<S, n, n> const& r) {
       throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI, M_PI);
     }
   }
-  return schur.matrixU() * turns * schur.matrixU().transpose();
+  return u * turns * u.transpose();
 }
 
 }  // namespace actio

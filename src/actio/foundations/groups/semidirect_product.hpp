@@ -16,26 +16,26 @@ struct SemidirectProduct {
   [[no_unique_address]] G linear;  ///< G
 
   /// Whether n is known to the compiler.
-  static constexpr bool fixed = n != Eigen::Dynamic;
-  static constexpr int size = fixed ? n + 1 : Eigen::Dynamic;
-  static constexpr int dim = fixed ? G::dim + n : Eigen::Dynamic;
+  static constexpr bool fixed = n != Dynamic;
+  static constexpr int size = fixed ? n + 1 : Dynamic;
+  static constexpr int dim = fixed ? G::dim + n : Dynamic;
   constexpr int matrix_size() const { return linear.matrix_size() + 1; }
   constexpr int dimension() const { return linear.dimension() + linear.matrix_size(); }
   template <class S>
-  using Matrix = Eigen::Matrix<S, size, size>;
+  using Matrix = actio::Matrix<S, size, size>;
   template <class S>
-  using Vector = Eigen::Matrix<S, dim, 1>;
+  using Vector = actio::Matrix<S, dim, 1>;
   /// A translation.
   template <class S>
-  using Shift = Eigen::Matrix<S, n, 1>;
+  using Shift = actio::Matrix<S, n, 1>;
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
     return with_last_row<S>(linear.hat(head<S>(v)), tail<S>(v), S(0));
   }
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& a) const {
+  template <MatrixLike M>
+  auto vee(M const& a) const {
     using S = typename M::Scalar;
     return stacked<S>(linear.vee(matrix<S>(a)), shift<S>(a));
   }
@@ -74,23 +74,23 @@ struct SemidirectProduct {
   // The parts of x -> A x + t and of its velocity, and what they make up.
 
   /// A.
-  template <class S, class M>
-  Storage<G, S> matrix(Eigen::MatrixBase<M> const& a) const {
+  template <class S, MatrixLike M>
+  Storage<G, S> matrix(M const& a) const {
     return a.topLeftCorner(linear.matrix_size(), linear.matrix_size());
   }
   /// t.
-  template <class S, class M>
-  Shift<S> shift(Eigen::MatrixBase<M> const& a) const {
+  template <class S, MatrixLike M>
+  Shift<S> shift(M const& a) const {
     return a.col(linear.matrix_size()).head(linear.matrix_size());
   }
   /// The coordinates of G.
-  template <class S, class V>
-  Coordinates<G, S> head(Eigen::MatrixBase<V> const& v) const {
+  template <class S, MatrixLike V>
+  Coordinates<G, S> head(V const& v) const {
     return v.head(linear.dimension());
   }
   /// Those of the translation.
-  template <class S, class V>
-  Shift<S> tail(Eigen::MatrixBase<V> const& v) const {
+  template <class S, MatrixLike V>
+  Shift<S> tail(V const& v) const {
     return v.tail(linear.matrix_size());
   }
   /// The matrix ((A, t), (0, corner)).

@@ -14,7 +14,7 @@ namespace actio {
 /// SL(n), n > 1, of fixed order or, as `SL<>(n)`, of an order chosen at run time.
 ///
 /// Coordinates: those of the traceless diagonal matrices \f$E_{kk} - E_{k+1,k+1}\f$, then the entries off the diagonal, row by row.
-template <int n = Eigen::Dynamic>
+template <int n = Dynamic>
 struct SL : Order<n, 2> {
   using Order<n, 2>::Order, Order<n, 2>::order;
   static constexpr int size = n;
@@ -22,12 +22,12 @@ struct SL : Order<n, 2> {
   constexpr int matrix_size() const { return order(); }
   constexpr int dimension() const { return order() * order() - 1; }
   template <class S>
-  using Matrix = Eigen::Matrix<S, size, size>;
+  using Matrix = actio::Matrix<S, size, size>;
   template <class S>
-  using Vector = Eigen::Matrix<S, dim, 1>;
+  using Vector = actio::Matrix<S, dim, 1>;
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
     int const rows = order();
     Matrix<S> a = Matrix<S>::Zero(rows, rows);
@@ -38,8 +38,8 @@ struct SL : Order<n, 2> {
     return a;
   }
   /// The traceless part of a matrix, as coordinates.
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& a) const {
+  template <MatrixLike M>
+  auto vee(M const& a) const {
     using S = typename M::Scalar;
     int const rows = order();
     Vector<S> v(dimension());

@@ -10,15 +10,15 @@ namespace actio {
 ///
 /// The algebra consists of \f$\begin{pmatrix}P&Q\\R&-P^T\end{pmatrix}\f$ with Q and R symmetric. Coordinates: P row by row, then the upper triangles of Q
 /// and of R, row by row.
-template <int rows = Eigen::Dynamic>
+template <int rows = Dynamic>
 struct Sp : Order<rows, 2> {
-  static_assert(rows == Eigen::Dynamic || rows % 2 == 0, "symplectic matrices have an even number of rows");
+  static_assert(rows == Dynamic || rows % 2 == 0, "symplectic matrices have an even number of rows");
   Sp()
-    requires(rows != Eigen::Dynamic)
+    requires(rows != Dynamic)
   = default;
   /// @throws OutsideDomain  where the number of rows is odd, or not between 2 and 1000
   explicit Sp(int count)
-    requires(rows == Eigen::Dynamic)
+    requires(rows == Dynamic)
       : Order<rows, 2>(count) {
     if (count % 2 != 0) throw OutsideDomain("Sp", "an even number of rows is needed", count, count + 1);
   }
@@ -27,12 +27,12 @@ struct Sp : Order<rows, 2> {
   constexpr int matrix_size() const { return this->order(); }
   constexpr int dimension() const { return matrix_size() * (matrix_size() + 1) / 2; }
   template <class S>
-  using Matrix = Eigen::Matrix<S, size, size>;
+  using Matrix = actio::Matrix<S, size, size>;
   template <class S>
-  using Vector = Eigen::Matrix<S, dim, 1>;
+  using Vector = actio::Matrix<S, dim, 1>;
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
     int const n = matrix_size() / 2;
     Matrix<S> a = Matrix<S>::Zero(2 * n, 2 * n);
@@ -46,8 +46,8 @@ struct Sp : Order<rows, 2> {
     return a;
   }
   /// The part of a matrix in the algebra, as coordinates.
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& a) const {
+  template <MatrixLike M>
+  auto vee(M const& a) const {
     using S = typename M::Scalar;
     int const n = matrix_size() / 2;
     Vector<S> v(dimension());

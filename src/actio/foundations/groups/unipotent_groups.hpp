@@ -11,7 +11,7 @@ struct Translations {
   static constexpr int dim = n;
   static constexpr int dimension() { return n; }
   template <class S>
-  using Value = Eigen::Matrix<S, n, 1>;
+  using Value = Matrix<S, n, 1>;
 
   template <class S>
   static Value<S> identity() {
@@ -57,36 +57,36 @@ struct Translations {
 
 /// The Heisenberg group of matrices ((1, x, z), (0, 1, y), (0, 0, 1)). Coordinates (x, y, z); the bracket is all in z.
 struct Heisenberg : Matrices<3, 3> {
-  template <class V>
-  static auto hat(Eigen::MatrixBase<V> const& v) {
+  template <MatrixLike V>
+  static auto hat(V const& v) {
     using S = typename V::Scalar;
-    Eigen::Matrix<S, 3, 3> a;
+    Matrix<S, 3, 3> a;
     a << S(0), v[0], v[2], S(0), S(0), v[1], S(0), S(0), S(0);
     return a;
   }
-  template <class M>
-  static auto vee(Eigen::MatrixBase<M> const& a) {
-    return Eigen::Matrix<typename M::Scalar, 3, 1>(a(0, 1), a(1, 2), a(0, 2));
+  template <MatrixLike M>
+  static auto vee(M const& a) {
+    return Matrix<typename M::Scalar, 3, 1>(a(0, 1), a(1, 2), a(0, 2));
   }
   /// The exponential itself, a polynomial: \f$1 + A + A^2/2\f$.
   template <class S>
-  static Eigen::Matrix<S, 3, 3> retract(Eigen::Matrix<S, 3, 1> const& v) {
+  static Matrix<S, 3, 3> retract(Matrix<S, 3, 1> const& v) {
     auto const a = hat(v);
-    Eigen::Matrix<S, 3, 3> e = a + a * a / S(2);
+    Matrix<S, 3, 3> e = a + a * a / S(2);
     e.diagonal().array() += S(1);
     return e;
   }
   template <class S>
-  static Eigen::Matrix<S, 3, 3> exp(Eigen::Matrix<S, 3, 1> const& v) {
+  static Matrix<S, 3, 3> exp(Matrix<S, 3, 1> const& v) {
     return retract(v);
   }
   template <class S>
-  static Eigen::Matrix<S, 3, 1> log(Eigen::Matrix<S, 3, 3> const& a) {
+  static Matrix<S, 3, 1> log(Matrix<S, 3, 3> const& a) {
     return {a(0, 1), a(1, 2), a(0, 2) - a(0, 1) * a(1, 2) / S(2)};
   }
   template <class S>
-  static Eigen::Matrix<S, 3, 3> restore(Eigen::Matrix<S, 3, 3> const& a) {
-    Eigen::Matrix<S, 3, 3> b = Eigen::Matrix<S, 3, 3>::Identity();
+  static Matrix<S, 3, 3> restore(Matrix<S, 3, 3> const& a) {
+    Matrix<S, 3, 3> b = Matrix<S, 3, 3>::Identity();
     b(0, 1) = a(0, 1), b(0, 2) = a(0, 2), b(1, 2) = a(1, 2);
     return b;
   }

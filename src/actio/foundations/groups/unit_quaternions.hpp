@@ -13,9 +13,9 @@ struct SU2 {
   static constexpr int dim = 3;
   static constexpr int dimension() { return 3; }
   template <class S>
-  using Value = Eigen::Matrix<S, 4, 1>;
+  using Value = Matrix<S, 4, 1>;
   template <class S>
-  using Vector = Eigen::Matrix<S, 3, 1>;
+  using Vector = actio::Matrix<S, 3, 1>;
 
   template <class S>
   static Value<S> identity() {

@@ -13,7 +13,7 @@ namespace actio {
 /// U(n), of fixed order or, as `U<>(n)`, of an order chosen at run time.
 ///
 /// Coordinates: the n phases on the diagonal, then (x, y) of each entry x + iy above the diagonal, row by row; below it stands -x + iy.
-template <int n = Eigen::Dynamic>
+template <int n = Dynamic>
 struct U : Order<n, 1> {
   using Order<n, 1>::Order, Order<n, 1>::order;
   static constexpr int size = follows_from<n>(2 * n);
@@ -21,12 +21,12 @@ struct U : Order<n, 1> {
   constexpr int matrix_size() const { return 2 * order(); }
   constexpr int dimension() const { return order() * order(); }
   template <class S>
-  using Matrix = Eigen::Matrix<S, size, size>;
+  using Matrix = actio::Matrix<S, size, size>;
   template <class S>
-  using Vector = Eigen::Matrix<S, dim, 1>;
+  using Vector = actio::Matrix<S, dim, 1>;
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
     int const m = order();
     Matrix<S> a = Matrix<S>::Zero(2 * m, 2 * m);
@@ -39,8 +39,8 @@ struct U : Order<n, 1> {
     return a;
   }
   /// The skew-Hermitian part of the complex linear part of a matrix, as coordinates.
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& a) const {
+  template <MatrixLike M>
+  auto vee(M const& a) const {
     using S = typename M::Scalar;
     int const m = order();
     auto const real = [&](int i, int j) { return S(a(i, j) + a(m + i, m + j)); };
@@ -88,7 +88,7 @@ struct U : Order<n, 1> {
 ///
 /// Coordinates: those of the diagonal matrices \f$i(E_{kk} - E_{k+1,k+1})\f$, then (x, y) of each entry x + iy above the diagonal, row by row. The quaternion
 /// coordinates of `SU2` are twice these.
-template <int n = Eigen::Dynamic>
+template <int n = Dynamic>
 struct SU : Order<n, 2> {
   using Order<n, 2>::Order, Order<n, 2>::order;
   static constexpr int size = follows_from<n>(2 * n);
@@ -96,12 +96,12 @@ struct SU : Order<n, 2> {
   constexpr int matrix_size() const { return 2 * order(); }
   constexpr int dimension() const { return order() * order() - 1; }
   template <class S>
-  using Matrix = Eigen::Matrix<S, size, size>;
+  using Matrix = actio::Matrix<S, size, size>;
   template <class S>
-  using Vector = Eigen::Matrix<S, dim, 1>;
+  using Vector = actio::Matrix<S, dim, 1>;
 
-  template <class V>
-  auto hat(Eigen::MatrixBase<V> const& v) const {
+  template <MatrixLike V>
+  auto hat(V const& v) const {
     using S = typename V::Scalar;
     int const m = order();
     Coordinates<U<n>, S> u(m * m);
@@ -110,8 +110,8 @@ struct SU : Order<n, 2> {
     return unitary().hat(u);
   }
   /// The traceless skew-Hermitian part of the complex linear part of a matrix, as coordinates.
-  template <class M>
-  auto vee(Eigen::MatrixBase<M> const& a) const {
+  template <MatrixLike M>
+  auto vee(M const& a) const {
     using S = typename M::Scalar;
     int const m = order();
     Coordinates<U<n>, S> const u = unitary().vee(a);
@@ -167,7 +167,7 @@ struct SU : Order<n, 2> {
 
  private:
   constexpr U<n> unitary() const {
-    if constexpr (n == Eigen::Dynamic)
+    if constexpr (n == Dynamic)
       return U<n>(order());
     else
       return U<n>{};

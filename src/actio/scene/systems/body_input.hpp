@@ -15,9 +15,13 @@ struct GivenInertia {
   /// In the frame as given.
   Eigen::Matrix3d tensor() const { return axes * principal.moments.asDiagonal() * axes.transpose(); }
   /// Of the body with this angular velocity, both in the frame as given; energy x time.
-  Eigen::Vector3d momentum(Eigen::Vector3d const& velocity) const { return axes * principal.moments.cwiseProduct(axes.transpose() * velocity); }
+  Eigen::Vector3d momentum(Eigen::Vector3d const& velocity) const {
+    return axes * Eigen::Vector3d(principal.moments).cwiseProduct(axes.transpose() * velocity);
+  }
   /// Of the body with this momentum, both in the frame as given; 1/time.
-  Eigen::Vector3d velocity(Eigen::Vector3d const& momentum) const { return axes * (axes.transpose() * momentum).cwiseQuotient(principal.moments); }
+  Eigen::Vector3d velocity(Eigen::Vector3d const& momentum) const {
+    return axes * (axes.transpose() * momentum).cwiseQuotient(Eigen::Vector3d(principal.moments));
+  }
 };
 
 /// `inertia`, principal or a tensor.

@@ -178,7 +178,7 @@ Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
 
 void define_top(QuantityGraph& graph, TopScene const& scene) {
   graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector), [down = scene.down](auto needs, double* gamma) {
-    Eigen::Map<Eigen::Vector3d>{gamma} = SU2::Ad<double>(SU2::inverse<double>(Eigen::Map<Eigen::Vector4d const>(needs[0])), down);
+    as_matrix<3, 1>(gamma) = SU2::Ad<double>(SU2::inverse<double>(as_matrix<4, 1>(needs[0])), down);
   });
   graph.define("vertical_momentum", {""}, [down = scene.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
                [](auto needs, double const*, std::size_t) { return magnitude(Eigen::Vector3d(ConstVector(needs[0]))); });

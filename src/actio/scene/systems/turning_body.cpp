@@ -40,7 +40,7 @@ void define_turning_body(QuantityGraph& graph, TurningBody const& motion, GivenI
   graph.define("body_momentum", column_ends(Kind::vector), [&motion](auto, double* M) { Vector{M} = motion.body_momentum(); });
   graph.define("angular_velocity", column_ends(Kind::vector), [inertia](auto needs, double* w) { Vector{w} = inertia.velocity(ConstVector(needs[0])); });
   graph.define("spatial_momentum", column_ends(Kind::vector), [](auto needs, double* pi) {
-    Vector{pi} = SU2::Ad<double>(Eigen::Map<Eigen::Vector4d const>(needs[0]), ConstVector(needs[1]));
+    Vector{pi} = Eigen::Vector3d(SU2::Ad<double>(as_matrix<4, 1>(needs[0]), as_matrix<3, 1>(needs[1])));
   });
 }
 
