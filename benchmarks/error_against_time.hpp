@@ -1,4 +1,5 @@
-// Error against processor time of any system: methods with many settings over the same task, and the cheapest run for each error.
+// Error against processor time of any system: methods with many settings over the same task, and the cheapest
+// run for each error.
 #pragma once
 
 #include <cmath>
@@ -14,8 +15,9 @@ namespace benchmark {
 /// A method that takes the system over the whole time.
 struct Way {
   std::string name;
-  std::function<double(double setting)> error;  ///< runs with so many steps, or a tolerance, and says the largest error on the way
-  double first, ratio;                          ///< settings: the first, and the factor from one to the next
+  std::function<double(double setting)>
+      error;            ///< runs with so many steps, or a tolerance, and says the largest error on the way
+  double first, ratio;  ///< settings: the first, and the factor from one to the next
 };
 
 /// One run of a way.
@@ -42,8 +44,8 @@ struct Line {
   }
 };
 
-/// Runs from coarse to fine until one takes longer than `longest` seconds, or eight in a row were no better than one before. The shortest of a few
-/// times counts.
+/// Runs from coarse to fine until one takes longer than `longest` seconds, or eight in a row were no better
+/// than one before. The shortest of a few times counts.
 inline Line runs_of(Way const& way, double longest) {
   Line line{way.name, {}};
   double best = std::numeric_limits<double>::infinity();

@@ -1,4 +1,5 @@
-// Work and precision on the heavy top: Kovalevskaya's, as a Lagrangian with an advected vector, beside GSL, odeint and Runge-Kutta on the equations of Euler and Poisson.
+// Work and precision on the heavy top: Kovalevskaya's, as a Lagrangian with an advected vector, beside GSL,
+// odeint and Runge-Kutta on the equations of Euler and Poisson.
 #include "actio/foundations/predictor_corrector.hpp"
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/composition.hpp"
@@ -7,11 +8,12 @@
 
 using namespace actio;
 
-
-/// A symmetric composition of steps of the general road with an advected vector: each stage keeps a derivative of its own.
+/// A symmetric composition of steps of the general road with an advected vector: each stage keeps a
+/// derivative of its own.
 class ComposedTop {
  public:
-  ComposedTop(HeavyTop<double> const& top, HeavyTopState<double> const& start, std::vector<double> const& fractions, double h)
+  ComposedTop(HeavyTop<double> const& top, HeavyTopState<double> const& start,
+              std::vector<double> const& fractions, double h)
       : top_(top), state_(start) {
     for (double const f : fractions) stages_.push_back({f * h, {}});
   }
@@ -21,10 +23,12 @@ class ComposedTop {
       auto const f = solver.solve(
           [&](auto const& x) {
             using T = typename std::decay_t<decltype(x)>::Scalar;
-            return advected_momentum_before_left(l, x, Matrix<T, 3, 1>(state_.vector.template cast<T>())) - like(x, state_.momentum);
+            return advected_momentum_before_left(l, x, Matrix<T, 3, 1>(state_.vector.template cast<T>())) -
+                   like(x, state_.momentum);
           },
           exp(-h * body_velocity(top_.inertia, state_.momentum)));
-      state_ = {advected_lie_poisson_update_left(l, f, state_.vector, state_.momentum), advect_left(f, state_.vector)};
+      state_ = {advected_lie_poisson_update_left(l, f, state_.vector, state_.momentum),
+                advect_left(f, state_.vector)};
     }
     return state_;
   }
@@ -40,7 +44,9 @@ class ComposedTop {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "work and precision on the heavy top: a Lagrangian of one's own beside codes for differential equations");
+  book::Program program(argc, argv,
+                        "work and precision on the heavy top: a Lagrangian of one's own beside codes for "
+                        "differential equations");
   auto const known = kovalevskaya_top<double>();
   Vector<double, 3> const I = known.top.inertia.moments, p = known.top.lever();
   auto const start = release(known.top, identity<double>(SO<3>{}), known.spin);
@@ -55,19 +61,27 @@ int main(int argc, char** argv) {
   };
   auto const shown = [](auto const& y) { return y; };
   benchmark::System<6, 6, decltype(rate), decltype(shown)> system{rate, shown, {}};
-  for (int i = 0; i < 3; ++i) system.start[i] = start.momentum.components[i], system.start[3 + i] = start.vector[i];
+  for (int i = 0; i < 3; ++i)
+    system.start[i] = start.momentum.components[i], system.start[3 + i] = start.vector[i];
   auto const way = [&](std::string const& name, std::vector<double> const& fractions, double first) {
     return benchmark::road_way(
         system, name,
         [&, fractions](double h) {
           return [motion = ComposedTop(known.top, start, fractions, h)](bool) mutable {
             auto const& s = motion.step();
-            return std::array<double, 6>{s.momentum.components[0], s.momentum.components[1], s.momentum.components[2], s.vector[0], s.vector[1], s.vector[2]};
+            return std::array<double, 6>{s.momentum.components[0],
+                                         s.momentum.components[1],
+                                         s.momentum.components[2],
+                                         s.vector[0],
+                                         s.vector[1],
+                                         s.vector[2]};
           };
         },
         first, 1.4);
   };
-  return benchmark::compare(program, system,
-                            {way("chords, order 2", {1.0}, 16), way("chords composed, order 4", suzuki<double>(), 4),
-                             way("chords composed, order 6", kahan_li<double>(), 2), way("chords composed, order 8", symmetric_composition<double>(8), 1)});
+  return benchmark::compare(
+      program, system,
+      {way("chords, order 2", {1.0}, 16), way("chords composed, order 4", suzuki<double>(), 4),
+       way("chords composed, order 6", kahan_li<double>(), 2),
+       way("chords composed, order 8", symmetric_composition<double>(8), 1)});
 }

@@ -1,4 +1,5 @@
-// Work and precision on SE(3): a body in still water (Kirchhoff) as a Lagrangian of one's own, beside GSL, odeint and Runge-Kutta on its equations.
+// Work and precision on SE(3): a body in still water (Kirchhoff) as a Lagrangian of one's own, beside GSL,
+// odeint and Runge-Kutta on its equations.
 #include "actio/foundations/groups/motions.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
@@ -22,7 +23,8 @@ auto const rate = [](auto const& y, auto& out) {
   benchmark::write_turning(&y[6], half, &out[6]);
   S turn[9];
   benchmark::write_rotation(&y[6], turn);
-  for (int i = 0; i < 3; ++i) out[10 + i] = turn[3 * i] * w[3] + turn[3 * i + 1] * w[4] + turn[3 * i + 2] * w[5];
+  for (int i = 0; i < 3; ++i)
+    out[10 + i] = turn[3 * i] * w[3] + turn[3 * i + 1] * w[4] + turn[3 * i + 2] * w[5];
 };
 auto const shown = [](auto const& y) {
   std::array<std::decay_t<decltype(y[0] + y[0])>, 18> out;
@@ -38,9 +40,12 @@ auto const energy = [](auto const& xi) {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
+  book::Program program(
+      argc, argv,
+      "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
   Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};
-  benchmark::System<13, 18, decltype(rate), decltype(shown)> system{rate, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
+  benchmark::System<13, 18, decltype(rate), decltype(shown)> system{
+      rate, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
   for (int i = 0; i < 6; ++i) system.start[i] = inertia[i] * xi[i];
   auto const start = momentum_state(energy, velocity(SE<3>{}, xi));
   auto const way = [&](std::string const& name, auto const& step, double first) {
@@ -60,7 +65,10 @@ int main(int argc, char** argv) {
         first, 1.4);
   };
   auto const chart = natural_chart_step_left(energy);
-  return benchmark::compare(program, system,
-                            {way("natural chart, order 2", chart, 16), way("natural chart composed, order 6", ComposedLeft(chart, kahan_li<double>()), 2),
-                             way("Galerkin, order 4", galerkin_step_left<double>(energy, 2), 8), way("Galerkin, order 8", galerkin_step_left<double>(energy, 4), 4)});
+  return benchmark::compare(
+      program, system,
+      {way("natural chart, order 2", chart, 16),
+       way("natural chart composed, order 6", ComposedLeft(chart, kahan_li<double>()), 2),
+       way("Galerkin, order 4", galerkin_step_left<double>(energy, 2), 8),
+       way("Galerkin, order 8", galerkin_step_left<double>(energy, 4), 4)});
 }

@@ -1,4 +1,5 @@
-// Work and precision on SO(3): a free body as a Lagrangian of one's own, beside GSL, odeint and Runge-Kutta on Euler's equations.
+// Work and precision on SO(3): a free body as a Lagrangian of one's own, beside GSL, odeint and Runge-Kutta
+// on Euler's equations.
 #include "actio/foundations/groups/rotations.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
@@ -11,7 +12,8 @@ constexpr double inertia[3] = {0.6, 0.8, 1};
 /// Momentum and quaternion.
 auto const rate = [](auto const& y, auto& out) {
   using S = std::decay_t<decltype(y[0] + y[0])>;
-  S const w[3] = {y[0] / S(inertia[0]), y[1] / S(inertia[1]), y[2] / S(inertia[2])}, half[3] = {w[0] / 2, w[1] / 2, w[2] / 2};
+  S const w[3] = {y[0] / S(inertia[0]), y[1] / S(inertia[1]), y[2] / S(inertia[2])},
+          half[3] = {w[0] / 2, w[1] / 2, w[2] / 2};
   for (int i = 0; i < 3; ++i) out[i] = y[(i + 1) % 3] * w[(i + 2) % 3] - y[(i + 2) % 3] * w[(i + 1) % 3];
   benchmark::write_turning(&y[3], half, &out[3]);
 };
@@ -27,8 +29,11 @@ auto const energy = [](auto const& xi) {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
-  benchmark::System<7, 12, decltype(rate), decltype(shown)> system{rate, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
+  book::Program program(
+      argc, argv,
+      "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
+  benchmark::System<7, 12, decltype(rate), decltype(shown)> system{
+      rate, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
   auto const start = momentum_state(energy, velocity(SO<3>{}, Vector<double, 3>(1.8, -1, 0.7)));
   auto const way = [&](std::string const& name, auto const& step, double first) {
     return benchmark::road_way(
@@ -46,8 +51,11 @@ int main(int argc, char** argv) {
         first, 1.4);
   };
   auto const chart = natural_chart_step_left(energy);
-  return benchmark::compare(program, system,
-                            {way("natural chart, order 2", chart, 16), way("natural chart composed, order 6", ComposedLeft(chart, kahan_li<double>()), 2),
-                             way("Galerkin, order 4", galerkin_step_left<double>(energy, 2), 8), way("Galerkin, order 8", galerkin_step_left<double>(energy, 4), 4),
-                             way("Galerkin, order 12", galerkin_step_left<double>(energy, 6), 3)});
+  return benchmark::compare(
+      program, system,
+      {way("natural chart, order 2", chart, 16),
+       way("natural chart composed, order 6", ComposedLeft(chart, kahan_li<double>()), 2),
+       way("Galerkin, order 4", galerkin_step_left<double>(energy, 2), 8),
+       way("Galerkin, order 8", galerkin_step_left<double>(energy, 4), 4),
+       way("Galerkin, order 12", galerkin_step_left<double>(energy, 6), 3)});
 }

@@ -1,6 +1,8 @@
-// Work and precision of the general road on one system: steps for a Lagrangian given as a callable, beside GSL, odeint and Runge-Kutta on the same equations.
+// Work and precision of the general road on one system: steps for a Lagrangian given as a callable, beside
+// GSL, odeint and Runge-Kutta on the same equations.
 //
-// The others get the right side of the differential equation, written by hand; the general road gets the Lagrangian. The witness is Fehlberg's method in long double.
+// The others get the right side of the differential equation, written by hand; the general road gets the
+// Lagrangian. The witness is Fehlberg's method in long double.
 #pragma once
 
 #include <gsl/gsl_errno.h>
@@ -15,10 +17,10 @@ namespace benchmark {
 /// A system of n numbers, compared in the m numbers that `show` makes of them.
 template <std::size_t n, std::size_t m, class Rate, class Show>
 struct System {
-  Rate rate;                      ///< (y, out)
-  Show show;                      ///< what is compared, from the n numbers
+  Rate rate;  ///< (y, out)
+  Show show;  ///< what is compared, from the n numbers
   peers::Numbers<double, n> start;
-  double stretch = 4;             ///< time from one comparison to the next
+  double stretch = 4;  ///< time from one comparison to the next
   static constexpr int looks = 5;
   std::vector<peers::Numbers<double, m>> exact = {};
 
@@ -30,11 +32,13 @@ struct System {
       exact.clear();
       peers::Numbers<long double, n> y;
       for (std::size_t i = 0; i < n; ++i) y[i] = start[i];
-      peers::odeint_steps<long double, n>(rate, y, static_cast<long double>(stretch), looks, steps, [&](int, auto const& at) {
-        auto const shown = show(at);
-        exact.emplace_back();
-        for (std::size_t i = 0; i < m; ++i) exact.back()[i] = static_cast<double>(shown[i]);
-      });
+      peers::odeint_steps<long double, n>(rate, y, static_cast<long double>(stretch), looks, steps,
+                                          [&](int, auto const& at) {
+                                            auto const shown = show(at);
+                                            exact.emplace_back();
+                                            for (std::size_t i = 0; i < m; ++i)
+                                              exact.back()[i] = static_cast<double>(shown[i]);
+                                          });
       if (!coarse.empty())
         for (int k = 0; k < looks; ++k) apart = std::max(apart, error(k + 1, coarse[k]));
       coarse = exact;
@@ -59,18 +63,27 @@ struct System {
         return worst;
       };
     };
-    return {{"GSL, Prince-Dormand 8(9), step control",
-             with([this](double s, auto const& visit) { peers::gsl_controlled(rate, start, stretch, looks, std::pow(10.0, -s), visit); }), 3, 1.06},
-            {"odeint, Fehlberg 7(8), step control",
-             with([this](double s, auto const& visit) { peers::odeint_controlled(rate, start, stretch, looks, std::pow(10.0, -s), visit); }), 3, 1.06},
-            {"odeint, Fehlberg 7(8)",
-             with([this](double s, auto const& visit) { peers::odeint_steps<double, n>(rate, start, stretch, looks, std::lround(s), visit); }), 4, 1.3},
-            {"Runge-Kutta, order 4",
-             with([this](double s, auto const& visit) { peers::runge_kutta_steps(rate, start, stretch, looks, std::lround(s), visit); }), 16, 1.5}};
+    return {{"GSL, Prince-Dormand 8(9), step control", with([this](double s, auto const& visit) {
+               peers::gsl_controlled(rate, start, stretch, looks, std::pow(10.0, -s), visit);
+             }),
+             3, 1.06},
+            {"odeint, Fehlberg 7(8), step control", with([this](double s, auto const& visit) {
+               peers::odeint_controlled(rate, start, stretch, looks, std::pow(10.0, -s), visit);
+             }),
+             3, 1.06},
+            {"odeint, Fehlberg 7(8)", with([this](double s, auto const& visit) {
+               peers::odeint_steps<double, n>(rate, start, stretch, looks, std::lround(s), visit);
+             }),
+             4, 1.3},
+            {"Runge-Kutta, order 4", with([this](double s, auto const& visit) {
+               peers::runge_kutta_steps(rate, start, stretch, looks, std::lround(s), visit);
+             }),
+             16, 1.5}};
   }
 };
 
-/// A way of the general road: `make(h)` gives a callable that takes a step of that length and returns what is compared.
+/// A way of the general road: `make(h)` gives a callable that takes a step of that length and returns what is
+/// compared.
 template <class S, class Make>
 Way road_way(S const& system, std::string name, Make make, double first, double ratio) {
   return {std::move(name),
@@ -112,21 +125,28 @@ int compare(book::Program& program, S& system, std::vector<Way> ways) {
     std::vector<double> x, y;
     for (Timed const& r : line.runs)
       if (r.error < 1) x.push_back(1e6 * r.seconds), y.push_back(r.error);
-    plot.curve(x, y, line.name, {.colour = static_cast<int>(i) % 6 + 1, .width = i < own ? 2.4 : 1.6, .dashed = i >= own});
+    plot.curve(x, y, line.name,
+               {.colour = static_cast<int>(i) % 6 + 1, .width = i < own ? 2.4 : 1.6, .dashed = i >= own});
     Timed const* const reached = line.cheapest(1e-9);
-    if (reached) (i < own ? best_own : best_other) = std::min(i < own ? best_own : best_other, reached->seconds);
+    if (reached)
+      (i < own ? best_own : best_other) = std::min(i < own ? best_own : best_other, reached->seconds);
   }
-  program.picture("work_precision", plot.svg(), "Error against processor time; broken lines are those of codes for differential equations.");
+  program.picture(
+      "work_precision", plot.svg(),
+      "Error against processor time; broken lines are those of codes for differential equations.");
   program.table("work_precision", {"method", "1e-3", "1e-6", "1e-9", "1e-11", "best error"}, rows,
                 "Microseconds to t = " + book::number(system.stretch * S::looks) +
-                    ", set-up included, with the best step or tolerance for each error, the largest at five times on the way.");
+                    ", set-up included, with the best step or tolerance for each error, the largest at five "
+                    "times on the way.");
   program.figure("apart", apart, "the witness against itself in half as many steps");
   program.figure("own_us", 1e6 * best_own, "the best of the general road to 1e-9, microseconds");
   program.figure("other_us", 1e6 * best_other, "the best of the others to 1e-9, microseconds");
   program.figure("times", best_own / best_other, "times as long on the general road, to 1e-9");
   program.claim(apart <= 1e-15, "the witness is good to rounding of double; measured " + book::number(apart));
-  program.claim(std::isfinite(best_own) && std::isfinite(best_other), "the general road and the others reach 1e-9");
-  program.headline("to 1e-9 the general road takes " + book::number(best_own / best_other) + " times as long as the best of GSL and odeint with equations written by hand",
+  program.claim(std::isfinite(best_own) && std::isfinite(best_other),
+                "the general road and the others reach 1e-9");
+  program.headline("to 1e-9 the general road takes " + book::number(best_own / best_other) +
+                       " times as long as the best of GSL and odeint with equations written by hand",
                    best_own / best_other);
   return program.finish();
 }

@@ -1,4 +1,5 @@
-// GSL, Boost.odeint and the classical Runge-Kutta method on any system of ordinary differential equations, given by its rate.
+// GSL, Boost.odeint and the classical Runge-Kutta method on any system of ordinary differential equations,
+// given by its rate.
 #pragma once
 
 #include <gsl/gsl_errno.h>
@@ -24,28 +25,34 @@ namespace peers {
 template <class S, std::size_t n>
 using Numbers = std::array<S, n>;
 template <class S, std::size_t n>
-using FehlbergOf = boost::numeric::odeint::runge_kutta_fehlberg78<Numbers<S, n>, S, Numbers<S, n>, S, boost::numeric::odeint::array_algebra>;
+using FehlbergOf = boost::numeric::odeint::runge_kutta_fehlberg78<Numbers<S, n>, S, Numbers<S, n>, S,
+                                                                  boost::numeric::odeint::array_algebra>;
 
-/// A way from the start over stretches of time, all of the same length: calls `visit(k, y)` at the end of the k-th.
+/// A way from the start over stretches of time, all of the same length: calls `visit(k, y)` at the end of the
+/// k-th.
 /// @param rate  (y, out), at double and long double
 template <std::size_t n, class Rate, class Visit>
-void gsl_controlled(Rate const& rate, Numbers<double, n> y, double stretch, int stretches, double tolerance, Visit const& visit) {
+void gsl_controlled(Rate const& rate, Numbers<double, n> y, double stretch, int stretches, double tolerance,
+                    Visit const& visit) {
   auto const call = [](double, double const in[], double out[], void* self) {
     (*static_cast<Rate const*>(self))(in, out);
     return int(GSL_SUCCESS);
   };
   gsl_odeiv2_system system{call, nullptr, n, const_cast<Rate*>(&rate)};
   std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> const driver(
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.1, tolerance, tolerance), gsl_odeiv2_driver_free);
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.1, tolerance, tolerance),
+      gsl_odeiv2_driver_free);
   double t = 0;
   for (int k = 1; k <= stretches; ++k) {
-    if (gsl_odeiv2_driver_apply(driver.get(), &t, stretch * k, y.data()) != GSL_SUCCESS) throw std::runtime_error("gsl: a step failed");
+    if (gsl_odeiv2_driver_apply(driver.get(), &t, stretch * k, y.data()) != GSL_SUCCESS)
+      throw std::runtime_error("gsl: a step failed");
     visit(k, y);
   }
 }
 /// Boost.odeint's Fehlberg 7(8) with step control.
 template <std::size_t n, class Rate, class Visit>
-void odeint_controlled(Rate const& rate, Numbers<double, n> y, double stretch, int stretches, double tolerance, Visit const& visit) {
+void odeint_controlled(Rate const& rate, Numbers<double, n> y, double stretch, int stretches,
+                       double tolerance, Visit const& visit) {
   namespace odeint = boost::numeric::odeint;
   auto scheme = odeint::make_controlled<FehlbergOf<double, n>>(tolerance, tolerance);
   auto const system = [&](auto const& at, auto& out, double) { rate(at, out); };
@@ -56,7 +63,8 @@ void odeint_controlled(Rate const& rate, Numbers<double, n> y, double stretch, i
 }
 /// Boost.odeint's Fehlberg 7(8) with so many steps a stretch.
 template <class S, std::size_t n, class Rate, class Visit>
-void odeint_steps(Rate const& rate, Numbers<S, n> y, S stretch, int stretches, long steps, Visit const& visit) {
+void odeint_steps(Rate const& rate, Numbers<S, n> y, S stretch, int stretches, long steps,
+                  Visit const& visit) {
   FehlbergOf<S, n> scheme;
   auto const system = [&](auto const& at, auto& out, S) { rate(at, out); };
   for (int k = 1; k <= stretches; ++k) {
@@ -66,7 +74,8 @@ void odeint_steps(Rate const& rate, Numbers<S, n> y, S stretch, int stretches, l
 }
 /// The classical Runge-Kutta method with so many steps a stretch.
 template <std::size_t n, class Rate, class Visit>
-void runge_kutta_steps(Rate const& rate, Numbers<double, n> y, double stretch, int stretches, long steps, Visit const& visit) {
+void runge_kutta_steps(Rate const& rate, Numbers<double, n> y, double stretch, int stretches, long steps,
+                       Visit const& visit) {
   double const h = stretch / static_cast<double>(steps);
   Numbers<double, n> a, b, c, d, at;
   auto const beside = [&](Numbers<double, n> const& slope, double by) {

@@ -12,7 +12,8 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 template <int N, class F>
-Dual<double, N> applied(F const& f, double x, double y, std::array<double, 3> const& dx, std::array<double, 3> const& dy, int first) {
+Dual<double, N> applied(F const& f, double x, double y, std::array<double, 3> const& dx,
+                        std::array<double, 3> const& dy, int first) {
   Dual<double, N> a(x), b(y);
   for (int i = 0; i < N; ++i) a.part[i] = dx[first + i], b.part[i] = dy[first + i];
   return f(a, b);
@@ -50,7 +51,8 @@ BOOST_AUTO_TEST_CASE(the_solution_is_that_of_newton_and_so_is_what_is_thrown) {
     auto const residual = [&](auto const& f) {
       auto x = log(f).coordinates;
       using S = typename std::decay_t<decltype(x)>::Scalar;
-      for (int i = 0; i < 6; ++i) x[i] = x[i] + x[i] * x[(i + 1) % 6] * x[(i + 2) % 6] * ratio<S>(1, 4) - S(goal[i]);
+      for (int i = 0; i < 6; ++i)
+        x[i] = x[i] + x[i] * x[(i + 1) % 6] * x[(i + 2) % 6] * ratio<S>(1, 4) - S(goal[i]);
       return Momentum<SE<3>, S>{f.group, x};
     };
     auto const found = chord.solve(residual, start), reference = solve_on_group(residual, start).value;
@@ -106,12 +108,14 @@ BOOST_AUTO_TEST_CASE(closed_forms_are_the_series_of_matrices) {
   for (double const size : {1e-9, 0.3, 1.0, 2.5}) {
     auto const v = (draw.vector<double>(6) * size).eval();
     Matrix<double, 4, 4> const a = SO<4>::hat(v);
-    BOOST_TEST(magnitude((SO<4>::exp(Coordinates<SO<4>, double>(v)) - matrix_exponential(a)).eval()) < 64 * eps);
+    BOOST_TEST(magnitude((SO<4>::exp(Coordinates<SO<4>, double>(v)) - matrix_exponential(a)).eval()) <
+               64 * eps);
     auto const w = (draw.vector<double>(3) * size).eval();
     Matrix<double, 2, 2> const b = SL2::hat(w), e = matrix_exponential(b);
     BOOST_TEST(magnitude((SL2::exp(Coordinates<SL2, double>(w)) - e).eval()) < 64 * eps * magnitude(e));
   }
-  // log of SE(3) inverts exp: the inverse of iex in closed form, on both sides of the place where its series ends.
+  // log of SE(3) inverts exp: the inverse of iex in closed form, on both sides of the place where its series
+  // ends.
   for (double const angle : {1e-12, 0.1, 0.99, 1.01, 3.1}) {
     Matrix<double, 6, 1> v;
     v << angle * 0.6, -angle * 0.8, 0, 1, -2, 0.5;

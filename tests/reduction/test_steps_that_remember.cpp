@@ -1,5 +1,5 @@
-// Steppers that keep what they have found out about their equation, against Newton's iteration from scratch: the same motions to rounding, what is conserved,
-// the order, and the same refusals.
+// Steppers that keep what they have found out about their equation, against Newton's iteration from scratch:
+// the same motions to rounding, what is conserved, the order, and the same refusals.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/foundations/groups/linear_groups.hpp"
@@ -33,20 +33,23 @@ double largest(M const& m) {
   return magnitude(m);
 }
 
-/// By how much more than the residual, in units of its rows, a solution may be off: the largest row of |J^-1| times the sizes of the rows of J.
+/// By how much more than the residual, in units of its rows, a solution may be off: the largest row of |J^-1|
+/// times the sizes of the rows of J.
 template <class M>
 double condition(M const& derivative) {
   M const inverse = inverse_matrix(derivative);
   double worst = 0;
   for (Index i = 0; i < inverse.rows(); ++i) {
     double sum = 0;
-    for (Index j = 0; j < inverse.cols(); ++j) sum += std::abs(inverse(i, j)) * derivative.row(j).cwiseAbs().sum();
+    for (Index j = 0; j < inverse.cols(); ++j)
+      sum += std::abs(inverse(i, j)) * derivative.row(j).cwiseAbs().sum();
     worst = std::max(worst, sum);
   }
   return worst;
 }
 
-/// Two solvers stop within 16 eps of a row each, and the momentum carried along is off by that of the step before: four times that with what Ad adds.
+/// Two solvers stop within 16 eps of a row each, and the momentum carried along is off by that of the step
+/// before: four times that with what Ad adds.
 template <int side, class G>
 void the_same_relative_motions(double size, double h, int steps) {
   auto const l = natural_chart_lagrangian_left(kinetic, h);
@@ -60,9 +63,12 @@ void the_same_relative_motions(double size, double h, int steps) {
   double worst = 0;
   for (int k = 0; k < steps; ++k) {
     Element<G, double> const before = motion.relative_motion();
-    Element<G, double> const reference = side > 0 ? step_euler_poincare_right(l, before).value : step_euler_poincare_left(l, before).value;
+    Element<G, double> const reference =
+        side > 0 ? step_euler_poincare_right(l, before).value : step_euler_poincare_left(l, before).value;
     motion.advance();
-    double const bound = 64 * eps * condition(side > 0 ? right_second_differential(l, reference) : left_second_differential(l, reference)) *
+    double const bound = 64 * eps *
+                         condition(side > 0 ? right_second_differential(l, reference)
+                                            : left_second_differential(l, reference)) *
                          largest(reference.value);
     worst = std::max(worst, largest((motion.relative_motion().value - reference.value).eval()) / bound);
     BOOST_REQUIRE(motion.report().residuals.back() <= 4 * motion.report().tolerance);
@@ -95,7 +101,8 @@ BOOST_AUTO_TEST_SUITE(steps_that_remember)
 
 BOOST_AUTO_TEST_CASE(relative_motions_are_those_of_newton_from_scratch) {
   for (double h : {0.02, 0.1, 0.4}) {
-    BOOST_TEST_CONTEXT("SO(3) h = " << h) the_same_relative_motions<-1, SO<3>>(0.8, h, 60), the_same_relative_motions<1, SO<3>>(0.8, h, 60);
+    BOOST_TEST_CONTEXT("SO(3) h = " << h)
+    the_same_relative_motions<-1, SO<3>>(0.8, h, 60), the_same_relative_motions<1, SO<3>>(0.8, h, 60);
     BOOST_TEST_CONTEXT("SE(3) h = " << h) the_same_relative_motions<-1, SE<3>>(0.5, h, 30);
     BOOST_TEST_CONTEXT("SO(4) h = " << h) the_same_relative_motions<-1, SO<4>>(0.5, h, 30);
     BOOST_TEST_CONTEXT("SL(2) h = " << h) the_same_relative_motions<-1, SL2>(0.3, h, 30);
@@ -115,7 +122,8 @@ BOOST_AUTO_TEST_CASE(the_order_is_two) {
     double const h = 4.0 / steps;
     auto const l = natural_chart_lagrangian_left(kinetic, h);
     auto const start = gradient(kinetic, velocity_at_start<SO<3>>(0.8));
-    EulerPoincareStepsLeft motion(l, relative_motion_from_momentum_left(l, start, exp(-h * velocity_at_start<SO<3>>(0.8))).value);
+    EulerPoincareStepsLeft motion(
+        l, relative_motion_from_momentum_left(l, start, exp(-h * velocity_at_start<SO<3>>(0.8))).value);
     for (int k = 1; k < steps; ++k) motion.advance();
     return motion.momentum().components;
   };
@@ -128,8 +136,11 @@ BOOST_AUTO_TEST_CASE(the_order_is_two) {
 BOOST_AUTO_TEST_CASE(places_are_those_of_the_unreduced_equations_from_scratch) {
   double const h = 0.1;
   auto const l = lift_left(natural_chart_lagrangian_left(kinetic, h));
-  auto const weighed = [l, h](auto const& g0, auto const& g1) { return l(g0, g1) - (g0.value(2, 2) + g1.value(2, 2)) * (h / 2); };
-  Element<SO<3>, double> const g0 = exp(velocity_at_start<SO<3>>(0.7)), g1 = g0 * exp(h * velocity_at_start<SO<3>>(0.9));
+  auto const weighed = [l, h](auto const& g0, auto const& g1) {
+    return l(g0, g1) - (g0.value(2, 2) + g1.value(2, 2)) * (h / 2);
+  };
+  Element<SO<3>, double> const g0 = exp(velocity_at_start<SO<3>>(0.7)),
+                               g1 = g0 * exp(h * velocity_at_start<SO<3>>(0.9));
   EulerLagrangeSteps motion(weighed, g0, g1);
   double worst = 0;
   for (int k = 0; k < 100; ++k) {
@@ -144,7 +155,8 @@ BOOST_AUTO_TEST_CASE(steps_on_momenta_remember_nothing_that_counts) {
   // From one motion to another and back, with another length in between: each step as if it were the first.
   auto const remembering = natural_chart_step_left(kinetic);
   auto const galerkin = galerkin_step_left<double>(kinetic, 2);
-  auto a = momentum_state(kinetic, velocity_at_start<SO<3>>(0.8)), b = momentum_state(kinetic, velocity_at_start<SO<3>>(-0.5));
+  auto a = momentum_state(kinetic, velocity_at_start<SO<3>>(0.8)),
+       b = momentum_state(kinetic, velocity_at_start<SO<3>>(-0.5));
   double worst = 0;
   for (int k = 0; k < 20; ++k)
     for (double h : {0.1, 0.1, 0.25}) {
@@ -155,7 +167,8 @@ BOOST_AUTO_TEST_CASE(steps_on_momenta_remember_nothing_that_counts) {
                         largest((two.relative_motion.value - second.relative_motion.value).eval())});
       from = one.state;
     }
-  // Two solvers, 16 eps each; the derivatives of the Galerkin equations have rows with slopes of polynomials, of size 4.
+  // Two solvers, 16 eps each; the derivatives of the Galerkin equations have rows with slopes of polynomials,
+  // of size 4.
   BOOST_TEST(worst < 4 * 2 * 16 * 3 * eps);
 }
 
@@ -169,7 +182,10 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
 
   // An energy that does not know the third component of the velocity.
   auto const degenerate = natural_chart_lagrangian_left(
-      [](auto const& xi) { return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1]; }, h);
+      [](auto const& xi) {
+        return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
+      },
+      h);
   EulerPoincareStepsLeft flat(degenerate, identity<double>(SO<3>{}));
   BOOST_CHECK_THROW(flat.advance(), Singular);
   BOOST_TEST((flat.relative_motion().value == Matrix<double, 3, 3>::Identity()));

@@ -1,9 +1,12 @@
-// The chord iteration on a group: Newton's iteration with a derivative that is kept from one equation to the next.
+// The chord iteration on a group: Newton's iteration with a derivative that is kept from one equation to the
+// next.
 //
-// The equations of successive steps of an integrator differ little, and so do the derivatives of their residuals. One of them, inverted once, serves many
-// steps; each iteration corrects it along its own direction by Broyden's formula, which takes a few products. What is left to evaluate is the residual
-// itself, with first-order dual numbers in place of second-order ones. Where the iteration contracts too slowly the derivative is evaluated anew, and where
-// it fails Newton's iteration (\ref solve_on_group) has the last word: on the solution, and on what is thrown where there is none.
+// The equations of successive steps of an integrator differ little, and so do the derivatives of their
+// residuals. One of them, inverted once, serves many steps; each iteration corrects it along its own
+// direction by Broyden's formula, which takes a few products. What is left to evaluate is the residual
+// itself, with first-order dual numbers in place of second-order ones. Where the iteration contracts too
+// slowly the derivative is evaluated anew, and where it fails Newton's iteration (\ref solve_on_group) has
+// the last word: on the solution, and on what is thrown where there is none.
 #pragma once
 
 #include <optional>
@@ -14,8 +17,9 @@ namespace actio {
 
 /// Solves one equation residual(f) = 0 on G after another, each near the last in its derivative.
 ///
-/// The solution is that of \ref solve_on_group to rounding, and is judged as there: each component of the residual within 16 epsilon of its row of the
-/// derivative, the kept one here. One object serves one thread; copies are independent.
+/// The solution is that of \ref solve_on_group to rounding, and is judged as there: each component of the
+/// residual within 16 epsilon of its row of the derivative, the kept one here. One object serves one thread;
+/// copies are independent.
 ///
 /// Over plain numbers: infinitesimals need derivatives at the solution (\ref solve_on_group).
 template <ExponentialGroup G, Real S>
@@ -28,8 +32,8 @@ class ChordIteration {
   /// @param safe      where Newton's iteration starts if the chord iteration fails
   /// @throws Singular, NotConverged, NotFinite  as \ref solve_on_group from `safe`
   template <class Residual>
-    requires Plain<S>
   Element<G, S> solve(Residual const& residual, Element<G, S> const& start, Element<G, S> const& safe) {
+    static_assert(Plain<S>, "infinitesimals need the derivative at the solution: solve_on_group");
     std::optional<Element<G, S>> found;
     try {
       found = iterate(residual, start);
@@ -45,15 +49,14 @@ class ChordIteration {
   }
   /// The solution near `start`.
   template <class Residual>
-    requires Plain<S>
   Element<G, S> solve(Residual const& residual, Element<G, S> const& start) {
     return solve(residual, start, start);
   }
 
   /// Whether Newton's iteration had to solve the last equation.
   bool by_newton() const { return by_newton_; }
-  /// By how much the last solution differs from its start, \f$f \approx e^vf_{start}\f$, as far as the steps of the iteration commute. Not where Newton's
-  /// iteration has found it.
+  /// By how much the last solution differs from its start, \f$f \approx e^vf_{start}\f$, as far as the steps
+  /// of the iteration commute. Not where Newton's iteration has found it.
   Coordinates<G, S> const& moved() const { return moved_; }
   /// How the last equation was solved.
   Report const& report() const { return report_; }
@@ -63,8 +66,9 @@ class ChordIteration {
   void forget() { known_ = false; }
 
  private:
-  static constexpr double slow_ = 0.125;  // an iteration that leaves more than this of the residual asks for a new derivative
-  static constexpr int limit_ = 12;
+  // An iteration that leaves more than this of the residual asks for a new derivative.
+  static constexpr double slow_ = 0.125;
+  static constexpr int limit_ = 20;
 
   template <class Residual>
   std::optional<Element<G, S>> iterate(Residual const& residual, Element<G, S> const& start) {
@@ -75,8 +79,8 @@ class ChordIteration {
     Element<G, S> f = start;
     Coordinates<G, S> value, last;
     moved_ = Coordinates<G, S>::Zero(f.group.dimension());
-    bool fresh = !known_;
-    if (fresh)
+    bool newton = !known_;  // whether the last step was one of Newton's
+    if (newton)
       value = evaluate_derivative(residual, f);
     else
       value = evaluate(residual, f);
@@ -88,12 +92,13 @@ class ChordIteration {
       bool const done = size <= report_.tolerance || (size <= 64 * report_.tolerance && size > before / 2);
       Coordinates<G, S> step = -(inverse_ * value);
       if (!done && size > slow_ * before) {
-        if (fresh) return {};
+        if (newton && size > before / 2) return {};
         value = evaluate_derivative(residual, f);
-        fresh = true;
+        newton = true;
         step = -(inverse_ * value);
-      } else if (!done && iteration > 0) {
-        improve(last, step);
+      } else if (iteration > 0) {
+        newton = false;
+        if (!done) improve(last, step);
       }
       if (!(to_double(magnitude(step)) <= 1)) return {};
       f = exp(Velocity<G, S>{f.group, step}) * f;
@@ -142,8 +147,9 @@ class ChordIteration {
     }
     return to_double(largest);
   }
-  /// Broyden's formula: after a step s the next one would be s' with the old inverse B; the inverse that agrees with what s did to the residual
-  /// is \f$B + s's^TB/(|s|^2 - \langle s,s'\rangle)\f$. Turns s' into its step.
+  /// Broyden's formula: after a step s the next one would be s' with the old inverse B; the inverse that
+  /// agrees with what s did to the residual is \f$B + s's^TB/(|s|^2 - \langle s,s'\rangle)\f$. Turns s' into
+  /// its step.
   void improve(Coordinates<G, S> const& s, Coordinates<G, S>& next) {
     S const square = s.squaredNorm(), rest = square - s.dot(next);
     if (!(rest > square / S(2))) return;

@@ -1,4 +1,5 @@
-// Solutions of one equation after another, as the steps of an integrator ask for them: predicted from the last ones, corrected by the chord iteration.
+// Solutions of one equation after another, as the steps of an integrator ask for them: predicted from the
+// last ones, corrected by the chord iteration.
 #pragma once
 
 #include "actio/foundations/chord_iteration.hpp"
@@ -8,11 +9,13 @@ namespace actio {
 
 /// Solves a sequence of equations on G whose solutions \f$f_k\f$ change smoothly with k.
 ///
-/// The changes \f$\delta_k\f$, \f$f_k = e^{\delta_k}f_{k-1}\f$, are as smooth as the solutions and small, so that no chart ends on the way: the next one is
-/// extrapolated (\ref Extrapolation), and what it misses is left to the \ref ChordIteration. A prediction only says where the iteration starts: the
-/// solutions are those of \ref solve_on_group to rounding.
+/// The changes \f$\delta_k\f$, \f$f_k = e^{\delta_k}f_{k-1}\f$, are as smooth as the solutions and small, so
+/// that no chart ends on the way: the next one is extrapolated (\ref Extrapolation), and what it misses is
+/// left to the \ref ChordIteration. A prediction only says where the iteration starts: the solutions are
+/// those of \ref solve_on_group to rounding.
 ///
-/// Over scalars that are no plain numbers, such as dual numbers, each equation is solved by Newton's iteration.
+/// Over scalars that are no plain numbers, such as dual numbers, each equation is solved by Newton's
+/// iteration.
 template <ExponentialGroup G, Real S>
 class PredictorCorrector {
  public:
@@ -24,8 +27,10 @@ class PredictorCorrector {
   /// The next solution.
   ///
   /// @param residual  element at any scalar -> covector at the same scalar
-  /// @param start     where to start as long as nothing is known of the sequence, and where Newton's iteration starts if the chord iteration fails
-  /// @throws Singular, NotConverged, NotFinite  as \ref solve_on_group from `start`; the sequence stays what it was
+  /// @param start     where to start as long as nothing is known of the sequence, and where Newton's
+  /// iteration starts if the chord iteration fails
+  /// @throws Singular, NotConverged, NotFinite  as \ref solve_on_group from `start`; the sequence stays what
+  /// it was
   template <class Residual>
   Element<G, S> solve(Residual const& residual, Element<G, S> const& start) {
     if constexpr (Plain<S>) {
@@ -61,11 +66,7 @@ class PredictorCorrector {
       return report_;
   }
   /// How often a derivative was evaluated, since the beginning.
-  long derivatives() const
-    requires Plain<S>
-  {
-    return iteration_.derivatives();
-  }
+  long derivatives() const requires Plain<S> { return iteration_.derivatives(); }
 
  private:
   Element<G, S> const& remember(Element<G, S> const& found) {

@@ -6,10 +6,12 @@
 
 namespace actio {
 
-/// The motion of a left-invariant system with an advected vector: \ref advected_euler_poincare_left solved step after step.
+/// The motion of a left-invariant system with an advected vector: \ref advected_euler_poincare_left solved
+/// step after step.
 ///
-/// Relative motions and vectors are those of \ref step_advected_euler_poincare_left and \ref advect_left to rounding, in a fraction of the time. Momentum and
-/// vector are carried along by \ref advected_lie_poisson_update_left, so their coadjoint orbit is kept to rounding.
+/// Relative motions and vectors are those of \ref step_advected_euler_poincare_left and \ref advect_left to
+/// rounding, in a fraction of the time. Momentum and vector are carried along by \ref
+/// advected_lie_poisson_update_left, so their coadjoint orbit is kept to rounding.
 /// @tparam F  reduced discrete Lagrangian (f, a) -> energy x time, a the vector before the step
 template <class F, ExponentialGroup G, Real S, int m, class Act = MatrixAction>
 class AdvectedStepsLeft {
@@ -20,19 +22,25 @@ class AdvectedStepsLeft {
   /// @param act  the action of G on vectors; multiplication by the matrix unless given
   /// @throws NotFinite  where f10 or a0 is no number, or l or its derivative there
   AdvectedStepsLeft(F l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Act act = {})
-      : l_(std::move(l)), act_(std::move(act)), motion_(f10), momentum_(advected_momentum_after_left(l_, f10, a0)), vector_(advect_left(f10, a0, act_)),
+      : l_(std::move(l)),
+        act_(std::move(act)),
+        motion_(f10),
+        momentum_(advected_momentum_after_left(l_, f10, a0)),
+        vector_(advect_left(f10, a0, act_)),
         solver_(f10) {
     require_finite(a0, "AdvectedStepsLeft: vector");
   }
 
   /// Takes a step: solves \f$\Pi_0(f, a) = \Pi\f$ and carries momentum and vector along.
   /// @return the next relative motion
-  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular; the motion stays where it was
+  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
+  /// the motion stays where it was
   Element<G, S> const& advance() {
     Element<G, S> const f = solver_.solve(
         [&](auto const& x) {
           using T = typename std::decay_t<decltype(x)>::Scalar;
-          return advected_momentum_before_left(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) - like(x, momentum_);
+          return advected_momentum_before_left(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) -
+                 like(x, momentum_);
         },
         motion_);
     momentum_ = advected_lie_poisson_update_left(l_, f, vector_, momentum_, act_);
@@ -55,8 +63,8 @@ class AdvectedStepsLeft {
   PredictorCorrector<G, S> solver_;
 };
 
-/// The motion of a right-invariant system with an advected vector: \ref advected_euler_poincare_right solved step after step, with \ref advect_right.
-/// Otherwise as \ref AdvectedStepsLeft.
+/// The motion of a right-invariant system with an advected vector: \ref advected_euler_poincare_right solved
+/// step after step, with \ref advect_right. Otherwise as \ref AdvectedStepsLeft.
 template <class F, ExponentialGroup G, Real S, int m, class Act = MatrixAction>
 class AdvectedStepsRight {
  public:
@@ -66,19 +74,25 @@ class AdvectedStepsRight {
   /// @param act  the action of G on vectors; multiplication by the matrix unless given
   /// @throws NotFinite  where f01 or a0 is no number, or l or its derivative there
   AdvectedStepsRight(F l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Act act = {})
-      : l_(std::move(l)), act_(std::move(act)), motion_(f01), momentum_(advected_momentum_after_right(l_, f01, a0)), vector_(advect_right(f01, a0, act_)),
+      : l_(std::move(l)),
+        act_(std::move(act)),
+        motion_(f01),
+        momentum_(advected_momentum_after_right(l_, f01, a0)),
+        vector_(advect_right(f01, a0, act_)),
         solver_(f01) {
     require_finite(a0, "AdvectedStepsRight: vector");
   }
 
   /// Takes a step: solves \f$\mu_0(f, a) = \mu\f$ and carries momentum and vector along.
   /// @return the next relative motion
-  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular; the motion stays where it was
+  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
+  /// the motion stays where it was
   Element<G, S> const& advance() {
     Element<G, S> const f = solver_.solve(
         [&](auto const& x) {
           using T = typename std::decay_t<decltype(x)>::Scalar;
-          return advected_momentum_before_right(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) - like(x, momentum_);
+          return advected_momentum_before_right(l_, x, Matrix<T, m, 1>(vector_.template cast<T>()), act_) -
+                 like(x, momentum_);
         },
         motion_);
     momentum_ = advected_lie_poisson_update_right(l_, f, vector_, momentum_, act_);

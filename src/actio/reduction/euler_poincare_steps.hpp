@@ -1,8 +1,10 @@
-// Motions by the discrete Euler-Poincare equations, step after step: what one step has found out about the equation serves the next.
+// Motions by the discrete Euler-Poincare equations, step after step: what one step has found out about the
+// equation serves the next.
 //
-// The functions `step_euler_poincare_right` and `step_euler_poincare_left` know of a motion the last relative motion. Who takes many steps knows more: the
-// momentum, which Ad* carries along (the discrete Lie-Poisson algorithm); the derivative of the equation, which changes little from step to step; and
-// where the motion is going. The relative motions are the same to rounding.
+// The functions `step_euler_poincare_right` and `step_euler_poincare_left` know of a motion the last relative
+// motion. Who takes many steps knows more: the momentum, which Ad* carries along (the discrete Lie-Poisson
+// algorithm); the derivative of the equation, which changes little from step to step; and where the motion is
+// going. The relative motions are the same to rounding.
 #pragma once
 
 #include "actio/foundations/predictor_corrector.hpp"
@@ -12,8 +14,8 @@ namespace actio {
 
 /// The motion of a right-invariant system: \ref euler_poincare_right solved step after step.
 ///
-/// Relative motions are those of \ref step_euler_poincare_right to rounding, in a tenth of the time or less. The momentum is carried along by
-/// \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is kept to rounding.
+/// Relative motions are those of \ref step_euler_poincare_right to rounding, in a tenth of the time or less.
+/// The momentum is carried along by \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is kept to rounding.
 /// @tparam F  reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 template <class F, ExponentialGroup G, Real S>
 class EulerPoincareStepsRight {
@@ -26,9 +28,11 @@ class EulerPoincareStepsRight {
 
   /// Takes a step: solves \f$R_f^*\ell'(f) = L_{f_{01}}^*\ell'(f_{01})\f$.
   /// @return the next relative motion
-  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular; the motion stays where it was
+  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
+  /// the motion stays where it was
   Element<G, S> const& advance() {
-    motion_ = solver_.solve([&](auto const& f) { return right_differential(l_, f) - like(f, left_behind_); }, motion_);
+    motion_ = solver_.solve([&](auto const& f) { return right_differential(l_, f) - like(f, left_behind_); },
+                            motion_);
     left_behind_ = lie_poisson_update_right(motion_, left_behind_);
     return motion_;
   }
@@ -46,7 +50,8 @@ class EulerPoincareStepsRight {
   PredictorCorrector<G, S> solver_;
 };
 
-/// The motion of a left-invariant system: \ref euler_poincare_left solved step after step. Otherwise as \ref EulerPoincareStepsRight.
+/// The motion of a left-invariant system: \ref euler_poincare_left solved step after step. Otherwise as \ref
+/// EulerPoincareStepsRight.
 template <class F, ExponentialGroup G, Real S>
 class EulerPoincareStepsLeft {
  public:
@@ -58,9 +63,11 @@ class EulerPoincareStepsLeft {
 
   /// Takes a step: solves \f$L_f^*\ell'(f) = R_{f_{10}}^*\ell'(f_{10})\f$.
   /// @return the next relative motion
-  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular; the motion stays where it was
+  /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
+  /// the motion stays where it was
   Element<G, S> const& advance() {
-    motion_ = solver_.solve([&](auto const& f) { return left_differential(l_, f) - like(f, left_behind_); }, motion_);
+    motion_ = solver_.solve([&](auto const& f) { return left_differential(l_, f) - like(f, left_behind_); },
+                            motion_);
     left_behind_ = lie_poisson_update_left(motion_, left_behind_);
     return motion_;
   }
