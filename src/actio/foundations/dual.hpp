@@ -41,12 +41,15 @@ inline constexpr bool in_pairs = std::same_as<S, double> && N % 2 == 1;
 /// The value and the rates of a dual number over double, in pairs that stay in registers.
 template <int N>
 struct Lanes {
-  using Pair [[gnu::vector_size(16)]] = double;
-  Pair pair[(N + 1) / 2];
+  static_assert(N % 2 == 1 && sizeof(Dual<double, N>) == (N + 1) * sizeof(double));
+  using Pair [[gnu::vector_size(16)]] = double;  ///< two doubles in one register of plain x86-64
+  Pair pair[(N + 1) / 2];                        ///< value and first rate, second and third rate, and so on
 
+  /// A dual number.
   explicit Lanes(Dual<double, N> const& x) { __builtin_memcpy(pair, &x, sizeof pair); }
   /// The value and no rates.
   explicit Lanes(double value) : pair{Pair{value, 0}} {}
+  /// The dual number back.
   void store(Dual<double, N>& x) const { __builtin_memcpy(&x, pair, sizeof pair); }
   /// Another value with these rates.
   void set_value(double value) { pair[0] = __builtin_shufflevector(pair[0], Pair{value, 0}, 2, 1); }
@@ -63,7 +66,7 @@ struct Lanes {
     for (Pair& p : pair) p *= c;
     return *this;
   }
-  /// Adds a product. Its value is x.value y.value; the rates of x alone are those of x with the value left out.
+  /// Adds x y. Its value comes from the first of the two sums, to which the second adds rates alone.
   [[gnu::always_inline]] void add_product(Dual<double, N> const& x, Dual<double, N> const& y) {
     Lanes rates(x), other(y);
     rates.set_value(0);
@@ -83,7 +86,8 @@ struct Lanes {
 /// z += x y, written so that nested products need no intermediate results.
 template <class S, int N>
   requires(detail::in_pairs<S, N>)
-[[gnu::always_inline]] inline void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
+[[gnu::always_inline]] inline void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x,
+                                               Dual<S, N> const& y) {
   detail::Lanes<N> sum(z);
   sum.add_product(x, y);
   sum.store(z);

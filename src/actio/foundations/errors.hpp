@@ -46,7 +46,8 @@ template <MatrixLike Derived>
 void require_finite(Derived const& m, char const* where) {
   using T = Base<typename Derived::Scalar>;
   if constexpr (std::is_floating_point_v<T>) {
-    // The difference of a number and itself is zero, of anything else it is no number: one question for all entries.
+    // The difference of a number and itself is zero, of anything else it is no number: one question for all
+    // entries.
     T sum(0);
     for (Index j = 0; j < m.cols(); ++j)
       for (Index i = 0; i < m.rows(); ++i) {

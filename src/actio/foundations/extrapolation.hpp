@@ -11,8 +11,9 @@ namespace actio {
 /// Extrapolates a sequence of vectors, such as the velocities at equal steps, by the polynomial through the
 /// last terms.
 ///
-/// The degree is chosen anew for each term: as high as the differences fall, \f$|\nabla^{d+1}x| <
-/// |\nabla^dx|\f$, so that neither rounding nor a sequence that is not smooth is amplified.
+/// The degree is chosen anew for each term: as high as the differences fall,
+/// \f$|\nabla^{d+1}x| < |\nabla^dx|\f$, so that neither rounding nor a sequence that is not smooth is
+/// amplified.
 template <class Vector>
 class Extrapolation {
  public:

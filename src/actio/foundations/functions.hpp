@@ -85,7 +85,8 @@ Dual<S, N> stumpff(Dual<S, N> const& x) {
   return chain(x, S(stumpff<K>(x.value)), slope);
 }
 
-/// The k-th derivative of \f$a(x) = \arcsin\sqrt x/\sqrt x\f$ for \f$|x| \le 1/4\f$, by its series; \f$a(-x) = \mathrm{arsinh}\sqrt x/\sqrt x\f$.
+/// The k-th derivative of \f$a(x) = \arcsin\sqrt x/\sqrt x\f$ for \f$|x| \le 1/4\f$, by its
+/// series; \f$a(-x) = \mathrm{arsinh}\sqrt x/\sqrt x\f$.
 ///
 /// \f$2a(s^2)\f$ is the factor between the vector part s of a unit quaternion and its rotation vector.
 template <int K, Real S>
@@ -115,19 +116,23 @@ Dual<S, N> asinc_derivative(Dual<S, N> const& x) {
   return chain(x, S(asinc_derivative<K>(x.value)), S(asinc_derivative<K + 1>(x.value)));
 }
 
-/// The k-th derivative of \f$b(x) = (c_3(x) - 2c_4(x))/(2c_2(x)) = \frac1x\bigl(1 - \tfrac{\sqrt x}2\cot\tfrac{\sqrt x}2\bigr)\f$ for \f$|x| < 1\f$, by its series.
+/// The k-th derivative of \f$b(x) = \frac1x\bigl(1 - \tfrac{\sqrt x}2\cot\tfrac{\sqrt x}2\bigr)\f$ for
+/// \f$|x| < 1\f$, by its series.
 ///
+/// \f$b = (c_3 - 2c_4)/(2c_2)\f$ with Stumpff's functions, and
 /// \f$\mathrm{iex}(\hat\omega)^{-1} = 1 - \tfrac12\hat\omega + b(|\omega|^2)\,\hat\omega^2\f$ in 3-space.
 template <int K, Real S>
 S half_cotangent_derivative(S const& x) {
   // Its terms fall like (x/4 pi^2)^n. The coefficients are those of the quotient of two series.
-  constexpr int terms = geometric_terms<S>(1.0 / 39) + 2 * K + 2, few = geometric_terms<S>(1.0 / 39 / 64) + K + 1;
+  constexpr int terms = geometric_terms<S>(1.0 / 39) + 2 * K + 2;
+  constexpr int few = geometric_terms<S>(1.0 / 39 / 64) + K + 1;
   static auto const coefficients = [] {
     std::array<Base<S>, terms + K> below, b;
     std::array<Base<S>, terms> c;
     Base<S> power(1);  // (-1)^n/(2n)!
     for (int n = 0; n < terms + K; ++n) {
-      Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2)), three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
+      Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2));
+      Base<S> const three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
       below[n] = two * Base<S>(2);
       b[n] = three - four * Base<S>(2);
       for (int m = 1; m <= n; ++m) b[n] -= below[m] * b[n - m];

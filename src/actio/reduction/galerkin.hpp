@@ -168,7 +168,8 @@ struct GalerkinStep {
     Velocity<G, Dual<S>> end{mu.group, Coordinates<G, Dual<S>>::Zero(n)};
     for (int a = 0; a < n; ++a) {
       end.coordinates[a].value = xi.value[(s - 1) * n + a];
-      for (int nu = 0; nu < s; ++nu) end.coordinates[a].part[0] += xi.value[nu * n + a] * path.final_slope[nu];
+      for (int nu = 0; nu < s; ++nu)
+        end.coordinates[a].part[0] += xi.value[nu * n + a] * path.final_slope[nu];
     }
     auto const f = exp(Velocity<G, S>{mu.group, -xi.value.tail(n)});
     Momentum<G, S> after = mu;

@@ -45,17 +45,20 @@ void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
 }
 }  // namespace detail
 
-/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and carries \f$\mu\f$ to \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
+/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and carries \f$\mu\f$ to
+/// \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
 ///
 /// \implements{claim_4_3_time_step_legendre}
-/// `family` is h -> reduced discrete Lagrangian, an action, at steps of either sign. Where it is self-adjoint, \f$\ell_{-h}(f^{-1}) = -\ell_h(f)\f$,
-/// a step by -h undoes one by h. Throws OutsideDomain for a step that is zero or not finite, and as \ref relative_motion_from_momentum_right does.
+/// `family` is h -> reduced discrete Lagrangian, an action, at steps of either sign. Where it is
+/// self-adjoint, \f$\ell_{-h}(f^{-1}) = -\ell_h(f)\f$, a step by -h undoes one by h. Throws OutsideDomain for
+/// a step that is zero or not finite, and as \ref relative_motion_from_momentum_right does.
 ///
-/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareStepsRight: what one has found out about the equation serves the
-/// next. A step remembers it, and belongs to one thread at a time.
+/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareStepsRight: what
+/// one has found out about the equation serves the next. A step remembers it, and belongs to one thread at a
+/// time.
 template <class Family>
 struct LiePoissonStepRight {
-  Family family;                                    ///< h -> reduced discrete Lagrangian
+  Family family;                                ///< h -> reduced discrete Lagrangian
   detail::RememberedSolutions remembered = {};  ///< of the last calls
 
   /// A step of length h from a state.
@@ -64,7 +67,9 @@ struct LiePoissonStepRight {
     detail::require_steppable(from, h);
     auto const l = family(h);
     auto& solver = remembered.template solver<G>(from.velocity, h);
-    auto const f = solver.solve([&](auto const& x) { return right_differential(l, x) + like(x, from.momentum); }, exp(S(-h) * from.velocity));
+    auto const f =
+        solver.solve([&](auto const& x) { return right_differential(l, x) + like(x, from.momentum); },
+                     exp(S(-h) * from.velocity));
     return {f, {lie_poisson_update_right(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };
@@ -72,7 +77,7 @@ struct LiePoissonStepRight {
 /// Otherwise as \ref LiePoissonStepRight.
 template <class Family>
 struct LiePoissonStepLeft {
-  Family family;                                    ///< h -> reduced discrete Lagrangian
+  Family family;                                ///< h -> reduced discrete Lagrangian
   detail::RememberedSolutions remembered = {};  ///< of the last calls
 
   /// A step of length h from a state.
@@ -81,7 +86,9 @@ struct LiePoissonStepLeft {
     detail::require_steppable(from, h);
     auto const l = family(h);
     auto& solver = remembered.template solver<G>(from.velocity, h);
-    auto const f = solver.solve([&](auto const& x) { return left_differential(l, x) + like(x, from.momentum); }, exp(S(-h) * from.velocity));
+    auto const f =
+        solver.solve([&](auto const& x) { return left_differential(l, x) + like(x, from.momentum); },
+                     exp(S(-h) * from.velocity));
     return {f, {lie_poisson_update_left(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };

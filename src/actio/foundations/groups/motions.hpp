@@ -51,7 +51,8 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
     requires(n == 3)
   static Matrix<S, 6, 1> Ad_star(Matrix<S, 4, 4> const& a, Matrix<S, 6, 1> const& mu) {
     Matrix<S, 3, 3> const back = a.template topLeftCorner<3, 3>().transpose();
-    Matrix<S, 3, 1> const shift = a.template topRightCorner<3, 1>(), force = mu.template tail<3>(), moment = mu.template head<3>();
+    Matrix<S, 3, 1> const shift = a.template topRightCorner<3, 1>(), force = mu.template tail<3>(),
+                          moment = mu.template head<3>();
     Matrix<S, 6, 1> out;
     out << Matrix<S, 3, 1>(back * (moment - cross(shift, force))), Matrix<S, 3, 1>(back * force);
     return out;
@@ -59,7 +60,8 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
   template <class S>
     requires(n == 3)
   static Matrix<S, 6, 1> bracket(Matrix<S, 6, 1> const& v, Matrix<S, 6, 1> const& w) {
-    Matrix<S, 3, 1> const a = v.template head<3>(), b = w.template head<3>(), s = v.template tail<3>(), t = w.template tail<3>();
+    Matrix<S, 3, 1> const a = v.template head<3>(), b = w.template head<3>(), s = v.template tail<3>(),
+                          t = w.template tail<3>();
     Matrix<S, 6, 1> out;
     out << cross(a, b), Matrix<S, 3, 1>(cross(a, t) - cross(b, s));
     return out;
@@ -98,7 +100,8 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
     S const square = turn.squaredNorm();
     return Rotations::turn_polynomial(turn, S(1), stumpff<2>(square), stumpff<3>(square));
   }
-  /// \f$\mathrm{iex}(\hat\omega)^{-1} = 1 - \tfrac12\hat\omega + b(|\omega|^2)\,\hat\omega^2\f$ with \ref half_cotangent.
+  /// \f$\mathrm{iex}(\hat\omega)^{-1} = 1 - \tfrac12\hat\omega + b(|\omega|^2)\,\hat\omega^2\f$ with \ref
+  /// half_cotangent.
   template <class S>
   static Matrix<S, n, n> inverse_drift(Matrix<S, turns, 1> const& turn) {
     return Rotations::turn_polynomial(turn, S(1), S(ratio<S>(-1, 2)), half_cotangent(S(turn.squaredNorm())));

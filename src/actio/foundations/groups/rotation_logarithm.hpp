@@ -109,7 +109,8 @@ constexpr int unit_sign(int a, int b) {
   return sign[a][b];
 }
 
-/// The exponential of a skew matrix of 4-space, at any scalar: \f$e^Ax = e^a\,x\,e^{-b}\f$ with the quaternions of \f$Ax = a\,x - x\,b\f$.
+/// The exponential of a skew matrix of 4-space, at any scalar: \f$e^Ax = e^a\,x\,e^{-b}\f$ with the
+/// quaternions of \f$Ax = a\,x - x\,b\f$.
 template <Real S>
 actio::Matrix<S, 4, 4> rotation_exponential(actio::Matrix<S, 4, 4> const& A) {
   auto const half_turn = [](S const& x, S const& y, S const& z) {
@@ -120,8 +121,10 @@ actio::Matrix<S, 4, 4> rotation_exponential(actio::Matrix<S, 4, 4> const& A) {
   auto const q = half_turn(A(3, 2) - A(1, 0), A(1, 3) - A(2, 0), A(2, 1) - A(3, 0));
   // The product with p from the left, and with the conjugate of q from the right.
   actio::Matrix<S, 4, 4> left, right;
-  left << p[0], -p[1], -p[2], -p[3], p[1], p[0], -p[3], p[2], p[2], p[3], p[0], -p[1], p[3], -p[2], p[1], p[0];
-  right << q[0], q[1], q[2], q[3], -q[1], q[0], -q[3], q[2], -q[2], q[3], q[0], -q[1], -q[3], -q[2], q[1], q[0];
+  left << p[0], -p[1], -p[2], -p[3], p[1], p[0], -p[3], p[2], p[2], p[3], p[0], -p[1], p[3], -p[2], p[1],
+      p[0];
+  right << q[0], q[1], q[2], q[3], -q[1], q[0], -q[3], q[2], -q[2], q[3], q[0], -q[1], -q[3], -q[2], q[1],
+      q[0];
   return left * right;
 }
 
@@ -130,8 +133,10 @@ template <class S>
 actio::Matrix<S, 4, 4> skew_of_quaternions(actio::Matrix<S, 3, 1> const& a, actio::Matrix<S, 3, 1> const& b) {
   actio::Matrix<S, 3, 1> const outer = a - b, lower = a + b;
   actio::Matrix<S, 4, 4> A = actio::Matrix<S, 4, 4>::Zero();
-  A(1, 0) = outer[0], A(2, 0) = outer[1], A(3, 0) = outer[2], A(0, 1) = -outer[0], A(0, 2) = -outer[1], A(0, 3) = -outer[2];
-  A(3, 2) = lower[0], A(1, 3) = lower[1], A(2, 1) = lower[2], A(2, 3) = -lower[0], A(3, 1) = -lower[1], A(1, 2) = -lower[2];
+  A(1, 0) = outer[0], A(2, 0) = outer[1], A(3, 0) = outer[2], A(0, 1) = -outer[0], A(0, 2) = -outer[1],
+       A(0, 3) = -outer[2];
+  A(3, 2) = lower[0], A(1, 3) = lower[1], A(2, 1) = lower[2], A(2, 3) = -lower[0], A(3, 1) = -lower[1],
+       A(1, 2) = -lower[2];
   return A;
 }
 
@@ -152,17 +157,21 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
     return skew_of_quaternions<S>(a, b);
   };
 
-  // Below about 60 degrees the skew part of R, which is x -> q_0 a x - x b p_0 with the vector parts a of p and b of q, and the trace, 4 p_0 q_0, do.
+  // Below about 60 degrees the skew part of R, which is x -> q_0 a x - x b p_0 with the vector parts a of p
+  // and b of q, and the trace, 4 p_0 q_0, do.
   S const scalars = (r(0, 0) + r(1, 1) + r(2, 2) + r(3, 3)) / 4;
   if (base_value(scalars) > ratio<T>(3, 4)) {
-    actio::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)}, outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
+    actio::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)},
+        outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
     actio::Matrix<S, 3, 1> a = (lower + outer) / S(4), b = (lower - outer) / S(4);
-    S const p0 = sqrt(S(scalars * scalars + b.squaredNorm())), q0 = sqrt(S(scalars * scalars + a.squaredNorm()));
+    S const p0 = sqrt(S(scalars * scalars + b.squaredNorm())),
+            q0 = sqrt(S(scalars * scalars + a.squaredNorm()));
     a /= q0, b /= p0;
     return of_quaternions(Quaternion{p0, a[0], a[1], a[2]}, Quaternion{q0, b[0], b[1], b[2]});
   }
 
-  // The products p_a q_b: the parts of R along the sixteen maps x -> e_a x conj(e_b), which are orthogonal. The row and the column of the largest will do.
+  // The products p_a q_b: the parts of R along the sixteen maps x -> e_a x conj(e_b), which are orthogonal.
+  // The row and the column of the largest will do.
   auto const product = [&](int a, int b, auto const& entry) {
     auto sum = entry(a ^ b, 0);
     if (unit_sign(a, b) * (b == 0 ? 1 : -1) < 0) sum = -sum;

@@ -65,17 +65,20 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
     return cross(v, w);
   }
 
-  /// \f$\alpha + \beta\hat v + \gamma\hat v^2\f$, which for n = 3 is \f$(\alpha-\gamma|v|^2) + \beta\hat v + \gamma vv^T\f$.
+  /// \f$\alpha + \beta\hat v + \gamma\hat v^2\f$, which for n = 3 is
+  /// \f$(\alpha-\gamma|v|^2) + \beta\hat v + \gamma vv^T\f$.
   template <class S>
     requires(n <= 3)
-  static Matrix<S, n, n> turn_polynomial(Matrix<S, dim, 1> const& v, S const& alpha, S const& beta, S const& gamma) {
+  static Matrix<S, n, n> turn_polynomial(Matrix<S, dim, 1> const& v, S const& alpha, S const& beta,
+                                         S const& gamma) {
     Matrix<S, n, n> m;
     if constexpr (n == 2) {
       S const along = alpha - gamma * (v[0] * v[0]), across = beta * v[0];
       m(0, 0) = along, m(0, 1) = -across, m(1, 0) = across, m(1, 1) = along;
     } else {
       Matrix<S, 3, 1> const c = v * gamma, b = v * beta;
-      S const xx = c[0] * v[0], yy = c[1] * v[1], zz = c[2] * v[2], xy = c[0] * v[1], xz = c[0] * v[2], yz = c[1] * v[2];
+      S const xx = c[0] * v[0], yy = c[1] * v[1], zz = c[2] * v[2], xy = c[0] * v[1], xz = c[0] * v[2],
+              yz = c[1] * v[2];
       m(0, 0) = alpha - (yy + zz), m(1, 1) = alpha - (xx + zz), m(2, 2) = alpha - (xx + yy);
       m(0, 1) = xy - b[2], m(1, 0) = xy + b[2];
       m(0, 2) = xz + b[1], m(2, 0) = xz - b[1];
