@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(the_differential_equations_agree) {
   batch.step(40);
   auto const solved = farthest(batch, cast, [&](std::size_t i) -> FreeState {
     Vector3d const I = cast.inertias[i].moments;
-    using Seven = Eigen::Matrix<double, 7, 1>;
+    using Seven = actio::Vector<double, 7>;
     auto const rate = [&](double, Seven const& y) {
       Vector3d const M = y.head<3>(), w = M.cwiseQuotient(I), q = y.tail<3>();
       Seven change;

@@ -101,12 +101,12 @@ BOOST_AUTO_TEST_SUITE(exact_flight)
 BOOST_AUTO_TEST_CASE(the_witness_is_the_reference_solution) {
   // The witness' own recurrences beside the general Taylor method, which is given Euler's equations and nothing else.
   FreeProblem const p{{0.6, 0.8, 1.0}, {0.9, 0.3, -0.5}, 1.5};
-  Eigen::Matrix<dec50, 7, 1> y;
+  actio::Vector<dec50, 7> y;
   y << dec50(0.9), dec50(0.3), dec50(-0.5), 1, 0, 0, 0;
   auto const rate = [](auto const& x) {
     using T = std::decay_t<decltype(x[0])>;
     T const w1 = x[0] / T(dec50(0.6)), w2 = x[1] / T(dec50(0.8)), w3 = x[2], half(dec50(1) / 2);
-    Eigen::Matrix<T, 7, 1> r;
+    actio::Vector<T, 7> r;
     r[0] = x[1] * w3 - x[2] * w2, r[1] = x[2] * w1 - x[0] * w3, r[2] = x[0] * w2 - x[1] * w1;
     r[3] = -(x[4] * w1 + x[5] * w2 + x[6] * w3) * half, r[4] = (x[3] * w1 + x[5] * w3 - x[6] * w2) * half;
     r[5] = (x[3] * w2 + x[6] * w1 - x[4] * w3) * half, r[6] = (x[3] * w3 + x[4] * w2 - x[5] * w1) * half;

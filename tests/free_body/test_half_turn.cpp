@@ -53,7 +53,7 @@ Beside beside_the_general_solver(Inertia<3> const& inertia, Vector3d const& pi, 
   Vector3d const after = MoserVeselov<3>::carry(f, {SO<3>{}, pi}).components;
   // The relative motion looks back.
   Eigen::Matrix3d turned;
-  for (int i = 0; i < 3; ++i) turned.col(i) = SU2::Ad<double>(fast.attitude.value, Vector3d::Unit(i));
+  for (int i = 0; i < 3; ++i) turned.col(i) = Vector3d(SU2::Ad<double>(fast.attitude.value, Vector3d::Unit(i)));
   double const L = pi.norm();
   Three<double> j;
   double r = 0, angle = 0;

@@ -16,7 +16,7 @@ using Moment = Momentum<SO<3>, double>;
 
 Inertia<3> const inertia = inertia_from_moments(0.6, 0.8, 1.0);
 Vector3d const spin(0.7, -0.4, 0.5);
-Moment const start{SO<3>{}, spin.cwiseProduct(inertia.moments)};
+Moment const start{SO<3>{}, spin.cwiseProduct(Vector3d(inertia.moments))};
 Element<SU2, double> const upright = identity<double>(SU2{});
 
 Vector3d vector(Three<double> const& x) { return {x[0], x[1], x[2]}; }

@@ -14,7 +14,7 @@ namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
 using Moment = Momentum<SO<3>, double>;
 using Attitude = Element<SU2, double>;
-using Seven = Eigen::Matrix<double, 7, 1>;
+using Seven = actio::Vector<double, 7>;
 
 struct Start {
   Inertia<3> inertia = inertia_from_moments(0.8, 1.0, 0.6);

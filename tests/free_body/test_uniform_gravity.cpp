@@ -10,7 +10,7 @@
 
 using namespace actio;
 using Eigen::Vector3d;
-using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Vector6d = actio::Vector<double, 6>;
 using Moment = Momentum<SO<3>, double>;
 
 namespace {

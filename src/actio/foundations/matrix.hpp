@@ -139,12 +139,12 @@ struct NumbersOf {
   Index rows, columns, inner, outer;
 
   template <class T>
-  void operator+=(T const& c) {
+  void operator+=(T c) {
     for (Index j = 0; j < columns; ++j)
       for (Index i = 0; i < rows; ++i) first[i * inner + j * outer] += c;
   }
   template <class T>
-  void operator-=(T const& c) {
+  void operator-=(T c) {
     for (Index j = 0; j < columns; ++j)
       for (Index i = 0; i < rows; ++i) first[i * inner + j * outer] -= c;
   }
@@ -333,7 +333,8 @@ struct MatrixOperations {
   M& setZero() { return fill(S(0)); }
   M& setOnes() { return fill(S(1)); }
   M& setConstant(S const& c) { return fill(c); }
-  M& fill(S const& c) {
+  M& fill(S const& number) {
+    S const c = number;
     for (Index j = 0; j < self().cols(); ++j)
       for (Index i = 0; i < self().rows(); ++i) self()(i, j) = c;
     return self();
@@ -360,15 +361,17 @@ struct MatrixOperations {
     if constexpr (MatrixLike<T>) {
       self() = PlainObject(self() * c);
     } else {
+      T const factor = c;  // which may be one of these numbers
       for (Index j = 0; j < self().cols(); ++j)
-        for (Index i = 0; i < self().rows(); ++i) self()(i, j) *= c;
+        for (Index i = 0; i < self().rows(); ++i) self()(i, j) *= factor;
     }
     return self();
   }
   template <class T>
   M& operator/=(T const& c) {
+    T const divisor = c;  // which may be one of these numbers
     for (Index j = 0; j < self().cols(); ++j)
-      for (Index i = 0; i < self().rows(); ++i) self()(i, j) /= c;
+      for (Index i = 0; i < self().rows(); ++i) self()(i, j) /= divisor;
     return self();
   }
   template <class B>
