@@ -1,5 +1,5 @@
 #include <actio/foundations/groups/motions.hpp>
-#include <actio/reduction/discrete_lie_poisson.hpp>
+#include <actio/reduction/euler_poincare_steps.hpp>
 #include <actio/reduction/natural_chart.hpp>
 
 #include <cstdio>
@@ -14,12 +14,13 @@ int main() {
   double const h = 0.05;
   auto const l = natural_chart_lagrangian_left(energy, h);       // a discrete Lagrangian on SE(2)
   auto g = identity<double>(SE<2>{});                            // where the fish is
-  auto f = exp(velocity(SE<2>{}, Vector<double, 3>(-0.7, -1.0, -0.2) * h));  // how it gets on, looking back
-  auto const spatial = [&] { return Ad_star(inverse(g), momentum_before_left(l, f)); };
+  auto const f = exp(velocity(SE<2>{}, Vector<double, 3>(-0.7, -1.0, -0.2) * h));  // how it gets on, looking back
+  EulerPoincareStepsLeft motion(l, f);
+  auto const spatial = [&] { return Ad_star(inverse(g), momentum_before_left(l, motion.relative_motion())); };
   auto const before = spatial();
   for (int step = 0; step < 10000; ++step) {
-    g = reconstruct_left(g, f);                                  // the lift (3.15)
-    f = step_euler_poincare_left(l, f).value;                    // the reduced equation (3.11)
+    g = reconstruct_left(g, motion.relative_motion());           // the lift (3.15)
+    motion.advance();                                            // the reduced equation (3.11)
   }
   std::printf("10000 steps, spatial momentum kept to %.1e\n", (spatial() - before).components.norm() / before.components.norm());
 }

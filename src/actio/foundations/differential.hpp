@@ -4,6 +4,9 @@
 // every scalar. Directions are taken in small batches, so the size of a scalar does not depend on the group.
 #pragma once
 
+#include <type_traits>
+#include <vector>
+
 #include "actio/foundations/group.hpp"
 
 namespace actio {
@@ -20,16 +23,42 @@ template <class G, class S>
 inline constexpr bool moves_by_matrices =
     MatrixGroup<G> && !requires(G const& group, Coordinates<G, S> const& v) { group.near_identity(v); };
 
-/// Calls `visit(a, i, j, e)` for each nonzero entry e of the a-th basis matrix of a batch.
-template <class T, class G, class Visit>
-void over_entries(G const& group, int first, Visit const& visit) {
-  for (int a = 0; a < batch && first + a < group.dimension(); ++a) {
+/// An entry other than zero of a basis matrix of an algebra.
+template <class T>
+struct BasisEntry {
+  int row;     ///< of the entry
+  int column;  ///< of the entry
+  T value;     ///< the entry
+};
+
+/// The nonzero entries of each basis matrix of an algebra. Basis matrices are nearly empty.
+template <class T, class G>
+std::vector<std::vector<BasisEntry<T>>> basis_entries(G const& group) {
+  std::vector<std::vector<BasisEntry<T>>> entries(group.dimension());
+  for (int a = 0; a < group.dimension(); ++a) {
     Coordinates<G, T> direction = Coordinates<G, T>::Zero(group.dimension());
-    direction[first + a] = T(1);
+    direction[a] = T(1);
     Storage<G, T> const basis = group.hat(direction);
     for (int i = 0; i < group.matrix_size(); ++i)
       for (int j = 0; j < group.matrix_size(); ++j)
-        if (!(basis(i, j) == T(0))) visit(a, i, j, T(basis(i, j)));
+        if (!(basis(i, j) == T(0))) entries[a].push_back({i, j, T(basis(i, j))});
+  }
+  return entries;
+}
+
+/// Calls `visit(a, i, j, e)` for each nonzero entry e of the a-th basis matrix of a batch.
+template <class T, class G, class Visit>
+void over_entries(G const& group, int first, Visit const& visit) {
+  auto const all = [&](auto const& entries) {
+    for (int a = 0; a < batch && first + a < group.dimension(); ++a)
+      for (auto const& [row, column, value] : entries[first + a]) visit(a, row, column, value);
+  };
+  if constexpr (std::is_empty_v<G>) {
+    // All groups of this type are the same one.
+    static auto const entries = basis_entries<T>(group);
+    all(entries);
+  } else {
+    all(basis_entries<T>(group));
   }
 }
 

@@ -33,7 +33,65 @@ concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 template <class S, int N>
 inline constexpr bool detail::own_arithmetic<Dual<S, N>> = true;
 
+namespace detail {
+/// Whether a dual number is an even number of doubles, which the machine adds and multiplies in pairs.
+template <class S, int N>
+inline constexpr bool in_pairs = std::same_as<S, double> && N % 2 == 1;
+
+/// The value and the rates of a dual number over double, in pairs that stay in registers.
+template <int N>
+struct Lanes {
+  static_assert(N % 2 == 1 && sizeof(Dual<double, N>) == (N + 1) * sizeof(double));
+  using Pair [[gnu::vector_size(16)]] = double;  ///< two doubles in one register of plain x86-64
+  Pair pair[(N + 1) / 2];                        ///< value and first rate, second and third rate, and so on
+
+  /// A dual number.
+  explicit Lanes(Dual<double, N> const& x) { __builtin_memcpy(pair, &x, sizeof pair); }
+  /// The value and no rates.
+  explicit Lanes(double value) : pair{Pair{value, 0}} {}
+  /// The dual number back.
+  void store(Dual<double, N>& x) const { __builtin_memcpy(&x, pair, sizeof pair); }
+  /// Another value with these rates.
+  void set_value(double value) { pair[0] = __builtin_shufflevector(pair[0], Pair{value, 0}, 2, 1); }
+
+  Lanes& operator+=(Lanes const& y) {
+    for (int i = 0; i < (N + 1) / 2; ++i) pair[i] += y.pair[i];
+    return *this;
+  }
+  Lanes& operator-=(Lanes const& y) {
+    for (int i = 0; i < (N + 1) / 2; ++i) pair[i] -= y.pair[i];
+    return *this;
+  }
+  Lanes& operator*=(double c) {
+    for (Pair& p : pair) p *= c;
+    return *this;
+  }
+  /// Adds x y. Its value comes from the first of the two sums, to which the second adds rates alone.
+  [[gnu::always_inline]] void add_product(Dual<double, N> const& x, Dual<double, N> const& y) {
+    Lanes rates(x), other(y);
+    rates.set_value(0);
+    double const a = x.value, b = y.value;
+    for (int i = 0; i < (N + 1) / 2; ++i) {
+      pair[i] += a * other.pair[i];
+      pair[i] += b * rates.pair[i];
+    }
+  }
+  Lanes& operator/=(double c) {
+    for (Pair& p : pair) p /= c;
+    return *this;
+  }
+};
+}  // namespace detail
+
 /// z += x y, written so that nested products need no intermediate results.
+template <class S, int N>
+  requires(detail::in_pairs<S, N>)
+[[gnu::always_inline]] inline void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x,
+                                               Dual<S, N> const& y) {
+  detail::Lanes<N> sum(z);
+  sum.add_product(x, y);
+  sum.store(z);
+}
 template <class S, int N>
 void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
   add_product(z.value, x.value, y.value);
@@ -56,11 +114,23 @@ struct Dual {
   Dual(T v) : value(v) {}
 
   Dual& operator+=(Dual const& y) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x += detail::Lanes<N>(y);
+      x.store(*this);
+      return *this;
+    }
     value += y.value;
     for (int a = 0; a < N; ++a) part[a] += y.part[a];
     return *this;
   }
   Dual& operator-=(Dual const& y) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x -= detail::Lanes<N>(y);
+      x.store(*this);
+      return *this;
+    }
     value -= y.value;
     for (int a = 0; a < N; ++a) part[a] -= y.part[a];
     return *this;
@@ -69,12 +139,24 @@ struct Dual {
   Dual& operator/=(Dual const& y) { return *this = *this / y; }
   template <ConstantOver<S> T>
   Dual& operator*=(T const& c) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x *= static_cast<double>(c);
+      x.store(*this);
+      return *this;
+    }
     value *= c;
     for (int a = 0; a < N; ++a) part[a] *= c;
     return *this;
   }
   template <ConstantOver<S> T>
   Dual& operator/=(T const& c) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> x(*this);
+      x /= static_cast<double>(c);
+      x.store(*this);
+      return *this;
+    }
     value /= c;
     for (int a = 0; a < N; ++a) part[a] /= c;
     return *this;
@@ -82,13 +164,34 @@ struct Dual {
 
   friend Dual operator+(Dual x, Dual const& y) { return x += y; }
   friend Dual operator-(Dual x, Dual const& y) { return x -= y; }
-  friend Dual operator*(Dual const& x, Dual const& y) {
+  [[gnu::always_inline]] friend Dual operator*(Dual const& x, Dual const& y)
+    requires(detail::in_pairs<S, N>)
+  {
+    Dual z;
+    detail::Lanes<N> product(0.0);
+    product.add_product(x, y);
+    product.store(z);
+    return z;
+  }
+  friend Dual operator*(Dual const& x, Dual const& y)
+    requires(!detail::in_pairs<S, N>)
+  {
     Dual z;
     add_product(z, x, y);
     return z;
   }
   friend Dual operator/(Dual const& x, Dual const& y) {
     // (x/y)' = (x' - (x/y) y') / y
+    if constexpr (detail::in_pairs<S, N>) {
+      Dual q;
+      S const quotient = x.value / y.value;
+      detail::Lanes<N> lanes(x), other(y);
+      lanes -= other *= quotient;
+      lanes *= S(1) / y.value;
+      lanes.set_value(quotient);
+      lanes.store(q);
+      return q;
+    }
     Dual q;
     S const inverse = S(1) / y.value;
     q.value = x.value / y.value;
@@ -96,6 +199,12 @@ struct Dual {
     return q;
   }
   friend Dual operator-(Dual x) {
+    if constexpr (detail::in_pairs<S, N>) {
+      detail::Lanes<N> lanes(x);
+      lanes *= -1;
+      lanes.store(x);
+      return x;
+    }
     x.value = -x.value;
     for (int a = 0; a < N; ++a) x.part[a] = -x.part[a];
     return x;
@@ -130,6 +239,14 @@ struct Dual {
 /// The chain rule: a function with value `f` and derivative `df` at the value of `x`, applied to `x`.
 template <class S, int N>
 Dual<S, N> chain(Dual<S, N> const& x, S const& f, S const& df) {
+  if constexpr (detail::in_pairs<S, N>) {
+    Dual<S, N> y;
+    detail::Lanes<N> lanes(x);
+    lanes *= df;
+    lanes.set_value(f);
+    lanes.store(y);
+    return y;
+  }
   Dual<S, N> y(f);
   for (int a = 0; a < N; ++a) y.part[a] = df * x.part[a];
   return y;

@@ -44,7 +44,18 @@ struct NotFinite : Error {
 /// is seen when the derivative is taken.
 template <MatrixLike Derived>
 void require_finite(Derived const& m, char const* where) {
-  if constexpr (!is_exact<typename Derived::Scalar>)
+  using T = Base<typename Derived::Scalar>;
+  if constexpr (std::is_floating_point_v<T>) {
+    // The difference of a number and itself is zero, of anything else it is no number: one question for all
+    // entries.
+    T sum(0);
+    for (Index j = 0; j < m.cols(); ++j)
+      for (Index i = 0; i < m.rows(); ++i) {
+        T const x = base_value(m(i, j));
+        sum += x - x;
+      }
+    if (!(sum == T(0))) throw NotFinite(where);
+  } else if constexpr (!is_exact<T>)
     for (Index j = 0; j < m.cols(); ++j)
       for (Index i = 0; i < m.rows(); ++i)
         if (!is_finite(base_value(m(i, j)))) throw NotFinite(where);

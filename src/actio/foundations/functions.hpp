@@ -27,11 +27,11 @@ constexpr int geometric_terms(double bound) {
   return n;
 }
 
-/// Number of terms of a series whose n-th term stays below \f$1/(2n)!\f$ that are not negligible.
+/// Number of terms of a series whose n-th term stays below \f$x^n/(2n)!\f$ that are not negligible.
 template <class S>
-constexpr int factorial_terms() {
+constexpr int factorial_terms(double x = 1) {
   int n = 1;
-  for (double term = 0.5; term > negligible<S>(); ++n) term /= (2.0 * n + 2.0) * (2.0 * n + 1.0);
+  for (double term = x / 2; term > negligible<S>(); ++n) term *= x / ((2.0 * n + 2.0) * (2.0 * n + 1.0));
   return n;
 }
 
@@ -49,15 +49,23 @@ constexpr long factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 ///
 /// With \f$x = \theta^2\f$: \f$\exp\hat\omega = 1 + c_1\hat\omega + c_2\hat\omega^2\f$, and its differential uses \f$c_2, c_3\f$.
 /// Their derivatives stay in the family, \f$c_k' = \tfrac12(k\,c_{k+2} - c_{k+1})\f$, so no division by x is ever needed.
-/// @param x  square of an angle, not negative
+/// @param x  square of an angle; greater than -1
 /// Accuracy: a few epsilon relative to \f$1/k!\f$.
 template <int K, Real S>
 S stumpff(S const& x) {
   if (base_value(x) < Base<S>(1)) {
-    // The series by Horner's rule, from the last term that counts.
-    S sum(1);
-    for (int n = factorial_terms<S>(); n >= 1; --n) sum = S(1) - sum * x / Base<S>((2 * n + K) * (2 * n + K - 1));
-    return sum / Base<S>(factorial(K));
+    // The series by Horner's rule. Steps of an integrator turn little: for them half of the terms will do.
+    constexpr int terms = factorial_terms<S>() + 1, few = factorial_terms<S>(1.0 / 64) + 1;
+    static auto const coefficients = [] {
+      std::array<Base<S>, terms> c;
+      c[0] = Base<S>(1) / Base<S>(factorial(K));
+      for (int n = 1; n < terms; ++n) c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
+      return c;
+    }();
+    int n = (magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few : terms) - 1;
+    S sum(coefficients[n]);
+    while (--n >= 0) sum = sum * x + coefficients[n];
+    return sum;
   }
   using std::cos, std::sin, std::sqrt;
   if constexpr (K == 0) {
@@ -77,7 +85,8 @@ Dual<S, N> stumpff(Dual<S, N> const& x) {
   return chain(x, S(stumpff<K>(x.value)), slope);
 }
 
-/// The k-th derivative of \f$a(x) = \arcsin\sqrt x/\sqrt x\f$ for \f$0 \le x \le 1/4\f$, by its series.
+/// The k-th derivative of \f$a(x) = \arcsin\sqrt x/\sqrt x\f$ for \f$|x| \le 1/4\f$, by its
+/// series; \f$a(-x) = \mathrm{arsinh}\sqrt x/\sqrt x\f$.
 ///
 /// \f$2a(s^2)\f$ is the factor between the vector part s of a unit quaternion and its rotation vector.
 template <int K, Real S>
@@ -96,7 +105,7 @@ S asinc_derivative(S const& x) {
     }
     return c;
   }();
-  int n = base_value(x) < ratio<Base<S>>(1, 64) ? few - 1 : terms - 1;
+  int n = magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few - 1 : terms - 1;
   S sum(coefficients[n]);
   while (--n >= 0) sum = sum * x + coefficients[n];
   return sum;
@@ -105,6 +114,51 @@ template <int K, class S, int N>
   requires Real<S>
 Dual<S, N> asinc_derivative(Dual<S, N> const& x) {
   return chain(x, S(asinc_derivative<K>(x.value)), S(asinc_derivative<K + 1>(x.value)));
+}
+
+/// The k-th derivative of \f$b(x) = \frac1x\bigl(1 - \tfrac{\sqrt x}2\cot\tfrac{\sqrt x}2\bigr)\f$ for
+/// \f$|x| < 1\f$, by its series.
+///
+/// \f$b = (c_3 - 2c_4)/(2c_2)\f$ with Stumpff's functions, and
+/// \f$\mathrm{iex}(\hat\omega)^{-1} = 1 - \tfrac12\hat\omega + b(|\omega|^2)\,\hat\omega^2\f$ in 3-space.
+template <int K, Real S>
+S half_cotangent_derivative(S const& x) {
+  // Its terms fall like (x/4 pi^2)^n. The coefficients are those of the quotient of two series.
+  constexpr int terms = geometric_terms<S>(1.0 / 39) + 2 * K + 2;
+  constexpr int few = geometric_terms<S>(1.0 / 39 / 64) + K + 1;
+  static auto const coefficients = [] {
+    std::array<Base<S>, terms + K> below, b;
+    std::array<Base<S>, terms> c;
+    Base<S> power(1);  // (-1)^n/(2n)!
+    for (int n = 0; n < terms + K; ++n) {
+      Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2));
+      Base<S> const three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
+      below[n] = two * Base<S>(2);
+      b[n] = three - four * Base<S>(2);
+      for (int m = 1; m <= n; ++m) b[n] -= below[m] * b[n - m];
+      power = -two;
+    }
+    for (int n = 0; n < terms; ++n) {
+      c[n] = b[n + K];
+      for (int i = 0; i < K; ++i) c[n] *= Base<S>(n + K - i);
+    }
+    return c;
+  }();
+  int n = (magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few : terms) - 1;
+  S sum(coefficients[n]);
+  while (--n >= 0) sum = sum * x + coefficients[n];
+  return sum;
+}
+template <int K, class S, int N>
+  requires Real<S>
+Dual<S, N> half_cotangent_derivative(Dual<S, N> const& x) {
+  return chain(x, S(half_cotangent_derivative<K>(x.value)), S(half_cotangent_derivative<K + 1>(x.value)));
+}
+/// \f$b(x) = \frac1x\bigl(1 - \tfrac{\sqrt x}2\cot\tfrac{\sqrt x}2\bigr)\f$ for \f$-1 < x < 4\pi^2\f$.
+template <Real S>
+S half_cotangent(S const& x) {
+  if (base_value(x) < Base<S>(1)) return half_cotangent_derivative<0>(x);
+  return (stumpff<3>(x) - stumpff<4>(x) * Base<S>(2)) / (stumpff<2>(x) * Base<S>(2));
 }
 
 }  // namespace actio

@@ -146,15 +146,12 @@ Velocity<G, S> Ad(Element<G, S> const& g, Velocity<G, S> const& xi) {
 /// The matrix of \f$\mathrm{Ad}_g\f$ in the basis of the algebra.
 template <Group G, Field S>
 auto Ad_matrix(Element<G, S> const& g) {
-  int const n = g.group.dimension();
-  Matrix<S, G::dim, G::dim> m(n, n);
-  for (int a = 0; a < n; ++a) m.col(a) = Ad(g, basis_velocity<S>(g.group, a)).coordinates;
-  return m;
+  return primitive::Ad_matrix<S>(g.group, g.value);
 }
 /// \f$\langle\mathrm{Ad}^*_g\,\mu, \xi\rangle = \langle\mu, \mathrm{Ad}_g\,\xi\rangle\f$: the dual map, with no inverse in it.
 template <Group G, Field S>
 Momentum<G, S> Ad_star(Element<G, S> const& g, Momentum<G, S> const& mu) {
-  return {g.group, Ad_matrix(g).transpose() * mu.components};
+  return {g.group, primitive::Ad_star(g.group, g.value, mu.components)};
 }
 /// \f$[\xi, \eta]\f$, the commutator.
 template <Group G, Field S>

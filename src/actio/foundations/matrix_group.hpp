@@ -101,6 +101,36 @@ V Ad(G const& group, A const& a, V const& v) {
     return group.vee(A(a * group.hat(v) * primitive::inverse(group, a)));
 }
 
+/// The matrix of \f$\mathrm{Ad}_a\f$.
+template <class S, class G, class A>
+Matrix<S, G::dim, G::dim> Ad_matrix(G const& group, A const& a) {
+  using V = Coordinates<G, S>;
+  int const n = group.dimension();
+  Matrix<S, G::dim, G::dim> m(n, n);
+  auto const fill = [&](auto const& image) {
+    for (int k = 0; k < n; ++k) {
+      V e = V::Zero(n);
+      e[k] = S(1);
+      m.col(k) = image(e);
+    }
+  };
+  if constexpr (requires(V const& v) { group.Ad(a, v); }) {
+    fill([&](V const& e) { return V(group.Ad(a, e)); });
+  } else {
+    A const back = primitive::inverse(group, a);
+    fill([&](V const& e) { return V(group.vee(A(a * group.hat(e) * back))); });
+  }
+  return m;
+}
+/// \f$\mathrm{Ad}^*_a\f$ of a covector.
+template <class G, class A, class V>
+V Ad_star(G const& group, A const& a, V const& mu) {
+  if constexpr (requires { group.Ad_star(a, mu); })
+    return group.Ad_star(a, mu);
+  else
+    return primitive::Ad_matrix<typename V::Scalar>(group, a).transpose() * mu;
+}
+
 template <class G, class V>
 V bracket(G const& group, V const& v, V const& w) {
   if constexpr (requires { group.bracket(v, w); }) {

@@ -145,6 +145,7 @@ template <int side, class F, Real B>
 struct GalerkinStep {
   F l;
   PolynomialPath<B> path;
+  RememberedSolutions remembered = {};
 
   template <ExponentialGroup G, Real S>
   MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<B> const& h) const {
@@ -155,7 +156,8 @@ struct GalerkinStep {
     Element<Stack, S> start{{s * n}, {}};
     start.value.resize(s * n);
     for (int nu = 0; nu < s; ++nu) start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
-    auto const xi = solve_on_group(
+    auto& solver = remembered.template solver<Stack>(from.velocity, h);
+    auto const xi = solver.solve(
         [&](auto const& x) {
           using R = typename std::decay_t<decltype(x)>::Scalar;
           return Momentum<Stack, R>{x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
@@ -165,16 +167,17 @@ struct GalerkinStep {
     // The relative motion looks back. The velocity at the end is where the next step starts its search.
     Velocity<G, Dual<S>> end{mu.group, Coordinates<G, Dual<S>>::Zero(n)};
     for (int a = 0; a < n; ++a) {
-      end.coordinates[a].value = xi.value.value[(s - 1) * n + a];
-      for (int nu = 0; nu < s; ++nu) end.coordinates[a].part[0] += xi.value.value[nu * n + a] * path.final_slope[nu];
+      end.coordinates[a].value = xi.value[(s - 1) * n + a];
+      for (int nu = 0; nu < s; ++nu)
+        end.coordinates[a].part[0] += xi.value[nu * n + a] * path.final_slope[nu];
     }
-    auto const f = exp(Velocity<G, S>{mu.group, -xi.value.value.tail(n)});
+    auto const f = exp(Velocity<G, S>{mu.group, -xi.value.tail(n)});
     Momentum<G, S> after = mu;
     if constexpr (side > 0)
       after = lie_poisson_update_right(f, mu);
     else
       after = lie_poisson_update_left(f, mu);
-    return {f, {after, turn_of_path<side>(end) / S(h)}, xi.report.evaluations};
+    return {f, {after, turn_of_path<side>(end) / S(h)}, solver.report().evaluations};
   }
 };
 }  // namespace detail

@@ -10,6 +10,7 @@
 
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"
+#include "actio/reduction/remembered_solutions.hpp"
 
 namespace actio {
 
@@ -44,35 +45,51 @@ void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
 }
 }  // namespace detail
 
-/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and carries \f$\mu\f$ to \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
+/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and carries \f$\mu\f$ to
+/// \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
 ///
 /// \implements{claim_4_3_time_step_legendre}
-/// `family` is h -> reduced discrete Lagrangian, an action, at steps of either sign. Where it is self-adjoint, \f$\ell_{-h}(f^{-1}) = -\ell_h(f)\f$,
-/// a step by -h undoes one by h. Throws OutsideDomain for a step that is zero or not finite, and as \ref relative_motion_from_momentum_right does.
+/// `family` is h -> reduced discrete Lagrangian, an action, at steps of either sign. Where it is
+/// self-adjoint, \f$\ell_{-h}(f^{-1}) = -\ell_h(f)\f$, a step by -h undoes one by h. Throws OutsideDomain for
+/// a step that is zero or not finite, and as \ref relative_motion_from_momentum_right does.
+///
+/// Steps of one length that follow each other are solved for as those of \ref EulerPoincareStepsRight: what
+/// one has found out about the equation serves the next. A step remembers it, and belongs to one thread at a
+/// time.
 template <class Family>
 struct LiePoissonStepRight {
-  Family family;  ///< h -> reduced discrete Lagrangian
+  Family family;                                ///< h -> reduced discrete Lagrangian
+  detail::RememberedSolutions remembered = {};  ///< of the last calls
 
   /// A step of length h from a state.
   template <ExponentialGroup G, Real S>
   MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<Base<S>> const& h) const {
     detail::require_steppable(from, h);
-    auto const f = relative_motion_from_momentum_right(family(h), from.momentum, exp(S(-h) * from.velocity));
-    return {f.value, {lie_poisson_update_right(f.value, from.momentum), log(f.value) / S(-h)}, f.report.evaluations};
+    auto const l = family(h);
+    auto& solver = remembered.template solver<G>(from.velocity, h);
+    auto const f =
+        solver.solve([&](auto const& x) { return right_differential(l, x) + like(x, from.momentum); },
+                     exp(S(-h) * from.velocity));
+    return {f, {lie_poisson_update_right(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };
 /// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and carries \f$\Pi\f$ to \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18).
 /// Otherwise as \ref LiePoissonStepRight.
 template <class Family>
 struct LiePoissonStepLeft {
-  Family family;  ///< h -> reduced discrete Lagrangian
+  Family family;                                ///< h -> reduced discrete Lagrangian
+  detail::RememberedSolutions remembered = {};  ///< of the last calls
 
   /// A step of length h from a state.
   template <ExponentialGroup G, Real S>
   MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<Base<S>> const& h) const {
     detail::require_steppable(from, h);
-    auto const f = relative_motion_from_momentum_left(family(h), from.momentum, exp(S(-h) * from.velocity));
-    return {f.value, {lie_poisson_update_left(f.value, from.momentum), log(f.value) / S(-h)}, f.report.evaluations};
+    auto const l = family(h);
+    auto& solver = remembered.template solver<G>(from.velocity, h);
+    auto const f =
+        solver.solve([&](auto const& x) { return left_differential(l, x) + like(x, from.momentum); },
+                     exp(S(-h) * from.velocity));
+    return {f, {lie_poisson_update_left(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };
 

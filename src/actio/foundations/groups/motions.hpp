@@ -36,6 +36,37 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
     return assemble<S>(back, -(back * a.template topRightCorner<n, 1>()));
   }
 
+  /// \f$\mathrm{Ad}_{(R,t)}(\omega, v) = (R\omega,\ Rv + t\times R\omega)\f$.
+  template <class S>
+    requires(n == 3)
+  static Matrix<S, 6, 1> Ad(Matrix<S, 4, 4> const& a, Matrix<S, 6, 1> const& v) {
+    Matrix<S, 3, 3> const rotation = a.template topLeftCorner<3, 3>();
+    Matrix<S, 3, 1> const shift = a.template topRightCorner<3, 1>(), turn = rotation * v.template head<3>();
+    Matrix<S, 6, 1> out;
+    out << turn, Matrix<S, 3, 1>(rotation * v.template tail<3>() + cross(shift, turn));
+    return out;
+  }
+  /// \f$\mathrm{Ad}^*_{(R,t)}(\pi, p) = (R^T(\pi - t\times p),\ R^Tp)\f$.
+  template <class S>
+    requires(n == 3)
+  static Matrix<S, 6, 1> Ad_star(Matrix<S, 4, 4> const& a, Matrix<S, 6, 1> const& mu) {
+    Matrix<S, 3, 3> const back = a.template topLeftCorner<3, 3>().transpose();
+    Matrix<S, 3, 1> const shift = a.template topRightCorner<3, 1>(), force = mu.template tail<3>(),
+                          moment = mu.template head<3>();
+    Matrix<S, 6, 1> out;
+    out << Matrix<S, 3, 1>(back * (moment - cross(shift, force))), Matrix<S, 3, 1>(back * force);
+    return out;
+  }
+  template <class S>
+    requires(n == 3)
+  static Matrix<S, 6, 1> bracket(Matrix<S, 6, 1> const& v, Matrix<S, 6, 1> const& w) {
+    Matrix<S, 3, 1> const a = v.template head<3>(), b = w.template head<3>(), s = v.template tail<3>(),
+                          t = w.template tail<3>();
+    Matrix<S, 6, 1> out;
+    out << cross(a, b), Matrix<S, 3, 1>(cross(a, t) - cross(b, s));
+    return out;
+  }
+
   template <Real S>
   static Matrix<S, n + 1, n + 1> exp(Matrix<S, dim, 1> const& v) {
     Matrix<S, turns, 1> const turn = v.template head<turns>();
@@ -47,7 +78,7 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
     Matrix<S, turns, 1> const turn = Rotations::log(Matrix<S, n, n>(a.template topLeftCorner<n, n>()));
     Matrix<S, n, 1> const shift = a.template topRightCorner<n, 1>();
     Matrix<S, dim, 1> v;
-    v << turn, Matrix<S, n, 1>(solve_linear(drift(turn), shift, "log"));
+    v << turn, Matrix<S, n, 1>(inverse_drift(turn) * shift);
     return v;
   }
   template <Real S>
@@ -67,10 +98,13 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
   template <class S>
   static Matrix<S, n, n> drift(Matrix<S, turns, 1> const& turn) {
     S const square = turn.squaredNorm();
-    auto const a = Rotations::hat(turn);
-    Matrix<S, n, n> m = a * stumpff<2>(square) + a * a * stumpff<3>(square);
-    m.diagonal().array() += S(1);
-    return m;
+    return Rotations::turn_polynomial(turn, S(1), stumpff<2>(square), stumpff<3>(square));
+  }
+  /// \f$\mathrm{iex}(\hat\omega)^{-1} = 1 - \tfrac12\hat\omega + b(|\omega|^2)\,\hat\omega^2\f$ with \ref
+  /// half_cotangent.
+  template <class S>
+  static Matrix<S, n, n> inverse_drift(Matrix<S, turns, 1> const& turn) {
+    return Rotations::turn_polynomial(turn, S(1), S(ratio<S>(-1, 2)), half_cotangent(S(turn.squaredNorm())));
   }
 };
 

@@ -109,6 +109,37 @@ constexpr int unit_sign(int a, int b) {
   return sign[a][b];
 }
 
+/// The exponential of a skew matrix of 4-space, at any scalar: \f$e^Ax = e^a\,x\,e^{-b}\f$ with the
+/// quaternions of \f$Ax = a\,x - x\,b\f$.
+template <Real S>
+actio::Matrix<S, 4, 4> rotation_exponential(actio::Matrix<S, 4, 4> const& A) {
+  auto const half_turn = [](S const& x, S const& y, S const& z) {
+    S const square = (x * x + y * y + z * z) / 4, sine = stumpff<1>(square) / 2;
+    return actio::Matrix<S, 4, 1>{stumpff<0>(square), x * sine, y * sine, z * sine};
+  };
+  auto const p = half_turn(A(3, 2) + A(1, 0), A(1, 3) + A(2, 0), A(2, 1) + A(3, 0));
+  auto const q = half_turn(A(3, 2) - A(1, 0), A(1, 3) - A(2, 0), A(2, 1) - A(3, 0));
+  // The product with p from the left, and with the conjugate of q from the right.
+  actio::Matrix<S, 4, 4> left, right;
+  left << p[0], -p[1], -p[2], -p[3], p[1], p[0], -p[3], p[2], p[2], p[3], p[0], -p[1], p[3], -p[2], p[1],
+      p[0];
+  right << q[0], q[1], q[2], q[3], -q[1], q[0], -q[3], q[2], -q[2], q[3], q[0], -q[1], -q[3], -q[2], q[1],
+      q[0];
+  return left * right;
+}
+
+/// The skew matrix of 4-space \f$Ax = a\,x - x\,b\f$ of two quaternions without scalar part.
+template <class S>
+actio::Matrix<S, 4, 4> skew_of_quaternions(actio::Matrix<S, 3, 1> const& a, actio::Matrix<S, 3, 1> const& b) {
+  actio::Matrix<S, 3, 1> const outer = a - b, lower = a + b;
+  actio::Matrix<S, 4, 4> A = actio::Matrix<S, 4, 4>::Zero();
+  A(1, 0) = outer[0], A(2, 0) = outer[1], A(3, 0) = outer[2], A(0, 1) = -outer[0], A(0, 2) = -outer[1],
+       A(0, 3) = -outer[2];
+  A(3, 2) = lower[0], A(1, 3) = lower[1], A(2, 1) = lower[2], A(2, 3) = -lower[0], A(3, 1) = -lower[1],
+       A(1, 2) = -lower[2];
+  return A;
+}
+
 /// The logarithm of a rotation of 4-space, at any scalar, through the pair of unit quaternions with \f$Rx = p\,x\,\bar q\f$.
 ///
 /// The angles of p and q are half the sum and half the difference of those of R. Of the pairs (p, q) and (-p, -q) the logarithm takes the one whose
@@ -120,27 +151,53 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
   using T = Base<S>;
   using Quaternion = actio::Matrix<S, 4, 1>;
   require_finite(r, "log");
+  // A x = a x - x b with a = log p and b = log q.
+  auto const of_quaternions = [](Quaternion const& p, Quaternion const& q) {
+    actio::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
+    return skew_of_quaternions<S>(a, b);
+  };
+
+  // Below about 60 degrees the skew part of R, which is x -> q_0 a x - x b p_0 with the vector parts a of p
+  // and b of q, and the trace, 4 p_0 q_0, do.
+  S const scalars = (r(0, 0) + r(1, 1) + r(2, 2) + r(3, 3)) / 4;
+  if (base_value(scalars) > ratio<T>(3, 4)) {
+    actio::Matrix<S, 3, 1> const lower{r(3, 2) - r(2, 3), r(1, 3) - r(3, 1), r(2, 1) - r(1, 2)},
+        outer{r(1, 0) - r(0, 1), r(2, 0) - r(0, 2), r(3, 0) - r(0, 3)};
+    actio::Matrix<S, 3, 1> a = (lower + outer) / S(4), b = (lower - outer) / S(4);
+    S const p0 = sqrt(S(scalars * scalars + b.squaredNorm())),
+            q0 = sqrt(S(scalars * scalars + a.squaredNorm()));
+    a /= q0, b /= p0;
+    return of_quaternions(Quaternion{p0, a[0], a[1], a[2]}, Quaternion{q0, b[0], b[1], b[2]});
+  }
 
   // The products p_a q_b: the parts of R along the sixteen maps x -> e_a x conj(e_b), which are orthogonal.
-  actio::Matrix<S, 4, 4> products;
+  // The row and the column of the largest will do.
+  auto const product = [&](int a, int b, auto const& entry) {
+    auto sum = entry(a ^ b, 0);
+    if (unit_sign(a, b) * (b == 0 ? 1 : -1) < 0) sum = -sum;
+    for (int j = 1; j < 4; ++j) {
+      if (unit_sign(a, j) * unit_sign(a ^ j, b) * (b == 0 ? 1 : -1) > 0)
+        sum += entry(a ^ j ^ b, j);
+      else
+        sum -= entry(a ^ j ^ b, j);
+    }
+    return sum;
+  };
   int row = 0, column = 0;
+  T largest(-1);
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b) {
-      S sum(0);
-      for (int j = 0; j < 4; ++j) {
-        S const& entry = r(a ^ j ^ b, j);
-        if (unit_sign(a, j) * unit_sign(a ^ j, b) * (b == 0 ? 1 : -1) > 0)
-          sum += entry;
-        else
-          sum -= entry;
-      }
-      products(a, b) = sum / 4;
-      if (magnitude(base_value(products(a, b))) > magnitude(base_value(products(row, column)))) row = a, column = b;
+      T const size = magnitude(T(product(a, b, [&](int i, int j) { return base_value(r(i, j)); })));
+      if (size > largest) largest = size, row = a, column = b;
     }
-  Quaternion p = products.col(column), q = products.row(row).transpose();
-  if (products(row, column) < S(0)) q = -q;
-  p /= S(sqrt(S(p.squaredNorm())));
-  q /= S(sqrt(S(q.squaredNorm())));
+  Quaternion p, q;
+  for (int a = 0; a < 4; ++a) {
+    p[a] = product(a, column, [&](int i, int j) { return r(i, j); });
+    q[a] = product(row, a, [&](int i, int j) { return r(i, j); });
+  }
+  if (p[row] < S(0)) q = -q;
+  p *= S(S(1) / S(sqrt(S(p.squaredNorm()))));
+  q *= S(S(1) / S(sqrt(S(q.squaredNorm()))));
 
   // The sine of the sum of their angles tells which pair, even where both angles of R come near to pi.
   auto const vector_part = [](Quaternion const& x) {
@@ -151,12 +208,7 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
   if (sine < T(0) || (sine == T(0) && base_value(p[0]) < T(0))) p = -p, q = -q, sine = -sine;
   angle_of_rotation(sine, T(base_value(p[0]) * base_value(q[0]) - vp * vq), T(2) * edge_of_chart<S>());
 
-  // A x = a x - x b with a = log p and b = log q.
-  actio::Matrix<S, 3, 1> const a = quaternion_logarithm(p) / S(2), b = quaternion_logarithm(q) / S(2);
-  actio::Matrix<S, 4, 4> result = actio::Matrix<S, 4, 4>::Zero();
-  for (int c = 1; c < 4; ++c)
-    for (int j = 0; j < 4; ++j) result(c ^ j, j) += a[c - 1] * T(unit_sign(c, j)) - b[c - 1] * T(unit_sign(j, c));
-  return result;
+  return of_quaternions(p, q);
 }
 
 /// The logarithm of a rotation of n-space, n > 4, for plain scalars.

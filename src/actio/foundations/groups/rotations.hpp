@@ -56,23 +56,52 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
   template <class S>
     requires(n == 3)
+  static Matrix<S, 3, 1> Ad_star(Matrix<S, 3, 3> const& a, Matrix<S, 3, 1> const& mu) {
+    return a.transpose() * mu;
+  }
+  template <class S>
+    requires(n == 3)
   static Matrix<S, 3, 1> bracket(Matrix<S, 3, 1> const& v, Matrix<S, 3, 1> const& w) {
     return cross(v, w);
+  }
+
+  /// \f$\alpha + \beta\hat v + \gamma\hat v^2\f$, which for n = 3 is
+  /// \f$(\alpha-\gamma|v|^2) + \beta\hat v + \gamma vv^T\f$.
+  template <class S>
+    requires(n <= 3)
+  static Matrix<S, n, n> turn_polynomial(Matrix<S, dim, 1> const& v, S const& alpha, S const& beta,
+                                         S const& gamma) {
+    Matrix<S, n, n> m;
+    if constexpr (n == 2) {
+      S const along = alpha - gamma * (v[0] * v[0]), across = beta * v[0];
+      m(0, 0) = along, m(0, 1) = -across, m(1, 0) = across, m(1, 1) = along;
+    } else {
+      Matrix<S, 3, 1> const c = v * gamma, b = v * beta;
+      S const xx = c[0] * v[0], yy = c[1] * v[1], zz = c[2] * v[2], xy = c[0] * v[1], xz = c[0] * v[2],
+              yz = c[1] * v[2];
+      m(0, 0) = alpha - (yy + zz), m(1, 1) = alpha - (xx + zz), m(2, 2) = alpha - (xx + yy);
+      m(0, 1) = xy - b[2], m(1, 0) = xy + b[2];
+      m(0, 2) = xz + b[1], m(2, 0) = xz - b[1];
+      m(1, 2) = yz - b[0], m(2, 1) = yz + b[0];
+    }
+    return m;
   }
 
   template <Real S>
     requires(n <= 3)
   static Matrix<S, n, n> exp(Matrix<S, dim, 1> const& v) {
     // exp = 1 + c_1 hat(v) + c_2 hat(v)^2, with Stumpff's functions of the squared angle.
-    S const square = v.squaredNorm();
-    auto const a = hat(v);
-    Matrix<S, n, n> e = a * stumpff<1>(square) + a * a * stumpff<2>(square);
-    e.diagonal().array() += S(1);
-    return e;
+    return turn_polynomial(v, S(1), stumpff<1>(S(v.squaredNorm())), stumpff<2>(S(v.squaredNorm())));
   }
 
   template <Real S>
-    requires(n > 3)
+    requires(n == 4)
+  static Matrix<S, 4, 4> exp(Matrix<S, dim, 1> const& v) {
+    return rotation_exponential(Matrix<S, 4, 4>(hat(v)));
+  }
+
+  template <Real S>
+    requires(n > 4)
   static Matrix<S, n, n> exp(Matrix<S, dim, 1> const& v) {
     Matrix<S, n, n> const e = matrix_exponential(hat(v));
     // Large angles are squared many times, and rounding is squared with them.

@@ -6,6 +6,7 @@
 
 #include "actio/foundations/groups/algebra_logarithm.hpp"
 #include "actio/foundations/groups/determinant.hpp"
+#include "actio/foundations/groups/linear_groups.hpp"
 #include "actio/foundations/groups/order.hpp"
 
 namespace actio {
@@ -69,9 +70,18 @@ struct SL : Order<n, 2> {
     g.col(0) *= inverse;
     return g;
   }
+  template <Real S>
+  Matrix<S> exp(Vector<S> const& v) const {
+    if constexpr (n == 2)
+      return SL2::exp(v);
+    else
+      return matrix_exponential(hat(v));
+  }
   /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis, and where the determinant is not 1
   template <Real S>
   Vector<S> log(Matrix<S> const& a) const {
+    if constexpr (n == 2)
+      if (SL2::near_identity_matrix(a)) return SL2::near_logarithm(a);
     return logarithm_in_algebra<SL, S>(*this, a);
   }
   /// Scaled to determinant 1, up to the cube of its distance: \f$d^{-1/n}\approx\frac{(n-1)d+(n+1)}{(n+1)d+(n-1)}\f$.

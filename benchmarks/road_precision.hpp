@@ -1,0 +1,170 @@
+// Work and precision of the general road on one system: steps for a Lagrangian given as a callable, beside
+// GSL, odeint and Runge-Kutta on the same equations.
+//
+// The others get the right side of the differential equation, written by hand; the general road gets the
+// Lagrangian. The witness is Fehlberg's method in long double.
+#pragma once
+
+#include <gsl/gsl_errno.h>
+
+#include "benchmark.hpp"
+#include "book/plot.hpp"
+#include "error_against_time.hpp"
+#include "peers/any_equation.hpp"
+
+namespace benchmark {
+
+/// A system of n numbers, compared in the m numbers that `show` makes of them.
+template <std::size_t n, std::size_t m, class Rate, class Show>
+struct System {
+  Rate rate;  ///< (y, out)
+  Show show;  ///< what is compared, from the n numbers
+  peers::Numbers<double, n> start;
+  double stretch = 4;  ///< time from one comparison to the next
+  static constexpr int looks = 5;
+  std::vector<peers::Numbers<double, m>> exact = {};
+
+  /// Finds the true states, and by how much they differ from those found in half as many steps.
+  double find_witness() {
+    double apart = 0;
+    std::vector<peers::Numbers<double, m>> coarse;
+    for (long steps : {2000, 4000}) {
+      exact.clear();
+      peers::Numbers<long double, n> y;
+      for (std::size_t i = 0; i < n; ++i) y[i] = start[i];
+      peers::odeint_steps<long double, n>(rate, y, static_cast<long double>(stretch), looks, steps,
+                                          [&](int, auto const& at) {
+                                            auto const shown = show(at);
+                                            exact.emplace_back();
+                                            for (std::size_t i = 0; i < m; ++i)
+                                              exact.back()[i] = static_cast<double>(shown[i]);
+                                          });
+      if (!coarse.empty())
+        for (int k = 0; k < looks; ++k) apart = std::max(apart, error(k + 1, coarse[k]));
+      coarse = exact;
+    }
+    return apart;
+  }
+  /// The largest difference from the true state at the end of the k-th stretch.
+  double error(int k, peers::Numbers<double, m> const& shown) const {
+    double worst = 0;
+    for (std::size_t i = 0; i < m; ++i) {
+      double const off = std::abs(shown[i] - exact[k - 1][i]);
+      worst = off <= worst ? worst : off;
+    }
+    return worst == worst ? worst : std::numeric_limits<double>::infinity();
+  }
+  /// The codes that one would take otherwise.
+  std::vector<Way> others() const {
+    auto const with = [this](auto const& run) {
+      return [this, run](double setting) {
+        double worst = 0;
+        run(setting, [&](int k, auto const& y) { worst = std::max(worst, error(k, show(y))); });
+        return worst;
+      };
+    };
+    return {{"GSL, Prince-Dormand 8(9), step control", with([this](double s, auto const& visit) {
+               peers::gsl_controlled(rate, start, stretch, looks, std::pow(10.0, -s), visit);
+             }),
+             3, 1.06},
+            {"odeint, Fehlberg 7(8), step control", with([this](double s, auto const& visit) {
+               peers::odeint_controlled(rate, start, stretch, looks, std::pow(10.0, -s), visit);
+             }),
+             3, 1.06},
+            {"odeint, Fehlberg 7(8)", with([this](double s, auto const& visit) {
+               peers::odeint_steps<double, n>(rate, start, stretch, looks, std::lround(s), visit);
+             }),
+             4, 1.3},
+            {"Runge-Kutta, order 4", with([this](double s, auto const& visit) {
+               peers::runge_kutta_steps(rate, start, stretch, looks, std::lround(s), visit);
+             }),
+             16, 1.5}};
+  }
+};
+
+/// A way of the general road: `make(h)` gives a callable that takes a step of that length and returns what is
+/// compared.
+template <class S, class Make>
+Way road_way(S const& system, std::string name, Make make, double first, double ratio) {
+  return {std::move(name),
+          [&system, make](double setting) {
+            long const steps = std::lround(setting);
+            auto step = make(system.stretch / static_cast<double>(steps));
+            double worst = 0;
+            for (int k = 1; k <= S::looks; ++k) {
+              for (long i = 1; i < steps; ++i) step(false);
+              worst = std::max(worst, system.error(k, step(true)));
+            }
+            return worst;
+          },
+          first, ratio};
+}
+
+/// Runs all, shows them, and claims what must be so.
+template <class S>
+int compare(Benchmark& program, S& system, std::vector<Way> ways) {
+  gsl_set_error_handler_off();
+  double const apart = system.find_witness();
+  std::size_t const own = ways.size();
+  for (Way& other : system.others()) ways.push_back(std::move(other));
+  constexpr double targets[] = {1e-3, 1e-6, 1e-9, 1e-11};
+  std::vector<book::Program::Row> rows;
+  book::Plot plot("processor time, microseconds", "error");
+  plot.log_x().log_y().size(760, 520);
+  double best_own = std::numeric_limits<double>::infinity(), best_other = best_own;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    Line const line = runs_of(ways[i], program.length(0.03, 0.003));
+    book::Program::Row row{line.name};
+    for (double const error : targets) {
+      Timed const* const best = line.cheapest(error);
+      row.push_back(best ? book::number(1e6 * best->seconds) : "-");
+    }
+    row.push_back(book::number(line.best_error(), 2));
+    rows.push_back(row);
+    std::vector<double> x, y;
+    for (Timed const& r : line.runs)
+      if (r.error < 1) x.push_back(1e6 * r.seconds), y.push_back(r.error);
+    plot.curve(x, y, line.name,
+               {.colour = static_cast<int>(i) % 6 + 1, .width = i < own ? 2.4 : 1.6, .dashed = i >= own});
+    Timed const* const reached = line.cheapest(1e-9);
+    if (reached)
+      (i < own ? best_own : best_other) = std::min(i < own ? best_own : best_other, reached->seconds);
+  }
+  program.picture(
+      "work_precision", plot.svg(),
+      "Error against processor time; broken lines are those of codes for differential equations.");
+  program.table("work_precision", {"method", "1e-3", "1e-6", "1e-9", "1e-11", "best error"}, rows,
+                "Microseconds to t = " + book::number(system.stretch * S::looks) +
+                    ", set-up included, with the best step or tolerance for each error, the largest at five "
+                    "times on the way.");
+  program.figure("apart", apart, "the witness against itself in half as many steps");
+  program.figure("own_us", 1e6 * best_own, "the best of the general road to 1e-9, microseconds");
+  program.figure("other_us", 1e6 * best_other, "the best of the others to 1e-9, microseconds");
+  program.figure("times", best_own / best_other, "times as long on the general road, to 1e-9");
+  program.claim(apart <= 1e-15, "the witness is good to rounding of double; measured " + book::number(apart));
+  program.claim(std::isfinite(best_own) && std::isfinite(best_other),
+                "the general road and the others reach 1e-9");
+  program.headline("to 1e-9 the general road takes " + book::number(best_own / best_other) +
+                       " times as long as the best of GSL and odeint with equations written by hand",
+                   best_own / best_other);
+  return program.finish();
+}
+
+/// The rotation matrix of a quaternion, by rows.
+template <class Q, class Out>
+void write_rotation(Q const& q, Out out) {
+  auto const e = q[0], a = q[1], b = q[2], c = q[3], n = e * e + a * a + b * b + c * c, s = 2 / n;
+  out[0] = 1 - s * (b * b + c * c), out[1] = s * (a * b - e * c), out[2] = s * (a * c + e * b);
+  out[3] = s * (a * b + e * c), out[4] = 1 - s * (a * a + c * c), out[5] = s * (b * c - e * a);
+  out[6] = s * (a * c - e * b), out[7] = s * (b * c + e * a), out[8] = 1 - s * (a * a + b * b);
+}
+/// The rate of a quaternion that turns with twice the half velocity w.
+template <class Q, class W, class Out>
+void write_turning(Q const& q, W const& w, Out out) {
+  out[0] = -(q[1] * w[0] + q[2] * w[1] + q[3] * w[2]);
+  out[1] = q[0] * w[0] + q[2] * w[2] - q[3] * w[1];
+  out[2] = q[0] * w[1] + q[3] * w[0] - q[1] * w[2];
+  out[3] = q[0] * w[2] + q[1] * w[1] - q[2] * w[0];
+}
+
+}  // namespace benchmark
