@@ -99,6 +99,7 @@ struct SpannedGroup {
   ///                        logarithm is not in the algebra. Where it does, that of an element always is, and a matrix that is no element is projected
   template <Real S>
   Eigen::Matrix<S, Eigen::Dynamic, 1> log(Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const& a) const {
+    if (exact_arithmetic<S>()) return vee(nilpotent_logarithm(a));
     if constexpr (is_dual<S>)
       return primitive::lifted_log(*this, a);
     else
