@@ -177,15 +177,12 @@ BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
   for (std::size_t k = 0; k < directions.size(); ++k) columns.col(static_cast<int>(k)) = slopes(directions[k]);
   Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
   // The normal equations square the condition: again on what is left.
-  for (int pass = 0; pass < (is_exact<S> ? 1 : 3); ++pass) {
+  for (int pass = 0; pass < (exact_arithmetic<S>() ? 1 : 3); ++pass) {
     Vector<S> const change = transposed * solve_linear(square, slopes(motion.lambda), "draw_body_motion");
     for (std::size_t k = 0; k < directions.size(); ++k) motion.lambda -= directions[k] * S(change[static_cast<int>(k)]);
   }
   return motion;
 }
-/// Degree of what is made of such a motion: attitudes of degree 15 over a common denominator, the slopes of degree 31 in these, and ten equations for
-/// \f$\Lambda\f$ with squares of slopes.
-inline constexpr int motion_degree = 2000;
 
 /// A Lagrangian on the rotations: \f$\mathrm{Tr}(f\Lambda)\f$, of pairs \f$\mathrm{Tr}(g_0\Lambda g_1^T)\f$.
 template <class S>

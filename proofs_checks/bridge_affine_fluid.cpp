@@ -1,4 +1,3 @@
-// Scalars: rational, double
 // Between the two parts: a drop of ideal fluid whose motion stays linear is a field on the one hand, and a geodesic of SL(n) on the other.
 //
 // The motion is phi(t, X) = A(t) X with A in SL(n), the drop the unit ball. Part II knows it as a section with a pressure, m/2 (1 - |X|^2). Part I knows it as a motion of a
@@ -151,8 +150,7 @@ Run run(int steps, Eigen::Matrix<double, n, n> const& V) {
 STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of SL(n)") {
   claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the place is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
-  claim.degree(400);
-  auto const in_dimension = [&]<int n>(int point) {
+  auto const in_dimension = [&]<int n>() {
     using Matrix = Eigen::Matrix<S, n, n>;
     std::string const model = "SL(" + std::to_string(n) + ")";
     auto const place = draw.element<S>(SL<n>{});
@@ -179,13 +177,15 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     claim.equal("and the reduced ones with the square carried along", model, reduced.components.eval(), residual.components.eval());
     claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
                   residual.components.eval());
-    if constexpr (std::same_as<S, double> && n == 3) {
-      if (point > 0) return;
+    if (n == 3 && claim.fits_orders()) {
       Matrix velocity = draw.vector<S, Eigen::Matrix<S, Eigen::Dynamic, 1>>(n * n).reshaped(n, n);
       velocity -= Matrix::Identity() * (velocity.trace() / n);
+      Eigen::Matrix<double, n, n> start;
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) start(i, j) = to_double(velocity(i, j));
       std::vector<double> steps, errors;
       for (int const count : {8, 12, 16, 24, 32, 48}) {
-        Run const found = run<n>(count, velocity);
+        Run const found = run<n>(count, start);
         steps.push_back(1.0 / count), errors.push_back(found.miss);
         // A step solves its equation to a few roundings of a momentum that is 1/h times the places; so many steps of them add up.
         claim.zero("circulation along the reduced motion", model, found.drift, 1.0, count);
@@ -194,8 +194,6 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
       claim.order("the discrete motion and the fluid's", model, steps, errors, 2, 0.1);
     }
   };
-  for (int point = 0; point < 3; ++point) {
-    in_dimension.template operator()<2>(point);
-    in_dimension.template operator()<3>(point);
-  }
+  in_dimension.template operator()<2>();
+  in_dimension.template operator()<3>();
 }

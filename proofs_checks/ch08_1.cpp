@@ -1,4 +1,3 @@
-// Scalars: rational (long: double)
 // Section 8.1: the extended bundle, its canonical forms, the constraint and its multiplier.
 #include "incompressible_models.hpp"
 
@@ -112,8 +111,7 @@ struct PulledBack {
 STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multiplier among the fields") {
   claim.holds();
   // Coordinates and tangent vectors are drawn themselves: a product of n + 2 of them and one momentum.
-  claim.degree(8);
-  for (int point = 0; point < 3; ++point) {
+  {
     auto const at_dimensions = [&]<int n, int N>() {
       constexpr int M = N + 1, D = DualJet<S, n, M>::dimension;
       std::string const model = Dimensions<n, N>::name() + " and a multiplier";
@@ -151,8 +149,7 @@ STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multipli
 STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
   claim.corrected("\\mathfrak C\\ \\text{corresponds to the incompressibility constraint}", "\\mathfrak C = \\{\\pi^\\mu = 0\\}",
                   "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. $J = 1$ comes later, as the field equation of $\\lambda$.");
-  claim.degree(degree_of_fields);
-  for (int point = 0; point < 3; ++point) {
+  {
     over_points(Plane{}, [&]<class D>(D, std::string const& model) {
       constexpr int n = D::n;
       auto const density = incompressible(draw_medium<S, n>(draw));
@@ -176,7 +173,6 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
 
 STATEMENT(eq_8_1, "the constraint on the volume") {
   claim.convention("The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the body, in charts of one orientation.");
-  claim.degree(degree_of_fields);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
@@ -201,7 +197,6 @@ STATEMENT(eq_8_1, "the constraint on the volume") {
 STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
   claim.convention("The sign goes with $L + \\lambda\\Phi$ of (8.3): then $P$ is positive in compression. With $h - \\langle\\lambda, \\Psi\\rangle$ of chapter 7 it would be $-\\sqrt{\\det G}\\,P$.");
   // A section of a chart of degree 6 has degree 6 * 7, where fields of motions have 6.
-  claim.degree(7 * degree_of_fields);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};

@@ -1,4 +1,3 @@
-// Scalars: rational (long: double)
 // Chapter 9, introduction: relabelling of inhomogeneous fluids and isometries of space.
 #include "fields.hpp"
 
@@ -81,7 +80,6 @@ auto of_space(Map const& map) {
 STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogeneous fluids") {
   claim.convention("A relabelling must take each level set of the density, and of the entropy, to itself: one that exchanges level sets is no symmetry. The stored energy sees the point of the body through these alone.");
   // The energy is of degree 24 in the coordinates after clearing denominators, the field of degree 12.
-  claim.degree(80);
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
@@ -114,7 +112,6 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
 STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries") {
   claim.convention("The stored energy must see the metric of space and the deformation through the Green tensor alone (or be carried along by isometries in another way), and the isometry must respect the boundary conditions.");
   // A cubic of the Green tensor, which is of degree 12 with the denominators of the sphere and the body.
-  claim.degree(120);
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     StereographicSphere<S, n> const sphere{ratio<S>(1, 2)};

@@ -1,8 +1,6 @@
 // Models for the checks of natural charts: groups whose exponential every scalar can take, base points, moving places.
 #pragma once
 
-#include "exact_exponential.hpp"
-// The exact exponentials must come first.
 #include "actio/reduction/natural_chart.hpp"
 #include "models.hpp"
 
@@ -41,20 +39,15 @@ inline SpannedGroup third_jets(SpannedGroup const& group) {
 /// Over the rationals, where exp is a polynomial; over the other scalars the usual groups, with one of those beside them.
 template <class S>
 std::vector<SpannedGroup> const& chart_groups() {
-  static std::vector<SpannedGroup> const groups =
-      is_exact<S> ? std::vector{unitriangular(4), unitriangular(5), third_jets(spanned("Aff(1)", Aff1{}))}
-                  : std::vector{spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-                                spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), unitriangular(4)};
-  return groups;
+  static std::vector<SpannedGroup> const unipotent = {unitriangular(4), unitriangular(5), third_jets(spanned("Aff(1)", Aff1{}))};
+  static std::vector<SpannedGroup> const usual = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
+                                                  spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), unitriangular(4)};
+  return exact_arithmetic<S>() ? unipotent : usual;
 }
-/// Bound for the degree of the identities of this section over those groups. There every product of five matrices of the algebra vanishes, so whatever is made of places and velocities by products, exp,
-/// log and iex is of degree 4 at most in what was drawn. A Lagrangian is cubic in its velocity with coefficients of degree 4: 16; with chi, cubic in its argument, in a momentum: 28. Rounded up.
-inline constexpr int chart_degree = 40;
-
 /// An element of a size such that products of three stay inside the chart; over the rationals the chart has no end.
 template <class S>
 Place<S> draw_small(Draw& draw, SpannedGroup const& group) {
-  return draw.template element<S>(group, is_exact<S> ? S(1) : ratio<S>(2, 5));
+  return draw.template element<S>(group, exact_arithmetic<S>() ? S(1) : ratio<S>(2, 5));
 }
 /// A place not far from g.
 template <class S>

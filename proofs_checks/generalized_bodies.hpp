@@ -34,7 +34,7 @@ inline std::string name_of(int n) { return "SO(" + std::to_string(n) + ")"; }
 template <class S, class Visit>
 void over_bodies(Claim<S> const&, Visit const& visit) {
   for (int n = 3; n <= 5; ++n)
-    for (int point = 0; point < (is_exact<S> ? exact_points : 2); ++point) visit(n, name_of(n));
+    visit(n, name_of(n));
 }
 
 /// \f$\Lambda\f$ of a body in its principal frame: diagonal, no two entries alike.
@@ -178,12 +178,10 @@ auto gap(X const& a, X const& b) {
   else
     return a - b;
 }
-/// Degrees in the random numbers after clearing denominators, for n = 5: a rotation by Cayley's transform 5, each entry of a designed body 10 times 7; integrals are of degree 5 in
-/// momenta of degree 75, on both sides of an equation.
-inline constexpr int designed_degree = 1000;
 
 /// The rank of a matrix, by elimination: exact, so over the rationals only.
-inline int exact_rank(Matrix<rational> a) {
+template <class S>
+int exact_rank(Matrix<S> a) {
   int rank = 0;
   for (Eigen::Index column = 0; column < a.cols() && rank < a.rows(); ++column) {
     Eigen::Index pivot = rank;
@@ -191,7 +189,7 @@ inline int exact_rank(Matrix<rational> a) {
     if (pivot == a.rows()) continue;
     a.row(pivot).swap(a.row(rank));
     for (Eigen::Index i = rank + 1; i < a.rows(); ++i) {
-      rational const factor = a(i, column) / a(rank, column);
+      S const factor = a(i, column) / a(rank, column);
       for (Eigen::Index j = column; j < a.cols(); ++j) a(i, j) -= factor * a(rank, j);
     }
     ++rank;

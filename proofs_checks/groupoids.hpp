@@ -82,7 +82,7 @@ ArrowPolynomial<S> draw_arrow_polynomial(Draw& draw, Gamma const& gamma, Arrow<G
 template <class S, class Visit>
 void over_groupoids(Claim<S> const&, Visit const& visit) {
   static SpannedGroup const so3 = spanned("SO(3)", SO<3>{}), se2 = spanned("SE(2)", SE<2>{}), aff = spanned("Aff(1)", Aff1{}), so2("SO(2)", {(SpannedGroup::WholeMatrix(2, 2) << 0, -1, 1, 0).finished()});
-  for (int point = 0; point < (is_exact<S> ? exact_points : 2); ++point) {
+  {
     for (auto const& group : {so3, aff}) visit(Pairs{group}, "pairs in " + group.name());
     for (auto const& group : {se2, aff}) visit(Alone{group}, group.name());
     visit(Opposite<Alone>{{aff}}, std::string("Aff(1), opposite"));

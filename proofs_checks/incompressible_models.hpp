@@ -178,11 +178,7 @@ using TwoAndThree = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// Three models and three random points in each of the dimensions.
 template <class Dims, class Visit>
 void over_points(Dims dims, Visit const& visit) {
-  for (int point = 0; point < 3; ++point) over_dimensions(dims, visit);
+  over_dimensions(dims, visit);
 }
-
-/// The degree, in the random numbers, of the identities of this chapter. A cubic section has degree 6, a metric at its place 2 * 13, its volume in space 39; the energy, a cubic in
-/// metrics and deformation gradient, 82; field equations multiply these with denominators (determinants of metric and deformation gradient) of degree 2 * (78 + 18).
-inline constexpr int degree_of_fields = 400;
 
 }  // namespace actio::checks

@@ -14,7 +14,7 @@ template <class S>
 std::vector<SpannedGroup> groups_for_motions(int largest = 4) {
   std::vector<SpannedGroup> groups;
   for (auto const& group : all_groups())
-    if (!is_exact<S> || group.dimension() <= largest) groups.push_back(group);
+    if (!numbers_grow() || group.dimension() <= largest) groups.push_back(group);
   return groups;
 }
 
@@ -185,7 +185,7 @@ template <class S, class Polynomial, class Wrap>
 Polynomial with_motion_along(Polynomial l, Places<S> const& g, Draw& draw, Wrap const& wrap) {
   int const d = g[0].group.dimension(), n = g[0].group.matrix_size(), inner = static_cast<int>(g.size()) - 2;
   // Over the rationals as many terms as equations. Where numbers are rounded twice as many and the least of their coefficients, which keeps them small.
-  int const terms = (is_exact<S> ? 1 : 2) * d * inner;
+  int const terms = (exact_arithmetic<S>() ? 1 : 2) * d * inner;
   l.phi.clear(), l.psi.clear();
   for (int k = 0; k < 2 * d * inner; ++k) l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
   l.phi.resize(terms), l.psi.resize(terms);
@@ -203,7 +203,7 @@ Polynomial with_motion_along(Polynomial l, Places<S> const& g, Draw& draw, Wrap 
     one.correction[k] = S(1);
     columns.col(k) = equations(one) - left;
   }
-  if constexpr (is_exact<S>) {
+  if (exact_arithmetic<S>()) {
     l.correction = -solve_linear(columns, left, "with_motion_along");
   } else {
     // The normal equations square the condition: twice again on what is left.

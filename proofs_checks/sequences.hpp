@@ -17,25 +17,17 @@ using Places = std::vector<Place<S>>;
 /// Groups for checks of several steps: over the rationals four of them, since numbers grow long with each step.
 template <class S>
 std::vector<SpannedGroup> const& groups_for_sequences() {
-  if constexpr (is_exact<S>)
-    return few_groups();
-  else
-    return all_groups();
+  return numbers_grow() ? few_groups() : all_groups();
 }
 
 /// The groups of the commuting squares and brackets of chapter 4: SO(3), SO(4), SE(3), Aff(1), SU(2), GL(3). Over the rationals, where the inverse of a matrix of
 /// many rows is long, GL(2) stands for GL(3) and SO(4) is left to the other scalars.
 template <class S>
 std::vector<SpannedGroup> const& groups_for_squares() {
-  static std::vector<SpannedGroup> const groups = [] {
-    std::vector<SpannedGroup> all = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}), spanned_su2()};
-    if constexpr (is_exact<S>)
-      all.push_back(spanned("GL(2)", GL<2>{}));
-    else
-      all.push_back(spanned("SO(4)", SO<4>{})), all.push_back(spanned("GL(3)", GL<3>{}));
-    return all;
-  }();
-  return groups;
+  static std::vector<SpannedGroup> const all = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
+                                                spanned_su2(),             spanned("SO(4)", SO<4>{}), spanned("GL(3)", GL<3>{})};
+  static std::vector<SpannedGroup> const short_ones = {all[0], all[1], all[2], all[3], spanned("GL(2)", GL<2>{})};
+  return numbers_grow() ? short_ones : all;
 }
 
 /// `count` places, or relative motions, at random.

@@ -1,5 +1,6 @@
 #include "witness/number.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 #include <sstream>
@@ -21,6 +22,7 @@ namespace {
 
 std::uint64_t operations = 0;
 std::unordered_set<std::uint64_t> roots;
+float degree_seen = 0;
 
 /// A sum of degrees, rounded up where a float cannot hold it.
 inline float rounded_up(float degree) { return degree < 16777216.0f ? degree : degree * 1.0000002f; }
@@ -370,7 +372,9 @@ bool operator==(Number const& x, Number const& y) {
 Number magnitude(Number const& x) {
   switch (arithmetic_in_force.kind()) {
     case Kind::hardware: return Number(std::abs(NumberParts::hardware(x)));
-    case Kind::prime: return Number(NumberParts::word(x) != 0 ? 1 : 0);
+    case Kind::prime:
+      degree_seen = std::max(degree_seen, NumberParts::degree(x).numerator);
+      return Number(NumberParts::word(x) != 0 ? 1 : 0);
     case Kind::ball: return detail::ball_magnitude(x);
     default: return x < Number() ? -x : x;
   }
@@ -441,6 +445,16 @@ Number pow(Number const& x, Number const& exponent) {
   return e < 0 ? Number(1) / result : result;
 }
 
+Number frexp(Number const& x, int* exponent) {
+  std::frexp(x.convert_to<double>(), exponent);
+  return ldexp(x, -*exponent);
+}
+Number ldexp(Number const& x, int n) {
+  if (arithmetic_in_force.kind() == Kind::hardware) return Number(std::ldexp(NumberParts::hardware(x), n));
+  Number const power = pow(Number(2), Number(std::abs(n)));
+  return n < 0 ? x / power : x * power;
+}
+
 // ---- Saying what it is
 
 double Number::as_double() const {
@@ -464,6 +478,8 @@ std::uint64_t Number::residue() const {
 }
 std::ostream& operator<<(std::ostream& out, Number const& x) { return out << x.text(); }
 
+double largest_degree() { return degree_seen; }
+void forget_degrees() { degree_seen = 0; }
 int roots_taken() { return static_cast<int>(roots.size()); }
 void forget_roots() { roots.clear(); }
 std::uint64_t operations_done() { return operations; }

@@ -185,6 +185,10 @@ Number atan2(Number const& y, Number const& x);
 /// \f$x^e\f$; over an exact arithmetic for whole e.
 Number pow(Number const& x, Number const& exponent);
 Number abs(Number const& x);
+/// The binary exponent of a number within the range of double, and the number over that power of two.
+Number frexp(Number const& x, int* exponent);
+/// \f$2^nx\f$.
+Number ldexp(Number const& x, int n);
 /// The size of a number: over a prime field 0 or 1; of a ball the largest modulus in it.
 Number magnitude(Number const& x);
 bool is_finite(Number const& x);
@@ -196,6 +200,10 @@ inline Number square_root(Number const& x) { return sqrt(x); }
 int roots_taken();
 /// Starts the count of \ref roots_taken anew.
 void forget_roots();
+/// The largest degree of a numerator among the field numbers whose \ref magnitude was asked for since \ref forget_degrees.
+double largest_degree();
+/// Starts the search for \ref largest_degree anew.
+void forget_degrees();
 /// How many products and quotients there were since the program began: the measure of a budget that no machine changes.
 std::uint64_t operations_done();
 /// How many cells have ever been allocated for numbers that do not fit into 16 bytes.
@@ -214,6 +222,7 @@ static_assert(sizeof(Number) == 16);
 template <>
 struct std::numeric_limits<actio::Number> {
   static constexpr bool is_specialized = true, is_signed = true, is_integer = false;
+  static constexpr int max_exponent = 0;  // what Boost's numbers ask of others: of no kind that they know
   static actio::Number epsilon() { return actio::Number::rounding(); }
   static actio::Number infinity() { return actio::Number(std::numeric_limits<double>::infinity()); }
   static actio::Number quiet_NaN() { return actio::Number(std::numeric_limits<double>::quiet_NaN()); }
