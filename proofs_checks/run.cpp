@@ -1,11 +1,11 @@
 // Runs the checks of this program, each in the columns that its source is meant for.
 //
 //   checks_ch03 [ID...] [--columns prime,rational,double,50,100,ball|all] [--digits N] [--modulo P] [--balls] [--points N] [--seed N]
-//               [--source ch03_2] [--report DIR] [--brief]
-//   checks_ch03 --list          the statements as JSON: id, title, source, chapter, columns
+//               [--source ch03_2] [--report DIR] [--quick] [--brief]
+//   checks_ch03 --list          the statements as JSON, one a line: id, source, chapter, columns, title
 //   checks_ch03 --sources       the sources, one a line
 //
-// --digits adds a column of N decimal digits, --balls one of balls; --modulo takes another prime. With --report, DIR/SOURCE_SCALAR.json receives the records, failed
+// --quick tries a tenth of the points in the prime field. --digits adds a column of N decimal digits, --balls one of balls; --modulo takes another prime. With --report, DIR/SOURCE_SCALAR.json receives the records, failed
 // ones included; what an earlier program left there of this chapter's sources and is no more is removed.
 // Status: 0 all passed, 1 a check failed, 2 wrong use, 4 a report could not be written.
 #include <algorithm>
@@ -85,12 +85,15 @@ struct Options {
   std::uint64_t seed = 20000518, modulus = Arithmetic::mersenne;
   std::optional<int> digits;
   int points = 0;  // 0: as many as the column has
-  bool balls = false, brief = false, list = false, sources = false;
+  bool balls = false, brief = false, quick = false, list = false, sources = false;
 };
 
 /// Points of a statement in the prime field, over all its models: this many, or as many as the products of the budget allow.
-constexpr int field_points = 1000;
-constexpr std::uint64_t budget = 20'000'000;
+struct Effort {
+  int points;
+  std::uint64_t products;
+};
+constexpr Effort full_effort{1000, 20'000'000}, quick_effort{100, 2'000'000};
 constexpr int rounded_points = 2, rational_points = 2;
 
 std::string stem_of(std::string const& path) { return fs::path(path).stem().string(); }
@@ -192,8 +195,9 @@ Record run(Check const& check, Column const& column, Options const& options) {
     claim.degrees = &degrees;
     bool again = false;
     try {
+      Effort const effort = options.quick ? quick_effort : full_effort;
       bool const field = arithmetic.kind() == ArithmeticKind::prime;
-      int const wanted = options.points ? options.points : field ? field_points : arithmetic.exact() ? rational_points : rounded_points;
+      int const wanted = options.points ? options.points : field ? effort.points : arithmetic.exact() ? rational_points : rounded_points;
       std::uint64_t const before = operations_done();
       int passes = 1, served = 0;
       while (served < passes && claim.record.failures.empty()) {
@@ -206,7 +210,7 @@ Record run(Check const& check, Column const& column, Options const& options) {
         passes = wanted;
         if (field) {
           passes = (wanted + points_of(claim.record) - 1) / points_of(claim.record);
-          if (!options.points) passes = std::min<std::uint64_t>(passes, 2 + budget / (1 + operations_done() - before));
+          if (!options.points) passes = std::min<std::uint64_t>(passes, 2 + effort.products / (1 + operations_done() - before));
         }
       }
       claim.judge_controls();
@@ -274,12 +278,15 @@ void forget_reports(Options const& options, std::set<std::string> const& written
   }
 }
 
-ordered_json listed() {
-  ordered_json list = ordered_json::array();
+/// The statements as JSON, each on a line of its own.
+std::string listed() {
+  std::string list;
   for (Check const& check : checks::all_checks())
-    list.push_back({{"id", check.id}, {"title", check.title}, {"source", "proofs_checks/" + fs::path(check.source).filename().string()},
-                    {"chapter", chapter_of(stem_of(check.source))}, {"columns", checks::columns_of(check.source)}});
-  return list;
+    list += (list.empty() ? "[\n" : ",\n") +
+            ordered_json{{"id", check.id}, {"source", "proofs_checks/" + fs::path(check.source).filename().string()}, {"chapter", chapter_of(stem_of(check.source))},
+                         {"columns", checks::columns_of(check.source)}, {"title", check.title}}
+                .dump();
+  return list + "\n]";
 }
 
 // ---- The command line
@@ -309,7 +316,7 @@ Options options_from(std::vector<std::string> const& words) {
       o.ids.push_back(key);
       continue;
     }
-    bool const flag = key == "--balls" || key == "--list" || key == "--sources" || key == "--brief";
+    bool const flag = key == "--balls" || key == "--list" || key == "--sources" || key == "--brief" || key == "--quick";
     if (auto const equals = key.find('='); equals != std::string::npos)
       value = key.substr(equals + 1), key.resize(equals);
     else if (!flag) {
@@ -325,9 +332,10 @@ Options options_from(std::vector<std::string> const& words) {
     else if (key == "--source") o.source = value;
     else if (key == "--balls") o.balls = true;
     else if (key == "--brief") o.brief = true;
+    else if (key == "--quick") o.quick = true;
     else if (key == "--list") o.list = true;
     else if (key == "--sources") o.sources = true;
-    else throw Usage("unknown option '" + key + "'; there are --columns, --digits, --modulo, --balls, --points, --seed, --source, --report, --brief, --list, --sources");
+    else throw Usage("unknown option '" + key + "'; there are --columns, --digits, --modulo, --balls, --points, --seed, --source, --report, --quick, --brief, --list, --sources");
   }
   if (!columns_named && (o.digits || o.balls)) o.columns.clear();
   if (!columns_named && o.modulus != Arithmetic::mersenne) o.columns = {"prime"};
@@ -398,7 +406,7 @@ int main(int argc, char** argv) {
   try {
     Options const options = options_from({argv + 1, argv + argc});
     if (options.list) {
-      std::cout << listed().dump(1) << '\n';
+      std::cout << listed() << '\n';
       return 0;
     }
     if (options.sources) {
