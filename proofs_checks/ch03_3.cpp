@@ -29,7 +29,7 @@ std::vector<Matrix<S>> invariant_forms(SpannedGroup const& group) {
         // Eliminate what is known, then keep what is new.
         for (std::size_t r = 0; r < rows.size(); ++r) row -= rows[r] * S(row[pivots[r]]);
         int p = 0;
-        while (p < unknowns && !(magnitude(row[p]) > ratio<S>(1, 1000))) ++p;
+        while (p < unknowns && !(to_double(magnitude(row[p])) > 1e-3)) ++p;
         if (p == unknowns) continue;
         row /= S(row[p]);
         for (auto& known : rows) known -= row * S(known[p]);
@@ -254,7 +254,8 @@ STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connec
 STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its translates") {
   claim.holds("Right translation is an isometry of a metric translated on the right; it is not one of a metric translated on the left.");
   auto const aff1 = spanned("Aff(1)", Aff1{});
-  over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
+  // Where lengths can be compared.
+  if (ordered_arithmetic<S>()) over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group);
     std::vector<Place<S>> domain;
     for (int i = 0; i < 4; ++i) domain.push_back(draw.template element<S>(group));
@@ -285,7 +286,7 @@ STATEMENT(claim_3_3_chart_condition, "condition on two group elements for the di
   // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by nearly +- a right angle are nearly half a turn apart.
   auto const so3 = spanned("SO(3)", SO<3>{});
   S const one(1);
-  {
+  if (ordered_arithmetic<S>()) {
     auto const g2 = draw.template element<S>(so3, S(2)), g = draw.template element<S>(so3, S(2));
     S const inside = (S(1) + draw.template number<S>()) / S(2), outside = ratio<S>(11, 8) + draw.template number<S>() / S(4);
     claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2", cos_angle(Place<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
@@ -554,7 +555,7 @@ STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under th
     claim.differs("moved on the wrong side: the velocity that a right-invariant L sees", model, seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
     auto const fixed = Place<S>(c * g2);
     auto const lost = base_point_term(fixed, g1, g2);
-    if (size_of(lost) > ratio<Base<S>>(1, 1000000))
+    if (to_double(size_of(lost)) > 1e-6)
       claim.refutes("base point that stays: change of the velocity that L sees, beside the first term that this adds", model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
   });
 }
@@ -579,7 +580,7 @@ STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous red
     auto const m = chart_midpoint_right(base(g1, g2), g1, g2, h);
     claim.differs("iex(-ad) zeta, as printed: the velocity that l is given", model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), fibre_element_right(m).coordinates);
     auto const lost = base_point_term(c, g1, g2);
-    if (size_of(lost) > ratio<Base<S>>(1, 1000000))
+    if (to_double(size_of(lost)) > 1e-6)
       claim.refutes("base point that stays: change of the velocity, beside the first term that this adds", model, fibre_element_right(chart_midpoint_right(c, g1, g2, h)) - fibre_element_right(m), size_of(lost / h));
   });
 }

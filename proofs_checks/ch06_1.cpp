@@ -361,6 +361,7 @@ STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate cha
     TwoMetrics<S, n, n> const m(draw);
     // Derivatives of the old coordinates by the new ones, on the body and in space.
     M const body = draw_matrix<S, n>(draw), space = draw_matrix<S, n>(draw);
+    draw_positive(S(determinant(body))), draw_positive(S(determinant(space)));
     auto const in_charts = [&](M const& K, M const& A) { return jacobian(M(pulled_back(m.G, K)), M(pulled_back(m.g, A)), M(inverse_matrix(A) * m.F * K)); };
     S const J = jacobian(m.G, m.g, m.F);
     M reflected = space;
@@ -371,6 +372,7 @@ STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate cha
     claim.differs("same in a reflected chart", model, in_charts(body, reflected), J);
     claim.differs("det F alone", model, determinant(M(inverse_matrix(space) * m.F * body)), determinant(m.F));
     // In orthonormal frames, \f$G = A^TA\f$, it is the determinant of the linear map alone.
+    draw_positive(S(determinant(m.space.frame(m.j.y)))), draw_positive(S(determinant(m.body.frame(m.x))));
     M const frames = m.space.frame(m.j.y) * m.F * inverse_matrix(m.body.frame(m.x));
     claim.equal("determinant in orthonormal frames", model, determinant(frames), J, 10);
   });
@@ -394,11 +396,11 @@ STATEMENT(claim_6_1_initial_jacobian, "Jacobian of a regular motion at and after
       auto const j = first_jet(phi, event);
       return jacobian(Eigen::Matrix<S, n, n>(body(m.x)), Eigen::Matrix<S, n, n>(m.space(j.y)), Eigen::Matrix<S, n, n>(j.gradient()));
     };
-    S const start = J(m.body, motion, S(0)), ratio_of_volumes = determinant(m.space.frame(m.x)) / determinant(m.body.frame(m.x));
+    S const start = J(m.body, motion, S(0)), ratio_of_volumes = modulus(S(determinant(m.space.frame(m.x)))) / modulus(S(determinant(m.body.frame(m.x))));
     claim.equal("square root of the ratio of determinants", model, start, ratio_of_volumes);
     claim.differs("printed: 1", model, start, S(1));
     claim.equal("1 where the metrics are the same", model, J(m.space, motion, S(0)), S(1));
-    claim.fact("positive later, for a regular motion", model, J(m.body, motion, ratio<S>(1, 2)) > S(0));
+    if (ordered_arithmetic<S>()) claim.fact("positive later, for a regular motion", model, J(m.body, motion, ratio<S>(1, 2)) > S(0));
     // A motion that is flat at t = 1/2 and comes out reflected.
     auto const through = []<class T>(Event<T, n> const& x) {
       Eigen::Matrix<T, n, 1> y = x.template tail<n>();
@@ -406,6 +408,6 @@ STATEMENT(claim_6_1_initial_jacobian, "Jacobian of a regular motion at and after
       return y;
     };
     S const end = J(m.body, through, S(1));
-    claim.differs("positive for a motion that passes det F = 0", model, end, magnitude(end));
+    if (ordered_arithmetic<S>()) claim.differs("positive for a motion that passes det F = 0", model, end, magnitude(end));
   });
 }

@@ -36,6 +36,7 @@ STATEMENT(eq_6_3, "Lagrangian density of a continuous medium") {
     auto const density = [&](M const& G, Jet<S, n, N> const& j) {
       return Continuum{ConstantMetric<S, n>{G}, ConstantMetric<S, N>{m.g}, Homogeneous<S>{m.mass}, solid}(j);
     };
+    draw_positive(S(determinant(A)));
     M const G = pulled_back(m.G, A);
     S const here = density(m.G, m.j), there = density(G, other);
     // One inverse, that of G in the energy.

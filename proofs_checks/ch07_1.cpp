@@ -173,7 +173,7 @@ STATEMENT(claim_7_1_first_to_second, "from a constrained extremum to an extremum
       for (int i = 0; i < 2; ++i) multiplier[i] = D(lambda[i]) + t * D(S(s * mu[i]));
       return f.augmented(moved, multiplier).second[0];
     };
-    claim.fact("the augmented function rises and falls near its critical point", name, second(S(1000)) * second(S(-1000)) < S(0));
+    if (ordered_arithmetic<S>()) claim.fact("the augmented function rises and falls near its critical point", name, second(S(1000)) * second(S(-1000)) < S(0));
   }
   refute_without_regularity(claim, draw);
 }

@@ -191,6 +191,7 @@ STATEMENT(eq_7_1, "induced constraint function on sections") {
       auto const image = pushed(phi, x, sides);
       Eigen::Matrix<S, n, n> const pulled = image.transpose() * Phi.g(phi(x)) * image;
       Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
+      draw_positive(S(determinant(first_jet(phi, x).gradient())));
       S const J = square_root(determinant(pulled)) / square_root(determinant(Phi.G(body)));
       claim.equal("J - 1 along a section, and from the pulled-back volume", name, S(induced_constraint(Phi, phi)(x)[0] + S(1)), J);
       // A jet that is that of no section: the velocities of another one.
@@ -333,8 +334,9 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
     Eigen::Matrix<S, n, 1> const low = Eigen::Matrix<S, n, 1>::Zero(), high = Eigen::Matrix<S, n, 1>::Ones();
     // sqrt(det g) is of degree 4 in places of degree 2, its derivative is no higher, F adds 2 and the displacement 5.
     int const degree = 14;
-    claim.zero("total volume made with a fixed boundary", name, integral(made(phi, sides), low, high, degree), S(1), 10);
-    claim.refutes("with a boundary that moves, so that a constant is reached as well", name, integral(made(phi, loose), low, high, degree), S(1));
+    // Where numbers have an order: elsewhere a root has a sign at each point, and its integral is none.
+    if (ordered_arithmetic<S>()) claim.zero("total volume made with a fixed boundary", name, integral(made(phi, sides), low, high, degree), S(1), 10);
+    if (ordered_arithmetic<S>()) claim.refutes("with a boundary that moves, so that a constant is reached as well", name, integral(made(phi, loose), low, high, degree), S(1));
 
     // 2. Every function with zero mean is reached. In a body that is at rest in its own space sqrt(det G) div w = p has this solution, tangent to the sides.
     auto const c = draw.vector<S, Eigen::Matrix<S, 3, 1>>(3);

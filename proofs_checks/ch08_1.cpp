@@ -212,6 +212,7 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
     Eigen::Matrix<S, n, 1> const particle = x.template tail<n>();
     Eigen::Matrix<S, n, n> const one = Eigen::Matrix<S, n, n>::Identity();
     S const stretch = determinant(pushed(chi.chi, particle, Tangents<S, n, n>(one)));
+    draw_positive(stretch);
     auto const here = first_jet(with_pressure(moved, pressure, G), x);
     auto const there = first_jet(with_pressure(phi, P, constraint.G), chi(x));
     VolumeConstraint<PulledBack<AnyMetric<S, n>, Chart<S, n>>, AnyMetric<S, n>> const in_chart{G, constraint.g};

@@ -57,7 +57,7 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
     Eigen::Matrix<S, n, 1> const x = j.particle(), y = j.y.template head<n>(), v = j.velocity().template head<n>();
     Eigen::Matrix<S, n, n> const G = medium.G(x), g = medium.g(y), F = j.gradient().template topRows<n>();
     // K, P and Phi from metrics as frames have them: roots of determinants are determinants of frames.
-    S const root_G = determinant(medium.G.frame(x)), root_g = determinant(medium.g.frame(y)), rho = medium.rho(x);
+    S const root_G = modulus(S(determinant(medium.G.frame(x)))), root_g = modulus(S(determinant(medium.g.frame(y)))), rho = medium.rho(x);
     S const kinetic = root_G * rho * (v.transpose() * (g * v).eval())(0, 0) / S(2), potential = root_G * rho * medium.W(x, G, g, F);
     S const Phi = determinant(F) * root_g / root_G - S(1);
     claim.equal("kinetic minus potential plus multiplier times constraint", model, density(j), S(kinetic - potential + j.y[n] * Phi));

@@ -94,7 +94,8 @@ STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
     constexpr int n = D::n, N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const j = draw_jet<S, n, N>(draw);
-    Stretch<S, n> const even{ratio<S>(3, 2), ratio<S>(2, 3)}, uneven{ratio<S>(3, 2), ratio<S>(4, 9)};
+    Stretch<S, n> const even{ratio<S>(9, 4), ratio<S>(4, 9)}, uneven{ratio<S>(9, 4), ratio<S>(16, 81)};
+    draw_positive(S(j.particle()[0] + S(1)));  // the root of det G
     auto const to = tangent<n, N>(relabelling<N>(uneven), j.x, j.y);
     claim.equal("places and multiplier stay", model, to.y, j.y);
     claim.equal("time stays", model, to.x[0], j.x[0]);
@@ -102,7 +103,7 @@ STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
     claim.zero("constant det G: the multiplier fixed", model, equivariance_defect(ideal(fluid), relabelling<N>(even), j), S(1));
     fluid.G = draw_stretchable_metric<S, n>(draw);
     auto const density = [&](auto const& point) {
-      auto const volume_after = ScalarOf<decltype(point)>(1) + (point[1] + 1) * ratio<S>(3, 2) - 1;
+      auto const volume_after = ScalarOf<decltype(point)>(1) + (point[1] + 1) * ratio<S>(9, 4) - 1;
       Eigen::Matrix<ScalarOf<decltype(point)>, N, 1> y = point.template tail<N>();
       y[n] = y[n] * volume_after / (point[1] + 1);
       return y;
@@ -204,7 +205,8 @@ STATEMENT(claim_9_1_equivariance, "equivariance of a Lagrangian density under a 
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     fluid.G = draw_stretchable_metric<S, n>(draw);
     auto const j = draw_jet<S, n, n>(draw);
-    auto const eta = relabelling<n>(Stretch<S, n>{ratio<S>(3, 2), ratio<S>(4, 9)});
+    draw_positive(S(j.particle()[0] + S(1)));  // the root of det G
+    auto const eta = relabelling<n>(Stretch<S, n>{ratio<S>(9, 4), ratio<S>(16, 81)});
     auto const V = draw_tangents<S, n + 1, n + 1>(draw);
     // Both sides as forms at eta(x), on vectors that come from x.
     auto const base = tangent<n, n>(eta, j.x, j.y).base;
@@ -326,12 +328,14 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
     std::string const model = "homogeneous fluid, n = 2, N = 2";
     auto fluid = draw_homogeneous_fluid<S, 2>(draw);
     fluid.G = draw_stretchable_metric<S, 2>(draw);
-    auto const at = coordinates(draw_jet<S, 2, 2>(draw));
+    auto const jet = draw_jet<S, 2, 2>(draw);
+    draw_positive(S(jet.particle()[0] + S(1)));  // the root of det G
+    auto const at = coordinates(jet);
     auto const V = draw_tangents<S, 11, 3>(draw);
     auto const pulled = [&](auto const& eta, auto const& form) {
       return S(pull_back([&eta](auto const& c) { return coordinates(prolongation(eta, jet_at<2, 2>(c))); }, form)(at, V));
     };
-    auto const eta = relabelling<2>(Stretch<S, 2>{ratio<S>(3, 2), ratio<S>(4, 9)});
+    auto const eta = relabelling<2>(Stretch<S, 2>{ratio<S>(9, 4), ratio<S>(16, 81)});
     auto const theta = cartan_form<2, 2>(fluid);
     claim.equal("equivariant density: the Cartan form is preserved", model, pulled(eta, theta), S(theta(at, V)), 10);
     auto const varying = with_varying_mass(fluid, draw);
@@ -399,10 +403,11 @@ STATEMENT(claim_9_1_barotropic_equivariance, "equivariance of the barotropic Lag
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
     fluid.G = draw_stretchable_metric<S, n>(draw);
     auto const j = draw_jet<S, n, n>(draw);
-    auto const eta = relabelling<n>(Stretch<S, n>{ratio<S>(3, 2), ratio<S>(4, 9)});
+    draw_positive(S(j.particle()[0] + S(1)));  // the root of det G
+    auto const eta = relabelling<n>(Stretch<S, n>{ratio<S>(9, 4), ratio<S>(16, 81)});
     claim.zero("finite map, det G varies", model, equivariance_defect(fluid, eta, j), fluid(j), 10);
     claim.refutes("mass that varies", model, equivariance_defect(with_varying_mass(fluid, draw), eta, j), fluid(j));
-    claim.refutes("determinant 1, where det G varies", model, equivariance_defect(fluid, relabelling<n>(Stretch<S, n>{ratio<S>(3, 2), ratio<S>(2, 3)}), j), fluid(j));
+    claim.refutes("determinant 1, where det G varies", model, equivariance_defect(fluid, relabelling<n>(Stretch<S, n>{ratio<S>(9, 4), ratio<S>(4, 9)}), j), fluid(j));
   });
 }
 
@@ -428,7 +433,8 @@ STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the deter
     auto const fluid = draw_homogeneous_fluid<S, n>(draw);
     auto const G = draw_stretchable_metric<S, n>(draw), g = fluid.g;
     auto const j = draw_jet<S, n, n>(draw);
-    auto const eta = relabelling<n>(Stretch<S, n>{ratio<S>(3, 2), ratio<S>(4, 9)});
+    draw_positive(S(j.particle()[0] + S(1)));  // the root of det G
+    auto const eta = relabelling<n>(Stretch<S, n>{ratio<S>(9, 4), ratio<S>(16, 81)});
     auto const to = prolongation(eta, j);
     S const det = determinant(tangent<n, n>(eta, j.x, j.y).base);
     S const before = jacobian(G(j.particle()), g(j.y), j.gradient()), after = jacobian(G(to.particle()), g(to.y), to.gradient());

@@ -12,12 +12,25 @@
 #include <vector>
 
 #include "actio/foundations/draw.hpp"
+#include "actio/foundations/square_root.hpp"
 #include "witness/number.hpp"
 
 namespace actio::checks {
 
 /// Whether numbers grow longer with every operation: over the rationals, where a check takes smaller models.
 inline bool numbers_grow() { return current_arithmetic().kind() == ArithmeticKind::rational; }
+
+/// A number is positive: over a field without order a square stands for that, and the draw is made again where x is none. Roots have then the signs that formulas
+/// with positive numbers give them.
+template <class S>
+void draw_positive(S const& x) {
+  if (!ordered_arithmetic<S>()) square_root(base_value(x));
+}
+/// |x|: over a field without order whichever of x and -x is a square.
+template <class S>
+S modulus(S const& x) {
+  return ordered_arithmetic<S>() ? (x < S(0) ? S(-x) : x) : square_root(S(x * x));
+}
 
 /// One measured figure that speaks for a statement.
 struct Evidence {

@@ -17,7 +17,7 @@ struct MediumAtAJet {
 
   explicit MediumAtAJet(Draw& draw)
       : L{draw_metric<S, n>(draw), draw_metric<S, N>(draw), draw_mass<S, n>(draw), draw_energy<S, n, N>(draw)}, j(draw_jet<S, n, N>(draw)),
-        x(j.particle()), G(L.G(x)), g(L.g(j.y)), mass(L.rho(x)), root(magnitude(determinant(L.G.frame(x)))) {}
+        x(j.particle()), G(L.G(x)), g(L.g(j.y)), mass(L.rho(x)), root(modulus(S(determinant(L.G.frame(x))))) {}
 
   S energy() const { return L.W(x, G, g, j.gradient()); }
   /// \f$\tfrac12g_{ab}v^a{}_0v^b{}_0\f$.

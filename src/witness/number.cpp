@@ -236,6 +236,13 @@ void Number::release_cell() noexcept {
   word_ = 0, mark_ = 0;
 }
 
+void Number::bound(Number& x, double degree) {
+  DegreeBound const known = NumberParts::degree(x);
+  if (2 * degree >= static_cast<double>(known.numerator) + known.denominator) return;
+  float const d = rounded_up(static_cast<float>(degree));
+  NumberParts::set(x, NumberParts::word(x), NumberParts::mark_of({d, d}));
+}
+
 // ---- The four operations
 
 Number& Number::operator+=(Number const& y) {

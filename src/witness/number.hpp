@@ -130,6 +130,27 @@ class Number {
   /// The representative between 0 and p - 1.
   /// @throws NoOrder  outside the prime fields
   std::uint64_t residue() const;
+  /// Upper bound for the degrees of the solution of A X = B, numerator and denominator, by Cramer's rule: rows are cleared of their denominators, and a
+  /// dual number is a triangular block of plain ones. Zero outside the prime fields.
+  template <class A, class B>
+  static double degree_of_solution(A const& a, B const& b) {
+    if (current_arithmetic().kind() != ArithmeticKind::prime) return 0;
+    double degree = 0;
+    for (int i = 0; i < static_cast<int>(a.rows()); ++i) {
+      Terms row;
+      for (int j = 0; j < static_cast<int>(a.cols()); ++j) row.add(terms_of(a(i, j)));
+      for (int j = 0; j < static_cast<int>(b.cols()); ++j) row.add(terms_of(b(i, j)));
+      degree += row.denominators + row.excess;
+    }
+    return degree * levels_of(a(0, 0));
+  }
+  /// Puts a bound in place of those that are larger.
+  template <class X>
+  static void bound_degrees(X& x, double degree) {
+    if (current_arithmetic().kind() != ArithmeticKind::prime) return;
+    for (int i = 0; i < static_cast<int>(x.rows()); ++i)
+      for (int j = 0; j < static_cast<int>(x.cols()); ++j) bound(x(i, j), degree);
+  }
   /// A number that is not larger, and one that is not smaller, rounded to the arithmetic's digits; both the number itself but for a ball.
   Number lower() const;
   Number upper() const;  ///< see lower()
@@ -145,6 +166,49 @@ class Number {
   //   decimal, ball  a whole number below 2^53 in size, 0
   // In each of them two words of zero are the number zero.
   std::int64_t word_, mark_;
+
+  // Of the coefficients of a scalar: the degrees of their denominators together, and by how much a numerator is above its denominator at most.
+  struct Terms {
+    double denominators = 0, excess = 0;
+    void add(Terms const& other) {
+      denominators += other.denominators;
+      if (other.excess > excess) excess = other.excess;
+    }
+  };
+  static Terms terms_of(Number const& x) {
+    DegreeBound const d = x.degree();
+    return {d.denominator, d.numerator > d.denominator ? d.numerator - d.denominator : 0.0};
+  }
+  template <class D>
+  static Terms terms_of(D const& x) {
+    if constexpr (is_dual<D>) {
+      Terms all = terms_of(x.value), part;
+      for (auto const& p : x.part) {
+        Terms const one = terms_of(p);
+        if (one.denominators > part.denominators) part.denominators = one.denominators;
+        if (one.excess > part.excess) part.excess = one.excess;
+      }
+      all.add(part);
+      return all;
+    } else {
+      return {std::numeric_limits<double>::infinity(), 0};  // another kind of scalar: no bound
+    }
+  }
+  template <class D>
+  static int levels_of(D const& x) {
+    if constexpr (is_dual<D>)
+      return 2 * levels_of(x.value);
+    else
+      return 1;
+  }
+  static void bound(Number& x, double degree);
+  template <class D>
+  static void bound(D& x, double degree) {
+    if constexpr (is_dual<D>) {
+      bound(x.value, degree);
+      for (auto& p : x.part) bound(p, degree);
+    }
+  }
 
   void set_whole(std::int64_t n);
   void set_double(double x);

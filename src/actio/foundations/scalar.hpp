@@ -46,7 +46,7 @@ struct BaseOf {
 template <class S>
 using Base = typename BaseOf<S>::type;
 
-/// A number whose arithmetic is chosen when the program runs, and says which it is.
+/// A number whose arithmetic is chosen when the program runs, and says which it is. Over a field it may know of what degree its numbers are.
 template <class S>
 concept ChosenAtRunTime = requires {
   { S::arithmetic().exact() } -> std::convertible_to<bool>;
