@@ -125,7 +125,7 @@ PointMasses<S> draw_point_masses(Draw& draw, int n) {
 template <class S>
 Matrix<Dual<S>> varying(Matrix<S> const& value, Matrix<S> const& rate) {
   Matrix<Dual<S>> m = value.template cast<Dual<S>>();
-  for (Eigen::Index i = 0; i < m.size(); ++i) m(i).part[0] = rate(i);
+  for (Index i = 0; i < m.size(); ++i) m(i).part[0] = rate(i);
   return m;
 }
 
@@ -133,7 +133,7 @@ Matrix<Dual<S>> varying(Matrix<S> const& value, Matrix<S> const& rate) {
 template <class T>
 T trace_of(Matrix<T> const& a, Matrix<T> const& b) {
   T sum(0);
-  for (Eigen::Index i = 0; i < a.size(); ++i) sum += a(i) * b(i);
+  for (Index i = 0; i < a.size(); ++i) sum += a(i) * b(i);
   return sum;
 }
 
@@ -177,15 +177,12 @@ BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
   for (std::size_t k = 0; k < directions.size(); ++k) columns.col(static_cast<int>(k)) = slopes(directions[k]);
   Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
   // The normal equations square the condition: again on what is left.
-  for (int pass = 0; pass < (is_exact<S> ? 1 : 3); ++pass) {
+  for (int pass = 0; pass < (exact_arithmetic<S>() ? 1 : 3); ++pass) {
     Vector<S> const change = transposed * solve_linear(square, slopes(motion.lambda), "draw_body_motion");
     for (std::size_t k = 0; k < directions.size(); ++k) motion.lambda -= directions[k] * S(change[static_cast<int>(k)]);
   }
   return motion;
 }
-/// Degree of what is made of such a motion: attitudes of degree 15 over a common denominator, the slopes of degree 31 in these, and ten equations for
-/// \f$\Lambda\f$ with squares of slopes.
-inline constexpr int motion_degree = 2000;
 
 /// A Lagrangian on the rotations: \f$\mathrm{Tr}(f\Lambda)\f$, of pairs \f$\mathrm{Tr}(g_0\Lambda g_1^T)\f$.
 template <class S>
@@ -199,7 +196,7 @@ struct ScaledTrace {
   T operator()(Element<SpannedGroup, T> const& g0, Element<SpannedGroup, T> const& g1) const {
     Matrix<T> const turned = g0.value * lambda.template cast<T>();
     T sum(0);
-    for (Eigen::Index i = 0; i < turned.size(); ++i) sum += turned(i) * g1.value(i);
+    for (Index i = 0; i < turned.size(); ++i) sum += turned(i) * g1.value(i);
     return sum;
   }
 };

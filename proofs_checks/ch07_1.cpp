@@ -1,4 +1,3 @@
-// Scalars: rational (long: double)
 // Section 7.1: the theorem of Lagrange multipliers, with the hypothesis that it needs.
 #include "statement.hpp"
 
@@ -11,7 +10,7 @@ using namespace actio;
 using namespace actio::checks;
 
 template <class S, int m>
-using Numbers = Eigen::Matrix<S, m, 1>;
+using Numbers = Matrix<S, m, 1>;
 
 /// Zeros that are a graph: \f$\Psi(u, w) = A(u)\,(w - F(u))\f$ on R^2 x R^2, with A invertible near the origin.
 template <class S>
@@ -121,8 +120,7 @@ STATEMENT(thm_7_1_1, "Lagrange multiplier theorem for sections of an inner produ
       "An extremum is a point where the derivative vanishes, and the derivative of $\\Psi$ is onto at $\\varphi$; without the second hypothesis, which is not named, "
       "the first statement does not imply the second, as the tip of a cusp shows.");
   // The normal equations: twice the inner product (26) and the derivative of the constraint (9), squared by the determinant, and as much for the right side.
-  claim.degree(500);
-  for (int point = 0; point < exact_points; ++point) {
+  {
     GraphModel<S> const model(draw);
     std::string const name = "graph in R^4, inner product that varies";
     Numbers<S, 2> const u = draw.vector<S, Numbers<S, 2>>(2) / S(2), lambda = draw.vector<S, Numbers<S, 2>>(2);
@@ -150,8 +148,7 @@ STATEMENT(claim_7_1_first_to_second, "from a constrained extremum to an extremum
   claim.convention(
       "The derivative of $\\Psi$ is onto at the point, and the second extremum is a point where the derivative vanishes: $\\bar h$ is affine in the multiplier and rises and falls near "
       "every point, so it has no minimum or maximum there even where $h|_{\\mathcal N}$ has one.");
-  claim.degree(500);
-  for (int point = 0; point < exact_points; ++point) {
+  {
     GraphModel<S> const model(draw);
     std::string const name = "graph in R^4, inner product that varies";
     Numbers<S, 2> const u = draw.vector<S, Numbers<S, 2>>(2) / S(2);
@@ -176,15 +173,14 @@ STATEMENT(claim_7_1_first_to_second, "from a constrained extremum to an extremum
       for (int i = 0; i < 2; ++i) multiplier[i] = D(lambda[i]) + t * D(S(s * mu[i]));
       return f.augmented(moved, multiplier).second[0];
     };
-    claim.fact("the augmented function rises and falls near its critical point", name, second(S(1000)) * second(S(-1000)) < S(0));
+    if (ordered_arithmetic<S>()) claim.fact("the augmented function rises and falls near its critical point", name, second(S(1000)) * second(S(-1000)) < S(0));
   }
   refute_without_regularity(claim, draw);
 }
 
 STATEMENT(claim_7_1_second_to_first, "from an extremum with multiplier to a constrained extremum") {
   claim.holds("No regularity is needed in this direction.");
-  claim.degree(500);
-  for (int point = 0; point < exact_points; ++point) {
+  {
     GraphModel<S> const model(draw);
     std::string const name = "graph in R^4, inner product that varies";
     Numbers<S, 2> const u = draw.vector<S, Numbers<S, 2>>(2) / S(2), lambda = draw.vector<S, Numbers<S, 2>>(2);

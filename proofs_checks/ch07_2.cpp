@@ -1,4 +1,3 @@
-// Scalars: rational (long: double)
 // Section 7.2: pointwise constraints, the augmented action, the constrained field equations and the extended bundle.
 #include "fields.hpp"
 
@@ -18,7 +17,7 @@ struct AnyConstraint {
   static constexpr int components = 2;
   std::array<Cubic<S, Jet<S, n, N>::dimension>, 2> c;
   template <class T>
-  Eigen::Matrix<T, 2, 1> operator()(Jet<T, n, N> const& j) const {
+  Matrix<T, 2, 1> operator()(Jet<T, n, N> const& j) const {
     auto const at = coordinates(j);
     return {c[0](at), c[1](at)};
   }
@@ -37,8 +36,8 @@ struct VolumeConstraint {
   BodyMetric G;
   SpaceMetric g;
   template <class S, int n>
-  Eigen::Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
-    return Eigen::Matrix<S, 1, 1>(jacobian(G(j.particle()), g(j.y), j.gradient()) - S(1));
+  Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
+    return Matrix<S, 1, 1>(jacobian(G(j.particle()), g(j.y), j.gradient()) - S(1));
   }
 };
 
@@ -48,7 +47,7 @@ struct AnyMultiplier {
   std::array<Cubic<S, n + 1>, k> c;
   template <class V>
   auto operator()(V const& x) const {
-    Eigen::Matrix<ScalarOf<V>, k, 1> lambda;
+    Matrix<ScalarOf<V>, k, 1> lambda;
     for (int i = 0; i < k; ++i) lambda[i] = c[i](x);
     return lambda;
   }
@@ -98,13 +97,13 @@ ExtendedSection<A, B> extended(A const& phi, B const& lambda) {
 /// A polynomial that vanishes on the sides of the unit box, times a vector.
 template <class S, int N>
 struct Bump {
-  Eigen::Matrix<S, N, 1> size;
+  Matrix<S, N, 1> size;
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
     T b(1);
     for (int mu = 0; mu < x.size(); ++mu) b *= x[mu] * (T(1) - x[mu]);
-    Eigen::Matrix<T, N, 1> w;
+    Matrix<T, N, 1> w;
     for (int a = 0; a < N; ++a) w[a] = b * T(size[a]);
     return w;
   }
@@ -112,27 +111,27 @@ struct Bump {
 
 /// The derivative of L - <lambda, Phi> at a point when the section moves along w.
 template <class S, int rows, class L, class Phi, class A, class B, class C>
-S rate_of_augmented(L const& density, Phi const& constraint, A const& phi, B const& lambda, C const& w, Eigen::Matrix<S, rows, 1> const& x) {
+S rate_of_augmented(L const& density, Phi const& constraint, A const& phi, B const& lambda, C const& w, Matrix<S, rows, 1> const& x) {
   Dual<S> step(0);
   step.part[0] = S(1);
-  Eigen::Matrix<Dual<S>, rows, 1> const at = x.template cast<Dual<S>>();
+  Matrix<Dual<S>, rows, 1> const at = x.template cast<Dual<S>>();
   auto const jet = first_jet(sum_of(phi, w, step), at);
   return S((density(jet) - lambda(at)[0] * constraint(jet)[0]).part[0]);
 }
 /// The derivative of a constraint at a point when the section moves along w.
 template <class S, int rows, class Phi, class A, class C>
-S rate_of_constraint(Phi const& constraint, A const& phi, C const& w, Eigen::Matrix<S, rows, 1> const& x) {
+S rate_of_constraint(Phi const& constraint, A const& phi, C const& w, Matrix<S, rows, 1> const& x) {
   Dual<S> step(0);
   step.part[0] = S(1);
-  Eigen::Matrix<Dual<S>, rows, 1> const at = x.template cast<Dual<S>>();
+  Matrix<Dual<S>, rows, 1> const at = x.template cast<Dual<S>>();
   return induced_constraint(constraint, sum_of(phi, w, step))(at)[0].part[0];
 }
 /// The derivative of L - <lambda, Phi> when the multiplier moves.
 template <class S, int rows, class L, class Phi, class A, class B, class C>
-S rate_in_multiplier(L const& density, Phi const& constraint, A const& phi, B const& lambda, C const& added, Eigen::Matrix<S, rows, 1> const& x) {
+S rate_in_multiplier(L const& density, Phi const& constraint, A const& phi, B const& lambda, C const& added, Matrix<S, rows, 1> const& x) {
   Dual<S> step(0);
   step.part[0] = S(1);
-  Eigen::Matrix<Dual<S>, rows, 1> const at = x.template cast<Dual<S>>();
+  Matrix<Dual<S>, rows, 1> const at = x.template cast<Dual<S>>();
   auto const jet = first_jet(phi, at);
   return S((density(jet) - sum_of(lambda, added, step)(at)[0] * constraint(jet)[0]).part[0]);
 }
@@ -140,7 +139,7 @@ S rate_in_multiplier(L const& density, Phi const& constraint, A const& phi, B co
 /// A density of the second degree in everything, and a constraint of the second degree, for integrals over a box.
 template <class S, int n, int N>
 struct Quadratic {
-  Eigen::Matrix<S, Jet<S, n, N>::dimension, 1> a, b;
+  Matrix<S, Jet<S, n, N>::dimension, 1> a, b;
   S constant;
   template <class T>
   T operator()(Jet<T, n, N> const& j) const {
@@ -152,7 +151,7 @@ struct Quadratic {
 };
 template <class S, int n, int N>
 Quadratic<S, n, N> draw_quadratic(Draw& draw) {
-  using V = Eigen::Matrix<S, Jet<S, n, N>::dimension, 1>;
+  using V = Matrix<S, Jet<S, n, N>::dimension, 1>;
   V const a = draw.vector<S, V>(V::RowsAtCompileTime);
   V const b = draw.vector<S, V>(V::RowsAtCompileTime);
   return {a, b, draw.number<S>()};
@@ -164,8 +163,8 @@ struct QuadraticConstraint {
   static constexpr int components = 1;
   Quadratic<S, n, N> c;
   template <class T>
-  Eigen::Matrix<T, 1, 1> operator()(Jet<T, n, N> const& j) const {
-    return Eigen::Matrix<T, 1, 1>(c(j));
+  Matrix<T, 1, 1> operator()(Jet<T, n, N> const& j) const {
+    return Matrix<T, 1, 1>(c(j));
   }
 };
 
@@ -181,9 +180,7 @@ using TwoDimensions = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>;
 
 STATEMENT(eq_7_1, "induced constraint function on sections") {
   claim.holds("The number of components of $\\Phi$ is the rank of $\\mathcal V$, which the thesis calls $n$; it need not be the dimension of the body.");
-  claim.degree(100);
-  for (int point = 0; point < exact_points; ++point)
-    over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
+      over_dimensions(PlaneAndSpace{}, [&]<class D>(D, std::string const& name) {
       constexpr int n = D::n;
       VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
       auto const phi = draw_section<S, n, n>(draw);
@@ -192,8 +189,9 @@ STATEMENT(eq_7_1, "induced constraint function on sections") {
       Tangents<S, n + 1, n> sides = Tangents<S, n + 1, n>::Zero();
       for (int i = 0; i < n; ++i) sides(i + 1, i) = S(1);
       auto const image = pushed(phi, x, sides);
-      Eigen::Matrix<S, n, n> const pulled = image.transpose() * Phi.g(phi(x)) * image;
-      Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
+      Matrix<S, n, n> const pulled = image.transpose() * Phi.g(phi(x)) * image;
+      Matrix<S, n, 1> const body = x.template tail<n>();
+      draw_positive(S(determinant(first_jet(phi, x).gradient())));
       S const J = square_root(determinant(pulled)) / square_root(determinant(Phi.G(body)));
       claim.equal("J - 1 along a section, and from the pulled-back volume", name, S(induced_constraint(Phi, phi)(x)[0] + S(1)), J);
       // A jet that is that of no section: the velocities of another one.
@@ -206,8 +204,7 @@ STATEMENT(eq_7_1, "induced constraint function on sections") {
 STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the multiplier") {
   claim.holds("The three forms of the action are equal, and the variation in the multiplier is minus the pairing with $\\Psi$.");
   // Integrands: a quadratic density on quadratic sections times a multiplier of degree 3, in 2 coordinates; coefficients enter with degree 5.
-  claim.degree(24);
-  for (int point = 0; point < 3; ++point) {
+  {
     constexpr int n = 1, N = 2;
     std::string const name = "n = 1, N = 2, on a box";
     auto const L = draw_quadratic<S, n, N>(draw);
@@ -225,7 +222,7 @@ STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the
     claim.differs("with the multiplier's sign changed", name, action(augmented(L, Phi), extended(phi, lambda), box, degree), split);
 
     // The variation in the multiplier, taken on dual numbers, is minus the pairing with Psi.
-    Bump<S, 1> const delta{Eigen::Matrix<S, 1, 1>(draw.number<S>() + S(2))};
+    Bump<S, 1> const delta{Matrix<S, 1, 1>(draw.number<S>() + S(2))};
     auto const varied = [&](auto const& added) {
       return integral([&](Event<S, n> const& x) { return rate_in_multiplier(L, Phi, phi, lambda, added, x); }, box.low, box.high, 16);
     };
@@ -240,10 +237,8 @@ STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the
 
 STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
   claim.holds("They are those of $L - \\langle\\lambda, \\Phi\\rangle$.");
-  claim.degree(45);
-  for (int point = 0; point < 3; ++point) {
-    for (int point = 0; point < exact_points; ++point)
-      over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
+  {
+          over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
         constexpr int n = D::n, N = D::N;
         auto const L = draw_density<S, n, N>(draw);
         auto const Phi = draw_constraint<S, n, N>(draw);
@@ -272,7 +267,7 @@ STATEMENT(eq_7_2, "constrained Euler-Lagrange equations") {
     QuadraticConstraint<S, n, N> const Phi{draw_quadratic<S, n, N>(draw)};
     auto const phi = draw_section<S, n, N>(draw);
     auto const lambda = draw_multiplier<S, n, 1>(draw);
-    Bump<S, N> const w{draw.vector<S, Eigen::Matrix<S, N, 1>>(N)};
+    Bump<S, N> const w{draw.vector<S, Matrix<S, N, 1>>(N)};
     auto const box = unit_box<S, n>();
     int const degree = 13;
     S const variation = integral([&](Event<S, n> const& x) { return rate_of_augmented(L, Phi, phi, lambda, w, x); }, box.low, box.high, degree);
@@ -286,9 +281,7 @@ STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and
   claim.corrected("L_\\Phi = L + \\langle\\lambda, \\Phi\\rangle", "L_\\Phi = L - \\langle\\lambda, \\Phi\\rangle",
                   "The equations of the printed density are (7.2) with $-\\lambda$ for $\\lambda$; chapter 8 keeps the printed density, whose multiplier is the pressure, positive in compression.");
   claim.maybe_scan();
-  claim.degree(45);
-  for (int point = 0; point < exact_points; ++point)
-    over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
+      over_dimensions(TwoDimensions{}, [&]<class D>(D, std::string const& name) {
       constexpr int n = D::n, N = D::N;
       auto const L = draw_density<S, n, N>(draw);
       auto const Phi = draw_constraint<S, n, N>(draw);
@@ -299,11 +292,11 @@ STATEMENT(claim_7_2_augmented_lagrangian, "Lagrangian on the extended bundle and
       auto const plus = augmented(L, Phi);
       auto const minus = opposite<S>(lambda);
       // In the fibre coordinates, the multipliers among them.
-      Eigen::Matrix<S, N + 2, 1> const right = -euler_lagrange(plus, extended(phi, minus), x);
-      Eigen::Matrix<S, N + 2, 1> const printed = -euler_lagrange(plus, extended(phi, lambda), x);
-      claim.equal("(7.2), and the field equations of the density with a minus", name, equations, Eigen::Matrix<S, N, 1>(right.template head<N>()));
-      claim.equal("the field equations in the multipliers, and the constraint", name, Eigen::Matrix<S, 2, 1>(-right.template tail<2>()), induced_constraint(Phi, phi)(x));
-      claim.differs("the field equations of the printed density", name, equations, Eigen::Matrix<S, N, 1>(printed.template head<N>()));
+      Matrix<S, N + 2, 1> const right = -euler_lagrange(plus, extended(phi, minus), x);
+      Matrix<S, N + 2, 1> const printed = -euler_lagrange(plus, extended(phi, lambda), x);
+      claim.equal("(7.2), and the field equations of the density with a minus", name, equations, Matrix<S, N, 1>(right.template head<N>()));
+      claim.equal("the field equations in the multipliers, and the constraint", name, Matrix<S, 2, 1>(-right.template tail<2>()), induced_constraint(Phi, phi)(x));
+      claim.differs("the field equations of the printed density", name, equations, Matrix<S, N, 1>(printed.template head<N>()));
     });
 }
 
@@ -311,8 +304,7 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
   claim.convention(
       "With a fixed boundary the total volume is fixed: the derivative of $J - 1$ reaches the functions with zero mean against $\\sqrt{\\det G}$ and no others, at each time. With these as the fibre "
       "the theorem applies, and the multiplier is free up to $c(t)\\sqrt{\\det G}$.");
-  claim.degree(80);
-  for (int point = 0; point < 3; ++point) {
+  {
     constexpr int n = 2;
     std::string const name = "n = N = 2, metrics that vary";
     auto const G = draw_metric<S, n>(draw);
@@ -324,43 +316,44 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
     // 1. Any motion and any displacement that vanishes on the sides of the unit square: the volume it makes adds up to nothing.
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const Phi{G, g};
     auto const made = [&](auto const& phi, auto const& w) {
-      return [&](Eigen::Matrix<S, n, 1> const& body) {
+      return [&](Matrix<S, n, 1> const& body) {
         Event<S, n> const at(ratio<S>(1, 3), body[0], body[1]);
         return S(root(G)(body) * rate_of_constraint(Phi, phi, w, at));
       };
     };
     auto const phi = [c = draw_cubic<S, 3>(draw, ratio<S>(1, 5)).a, d = draw_cubic<S, 3>(draw, ratio<S>(1, 5)).a]<class V>(V const& x) {
       using T = ScalarOf<V>;
-      return Eigen::Matrix<T, 2, 1>(x[1] + x[1] * x[2] * T(c[0]) + x[0] * T(c[1]), x[2] + x[1] * x[1] * T(d[0]) + x[0] * x[2] * T(d[1]));
+      return Matrix<T, 2, 1>(x[1] + x[1] * x[2] * T(c[0]) + x[0] * T(c[1]), x[2] + x[1] * x[1] * T(d[0]) + x[0] * x[2] * T(d[1]));
     };
-    auto const sides = [s = draw.vector<S, Eigen::Matrix<S, 2, 1>>(2)]<class V>(V const& x) {
+    auto const sides = [s = draw.vector<S, Matrix<S, 2, 1>>(2)]<class V>(V const& x) {
       using T = ScalarOf<V>;
       T const b = x[1] * (T(1) - x[1]) * x[2] * (T(1) - x[2]);
-      return Eigen::Matrix<T, 2, 1>(b * T(s[0]), b * x[1] * T(s[1]));
+      return Matrix<T, 2, 1>(b * T(s[0]), b * x[1] * T(s[1]));
     };
-    auto const loose = [&]<class V>(V const& x) { return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
-    Eigen::Matrix<S, n, 1> const low = Eigen::Matrix<S, n, 1>::Zero(), high = Eigen::Matrix<S, n, 1>::Ones();
+    auto const loose = [&]<class V>(V const& x) { return Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
+    Matrix<S, n, 1> const low = Matrix<S, n, 1>::Zero(), high = Matrix<S, n, 1>::Ones();
     // sqrt(det g) is of degree 4 in places of degree 2, its derivative is no higher, F adds 2 and the displacement 5.
     int const degree = 14;
-    claim.zero("total volume made with a fixed boundary", name, integral(made(phi, sides), low, high, degree), S(1), 10);
-    claim.refutes("with a boundary that moves, so that a constant is reached as well", name, integral(made(phi, loose), low, high, degree), S(1));
+    // Where numbers have an order: elsewhere a root has a sign at each point, and its integral is none.
+    if (ordered_arithmetic<S>()) claim.zero("total volume made with a fixed boundary", name, integral(made(phi, sides), low, high, degree), S(1), 10);
+    if (ordered_arithmetic<S>()) claim.refutes("with a boundary that moves, so that a constant is reached as well", name, integral(made(phi, loose), low, high, degree), S(1));
 
     // 2. Every function with zero mean is reached. In a body that is at rest in its own space sqrt(det G) div w = p has this solution, tangent to the sides.
-    auto const c = draw.vector<S, Eigen::Matrix<S, 3, 1>>(3);
+    auto const c = draw.vector<S, Matrix<S, 3, 1>>(3);
     // p = c0 (x - 1/2) + c1 (x y - 1/4) + c2 (y^2 - 1/3), and the part of it that does not depend on y goes sideways.
     auto const p = [&]<class V>(V const& b) { return S((b[0] - ratio<S>(1, 2)) * c[0] + (b[0] * b[1] - ratio<S>(1, 4)) * c[1] + (b[1] * b[1] - ratio<S>(1, 3)) * c[2]); };
     auto const solution = [&]<class V>(V const& x) {
       using T = ScalarOf<V>;
-      Eigen::Matrix<T, 2, 1> const b(x[1], x[2]);
+      Matrix<T, 2, 1> const b(x[1], x[2]);
       T const sideways = (b[0] * b[0] - b[0]) * T(S(c[0] / S(2) + c[1] / S(4)));
       T const upwards = b[0] * (b[1] * b[1] - b[1]) * T(S(c[1] / S(2))) + (b[1] * b[1] * b[1] - b[1]) * T(S(c[2] / S(3)));
       T const density = root(g)(b);
-      return Eigen::Matrix<T, 2, 1>(sideways / density, upwards / density);
+      return Matrix<T, 2, 1>(sideways / density, upwards / density);
     };
-    auto const rest = []<class V>(V const& x) { return Eigen::Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
+    auto const rest = []<class V>(V const& x) { return Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
     VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const at_rest{g, g};
     Event<S, n> const x = draw_event<S, n>(draw);
-    Eigen::Matrix<S, n, 1> const body = x.template tail<n>();
+    Matrix<S, n, 1> const body = x.template tail<n>();
     claim.zero("a body at rest in its own space keeps its volume", name, induced_constraint(at_rest, rest)(x), S(1), 10);
     // Near a zero of p its terms are still of size one tenth.
     claim.zero("a displacement that makes a given volume with zero mean", name, S(root(g)(body) * rate_of_constraint(at_rest, rest, solution, x) - p(body)), S(1), 10);
@@ -370,7 +363,7 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
     auto const against = [&](auto const& factor) {
       auto const field = [&]<class V>(V const& at) {
         using T = ScalarOf<V>;
-        return Eigen::Matrix<T, 1, 1>(root(G)(Eigen::Matrix<T, 2, 1>(at[1], at[2])) * factor(at));
+        return Matrix<T, 1, 1>(root(G)(Matrix<T, 2, 1>(at[1], at[2])) * factor(at));
       };
       return reaction(Phi, j, first_jet(field, x));
     };

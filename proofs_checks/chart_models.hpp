@@ -1,8 +1,6 @@
 // Models for the checks of natural charts: groups whose exponential every scalar can take, base points, moving places.
 #pragma once
 
-#include "exact_exponential.hpp"
-// The exact exponentials must come first.
 #include "actio/reduction/natural_chart.hpp"
 #include "models.hpp"
 
@@ -31,7 +29,7 @@ inline SpannedGroup third_jets(SpannedGroup const& group) {
   std::vector<SpannedGroup::WholeMatrix> basis;
   for (int k = 1; k <= 3; ++k)
     for (int a = 0; a < group.dimension(); ++a) {
-      SpannedGroup::WholeMatrix const e = group.hat(Eigen::VectorXi(Eigen::VectorXi::Unit(group.dimension(), a)));
+      SpannedGroup::WholeMatrix const e = group.hat(Vector<int>(Vector<int>::Unit(group.dimension(), a)));
       basis.push_back(SpannedGroup::WholeMatrix::Zero(4 * n, 4 * n));
       for (int i = 0; i + k < 4; ++i) basis.back().block(n * i, n * (i + k), n, n) = e;
     }
@@ -41,20 +39,15 @@ inline SpannedGroup third_jets(SpannedGroup const& group) {
 /// Over the rationals, where exp is a polynomial; over the other scalars the usual groups, with one of those beside them.
 template <class S>
 std::vector<SpannedGroup> const& chart_groups() {
-  static std::vector<SpannedGroup> const groups =
-      is_exact<S> ? std::vector{unitriangular(4), unitriangular(5), third_jets(spanned("Aff(1)", Aff1{}))}
-                  : std::vector{spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-                                spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), unitriangular(4)};
-  return groups;
+  static std::vector<SpannedGroup> const unipotent = {unitriangular(4), unitriangular(5), third_jets(spanned("Aff(1)", Aff1{}))};
+  static std::vector<SpannedGroup> const usual = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
+                                                  spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), unitriangular(4)};
+  return exact_arithmetic<S>() ? unipotent : usual;
 }
-/// Bound for the degree of the identities of this section over those groups. There every product of five matrices of the algebra vanishes, so whatever is made of places and velocities by products, exp,
-/// log and iex is of degree 4 at most in what was drawn. A Lagrangian is cubic in its velocity with coefficients of degree 4: 16; with chi, cubic in its argument, in a momentum: 28. Rounded up.
-inline constexpr int chart_degree = 40;
-
 /// An element of a size such that products of three stay inside the chart; over the rationals the chart has no end.
 template <class S>
 Place<S> draw_small(Draw& draw, SpannedGroup const& group) {
-  return draw.template element<S>(group, is_exact<S> ? S(1) : ratio<S>(2, 5));
+  return draw.template element<S>(group, exact_arithmetic<S>() ? S(1) : ratio<S>(2, 5));
 }
 /// A place not far from g.
 template <class S>
@@ -138,13 +131,13 @@ Place<Dual<S>> moving_along(Algebra<S> const& xi) {
 template <class S>
 Matrix<S> value_part(Matrix<Dual<S>> const& m) {
   Matrix<S> v(m.rows(), m.cols());
-  for (Eigen::Index i = 0; i < m.size(); ++i) v(i) = m(i).value;
+  for (Index i = 0; i < m.size(); ++i) v(i) = m(i).value;
   return v;
 }
 template <class S>
 Matrix<S> rate_part(Matrix<Dual<S>> const& m) {
   Matrix<S> v(m.rows(), m.cols());
-  for (Eigen::Index i = 0; i < m.size(); ++i) v(i) = m(i).part[0];
+  for (Index i = 0; i < m.size(); ++i) v(i) = m(i).part[0];
   return v;
 }
 /// Where a moving place is, and its \f$\dot g g^{-1}\f$, as matrices say: no formula for the differential of exp or log enters.

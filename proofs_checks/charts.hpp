@@ -40,7 +40,7 @@ auto coordinates_left(Element<SpannedGroup, S> const& k) {
 template <class T>
 Vector<Dual<T>> moving(Vector<T> const& q, Vector<T> const& v) {
   Vector<Dual<T>> x(q.size());
-  for (Eigen::Index i = 0; i < q.size(); ++i) x[i].value = q[i], x[i].part[0] = v[i];
+  for (Index i = 0; i < q.size(); ++i) x[i].value = q[i], x[i].part[0] = v[i];
   return x;
 }
 template <class T>
@@ -91,14 +91,14 @@ auto in_coordinates(L const& lagrangian, Chart const& chart) {
 template <class F, class T>
 Vector<T> slopes(F const& f, Vector<T> const& q, Vector<T> const& v) {
   Vector<T> d(q.size()), none = Vector<T>::Zero(q.size());
-  for (Eigen::Index i = 0; i < q.size(); ++i) d[i] = f(moving(q, Vector<T>(Vector<T>::Unit(q.size(), i))), moving(v, none)).part[0];
+  for (Index i = 0; i < q.size(); ++i) d[i] = f(moving(q, Vector<T>(Vector<T>::Unit(q.size(), i))), moving(v, none)).part[0];
   return d;
 }
 /// dL/dv.
 template <class F, class T>
 Vector<T> momenta(F const& f, Vector<T> const& q, Vector<T> const& v) {
   Vector<T> d(q.size()), none = Vector<T>::Zero(q.size());
-  for (Eigen::Index i = 0; i < q.size(); ++i) d[i] = f(moving(q, none), moving(v, Vector<T>(Vector<T>::Unit(q.size(), i)))).part[0];
+  for (Index i = 0; i < q.size(); ++i) d[i] = f(moving(q, none), moving(v, Vector<T>(Vector<T>::Unit(q.size(), i)))).part[0];
   return d;
 }
 /// The left side of (2.4): dL/dq - d/dt dL/dv along (q, v, a).

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace actio::checks {
@@ -38,19 +39,27 @@ void AnyClaim::corrected(std::string_view printed, std::string_view right, std::
 }
 void AnyClaim::scope(std::string_view note) { record.verdict = "scope", record.note = note; }
 void AnyClaim::maybe_scan() { record.scan = true; }
-void AnyClaim::degree(int d) { degree_ = d; }
 void AnyClaim::fail(std::string_view message) { record.failures.emplace_back(message); }
 
-void AnyClaim::vanishes(std::string_view what, std::string_view model, double relative, double condition) {
+double AnyClaim::degree_of_residual() {
+  return current_arithmetic().kind() == ArithmeticKind::prime ? std::ldexp(largest_degree(), 2 * std::min(roots_taken(), 100)) : 0;
+}
+
+void AnyClaim::vanishes(std::string_view what, std::string_view model, double relative, double condition, double degree) {
   Evidence& e = entry(what, exact() ? "exact" : "precision", model);
   ++e.points;
   if (!(relative <= e.measured)) e.measured = relative;
   e.epsilon = epsilon_;
   e.bound = exact() ? 0 : std::max(e.bound, rounding * condition * e.epsilon);
   if (exact()) {
-    if (degree_ <= 0) fail(at(what, model) + ": an exact identity needs an upper bound for its degree");
-    e.degree = degree_;
-    e.probability = std::pow(degree_ / draw_set, e.points);
+    bool const field = current_arithmetic().kind() == ArithmeticKind::prime;
+    if (!field && degrees)
+      if (auto const known = degrees->find(at(what, model)); known != degrees->end()) degree = known->second;
+    e.degree = std::max(e.degree, degree);
+    // Numbers are drawn from all of the field, and from 129 fractions. A residual that no draw enters is of degree 0: it is 0 or it is not.
+    double const drawn_from = field ? static_cast<double>(current_arithmetic().modulus()) : 129;
+    double const once = field || e.degree > 0 ? std::min(1.0, e.degree / drawn_from) : 1;
+    e.probability = e.degree > 0 ? std::max(std::pow(once, e.points), std::numeric_limits<double>::min()) : 0;
   }
   if (!(relative <= e.bound)) fail(at(what, model) + ": residual " + show(relative) + " of its terms, bound " + show(e.bound));
 }

@@ -6,13 +6,31 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "actio/foundations/draw.hpp"
+#include "actio/foundations/square_root.hpp"
+#include "witness/number.hpp"
 
 namespace actio::checks {
+
+/// Whether numbers grow longer with every operation: over the rationals, where a check takes smaller models.
+inline bool numbers_grow() { return current_arithmetic().kind() == ArithmeticKind::rational; }
+
+/// A number is positive: over a field without order a square stands for that, and the draw is made again where x is none. Roots have then the signs that formulas
+/// with positive numbers give them.
+template <class S>
+void draw_positive(S const& x) {
+  if (!ordered_arithmetic<S>()) square_root(base_value(x));
+}
+/// |x|: over a field without order whichever of x and -x is a square.
+template <class S>
+S modulus(S const& x) {
+  return ordered_arithmetic<S>() ? (x < S(0) ? S(-x) : x) : square_root(S(x * x));
+}
 
 /// One measured figure that speaks for a statement.
 struct Evidence {
@@ -20,7 +38,8 @@ struct Evidence {
   double measured = 0, bound = 0, epsilon = 0;
   std::vector<double> steps, errors;
   double slope = 0, spread = 0;
-  int degree = 0, points = 0;
+  double degree = 0;
+  int points = 0;
   double probability = 0;
 };
 /// The same quantity with a hypothesis broken: it must stay above the floor.
@@ -37,6 +56,7 @@ struct Record {
   std::vector<Control> control;
   std::vector<std::string> failures;
   std::uint64_t seed = 0;
+  int redrawn = 0;  ///< draws at which a divisor vanished or a root was missing, and which were drawn again
   double seconds = 0;
 };
 
@@ -45,8 +65,8 @@ template <Field S>
 Base<S> size_of(S const& x) {
   return magnitude(x);
 }
-template <class M>
-auto size_of(Eigen::MatrixBase<M> const& m) {
+template <MatrixLike M>
+auto size_of(M const& m) {
   return magnitude(m);
 }
 template <Group G, Field S>
@@ -66,11 +86,6 @@ Element<G, S> operator-(Element<G, S> const& a, Element<G, S> const& b) {
   return {a.group, a.value - b.value};
 }
 
-/// How many random points an exact identity is tried at, for each model.
-inline constexpr int exact_points = 4;
-/// Numerators of random rational numbers are drawn from a set of this size (draw.hpp).
-inline constexpr double draw_set = 131073.0;
-
 /// The part of a claim that does not depend on its scalar: records and judgements, compiled once (claim.cpp). Texts come as views, which cost a caller nothing.
 class AnyClaim {
  public:
@@ -82,6 +97,17 @@ class AnyClaim {
 
   /// @param epsilon  of the scalar; 0 where it is exact
   AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed, double epsilon);
+
+  /// Whether orders are fitted in this call: in double, once.
+  bool fits_orders() const { return pass == 0 && current_arithmetic().kind() == ArithmeticKind::hardware; }
+  /// Whether orders are fitted in this call that would end in the rounding of double: in fifty digits, once.
+  bool fits_orders_in_digits() const { return pass == 0 && current_arithmetic().kind() == ArithmeticKind::decimal && current_arithmetic().digits() == 50; }
+  /// Whether this is the first call: for what draws nothing, and would say the same again.
+  bool first() const { return pass == 0; }
+
+  int pass = 0;  ///< how often the check was called before
+  /// Degrees of the identities, found in a prime field, by what is claimed and the model: for the columns that cannot measure them.
+  std::map<std::string, double> const* degrees = nullptr;
 
   // The verdict.
 
@@ -98,8 +124,6 @@ class AnyClaim {
 
   // Evidence that is no residual.
 
-  /// Upper bound for the degree of the identities that follow, as polynomials in the random numbers after clearing denominators.
-  void degree(int d);
   /// The errors fall like h^expected: a line fitted to their logarithms, over at least five refinements.
   void order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double expected,
              double tolerance = 0.05);
@@ -123,13 +147,15 @@ class AnyClaim {
 
  protected:
   /// A residual of this relative size was claimed to vanish.
-  void vanishes(std::string_view what, std::string_view model, double relative, double condition);
+  /// @param degree  upper bound of its degree in the random numbers; 0 where it is not known
+  void vanishes(std::string_view what, std::string_view model, double relative, double condition, double degree);
+  /// Of the numbers whose size was asked for last. Each different root counts fourfold: the norm over its signs has twice the degree, and half of the points have one.
+  static double degree_of_residual();
   /// A residual of this relative size was claimed not to vanish.
   void stays(std::string_view what, std::string_view model, double relative, double floor);
 
  private:
   double epsilon_;
-  int degree_ = 0;
 
   bool exact() const { return epsilon_ == 0; }
   void refused(std::string_view what, std::string_view model, bool truth);
@@ -141,18 +167,19 @@ class AnyClaim {
 template <class S>
 class Claim : public AnyClaim {
  public:
-  static constexpr bool exact = is_exact<S>;
-
   Claim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed)
       : AnyClaim(id, title, scalar, seed, to_double(epsilon<S>())) {}
 
-  /// The residual vanishes: exactly over the rationals, otherwise to `rounding * condition` epsilons of `scale`.
+  /// The residual vanishes: exactly over an exact arithmetic, otherwise to `rounding * condition` epsilons of `scale`.
   ///
   /// @param scale      size of the terms whose cancellation is claimed
   /// @param condition  by how much the computation of the terms magnifies rounding, with a reason beside the call; 1 for plain evaluation
   template <class R, class Scale>
   void zero(std::string_view what, std::string_view model, R const& residual, Scale const& scale, double condition = 1) {
-    vanishes(what, model, quotient(size_of(residual), size_of(S(scale))), condition);
+    forget_degrees();
+    Base<S> const size = size_of(residual);
+    double const degree = degree_of_residual();
+    vanishes(what, model, quotient(size, size_of(S(scale))), condition, degree);
   }
   /// Two sides are equal; the scale is that of the larger side.
   template <class L, class R>

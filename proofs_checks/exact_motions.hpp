@@ -39,13 +39,13 @@ struct ExactMotions {
   template <class T>
   Vector<T> straight(Vector<T> const& q) const {
     Vector<T> u = q;
-    for (Eigen::Index i = 1; i < q.size(); ++i) u[i] += q[i - 1] * q[0] * T(bend[i]);
+    for (Index i = 1; i < q.size(); ++i) u[i] += q[i - 1] * q[0] * T(bend[i]);
     return u;
   }
   template <class T>
   Vector<T> bent(Vector<T> const& u) const {
     Vector<T> q = u;
-    for (Eigen::Index i = 1; i < u.size(); ++i) q[i] -= q[i - 1] * q[0] * T(bend[i]);
+    for (Index i = 1; i < u.size(); ++i) q[i] -= q[i - 1] * q[0] * T(bend[i]);
     return q;
   }
   /// The chart of straight coordinates.
@@ -113,7 +113,7 @@ struct ExactMotions {
   static auto dot(Vector<S> const& x, V const& y) {
     using T = typename V::Scalar;
     T sum(0);
-    for (Eigen::Index i = 0; i < x.size(); ++i) sum += y[i] * T(x[i]);
+    for (Index i = 0; i < x.size(); ++i) sum += y[i] * T(x[i]);
     return sum;
   }
 };

@@ -22,11 +22,11 @@ using ScalarOf = typename std::remove_cvref_t<V>::Scalar;
 template <class S, int m>
 struct Cubic {
   S constant;
-  Eigen::Matrix<S, m, 1> a, b, d, e;
+  Matrix<S, m, 1> a, b, d, e;
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
-    auto const linear = [&](Eigen::Matrix<S, m, 1> const& c) {
+    auto const linear = [&](Matrix<S, m, 1> const& c) {
       T sum(0);
       for (int i = 0; i < m; ++i) sum += x[i] * T(c[i]);
       return sum;
@@ -37,7 +37,7 @@ struct Cubic {
 };
 template <class S, int m>
 Cubic<S, m> draw_cubic(Draw& draw, S const& size = S(1)) {
-  using V = Eigen::Matrix<S, m, 1>;
+  using V = Matrix<S, m, 1>;
   auto const vector = [&] { return V(draw.vector<S, V>(m) * size); };
   S const constant = draw.number<S>() * size;
   auto const a = vector();
@@ -54,7 +54,7 @@ struct AnySection {
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, N, 1> y;
+    Matrix<T, N, 1> y;
     for (int a = 0; a < N; ++a) y[a] = a < n ? T(x[a + 1] + added[a](x)) : added[a](x);
     return y;
   }
@@ -75,14 +75,14 @@ Event<S, n> draw_event(Draw& draw) {
 /// A metric A(y)^T A(y) with \f$A = 1 + \text{small}(y)\f$ of second degree: neither constant nor diagonal nor conformal.
 template <class S, int n>
 struct AnyMetric {
-  Eigen::Matrix<S, n, n> constant;
-  std::array<Eigen::Matrix<S, n, n>, n> slope;
-  Eigen::Matrix<S, n, n> bend;
+  Matrix<S, n, n> constant;
+  std::array<Matrix<S, n, n>, n> slope;
+  Matrix<S, n, n> bend;
 
   template <class V>
   auto frame(V const& y) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, n, n> A;
+    Matrix<T, n, n> A;
     for (int i = 0; i < n; ++i)
       for (int k = 0; k < n; ++k) {
         A(i, k) = T(constant(i, k)) + y[i] * y[k] * T(bend(i, k));
@@ -98,7 +98,7 @@ struct AnyMetric {
 };
 template <class S, int n>
 AnyMetric<S, n> draw_metric(Draw& draw) {
-  using M = Eigen::Matrix<S, n, n>;
+  using M = Matrix<S, n, n>;
   auto const matrix = [&](S const& size) {
     M m;
     for (int i = 0; i < n; ++i)
@@ -115,7 +115,7 @@ AnyMetric<S, n> draw_metric(Draw& draw) {
 /// A constant metric that is not the identity.
 template <class S, int n>
 ConstantMetric<S, n> draw_constant_metric(Draw& draw) {
-  Eigen::Matrix<S, n, 1> const origin = Eigen::Matrix<S, n, 1>::Zero();
+  Matrix<S, n, 1> const origin = Matrix<S, n, 1>::Zero();
   return {draw_metric<S, n>(draw)(origin)};
 }
 
@@ -153,8 +153,8 @@ template <class S>
 struct AnySolidLaw {
   Cubic<S, 2> w;
   template <class T, int n>
-  T operator()(Eigen::Matrix<T, n, n> const& C) const {
-    Eigen::Matrix<T, 2, 1> invariants = Eigen::Matrix<T, 2, 1>::Zero();
+  T operator()(Matrix<T, n, n> const& C) const {
+    Matrix<T, 2, 1> invariants = Matrix<T, 2, 1>::Zero();
     for (int i = 0; i < n; ++i) {
       invariants[0] += C(i, i);
       for (int k = 0; k < n; ++k) invariants[1] += C(i, k) * C(k, i);
@@ -173,10 +173,10 @@ struct AnyEnergy {
   static constexpr int arguments = n + n * n + N * N + N * n;
   Cubic<S, arguments> w;
   template <class BodyMetric, class SpaceMetric, class T>
-  T operator()(Eigen::Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Eigen::Matrix<T, N, n> const& F) const {
-    Eigen::Matrix<T, n, n> const body = as_matrix<T>(G);
-    Eigen::Matrix<T, N, N> const space = as_matrix<T>(g);
-    Eigen::Matrix<T, arguments, 1> all;
+  T operator()(Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Matrix<T, N, n> const& F) const {
+    Matrix<T, n, n> const body = as_matrix<T>(G);
+    Matrix<T, N, N> const space = as_matrix<T>(g);
+    Matrix<T, arguments, 1> all;
     int k = 0;
     for (int i = 0; i < n; ++i) all[k++] = x[i];
     for (int i = 0; i < n * n; ++i) all[k++] = body(i / n, i % n);
@@ -217,7 +217,7 @@ Jet<S, n, N> draw_jet(Draw& draw) {
 template <class S, int D, int k>
 Tangents<S, D, k> draw_tangents(Draw& draw) {
   Tangents<S, D, k> V;
-  for (int c = 0; c < k; ++c) V.col(c) = draw.vector<S, Eigen::Matrix<S, D, 1>>(D);
+  for (int c = 0; c < k; ++c) V.col(c) = draw.vector<S, Matrix<S, D, 1>>(D);
   return V;
 }
 

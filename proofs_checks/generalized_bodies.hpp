@@ -16,12 +16,7 @@
 
 namespace actio::checks {
 
-template <class S>
-using Matrix = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
-template <class S>
-using Vector = Eigen::Matrix<S, Eigen::Dynamic, 1>;
-
-using Turns = SO<Eigen::Dynamic>;
+using Turns = SO<Dynamic>;
 template <class S>
 using Turn = Element<Turns, S>;
 template <class S>
@@ -34,7 +29,7 @@ inline std::string name_of(int n) { return "SO(" + std::to_string(n) + ")"; }
 template <class S, class Visit>
 void over_bodies(Claim<S> const&, Visit const& visit) {
   for (int n = 3; n <= 5; ++n)
-    for (int point = 0; point < (is_exact<S> ? exact_points : 2); ++point) visit(n, name_of(n));
+    visit(n, name_of(n));
 }
 
 /// \f$\Lambda\f$ of a body in its principal frame: diagonal, no two entries alike.
@@ -99,8 +94,8 @@ struct TraceLagrangian {
   template <class T>
   T operator()(Element<Turns, T> const& f) const {
     T sum(0);
-    for (Eigen::Index i = 0; i < lambda.rows(); ++i)
-      for (Eigen::Index j = 0; j < lambda.cols(); ++j) sum += f.value(i, j) * T(S(lambda(j, i) * factor));
+    for (Index i = 0; i < lambda.rows(); ++i)
+      for (Index j = 0; j < lambda.cols(); ++j) sum += f.value(i, j) * T(S(lambda(j, i) * factor));
     return sum;
   }
 };
@@ -114,8 +109,8 @@ struct ChartLagrangian {
   T operator()(Element<Turns, T> const& f) const {
     Vector<T> const xi = f.group.vee(inverse_cayley(f.value));
     T sum(0);
-    for (Eigen::Index i = 0; i < xi.size(); ++i)
-      for (Eigen::Index j = 0; j < xi.size(); ++j) sum += xi[i] * xi[j] * T(S(a(i, j) / S(2)));
+    for (Index i = 0; i < xi.size(); ++i)
+      for (Index j = 0; j < xi.size(); ++j) sum += xi[i] * xi[j] * T(S(a(i, j) / S(2)));
     return sum;
   }
 };
@@ -178,21 +173,19 @@ auto gap(X const& a, X const& b) {
   else
     return a - b;
 }
-/// Degrees in the random numbers after clearing denominators, for n = 5: a rotation by Cayley's transform 5, each entry of a designed body 10 times 7; integrals are of degree 5 in
-/// momenta of degree 75, on both sides of an equation.
-inline constexpr int designed_degree = 1000;
 
 /// The rank of a matrix, by elimination: exact, so over the rationals only.
-inline int exact_rank(Matrix<rational> a) {
+template <class S>
+int exact_rank(Matrix<S> a) {
   int rank = 0;
-  for (Eigen::Index column = 0; column < a.cols() && rank < a.rows(); ++column) {
-    Eigen::Index pivot = rank;
+  for (Index column = 0; column < a.cols() && rank < a.rows(); ++column) {
+    Index pivot = rank;
     while (pivot < a.rows() && a(pivot, column) == 0) ++pivot;
     if (pivot == a.rows()) continue;
     a.row(pivot).swap(a.row(rank));
-    for (Eigen::Index i = rank + 1; i < a.rows(); ++i) {
-      rational const factor = a(i, column) / a(rank, column);
-      for (Eigen::Index j = column; j < a.cols(); ++j) a(i, j) -= factor * a(rank, j);
+    for (Index i = rank + 1; i < a.rows(); ++i) {
+      S const factor = a(i, column) / a(rank, column);
+      for (Index j = column; j < a.cols(); ++j) a(i, j) -= factor * a(rank, j);
     }
     ++rank;
   }

@@ -58,12 +58,12 @@ struct ArrowPolynomial {
   template <class T>
   T at(Vector<T> const& entries) const {
     T sum(0), along(0);
-    for (Eigen::Index k = 0; k < squares.rows(); ++k) {
+    for (Index k = 0; k < squares.rows(); ++k) {
       T q(0);
-      for (Eigen::Index i = 0; i < entries.size(); ++i) q += entries[i] * T(squares(k, i));
+      for (Index i = 0; i < entries.size(); ++i) q += entries[i] * T(squares(k, i));
       sum += q * q / 2;
     }
-    for (Eigen::Index i = 0; i < entries.size(); ++i) sum += entries[i] * T(linear[i]), along += entries[i] * T(cube[i]);
+    for (Index i = 0; i < entries.size(); ++i) sum += entries[i] * T(linear[i]), along += entries[i] * T(cube[i]);
     return sum + along * along * along;
   }
 };
@@ -82,7 +82,7 @@ ArrowPolynomial<S> draw_arrow_polynomial(Draw& draw, Gamma const& gamma, Arrow<G
 template <class S, class Visit>
 void over_groupoids(Claim<S> const&, Visit const& visit) {
   static SpannedGroup const so3 = spanned("SO(3)", SO<3>{}), se2 = spanned("SE(2)", SE<2>{}), aff = spanned("Aff(1)", Aff1{}), so2("SO(2)", {(SpannedGroup::WholeMatrix(2, 2) << 0, -1, 1, 0).finished()});
-  for (int point = 0; point < (is_exact<S> ? exact_points : 2); ++point) {
+  {
     for (auto const& group : {so3, aff}) visit(Pairs{group}, "pairs in " + group.name());
     for (auto const& group : {se2, aff}) visit(Alone{group}, group.name());
     visit(Opposite<Alone>{{aff}}, std::string("Aff(1), opposite"));

@@ -34,14 +34,14 @@ AnyMetric<S, n> constant_metric(AnyMetric<S, n> g) {
 /// A density of mass 1 everywhere, of the same type as one that varies.
 template <class S, int n>
 AnyMass<S, n> unit_mass() {
-  using V = Eigen::Matrix<S, n, 1>;
+  using V = Matrix<S, n, 1>;
   V const zero = V::Zero();
   return {Cubic<S, n>{S(-1), zero, zero, zero, zero}};
 }
 /// A stored energy that is the same everywhere, of the same type as one that is not.
 template <class S, int n>
 AnyEnergy<S, n, n> constant_energy(S const& value) {
-  using V = Eigen::Matrix<S, AnyEnergy<S, n, n>::arguments, 1>;
+  using V = Matrix<S, AnyEnergy<S, n, n>::arguments, 1>;
   V const zero = V::Zero();
   return {Cubic<S, AnyEnergy<S, n, n>::arguments>{value, zero, zero, zero, zero}};
 }
@@ -118,7 +118,7 @@ struct CarriedBy {
   template <class V>
   auto operator()(V const& x) const {
     auto const place = phi(x).eval();
-    Eigen::Matrix<ScalarOf<V>, V::RowsAtCompileTime, 1> at;
+    Matrix<ScalarOf<V>, V::RowsAtCompileTime, 1> at;
     at << x[0], place;
     return field(at);
   }
@@ -134,15 +134,15 @@ struct SolenoidalField {
   template <class V>
   auto operator()(V const& y) const {
     using T = ScalarOf<V>;
-    auto const moved = detail::in_all_directions(Eigen::Matrix<T, n + 1, 1>(y));
-    Eigen::Matrix<T, n, 1> u = Eigen::Matrix<T, n, 1>::Zero();
+    auto const moved = detail::in_all_directions(Matrix<T, n + 1, 1>(y));
+    Matrix<T, n, 1> u = Matrix<T, n, 1>::Zero();
     for (int a = 0, k = 0; a < n; ++a)
       for (int b = 0; b < a; ++b, ++k) {
         auto const value = psi[k](moved);
         u[a] += value.part[b + 1];
         u[b] -= value.part[a + 1];
       }
-    Eigen::Matrix<T, n, 1> const place = y.template tail<n>();
+    Matrix<T, n, 1> const place = y.template tail<n>();
     return (u / volume<T>(g(place))).eval();
   }
 };
@@ -162,8 +162,8 @@ SecondJet<S, n, n + 1> draw_extended_jet(Draw& draw, Phi const& phi, BodyMetric 
 
 /// The Euler-Lagrange derivative in the places, over \f$-\sqrt{\det G}\f$: what equations of motion per unit of volume leave.
 template <class L, class S, int n, int M>
-Eigen::Matrix<S, n, 1> per_volume(L const& density, SecondJet<S, n, M> const& j) {
-  Eigen::Matrix<S, M, 1> const E = euler_lagrange(density, j);
+Matrix<S, n, 1> per_volume(L const& density, SecondJet<S, n, M> const& j) {
+  Matrix<S, M, 1> const E = euler_lagrange(density, j);
   return -E.template head<n>() / volume<S>(density.constraint.G(j.particle()));
 }
 /// The size of what an equation of motion is made of.
@@ -178,11 +178,7 @@ using TwoAndThree = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// Three models and three random points in each of the dimensions.
 template <class Dims, class Visit>
 void over_points(Dims dims, Visit const& visit) {
-  for (int point = 0; point < 3; ++point) over_dimensions(dims, visit);
+  over_dimensions(dims, visit);
 }
-
-/// The degree, in the random numbers, of the identities of this chapter. A cubic section has degree 6, a metric at its place 2 * 13, its volume in space 39; the energy, a cubic in
-/// metrics and deformation gradient, 82; field equations multiply these with denominators (determinants of metric and deformation gradient) of degree 2 * (78 + 18).
-inline constexpr int degree_of_fields = 400;
 
 }  // namespace actio::checks

@@ -62,8 +62,9 @@ std::map<std::string, std::vector<ordered_json>> read_records(fs::path const& re
 
 /// One record from those of several scalars: the strongest kind first.
 ordered_json merged(std::vector<ordered_json> parts) {
-  std::map<std::string, int> const rank = {{"rational", 0}, {"double", 1}, {"dec50", 2}, {"dec100", 3}};
-  std::stable_sort(parts.begin(), parts.end(), [&](auto const& a, auto const& b) { return rank.at(a["scalar"]) < rank.at(b["scalar"]); });
+  std::map<std::string, int> const rank = {{"rational", 0}, {"prime", 1}, {"double", 2}, {"dec50", 3}, {"dec100", 4}, {"ball", 5}};
+  auto const place = [&](ordered_json const& part) { return rank.contains(part.at("scalar")) ? rank.at(part.at("scalar")) : 9; };
+  std::stable_sort(parts.begin(), parts.end(), [&](auto const& a, auto const& b) { return place(a) < place(b); });
   ordered_json one = parts.front();
   one.erase("scalar");
   one["scalars"] = ordered_json::array();

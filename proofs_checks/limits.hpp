@@ -1,15 +1,11 @@
 // What a discrete motion tends to as the step goes to zero: steps, errors and groups for the fits of orders. In double, where the fits are made.
 #pragma once
 
-#include <concepts>
 #include <vector>
 
 #include "models.hpp"
 
 namespace actio::checks {
-
-template <class S>
-inline constexpr bool fits_orders = std::same_as<S, double>;
 
 /// Groups of the fits: one of each kind, commutative brackets aside.
 inline std::vector<SpannedGroup> const& limit_groups() {

@@ -11,7 +11,7 @@ namespace actio::checks {
 /// at all of them is \f$10^{-8}\f$. What follows from an identity that has been checked in space is checked in the plane alone.
 template <class... D, class Visit>
 void over_points(std::tuple<D...> dimensions, Visit const& visit) {
-  for (int point = 0; point < 3; ++point) over_dimensions(dimensions, visit);
+  over_dimensions(dimensions, visit);
 }
 using Plane = std::tuple<Dimensions<2, 2>>;
 
@@ -26,7 +26,7 @@ struct EnergyOfKind {
   AnyFluidLaw<S> w;  ///< of a fluid
   AnySolidLaw<S> solid;
   template <class T>
-  T operator()(Eigen::Matrix<T, n, 1> const& x, Eigen::Matrix<T, n, n> const& G, Eigen::Matrix<T, n, n> const& g, Eigen::Matrix<T, n, n> const& F) const {
+  T operator()(Matrix<T, n, 1> const& x, Matrix<T, n, n> const& G, Matrix<T, n, n> const& g, Matrix<T, n, n> const& F) const {
     switch (kind) {
       case Kind::any: return any(x, G, g, F);
       case Kind::fluid: return w(jacobian(G, g, F));
@@ -75,19 +75,19 @@ S body_volume(Medium const& medium, Jet<S, n, N> const& j) {
 /// The values that a medium has at a jet, all as matrices.
 template <class S, int n>
 struct PointOfMedium {
-  Eigen::Matrix<S, n, n> G, g, F, inverse;  ///< metrics, deformation gradient and its inverse
+  Matrix<S, n, n> G, g, F, inverse;  ///< metrics, deformation gradient and its inverse
   S rho, J;
 };
 template <class Medium, class S, int n>
 PointOfMedium<S, n> point_of_medium(Medium const& medium, Jet<S, n, n> const& j) {
-  Eigen::Matrix<S, n, n> const G = as_matrix<S>(medium.G(j.particle())), g = as_matrix<S>(medium.g(j.y)), F = j.gradient();
+  Matrix<S, n, n> const G = as_matrix<S>(medium.G(j.particle())), g = as_matrix<S>(medium.g(j.y)), F = j.gradient();
   return {G, g, F, inverse_matrix(F), S(medium.rho(j.particle())), jacobian(G, g, F)};
 }
 
 /// The slopes \f$\partial P/\partial x^k\f$ of a fluid's material pressure along a section.
 template <class Medium, class S, int n>
-Eigen::Matrix<S, n, 1> pressure_slopes(Medium const& fluid, SecondJet<S, n, n> const& j) {
-  Eigen::Matrix<S, n, 1> slope;
+Matrix<S, n, 1> pressure_slopes(Medium const& fluid, SecondJet<S, n, n> const& j) {
+  Matrix<S, n, 1> slope;
   for (int k = 0; k < n; ++k) slope[k] = material_pressure(fluid, along(j, k + 1)).part[0];
   return slope;
 }

@@ -14,7 +14,7 @@ template <class S>
 std::vector<SpannedGroup> groups_for_motions(int largest = 4) {
   std::vector<SpannedGroup> groups;
   for (auto const& group : all_groups())
-    if (!is_exact<S> || group.dimension() <= largest) groups.push_back(group);
+    if (!numbers_grow() || group.dimension() <= largest) groups.push_back(group);
   return groups;
 }
 
@@ -65,8 +65,8 @@ template <class S>
 Place<Dual<S>> nudged(Place<S> const& g, Velocity<SpannedGroup, S> const& theta) {
   Place<Dual<S>> moved = over<Dual<S>>(g);
   Matrix<S> const rate = g.group.hat(theta.coordinates) * g.value;
-  for (Eigen::Index i = 0; i < rate.rows(); ++i)
-    for (Eigen::Index j = 0; j < rate.cols(); ++j) moved.value(i, j).part[0] = rate(i, j);
+  for (Index i = 0; i < rate.rows(); ++i)
+    for (Index j = 0; j < rate.cols(); ++j) moved.value(i, j).part[0] = rate(i, j);
   return moved;
 }
 /// The covector that sees nothing.
@@ -126,9 +126,9 @@ Vector<S> differential(Places<S> const& g, F const& f) {
 /// Covectors one after the other.
 template <class S>
 Vector<S> stacked(std::vector<Momentum<SpannedGroup, S>> const& mu) {
-  Eigen::Index const d = mu[0].components.size();
-  Vector<S> all(d * static_cast<Eigen::Index>(mu.size()));
-  for (std::size_t k = 0; k < mu.size(); ++k) all.segment(static_cast<Eigen::Index>(k) * d, d) = mu[k].components;
+  Index const d = mu[0].components.size();
+  Vector<S> all(d * static_cast<Index>(mu.size()));
+  for (std::size_t k = 0; k < mu.size(); ++k) all.segment(static_cast<Index>(k) * d, d) = mu[k].components;
   return all;
 }
 /// The condition number of a matrix in the row norm: by how much a linear system magnifies rounding.
@@ -145,7 +145,7 @@ double flow_condition(Lagrangian const& L, Place<S> const& g1, Place<S> const& g
 template <class S>
 Vector<S> rates(Momentum<SpannedGroup, Dual<S>> const& mu) {
   Vector<S> v(mu.components.size());
-  for (Eigen::Index a = 0; a < v.size(); ++a) v[a] = mu.components[a].part[0];
+  for (Index a = 0; a < v.size(); ++a) v[a] = mu.components[a].part[0];
   return v;
 }
 
@@ -185,7 +185,7 @@ template <class S, class Polynomial, class Wrap>
 Polynomial with_motion_along(Polynomial l, Places<S> const& g, Draw& draw, Wrap const& wrap) {
   int const d = g[0].group.dimension(), n = g[0].group.matrix_size(), inner = static_cast<int>(g.size()) - 2;
   // Over the rationals as many terms as equations. Where numbers are rounded twice as many and the least of their coefficients, which keeps them small.
-  int const terms = (is_exact<S> ? 1 : 2) * d * inner;
+  int const terms = (exact_arithmetic<S>() ? 1 : 2) * d * inner;
   l.phi.clear(), l.psi.clear();
   for (int k = 0; k < 2 * d * inner; ++k) l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
   l.phi.resize(terms), l.psi.resize(terms);
@@ -203,7 +203,7 @@ Polynomial with_motion_along(Polynomial l, Places<S> const& g, Draw& draw, Wrap 
     one.correction[k] = S(1);
     columns.col(k) = equations(one) - left;
   }
-  if constexpr (is_exact<S>) {
+  if (exact_arithmetic<S>()) {
     l.correction = -solve_linear(columns, left, "with_motion_along");
   } else {
     // The normal equations square the condition: twice again on what is left.

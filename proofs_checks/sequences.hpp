@@ -17,25 +17,17 @@ using Places = std::vector<Place<S>>;
 /// Groups for checks of several steps: over the rationals four of them, since numbers grow long with each step.
 template <class S>
 std::vector<SpannedGroup> const& groups_for_sequences() {
-  if constexpr (is_exact<S>)
-    return few_groups();
-  else
-    return all_groups();
+  return numbers_grow() ? few_groups() : all_groups();
 }
 
 /// The groups of the commuting squares and brackets of chapter 4: SO(3), SO(4), SE(3), Aff(1), SU(2), GL(3). Over the rationals, where the inverse of a matrix of
 /// many rows is long, GL(2) stands for GL(3) and SO(4) is left to the other scalars.
 template <class S>
 std::vector<SpannedGroup> const& groups_for_squares() {
-  static std::vector<SpannedGroup> const groups = [] {
-    std::vector<SpannedGroup> all = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}), spanned_su2()};
-    if constexpr (is_exact<S>)
-      all.push_back(spanned("GL(2)", GL<2>{}));
-    else
-      all.push_back(spanned("SO(4)", SO<4>{})), all.push_back(spanned("GL(3)", GL<3>{}));
-    return all;
-  }();
-  return groups;
+  static std::vector<SpannedGroup> const all = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
+                                                spanned_su2(),             spanned("SO(4)", SO<4>{}), spanned("GL(3)", GL<3>{})};
+  static std::vector<SpannedGroup> const short_ones = {all[0], all[1], all[2], all[3], spanned("GL(2)", GL<2>{})};
+  return numbers_grow() ? short_ones : all;
 }
 
 /// `count` places, or relative motions, at random.
@@ -57,8 +49,8 @@ std::vector<Velocity<SpannedGroup, S>> draw_variations(Draw& draw, SpannedGroup 
 template <class S>
 Place<Dual<S>> varied(Place<S> const& g, Matrix<S> const& change) {
   Matrix<Dual<S>> value = g.value.template cast<Dual<S>>();
-  for (Eigen::Index i = 0; i < value.rows(); ++i)
-    for (Eigen::Index j = 0; j < value.cols(); ++j) value(i, j).part[0] = change(i, j);
+  for (Index i = 0; i < value.rows(); ++i)
+    for (Index j = 0; j < value.cols(); ++j) value(i, j).part[0] = change(i, j);
   return {g.group, value};
 }
 /// The matrices of \f$\vartheta\f$, of \f$\vartheta g\f$ and of \f$g\vartheta\f$.
@@ -78,8 +70,8 @@ Matrix<S> from_right(Place<S> const& g, Velocity<SpannedGroup, S> const& theta) 
 template <class S>
 Matrix<S> rate(Place<Dual<S>> const& g) {
   Matrix<S> m(g.value.rows(), g.value.cols());
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < m.cols(); ++j) m(i, j) = g.value(i, j).part[0];
+  for (Index i = 0; i < m.rows(); ++i)
+    for (Index j = 0; j < m.cols(); ++j) m(i, j) = g.value(i, j).part[0];
   return m;
 }
 /// \f$l'(f)\cdot v\f$ for a tangent vector given as a matrix: the definition, with no translation in it.
@@ -201,7 +193,7 @@ Matrix<S> stacked(std::vector<Place<S>> const& parts) {
 template <class S>
 Vector<S> rate(Momentum<SpannedGroup, Dual<S>> const& mu) {
   Vector<S> v(mu.components.size());
-  for (Eigen::Index a = 0; a < v.size(); ++a) v[a] = mu.components[a].part[0];
+  for (Index a = 0; a < v.size(); ++a) v[a] = mu.components[a].part[0];
   return v;
 }
 /// Several momenta below each other.
@@ -271,7 +263,7 @@ struct MotionPolynomial {
   template <class T>
   static T square_of(Matrix<T> const& m) {
     T sum(0);
-    for (Eigen::Index a = 0; a < m.size(); ++a) sum += m(a) * m(a);
+    for (Index a = 0; a < m.size(); ++a) sum += m(a) * m(a);
     return sum;
   }
 };

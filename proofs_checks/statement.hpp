@@ -1,47 +1,43 @@
 // STATEMENT(id, title) { ... }: the check of one statement of the thesis.
 //
-// The body is compiled once for the scalar of its unit (ACTIO_SCALAR: double, dec50, dec100 or rational) as a function template over S, with `claim` (claim.hpp)
-// and `draw` (random points, draw.hpp) at hand; `if constexpr (Real<S>)` leaves out what needs a root. It gives a verdict, evidence and a control.
+// The body is a function of `claim` (claim.hpp) and `draw` (random points, draw.hpp) over the scalar S, whose arithmetic is chosen when
+// the program runs: it is compiled once. It visits each of its models at one random point; the program calls it as often as the column
+// asks for points. `exact_arithmetic<S>()` tells where there are no roots, `ordered_arithmetic<S>()` where numbers have sizes.
 //
-// A source all of whose statements are identities that the rationals decide exactly says so in its head, `// Scalars: rational, double`: it is compiled for
-// these alone. Without such a line it is compiled for all four.
+// A source runs in all columns unless a line of its head names those that it is meant for: COLUMNS("prime rational double").
 #pragma once
 
 #include <cstdint>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "claim.hpp"
 
 namespace actio::checks {
 
-/// The scalar of this unit.
-using CheckScalar = ACTIO_SCALAR;
-
 /// A check that has been compiled into this program.
 struct Check {
-  char const *id, *title, *scalar, *source;
-  Record (*run)(Check const&, std::uint64_t seed);
+  char const *id, *title, *source;
+  void (*body)(Claim<Number>&, Draw&);
 };
 /// All checks of this program, in the order of their registration.
-std::vector<Check>& all_checks();  // main.cpp
+std::vector<Check>& all_checks();  // run.cpp
+bool add_check(Check const& check);  // run.cpp
 
-template <class S, void (*body)(Claim<S>&, Draw&)>
-Record run_check(Check const& check, std::uint64_t seed) {
-  Claim<S> claim(check.id, check.title, check.scalar, seed);
-  body(claim, claim.draw);
-  claim.judge_controls();
-  return std::move(claim.record);
-}
-
-bool add_check(Check const& check);  // main.cpp
+/// The columns there are: prime, rational, double, 50, 100, ball.
+std::vector<std::string> const& all_columns();  // run.cpp
+/// The columns that a source is meant for: all but ball where it names none.
+std::vector<std::string> columns_of(std::string const& source);  // run.cpp
+/// @param columns  names of columns, separated by blanks
+bool set_columns(char const* source, char const* columns);  // run.cpp
 
 }  // namespace actio::checks
 
-#define STATEMENT(id, title)                                                                                                      \
-  template <class S>                                                                                                               \
-  static void id(actio::checks::Claim<S>& claim, actio::Draw& draw);                                                               \
-  static bool const registered_##id = actio::checks::add_check(                                                                    \
-      {#id, title, ACTIO_SCALAR_NAME, __FILE__, &actio::checks::run_check<actio::checks::CheckScalar, id<actio::checks::CheckScalar>>}); \
-  template <class S>                                                                                                               \
+#define STATEMENT(id, title)                                                                                     \
+  template <class S>                                                                                             \
+  static void id(actio::checks::Claim<S>& claim, actio::Draw& draw);                                             \
+  static bool const registered_##id = actio::checks::add_check({#id, title, __FILE__, &id<actio::Number>});      \
+  template <class S>                                                                                             \
   static void id([[maybe_unused]] actio::checks::Claim<S>& claim, [[maybe_unused]] actio::Draw& draw)
+
+#define COLUMNS(names) static bool const columns_are_set = actio::checks::set_columns(__FILE__, names)

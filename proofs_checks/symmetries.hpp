@@ -12,7 +12,7 @@ namespace actio::checks {
 /// Calls `visit` for each of the dimensions, at three random points.
 template <class Dims, class Visit>
 void over_points(Dims dimensions, Visit const& visit) {
-  for (int point = 0; point < 3; ++point) over_dimensions(dimensions, visit);
+  over_dimensions(dimensions, visit);
 }
 /// The plane alone, for what costs much.
 using Plane = std::tuple<Dimensions<2, 2>>;
@@ -20,7 +20,7 @@ using Plane = std::tuple<Dimensions<2, 2>>;
 /// A polynomial that is the same everywhere.
 template <class S, int m>
 Cubic<S, m> constant_cubic(S const& value) {
-  using V = Eigen::Matrix<S, m, 1>;
+  using V = Matrix<S, m, 1>;
   V const none = V::Zero();
   return {value, none, none, none, none};
 }
@@ -61,7 +61,7 @@ struct AnyPotential {
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, components, 1> value;
+    Matrix<T, components, 1> value;
     T const common = factor(x);
     for (int i = 0; i < components; ++i) value[i] = common * A[i](x);
     return value;
@@ -94,8 +94,8 @@ struct AnyField {
   template <class V>
   auto operator()(V const& point) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, n + 1, 1> const x = point.template head<n + 1>();
-    Eigen::Matrix<T, n + 1 + N, 1> rate;
+    Matrix<T, n + 1, 1> const x = point.template head<n + 1>();
+    Matrix<T, n + 1 + N, 1> rate;
     for (int mu = 0; mu <= n; ++mu) rate[mu] = base[mu](x);
     for (int a = 0; a < N; ++a) rate[n + 1 + a] = fibre[a](point);
     return rate;
@@ -116,7 +116,7 @@ struct Stretch {
   template <class V>
   auto operator()(V const& x) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, n, 1> to;
+    Matrix<T, n, 1> to;
     to[0] = x[0] * T(s) + T(S(s - S(1)));
     to[1] = x[1] * T(c) + x[0] * x[0] * T(ratio<S>(1, 3));
     if constexpr (n == 3) to[2] = x[2] + x[0] * x[1] * T(ratio<S>(1, 2));
@@ -125,7 +125,7 @@ struct Stretch {
   template <class V>
   auto back(V const& to) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, n, 1> x;
+    Matrix<T, n, 1> x;
     x[0] = (to[0] - T(S(s - S(1)))) / T(s);
     x[1] = (to[1] - x[0] * x[0] * T(ratio<S>(1, 3))) / T(c);
     if constexpr (n == 3) x[2] = to[2] - x[0] * x[1] * T(ratio<S>(1, 2));
@@ -141,7 +141,7 @@ AnyMetric<S, n> draw_stretchable_metric(Draw& draw, bool even = false) {
       G.constant(i, k) = G.bend(i, k) = S(0);
       for (auto& slope : G.slope) slope(i, k) = S(0);
     }
-  G.constant += Eigen::Matrix<S, n, n>::Identity();
+  G.constant += Matrix<S, n, n>::Identity();
   if (!even) G.slope[0](0, 0) = S(1);
   return G;
 }
@@ -161,7 +161,7 @@ struct FirstShift {
   template <class V>
   auto operator()(V const&) const {
     using T = ScalarOf<V>;
-    Eigen::Matrix<T, N, 1> k = Eigen::Matrix<T, N, 1>::Zero();
+    Matrix<T, N, 1> k = Matrix<T, N, 1>::Zero();
     k[0] = T(1);
     return k;
   }
@@ -170,9 +170,9 @@ struct FirstShift {
 /// The second jet of a solution through a first jet: of the second derivatives all but the acceleration as given, and the acceleration that the field equations want.
 template <class Medium, class S, int n, int N>
 SecondJet<S, n, N> of_a_solution(Medium const& medium, SecondJet<S, n, N> j) {
-  Eigen::Matrix<S, n, 1> const x = j.particle();
+  Matrix<S, n, 1> const x = j.particle();
   S const mass = volume<S>(medium.G(x)) * medium.rho(x);
-  Eigen::Matrix<S, N, N> const inertia = as_matrix<S>(medium.g(j.y)) * mass;
+  Matrix<S, N, N> const inertia = as_matrix<S>(medium.g(j.y)) * mass;
   j.w[0].col(0) += solve_linear(inertia, euler_lagrange(medium, j), "of_a_solution");
   return j;
 }

@@ -33,7 +33,7 @@ if (fs.existsSync(ledger)) {
   const owed = statements.length - (counts.pending ?? 0);
   const verdicts = ['holds', 'convention', 'corrected', 'scope', 'pending'].filter(v => counts[v]).map(v => `${counts[v]} ${v}`);
   console.log(`\n  Ledger: ${statements.length} statements, ${owed} adjudicated: ${verdicts.join(', ')}.`);
-  console.log(`  Columns with figures: ${['rational', 'double', 'dec50', 'dec100'].filter(s => scalars.has(s)).join(', ') || 'none'}.`);
+  console.log(`  Columns with figures: ${['prime', 'rational', 'double', 'dec50', 'dec100', 'ball'].filter(s => scalars.has(s)).join(', ') || 'none'}.`);
 } else {
   console.log('\n  Ledger: the checks have not been run.');
 }

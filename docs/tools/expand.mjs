@@ -72,11 +72,12 @@ function source(name) {
 }
 book.sourceLink = (file, line, text) => `<a class="source" href="@source:${escapeHtml(file)}:${line}">${text}</a>`;
 book.checkSource = id => {
-  for (const f of book.checkFiles ??= walk(at('proofs_checks')).filter(f => f.endsWith('.cpp')).map(f => ({ path: path.relative(opt.root, f), lines: fs.readFileSync(f, 'utf8').split('\n') }))) {
-    const line = f.lines.findIndex(l => new RegExp(`\\b(STATEMENT|BOOST_AUTO_TEST_CASE)\\w*\\(\\s*${id}\\b`).test(l));
-    if (line >= 0) return { path: f.path, line: line + 1 };
-  }
-  return null;
+  const list = at('proofs_checks', 'statements.json');
+  book.checkFiles ??= new Map((fs.existsSync(list) ? JSON.parse(fs.readFileSync(list, 'utf8')) : []).map(s => [s.id, s.source]));
+  const file = book.checkFiles.get(id);
+  if (!file || !fs.existsSync(at(file))) return null;
+  const line = fs.readFileSync(at(file), 'utf8').split('\n').findIndex(l => l.includes(`(${id},`));
+  return { path: file, line: line + 1 || 1 };
 };
 book.programSource = name => {
   const m = /^(ch\d+)_(.+)$/.exec(name);

@@ -34,8 +34,8 @@ function cell(e) {
     const errors = (e.errors ?? []).map(x => Number(x).toExponential(1)).join(', ');
     return `<span title="${escapeHtml(`fitted over ${steps} step sizes${errors ? `; errors ${errors}` : ''}`)}">${slope}${spread ? ` ± ${number(spread)}` : ''}</span>`;
   }
-  if (e.kind === 'exact' || e.scalar === 'rational') {
-    const bound = Number(e.probability) > 0 ? `a false identity passes with probability below ${Number(e.probability).toExponential(0)}` : '';
+  if (e.kind === 'exact' || e.scalar === 'rational' || e.scalar === 'prime') {
+    const bound = Number(e.probability) > 0 && Number(e.probability) < 1 ? `a false identity passes with probability below ${Number(e.probability).toExponential(0)}` : '';
     const what = Number(e.measured) === 0 ? '0' : number(e.measured);
     const points = e.points ? `, ${e.points}&#8239;pt` : '';
     return `<span title="${escapeHtml([e.degree ? `degree at most ${e.degree}` : '', bound].filter(Boolean).join('; '))}">${what}${points}</span>`;

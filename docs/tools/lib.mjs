@@ -149,8 +149,8 @@ export const labelled = (cells, names) => cells.map((cell, i) => (names[i] ? cel
 /// A table that may be wider than the screen, in a box that scrolls.
 export const boxed = table => `<div class="table-box">${table}</div>`;
 
-export const columnNames = { rational: 'rationals', double: 'double', dec50: '50 digits', dec100: '100 digits' };
-export const columnOrder = ['rational', 'double', 'dec50', 'dec100'];
+export const columnNames = { prime: 'prime field', rational: 'rationals', double: 'double', dec50: '50 digits', dec100: '100 digits', ball: 'balls' };
+export const columnOrder = ['prime', 'rational', 'double', 'dec50', 'dec100', 'ball'];
 
 /// Largest measured/bound of a record (orders apart), and the entry it belongs to.
 export function worst(record) {

@@ -18,6 +18,7 @@ project() {
   printf '/** @namespace actio\n The library. */\n' >docs/namespaces.dox
   printf 'id\tkind\tchapter\tsection\tsubject\neq_3_9\tequation\t3\t3.2\tquotient map\nthm_3_2_3\ttheorem\t3\t3.2\treconstruction\nclaim_3_2_small\tclaim\t3\t3.2\tsmall claim\neq_6_1\tequation\t6\t6.1\tlater\n' >proofs_checks/registry.tsv
   printf '// Checks.\nSTATEMENT(eq_3_9, "quotient") {\n}\n' >proofs_checks/ch03_2.cpp
+  printf '[{"id":"eq_3_9","source":"proofs_checks/ch03_2.cpp","chapter":"ch03","columns":["prime"],"title":"quotient"}]\n' >proofs_checks/statements.json
   cat >src/actio/reduction/relative_motion.hpp <<'X'
 // Relative motions.
 #pragma once

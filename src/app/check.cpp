@@ -57,17 +57,16 @@ std::vector<Statement const*> wanted(std::vector<std::string> const& ids) {
   return out;
 }
 
-/// The program that checks each chapter: over all scalars where it is there, otherwise the quick one.
+/// The program that checks each chapter.
 std::map<std::string, fs::path> programs_beside() {
-  static std::regex const name("checks_ch0*([0-9]+)(_quick)?");
+  static std::regex const name("checks_ch0*([0-9]+)");
   std::map<std::string, fs::path> out;
   std::error_code none;
   for (fs::directory_iterator it(folder_of_this_program(), none), end; !none && it != end; it.increment(none)) {
     std::smatch match;
     std::string const file = it->path().filename().string();
     if (!std::regex_match(file, match, name)) continue;
-    fs::path& program = out[match[1]];
-    if (program.empty() || !match[2].matched) program = it->path();
+    out[match[1]] = it->path();
   }
   return out;
 }
@@ -75,7 +74,7 @@ std::map<std::string, fs::path> programs_beside() {
 std::string how_to_build(std::vector<std::string> const& chapters) {
   std::string targets, places;
   for (auto const& chapter : chapters) {
-    targets += fmt::format(" checks_ch{:0>2}_quick", chapter);
+    targets += fmt::format(" checks_ch{:0>2}", chapter);
     places += (places.empty() ? "" : ", ") + chapter;
   }
   return fmt::format("actio check: the checks of chapter {} are not beside this command, in {}; in the folder of the sources, `ninja -C build{}` builds them over the rationals and double, and without _quick at every precision",
@@ -85,9 +84,14 @@ std::string how_to_build(std::vector<std::string> const& chapters) {
 /// The statements that a program has checks of.
 std::set<std::string> held_by(fs::path const& program) {
   std::set<std::string> ids;
-  std::istringstream lines(run_child({program.string(), "--list_content"}).output);  // a suite for each scalar, a case for each statement: "double*", "    eq_3_1*"
+  // A line for each statement: {"id":"eq_3_1",...
+  std::istringstream lines(run_child({program.string(), "--list"}).output);
+  static std::string const before = "\"id\":\"";
   for (std::string line; std::getline(lines, line);)
-    if (std::size_t const first = line.find_first_not_of(' '); first != 0 && first != std::string::npos) ids.insert(line.substr(first, line.find('*') - first));
+    if (std::size_t const at = line.find(before); at != std::string::npos) {
+      std::size_t const first = at + before.size();
+      ids.insert(line.substr(first, line.find('"', first) - first));
+    }
   return ids;
 }
 
@@ -114,8 +118,8 @@ void read_reports(fs::path const& folder, Results& results) {
 int run_checks(fs::path const& program, std::vector<std::string> const& ids, Results& results) {
   PassingFolder const reports;  // those of the build stay as they are
   std::vector<std::string> words{program.string()};
-  for (auto const& id : ids) words.push_back("--run_test=*/" + id);
-  for (char const* const word : {"--log_level=error", "--report_level=no", "--color_output=no", "--", "--columns", "all", "--report"}) words.emplace_back(word);
+  words.insert(words.end(), ids.begin(), ids.end());
+  for (char const* const word : {"--brief", "--columns", "all", "--report"}) words.emplace_back(word);
   words.push_back(reports.path().string());
   ChildOutcome const outcome = run_child(words);
   if (outcome.status == 130) return 130;

@@ -16,7 +16,7 @@ Matrix<double> drawn(Draw& draw, int rows, int columns) {
   return m;
 }
 /// Entry by entry, to the rounding of sums of a few numbers below 1.
-bool same(Matrix<double> const& a, Eigen::MatrixXd const& b) {
+bool same(Matrix<double> const& a, Matrix<double> const& b) {
   return a.rows() == b.rows() && a.cols() == b.cols() && (a - Matrix<double>(b)).isZero(0x1p-48);
 }
 
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE(operations_agree_with_those_of_eigen) {
   Draw draw(7);
   for (int n : {1, 2, 3, 5}) {
     Matrix<double> const a = drawn(draw, n, n + 1), b = drawn(draw, n + 1, n), c = drawn(draw, n, n + 1), v = drawn(draw, n, 1);
-    Eigen::MatrixXd const ea = a, eb = b, ec = c, ev = v;
+    Matrix<double> const ea = a, eb = b, ec = c, ev = v;
     BOOST_TEST(same(a * b, ea * eb));
     BOOST_TEST(same(a + c, ea + ec));
     BOOST_TEST(same(a - 2.0 * c / 3.0, ea - 2.0 * ec / 3.0));
@@ -52,16 +52,16 @@ BOOST_AUTO_TEST_CASE(operations_agree_with_those_of_eigen) {
 }
 
 BOOST_AUTO_TEST_CASE(matrices_of_eigen_go_in_and_come_out) {
-  Eigen::Vector3d const e(1, 2, 3);
+  Vector<double, 3> const e(1, 2, 3);
   Vector<double, 3> const v = 2 * e, w(e);
-  Eigen::Vector3d const back = v, direct(w);
+  Vector<double, 3> const back = v, direct(w);
   BOOST_TEST((back == 2 * e && direct == e));
   BOOST_TEST((v + e == Vector<double, 3>(3, 6, 9)));
   BOOST_TEST((e - v == Vector<double, 3>(-1, -2, -3)));
   BOOST_TEST(v.dot(e) == 28);
   BOOST_TEST((v.cross(e)).isZero());
-  BOOST_TEST((Eigen::Matrix3d::Identity() * v == v));
-  Eigen::VectorXd const longer = v;
+  BOOST_TEST((Matrix<double, 3, 3>::Identity() * v == v));
+  Vector<double> const longer = v;
   BOOST_TEST(longer.size() == 3);
 }
 

@@ -31,6 +31,10 @@ if [[ -f $root/proofs_checks/registry.tsv ]]; then
   expect 2 "did you mean 'eq_3_10'" check eq_3_1O
   expect 2 "did you mean 'thm_3_2_1'" check thm_321
   expect 2 "unknown statement 'id'" check id
+  expect 2 "--digits wants 16 to 100000, not 15" check eq_3_10 --digits 15
+  expect 2 "--digits wants a whole number, not 'many'" check eq_3_10 --digits many
+  expect 2 "--modulo needs a value" check eq_3_10 --modulo
+  expect 2 "unknown option '--digit'" check eq_3_10 --digit 50
 fi
 [[ -e $ACTIO_BUILD ]] && { echo "something was made in $ACTIO_BUILD"; failures=$((failures + 1)); }
 

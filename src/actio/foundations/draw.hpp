@@ -29,10 +29,13 @@ struct Draw {
     return bits % count;
   }
 
-  /// A number in (-1, 1).
+  /// A number in (-1, 1). One whose arithmetic is chosen at run time may have a set of its own to draw from: \ref Number::drawn.
   template <Field S>
   S number() {
-    return ratio<S>(static_cast<long>(below(numerators)) - (denominator - 1), denominator);
+    if constexpr (ChosenAtRunTime<Base<S>>)
+      return S(Base<S>::drawn(*this));
+    else
+      return ratio<S>(static_cast<long>(below(numerators)) - (denominator - 1), denominator);
   }
 
   /// n numbers in (-1, 1).

@@ -61,6 +61,11 @@ void require_finite(Derived const& m, char const* where) {
         if (!is_finite(base_value(m(i, j)))) throw NotFinite(where);
 }
 
+/// A root or a transcendental function of a number whose field does not hold it.
+struct NotInThisField : OutsideDomain {
+  using OutsideDomain::OutsideDomain;
+};
+
 /// A linear map that has no inverse, for instance the second derivative of a Lagrangian that is not regular.
 struct Singular : OutsideDomain {
   using OutsideDomain::OutsideDomain;

@@ -4,8 +4,7 @@
 // smooth through zero, so that dual numbers at the identity come out right.
 #pragma once
 
-#include <array>
-#include <limits>
+#include <vector>
 
 #include "actio/foundations/dual.hpp"
 
@@ -15,7 +14,7 @@ namespace actio {
 template <class S>
 constexpr double negligible() {
   double tiny = 0.01;
-  for (int d = 0; d < std::numeric_limits<Base<S>>::digits10; ++d) tiny *= 0.1;
+  for (int d = 0; d < decimal_digits<S>(); ++d) tiny *= 0.1;
   return tiny;
 }
 
@@ -42,6 +41,22 @@ constexpr int exponential_terms(double bound) {
   for (double term = bound; term > negligible<S>(); term *= bound / n) ++n;
   return n;
 }
+
+namespace detail {
+/// A table of numbers that is made when it is first needed, and again where the arithmetic was changed since. `which` tells tables apart.
+template <Plain S, int which, class Make>
+std::vector<S> const& table_of_arithmetic(int terms, Make const& make) {
+  if constexpr (ChosenAtRunTime<S>) {
+    static std::vector<S> table;
+    static auto spell = S::spell() - 1;
+    if (spell != S::spell()) table = make(terms), spell = S::spell();
+    return table;
+  } else {
+    static std::vector<S> const table = make(terms);
+    return table;
+  }
+}
+}  // namespace detail
 
 constexpr long factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
@@ -93,18 +108,26 @@ template <int K, Real S>
 S asinc_derivative(S const& x) {
   // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like x^n. Steps of an integrator turn little: for
   // them a third of the terms will do.
-  constexpr int terms = geometric_terms<S>(0.25) + 3 * K + 1, few = geometric_terms<S>(1.0 / 64) + K + 1;
-  static auto const coefficients = [] {
-    std::array<Base<S>, terms> c;
+  constexpr auto needed = [](double bound) { return geometric_terms<S>(bound) + (bound < 0.1 ? K : 3 * K) + 1; };
+  int terms, few;
+  if constexpr (ChosenAtRunTime<Base<S>>) {
+    terms = needed(0.25), few = needed(1.0 / 64);
+  } else {
+    constexpr int all = needed(0.25), some = needed(1.0 / 64);
+    terms = all, few = some;
+  }
+  auto const made = [](int count) {
+    std::vector<Base<S>> c(count);
     Base<S> b(1);
-    for (int n = 0; n < terms + K; ++n) {
+    for (int n = 0; n < count + K; ++n) {
       if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
       if (n < K) continue;
       c[n - K] = b;
       for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
     }
     return c;
-  }();
+  };
+  std::vector<Base<S>> const& coefficients = detail::table_of_arithmetic<Base<S>, K>(terms, made);
   int n = magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few - 1 : terms - 1;
   S sum(coefficients[n]);
   while (--n >= 0) sum = sum * x + coefficients[n];

@@ -44,7 +44,7 @@ GaussRule<S> gauss_quadrature(int s) {
     // Tricomi's guess is good to a few digits; each round doubles them, and one more does no harm.
     S x(-std::cos(M_PI * (i + 0.75) / (s + 0.5)));
     S slope(0);
-    for (double digits = 2; digits < 3 * std::numeric_limits<S>::digits10; digits *= 2) {
+    for (double digits = 2; digits < 3 * decimal_digits<S>(); digits *= 2) {
       Dual<S> moved(x);
       moved.part[0] = S(1);
       auto const p = legendre_polynomial(s, moved);

@@ -6,6 +6,7 @@
 
 #include "actio/foundations/functions.hpp"
 #include "actio/foundations/linear.hpp"
+#include "actio/foundations/nilpotent_series.hpp"
 
 namespace actio {
 
@@ -35,13 +36,16 @@ int halvings(Derived const& m, char const* where) {
 
 /// \f$\mathrm{iex}(w) = \sum_{n\ge0} w^n/(n+1)!\f$ of a square matrix; \f$w\,\mathrm{iex}(w) = e^w - 1\f$.
 ///
+/// Where the arithmetic has no transcendental functions w must be nilpotent.
 /// \implements{eq_3_21}
+/// @throws NotInThisField  over an exact arithmetic, where w is not nilpotent
 /// Accuracy: a few epsilon times \f$e^{|w|}\f$ (series on w/2^s, then doubling).
 template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto iex(M const& w) {
+typename M::PlainObject iex(M const& w) {
   using S = typename M::Scalar;
   using Matrix = typename M::PlainObject;
+  if (exact_arithmetic<S>()) return nilpotent_series(w, [](int n) { return one_over_factorial<S>(n + 1); }, "iex");
   int const s = halvings(w, "iex");
   Base<S> scale(1);
   for (int i = 0; i < s; ++i) scale /= Base<S>(2);
@@ -75,12 +79,14 @@ auto chi(M const& w) {
 
 /// \f$e^w\f$ of a square matrix: \f$1 + w\,\mathrm{iex}(w)\f$ of a small fraction of w, squared as often as it takes.
 ///
-/// Not of w itself, where the two terms would cancel as the matrix contracts.
+/// Not of w itself, where the two terms would cancel as the matrix contracts. Where the arithmetic has no transcendental functions w must be nilpotent.
+/// @throws NotInThisField  over an exact arithmetic, where w is not nilpotent
 /// Accuracy: a few epsilon times the size of w.
 template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto matrix_exponential(M const& w) {
+typename M::PlainObject matrix_exponential(M const& w) {
   using S = typename M::Scalar;
+  if (exact_arithmetic<S>()) return nilpotent_series(w, [](int n) { return one_over_factorial<S>(n); }, "exp");
   int const s = halvings(w, "exp");
   Base<S> scale(1);
   for (int i = 0; i < s; ++i) scale /= Base<S>(2);

@@ -37,6 +37,10 @@ void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char co
     }
     per_row[i] = largest > T(0) ? T(T(1) / largest) : T(0);
   }
+  // Elimination divides again and again: what a scalar knows of the degrees of its numbers is better told by Cramer's rule.
+  [[maybe_unused]] double degree = 0;
+  if constexpr (ChosenAtRunTime<T>) degree = T::degree_of_solution(a, x);
+
   // Eight roundings for each of the n terms: entries that come out of a computation carry a few of their own.
   T const bound = T(8 * n) * epsilon<S>();
 
@@ -78,6 +82,7 @@ void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char co
       for (int i = k + 1; i < n; ++i) sum -= a(k, i) * x(i, j);
       x(k, j) = sum * a(k, k);
     }
+  if constexpr (ChosenAtRunTime<T>) T::bound_degrees(x, degree);
   if constexpr (!is_exact<S>)
     for (Index j = 0; j < x.cols(); ++j)
       for (int i = 0; i < n; ++i)

@@ -35,12 +35,14 @@ typename M::PlainObject matrix_square_root(M const& a) {
 ///
 /// Accuracy: a few epsilon relative to the largest entry, as long as no eigenvalue comes near the negative real axis; near it
 /// the answer is compared with its exponential, and refused where they differ.
-/// @throws OutsideDomain  at and next to the edge of the chart
-template <MatrixLike M>
+/// @throws OutsideDomain   at and next to the edge of the chart
+/// @throws NotInThisField  over an exact arithmetic, where a - 1 is not nilpotent
+template <class M>
   requires Real<typename M::Scalar>
 typename M::PlainObject matrix_logarithm(M const& a) {
   using S = typename M::Scalar;
   using Matrix = typename M::PlainObject;
+  if (exact_arithmetic<S>()) return nilpotent_logarithm(a);
   Matrix const one = Matrix::Identity(a.rows(), a.cols());
   if (!std::isfinite(row_norm(a))) throw NotFinite("log");
   Matrix root = a;

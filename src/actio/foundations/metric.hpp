@@ -46,7 +46,7 @@ template <class Metric>
   requires requires { typename std::bool_constant<Metric::constant>; }
 inline constexpr bool is_constant_metric<Metric> = Metric::constant;
 
-/// A matrix that is no metric: not symmetric, or not positive definite.
+/// A matrix that is no metric: not symmetric, or not positive definite; over a field without order the second is left out.
 struct NotAMetric : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
@@ -159,6 +159,7 @@ void require_metric(Matrix<S, n, n> const& g, V const& at, char const* which) {
       Base<S> const gap = magnitude(Base<S>(base_value(g(a, b)) - base_value(g(b, a))));
       if (gap > bound) throw NotAMetric(where(), "a metric is symmetric; difference of g(a, b) and g(b, a) over the largest entry", to_double(Base<S>(gap / size)), to_double(Base<S>(bound / size)));
     }
+  if (!ordered_arithmetic<S>()) return;
   // Elimination without exchanges: all pivots of a positive definite matrix are positive.
   Matrix<Base<S>, n, n> left;
   for (int a = 0; a < n; ++a)
@@ -180,12 +181,12 @@ void require_metric(Kronecker<n>, V const&, char const*) {}
 /// @throws NotASquare  with the determinant
 template <class S, int n, class V>
 void require_volume(Matrix<S, n, n> const& g, V const& at, char const* which) {
-  if constexpr (is_exact<S>) {
+  if (exact_arithmetic<S>()) {
     S const square = determinant(g);
     try {
       square_root(base_value(square));
-    } catch (NotASquare const&) {
-      throw NotASquare(detail::metric_at(which, at), "over the rationals the determinant is the square of a rational number", to_double(square), 0);
+    } catch (NotASquare const& not_a_square) {
+      throw NotASquare(detail::metric_at(which, at), "over a field without all roots the determinant is the square of a number", not_a_square.measured, 0);
     }
   }
 }

@@ -47,9 +47,16 @@ struct BaseOf {
 template <class S>
 using Base = typename BaseOf<S>::type;
 
+/// A number whose arithmetic is chosen when the program runs, and says which it is. Over a field it may know of what degree its numbers are.
+template <class S>
+concept ChosenAtRunTime = requires {
+  { S::arithmetic().exact() } -> std::convertible_to<bool>;
+  { S::arithmetic().ordered() } -> std::convertible_to<bool>;
+};
+
 /// A plain number: extended by nothing.
 template <class S>
-concept Plain = std::is_arithmetic_v<S> || boost::multiprecision::is_number<S>::value;
+concept Plain = std::is_arithmetic_v<S> || boost::multiprecision::is_number<S>::value || ChosenAtRunTime<S>;
 
 /// Numbers that add, subtract, multiply and divide exactly or to rounding.
 template <class S>
@@ -62,11 +69,38 @@ concept Field = requires(S const& a, S const& b) {
   S(1);
 };
 
-/// Whether a scalar has no rounding at all.
+/// Whether a scalar has no rounding at all, as its type says. One whose arithmetic is chosen at run time is not counted: \ref exact_arithmetic.
 template <class S>
 inline constexpr bool is_exact = std::same_as<Base<S>, rational>;
 
+/// Whether the arithmetic of a scalar has no rounding at all: known to the compiler, or, where it is chosen at run time, now.
+template <class S>
+constexpr bool exact_arithmetic() {
+  if constexpr (ChosenAtRunTime<Base<S>>)
+    return Base<S>::arithmetic().exact();
+  else
+    return is_exact<S>;
+}
+/// Whether numbers of the scalar are larger and smaller than others. Modulo a prime they are not: what is said to be positive cannot be looked at there.
+template <class S>
+constexpr bool ordered_arithmetic() {
+  if constexpr (ChosenAtRunTime<Base<S>>)
+    return Base<S>::arithmetic().ordered();
+  else
+    return true;
+}
+/// Decimal digits that a number carries; 0 over an exact arithmetic.
+template <class S>
+constexpr int decimal_digits() {
+  if constexpr (ChosenAtRunTime<Base<S>>)
+    return Base<S>::arithmetic().digits();
+  else
+    return std::numeric_limits<Base<S>>::digits10;
+}
+
 /// Numbers with roots and transcendental functions: everything but the rationals and what is built on them.
+///
+/// A scalar whose arithmetic is chosen at run time counts as one; where that has no roots, they refuse (NotInThisField).
 template <class S>
 concept Real = Field<S> && !is_exact<S>;
 

@@ -12,9 +12,9 @@
 
 namespace actio {
 
-/// A rational number without a rational square root.
-struct NotASquare : OutsideDomain {
-  using OutsideDomain::OutsideDomain;
+/// A number without a square root in its field.
+struct NotASquare : NotInThisField {
+  using NotInThisField::NotInThisField;
 };
 
 /// \f$\sqrt x\f$ of a real number: that of its scalar.

@@ -9,7 +9,7 @@ namespace actio {
 /// How many terms a scalar wants: where the work for a unit of time is least, (terms)^3 / (step) with a step of (radius) epsilon^(1/terms).
 template <Real S>
 int taylor_terms() {
-  return std::max(12, static_cast<int>(0.8 * std::numeric_limits<Base<S>>::digits10));
+  return std::max(12, static_cast<int>(0.8 * decimal_digits<S>()));
 }
 
 /// y(duration), where y' = f(y) and y(0) = `start`, by power series whose remainder is below rounding.

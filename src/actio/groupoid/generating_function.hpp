@@ -124,7 +124,7 @@ FreeMotion<G, T> free_motion_left(QuadraticLagrangian<G, S> const& l, Momentum<G
   FreeMotion<G, T> sum{identity<T>(l.group), pi0, T(0)};
   T power(1);
   Base<T> left(0);
-  int const limit = 4 * std::numeric_limits<Base<T>>::digits10, enough = 3;
+  int const limit = 4 * decimal_digits<T>(), enough = 3;
   for (int k = 1, small = 0; k <= limit; ++k) {
     series.extend(l);
     power *= t;

@@ -26,9 +26,9 @@ auto sizes_from_hessian(G const& group, M const& hessian) {
       if (size > entries[classes.of[a]]) entries[classes.of[a]] = size;
       if (!classes.has_length[classes.of[a]] && size > turns) turns = size;
     }
-  if constexpr (!is_exact<S>) {
+  if constexpr (Real<S>) {
     using std::sqrt;
-    for (int a = 0; a < group.dimension(); ++a)
+    for (int a = 0; a < group.dimension() && !exact_arithmetic<S>(); ++a)
       if (int const k = classes.of[a]; classes.has_length[k] && entries[k] > S(0))
         sizes[a] = sqrt(S((turns > S(0) ? turns : S(1)) / entries[k]));
   }

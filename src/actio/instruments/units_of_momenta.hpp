@@ -23,14 +23,14 @@ template <class V>
 auto length_of(V const& v) {
   using S = std::decay_t<decltype(v[0])>;
   S const largest = magnitude(v);
-  if constexpr (is_exact<S>) {
-    return largest;
-  } else {
+  if constexpr (Real<S>) {
     using std::sqrt;
-    if (!(largest > S(0))) return largest;
+    if (exact_arithmetic<S>() || !(largest > S(0))) return largest;
     S sum(0);
     for (Index i = 0; i < v.size(); ++i) sum += S(v[i] / largest) * S(v[i] / largest);
     return S(largest * sqrt(sum));
+  } else {
+    return largest;
   }
 }
 }  // namespace detail

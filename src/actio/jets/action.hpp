@@ -32,23 +32,23 @@ struct IntervalRule {
 template <class S>
   requires Plain<S>
 IntervalRule<S> rule_for(int degree) {
-  if constexpr (Real<S>) {
-    auto gauss = gauss_quadrature<S>(degree / 2 + 1);
-    return {std::move(gauss.nodes), std::move(gauss.weights)};
-  } else {
-    // Weights from the moments: sum_i b_i c_i^k = 1/(k + 1).
-    int const count = degree + 1;
-    Matrix<S, Dynamic, Dynamic> powers(count, count), moments(count, 1);
-    IntervalRule<S> rule;
-    for (int i = 0; i < count; ++i) rule.nodes.push_back(ratio<S>(i + 1, count + 1));
-    for (int k = 0; k < count; ++k) {
-      moments(k, 0) = ratio<S>(1, k + 1);
-      for (int i = 0; i < count; ++i) powers(k, i) = k == 0 ? S(1) : S(powers(k - 1, i) * rule.nodes[i]);
+  if constexpr (Real<S>)
+    if (!exact_arithmetic<S>()) {
+      auto gauss = gauss_quadrature<S>(degree / 2 + 1);
+      return {std::move(gauss.nodes), std::move(gauss.weights)};
     }
-    auto const weights = solve_linear(powers, moments, "rule_for");
-    for (int i = 0; i < count; ++i) rule.weights.push_back(weights(i, 0));
-    return rule;
+  // Weights from the moments: sum_i b_i c_i^k = 1/(k + 1).
+  int const count = degree + 1;
+  Matrix<S, Dynamic, Dynamic> powers(count, count), moments(count, 1);
+  IntervalRule<S> rule;
+  for (int i = 0; i < count; ++i) rule.nodes.push_back(ratio<S>(i + 1, count + 1));
+  for (int k = 0; k < count; ++k) {
+    moments(k, 0) = ratio<S>(1, k + 1);
+    for (int i = 0; i < count; ++i) powers(k, i) = k == 0 ? S(1) : S(powers(k - 1, i) * rule.nodes[i]);
   }
+  auto const weights = solve_linear(powers, moments, "rule_for");
+  for (int i = 0; i < count; ++i) rule.weights.push_back(weights(i, 0));
+  return rule;
 }
 
 /// \f$\int f\,d^{n+1}x\f$ over a box, exact for polynomials of the given degree in each coordinate.

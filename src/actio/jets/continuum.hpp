@@ -49,7 +49,7 @@ namespace detail {
 /// @throws NotOrientationPreserving  with J, where it is not positive
 template <class S, int n>
 void require_orientation(S const& J, Matrix<S, n, 1> const& x, char const* which) {
-  if (!(base_value(J) > Base<S>(0)))
+  if (ordered_arithmetic<S>() && !(base_value(J) > Base<S>(0)))
     throw NotOrientationPreserving(std::string(which) + " at x = " + shown(x), "the Jacobian of a motion is positive", to_double(J), 0);
 }
 }  // namespace detail
@@ -120,7 +120,8 @@ struct Continuum {
     require_metric(there, j.y, "metric of the space");
     require_volume(here, x, "metric of the body");
     S const mass = rho(x);
-    if (!(base_value(mass) > Base<S>(0))) throw NotAMassDensity("mass density at x = " + detail::shown(x), "mass is positive", to_double(mass), 0);
+    if (ordered_arithmetic<S>() && !(base_value(mass) > Base<S>(0)))
+      throw NotAMassDensity("mass density at x = " + detail::shown(x), "mass is positive", to_double(mass), 0);
     if constexpr (requires { W.examine(x, here, there, j.gradient()); }) W.examine(x, here, there, j.gradient());
   }
 };

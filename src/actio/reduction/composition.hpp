@@ -60,7 +60,7 @@ std::vector<S> kahan_li() {
   using D = Dual<S, 4>;
   Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550), S(0.798543990934829));
   std::vector<D> gamma(9, D(first));
-  for (double digits = 10; digits < 3 * std::numeric_limits<S>::digits10; digits *= 2) {
+  for (double digits = 10; digits < 3 * decimal_digits<S>(); digits *= 2) {
     for (int k = 0; k < 4; ++k) {
       D moved(rest[k]);
       moved.part[k] = S(1);

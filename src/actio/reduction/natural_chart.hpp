@@ -17,7 +17,7 @@ namespace detail {
 /// A step that can be divided by, forwards or backwards: the action of a negative step is \f$h\,l(-\log(f)/h)\f$ as well.
 template <class T>
 T const& nonzero_step(T const& h) {
-  if (!(h > T(0) || h < T(0)) || !is_finite(Base<T>(h))) throw OutsideDomain("natural chart", "a step must be finite and not zero (3.20)", to_double(h), 0);
+  if (base_value(h) == Base<T>(0) || !is_finite(Base<T>(base_value(h)))) throw OutsideDomain("natural chart", "a step must be finite and not zero (3.20)", to_double(h), 0);
   return h;
 }
 /// The step as a constant of the scalar S.

@@ -20,7 +20,7 @@ void require_moments(Coordinates<G, S> const& moments, Velocity<G, S> const& xi)
                         static_cast<double>(xi.coordinates.size()));
   require_finite(moments, "Poisson structure of the algebra: moments");
   require_finite(xi.coordinates, "Poisson structure of the algebra: velocity");
-  for (Index a = 0; a < moments.size(); ++a)
+  for (Index a = 0; a < moments.size() && ordered_arithmetic<S>(); ++a)
     if (!(moments[a] > S(0)))
       throw UnphysicalInertia("Poisson structure of the algebra", "J must be positive definite; a moment", to_double(base_value(moments[a])), 0);
 }

@@ -99,6 +99,7 @@ struct SpannedGroup {
   ///                        logarithm is not in the algebra. Where it does, that of an element always is, and a matrix that is no element is projected
   template <Real S>
   actio::Matrix<S, Dynamic, 1> log(actio::Matrix<S, Dynamic, Dynamic> const& a) const {
+    if (exact_arithmetic<S>()) return vee(nilpotent_logarithm(a));
     if constexpr (is_dual<S>)
       return primitive::lifted_log(*this, a);
     else

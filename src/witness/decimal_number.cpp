@@ -1,0 +1,184 @@
+// Floating point of any precision, by MPFR. Whole numbers below 2^53 in size stand in the number itself.
+#include <mpfr.h>
+
+#include <cmath>
+
+#include "witness/free_cells.hpp"
+
+namespace actio::detail {
+
+namespace {
+
+struct Cell {
+  mpfr_t value;
+  Cell() { mpfr_init2(value, current_arithmetic().bits()); }
+  ~Cell() { mpfr_clear(value); }
+};
+constexpr mpfr_rnd_t nearest = MPFR_RNDN;
+
+mpfr_ptr value(Number const& x) { return static_cast<Cell*>(NumberParts::cell(x))->value; }
+std::int64_t whole(Number const& x) { return NumberParts::word(x); }
+bool is_zero(Number const& x) { return !NumberParts::in_cell(x) && whole(x) == 0; }
+
+/// A free cell of the precision in force.
+Cell* fresh() {
+  Cell* const cell = free_cells<Cell>().take();
+  if (mpfr_get_prec(cell->value) != current_arithmetic().bits()) mpfr_set_prec(cell->value, current_arithmetic().bits());
+  return cell;
+}
+void put(Number& z, Cell* cell) { NumberParts::set(z, reinterpret_cast<std::int64_t>(cell), decimal_cell); }
+
+/// A number as MPFR's, in a cell of its own where it is a whole one.
+struct Argument {
+  explicit Argument(Number const& x) : own(NumberParts::in_cell(x) ? nullptr : fresh()) {
+    if (own) mpfr_set_si(own->value, whole(x), nearest);
+    at = own ? own->value : value(x);
+  }
+  ~Argument() {
+    if (own) free_cells<Cell>().give(own);
+  }
+  Argument(Argument const&) = delete;
+  Argument& operator=(Argument const&) = delete;
+  Cell* own;
+  mpfr_srcptr at;
+};
+
+/// The two operands are whole numbers and so is the result: true where it was put into z.
+bool whole_operation(Operation op, Number& z, std::int64_t a, std::int64_t b) {
+  constexpr std::int64_t limit = std::int64_t(1) << 53;
+  __int128 result = 0;
+  switch (op) {
+    case Operation::add: result = static_cast<__int128>(a) + b; break;
+    case Operation::subtract: result = static_cast<__int128>(a) - b; break;
+    case Operation::multiply: result = static_cast<__int128>(a) * b; break;
+    default:
+      if (b == 0 || a % b != 0) return false;
+      result = a / b;
+  }
+  if (result <= -limit || result >= limit) return false;
+  NumberParts::set(z, static_cast<std::int64_t>(result), 0);
+  return true;
+}
+
+}  // namespace
+
+void decimal_operation(Operation op, Number& z, Number const& x, Number const& y) {
+  bool const whole_x = !NumberParts::in_cell(x), whole_y = !NumberParts::in_cell(y);
+  if (whole_x && whole_y && whole_operation(op, z, whole(x), whole(y))) return;
+  if (op == Operation::add || op == Operation::subtract) {
+    if (is_zero(y)) {
+      if (&z != &x) z = x;
+      return;
+    }
+    if (is_zero(x) && op == Operation::add) {
+      if (&z != &y) z = y;
+      return;
+    }
+  } else if (op == Operation::multiply) {
+    if ((is_zero(x) && mpfr_number_p(value(y))) || (is_zero(y) && mpfr_number_p(value(x)))) return NumberParts::set(z, 0, 0);
+  }
+  // MPFR may write over its arguments: a cell that z has is used again.
+  bool const again = NumberParts::in_cell(z);
+  Cell* const cell = again ? static_cast<Cell*>(NumberParts::cell(z)) : fresh();
+  mpfr_ptr const out = cell->value;
+  switch (op) {
+    case Operation::add:
+      if (whole_y)
+        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_add_si(out, out, whole(y), nearest) : mpfr_add_si(out, value(x), whole(y), nearest);
+      else
+        whole_x ? mpfr_add_si(out, value(y), whole(x), nearest) : mpfr_add(out, value(x), value(y), nearest);
+      break;
+    case Operation::subtract:
+      if (whole_y)
+        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_sub_si(out, out, whole(y), nearest) : mpfr_sub_si(out, value(x), whole(y), nearest);
+      else
+        whole_x ? mpfr_si_sub(out, whole(x), value(y), nearest) : mpfr_sub(out, value(x), value(y), nearest);
+      break;
+    case Operation::multiply:
+      if (whole_y)
+        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_mul_si(out, out, whole(y), nearest) : mpfr_mul_si(out, value(x), whole(y), nearest);
+      else
+        whole_x ? mpfr_mul_si(out, value(y), whole(x), nearest) : mpfr_mul(out, value(x), value(y), nearest);
+      break;
+    default:
+      if (whole_y)
+        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_div_si(out, out, whole(y), nearest) : mpfr_div_si(out, value(x), whole(y), nearest);
+      else
+        whole_x ? mpfr_si_div(out, whole(x), value(y), nearest) : mpfr_div(out, value(x), value(y), nearest);
+  }
+  if (!again) put(z, cell);
+}
+
+Number decimal_function(Function f, Number const& x) {
+  Argument const of(x);
+  Cell* const cell = fresh();
+  mpfr_ptr const out = cell->value;
+  switch (f) {
+    case Function::sqrt: mpfr_sqrt(out, of.at, nearest); break;
+    case Function::exp: mpfr_exp(out, of.at, nearest); break;
+    case Function::log: mpfr_log(out, of.at, nearest); break;
+    case Function::sin: mpfr_sin(out, of.at, nearest); break;
+    case Function::cos: mpfr_cos(out, of.at, nearest); break;
+    case Function::tan: mpfr_tan(out, of.at, nearest); break;
+    case Function::asin: mpfr_asin(out, of.at, nearest); break;
+    case Function::acos: mpfr_acos(out, of.at, nearest); break;
+    case Function::atan: mpfr_atan(out, of.at, nearest); break;
+    case Function::sinh: mpfr_sinh(out, of.at, nearest); break;
+    case Function::cosh: mpfr_cosh(out, of.at, nearest); break;
+    default: mpfr_tanh(out, of.at, nearest);
+  }
+  Number z;
+  put(z, cell);
+  return z;
+}
+Number decimal_pow(Number const& x, Number const& exponent) {
+  Argument const base(x), e(exponent);
+  Cell* const cell = fresh();
+  mpfr_pow(cell->value, base.at, e.at, nearest);
+  Number z;
+  put(z, cell);
+  return z;
+}
+Number decimal_atan2(Number const& y, Number const& x) {
+  Argument const up(y), along(x);
+  Cell* const cell = fresh();
+  mpfr_atan2(cell->value, up.at, along.at, nearest);
+  Number z;
+  put(z, cell);
+  return z;
+}
+
+bool decimal_less(Number const& x, Number const& y, bool or_equal) {
+  if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y)) return or_equal ? whole(x) <= whole(y) : whole(x) < whole(y);
+  Argument const a(x), b(y);
+  return (or_equal ? mpfr_lessequal_p(a.at, b.at) : mpfr_less_p(a.at, b.at)) != 0;
+}
+bool decimal_equal(Number const& x, Number const& y) {
+  if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y)) return whole(x) == whole(y);
+  Argument const a(x), b(y);
+  return mpfr_equal_p(a.at, b.at) != 0;
+}
+
+void decimal_from_double(Number& z, double x) {
+  Cell* const cell = fresh();
+  mpfr_set_d(cell->value, x, nearest);
+  put(z, cell);
+}
+void decimal_from_large(Number& z, std::int64_t n) {
+  Cell* const cell = fresh();
+  mpfr_set_si(cell->value, n, nearest);
+  put(z, cell);
+}
+double decimal_to_double(Number const& x) {
+  return NumberParts::in_cell(x) ? mpfr_get_d(value(x), nearest) : static_cast<double>(whole(x));
+}
+bool decimal_is_finite(Number const& x) { return !NumberParts::in_cell(x) || mpfr_number_p(value(x)) != 0; }
+
+void* copied_decimal(void const* cell) {
+  Cell* const copy = fresh();
+  mpfr_set(copy->value, static_cast<Cell const*>(cell)->value, nearest);
+  return copy;
+}
+void release_decimal(void* cell) noexcept { free_cells<Cell>().give(static_cast<Cell*>(cell)); }
+
+}  // namespace actio::detail
