@@ -44,7 +44,7 @@ class ComposedTop {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv,
+  benchmark::Benchmark program(argc, argv,
                         "work and precision on the heavy top: a Lagrangian of one's own beside codes for "
                         "differential equations");
   auto const known = kovalevskaya_top<double>();

@@ -40,7 +40,7 @@ auto const energy = [](auto const& xi) {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(
+  benchmark::Benchmark program(
       argc, argv,
       "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
   Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};

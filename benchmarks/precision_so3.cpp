@@ -29,7 +29,7 @@ auto const energy = [](auto const& xi) {
 };
 
 int main(int argc, char** argv) {
-  book::Program program(
+  benchmark::Benchmark program(
       argc, argv,
       "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
   benchmark::System<7, 12, decltype(rate), decltype(shown)> system{

@@ -1,15 +1,14 @@
 // What a step of a rigid body costs when there are many, and when a torque acts: exact free flights in lanes, kicks and exact flights, against the
 // classical Runge-Kutta method on the same bodies.
 //
-// Nanoseconds of processor time for a step of one body; contestants in turns, medians. A call of a batch is 200 steps or more, so that the
+// Nanoseconds of processor time for a step of one body; contestants in turns, a tenth of the rounds below. A call of a batch is 200 steps or more, so that the
 // bodies are in the first cache, as far as a row of four is concerned.
 #include <memory>
 #include <utility>
 
 #include "actio/reduction/composition.hpp"
 #include "actio/free_body/torqued_batch.hpp"
-#include "book/machine.hpp"
-#include "book/program.hpp"
+#include "benchmark.hpp"
 #include "timing.hpp"
 
 using namespace actio;
@@ -73,13 +72,13 @@ struct Cast {
 };
 
 using Row = book::Program::Row;
-double nanoseconds(std::vector<double> const& seconds) { return 1e9 * benchmark::median(seconds); }
+double nanoseconds(std::vector<double> const& seconds) { return 1e9 * benchmark::best_tenth(seconds); }
 std::string shown(std::vector<double> const& seconds) { return book::number(nanoseconds(seconds)); }
 
 double sum = 0;  // of what was computed, so that nothing is left out
 
 /// Momentum with attitude and alone, on both machines, against Runge-Kutta in the same rounds.
-void free_bodies(book::Program& program) {
+void free_bodies(benchmark::Benchmark& program) {
   std::vector<Row> rows;
   double worst = 0, worst_momentum = 0, least_ratio = 1e9;
   for (std::size_t const count : {8u, 16u, 64u, 1024u, 65536u}) {
@@ -92,13 +91,13 @@ void free_bodies(book::Program& program) {
     Free const equations{{1 / I[0], 1 / I[1], 1 / I[2]}};
     Seven y{M[0], M[1], M[2], 1, 0, 0, 0};
     double const units = static_cast<double>(steps) * static_cast<double>(count);
-    auto const times = benchmark::in_turns(count > 60000 ? 11 : 31, {{"momentum and attitude", [&] { whole.step(steps); }, units},
+    auto const times = benchmark::in_turns(program.rounds(count > 60000 ? 11 : 31), {{"momentum and attitude", [&] { whole.step(steps); }, units},
                                             {"momentum alone", [&] { momenta.step_momentum(steps); }, units},
                                             {"baseline", [&] { plain.step(steps); }, units},
                                             {"baseline, momentum alone", [&] { plain_momenta.step_momentum(steps); }, units},
                                             {"one step a call", [&] { for (int k = 0; k < 8; ++k) one.step(); }, 8.0 * static_cast<double>(count)},
                                             {"Runge-Kutta", [&] { for (int k = 0; k < 20000; ++k) y = runge_kutta(equations, y, 1); }, 20000}});
-    double const ratio = benchmark::median(benchmark::ratios(times[5], times[0]));
+    double const ratio = benchmark::ratio_of_best(times[5], times[0]);
     rows.push_back({std::to_string(count), shown(times[0]), shown(times[1]), shown(times[2]), shown(times[3]), shown(times[4]), shown(times[5]),
                     book::number(ratio)});
     worst = std::max(worst, nanoseconds(times[0]));
@@ -115,9 +114,9 @@ void free_bodies(book::Program& program) {
   program.figure("free_momentum", worst_momentum, "ns for a step of the momentum, the slowest size from 16 bodies on");
   program.figure("free_ratio", least_ratio, "Runge-Kutta steps of one body per exact step of a body in a batch, at least");
   if (best_machine() == Machine::avx2) {
-    program.claim(worst <= 2, "an exact step with attitude takes at most 2 ns a body");
-    program.claim(worst_momentum <= 1.2, "an exact step of the momentum takes at most 1.2 ns a body, from 16 bodies on");
-    program.claim(least_ratio >= 10, "a Runge-Kutta step of a body takes at least ten times as long as an exact step in a batch");
+    program.claim_of_time(worst <= 2, "an exact step with attitude takes at most 2 ns a body");
+    program.claim_of_time(worst_momentum <= 1.2, "an exact step of the momentum takes at most 1.2 ns a body, from 16 bodies on");
+    program.claim_of_time(least_ratio >= 10, "a Runge-Kutta step of a body takes at least ten times as long as an exact step in a batch");
   }
   program.headline("an exact step of a free body in a batch takes " + book::number(worst) + " ns at most, a Runge-Kutta step " +
                        book::number(least_ratio) + " times as long or more",
@@ -125,7 +124,7 @@ void free_bodies(book::Program& program) {
 }
 
 /// Kicks and flights, one body and many.
-void torqued_bodies(book::Program& program) {
+void torqued_bodies(benchmark::Benchmark& program) {
   Cast const cast(64);
   auto const& I = cast.inertias[0];
   auto const& M = cast.momenta[0];
@@ -142,7 +141,7 @@ void torqued_bodies(book::Program& program) {
         plain_lanes(cast.inertias, cast.momenta, cast.attitudes, cast.torques, 1, method, Machine::plain),
         orbits(cast.inertias, cast.momenta, cast.attitudes, cast.orbits, 1, method);
     double const units = static_cast<double>(one), lane_units = 64.0 * static_cast<double>(many);
-    auto const times = benchmark::in_turns(31, {{"one body", [&] { body.step(one); }, units},
+    auto const times = benchmark::in_turns(program.rounds(31), {{"one body", [&] { body.step(one); }, units},
                                             {"baseline", [&] { plain.step(one); }, units},
                                             {"orbit", [&] { orbit.step(one); }, units},
                                             {"lanes", [&] { lanes.step(many); }, lane_units},
@@ -152,7 +151,7 @@ void torqued_bodies(book::Program& program) {
     rows.push_back({method.name + ", order " + std::to_string(method.order)});
     for (auto const& seconds : times) rows.back().push_back(shown(seconds));
     if (method.name == "Strang")
-      scalar = nanoseconds(times[0]), batch = nanoseconds(times[3]), ratio = benchmark::median(benchmark::ratios(times[0], times[6]));
+      scalar = nanoseconds(times[0]), batch = nanoseconds(times[3]), ratio = benchmark::ratio_of_best(times[0], times[6]);
     sum += body.state().body_momentum.components.sum() + lanes.state(5).body_momentum.components.sum() + y.a;
   }
   std::string const name = name_of(best_machine());
@@ -163,14 +162,13 @@ void torqued_bodies(book::Program& program) {
   program.figure("torqued_batch", batch, "ns for a kick and an exact flight of a body in a batch");
   program.figure("torqued_ratio", ratio, "a kick and an exact flight, in Runge-Kutta steps under the same torque");
   if (best_machine() == Machine::avx2) {
-    program.claim(scalar <= 60, "a kick and an exact flight take at most 60 ns");
-    program.claim(batch <= 15, "in a batch at most 15 ns a body");
+    program.claim_of_time(scalar <= 60, "a kick and an exact flight take at most 60 ns");
+    program.claim_of_time(batch <= 15, "in a batch at most 15 ns a body");
   }
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "many rigid bodies: nanoseconds for an exact step, free and under a torque");
-  book::report_machine(program);
+  benchmark::Benchmark program(argc, argv, "many rigid bodies: nanoseconds for an exact step, free and under a torque");
   program.say("This machine: ", name_of(best_machine()), ".");
   free_bodies(program);
   torqued_bodies(program);

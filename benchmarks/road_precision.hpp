@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "book/machine.hpp"
+#include "benchmark.hpp"
 #include "book/plot.hpp"
 #include "error_against_time.hpp"
 #include "peers/any_equation.hpp"
@@ -102,9 +102,8 @@ Way road_way(S const& system, std::string name, Make make, double first, double 
 
 /// Runs all, shows them, and claims what must be so.
 template <class S>
-int compare(book::Program& program, S& system, std::vector<Way> ways) {
+int compare(Benchmark& program, S& system, std::vector<Way> ways) {
   gsl_set_error_handler_off();
-  book::report_machine(program);
   double const apart = system.find_witness();
   std::size_t const own = ways.size();
   for (Way& other : system.others()) ways.push_back(std::move(other));
@@ -114,7 +113,7 @@ int compare(book::Program& program, S& system, std::vector<Way> ways) {
   plot.log_x().log_y().size(760, 520);
   double best_own = std::numeric_limits<double>::infinity(), best_other = best_own;
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    Line const line = runs_of(ways[i], 0.03);
+    Line const line = runs_of(ways[i], program.length(0.03, 0.003));
     book::Program::Row row{line.name};
     for (double const error : targets) {
       Timed const* const best = line.cheapest(error);

@@ -1,7 +1,12 @@
-// Time as the benchmarks measure it: processor time, contestants in turns, medians.
+// Time as the benchmarks measure it: processor time, contestants in turns, judged by the best rounds.
 //
-// A machine that others use as well slows down and speeds up within a second. So nobody is timed alone: each round times every contestant once, for a
-// few milliseconds, and what is compared is the median of the ratios within the rounds.
+// A machine that others use as well slows down and speeds up within a second. So nobody is timed alone: each
+// round times every contestant once, for a few milliseconds. What else the machine does can only add to a
+// time. Hence the time of a contestant is the one that a tenth of its rounds came under, and a ratio is that
+// of two such times, each of its own best rounds: it favours neither side, and it is right as soon as a tenth
+// of the rounds were undisturbed. The tenth of the ratios would not do: it takes the rounds in which the
+// other side was disturbed. Nor would the median of the times, for a machine that is busy more than half of
+// the time.
 #pragma once
 
 #include <time.h>
@@ -35,7 +40,12 @@ inline double quantile(std::vector<double> v, double share) {
 }
 inline double median(std::vector<double> v) { return quantile(std::move(v), 0.5); }
 
-/// a over b, round by round.
+/// The time of a contestant on a machine that leaves it alone: a tenth of the rounds came under it.
+inline double best_tenth(std::vector<double> seconds) { return quantile(std::move(seconds), 0.1); }
+/// What one contestant takes in units of another: the ratio by which claims are judged.
+inline double ratio_of_best(std::vector<double> const& a, std::vector<double> const& b) { return best_tenth(a) / best_tenth(b); }
+
+/// a over b, round by round: how far a busy machine moves the ratio.
 inline std::vector<double> ratios(std::vector<double> const& a, std::vector<double> const& b) {
   std::vector<double> out;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) out.push_back(a[i] / b[i]);

@@ -44,11 +44,18 @@ struct Curve {
   }
 };
 
+/// How long the search for the best step goes on.
+struct Patience {
+  double share = 1;  ///< of the longest time that a run may take
+  int repeats = 3;   ///< of a run, at least
+  int idle = 25;     ///< shorter steps that are tried after the last that helped
+};
+
 /// Runs with one setting; short ones are repeated, and the shortest time counts.
-inline Run run(Curve const& curve, double setting, Witnesses const& exact) {
+inline Run run(Curve const& curve, double setting, Witnesses const& exact, Patience const& patience) {
   Run out{setting, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   double spent = 0;
-  for (int repeat = 0; repeat < 3 || (repeat < 20 && spent < 2e-3); ++repeat) {
+  for (int repeat = 0; repeat < patience.repeats || (repeat < 20 && spent < 2e-3); ++repeat) {
     States states{};
     double const seconds = processor_seconds_of([&] { states = curve.solve(setting); });
     spent += seconds;
@@ -57,14 +64,14 @@ inline Run run(Curve const& curve, double setting, Witnesses const& exact) {
       out.error = 0;
       for (int k = 0; k < looks; ++k) out.error = std::max(out.error, peers::error_of(states[k], exact[k]));
     }
-    if (spent > 0.05) break;
+    if (spent > 0.05 * patience.share) break;
   }
   return out;
 }
 
 /// Steps of one length, from long to short, until a run takes longer than `longest` seconds or no shorter step has helped for a while.
 inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Method const& method, Witnesses const& exact, double first, double ratio,
-                              double longest) {
+                              double longest, Patience const& patience) {
   Curve curve{method.name,
               [=](double steps) {
                 auto const stepper = method.make(task, time / steps);
@@ -75,27 +82,27 @@ inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Metho
               {}};
   int idle = 0;
   double best = std::numeric_limits<double>::infinity();
-  for (double steps = first; idle < 25; steps = looks * std::round(steps * ratio / looks)) {
+  for (double steps = first; idle < patience.idle; steps = looks * std::round(steps * ratio / looks)) {
     try {
-      curve.runs.push_back(run(curve, steps, exact));
+      curve.runs.push_back(run(curve, steps, exact, patience));
     } catch (std::exception const&) {
       continue;  // the step is too long for the method
     }
     Run const& last = curve.runs.back();
     idle = last.error < best ? 0 : best < 1e-7 ? idle + 1 : 0;
     best = std::min(best, last.error);
-    if (last.seconds > longest) break;
+    if (last.seconds > longest * patience.share) break;
   }
   return curve;
 }
 
 /// Step control: tolerances from 1e-5 to 1e-14, four to the decade.
 template <class Solve>
-Curve with_step_control(std::string name, Solve const& solve, Witnesses const& exact) {
+Curve with_step_control(std::string name, Solve const& solve, Witnesses const& exact, Patience const& patience) {
   Curve curve{std::move(name), solve, {}};
   // Near the rounding of double the control takes steps without end: 1e-14 is the last.
-  for (int k = 20; k <= 56 && (curve.runs.empty() || curve.runs.back().seconds < 0.1); ++k)
-    curve.runs.push_back(run(curve, std::pow(10.0, -k / 4.0), exact));
+  for (int k = 20; k <= 56 && (curve.runs.empty() || curve.runs.back().seconds < 0.1 * patience.share); ++k)
+    curve.runs.push_back(run(curve, std::pow(10.0, -k / 4.0), exact, patience));
   return curve;
 }
 

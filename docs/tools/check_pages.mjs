@@ -1,13 +1,13 @@
-// check_pages.mjs BOOK: what every page of the book has, whoever opens it: an entry of the tree that the tree
-// finds, the way past it, a table of contents for narrow screens; and what none has: a path of the machine
-// that made it, a backslash in a caption.
+// check_pages.mjs BOOK [--whole]: what every page of the book has, whoever opens it: an entry of the tree that
+// the tree finds, the way past it, a table of contents for narrow screens; and what none has: a path of the
+// machine that made it, a backslash in a caption; in a whole book, the place of a figure that was not measured.
 import fs from 'node:fs';
 import path from 'node:path';
 import vm from 'node:vm';
 
 import {Errors, walk} from './lib.mjs';
 
-const root = process.argv[2];
+const root = process.argv[2], whole = process.argv.includes('--whole');
 const errors = new Errors();
 const names = walk(root)
                 .filter(f => f.endsWith('.html') && !path.basename(f).startsWith('viewer_'))
@@ -66,6 +66,13 @@ for (const page of names) {
          /<figcaption>([\s\S]*?)<\/figcaption>|<div class="caption">([\s\S]*?)<\/div>/g))
     if (/\\/.test(text(caption[1] ?? caption[2])))
       errors.add(page, 1, `a caption with a backslash: ${text(caption[1] ?? caption[2]).trim()}`);
+  // A figure comes from this build or from the release; where neither has it, somebody must measure and record it.
+  const empty = whole ? [...html.matchAll(/<(\w+) class="(?:[^"]* )?(?:unmeasured|notrun)(?: [^"]*)?"[^>]*?(?: title="([^"]*)")?>([^<]*)/g)] : [];
+  if (empty.length)
+    errors.add(
+      page, 1,
+      `${empty.length} empty place${empty.length > 1 ? 's' : ''}, the first: ${empty[0][2] ?? empty[0][3]}; ` +
+        './run bench, ./run stress and ./run test measure what is missing, ./run record keeps it for all builds');
 }
 errors.exitIfAny('pages');
 console.log(`book: ${names.length} pages, each in the tree where it is listed, with ways to the others`);

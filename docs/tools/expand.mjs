@@ -11,6 +11,7 @@ import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable,
 import { knowStatements } from './small_print.mjs';
 import { keysPage, readKeys } from './keys.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
+import { legend, measured, originClass, originText, releasedChecks, releasedPrograms } from './release.mjs';
 
 const opt = options({ root: '.', build: 'build', registry: '', strict: false });
 const at = (...p) => path.join(opt.root, ...p);
@@ -27,6 +28,7 @@ const book = {
   places: new Map(),      // statement id -> true once a page holds its box
   programPlaces: new Set(),
   ...readScenes(opt.root, opt.build),
+  release: { programs: releasedPrograms(opt.root), checks: releasedChecks(opt.root) },
 };
 if (opt.strict && !book.scenes && fs.existsSync(at('data/scenes'))) errors.add(path.join(opt.build, 'report/scenes'), 1, 'missing: run the scenes');
 
@@ -87,6 +89,8 @@ book.programSource = name => {
 
 const items = {};
 let count = 0;
+// Tables of benchmarks, after which the page says what the colours of its figures mean.
+const legends = [];
 const token = html => { const name = `BOOKITEM${String(++count).padStart(5, '0')}X`; items[name] = html; return name; };
 
 // ---- First pass: where each statement lives. Its box, else its first formula, holds the permanent anchor.
@@ -137,8 +141,8 @@ const optional = program => program.split('_')[0] in optionalPrograms;
 const notMeasured = program => `<span class="unmeasured" title="waits for a run of ${escapeHtml(program)}">–</span>`;
 const notDrawn = (program, what) => `<p class="notrun">${what} waits for a run of <code>${escapeHtml(program)}</code></p>`;
 
-// A program that not every build runs has its source, or its name is wrong; a report, or it is not measured yet. A figure that an older report lacks will come
-// with the next run.
+// A program that not every build runs has its source, or its name is wrong; a report of this build, or one of the release, or it is not measured yet. A figure that
+// an older or a short report lacks is that of the release.
 book.optionalSource = program => {
   const [, kind, stem] = /^([a-z]+)_(.+)$/.exec(program) ?? [];
   const file = optionalPrograms[kind] && `${optionalPrograms[kind]}/${stem}.cpp`;
@@ -148,9 +152,13 @@ function lookupOptional(p, line, list, what, program, name) {
   const file = book.optionalSource(program);
   if (!file) { errors.add(p.file, line, `program ${program} has no source in ${Object.values(optionalPrograms).join(' or ')}`); return undefined; }
   const report = book.optional.get(program);
-  const found = report && (report[list] ?? []).find(x => x.name === name);
-  if (found) return { ...found, report };
-  if (!report || report.written < fs.statSync(at(file)).mtimeMs) return null;
+  for (const from of [report, book.release.programs.get(program)]) {
+    const found = (from?.[list] ?? []).find(x => x.name === name);
+    if (!found) continue;
+    (p.shown ??= new Set()).add(from);
+    return { ...found, report: from };
+  }
+  if (!report || report.short || report.written < fs.statSync(at(file)).mtimeMs) return null;
   errors.add(p.file, line, `program ${program} reports no ${what} "${name}" (it has: ${(report[list] ?? []).map(x => x.name).join(', ') || 'none'})`);
   return undefined;
 }
@@ -175,7 +183,7 @@ const inline = {
     const [program, name] = split(arg, 2);
     const f = lookup(p, line, 'figures', 'figure', program, name);
     if (f === null) return optional(program) ? notMeasured(program) : notRun('figure');
-    return f ? `<span class="figure" title="${escapeHtml(`${program}: ${name} = ${f.value}`)}">${figureText(f)}</span>` : '';
+    return f ? `<span class="${`figure ${originClass(f.report)}`.trim()}" title="${escapeHtml([`${program}: ${name} = ${f.value}`, originText(f.report)].filter(Boolean).join('; '))}">${figureText(f)}</span>` : '';
   },
   verdict(p, line, id) {
     if (id in verdictText) return badge(id);
@@ -248,7 +256,7 @@ for (const p of pages) {
       const [program, name, title] = split(arg, 3);
       const t = lookup(p, line, 'tables', 'table', program, name);
       if (t === null) block(optional(program) ? notDrawn(program, 'This table') : `<p>${notRun(`table ${escapeHtml(name)} of ${escapeHtml(program)}`)}</p>`);
-      else if (t) block(reportTable(t, caption(p, line, title)));
+      else if (t) block(reportTable(t, caption(p, line, title), t.report));
     },
     picture(arg) {
       const [program, name, title] = split(arg, 3);
@@ -257,7 +265,7 @@ for (const p of pages) {
       if (!pic) return;
       const file = path.join(pic.report.folder, pic.file);
       if (!fs.existsSync(file)) return errors.add(p.file, line, `picture file ${pic.file} is missing`);
-      block(inlineSvg(fs.readFileSync(file, 'utf8'), caption(p, line, title) ?? pic.caption, `pic${count}`));
+      block(inlineSvg(fs.readFileSync(file, 'utf8'), caption(p, line, title) ?? pic.caption, `pic${count}`, pic.report));
     },
     scene(name) {
       if (!book.scenes) return block(`<p>${notRun(`scene ${escapeHtml(name)}`)}</p>`);
@@ -332,7 +340,14 @@ for (const p of pages) {
     },
     errata() { block(errata(book)); },
     programs(arg) { block(programTable(book, arg)); },
-    benchmarks() { block(benchmarkTable(book, walk(at('benchmarks')).filter(f => /^benchmarks\/[^/]*\.cpp$/.test(path.relative(opt.root, f))).map(f => `bench_${path.basename(f, '.cpp')}`))); },
+    benchmarks() {
+      const names = walk(at('benchmarks')).filter(f => /^benchmarks\/[^/]*\.cpp$/.test(path.relative(opt.root, f))).map(f => `bench_${path.basename(f, '.cpp')}`);
+      for (const name of names) { const report = measured(book, name); if (report) (p.shown ??= new Set()).add(report); }
+      block(benchmarkTable(book, names));
+      const key = token('');
+      legends.push({ page: p, key });
+      emit(`\n${key}\n`);
+    },
     chapters(arg) {
       const list = arg.split(',').map(Number);
       for (const c of book.chapters.filter(c => list.includes(c.chapter))) emit(`- \\subpage ${c.id}`);
@@ -364,6 +379,7 @@ for (const p of pages) {
   p.text = out.join('\n');
   p.map = map;
 }
+for (const { page, key } of legends) items[key] = legend([...(page.shown ?? [])]);
 errors.exitIfAny('pages');
 
 const target = path.join(opt.build, 'book-src');

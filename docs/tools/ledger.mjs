@@ -1,6 +1,7 @@
 // The ledger in HTML: evidence under a statement, the page of all statements, the counts, the errata.
 import { badge, boxed, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, labelled, number, ratioText, shortLabel, verdictText, worst } from './lib.mjs';
 import { smallPrint as prose } from './small_print.mjs';
+import { measuredAt, withRelease } from './release.mjs';
 
 export function verdictOf(book, id) {
   if (!book.statements) return 'notrun';
@@ -83,26 +84,27 @@ export function evidence(book, id, anchor) {
   if (r.verdict === 'pending' || !(r.evidence ?? []).length)
     return `<div class="evidence evidence-empty"${idAttribute}>${badge(r.verdict)} <span>${book.boxes.has(id) ? escapeHtml(verdictText[r.verdict]?.[1] ?? '') : prose(r.note) || escapeHtml(verdictText[r.verdict]?.[1] ?? '')}</span> ${where}</div>`;
 
-  const here = new Set(r.evidence.map(e => e.scalar));
+  const { evidence: entries, control: broke, released } = withRelease(book, r);
+  const here = new Set(entries.map(e => e.scalar));
   const columns = columnOrder.filter(c => here.has(c));
-  const missing = ['dec50', 'dec100'].filter(c => !book.columns.has(c) && r.evidence.some(e => e.kind === 'precision'));
+  const missing = ['dec50', 'dec100'].filter(c => !book.columns.has(c) && !here.has(c) && r.evidence.some(e => e.kind === 'precision'));
   const shown = columnOrder.filter(c => columns.includes(c) || missing.includes(c));
   const modelCell = row => row.models.size > 1 ? `<span title="${escapeHtml([...row.models].join(', '))}">${row.models.size} models</span>` : prose([...row.models][0]);
   const figure = (row, c) => {
     const e = row.cells.get(c);
-    if (e) return `<td class="num">${cell(e)}</td>`;
+    if (e) return `<td class="num${e.released ? ' from-release' : ''}">${cell(e)}</td>`;
     return missing.includes(c) && row.kinds.has('precision') ? '<td class="num notrun">not run</td>' : '<td class="num none">·</td>';
   };
   const controlColumn = shown.includes('double') ? 'double' : shown[0];
   const controlFigure = (row, c) => {
     const e = row.cells.get(c) ?? (c === controlColumn ? row.cells.get('') : undefined);
-    return `<td class="num">${e ? number(e.measured) : '<span class="none">·</span>'}</td>`;
+    return `<td class="num${e?.released ? ' from-release' : ''}">${e ? number(e.measured) : '<span class="none">·</span>'}</td>`;
   };
   const head = first => `<thead><tr><th>${first}</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead>`;
   const measured = (list, first) => `<tbody class="measured">${list.map(row => `<tr><td>${first(row)}</td>${shown.map(c => figure(row, c)).join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`).join('')}</tbody>`;
   const broken = (list, first) => list.length ? `<tbody class="control">${list.map(row => `<tr><td>${first(row)}</td>${shown.map(c => controlFigure(row, c)).join('')}<td class="num">&gt;&#8239;${number(row.floor)}</td></tr>`).join('')}</tbody>` : '';
   const said = row => `${prose(row.what)} <span class="kind">${modelCell(row)}${row.kinds.has('order') ? ', order' : ''}</span>`;
-  const controls = rows(r.control, false), all = rows(r.evidence, false);
+  const controls = rows(broke, false), all = rows(entries, false);
   const worstOnly = boxed(`<table class="evidence-table">${head('what is compared')}${measured(all, said)}${broken(controls, row => `${said(row)} <span class="kind">control</span>`)}</table>`);
 
   // Where models were merged, all figures unfold.
@@ -111,7 +113,7 @@ export function evidence(book, id, anchor) {
     const span = shown.length + 2;
     const part = (title, body) => `<tbody><tr class="what"><th colspan="${span}">${title}</th></tr></tbody>${body}`;
     const of = (list, what) => list.filter(row => row.what === what);
-    const full = rows(r.evidence, true), fullControls = rows(r.control, true);
+    const full = rows(entries, true), fullControls = rows(broke, true);
     const model = row => prose([...row.models][0] ?? '');
     unfolded = `<details><summary>by model</summary>${boxed(`<table class="evidence-table by-model">${head('model')}${[...new Set(full.map(row => row.what))].map(w => part(prose(w), measured(of(full, w), model))).join('')}${[...new Set(fullControls.map(row => row.what))].map(w => part(`${prose(w)} <span class="kind">control</span>`, broken(of(fullControls, w), model))).join('')}</table>`)}</details>`;
   }
@@ -119,6 +121,7 @@ export function evidence(book, id, anchor) {
   const summary = `<div class="evidence-foot">${[
     `<b>Evidence</b> for ${label(id)}: ${[...new Set(r.evidence.map(e => e.kind))].join(', ')}`,
     ratio === null ? '' : `control / residual: <b>${ratioText(ratio)}</b>`,
+    released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test</code>` : '',
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
     where,
   ].filter(Boolean).map(s => `<span>${s}</span>`).join('')}</div>`;

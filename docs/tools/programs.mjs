@@ -1,5 +1,6 @@
 // What a program reported, in HTML: its card, its tables, its pictures, and the table of all programs.
 import { escapeHtml, labelled, number, prose } from './lib.mjs';
+import { measured, originClass, originNote, originText } from './release.mjs';
 
 const numeric = s => /^[-+−]?(\d|\.\d)/.test(String(s).trim());
 const power = (mantissa, exponent) => `${mantissa.replace('-', '−')}·10<sup>${String(Number(exponent)).replace('-', '−')}</sup>`;
@@ -13,15 +14,19 @@ function cellText(s) {
   });
 }
 
-export function reportTable(t, caption) {
+/// The words under a table or a picture, and whether it is of a short run or of the release.
+const captionText = (caption, report) => [prose(caption ?? ''), originNote(report)].filter(Boolean).join(' ');
+
+/// @param report  where it comes from
+export function reportTable(t, caption, report = {}) {
   const head = (t.header ?? []).map((h, i) => `<th${(t.rows ?? []).every(r => numeric(r[i])) ? ' class="num"' : ''}>${prose(h)}</th>`).join('');
   const rows = (t.rows ?? []).map(r => `<tr>${r.map(c => `<td${numeric(c) ? ` class="num${String(c).trim().includes(' ') ? ' words' : ''}"` : ''}>${cellText(c)}</td>`).join('')}</tr>`).join('');
-  const text = caption ?? t.caption;
-  return `<div class="report-table"><table><thead><tr>${head}</tr></thead><tbody>${rows}</tbody></table>${text ? `<div class="caption">${prose(text)}</div>` : ''}</div>`;
+  const text = captionText(caption ?? t.caption, report);
+  return `<div class="${`report-table ${originClass(report)}`.trim()}"><table><thead><tr>${head}</tr></thead><tbody>${rows}</tbody></table>${text ? `<div class="caption">${text}</div>` : ''}</div>`;
 }
 
 /// An SVG file as part of the page, so that it takes the colours of the theme; its ids are made unique to the page.
-export function inlineSvg(svg, caption, prefix) {
+export function inlineSvg(svg, caption, prefix, report = {}) {
   svg = svg.replace(/<\?xml[^>]*\?>/g, '').replace(/<!DOCTYPE[^>]*>/gi, '').replace(/<!--[\s\S]*?-->/g, '').trim();
   for (const id of new Set([...svg.matchAll(/\bid="([^"]+)"/g)].map(m => m[1]))) {
     svg = svg.replaceAll(`id="${id}"`, `id="${prefix}-${id}"`).replaceAll(`url(#${id})`, `url(#${prefix}-${id})`).replaceAll(`href="#${id}"`, `href="#${prefix}-${id}"`);
@@ -31,7 +36,8 @@ export function inlineSvg(svg, caption, prefix) {
     const width = /\bwidth="([\d.]+)/.exec(attributes) ?? /viewBox="[-\d.]+[ ,]+[-\d.]+[ ,]+([\d.]+)/.exec(attributes);
     return `<svg${attributes.replace(/\s(width|height)="[^"]*"/g, '')}${size} role="img" style="max-width:${width ? width[1] : 640}px">`;
   });
-  return `<figure class="picture">${svg}${caption ? `<figcaption>${prose(caption)}</figcaption>` : ''}</figure>`;
+  const text = captionText(caption, report);
+  return `<figure class="${`picture ${originClass(report)}`.trim()}">${svg}${text ? `<figcaption>${text}</figcaption>` : ''}</figure>`;
 }
 
 export function programCard(book, name, report, src) {
@@ -59,16 +65,15 @@ export function programTable(book, chapters) {
 
 /// The benchmarks: what each shows, what it measured and when, and the claims that did not hold.
 export function benchmarkTable(book, names) {
-  const run = names.filter(n => book.optional.has(n));
-  if (!run.length)
-    return '<p><span class="notrun">The benchmarks have not been run in this build: what they measure is not measured yet, and a dash stands in its place.</span> <code>./run bench</code> runs them; <code>./run book</code> after it writes this page with their figures.</p>';
   const rows = names.map(n => {
-    const p = book.optional.get(n);
+    const p = measured(book, n);
     if (!p) return `<tr><td class="id">${escapeHtml(n)}</td><td colspan="4"><span class="notrun">not run</span></td></tr>`;
-    const date = (p.figures ?? []).find(f => f.name === 'date')?.text ?? `${new Date(p.written).toISOString().slice(0, 16).replace('T', ' ')} UTC`;
+    const date = p.release?.date ?? (p.figures ?? []).find(f => f.name === 'date')?.text ?? `${new Date(p.written).toISOString().slice(0, 16).replace('T', ' ')} UTC`;
+    const how = p.release ? ', of the release' : p.short ? ', short' : '';
     const broken = (p.claims ?? []).filter(c => !c.holds);
-    const claims = broken.length ? broken.map(c => `<span class="verdict verdict-failed">failed</span> ${prose(c.text)}`).join('<br/>') : (p.claims ?? []).length ? 'all hold' : '';
-    return `<tr>${labelled([`<td class="id">${escapeHtml(n)}</td>`, `<td>${prose(p.shows)}</td>`, `<td>${prose(p.headline?.text ?? '')}</td>`, `<td>${claims}</td>`, `<td class="num">${escapeHtml(date)}</td>`], ['', '', 'measured', 'claims', 'run'])}</tr>`;
+    const claims = broken.length ? broken.map(c => `${p.short ? '<span class="verdict verdict-corrected" title="a time of a short run beyond its bound">missed</span>' : '<span class="verdict verdict-failed">failed</span>'} ${prose(c.text)}`).join('<br/>') : (p.claims ?? []).length ? 'all hold' : '';
+    const said = originText(p);
+    return `<tr${said ? ` class="${originClass(p)}" title="${escapeHtml(said)}"` : ''}>${labelled([`<td class="id">${escapeHtml(n)}</td>`, `<td>${prose(p.shows)}</td>`, `<td class="measured">${prose(p.headline?.text ?? '')}</td>`, `<td>${claims}</td>`, `<td class="num">${escapeHtml(date + how)}</td>`], ['', '', 'measured', 'claims', 'run'])}</tr>`;
   });
   return `<table class="programs stacked"><thead><tr><th>program</th><th>what it measures</th><th>measured</th><th>claims</th><th class="num">run</th></tr></thead><tbody>${rows.join('')}</tbody></table>`;
 }

@@ -58,7 +58,7 @@ export function scenePage(scene) {
 
 /// A program in Python and what it said; null where the module was not built.
 export function pythonCard(file, text, said) {
-  const output = said === null ? '<span class="notrun">not run: the module is not built</span>' : `<pre class="output">${escapeHtml(said.trimEnd())}</pre>`;
+  const output = said === null ? '<span class="notbuilt">not run: the module is not built</span>' : `<pre class="output">${escapeHtml(said.trimEnd())}</pre>`;
   return `<div class="program scene"><div class="program-head"><span class="program-name">python3 ${escapeHtml(file)}</span></div><pre class="fragment scene-text">${escapeHtml(text.trimEnd())}</pre>${output}</div>`;
 }
 

@@ -13,7 +13,7 @@ project() {
   cp -r "$docs" "$work/p/docs"
   cd "$work/p" || exit 1
   # Pages that speak of the real library are not under test.
-  rm -f docs/pages/1[12]_*.md docs/pages/2[2-9]_*.md docs/pages/40_*.md
+  rm -rf docs/pages/1[12]_*.md docs/pages/2[2-9]_*.md docs/pages/40_*.md docs/release
   sed -i '/scenes\|conventions\|notation\|bibliography\|performance\|^.picture/d' docs/pages/00_mainpage.md
   printf '/** @namespace actio\n The library. */\n' >docs/namespaces.dox
   printf 'id\tkind\tchapter\tsection\tsubject\neq_3_9\tequation\t3\t3.2\tquotient map\nthm_3_2_3\ttheorem\t3\t3.2\treconstruction\nclaim_3_2_small\tclaim\t3\t3.2\tsmall claim\neq_6_1\tequation\t6\t6.1\tlater\n' >proofs_checks/registry.tsv
@@ -72,6 +72,19 @@ X
  {"id":"claim_3_2_small","title":"s","verdict":"scope","note":"nothing to compute","evidence":[],"control":[]},
  {"id":"eq_6_1","title":"l","verdict":"pending","evidence":[],"control":[]}]
 X
+  # What the release recorded of the columns that this build has not run.
+  mkdir -p docs/release
+  cat >record.mjs <<'X'
+import fs from 'node:fs';
+import { packChecks } from './docs/tools/release.mjs';
+const entry = (scalar, measured) => ({ what: 'residual', kind: 'precision', scalar, model: 'SE(3)', measured, bound: measured * 100, epsilon: measured / 3.14, steps: [] });
+const evidence = [entry('dec50', 3.14159e-50), entry('dec100', 3.14159e-100)];
+const control = [{ what: 'as printed', scalar: 'dec50', measured: 0.25, floor: 0.001 }];
+const release = { date: '2026-01-01 00:00 UTC', processor: 'a fast processor', compiler: 'GCC 12', commit: 'abc1234567' };
+const columns = ['dec100', 'dec50'];
+fs.writeFileSync('docs/release/checks.json', JSON.stringify({ release, columns, ...packChecks([{ id: 'thm_3_2_3', evidence, control }, { id: 'eq_6_1', evidence, control }], columns) }));
+X
+  node record.mjs
 }
 book() { docs/tools/book.sh build "$@" >"$work/out" 2>&1; }
 passes() {
@@ -103,6 +116,9 @@ contains ch03.html 'rel="next" href='
 contains index.html '<li class="depth-1"><a href="ch03.html"'
 contains ledger.html 'data-label="verdict"'
 contains ledger.html 'class="mord mathnormal">μ'
+contains ch03.html 'class="num from-release"><span title="3.14e-50, allowed 3.1e-48">3\.1&#8239;<i>ε'
+contains ch03.html '50 digits and 100 digits: .*measured 2026-01-01 00:00 UTC on a fast processor with GCC 12, commit abc1234567.*of the release'
+contains ch03.html 'class="num from-release">0\.25'
 
 # What every page must have is looked for in the book as it stands.
 lacks() {  # name, what must be said: the book is changed, and refused
@@ -119,6 +135,11 @@ whole; sed -i 's/<li class="depth-1"><a href="ch03.html"[^<]*<.a><.li>//' build/
 whole; sed -i 's|all is well|/home/somebody/build/report/scenes/iss: all is well|' build/book/ch03.html; lacks 'a path of the machine' '/home/somebody/build/report/scenes/iss'
 whole; sed -i 's|A table, with a comma|A table\\, with a comma|' build/book/ch03.html; lacks 'a backslash in a caption' 'a caption with a backslash'
 whole
+# A column that neither this build nor the release has is an empty place; one that this build has is its own.
+project; rm docs/release/checks.json; refuses 'a column that nobody has run' 'ch03.html:1: . empty places, the first: not run; .*/run record'
+project; sed -i 's/\("scalar":"double","model":"SE(3)","measured":1e-15.*\)}\],"control"/\1},{"what":"residual","kind":"precision","scalar":"dec50","model":"SE(3)","measured":2e-50,"bound":1e-48,"epsilon":1e-50}],"control"/' build/report/statements.json
+passes 'a book with a column of its own' --strict; contains ch03.html 'class="num"><span title="2.00e-50'; contains ch03.html '<span>100 digits: .*of the release'
+project; passes 'a whole book again' --strict
 book --strict
 grep -q 'nothing changed' "$work/out" && echo 'ok      is not written again' || { echo 'FAILED  written again with nothing changed'; failures=$((failures + 1)); }
 
@@ -166,12 +187,53 @@ tops() {
   printf '{"program":"bench_tops","shows":"a top","headline":{"text":"7 ns","value":7},"figures":[{"name":"time","value":7,"text":"7 ns"},{"name":"date","value":1,"text":"2026-01-01 00:00 UTC"}],"tables":[{"name":"times","header":["a"],"rows":[["1"]]}],"pictures":[{"name":"race","file":"bench_tops.race.svg","caption":"A race"}],"claims":[{"holds":false,"text":"a top is fast"}]}\n' >build/report/benchmarks/bench_tops.json
   cp build/report/programs/ch03_wheel.path.svg build/report/benchmarks/bench_tops.race.svg
 }
-benchmark; passes 'a book before the benchmarks have run' --strict; contains performance.html 'not measured yet'; contains performance.html 'benchmarks have not been run'
+short() { sed -i 's/"claims"/"short":true,"claims"/' build/report/benchmarks/bench_tops.json; }
+release() { # as ./run record leaves it
+  mkdir -p docs/release/benchmarks
+  sed 's/^{/{"release":{"date":"2026-01-02 00:00 UTC","processor":"a fast processor","compiler":"GCC 12","commit":"abc1234567"},/' build/report/benchmarks/bench_tops.json >docs/release/benchmarks/bench_tops.json
+  mv build/report/benchmarks/bench_tops.race.svg docs/release/benchmarks
+  rm build/report/benchmarks/*
+}
+benchmark; refuses 'a benchmark that nobody has run' 'performance.html:1: 4 empty places, the first: waits for a run of bench_tops; .*/run record'
+benchmark; passes 'a draft before the benchmarks have run'; contains performance.html 'class="unmeasured"'
+benchmark; tops; release; passes 'a book with the figures of the release' --strict; contains performance.html 'class="figure from-release" title="bench_tops: time = 7; figure of the release, measured 2026-01-02'
+contains performance.html 'class="report-table from-release"'; contains performance.html 'class="picture from-release"'; contains performance.html 'those of the release, measured 2026-01-02 on a fast processor with GCC 12, commit abc1234567; <code>./run bench</code> replaces them'
+benchmark; tops; short; passes 'a book with a short benchmark' --strict; contains performance.html 'class="figure from-short"'; contains performance.html 'Of a short run\.'; contains performance.html '2026-01-01 00:00 UTC, short'; contains performance.html '>missed<'
+benchmark; tops; release; tops; passes 'a benchmark of this build before that of the release' --strict; contains performance.html '<span class="figure" title="bench_tops: time = 7">'
+benchmark; tops; release; tops; short; sed -i 's/"name":"time"/"name":"speed"/' build/report/benchmarks/bench_tops.json; passes 'a figure that a short run leaves out' --strict; contains performance.html 'class="figure from-release"'; contains performance.html 'class="report-table from-short"'
 benchmark; tops; passes 'a book with a benchmark' --strict; contains performance.html '>7 ns<'; contains performance.html 'a top is fast'; contains performance.html '2026-01-01'
 benchmark; sed -i 's/bench_tops,time}/bench_flops,time}/' docs/pages/22_performance.md; refuses 'a benchmark without a source' '22_performance.md:3: program bench_flops has no source'
 benchmark; tops; sed -i 's/,{"name":"date".*UTC"}//' build/report/benchmarks/bench_tops.json; passes 'a benchmark that does not tell its date' --strict; contains performance.html ' UTC'
 benchmark; tops; sed -i 's/bench_tops,time}/bench_tops,speed}/' docs/pages/22_performance.md; refuses 'a figure that a benchmark does not report' '22_performance.md:3: .*no figure "speed"'
-benchmark; tops; sed -i 's/bench_tops,time}/bench_tops,speed}/' docs/pages/22_performance.md; touch -d '+1 minute' benchmarks/tops.cpp; passes 'a book with a figure that the next run will bring' --strict; contains performance.html 'class="unmeasured"'
+benchmark; tops; sed -i 's/bench_tops,time}/bench_tops,speed}/' docs/pages/22_performance.md; touch -d '+1 minute' benchmarks/tops.cpp; passes 'a book with a figure that the next run will bring'; contains performance.html 'class="unmeasured"'
+
+# What is recorded was measured in full with the executable as it is.
+recording() {
+  benchmark
+  mkdir -p cmake build/bin docs/release/benchmarks
+  cp -r "$docs/../cmake/tools" cmake
+  cat >build/bin/bench_tops <<'X'
+#!/usr/bin/env bash
+[[ $1 == --short ]] && short=true && shift || short=false
+echo "{\"program\":\"bench_tops\",\"shows\":\"a top\",\"short\":$short,\"headline\":{\"text\":\"7 ns\"},\"figures\":[{\"name\":\"time\",\"value\":7,\"text\":\"7 ns\"}],\"tables\":[{\"name\":\"times\",\"header\":[\"a\"],\"rows\":[[\"1\"]]}],\"pictures\":[{\"name\":\"race\",\"file\":\"bench_tops.race.svg\",\"caption\":\"A race\"}]}" >"$2/bench_tops.json"
+cp build/report/programs/ch03_wheel.path.svg "$2/bench_tops.race.svg"
+X
+  chmod +x build/bin/bench_tops
+  touch data/bodies.toml
+}
+measure() { ACTIO_ONCE=1 bash cmake/tools/measure.sh build bench_tops "$@" >"$work/out" 2>&1; }
+record() { node docs/tools/record.mjs --build build --commit abc1234567 --what "${1:-bench}" >"$work/out" 2>&1; }
+says() { if grep -q "$2" "$work/out"; then echo "ok      $1"; else echo "FAILED  $1: not said: $2"; cat "$work/out"; failures=$((failures + 1)); fi; }
+recording; record && failures=$((failures + 1)); says 'a record of nothing' 'bench_tops: never recorded, .*type ./run bench'
+measure --short; record && failures=$((failures + 1)); says 'a record of a short run' 'bench_tops: never recorded'
+measure; record || failures=$((failures + 1)); says 'a record of a full run' 'bench_tops: recorded'
+measure --short; says 'a short run leaves a full one that is current' 'current: a full run'
+rm -rf build/report/benchmarks; passes 'a book from what was recorded' --strict; contains performance.html 'commit abc1234567'; contains performance.html 'class="picture from-release"'
+measure; echo '# changed' >>build/bin/bench_tops; record || failures=$((failures + 1)); says 'an executable that changed' 'no full run of the executable as it is; the record stays that of .*commit abc1234567'
+measure --short; grep -q '"short":true' build/report/benchmarks/bench_tops.json || { echo 'FAILED  a short run does not replace a full one of another executable'; failures=$((failures + 1)); }
+record checks || failures=$((failures + 1)); says 'checks of fewer columns than are recorded' 'checks: this build has run fewer columns than are recorded'
+rm docs/release/checks.json; record checks && failures=$((failures + 1)); says 'checks of no column beyond the quick ones' 'checks: never recorded, .*type ./run test'
+sed -i 's/"scalar":"double"/"scalar":"dec50"/' build/report/statements.json; record checks || failures=$((failures + 1)); says 'a record of the checks' 'checks: recorded in dec50'
 
 ((failures == 0)) && echo "the book's tools: all as they should be" || echo "the book's tools: $failures failures"
 exit $((failures > 0))

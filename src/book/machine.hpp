@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <thread>
 
 #include "book/program.hpp"
@@ -23,27 +22,10 @@ struct Machine {
 };
 
 /// The name in /proc/cpuinfo.
-inline std::string processor_name() {
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);)
-    if (line.starts_with("model name")) {
-      auto const at = line.find_first_not_of(" \t", line.find(':') + 1);
-      if (at != std::string::npos) return line.substr(at);
-    }
-  return "unknown";
-}
+std::string processor_name();
 
 /// The widest vectors among those that matter here.
-inline std::string vector_instructions() {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f")) return "AVX-512";
-  if (__builtin_cpu_supports("avx2")) return __builtin_cpu_supports("fma") ? "AVX2 with FMA" : "AVX2";
-  return __builtin_cpu_supports("avx") ? "AVX" : "SSE2";
-#else
-  return "unknown";
-#endif
-}
+std::string vector_instructions();
 
 /// This machine and this program. Define `ACTIO_FLAGS` to have the flags told.
 inline Machine this_machine() {
@@ -63,27 +45,11 @@ inline Machine this_machine() {
 }
 
 /// Day and time, UTC: 2026-11-21 20:15.
-inline std::string date_of(std::time_t time) {
-  std::tm parts{};
-  gmtime_r(&time, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
-  return text;
-}
+std::string date_of(std::time_t time);
 
-/// Prints and reports this machine, and when the program ran.
-inline void report_machine(Program& program) {
-  Machine const m = this_machine();
-  std::time_t const now = std::time(nullptr);
-  std::string const date = date_of(now) + " UTC";
-  program.table("machine", {"", "measured on"},
-                {{"processor", m.processor + ", " + std::to_string(m.cores) + " cores"},
-                 {"vector instructions", m.vectors},
-                 {"compiler", m.compiler},
-                 {"flags", m.flags},
-                 {"run", date}});
-  program.figure("processor", m.cores, m.processor, "processor");
-  program.figure("date", static_cast<double>(now), date, "run");
-}
+/// Prints and reports a machine, and when the program ran.
+void report_machine(Program& program, Machine const& machine);
+/// The same for this machine.
+inline void report_machine(Program& program) { report_machine(program, this_machine()); }
 
 }  // namespace book

@@ -5,11 +5,10 @@
 // has no sign: the natural chart (3.19) ends there and the functions refuse.
 #pragma once
 
-#include <Eigen/Eigenvalues>
-
 #include <cmath>
 
 #include "actio/foundations/matrix_group.hpp"
+#include "actio/foundations/schur_form.hpp"
 
 namespace actio {
 
@@ -231,10 +230,7 @@ actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
   }
   // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, which keeps the iteration from splitting hairs: it neglects
   // what is small beside the diagonal, and the cosines of r may be zero.
-  Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic> const shifted = Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols()));
-  Eigen::RealSchur<Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>> const schur(shifted);
-  if (schur.info() != Eigen::Success) throw NotConverged("log: Schur form of a rotation", {}, to_double(epsilon<S>()));
-  Matrix const t = schur.matrixT(), u = schur.matrixU();
+  auto const [u, t] = schur_form(Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols())));
   int const size = static_cast<int>(r.rows());
   Base<S> const edge = Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
   Matrix turns = Matrix::Zero(size, size);
