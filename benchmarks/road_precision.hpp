@@ -141,7 +141,12 @@ int compare(Benchmark& program, S& system, std::vector<Way> ways) {
   program.figure("own_us", 1e6 * best_own, "the best of the general road to 1e-9, microseconds");
   program.figure("other_us", 1e6 * best_other, "the best of the others to 1e-9, microseconds");
   program.figure("times", best_own / best_other, "times as long on the general road, to 1e-9");
-  program.claim(apart <= 1e-15, "the witness is good to rounding of double; measured " + book::number(apart));
+  double size = 0;
+  for (auto const& state : system.exact)
+    for (double const x : state) size = std::max(size, std::abs(x));
+  double const rounding = 4 * std::numeric_limits<double>::epsilon() * size;
+  program.claim(apart <= rounding,
+                "the witness is good to rounding, " + book::number(rounding) + "; measured " + book::number(apart));
   program.claim(std::isfinite(best_own) && std::isfinite(best_other),
                 "the general road and the others reach 1e-9");
   program.headline("to 1e-9 the general road takes " + book::number(best_own / best_other) +

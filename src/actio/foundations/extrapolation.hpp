@@ -17,8 +17,8 @@ namespace actio {
 template <class Vector>
 class Extrapolation {
  public:
-  /// Differences that are kept: nine terms of the sequence.
-  static constexpr int kept = 9;
+  /// Differences that are kept, of as many terms of the sequence.
+  static constexpr int kept = 12;
 
   /// Appends a term.
   void push(Vector term) {

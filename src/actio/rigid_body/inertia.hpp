@@ -10,6 +10,8 @@
 // No threshold is absolute: a molecule (1e-47 kg m^2) and a space station (1e8) get the same digits.
 #pragma once
 
+#include <Eigen/LU>
+
 #include "actio/foundations/eigenvalues.hpp"
 #include "actio/foundations/group.hpp"
 #include "actio/rigid_body/rotations_of_any_size.hpp"
