@@ -43,18 +43,37 @@ constexpr int exponential_terms(double bound) {
 }
 
 namespace detail {
-/// A table of numbers that is made when it is first needed, and again where the arithmetic was changed since. `which` tells tables apart.
-template <Plain S, int which, class Make>
-std::vector<S> const& table_of_arithmetic(int terms, Make const& make) {
+/// A number that the compiler works out, but where the arithmetic is chosen when the program runs.
+template <class S, auto count>
+int counted() {
+  if constexpr (ChosenAtRunTime<Base<S>>) {
+    return count();
+  } else {
+    constexpr int n = count();
+    return n;
+  }
+}
+/// A table of numbers that is made when it is first needed, and again where the arithmetic was changed since; one for each `Make`.
+template <Plain S, class Make>
+S const* table_of_arithmetic(int terms, Make const& make) {
   if constexpr (ChosenAtRunTime<S>) {
     static std::vector<S> table;
     static auto spell = S::spell() - 1;
     if (spell != S::spell()) table = make(terms), spell = S::spell();
-    return table;
+    return table.data();
   } else {
     static std::vector<S> const table = make(terms);
-    return table;
+    return table.data();
   }
+}
+/// The sum of a power series by Horner's rule. Steps of an integrator turn little: for |x| < 1/64 the first `few` terms will do.
+template <class S, class Make>
+S sum_of_series(S const& x, int few, int all, Make const& make) {
+  Base<S> const* const coefficients = table_of_arithmetic<Base<S>>(all, make);
+  int n = (magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few : all) - 1;
+  S sum(coefficients[n]);
+  while (--n >= 0) sum = sum * x + coefficients[n];
+  return sum;
 }
 }  // namespace detail
 
@@ -69,18 +88,14 @@ constexpr long factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 template <int K, Real S>
 S stumpff(S const& x) {
   if (base_value(x) < Base<S>(1)) {
-    // The series by Horner's rule. Steps of an integrator turn little: for them half of the terms will do.
-    constexpr int terms = factorial_terms<S>() + 1, few = factorial_terms<S>(1.0 / 64) + 1;
-    static auto const coefficients = [] {
-      std::array<Base<S>, terms> c;
-      c[0] = Base<S>(1) / Base<S>(factorial(K));
-      for (int n = 1; n < terms; ++n) c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
-      return c;
-    }();
-    int n = (magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few : terms) - 1;
-    S sum(coefficients[n]);
-    while (--n >= 0) sum = sum * x + coefficients[n];
-    return sum;
+    return detail::sum_of_series(x, detail::counted<S, [] { return factorial_terms<S>(1.0 / 64) + 1; }>(),
+                                 detail::counted<S, [] { return factorial_terms<S>() + 1; }>(), [](int terms) {
+                                   std::vector<Base<S>> c(terms);
+                                   c[0] = Base<S>(1) / Base<S>(factorial(K));
+                                   for (int n = 1; n < terms; ++n)
+                                     c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
+                                   return c;
+                                 });
   }
   using std::cos, std::sin, std::sqrt;
   if constexpr (K == 0) {
@@ -106,32 +121,19 @@ Dual<S, N> stumpff(Dual<S, N> const& x) {
 /// \f$2a(s^2)\f$ is the factor between the vector part s of a unit quaternion and its rotation vector.
 template <int K, Real S>
 S asinc_derivative(S const& x) {
-  // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like x^n. Steps of an integrator turn little: for
-  // them a third of the terms will do.
-  constexpr auto needed = [](double bound) { return geometric_terms<S>(bound) + (bound < 0.1 ? K : 3 * K) + 1; };
-  int terms, few;
-  if constexpr (ChosenAtRunTime<Base<S>>) {
-    terms = needed(0.25), few = needed(1.0 / 64);
-  } else {
-    constexpr int all = needed(0.25), some = needed(1.0 / 64);
-    terms = all, few = some;
-  }
-  auto const made = [](int count) {
-    std::vector<Base<S>> c(count);
-    Base<S> b(1);
-    for (int n = 0; n < count + K; ++n) {
-      if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
-      if (n < K) continue;
-      c[n - K] = b;
-      for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
-    }
-    return c;
-  };
-  std::vector<Base<S>> const& coefficients = detail::table_of_arithmetic<Base<S>, K>(terms, made);
-  int n = magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few - 1 : terms - 1;
-  S sum(coefficients[n]);
-  while (--n >= 0) sum = sum * x + coefficients[n];
-  return sum;
+  // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like x^n.
+  return detail::sum_of_series(x, detail::counted<S, [] { return geometric_terms<S>(1.0 / 64) + K + 1; }>(),
+                               detail::counted<S, [] { return geometric_terms<S>(0.25) + 3 * K + 1; }>(), [](int terms) {
+                                 std::vector<Base<S>> c(terms);
+                                 Base<S> b(1);
+                                 for (int n = 0; n < terms + K; ++n) {
+                                   if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
+                                   if (n < K) continue;
+                                   c[n - K] = b;
+                                   for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
+                                 }
+                                 return c;
+                               });
 }
 template <int K, class S, int N>
   requires Real<S>
@@ -147,30 +149,24 @@ Dual<S, N> asinc_derivative(Dual<S, N> const& x) {
 template <int K, Real S>
 S half_cotangent_derivative(S const& x) {
   // Its terms fall like (x/4 pi^2)^n. The coefficients are those of the quotient of two series.
-  constexpr int terms = geometric_terms<S>(1.0 / 39) + 2 * K + 2;
-  constexpr int few = geometric_terms<S>(1.0 / 39 / 64) + K + 1;
-  static auto const coefficients = [] {
-    std::array<Base<S>, terms + K> below, b;
-    std::array<Base<S>, terms> c;
-    Base<S> power(1);  // (-1)^n/(2n)!
-    for (int n = 0; n < terms + K; ++n) {
-      Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2));
-      Base<S> const three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
-      below[n] = two * Base<S>(2);
-      b[n] = three - four * Base<S>(2);
-      for (int m = 1; m <= n; ++m) b[n] -= below[m] * b[n - m];
-      power = -two;
-    }
-    for (int n = 0; n < terms; ++n) {
-      c[n] = b[n + K];
-      for (int i = 0; i < K; ++i) c[n] *= Base<S>(n + K - i);
-    }
-    return c;
-  }();
-  int n = (magnitude(base_value(x)) < ratio<Base<S>>(1, 64) ? few : terms) - 1;
-  S sum(coefficients[n]);
-  while (--n >= 0) sum = sum * x + coefficients[n];
-  return sum;
+  return detail::sum_of_series(x, detail::counted<S, [] { return geometric_terms<S>(1.0 / 39 / 64) + K + 1; }>(),
+                               detail::counted<S, [] { return geometric_terms<S>(1.0 / 39) + 2 * K + 2; }>(), [](int terms) {
+                                 std::vector<Base<S>> below(terms + K), b(terms + K), c(terms);
+                                 Base<S> power(1);  // (-1)^n/(2n)!
+                                 for (int n = 0; n < terms + K; ++n) {
+                                   Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2));
+                                   Base<S> const three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
+                                   below[n] = two * Base<S>(2);
+                                   b[n] = three - four * Base<S>(2);
+                                   for (int m = 1; m <= n; ++m) b[n] -= below[m] * b[n - m];
+                                   power = -two;
+                                 }
+                                 for (int n = 0; n < terms; ++n) {
+                                   c[n] = b[n + K];
+                                   for (int i = 0; i < K; ++i) c[n] *= Base<S>(n + K - i);
+                                 }
+                                 return c;
+                               });
 }
 template <int K, class S, int N>
   requires Real<S>
