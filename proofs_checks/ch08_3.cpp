@@ -387,13 +387,6 @@ struct AccelerationOf {
 template <class Metric, class Phi>
 AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;
 
-/// The point (t, y) at which a jet is.
-template <class S, int n>
-Event<S, n> event_in_space(Jet<S, n, n> const& j) {
-  Event<S, n> at;
-  at << j.x[0], j.y;
-  return at;
-}
 
 }  // namespace
 
