@@ -1,4 +1,4 @@
-// Chapter 1: the Moser-Veselov scheme is completely integrable. Compiled once per scalar.
+// Chapter 1: the Moser-Veselov scheme is completely integrable.
 //
 // A step turns the body momentum M0 before it into M1 after it, and the next step takes up M1: what is the same at both for every relative motion is kept by the scheme. So no motion has to
 // be solved for, and all of it is exact over the rationals.

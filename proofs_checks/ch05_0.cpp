@@ -1,4 +1,4 @@
-// Section 5.0: the generalised rigid body, its inertia, its Lagrangian. Compiled once per scalar.
+// Section 5.0: the generalised rigid body, its inertia, its Lagrangian.
 //
 // The witness is a body of point masses, which knows nothing of Lambda.
 #include "actio/rigid_body/inertia.hpp"

@@ -1,4 +1,4 @@
-// Section 5.1: the rigid body discretised by natural charts. Compiled once per scalar.
+// Section 5.1: the rigid body discretised by natural charts.
 //
 // Over the rationals the groups are unipotent, jets of rotations among them, so exp, log, iex and chi are polynomials (chart_models.hpp). A body there is a
 // quadratic form on the algebra: what the statements of this section say of J asks for no more. Over the other scalars it is a body, on the rotations of

@@ -77,7 +77,7 @@ std::string how_to_build(std::vector<std::string> const& chapters) {
     targets += fmt::format(" checks_ch{:0>2}", chapter);
     places += (places.empty() ? "" : ", ") + chapter;
   }
-  return fmt::format("actio check: the checks of chapter {} are not beside this command, in {}; in the folder of the sources, `ninja -C build{}` builds them over the rationals and double, and without _quick at every precision",
+  return fmt::format("actio check: the checks of chapter {} are not beside this command, in {}; in the folder of the sources, `ninja -C build{}` builds them",
                      places, folder_of_this_program().string(), targets);
 }
 

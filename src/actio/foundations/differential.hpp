@@ -53,7 +53,7 @@ void over_entries(G const& group, int first, Visit const& visit) {
     for (int a = 0; a < batch && first + a < group.dimension(); ++a)
       for (auto const& [row, column, value] : entries[first + a]) visit(a, row, column, value);
   };
-  if constexpr (std::is_empty_v<G>) {
+  if constexpr (std::is_empty_v<G> && !ChosenAtRunTime<T>) {
     // All groups of this type are the same one.
     static auto const entries = basis_entries<T>(group);
     all(entries);
