@@ -432,10 +432,11 @@ STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried ou
     // (3.20) with dual numbers on one side, (3.22) written out on the other.
     S const whole = lagrangian(push_forward(g, m.eta, m.zeta));
     claim.equal("(3.20) = L(q, iex(ad) zeta)", model, at_q(iex(ad_matrix(m.eta)) * m.zeta.coordinates), whole);
+    // Condition: exponentials and logarithms of either side, power series of as many terms as there are digits.
     claim.equal("left charts: (3.20) = L(q', iex(-ad) zeta'), carried from the left", model,
-                lagrangian(State<SpannedGroup, S>{g * exp(left.eta), Ad(g * exp(left.eta), Algebra<S>{group, iex(ad_matrix(-left.eta)) * left.zeta.coordinates})}), whole);
-    claim.equal("the library's, right charts", model, discretize_right(lagrangian, h, staying_at(g))(g1, g2), h * whole);
-    claim.equal("the library's, left charts", model, discretize_left(lagrangian, h, staying_at(g))(g1, g2), h * whole);
+                lagrangian(State<SpannedGroup, S>{g * exp(left.eta), Ad(g * exp(left.eta), Algebra<S>{group, iex(ad_matrix(-left.eta)) * left.zeta.coordinates})}), whole, 10);
+    claim.equal("the library's, right charts", model, discretize_right(lagrangian, h, staying_at(g))(g1, g2), h * whole, 10);
+    claim.equal("the library's, left charts", model, discretize_left(lagrangian, h, staying_at(g))(g1, g2), h * whole, 10);
     claim.differs("iex(-ad) zeta, as printed: the velocity that L is given", model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), push_forward(g, m.eta, m.zeta).velocity.coordinates);
   });
 }

@@ -93,7 +93,7 @@ struct Effort {
   int points;
   std::uint64_t products;
 };
-constexpr Effort full_effort{1000, 20'000'000}, quick_effort{100, 2'000'000};
+constexpr Effort full_effort{1000, 40'000'000}, quick_effort{100, 2'000'000};
 constexpr int rounded_points = 3, rational_points = 3;
 
 std::string stem_of(std::string const& path) { return fs::path(path).stem().string(); }
