@@ -13,16 +13,16 @@ using namespace actio::checks;
 
 namespace {
 
-/// Rotations; over the rationals third-order jets of curves in SO(3), and triangular matrices. SE(3) and Aff(1) tell sides and stars that rotations do not.
+/// Rotations; over exact fields third-order jets of curves in SO(3), and triangular matrices. SE(3) and Aff(1) tell sides and stars that rotations do not.
 template <class S>
 std::vector<SpannedGroup> const& body_groups() {
-  static std::vector<SpannedGroup> const groups = [] {
-    if (exact_arithmetic<S>()) return std::vector{third_jets(spanned("SO(3)", SO<3>{})), unitriangular(4), unitriangular(5)};
+  static std::vector<SpannedGroup> const unipotent = {third_jets(spanned("SO(3)", SO<3>{})), unitriangular(4), unitriangular(5)};
+  static std::vector<SpannedGroup> const usual = [] {
     std::vector<SpannedGroup> all = rotation_groups();
     all.push_back(spanned("SE(3)", SE<3>{})), all.push_back(spanned("Aff(1)", Aff1{}));
     return all;
   }();
-  return groups;
+  return exact_arithmetic<S>() ? unipotent : usual;
 }
 /// A body: J as a symmetric matrix in coordinates, positive definite. On the rotations that of a body, \f$\Lambda_i+\Lambda_j\f$ for each plane.
 template <class S>

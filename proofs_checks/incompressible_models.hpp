@@ -175,7 +175,7 @@ S size_of_forces(Metric const& g, SecondJet<S, n, M> const& j) {
 /// Bodies in the plane; and in space as well, where the dimension counts.
 using Plane = std::tuple<Dimensions<2, 2>>;
 using TwoAndThree = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
-/// Three models and three random points in each of the dimensions.
+/// One random point in each of the dimensions.
 template <class Dims, class Visit>
 void over_points(Dims dims, Visit const& visit) {
   over_dimensions(dims, visit);

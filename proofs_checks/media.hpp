@@ -7,8 +7,7 @@
 
 namespace actio::checks {
 
-/// Calls `visit(dimensions, name)` for bodies as large as their space, at three random points each: the probability that a false identity of degree 200 is zero
-/// at all of them is \f$10^{-8}\f$. What follows from an identity that has been checked in space is checked in the plane alone.
+/// Calls `visit(dimensions, name)` for bodies as large as their space, at one random point each. What follows from an identity that has been checked in space is checked in the plane alone.
 template <class... D, class Visit>
 void over_points(std::tuple<D...> dimensions, Visit const& visit) {
   over_dimensions(dimensions, visit);

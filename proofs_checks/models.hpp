@@ -1,7 +1,7 @@
 // Models that can tell right from wrong: groups with sides and stars that matter, Lagrangians that are neither even nor symmetric.
 //
-// All groups are one type (SpannedGroup), so a check is compiled once per scalar and runs over all of them. All functions are polynomials
-// in the entries of matrices, so every check that needs no root runs over the rationals, where its residual must be exactly zero.
+// All groups are one type (SpannedGroup), so a check is compiled once and runs over all of them. All functions are polynomials
+// in the entries of matrices, so every check that needs no root runs over a prime field and the rationals, where its residual must be exactly zero.
 //
 // A check that needs a discrete motion does not solve for one: it draws the places, and changes the Lagrangian by terms linear in new
 // coefficients until they are a motion of it (`with_motion_*`). That works at every scalar, and no solver is on trial.

@@ -9,7 +9,7 @@
 
 namespace actio::checks {
 
-/// Calls `visit` for each of the dimensions, at three random points.
+/// Calls `visit` for each of the dimensions, at one random point.
 template <class Dims, class Visit>
 void over_points(Dims dimensions, Visit const& visit) {
   over_dimensions(dimensions, visit);
