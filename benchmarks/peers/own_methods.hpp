@@ -1,6 +1,8 @@
 // The methods of this library, as contestants.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "actio/free_body/free_steps.hpp"
 #include "peers/preprocessed_moser_veselov.hpp"

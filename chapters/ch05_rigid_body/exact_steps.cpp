@@ -8,6 +8,8 @@
 //   I      principal moments                  delta, T   numbers of the half turn and the twist of a step
 //   M      body momentum, L its amount        f          relative motion, g1^T g0
 //   g, q   attitude, matrix and quaternion    h          step
+#include <Eigen/Geometry>
+
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/free_body/euler_series.hpp"
 #include "actio/free_body/free_steps.hpp"

@@ -11,6 +11,8 @@
 //   M      body momentum, J s                          m     spatial momentum, J s
 #include <gsl/gsl_sf_ellint.h>
 
+#include <Eigen/Geometry>
+
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"

@@ -9,6 +9,8 @@
 //   Lambda   second moments, random         M   body momentum, with an angular velocity of norm 1
 #include <random>
 
+#include <Eigen/Eigenvalues>
+
 #include "actio/large_body/moser_veselov_n.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

@@ -8,6 +8,8 @@
 //   I      principal moments (only their ratios are known), ascending      h      step, in the body's unit of time
 //   M      body momentum, e = M/|M|                                        P_rot  period of M, once round its curve
 //   g      attitude, body to space                                         P_prec mean period of the long axis about the momentum in space
+#include <Eigen/Geometry>
+
 #include "actio/rigid_body/body_catalogue.hpp"
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"

@@ -50,12 +50,14 @@ class Laws {
         regime = name;
         algebraic(size);
         if constexpr (Real<S>) {
+          if (exact_arithmetic<S>()) continue;
           exponential(velocity(size), velocity(S(1)), 1);
           if (repeat == 0) restoring(exp(velocity(size)));
         }
       }
     if constexpr (Real<S>)
       for (auto const& edge : edges) {
+        if (exact_arithmetic<S>()) continue;
         regime = "edge of the chart";
         exponential({group, edge.velocity}, velocity(S(1)), edge.condition);
       }
@@ -90,13 +92,13 @@ class Laws {
     if (!is_finite(size))
       measured = HUGE_VAL;
     else if (size != Base<S>(0))
-      measured = is_exact<S> ? HUGE_VAL : scale > 0 ? to_double(size) / (scale * to_double(epsilon<S>())) : HUGE_VAL;
+      measured = exact_arithmetic<S>() ? HUGE_VAL : scale > 0 ? to_double(size) / (scale * to_double(epsilon<S>())) : HUGE_VAL;
     for (Finding& f : findings)
       if (f.law == law) {
         if (!(measured <= f.measured)) f.measured = measured, f.regime = regime;
         return;
       }
-    findings.push_back({law, regime, measured, is_exact<S> ? 0 : allowed});
+    findings.push_back({law, regime, measured, exact_arithmetic<S>() ? 0 : allowed});
   }
   void vanishes(std::string const& law, S const& residual, double scale, double allowed) {
     vanishes(law, Matrix<S, 1, 1>(residual), scale, allowed);

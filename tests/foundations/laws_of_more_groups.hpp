@@ -27,6 +27,7 @@ SpannedGroup from_span(std::string const& name, G const& group, Retraction choic
 template <Field S, Group G>
 std::vector<Edge<S>> edge(G const& group, std::initializer_list<int> multiples) {
   if constexpr (Real<S>) {
+    if (exact_arithmetic<S>()) return {};
     Coordinates<G, S> v = Coordinates<G, S>::Zero(group.dimension());
     int a = 0;
     for (int m : multiples) v[a++] = S(m);

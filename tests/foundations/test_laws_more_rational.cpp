@@ -1,8 +1,5 @@
 #include "laws_of_more_groups.hpp"
 
-BOOST_AUTO_TEST_CASE(laws_of_families_hold_over_rational) { actio::laws::laws_of_families<actio::rational>(); }
-BOOST_AUTO_TEST_CASE(laws_of_products_and_spans_hold_over_rational) { actio::laws::laws_of_products_and_spans<actio::rational>(); }
-
 using namespace actio;
 
 namespace {

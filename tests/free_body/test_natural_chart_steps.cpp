@@ -1,6 +1,8 @@
 // The natural-chart scheme by closed forms: against the general road, its orders, what it keeps, and where it ends.
 #include <boost/test/unit_test.hpp>
 
+#include <Eigen/Geometry>
+
 #include "actio/free_body/natural_chart_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"

@@ -1,6 +1,8 @@
 // Kicks and exact flights: orders, what is conserved, and the lanes against one body at a time.
 #include <boost/test/unit_test.hpp>
 
+#include <Eigen/Geometry>
+
 #include "actio/foundations/reference_solution.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/free_body/torqued_batch.hpp"

@@ -2,6 +2,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
+#include <Eigen/LU>
+
 #include "actio/large_body/moser_veselov_n.hpp"
 
 using namespace actio;

@@ -1,3 +1,0 @@
-#include "laws_of_the_groups.hpp"
-
-BOOST_AUTO_TEST_CASE(laws_of_small_matrices_hold_over_dec50) { actio::laws::laws_of_small_matrices<actio::dec50>(); }

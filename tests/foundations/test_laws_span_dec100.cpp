@@ -1,3 +1,0 @@
-#include "laws_of_the_groups.hpp"
-
-BOOST_AUTO_TEST_CASE(laws_of_a_span_hold_over_dec100) { actio::laws::laws_of_a_span<actio::dec100>(); }
