@@ -1,7 +1,6 @@
 // Section 6.2: the density of a continuous medium, its Legendre transformation, its energy and its Cartan form.
 
 #include "fields.hpp"
-#include "media.hpp"
 #include "medium_at_a_jet.hpp"
 #include "off_shell.hpp"
 #include "statement.hpp"
@@ -600,6 +599,7 @@ STATEMENT(claim_6_2_el_forms_equivalent, "the field equations with total derivat
     claim.differs("without the derivative in y", model, momentum_divergence(m.L, m.j), expanded_divergence(m.L, m.j, true, false));
   });
 }
+<<<<<<< HEAD
 
 // ----
 // Section 6.2: acceleration and Christoffel symbols, constant metrics, the covariant divergence, Piola's identity.
@@ -1266,3 +1266,5 @@ STATEMENT(eq_6_20, "the equation of motion with stresses, general stored energy"
     claim.differs("the Cauchy stress with the other sign", model, added, E);
   });
 }
+=======
+>>>>>>> number

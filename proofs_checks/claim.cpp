@@ -28,7 +28,7 @@ std::string at(std::string_view what, std::string_view model) { return std::stri
 
 }  // namespace
 
-AnyClaim::AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed, double epsilon) : draw(seed), epsilon_(epsilon) {
+AnyClaim::AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed, double epsilon) : draw(seed), epsilon_(exact() ? 0 : std::max(epsilon, least_epsilon)) {
   record.id = id, record.title = title, record.scalar = scalar, record.seed = seed;
 }
 

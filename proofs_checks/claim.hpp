@@ -91,6 +91,9 @@ class AnyClaim {
  public:
   /// A residual of a well-conditioned identity stays within a few hundred roundings of the size of its terms.
   static constexpr double rounding = 300;
+  /// With more digits than these the spacing of numbers is written as \ref least_epsilon, which a double can hold.
+  static constexpr int most_digits_of_double = 290;
+  static constexpr double least_epsilon = 1e-290;
 
   Draw draw;
   Record record;
@@ -157,7 +160,7 @@ class AnyClaim {
  private:
   double epsilon_;
 
-  bool exact() const { return epsilon_ == 0; }
+  static bool exact() { return current_arithmetic().exact(); }
   void refused(std::string_view what, std::string_view model, bool truth);
   Evidence& entry(std::string_view what, std::string_view kind, std::string_view model);
   Control& control_entry(std::string_view what, std::string_view model, double measured, double floor);
@@ -179,7 +182,7 @@ class Claim : public AnyClaim {
     forget_degrees();
     Base<S> const size = size_of(residual);
     double const degree = degree_of_residual();
-    vanishes(what, model, quotient(size, size_of(S(scale))), condition, degree);
+    vanishes(what, model, in_roundings(size, size_of(S(scale))), condition, degree);
   }
   /// Two sides are equal; the scale is that of the larger side.
   template <class L, class R>
@@ -210,6 +213,11 @@ class Claim : public AnyClaim {
       return left - right;
   }
   static Base<S> larger(Base<S> const& a, Base<S> const& b) { return a < b ? b : a; }
+  /// The same as quotient, for what is claimed to vanish: beyond the range of double the roundings are counted first, so that none is lost.
+  static double in_roundings(Base<S> const& residual, Base<S> const& scale) {
+    if (decimal_digits<S>() <= most_digits_of_double || !is_finite(residual) || !is_finite(scale) || scale == Base<S>(0)) return quotient(residual, scale);
+    return to_double(Base<S>(residual / scale / epsilon<S>())) * least_epsilon;
+  }
   /// Size of a residual relative to that of its terms.
   static double quotient(Base<S> const& residual, Base<S> const& scale) {
     if (!is_finite(residual) || !is_finite(scale)) return std::nan("");
