@@ -156,7 +156,7 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
     claim.equal("Leibniz' rule", model, left, S(DIV.dot(w) + turned));
 
     Column on_space = Column::Zero(), free = Column::Zero(), on_body = Column::Zero();
-    Column const sums = value.rowwise().sum(), velocities = j.gradient().rowwise().sum();
+    Column const sums = value * Column::Ones(), velocities = j.gradient() * Column::Ones();
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
         for (int c = 0; c < n; ++c) {

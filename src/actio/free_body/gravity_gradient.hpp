@@ -7,6 +7,8 @@
 // n stands still in space, or goes round it at a constant rate (a circular orbit: rate^2 = mu/r^3).
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "actio/free_body/free_body.hpp"
 
 namespace actio {
