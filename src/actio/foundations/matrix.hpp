@@ -43,6 +43,7 @@ concept MatrixLike = requires(M const& m) {
   { m.cols() } -> std::convertible_to<Index>;
 };
 
+/// Whether M is a matrix of this file, or a view of one.
 template <class M>
 inline constexpr bool is_own_matrix = false;
 template <class S, int R, int C>
@@ -588,9 +589,10 @@ struct MatrixOperations {
 /// A matrix of R rows and C columns, each fixed or `Dynamic`.
 template <class S, int R, int C>
 struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private detail::MatrixEntries<S, R, C> {
-  using Operations = detail::MatrixOperations<Matrix, S, R, C>;
-  using Entries = detail::MatrixEntries<S, R, C>;
+  using Operations = detail::MatrixOperations<Matrix, S, R, C>;  ///< what it has in common with a view
+  using Entries = detail::MatrixEntries<S, R, C>;                ///< where its numbers are
   using Entries::cols, Entries::data, Entries::rows;
+  /// Whether the compiler knows both sizes.
   static constexpr bool fixed = R != Dynamic && C != Dynamic;
 
   /// Without numbers yet; of size 0 where the size is not fixed.
@@ -647,6 +649,7 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
   Matrix(B const& b) {
     take(b);
   }
+  /// Takes the numbers of another matrix, which may be a part of this one.
   template <MatrixLike B>
     requires(!std::same_as<B, Matrix> && detail::may_be<B, R, C>)
   Matrix& operator=(B const& b) {
@@ -660,23 +663,36 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
     }
   }
 
+  /// The number in row i and column j.
   S& operator()(Index i, Index j) { return data()[i + j * rows()]; }
+  /// The number in row i and column j.
   S const& operator()(Index i, Index j) const { return data()[i + j * rows()]; }
+  /// The k-th number, column by column.
   S& operator()(Index k) { return data()[k]; }
+  /// The k-th number, column by column.
   S const& operator()(Index k) const { return data()[k]; }
+  /// The k-th number of a vector.
   S& operator[](Index k) { return data()[k]; }
+  /// The k-th number of a vector.
   S const& operator[](Index k) const { return data()[k]; }
 
+  /// From one number to the next down a column.
   static constexpr Index rowStride() { return 1; }
+  /// From one number to the next along a row.
   Index colStride() const { return rows(); }
   /// From one number of a vector to the next.
   Index along() const { return R == 1 ? colStride() : 1; }
+  /// The first of all numbers, column by column.
   S* begin() { return data(); }
+  /// After the last of them.
   S* end() { return data() + this->size(); }
+  /// The first of all numbers, column by column.
   S const* begin() const { return data(); }
+  /// After the last of them.
   S const* end() const { return data() + this->size(); }
   /// Another size; numbers are lost.
   void resize(Index r, Index c) { this->set_size(r, c); }
+  /// Another length; numbers are lost.
   void resize(Index n) { R == 1 ? this->set_size(1, n) : this->set_size(n, C == Dynamic ? 1 : C); }
   /// Another size; numbers within both stay.
   void conservativeResize(Index r, Index c) {
@@ -685,37 +701,55 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
       for (Index i = 0; i < r; ++i) m(i, j) = i < rows() && j < cols() ? (*this)(i, j) : S(0);
     *this = std::move(m);
   }
+  /// Another length; numbers within both stay.
   void conservativeResize(Index n) { conservativeResize(n, 1); }
   using Operations::setZero;
+  /// Another size, and zero everywhere.
   Matrix& setZero(Index r, Index c) { return resize(r, c), setZero(); }
 
+  /// x everywhere.
   static Matrix Constant(Index r, Index c, S const& x) {
     Matrix m(r, c, detail::Sized{});
     m.fill(x);
     return m;
   }
+  /// x everywhere in a vector of n.
   static Matrix Constant(Index n, S const& x) { return R == 1 ? Constant(1, n, x) : Constant(n, 1, x); }
+  /// x everywhere, of the fixed size.
   static Matrix Constant(S const& x) { return Constant(R, C, x); }
+  /// Zero everywhere.
   static Matrix Zero(Index r, Index c) { return Constant(r, c, S(0)); }
+  /// Zero everywhere in a vector of n.
   static Matrix Zero(Index n) { return Constant(n, S(0)); }
+  /// Zero everywhere, of the fixed size.
   static Matrix Zero() { return Constant(R, C, S(0)); }
+  /// 1 everywhere.
   static Matrix Ones(Index r, Index c) { return Constant(r, c, S(1)); }
+  /// 1 everywhere in a vector of n.
   static Matrix Ones(Index n) { return Constant(n, S(1)); }
+  /// 1 everywhere, of the fixed size.
   static Matrix Ones() { return Constant(R, C, S(1)); }
+  /// 1 along the diagonal, 0 elsewhere.
   static Matrix Identity(Index r, Index c) {
     Matrix m(r, c, detail::Sized{});
     m.setIdentity();
     return m;
   }
+  /// 1 along the diagonal, 0 elsewhere, of the fixed size.
   static Matrix Identity() { return Identity(R, C); }
+  /// The vector of n with 1 in the k-th place, 0 elsewhere.
   static Matrix Unit(Index n, Index k) {
     Matrix m = Zero(n);
     m[k] = S(1);
     return m;
   }
+  /// The vector of fixed length with 1 in the k-th place, 0 elsewhere.
   static Matrix Unit(Index k) { return Unit(R == 1 ? C : R, k); }
+  /// The first vector of the basis.
   static Matrix UnitX() { return Unit(0); }
+  /// The second vector of the basis.
   static Matrix UnitY() { return Unit(1); }
+  /// The third vector of the basis.
   static Matrix UnitZ() { return Unit(2); }
 
   /// The same matrix as one of Eigen.
@@ -744,24 +778,37 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
 /// be read.
 template <class S, int R, int C>
 struct MatrixView : detail::MatrixOperations<MatrixView<S, R, C>, std::remove_const_t<S>, R, C> {
+  /// @param inner  from one number to the next down a column
+  /// @param outer  from one number to the next along a row
   MatrixView(S* first, Index rows, Index columns, Index inner, Index outer)
       : first_(first), rows_(rows), columns_(columns), inner_(inner), outer_(outer) {}
+  /// The same numbers, seen twice.
   MatrixView(MatrixView const&) = default;
   /// Numbers take their places one by one; of another part of the same matrix, too.
   MatrixView& operator=(MatrixView const& b) { return assign(b); }
+  /// Numbers take their places one by one.
   template <MatrixLike B>
   MatrixView& operator=(B const& b) {
     return assign(b);
   }
 
+  /// How many rows.
   Index rows() const { return R == Dynamic ? rows_ : R; }
+  /// How many columns.
   Index cols() const { return C == Dynamic ? columns_ : C; }
+  /// From one number to the next down a column.
   Index rowStride() const { return inner_; }
+  /// From one number to the next along a row.
   Index colStride() const { return outer_; }
+  /// From one number of a vector to the next.
   Index along() const { return R == 1 ? outer_ : inner_; }
+  /// The first number.
   S* data() const { return first_; }
+  /// The number in row i and column j.
   S& operator()(Index i, Index j) const { return first_[i * inner_ + j * outer_]; }
+  /// The k-th number of a vector.
   S& operator()(Index k) const { return first_[k * along()]; }
+  /// The k-th number of a vector.
   S& operator[](Index k) const { return first_[k * along()]; }
 
   /// The same numbers as a matrix of Eigen.
