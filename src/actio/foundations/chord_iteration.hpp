@@ -5,7 +5,7 @@
 // residuals. One of them, inverted once, serves many steps; each iteration corrects it along its own
 // direction by Broyden's formula, which takes a few products. What is left to evaluate is the residual
 // itself, with first-order dual numbers in place of second-order ones. Where the iteration contracts too
-// slowly the derivative is evaluated anew, and where it fails Newton's iteration (\ref solve_on_group) has
+// slowly the derivative is evaluated anew, and where it fails Newton's iteration (solve.hpp) has
 // the last word: on the solution, and on what is thrown where there is none.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace actio {
 /// residual within 16 epsilon of its row of the derivative, the kept one here. One object serves one thread;
 /// copies are independent.
 ///
-/// Over plain numbers: infinitesimals need derivatives at the solution (\ref solve_on_group).
+/// Over plain numbers: infinitesimals need derivatives at the solution (solve.hpp).
 template <ExponentialGroup G, Real S>
 class ChordIteration {
  public:

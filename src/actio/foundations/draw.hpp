@@ -29,7 +29,7 @@ struct Draw {
     return bits % count;
   }
 
-  /// A number in (-1, 1). One whose arithmetic is chosen at run time may have a set of its own to draw from: \ref Number::drawn.
+  /// A number in (-1, 1). One whose arithmetic is chosen at run time may have a set of its own to draw from: `Number::drawn`.
   template <Field S>
   S number() {
     if constexpr (ChosenAtRunTime<Base<S>>)

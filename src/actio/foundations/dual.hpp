@@ -92,6 +92,7 @@ template <class S, int N>
   sum.add_product(x, y);
   sum.store(z);
 }
+/// z += x y, written so that nested products need no intermediate results.
 template <class S, int N>
 void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const& y) {
   add_product(z.value, x.value, y.value);

@@ -168,6 +168,7 @@ S half_cotangent_derivative(S const& x) {
                                  return c;
                                });
 }
+/// The same of a dual number.
 template <int K, class S, int N>
   requires Real<S>
 Dual<S, N> half_cotangent_derivative(Dual<S, N> const& x) {

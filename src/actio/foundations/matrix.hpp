@@ -43,14 +43,6 @@ concept MatrixLike = requires(M const& m) {
   { m.cols() } -> std::convertible_to<Index>;
 };
 
-/// Whether M is a matrix of this file, or a view of one.
-template <class M>
-inline constexpr bool is_own_matrix = false;
-template <class S, int R, int C>
-inline constexpr bool is_own_matrix<Matrix<S, R, C>> = true;
-template <class S, int R, int C>
-inline constexpr bool is_own_matrix<MatrixView<S, R, C>> = true;
-
 /// z += x y.
 template <class S>
 void add_product(S& z, S const& x, S const& y) {
@@ -58,6 +50,14 @@ void add_product(S& z, S const& x, S const& y) {
 }
 
 namespace detail {
+
+/// Whether M is a matrix of this file, or a view of one.
+template <class M>
+inline constexpr bool is_own_matrix = false;
+template <class S, int R, int C>
+inline constexpr bool is_own_matrix<Matrix<S, R, C>> = true;
+template <class S, int R, int C>
+inline constexpr bool is_own_matrix<MatrixView<S, R, C>> = true;
 
 /// Says that the two numbers before are sizes.
 struct Sized {};
@@ -398,6 +398,7 @@ struct MatrixOperations {
     return m;
   }
 
+/// @cond
 // A part of a matrix that can be changed, of one that cannot, and of a temporary one, of which it is a copy unless that is a view itself. In each the
 // matrix is m; the part has `part_rows` and `part_columns` known when this is compiled, begins at (i0, j0) and has r0 rows and c0 columns.
 #define ACTIO_PART(part_rows, part_columns, i0, j0, r0, c0, ...)                      \
@@ -460,6 +461,7 @@ struct MatrixOperations {
   ACTIO_PART(Dynamic, size() - n, n, auto tail(Index n))
   ACTIO_PART(n, size() - n, n, template <int n> auto tail())
 #undef ACTIO_PART
+/// @endcond
   auto diagonal() & { return diagonal_of(self()); }
   auto diagonal() const& { return diagonal_of(self()); }
   auto diagonal() && { return diagonal_of(self()).eval(); }
@@ -653,7 +655,7 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
   template <MatrixLike B>
     requires(!std::same_as<B, Matrix> && detail::may_be<B, R, C>)
   Matrix& operator=(B const& b) {
-    if constexpr (requires { b.data(); } && is_own_matrix<B>) {
+    if constexpr (requires { b.data(); } && detail::is_own_matrix<B>) {
       // It may be a part of this one.
       Matrix copy(b);
       return *this = std::move(copy);

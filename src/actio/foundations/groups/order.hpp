@@ -15,6 +15,7 @@ struct Order {
   /// n.
   static constexpr int order() { return n; }
 };
+/// An order that is known when the program runs.
 template <int least>
 struct Order<Dynamic, least> {
   /// @throws OutsideDomain  where n is not between `least` and 1000

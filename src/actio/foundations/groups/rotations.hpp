@@ -54,6 +54,7 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   static Matrix<S, 3, 1> Ad(Matrix<S, 3, 3> const& a, Matrix<S, 3, 1> const& v) {
     return a * v;
   }
+  /// \f$\mathrm{Ad}^*_R\,\mu = R^T\mu\f$ in 3-space.
   template <class S>
     requires(n == 3)
   static Matrix<S, 3, 1> Ad_star(Matrix<S, 3, 3> const& a, Matrix<S, 3, 1> const& mu) {
