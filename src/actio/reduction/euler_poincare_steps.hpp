@@ -14,7 +14,7 @@ namespace actio {
 
 /// The motion of a right-invariant system: \ref euler_poincare_right solved step after step.
 ///
-/// Relative motions are those of \ref step_euler_poincare_right to rounding, in a tenth of the time or less.
+/// Relative motions are those of \ref step_euler_poincare_right to rounding; what a step costs is measured on \ref performance.
 /// The momentum is carried along by \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is kept to rounding.
 /// @tparam F  reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 template <class F, ExponentialGroup G, Real S>
