@@ -7,16 +7,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "actio/foundations/derivative.hpp"
 #include "actio/foundations/group.hpp"
 
 namespace actio {
-
-/// How many directions a dual number carries at once.
-inline constexpr int batch = 3;
-
-/// The scalar on which one differential of a function at `S` is evaluated.
-template <class S>
-using Moved = Dual<S, batch>;
 
 /// Whether infinitesimal motions are products of matrices, so that they can be written down entry by entry.
 template <class G, class S>
