@@ -137,7 +137,7 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
     Square<Dual<S>, n> moved = one.template cast<Dual<S>>();
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < n; ++i) moved(a, i).part[0] = H(a, i);
-    auto const stress = detail::piola_kirchhoff(body, strained<Dual<S>, n>(moved));
+    auto const stress = first_piola_kirchhoff_stress(body, strained<Dual<S>, n>(moved));
     Square<S, n> rate;
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < n; ++i) rate(a, i) = stress(a, i).part[0];

@@ -1,7 +1,7 @@
 // Roots and transcendental functions of numbers that carry a divergence, by the chain rule.
 #pragma once
 
-#include "actio/foundations/divergence_number.hpp"
+#include "actio/jets/divergence_number.hpp"
 #include "actio/foundations/square_root.hpp"
 
 namespace actio {

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "actio/foundations/dual.hpp"
-#include "actio/foundations/number_row.hpp"
+#include "actio/jets/number_row.hpp"
 
 namespace actio {
 
