@@ -136,7 +136,7 @@ struct Derivative {
   Matrix<S, R, C> gradient() const
     requires(!MatrixLike<Value>)
   {
-    static_assert(R != Dynamic && C != Dynamic || C == 1, "variables of any number are a column");
+    static_assert(C == 1 || detail::entries_of(R, C) != Dynamic, "variables of any number are a column");
     Matrix<S, R, C> d;
     if constexpr (R == Dynamic) d.resize(matrix.cols());
     for (Index k = 0; k < d.size(); ++k) d.data()[k] = matrix(0, k);
