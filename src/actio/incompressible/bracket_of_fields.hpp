@@ -1,7 +1,7 @@
 // The Lie algebra of the volume preserving diffeomorphisms (section 8.3 of the thesis).
 #pragma once
 
-#include "actio/foundations/derivative.hpp"
+#include "actio/numbers/derivative.hpp"
 
 namespace actio {
 

@@ -4,7 +4,7 @@
 // coordinates as `coordinates(jet)` orders them: x, y, then the rest.
 #pragma once
 
-#include "actio/foundations/wedge.hpp"
+#include "actio/forms/wedge.hpp"
 #include "actio/jets/density.hpp"
 
 namespace actio {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actio/jets/divergence_number.hpp"
-#include "actio/foundations/square_root.hpp"
+#include "actio/numbers/square_root.hpp"
 
 namespace actio {
 

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "actio/foundations/dual.hpp"
+#include "actio/numbers/dual.hpp"
 #include "actio/jets/number_row.hpp"
 
 namespace actio {

@@ -5,7 +5,7 @@
 // A variation that is not vertical has n + 1 + N components, \f$V^\mu\f$ first; what the field equations see of it is its vertical part.
 #pragma once
 
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 #include "actio/jets/field_equations.hpp"
 
 namespace actio {

@@ -4,7 +4,7 @@
 // so that defects are per unit of d^{n+1}x at the jet that is given.
 #pragma once
 
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 #include "actio/noether/automorphism.hpp"
 
 namespace actio {
