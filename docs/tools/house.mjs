@@ -50,5 +50,5 @@ export function housePlan(house) {
 /** What each room holds, which modules it uses, and how large it is. */
 export function houseTable(house) {
   const rows = [...house.values()].map(r => `<tr><td><code>${r.name}</code></td><td>${escapeHtml(r.about)}</td><td>${r.uses.join(', ') || '–'}</td><td>${r.files}</td><td>${r.lines}</td></tr>`);
-  return boxed(`<table class="house"><thead><tr><th>module</th><th>what it holds</th><th>uses</th><th>files</th><th>lines</th></tr></thead><tbody>${rows.join('')}</tbody></table>`);
+  return boxed(`<table class="programs house"><thead><tr><th>module</th><th>what it holds</th><th>uses</th><th>files</th><th>lines</th></tr></thead><tbody>${rows.join('')}</tbody></table>`);
 }
