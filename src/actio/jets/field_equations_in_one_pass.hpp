@@ -8,7 +8,7 @@
 #pragma once
 
 #include "actio/jets/density.hpp"
-#include "actio/jets/divergence_functions.hpp"
+#include "actio/numbers/divergence_functions.hpp"
 
 namespace actio {
 

@@ -8,7 +8,11 @@
 #include <array>
 
 #include "actio/numbers/dual.hpp"
-#include "actio/jets/number_row.hpp"
+<<<<<<<< HEAD:src/actio/numbers/divergence_number.hpp
+#include "actio/numbers/number_row.hpp"
+========
+#include "actio/numbers/number_row.hpp"
+>>>>>>>> main:src/actio/numbers/divergence_number.hpp
 
 namespace actio {
 
