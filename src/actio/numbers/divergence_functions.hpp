@@ -1,11 +1,7 @@
 // Roots and transcendental functions of numbers that carry a divergence, by the chain rule.
 #pragma once
 
-<<<<<<<< HEAD:src/actio/numbers/divergence_functions.hpp
 #include "actio/numbers/divergence_number.hpp"
-========
-#include "actio/numbers/divergence_number.hpp"
->>>>>>>> main:src/actio/numbers/divergence_functions.hpp
 #include "actio/numbers/square_root.hpp"
 
 namespace actio {

@@ -8,11 +8,7 @@
 #include <array>
 
 #include "actio/numbers/dual.hpp"
-<<<<<<<< HEAD:src/actio/numbers/divergence_number.hpp
 #include "actio/numbers/number_row.hpp"
-========
-#include "actio/numbers/number_row.hpp"
->>>>>>>> main:src/actio/numbers/divergence_number.hpp
 
 namespace actio {
 
