@@ -50,6 +50,16 @@ void require_derivative(M const& derivative, Jet<S, n, N> const& jet, char const
       throw NoDerivative(std::string(where) + " at x = " + detail::shown(jet.x) + ", y = " + detail::shown(jet.y) + ": the density has no derivative there");
 }
 
+/// The partial derivatives \f$\partial L/\partial x^\mu\f$ of a density at a jet, with y and v held: not the \ref total_derivative.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Event<S, n> partial_x(L const& density, Jet<S, n, N> const& jet) {
+  auto const at_point = [&]<class T>(Event<T, n> const& x) -> T {
+    return density(Jet<T, n, N>{x, jet.y.template cast<T>(), jet.v.template cast<T>()});
+  };
+  return derivative(at_point, jet.x).gradient();
+}
+
 /// The partial derivatives \f$\partial L/\partial y^a\f$ of a density at a jet, by the place.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
