@@ -70,15 +70,21 @@ auto value_and_rate(Y const& y) {
 }
 }  // namespace detail
 
+/// A number as a variable: \f$t + \epsilon\f$ with an infinitesimal \f$\epsilon\f$.
+template <Field S>
+Dual<S> variable(S const& t) {
+  Dual<S> moved(t);
+  moved.part[0] = S(1);
+  return moved;
+}
+
 /// The derivative of a function of one number: \f$f(t)\f$ and \f$f'(t)\f$.
 /// @param f  a callable on numbers, over any scalar; its values are numbers, vectors or matrices
 /// @param t  where, a plain number or one over dual numbers
 /// Accuracy: exact but for the rounding of f.
 template <class F, Field S>
 auto derivative(F const& f, S const& t) {
-  Dual<S> moved(t);
-  moved.part[0] = S(1);
-  return detail::value_and_rate<Dual<S>>(f(moved));
+  return detail::value_and_rate<Dual<S>>(f(variable(t)));
 }
 
 /// \f$x + \epsilon w\f$ with an infinitesimal \f$\epsilon\f$: a number, a vector or a matrix moved along w.
