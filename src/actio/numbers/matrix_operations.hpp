@@ -1,4 +1,4 @@
-// The operations that a matrix and a view of one have in common: arithmetic, products, parts, norms, solution of small systems.
+// The operations that a matrix and a view of one have in common: arithmetic, products, parts, norms.
 #pragma once
 
 #include <algorithm>
