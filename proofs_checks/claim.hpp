@@ -61,7 +61,7 @@ struct Record {
 };
 
 /// Numbers a quantity is made of: a scalar, a matrix, a velocity, a momentum, an element.
-template <Field S>
+template <Scalar S>
 Base<S> size_of(S const& x) {
   return magnitude(x);
 }
@@ -69,19 +69,19 @@ template <MatrixLike M>
 auto size_of(M const& m) {
   return magnitude(m);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Base<S> size_of(Velocity<G, S> const& x) {
   return magnitude(x.coordinates);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Base<S> size_of(Momentum<G, S> const& x) {
   return magnitude(x.components);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Base<S> size_of(Element<G, S> const& x) {
   return magnitude(x.value);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> operator-(Element<G, S> const& a, Element<G, S> const& b) {
   return {a.group, a.value - b.value};
 }
@@ -205,7 +205,7 @@ class Claim : public AnyClaim {
  private:
   template <class L, class R>
   static auto difference(L const& left, R const& right) {
-    if constexpr (Field<L>)
+    if constexpr (Scalar<L>)
       return S(left - right);
     else if constexpr (requires { left.eval(); })
       return (left - right).eval();

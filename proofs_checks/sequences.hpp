@@ -161,7 +161,7 @@ S reduced_sum(F const& l, Places<S> const& f) {
 template <class Call>
 auto several(Call const& call) {
   using Value = std::decay_t<decltype(call())>;
-  if constexpr (Field<Value>) {
+  if constexpr (Scalar<Value>) {
     Vector<Value> values(5);
     for (int i = 0; i < 5; ++i) values[i] = call();
     return values;

@@ -23,11 +23,11 @@ template <Group G>
 struct FreeBody {
   Coordinates<G, double> inertia;
 
-  template <Field S>
+  template <Scalar S>
   Velocity<G, S> velocity(Momentum<G, S> const& pi) const {
     return {pi.group, pi.components.cwiseQuotient(inertia.template cast<S>())};
   }
-  template <Field S>
+  template <Scalar S>
   Momentum<G, S> rate(Momentum<G, S> const& pi) const {
     return ad_star(velocity(pi), pi);
   }
@@ -140,13 +140,13 @@ template <Group G>
 auto classical(FreeBody<G> body) {
   return [body](auto const& h, auto const& pi) { return runge_kutta_4([&](auto const& m) { return body.rate(m); }, h, pi); };
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct Numbers {
   Storage<G, S> g;
   Momentum<G, S> pi;
   Numbers operator+(Numbers const& b) const { return {g + b.g, pi + b.pi}; }
 };
-template <Group G, Field S>
+template <Group G, Scalar S>
 Numbers<G, S> operator*(std::type_identity_t<S> const& s, Numbers<G, S> const& a) {
   return {a.g * s, s * a.pi};
 }

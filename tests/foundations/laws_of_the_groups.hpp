@@ -32,7 +32,7 @@ void in_each_arithmetic(Run const& run) {
   }
 }
 
-template <Field S, Group G>
+template <Scalar S, Group G>
 void hold(std::string const& name, G const& group, std::vector<Edge<S>> const& edges = {}) {
   Finding worst;
   for (Finding const& f : check<S>(group, seed, edges)) {
@@ -69,7 +69,7 @@ inline SpannedGroup spanned_motions() {
 }
 
 /// R^3, SO(2), SE(2).
-template <Field S>
+template <Scalar S>
 void laws_in_the_plane() {
   std::vector<Edge<S>> translations, turns, motions;
   if (!exact_arithmetic<S>()) {
@@ -85,7 +85,7 @@ void laws_in_the_plane() {
 }
 
 /// SO(3), SU(2), SE(3).
-template <Field S>
+template <Scalar S>
 void laws_in_space() {
   std::vector<Edge<S>> rotations, quaternions, motions;
   if (!exact_arithmetic<S>()) {
@@ -104,7 +104,7 @@ void laws_in_space() {
 }
 
 /// Heisenberg, Aff(1), SL(2), GL(2).
-template <Field S>
+template <Scalar S>
 void laws_of_small_matrices() {
   std::vector<Edge<S>> heisenberg, affine, special, general;
   if (!exact_arithmetic<S>()) {
@@ -122,7 +122,7 @@ void laws_of_small_matrices() {
 }
 
 /// One angle next to pi, another 1, in planes that are not those of the coordinates.
-template <Field S, Group G>
+template <Scalar S, Group G>
 std::vector<Edge<S>> nearly_half_a_turn(G const& group) {
   if constexpr (Real<S>) {
     if (exact_arithmetic<S>()) return {};
@@ -136,18 +136,18 @@ std::vector<Edge<S>> nearly_half_a_turn(G const& group) {
   }
 }
 /// SO(4), GL(3).
-template <Field S>
+template <Scalar S>
 void laws_of_larger_matrices() {
   hold<S>("SO(4)", SO<4>{}, nearly_half_a_turn<S>(SO<4>{}));
   hold<S>("GL(3)", GL<3>{});
 }
 /// SO(5), by itself because its logarithm takes long to compile.
-template <Field S>
+template <Scalar S>
 void laws_in_five_dimensions() {
   hold<S>("SO(5)", SO<5>{}, nearly_half_a_turn<S>(SO<5>{}));
 }
 /// SE(3) from its span.
-template <Field S>
+template <Scalar S>
 void laws_of_a_span() {
   hold<S>("SE(3) from its span", spanned_motions());
 }

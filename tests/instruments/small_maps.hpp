@@ -13,25 +13,25 @@ template <Group G>
 struct FreeBody {
   Coordinates<G, double> inertia;
 
-  template <Field S>
+  template <Scalar S>
   Velocity<G, S> velocity(Momentum<G, S> const& pi) const {
     return {pi.group, pi.components.cwiseQuotient(inertia.template cast<S>())};
   }
-  template <Field S>
+  template <Scalar S>
   Momentum<G, S> rate(Momentum<G, S> const& pi) const {
     return ad_star(velocity(pi), pi);
   }
 };
 
 /// One step of the classical Runge-Kutta method for the body momentum.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> runge_kutta(FreeBody<G> const& body, S const& h, Momentum<G, S> const& pi) {
   auto const k1 = body.rate(pi), k2 = body.rate(pi + h / S(2) * k1), k3 = body.rate(pi + h / S(2) * k2), k4 = body.rate(pi + h * k3);
   return pi + h / S(6) * (k1 + S(2) * k2 + S(2) * k3 + k4);
 }
 
 /// One step of the implicit midpoint rule.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> implicit_midpoint(FreeBody<G> const& body, S const& h, Momentum<G, S> const& pi) {
   using Space = Translations<G::dim>;
   auto const residual = [&](auto const& y, auto const& p) {

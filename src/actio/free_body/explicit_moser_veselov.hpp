@@ -20,7 +20,7 @@
 namespace actio {
 
 /// The equation for \f$\kappa = \tan T\f$ of the explicit scheme: what is left of it, and the slope.
-template <Field S>
+template <Scalar S>
 class TwistEquation {
  public:
   /// @param j  \f$hL/(2I_i)\f$: half the step, as an angle about each axis at full momentum

@@ -19,7 +19,7 @@ struct ModifiedInertia {
 };
 
 /// The series of s and of d/t, in powers of t^2, t = hL/2.
-template <Field S>
+template <Scalar S>
 struct ModifiedInertiaSeries {
   Taylor<S> s;  ///< factor of the inverse moments
   Taylor<S> d;  ///< what is added, over t

@@ -9,14 +9,14 @@
 namespace actio {
 
 /// A group element and the vector it finds.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct ActionArrow {
   using Scalar = S;
   Element<G, S> turn;                          ///< g
   Matrix<S, Dynamic, 1> vector;  ///< a
 };
 /// A vector, as a point of the base.
-template <Field S>
+template <Scalar S>
 struct CarriedVector {
   using Scalar = S;
   Matrix<S, Dynamic, 1> value;  ///< its components

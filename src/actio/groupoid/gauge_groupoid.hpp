@@ -9,7 +9,7 @@
 namespace actio {
 
 /// From x0 to x1, turning by k.
-template <Group K, Field S>
+template <Group K, Scalar S>
 struct GaugeArrow {
   using Scalar = S;
   Matrix<S, Dynamic, 1> from;  ///< x0
@@ -17,7 +17,7 @@ struct GaugeArrow {
   Element<K, S> turn;                        ///< k
 };
 /// A point of the base.
-template <Field S>
+template <Scalar S>
 struct BasePoint {
   using Scalar = S;
   Matrix<S, Dynamic, 1> value;  ///< its coordinates

@@ -12,7 +12,7 @@
 namespace actio {
 
 /// The Lagrangian \f$l(\xi) = \tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle\f$ with its Hamiltonian \f$h(\mu) = \tfrac12\langle\mu-b, A^{-1}(\mu-b)\rangle\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct QuadraticLagrangian {
   using Matrix = actio::Matrix<S, G::dim, G::dim>;  ///< as many rows as the algebra has dimensions
   [[no_unique_address]] G group;
@@ -36,24 +36,24 @@ struct QuadraticLagrangian {
   QuadraticLagrangian(G g, Matrix inertia) : QuadraticLagrangian(g, std::move(inertia), Coordinates<G, S>::Zero(g.dimension())) {}
 
   /// l, energy
-  template <Field T>
+  template <Scalar T>
   T operator()(Velocity<G, T> const& xi) const {
     Coordinates<G, T> const p = a.template cast<T>() * xi.coordinates / T(2) + b.template cast<T>();
     return p.dot(xi.coordinates);
   }
   /// h, energy
-  template <Field T>
+  template <Scalar T>
   T operator()(Momentum<G, T> const& mu) const {
     Coordinates<G, T> const p = mu.components - b.template cast<T>();
     return p.dot(inverse_a.template cast<T>() * p) / T(2);
   }
   /// \f$\partial l/\partial\xi = A\xi + b\f$
-  template <Field T>
+  template <Scalar T>
   Momentum<G, T> momentum_of(Velocity<G, T> const& xi) const {
     return {xi.group, a.template cast<T>() * xi.coordinates + b.template cast<T>()};
   }
   /// \f$\partial h/\partial\mu\f$
-  template <Field T>
+  template <Scalar T>
   Velocity<G, T> velocity_of(Momentum<G, T> const& mu) const {
     return {mu.group, inverse_a.template cast<T>() * (mu.components - b.template cast<T>())};
   }
@@ -63,21 +63,21 @@ struct QuadraticLagrangian {
 ///
 /// \f$\dot\Pi = \mathrm{ad}^*_\xi\Pi\f$ with \f$\xi = \partial h/\partial\Pi\f$; \f$\dot f = -\xi f\f$ for the relative motion \f$f = g(t)^{-1}g_0\f$;
 /// \f$\dot S = \langle\Pi,\xi\rangle - h\f$. Over any field.
-template <MatrixGroup G, Field T>
+template <MatrixGroup G, Scalar T>
 struct FreeMotionSeries {
   std::vector<Storage<G, T>> f;          ///< relative motion
   std::vector<Coordinates<G, T>> pi;     ///< body momentum
   std::vector<T> action;                 ///< energy x time
 
   /// The series up to \f$t^0\f$; \ref extend goes on.
-  template <Field S>
+  template <Scalar S>
   FreeMotionSeries(QuadraticLagrangian<G, S> const& l, Momentum<G, T> const& pi0) : energy(l(pi0)) {
     f.push_back(primitive::identity<T>(l.group));
     pi.push_back(pi0.components);
     action.push_back(T(0));
   }
   /// One power more.
-  template <Field S>
+  template <Scalar S>
   void extend(QuadraticLagrangian<G, S> const& l) {
     int const k = static_cast<int>(pi.size()) - 1;
     Velocity<G, T> xi{l.group, l.inverse_a.template cast<T>() * (k == 0 ? Coordinates<G, T>(pi[0] - l.b.template cast<T>()) : pi[k])};
@@ -104,7 +104,7 @@ struct FreeMotionSeries {
 };
 
 /// What a left-invariant free motion has done by the time t.
-template <Group G, Field T>
+template <Group G, Scalar T>
 struct FreeMotion {
   Element<G, T> f;    ///< relative motion \f$g(t)^{-1}g_0\f$
   Momentum<G, T> pi;  ///< body momentum at time t
@@ -116,7 +116,7 @@ struct FreeMotion {
 /// @throws NotFinite     where momentum or time is no number
 /// @throws NotConverged  where a series of 4 terms a digit would need steps shorter than \f$2^{-12}t\f$
 /// Accuracy: a few epsilon for each of its steps.
-template <MatrixGroup G, Field S, Real T>
+template <MatrixGroup G, Scalar S, Real T>
 FreeMotion<G, T> free_motion_left(QuadraticLagrangian<G, S> const& l, Momentum<G, T> const& pi0, std::type_identity_t<T> const& t, int halvings_left = 12) {
   require_finite(pi0.components, "free_motion_left: momentum");
   if (!is_finite(t)) throw NotFinite("free_motion_left: time");
@@ -148,7 +148,7 @@ FreeMotion<G, T> free_motion_left(QuadraticLagrangian<G, S> const& l, Momentum<G
 /// The reduced generating function \f$S_L(g, t)\f$ of a left-invariant free system: the action along the motion with \f$g = g(t)^{-1}g_0\f$.
 ///
 /// It solves (4.1). Callable at every real scalar and at dual numbers over it, near the identity, where one motion is nearest.
-template <MatrixGroup G, Field S>
+template <MatrixGroup G, Scalar S>
 struct ExactGeneratingFunction {
   QuadraticLagrangian<G, S> l;  ///< of the free system
 
@@ -207,7 +207,7 @@ struct ExactGeneratingFunction {
   }
 };
 /// From its Lagrangian alone.
-template <MatrixGroup G, Field S>
+template <MatrixGroup G, Scalar S>
 ExactGeneratingFunction(QuadraticLagrangian<G, S>) -> ExactGeneratingFunction<G, S>;
 
 }  // namespace actio

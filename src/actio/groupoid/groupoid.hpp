@@ -45,7 +45,7 @@ concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<
 };
 
 /// A point of the dual of the algebroid: a covector on the fibre over a point of the base.
-template <class Gamma, Field S>
+template <class Gamma, Scalar S>
 struct DualPoint {
   Point<Gamma, S> base;        ///< where
   Fibre<Gamma, S> components;  ///< of the covector

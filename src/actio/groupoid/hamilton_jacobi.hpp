@@ -72,7 +72,7 @@ auto at_time(F s, T t) {
   return [s, t](auto const& g) { return s(g, detail::as_constant<typename std::decay_t<decltype(g)>::Scalar>(t)); };
 }
 /// \f$\partial S/\partial t\f$ with the relative motion held.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 S time_derivative(F const& s, Element<G, S> const& g, std::type_identity_t<S> const& t) {
   Dual<S> time(t);
   time.part[0] = S(1);
@@ -88,14 +88,14 @@ S time_derivative(F const& s, Element<G, S> const& g, std::type_identity_t<S> co
 /// @param s  reduced generating function, (g, t) -> energy x time, \f$g = g(t)^{-1}g_0\f$, at every scalar
 /// @param h  reduced Hamiltonian, a function of the body momentum, energy
 /// Exact up to rounding.
-template <Group G, Field S, class F, class H>
+template <Group G, Scalar S, class F, class H>
 S hamilton_jacobi_left(F const& s, H const& h, Element<G, S> const& g, std::type_identity_t<S> const& t) {
   // [eq_4_1]
   return time_derivative(s, g, t) + h(-right_differential(at_time(s, t), g));
   // [eq_4_1]
 }
 /// The same for a right-invariant system, \f$g = g_0\,g(t)^{-1}\f$: \f$-L_g^*dS_R\f$ is the spatial momentum at time t.
-template <Group G, Field S, class F, class H>
+template <Group G, Scalar S, class F, class H>
 S hamilton_jacobi_right(F const& s, H const& h, Element<G, S> const& g, std::type_identity_t<S> const& t) {
   return time_derivative(s, g, t) + h(-left_differential(at_time(s, t), g));
 }
@@ -104,7 +104,7 @@ S hamilton_jacobi_right(F const& s, H const& h, Element<G, S> const& g, std::typ
 ///
 /// \implements{eq_4_2}
 /// @param s  reduced generating function at the time t, G -> energy x time (\ref at_time); a reduced discrete Lagrangian is one
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> initial_momentum_left(F const& s, Element<G, S> const& g) {
   // [eq_4_2]
   return -left_differential(s, g);
@@ -113,7 +113,7 @@ Momentum<G, S> initial_momentum_left(F const& s, Element<G, S> const& g) {
 /// \f$\Pi = \mathrm{Ad}^*_{g^{-1}}\,\Pi_0\f$: the body momentum at time t, which is \f$-R_g^*\,dS_L(g)\f$. The star is the dual map, with no inverse in it.
 ///
 /// \implements{eq_4_3}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> final_momentum_left(Element<G, S> const& g, Momentum<G, S> const& pi0) {
   // [eq_4_3]
   return Ad_star(inverse(g), pi0);
@@ -121,7 +121,7 @@ Momentum<G, S> final_momentum_left(Element<G, S> const& g, Momentum<G, S> const&
 }
 
 /// A relative motion and the momentum at its end.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct HamiltonJacobiStep {
   Element<G, S> g;       ///< relative motion; where the solver of the next step may look first
   Momentum<G, S> final;  ///< energy x time
@@ -152,7 +152,7 @@ HamiltonJacobiStep<G, S> hamilton_jacobi_step_right(F const& s, Momentum<G, S> c
 // ---- The same with a reduced discrete Lagrangian, in the signs of the thesis
 
 /// The two lines of (4.4) at a relative motion: the covectors with which a step begins and ends.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct MomentumSystem {
   Momentum<G, S> first;   ///< \f$\Pi_k = L_f^*\ell'(f)\f$
   Momentum<G, S> second;  ///< \f$\Pi_{k+1} = R_f^*\ell'(f)\f$
@@ -161,7 +161,7 @@ struct MomentumSystem {
 ///
 /// \implements{eq_4_4}
 /// @param l  reduced discrete Lagrangian, energy x time
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 MomentumSystem<G, S> momentum_system_left(F const& l, Element<G, S> const& f) {
   // [eq_4_4]
   return {left_differential(l, f), right_differential(l, f)};

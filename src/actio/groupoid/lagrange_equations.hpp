@@ -11,7 +11,7 @@ namespace actio {
 
 namespace detail {
 /// Component a: the rate of `f(near_unit(x, v))` along the a-th direction of the algebroid over x.
-template <Groupoid Gamma, Field S, class F>
+template <Groupoid Gamma, Scalar S, class F>
 Fibre<Gamma, S> fibre_differential(Gamma const& gamma, Point<Gamma, Moved<S>> const& x, F const& f, char const* where) {
   int const n = gamma.dimension();
   Fibre<Gamma, S> d(n);

@@ -8,7 +8,7 @@
 namespace actio {
 
 /// A pair of places: the arrow from the first to the second.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct PairArrow {
   using Scalar = S;
   Element<G, S> first;   ///< from here

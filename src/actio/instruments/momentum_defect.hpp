@@ -7,7 +7,7 @@ namespace actio {
 
 namespace detail {
 /// The sum over the units of the components of |momentum| |velocity|: the size of the terms of a pairing.
-template <Group G, Field S>
+template <Group G, Scalar S>
 S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
   auto const classes = unit_classes(mu.group);
   S sum(0);

@@ -43,20 +43,20 @@ void seed(V& v, AnyVector<S> const& sizes, int offset, int first) {
   for (int a = 0; a < batch; ++a)
     if (int const i = first + a - offset; i >= 0 && i < v.size()) v[i].part[a] = sizes[first + a];
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, Moved<S>> moved_place(Element<G, S> const& g, AnyVector<S> const& sizes, int offset, int first) {
   Coordinates<G, Moved<S>> v = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
   seed(v, sizes, offset, first);
   return Element<G, Moved<S>>{g.group, primitive::near_identity(g.group, v)} * over<Moved<S>>(g);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, Moved<S>> moved_momentum(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int offset, int first) {
   Momentum<G, Moved<S>> moved = over<Moved<S>>(mu);
   seed(moved.components, sizes, offset, first);
   return moved;
 }
 /// \f$\delta g\,g^{-1}\f$ of the infinitesimals of g.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
   auto const back = inverse(value_of(g));
   if constexpr (MatrixGroup<G>) {
@@ -71,7 +71,7 @@ Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
     return log(g * over<Moved<S>>(back)).coordinates;
   }
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Coordinates<G, S> difference_of_places(Element<G, S> const& g, Element<G, S> const& k) {
   return log(k * inverse(g)).coordinates;
 }
@@ -86,7 +86,7 @@ auto stacked(V const& v, W const& w) {
 /// What the two signs of the bracket on the dual of an algebra have in common.
 struct DualOfAlgebra {
   /// Of the space.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static int dimension(Momentum<G, S> const& mu) {
     return mu.group.dimension();
   }
@@ -96,17 +96,17 @@ struct DualOfAlgebra {
     return sizes_by_unit(mu);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto moved(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int first) {
     return moved_momentum(mu, sizes, 0, first);
   }
   /// The coordinates of the infinitesimals.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto change(Momentum<G, S> const& mu) {
     return mu.components;
   }
   /// The coordinates that lead from the first point to the second.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static AnyVector<S> difference(Momentum<G, S> const& mu, Momentum<G, S> const& nu) {
     return nu.components - mu.components;
   }
@@ -117,7 +117,7 @@ struct DualOfAlgebra {
 /// The dual of an algebra with the plus bracket: spatial momenta of right-invariant systems.
 struct LiePoissonPlus : detail::DualOfAlgebra {
   /// The matrix of the bracket.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) {
     return lie_poisson_tensor_plus(mu);
   }
@@ -125,7 +125,7 @@ struct LiePoissonPlus : detail::DualOfAlgebra {
 /// The dual of an algebra with the minus bracket: body momenta of left-invariant systems.
 struct LiePoissonMinus : detail::DualOfAlgebra {
   /// The matrix of the bracket.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) {
     return -lie_poisson_tensor_plus(mu);
   }
@@ -137,7 +137,7 @@ struct LiePoissonMinus : detail::DualOfAlgebra {
 /// turns, it is the user's unit of length.
 struct CotangentBundle {
   /// Of the space.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static int dimension(Costate<G, S> const& p) {
     return 2 * p.place.group.dimension();
   }
@@ -154,22 +154,22 @@ struct CotangentBundle {
     return detail::stacked(places, momenta);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static Costate<G, Moved<S>> moved(Costate<G, S> const& p, detail::AnyVector<S> const& sizes, int first) {
     return {detail::moved_place(p.place, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.place.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto change(Costate<G, S> const& p) {
     return detail::stacked(detail::change_of_place(p.place), p.momentum.components);
   }
   /// The coordinates that lead from the first point to the second.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto difference(Costate<G, S> const& p, Costate<G, S> const& q) {
     return detail::stacked(detail::difference_of_places(p.place, q.place), (q.momentum - p.momentum).components);
   }
   /// \f$\{F, H\} = \langle\partial_gF, H_\mu\rangle - \langle\partial_gH, F_\mu\rangle + \langle\mu, [F_\mu, H_\mu]\rangle\f$ as a matrix.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Costate<G, S> const& p) {
     int const n = p.place.group.dimension();
     detail::AnyMatrix<S> b = detail::AnyMatrix<S>::Zero(2 * n, 2 * n);
@@ -179,7 +179,7 @@ struct CotangentBundle {
   }
   /// \f$\omega(w_1, w_2) = \langle\delta\mu_2, \vartheta_1\rangle - \langle\delta\mu_1, \vartheta_2\rangle - \langle\mu, [\vartheta_1,
   /// \vartheta_2]\rangle\f$ as a matrix.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> two_form(Costate<G, S> const& p) {
     int const n = p.place.group.dimension();
     detail::AnyMatrix<S> omega = detail::AnyMatrix<S>::Zero(2 * n, 2 * n);
@@ -188,7 +188,7 @@ struct CotangentBundle {
     return omega;
   }
   /// Where the momentum of a symmetry is read.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static Costate<G, S> costate(Costate<G, S> const& p) {
     return p;
   }

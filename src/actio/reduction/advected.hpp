@@ -30,7 +30,7 @@ concept ActsOn = Group<G> && requires(A const& act, Element<G, S> const& g, Matr
 struct MatrixAction {
   /// The product of the matrix and the column.
   /// @throws OutsideDomain  where the column has not as many numbers as the matrix has columns
-  template <MatrixGroup G, Field S, int m>
+  template <MatrixGroup G, Scalar S, int m>
   Matrix<S, m, 1> operator()(Element<G, S> const& g, Matrix<S, m, 1> const& a) const {
     if (a.size() != g.value.cols())
       throw OutsideDomain("MatrixAction", "a vector with a number for each column of the matrix is needed; numbers", static_cast<double>(a.size()),
@@ -40,7 +40,7 @@ struct MatrixAction {
 };
 
 /// What a system with an advected vector is stepped in: an element of the dual of the algebra of the semidirect product.
-template <Group G, Field S, int m>
+template <Group G, Scalar S, int m>
 struct AdvectedState {
   Momentum<G, S> momentum;        ///< of the body for a left-invariant system, in space for a right-invariant one; energy x time
   Matrix<S, m, 1> vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
@@ -58,13 +58,13 @@ auto holding(F const& l, Matrix<S, m, 1> const& a) {
 }  // namespace detail
 
 /// \f$a_1 = f\,a_0\f$: the vector after a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Matrix<S, m, 1> advect_left(Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return act(f, a);
 }
 /// \f$a_1 = f^{-1}a_0\f$: the vector after a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return act(inverse(f), a);
@@ -77,7 +77,7 @@ Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, A
 /// @return     covector at the identity
 /// @throws NotFinite  where l or its derivative is no number
 /// Exact up to rounding.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   auto const moved_vector = [&](auto const& g) {
@@ -90,22 +90,22 @@ Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<
 // The momenta at both ends of a step.
 
 /// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a left-invariant step begins.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return advected_differential(l, f, a, act) - left_differential(detail::holding(l, a), f);
 }
 /// \f$\Pi_1 = -R_f^*\ell'(f, a_0)\f$: the body momentum with which it ends.
-template <Group G, Field S, int m, class F>
+template <Group G, Scalar S, int m, class F>
 Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -right_differential(detail::holding(l, a), f);
 }
 /// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a right-invariant step begins.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return -right_differential(detail::holding(l, a), f) - advected_differential(l, f, a, act);
 }
 /// \f$\mu_1 = -L_f^*\ell'(f, a_0)\f$: the spatial momentum with which it ends.
-template <Group G, Field S, int m, class F>
+template <Group G, Scalar S, int m, class F>
 Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -left_differential(detail::holding(l, a), f);
 }
@@ -124,7 +124,7 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 /// @param f21  relative motion \f$g_2^{-1}g_1\f$ over the step after
 /// @return     covector at the identity
 /// Exact up to rounding.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Element<G, S> const& f21,
                                             Act const& act = {}) {
   auto const a1 = advect_left(f10, a0, act);
@@ -142,7 +142,7 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
 /// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before
 /// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
 /// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Element<G, S> const& f12,
                                              Act const& act = {}) {
   auto const a1 = advect_right(f01, a0, act);
@@ -205,7 +205,7 @@ Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, 
 /// covector and then a turn, in the semidirect product of G with the covectors. Its Casimirs stay: for \f$SE(3) = SO(3)\ltimes\mathbb R^3\f$ they
 /// are \f$|a|^2\f$ and \f$\langle\Pi, a\rangle\f$.
 /// @param f  the relative motion that takes up \f$\Pi_0\f$
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& pi,
                                                 Act const& act = {}) {
   // [advected_lie_poisson]
@@ -214,7 +214,7 @@ Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const&
 }
 /// \f$\mu_1 = \mathrm{Ad}^*_f\bigl(\mu_0 + A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the spatial momentum carried along, right-invariant. Without a
 /// vector it is (3.17).
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& mu,
                                                  Act const& act = {}) {
   return Ad_star(f, mu + advected_differential(l, f, a, act));
@@ -243,7 +243,7 @@ auto lift_advected_right(F l, Matrix<S, m, 1> const& c, Act act = {}) {
 // What is left of the symmetry, and what it conserves.
 
 /// \f$\zeta\,a = \frac{d}{d\epsilon}e^{\epsilon\zeta}a\f$: how an element of the algebra moves a vector.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
   Matrix<S, m, 1> rate = Matrix<S, m, 1>::Zero(a.size());
@@ -264,7 +264,7 @@ Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, A
 /// @throws OutsideDomain  where \f$\zeta a\f$ is not zero, so that nothing is conserved: its size over that of \f$\zeta\f$ times a, and the bound.
 ///                        Over the rationals it must be 0; elsewhere half of the digits are enough, since rounding may have carried generator and
 ///                        vector along for long.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
 S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
   auto const size = magnitude(zeta.coordinates) * magnitude(a);
   double const measured = size > Base<S>(0) ? to_double(Base<S>(magnitude(moved_by(zeta, a, act)) / size)) : 0.0;

@@ -19,7 +19,7 @@ namespace actio {
 /// The step is \f$\exp(hA_1 + h^3A_3 + h^5A_5 + \dots)\f$. In the product of its substeps \f$A_3\f$ and \f$A_5\f$ occur with the sums of cubes and of
 /// fifth powers, and \f$[A_1,[A_1,A_3]]\f$ with the cubes weighted by the square of the time \f$m_k\f$ in the middle of the substep.
 /// Exact up to rounding.
-template <Field S>
+template <Scalar S>
 Matrix<S, 4, 1> composition_conditions(std::vector<S> const& gamma) {
   Matrix<S, 4, 1> left(S(-1), S(0), S(0), S(0));
   S reached(0);
@@ -92,7 +92,7 @@ std::vector<S> fractions_of_a_step(std::vector<S> fractions) {
   return fractions;
 }
 /// Substeps one after another; `joined` is the relative motion over two of them, the earlier one first.
-template <class Step, class S, Group G, Field T, class Joined>
+template <class Step, class S, Group G, Scalar T, class Joined>
 MomentumStep<G, T> take_substeps(std::vector<Step> const& steps, std::vector<S> const& fractions,
                                  MomentumState<G, T> const& from, S const& h, Joined const& joined) {
   auto whole = steps[0](from, S(fractions[0] * h));
@@ -116,7 +116,7 @@ struct ComposedRight {
       : fractions(detail::fractions_of_a_step(std::move(fractions_of))), steps(fractions.size(), step_of) {}
 
   /// A step of length h from a state.
-  template <Group G, Field T>
+  template <Group G, Scalar T>
   MomentumStep<G, T> operator()(MomentumState<G, T> const& from, std::type_identity_t<S> const& h) const {
     return detail::take_substeps(steps, fractions, from, h,
                                  [](auto const& before, auto const& after) { return before * after; });
@@ -134,7 +134,7 @@ struct ComposedLeft {
       : fractions(detail::fractions_of_a_step(std::move(fractions_of))), steps(fractions.size(), step_of) {}
 
   /// A step of length h from a state.
-  template <Group G, Field T>
+  template <Group G, Scalar T>
   MomentumStep<G, T> operator()(MomentumState<G, T> const& from, std::type_identity_t<S> const& h) const {
     return detail::take_substeps(steps, fractions, from, h,
                                  [](auto const& before, auto const& after) { return after * before; });

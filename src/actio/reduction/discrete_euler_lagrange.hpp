@@ -10,13 +10,13 @@
 namespace actio {
 
 /// \f$D_1 L(g_0, g_1)\f$: the differential in the first slot, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}L(e^{\epsilon\vartheta}g_0, g_1)\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> D1(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return right_differential([&](auto const& g) { return lagrangian(g, like(g, g1)); }, g0);
 }
 
 /// \f$D_2 L(g_0, g_1)\f$: the differential in the second slot, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}L(g_0, e^{\epsilon\vartheta}g_1)\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> D2(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return right_differential([&](auto const& g) { return lagrangian(like(g, g0), g); }, g1);
 }
@@ -29,7 +29,7 @@ Momentum<G, S> D2(L const& lagrangian, Element<G, S> const& g0, Element<G, S> co
 /// @param lagrangian  discrete Lagrangian, \f$G\times G\to\mathbb R\f$, energy x time
 /// @return            covector at the identity (carried from \f$g_1\f$ on the right)
 /// Exact up to rounding.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> discrete_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, Element<G, S> const& g2) {
   // [eq_3_2]
   return D2(lagrangian, g0, g1) + D1(lagrangian, g1, g2);

@@ -19,7 +19,7 @@ namespace actio {
 /// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
 /// @return     covector at the identity
 /// Exact up to rounding.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> euler_poincare_right(F const& l, Element<G, S> const& f01, Element<G, S> const& f12) {
   // [eq_3_10]
   return right_differential(l, f12) - left_differential(l, f01);
@@ -34,7 +34,7 @@ Momentum<G, S> euler_poincare_right(F const& l, Element<G, S> const& f01, Elemen
 /// @param l    reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 /// @param f10  relative motion \f$g_1^{-1}g_0\f$ over the step before
 /// @param f21  relative motion \f$g_2^{-1}g_1\f$ over the step after
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> euler_poincare_left(F const& l, Element<G, S> const& f10, Element<G, S> const& f21) {
   // [eq_3_11]
   return left_differential(l, f21) - right_differential(l, f10);
@@ -61,7 +61,7 @@ Solved<Element<G, S>> step_euler_poincare_left(F const& l, Element<G, S> const& 
 }
 
 /// How \f$R_f^*\ell'(f)\f$ changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto right_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
@@ -69,7 +69,7 @@ auto right_second_differential(F const& l, Element<G, S> const& f) {
   return m;
 }
 /// How \f$L_f^*\ell'(f)\f$ changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto left_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
@@ -80,13 +80,13 @@ auto left_second_differential(F const& l, Element<G, S> const& f) {
 /// The tangent of the right-invariant algorithm \f$f_{01}\mapsto f_{12}\f$, where the two satisfy (3.10): \f$\vartheta_{01}\mapsto\vartheta_{12}\f$,
 /// each being \f$\delta f\,f^{-1}\f$. From the equation, not from the solver: exact at every scalar.
 /// @throws Singular  where l is not regular at f12
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto euler_poincare_tangent_right(F const& l, Element<G, S> const& f01, Element<G, S> const& f12) {
   return solve_linear(right_second_differential(l, f12), left_second_differential(l, f01), "discrete Euler-Poincare: l''");
 }
 /// The tangent of the left-invariant algorithm \f$f_{10}\mapsto f_{21}\f$, where the two satisfy (3.11).
 /// @throws Singular  where l is not regular at f21
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto euler_poincare_tangent_left(F const& l, Element<G, S> const& f10, Element<G, S> const& f21) {
   return solve_linear(left_second_differential(l, f21), right_second_differential(l, f10), "discrete Euler-Poincare: l''");
 }

@@ -9,12 +9,12 @@
 namespace actio {
 
 /// \f$\mu_0 = -R_f^*\ell'(f)\f$: the spatial momentum at the start of a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> momentum_before_right(F const& l, Element<G, S> const& f) {
   return -right_differential(l, f);
 }
 /// \f$\Pi_0 = -L_f^*\ell'(f)\f$: the body momentum at the start of a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) {
   return -left_differential(l, f);
 }
@@ -22,7 +22,7 @@ Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) {
 /// \f$\mu_{k+1} = \mathrm{Ad}^*_{f_{k,k+1}}\,\mu_k\f$, right-invariant.
 ///
 /// \implements{eq_3_17}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> lie_poisson_update_right(Element<G, S> const& f, Momentum<G, S> const& mu) {
   // [eq_3_17]
   return Ad_star(f, mu);
@@ -31,7 +31,7 @@ Momentum<G, S> lie_poisson_update_right(Element<G, S> const& f, Momentum<G, S> c
 /// \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\,\Pi_k\f$, left-invariant. The inverse is missing in print.
 ///
 /// \implements{eq_3_18}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> lie_poisson_update_left(Element<G, S> const& f, Momentum<G, S> const& pi) {
   // [eq_3_18]
   return Ad_star(inverse(f), pi);

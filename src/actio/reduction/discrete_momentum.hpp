@@ -9,7 +9,7 @@ namespace actio {
 ///
 /// \implements{eq_3_8}
 /// @param generator  Element at any scalar -> Velocity at the same: the generator on G, carried to the identity on the right
-template <Group G, Field S, class L, class Generator>
+template <Group G, Scalar S, class L, class Generator>
 S discrete_momentum(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, Generator const& generator) {
   // [eq_3_8]
   return pair(D2(lagrangian, g0, g1), generator(g1));

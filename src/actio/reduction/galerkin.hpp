@@ -65,7 +65,7 @@ struct Stack {
 };
 
 /// \f$\eta\f$ at the i-th node of the rule, and as its infinitesimal part the rate at which it changes with the fraction of the step.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& group, Matrix<S, Dynamic, 1> const& xi, int i) {
   int const n = group.dimension();
   Velocity<G, Dual<S>> eta{group, Coordinates<G, Dual<S>>::Zero(n)};
@@ -78,7 +78,7 @@ Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& 
 }
 
 /// \f$\mathrm{iex}(\pm\mathrm{ad}_\eta)\,\eta'\f$: what the path turns by over the step, at the rate it has where `eta` was taken. side: +1 right, -1 left.
-template <int side, Group G, Field S>
+template <int side, Group G, Scalar S>
 Velocity<G, S> turn_of_path(Velocity<G, Dual<S>> const& eta) {
   int const n = eta.group.dimension();
   Coordinates<G, S> at(n), rate(n);
@@ -87,7 +87,7 @@ Velocity<G, S> turn_of_path(Velocity<G, Dual<S>> const& eta) {
 }
 
 /// The action of the path through \f$\xi_1, \dots, \xi_s\f$: \f$h\sum_i b_i\,l(\tfrac1h\,\mathrm{iex}(\pm\mathrm{ad}_{\eta_i})\,\eta_i')\f$.
-template <int side, Group G, Field S, class F>
+template <int side, Group G, Scalar S, class F>
 S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h, Matrix<S, Dynamic, 1> const& xi) {
   S sum(0);
   for (int i = 0; i < path.degree(); ++i) {
@@ -105,7 +105,7 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
 /// With \f$p = \partial l/\partial\xi\f$ it is \f$\sum_i b_i\,(\lambda_\nu'(c_i)\,q_i + \lambda_\nu(c_i)\,\dot q_i)\f$, where
 /// \f$q = \mathrm{iex}(\pm\mathrm{ad}_\eta)^T p\f$ changes along the path while p changes at the rate \f$\mp\mathrm{ad}^*_\xi\,p\f$. One dual number
 /// carries both.
-template <int side, Group G, Field S, class F>
+template <int side, Group G, Scalar S, class F>
 Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
                                                           Matrix<S, Dynamic, 1> const& xi) {
   int const n = group.dimension(), s = path.degree();
@@ -128,7 +128,7 @@ Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> 
 
 /// The s dim G numbers that vanish for the path that leaves with a given momentum: the differential of the action, less the momentum read in the chart,
 /// \f$\mathrm{iex}(\mp\mathrm{ad}_{\xi_s})^T\mu_0\f$, in its last block.
-template <int side, Group G, Field S, class F>
+template <int side, Group G, Scalar S, class F>
 Matrix<S, Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path, Momentum<G, S> const& mu, Base<S> const& h,
                                                       Matrix<S, Dynamic, 1> const& xi) {
   int const n = mu.group.dimension();

@@ -15,20 +15,20 @@
 namespace actio {
 
 /// What a run on momenta carries from step to step.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct MomentumState {
   Momentum<G, S> momentum;  ///< energy x time; spatial (right-invariant) or of the body (left-invariant)
   Velocity<G, S> velocity;  ///< 1/time; from where the next step looks for its relative motion, no part of the map of momenta
 };
 
 /// The state with velocity \f$\xi\f$ and momentum \f$\partial l/\partial\xi\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 MomentumState<G, S> momentum_state(F const& l, Velocity<G, S> const& xi) {
   return {gradient(l, xi), xi};
 }
 
 /// What a step on momenta has done.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct MomentumStep {
   Element<G, S> relative_motion;  ///< f, for \ref reconstruct_right or \ref reconstruct_left
   MomentumState<G, S> state;      ///< at the end of the step
@@ -37,7 +37,7 @@ struct MomentumStep {
 
 namespace detail {
 /// A momentum that can be stepped.
-template <Group G, Field S>
+template <Group G, Scalar S>
 void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
   nonzero_step(h);
   require_finite(from.momentum.components, "momentum step: momentum");
@@ -112,7 +112,7 @@ auto natural_chart_step_left(F l) {
 /// @param lengths  h_1, h_2, ..., of either sign and as unequal as they may be
 /// @param visit    called with each step done and its length
 /// @throws         what the step throws, at the first length that it cannot take
-template <class Step, Group G, Field S, class Lengths, class Visit>
+template <class Step, Group G, Scalar S, class Lengths, class Visit>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Lengths const& lengths, Visit const& visit) {
   for (auto const& h : lengths) {
     auto done = step(state, h);
@@ -122,7 +122,7 @@ MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Leng
   return state;
 }
 /// Steps of prescribed lengths, with nothing asked on the way.
-template <class Step, Group G, Field S, class Lengths>
+template <class Step, Group G, Scalar S, class Lengths>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> const& start, Lengths const& lengths) {
   return take_steps(step, start, lengths, [](auto const&, auto const&) {});
 }

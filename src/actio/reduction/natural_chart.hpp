@@ -31,7 +31,7 @@ S constant(T const& h) {
 ///
 /// \implements{eq_3_19}
 /// @throws OutsideDomain  where k is outside the chart
-template <ExponentialGroup G, Field S>
+template <ExponentialGroup G, Scalar S>
 Velocity<G, S> natural_chart_right(Element<G, S> const& g, Element<G, S> const& k) {
   // [eq_3_19]
   return log(k * inverse(g));
@@ -39,36 +39,36 @@ Velocity<G, S> natural_chart_right(Element<G, S> const& g, Element<G, S> const& 
 }
 /// \f$\phi_g(k) = \log(g^{-1}k)\f$, the natural chart at g by left translation.
 /// @throws OutsideDomain  where k is outside the chart
-template <ExponentialGroup G, Field S>
+template <ExponentialGroup G, Scalar S>
 Velocity<G, S> natural_chart_left(Element<G, S> const& g, Element<G, S> const& k) {
   return log(inverse(g) * k);
 }
 
 /// Average and difference of two places in a chart.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct ChartMidpoint {
   Velocity<G, S> eta;   ///< \f$\eta\f$, the average
   Velocity<G, S> zeta;  ///< \f$\zeta\f$, the difference over the step, 1/time
 };
 /// \f$\eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2))\f$ and \f$\zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1))\f$ in the chart at g by right translation.
-template <ExponentialGroup G, Field S, class T>
+template <ExponentialGroup G, Scalar S, class T>
 ChartMidpoint<G, S> chart_midpoint_right(Element<G, S> const& g, Element<G, S> const& g1, Element<G, S> const& g2, T const& h) {
   auto const first = natural_chart_right(g, g1), second = natural_chart_right(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
 }
 /// The same in the chart by left translation.
-template <ExponentialGroup G, Field S, class T>
+template <ExponentialGroup G, Scalar S, class T>
 ChartMidpoint<G, S> chart_midpoint_left(Element<G, S> const& g, Element<G, S> const& g1, Element<G, S> const& g2, T const& h) {
   auto const first = natural_chart_left(g, g1), second = natural_chart_left(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
 }
 /// \f$\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$\dot q q^{-1}\f$ of \f$q = e^\eta g\f$ when \f$\eta\f$ changes at the rate \f$\zeta\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> fibre_element_right(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(m.eta)) * m.zeta.coordinates};
 }
 /// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$q^{-1}\dot q\f$ of \f$q = g\,e^\eta\f$ when \f$\eta\f$ changes at the rate \f$\zeta\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(-m.eta)) * m.zeta.coordinates};
 }
@@ -192,12 +192,12 @@ auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
 /// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$, \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
 /// @param l  reduced Lagrangian, energy
 /// @param h  step, time; not zero, negative to go back
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> momentum_through_log_right(F const& l, T const& h, Velocity<G, S> const& xi) {
   return {xi.group, chi(ad_matrix(xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
 }
 /// \copydoc momentum_through_log_right
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> const& xi) {
   return {xi.group, chi(ad_matrix(-xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
 }
@@ -213,7 +213,7 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 /// @param xi01  logarithm of \f$f_{01} = g_0g_1^{-1}\f$
 /// @param xi12  logarithm of \f$f_{12} = g_1g_2^{-1}\f$
 /// Exact up to rounding.
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01, Velocity<G, S> const& xi12) {
   detail::nonzero_step(h);
   // [eq_3_26]
@@ -224,7 +224,7 @@ Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, 
 ///
 /// @param xi10  logarithm of \f$f_{10} = g_1^{-1}g_0\f$
 /// @param xi21  logarithm of \f$f_{21} = g_2^{-1}g_1\f$
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10, Velocity<G, S> const& xi21) {
   detail::nonzero_step(h);
   return momentum_through_log_left(l, h, xi21) - momentum_through_log_right(l, h, xi10);

@@ -32,7 +32,7 @@ auto lax_matrix(L const& inertia, M const& momentum, typename M::Scalar const& l
   return lax;
 }
 /// \f$1 - \lambda X\f$ with \f$X = f^T\Lambda\f$.
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_factor(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   detail::require_inertia_matrix(inertia, f.value.rows(), "lax_factor");
   Storage<SO<n>, S> factor = f.value.transpose() * inertia.template cast<S>() * S(-lambda);
@@ -40,14 +40,14 @@ Storage<SO<n>, S> lax_factor(L const& inertia, Element<SO<n>, S> const& f, S con
   return factor;
 }
 /// The Lax matrix of the momentum before the step with relative motion f, from its factors.
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_matrix_before(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   return lax_factor(inertia, f, S(-lambda)).transpose() * lax_factor(inertia, f, lambda);
 }
 /// The Lax matrix of the momentum after it: the factors exchanged, and turned by f.
 ///
 /// \implements{claim_1_0_moser_veselov_integrable}
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_matrix_after(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   // [claim_1_0_moser_veselov_integrable]
   return f.value * lax_factor(inertia, f, lambda) * lax_factor(inertia, f, S(-lambda)).transpose() * f.value.transpose();
@@ -74,7 +74,7 @@ inline std::vector<IsospectralDegree> isospectral_degrees(int n) {
 /// @param pi       a body momentum; the unit is free, since each integral is homogeneous in it
 /// @throws OutsideDomain  where the two are of different sizes
 /// @throws NotFinite      where an entry is no number
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Matrix<S, Dynamic, 1> isospectral_integrals(L const& inertia, Momentum<SO<n>, S> const& pi) {
   using Whole = Matrix<S, Dynamic, Dynamic>;
   Whole const m = pi.group.hat(pi.components);

@@ -18,7 +18,7 @@ namespace actio {
 /// @param v             state
 /// @param acceleration  \f$\dot\xi\f$, 1/time^2
 /// Exact up to rounding.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocity<G, S> const& acceleration) {
   // The rate of the momentum along the curve: the curve's own direction in TG is (xi, xi').
   auto const along = legendre(L, moved(v, {v.velocity, acceleration}));
@@ -35,7 +35,7 @@ Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocit
 ///
 /// \implements{claim_2_1_lagrange_vector_field}
 /// @throws Singular  where L is not regular
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 Velocity<G, S> lagrange_acceleration(Lagrangian const& L, State<G, S> const& v) {
   // The equation is affine in the acceleration: residual at zero, and the fibre Hessian beside it.
   Velocity<G, S> const none{v.place.group, Coordinates<G, S>::Zero(v.place.group.dimension())};
@@ -44,7 +44,7 @@ Velocity<G, S> lagrange_acceleration(Lagrangian const& L, State<G, S> const& v) 
 }
 
 /// The Lagrange vector field \f$X_E\f$ as a tangent vector to TG at v.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 StateChange<G, S> lagrange_vector_field(Lagrangian const& L, State<G, S> const& v) {
   return {v.velocity, lagrange_acceleration(L, v)};
 }

@@ -9,7 +9,7 @@ namespace actio {
 ///
 /// Carried to the identity on the right, as the velocity is: the spatial momentum.
 /// @param L  Lagrangian, energy
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
   return gradient(
       [&](auto const& xi) {
@@ -20,7 +20,7 @@ Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
 }
 
 /// The derivative of L along the base, with the right-carried velocity held fixed: \f$\langle\cdot, \vartheta\rangle = \frac{d}{d\epsilon}L(e^{\epsilon\vartheta}g, \xi)\f$.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> base_derivative(Lagrangian const& L, State<G, S> const& v) {
   return right_differential(
       [&](auto const& g) {
@@ -31,13 +31,13 @@ Momentum<G, S> base_derivative(Lagrangian const& L, State<G, S> const& v) {
 }
 
 /// \f$E(v) = \langle F L(v), v\rangle - L(v)\f$.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 S energy(Lagrangian const& L, State<G, S> const& v) {
   return pair(legendre(L, v), v.velocity) - L(v);
 }
 
 /// The matrix \f$\partial^2 L/\partial\xi\,\partial\xi\f$: L is regular where it has an inverse.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 auto fibre_hessian(Lagrangian const& L, State<G, S> const& v) {
   int const n = v.place.group.dimension();
   Matrix<S, G::dim, G::dim> hessian(n, n);

@@ -12,24 +12,24 @@ namespace actio {
 ///
 /// \implements{claim_2_1_noether_momentum}
 /// @param generator  Element at any scalar -> Velocity at the same: the generator on G, carried to the identity on the right
-template <Group G, Field S, class Lagrangian, class Generator>
+template <Group G, Scalar S, class Lagrangian, class Generator>
 S noether_momentum(Lagrangian const& L, State<G, S> const& v, Generator const& generator) {
   return pair(legendre(L, v), generator(v.place));
 }
 
 /// The generator of \f$g \mapsto e^{t\zeta}g\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 auto left_translation(Velocity<G, S> zeta) {
   return [zeta](auto const& g) { return like(g, zeta); };
 }
 /// The generator of \f$g \mapsto g\,e^{t\zeta}\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 auto right_translation(Velocity<G, S> zeta) {
   return [zeta](auto const& g) { return Ad(g, like(g, zeta)); };
 }
 
 /// A generator lifted to TG: how it moves a state, \f$(\vartheta, \delta\xi)\f$ with \f$\delta\xi = \frac{d}{dt}\vartheta - [\xi, \vartheta]\f$ along the motion of the state.
-template <Group G, Field S, class Generator>
+template <Group G, Scalar S, class Generator>
 StateChange<G, S> lifted_generator(State<G, S> const& v, Generator const& generator) {
   Velocity<G, S> const none{v.place.group, Coordinates<G, S>::Zero(v.place.group.dimension())};
   auto const along = generator(moved(v, {v.velocity, none}).place);

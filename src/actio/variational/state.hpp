@@ -11,7 +11,7 @@
 namespace actio {
 
 /// A point of TG: where, and how fast, the velocity carried to the identity on the right.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct State {
   using Scalar = S;
   Element<G, S> place;
@@ -19,26 +19,26 @@ struct State {
 };
 
 /// A tangent vector to TG at a state.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct StateChange {
   Velocity<G, S> place;     ///< \f$\vartheta = \delta g\,g^{-1}\f$
   Velocity<G, S> velocity;  ///< \f$\delta\xi\f$
 };
 
 /// The velocity as the body sees it, \f$g^{-1}\dot g\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> body_velocity(State<G, S> const& v) {
   return Ad(inverse(v.place), v.velocity);
 }
 
 /// The same state over a larger scalar, where it is a constant.
-template <Field T, Group G, Field S>
+template <Scalar T, Group G, Scalar S>
 State<G, T> over(State<G, S> const& v) {
   return {over<T>(v.place), over<T>(v.velocity)};
 }
 
 /// A state moved infinitely little along a tangent vector: the dual number's only direction.
-template <Group G, Field S>
+template <Group G, Scalar S>
 State<G, Dual<S>> moved(State<G, S> const& v, StateChange<G, S> const& w) {
   using D = Dual<S>;
   int const n = v.place.group.dimension();

@@ -120,13 +120,13 @@ struct DirectProduct {
 };
 
 /// The pair (g, h) as an element of the product.
-template <MatrixGroup G, MatrixGroup H, Field S>
+template <MatrixGroup G, MatrixGroup H, Scalar S>
 Element<DirectProduct<G, H>, S> element_of_product(Element<G, S> const& g, Element<H, S> const& h) {
   DirectProduct<G, H> const group{g.group, h.group};
   return {group, group.template blocks<S>(g.value, h.value)};
 }
 /// The pair (g, h) that an element of the product is.
-template <MatrixGroup G, MatrixGroup H, Field S>
+template <MatrixGroup G, MatrixGroup H, Scalar S>
 std::pair<Element<G, S>, Element<H, S>> factors(Element<DirectProduct<G, H>, S> const& gh) {
   return {{gh.group.first, gh.group.template upper<S>(gh.value)}, {gh.group.second, gh.group.template lower<S>(gh.value)}};
 }
