@@ -184,7 +184,7 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
     auto const g = draw_places<S>(draw, group, 2);
     auto const f = relative_motion_left(g[0], g[1]);
     auto const value = momentum_system_left(l, f).first;
-    // What the step from g[0] to g[1] takes up, as the body at g[0] feels it: the differential of the discrete Lagrangian in its first place.
+    // What the step from g[0] to g[1] takes up, as the body at g[0] feels it: the differential of the discrete Lagrangian in its first argument.
     auto const left_behind = coadjoint(g[0], D1(lifted_left(l), g[0], g[1]));
     // Condition: a place is inverted.
     claim.equal("L*_f l'(f) = Ad*_{g_{k-1}} D_1 L", model, value, left_behind, 10);

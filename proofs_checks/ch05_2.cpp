@@ -194,7 +194,7 @@ STATEMENT(claim_5_2_moser_veselov_multiple, "discrete Lagrangian compared with t
     // Controls: the sign, the factor, the other side.
     claim.refutes("1/h^2 times theirs", model, S(change + multiple * (theirs(x, y) - theirs(a, b))), scale);
     claim.refutes("-1/(2 h^2) times theirs", model, S(change - multiple * (theirs(x, y) - theirs(a, b)) / 2), scale);
-    claim.refutes("theirs with the transpose in the first place", model, S(change - multiple * (other_side(lambda, x, y) - other_side(lambda, a, b))), scale);
+    claim.refutes("theirs with the transpose in the first factor", model, S(change - multiple * (other_side(lambda, x, y) - other_side(lambda, a, b))), scale);
   });
 }
 

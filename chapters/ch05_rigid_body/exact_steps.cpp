@@ -55,7 +55,7 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
   double worst = 0, least = 1;
   for (double const angle : {0.1, 0.5, 1.0, 2.0, 3.0}) {
     double const h = angle / spin;
-    Three<double> const j = inertia_of(body.flight(h));  // axes as the steps name them: for ascending moments those of the body
+    Three<double> const j = inertia_of(body.step_parameters(h));  // axes as the steps name them: for ascending moments those of the body
     Vector3d const modified = (h * body.amount() / 2) * Vector3d(1 / j[0], 1 / j[1], 1 / j[2]);
     Element<SO<3>, double> const f{SO<3>{}, matrix_of(true_state(brick, h).attitude).transpose()};
     Momentum<SO<3>, double> const M = body_momentum(brick.inertia, brick.spin);
@@ -76,7 +76,7 @@ void show_order(book::Program& program, book::Plot& plot, FreeBody const& body, 
   std::vector<double> steps, errors;
   for (long count = order < 6 ? 800 : 400; count <= 12800 && steps.size() < 5; count *= 2) {
     double const h = duration / static_cast<double>(count);
-    FreeSteps motion(body, h, body.moser_veselov_flight(h, order));
+    FreeSteps motion(body, h, body.moser_veselov_parameters(h, order));
     motion.advance(count);
     double const error = apart(motion.state(), end);
     if (error < 1e-12) break;

@@ -61,7 +61,7 @@ inline FreePath<double> path_of(FreeState const& s) {
 
 /// The library's exact flight in the numbers of S, from a start that is the same real numbers in all of them.
 template <class S>
-FreePath<S> flown(FreeProblem const& p) {
+FreePath<S> exact_path(FreeProblem const& p) {
   using std::sqrt;
   int first = 0;
   while ((p.moments[(first + 1) % 3] - p.moments[first % 3]) * (p.moments[(first + 2) % 3] - p.moments[(first + 1) % 3]) < 0) ++first;
@@ -70,11 +70,11 @@ FreePath<S> flown(FreeProblem const& p) {
   for (int i = 0; i < 3; ++i) I[i] = S(p.moments[(i + first) % 3]), u[i] = S(p.momentum[(i + first) % 3]), square += u[i] * u[i];
   S const amount = sqrt(square);
   for (S& x : u) x /= amount;
-  BodyPlace<S> place{u, {S(1), S(0), S(0), S(0)}};
-  HalfTurn<S>(exact_flight<S>(InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(place);
+  FrameState<S> state{u, {S(1), S(0), S(0), S(0)}};
+  HalfTurn<S>(exact_flow<S>(InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(state);
   FreePath<S> path;
-  path.attitude[0] = place.attitude[0];
-  for (int i = 0; i < 3; ++i) path.momentum[(i + first) % 3] = amount * place.direction[i], path.attitude[1 + (i + first) % 3] = place.attitude[1 + i];
+  path.attitude[0] = state.attitude[0];
+  for (int i = 0; i < 3; ++i) path.momentum[(i + first) % 3] = amount * state.direction[i], path.attitude[1 + (i + first) % 3] = state.attitude[1 + i];
   return path;
 }
 
@@ -116,12 +116,12 @@ inline double units_off(FreeProblem const& p, FreePath<long double> const& answe
 struct Kept {
   double casimir, energy, spatial, length;
 };
-inline Kept kept(Three<double> const& moments, PlaceWithCarry<double> const& now, BodyPlace<double> const& start) {
+inline Kept kept(Three<double> const& moments, CompensatedState<double> const& now, FrameState<double> const& start) {
   using Quad = __float128;
   Three<Quad> u, from;
   Four<Quad> q;
-  for (int i = 0; i < 3; ++i) u[i] = Quad(now.place.direction[i]) + now.carry.direction[i], from[i] = start.direction[i];
-  for (int i = 0; i < 4; ++i) q[i] = Quad(now.place.attitude[i]) + now.carry.attitude[i];
+  for (int i = 0; i < 3; ++i) u[i] = Quad(now.state.direction[i]) + now.compensation.direction[i], from[i] = start.direction[i];
+  for (int i = 0; i < 4; ++i) q[i] = Quad(now.state.attitude[i]) + now.compensation.attitude[i];
   Quad energy = 0, before = 0, length = 0;
   for (int i = 0; i < 3; ++i) energy += u[i] * u[i] / moments[i], before += from[i] * from[i] / moments[i];
   for (int i = 0; i < 4; ++i) length += q[i] * q[i];

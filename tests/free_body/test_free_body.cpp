@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(rest_and_next_to_rest) {
   FreeSteps motion(rest, 0.1);
   motion.advance(5000);
   BOOST_TEST((motion.state().attitude.value - q).norm() <= 2 * eps);
-  BOOST_CHECK_NO_THROW(rest.moser_veselov_flight(1e6, 2));
+  BOOST_CHECK_NO_THROW(rest.moser_veselov_parameters(1e6, 2));
   // Denormal momenta: with few digits, but a direction; and at the other end of the numbers.
   for (double const tiny : {5e-324, 1e-320, 1e-310, 1e-300}) {
     auto const body = body_of(I, Vector3d(tiny, -tiny, tiny));
@@ -257,8 +257,8 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
     BOOST_CHECK_THROW(body_of(I, M, {1, 0, bad, 0}), Error);
     auto const body = body_of(I, M);
     BOOST_CHECK_THROW(body.at(bad), NotFinite);
-    BOOST_CHECK_THROW(body.flight(bad), NotFinite);
-    BOOST_CHECK_THROW(body.moser_veselov_flight(bad, 2), NotFinite);
+    BOOST_CHECK_THROW(body.step_parameters(bad), NotFinite);
+    BOOST_CHECK_THROW(body.moser_veselov_parameters(bad, 2), NotFinite);
     BOOST_CHECK_THROW(FreeSteps(body, bad), NotFinite);
   }
   BOOST_CHECK_THROW(body_of(I, Vector3d(1e308, 1e308, 1.7e308)), NotFinite);
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
   BOOST_CHECK_THROW(FreeSteps(body_of(I, M), 0.0), OutsideDomain);
   BOOST_CHECK_THROW(body_of(I, M, {1, 1, 0, 0}), OutsideDomain);
   BOOST_CHECK_THROW(body_of(I, M, {0, 0, 0, 0}), OutsideDomain);
-  for (int const order : {0, 1, 3, -2, 42}) BOOST_CHECK_THROW(body_of(I, M).moser_veselov_flight(0.1, order), OutsideDomain);
+  for (int const order : {0, 1, 3, -2, 42}) BOOST_CHECK_THROW(body_of(I, M).moser_veselov_parameters(0.1, order), OutsideDomain);
   // Water from its rotational constants: more inertia about one axis than about the other two together. The defect is named.
   try {
     body_of(Vector3d(0.604715, 1.161634, 1.815577), M);
@@ -280,13 +280,13 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
   auto const water = inertia_from_lambda<3, double>(Vector3d(1.186248, 0.629329, -0.024614));
   FreeBody const body(water, {SO<3>{}, M});
   keeps_what_is_kept(body, body.at(12));
-  BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.01, 2));
+  BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.01, 2));
   try {
-    body.moser_veselov_flight(100, 2);
+    body.moser_veselov_parameters(100, 2);
     BOOST_ERROR("accepted a step beyond the longest");
   } catch (StepTooLong const& error) {
-    BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.999999 * error.largest_step, 2));
-    BOOST_CHECK_THROW(body.moser_veselov_flight(1.000001 * error.largest_step, 2), StepTooLong);
+    BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.999999 * error.largest_step, 2));
+    BOOST_CHECK_THROW(body.moser_veselov_parameters(1.000001 * error.largest_step, 2), StepTooLong);
   }
   // An inertia that nobody has checked must not hang.
   BOOST_CHECK_THROW(FreeBody(Inertia<3>{{}, Vector3d(1, 1, 1), Vector3d(nan, 1, 1)}, {SO<3>{}, M}), NotFinite);
@@ -298,15 +298,15 @@ BOOST_AUTO_TEST_CASE(schemes_of_every_order_refuse_steps_that_have_no_solution) 
     double h = 0.05;
     while (h < 100) {
       try {
-        auto const flight = body.moser_veselov_flight(h, order);
-        BOOST_TEST(is_finite(flight.cos_twist));
-        BOOST_TEST(std::abs(flight.cos_twist * flight.cos_twist + flight.sin_twist * flight.sin_twist - 1) <= 8 * eps);
+        auto const parameters = body.moser_veselov_parameters(h, order);
+        BOOST_TEST(is_finite(parameters.cos_twist));
+        BOOST_TEST(std::abs(parameters.cos_twist * parameters.cos_twist + parameters.sin_twist * parameters.sin_twist - 1) <= 8 * eps);
         h *= 1.5;
       } catch (StepTooLong const& error) {
         // What it offers does.
         BOOST_TEST(error.largest_step < h);
         BOOST_TEST(error.largest_step > 0);
-        BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.9999999 * error.largest_step, order));
+        BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.9999999 * error.largest_step, order));
         break;
       }
     }

@@ -23,7 +23,7 @@ void say(std::string const& what, Kept const& k) {
 
 // Whether the moments that make a flight exact are those of a body for which the general solver has the solution: the flight is the smallest root.
 bool general_road(Inertia<3> const& inertia, FreeBody const& body, double h, Inertia<3>& replaced) {
-  auto const j = inertia_of(body.flight(h));
+  auto const j = inertia_of(body.step_parameters(h));
   Eigen::Vector3d moments;
   int first = 0;
   while ((inertia.moments[(first + 1) % 3] - inertia.moments[first]) * (inertia.moments[(first + 2) % 3] - inertia.moments[(first + 1) % 3]) < 0) ++first;
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(a_thousand_seconds_of_hard_bodies_to_twelve_digits) {
 
 BOOST_AUTO_TEST_CASE(steps_of_nasty_bodies_are_as_good_as_one_evaluation) {
   // Next to the separatrix and next to steady turns, where what is added wrongly grows, or what is set back disturbs. The truth is the flight in 50 digits.
-  auto const truth_of = [](FreeProblem const& p) { return testing::flown<dec50>(p); };
+  auto const truth_of = [](FreeProblem const& p) { return testing::exact_path<dec50>(p); };
   testing::HardProblems problems(testing::seed + 3);
   double worst = 0;
   for (int count = 0; count < 500;) {
@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(a_million_steps_keep_everything) {
     Eigen::Vector3d const M(1.8, 0.4, -0.9);
     FreeBody const body(inertia_from_moments(0.6, 0.8, 1), {SO<3>{}, M});
     // Without the setting back.
-    CompensatedTurn<double> const turn(body.flight(h));
-    PlaceWithCarry<double> now{body.start(), {{}, {}}};
+    CompensatedHalfTurn<double> const turn(body.step_parameters(h));
+    CompensatedState<double> now{body.start(), {{}, {}}};
     for (long k = 0; k < 1000000; ++k) turn.step(now);
     Kept const alone = kept(moments, now, body.start());
     say("1e6 compensated steps of " + std::to_string(h), alone);
@@ -158,9 +158,9 @@ BOOST_AUTO_TEST_CASE(a_million_steps_keep_everything) {
     for (double const x : {back.casimir, back.energy}) BOOST_TEST(x <= 2e-14);
     BOOST_TEST(back.spatial <= 5e-13);
     // Plain steps write the momentum as a rounded whole: visibly worse, or the rest would be for nothing.
-    HalfTurn<double> const plain(body.flight(h));
-    PlaceWithCarry<double> whole{body.start(), {{}, {}}};
-    for (long k = 0; k < 1000000; ++k) plain.step(whole.place);
+    HalfTurn<double> const plain(body.step_parameters(h));
+    CompensatedState<double> whole{body.start(), {{}, {}}};
+    for (long k = 0; k < 1000000; ++k) plain.step(whole.state);
     Kept const rounded = kept(moments, whole, body.start());
     say("1e6 plain steps of " + std::to_string(h), rounded);
     BOOST_TEST(std::max(rounded.casimir, rounded.energy) > 10 * std::max(alone.casimir, alone.energy));

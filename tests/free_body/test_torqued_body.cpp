@@ -24,7 +24,7 @@ struct Start {
   Attitude attitude{SU2{}, Vector4d(1, 0.2, 0.3, -0.4).normalized()};
 
   template <class Torque>
-  FreeState after(double duration, int steps, Torque const& torque, KickFlight const& method = strang_splitting()) const {
+  FreeState after(double duration, int steps, Torque const& torque, Splitting const& method = strang_splitting()) const {
     TorquedBody body(inertia, momentum, attitude, torque, duration / steps, method);
     body.step(steps);
     return body.state();
@@ -58,7 +58,7 @@ FreeState solved(Start const& start, double duration, double strength, double ra
   return {{SO<3>{}, end.head<3>()}, {SU2{}, end.tail<4>()}};
 }
 
-std::vector<KickFlight> methods() { return {strang_splitting(), composed_splitting("Suzuki", 4, suzuki<double>()), blanes_moan_splitting()}; }
+std::vector<Splitting> methods() { return {strang_splitting(), composed_splitting("Suzuki", 4, suzuki<double>()), blanes_moan_splitting()}; }
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(torqued_body)
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step) {
     TorquedBody back(start.inertia, turn.body_momentum, turn.attitude, torque, -0.05, method, there.time());
     back.step(steps);
     // Some twenty roundings a flight, which the motion may magnify by the angle turned.
-    double const room = 20 * eps * 2 * steps * static_cast<double>(method.flights.size());
+    double const room = 20 * eps * 2 * steps * static_cast<double>(method.drifts.size());
     BOOST_TEST(apart(back.state(), {start.momentum, start.attitude}) <= room);
     BOOST_TEST(std::abs(back.time()) <= 1e-12);
   }
@@ -140,10 +140,10 @@ BOOST_AUTO_TEST_CASE(energy_stays_bounded_over_many_steps_and_the_momentum_along
     BOOST_TEST(late <= 1.2 * early);
     BOOST_TEST(early > 1e-9);  // kept by no theorem
     // The torque has no component along n. Kicks and flights keep it, to a walk of roundings.
-    BOOST_TEST(lost <= 100 * eps * std::sqrt(1e5 * static_cast<double>(method.flights.size())));
+    BOOST_TEST(lost <= 100 * eps * std::sqrt(1e5 * static_cast<double>(method.drifts.size())));
   }
   // A control: one kick too late, the first order and no longer its own inverse. It is symplectic too, but the energy is off by more.
-  TorquedBody lopsided(start.inertia, start.momentum, start.attitude, torque, 0.1, KickFlight{"lopsided", 1, {1, 0}, {1}});
+  TorquedBody lopsided(start.inertia, start.momentum, start.attitude, torque, 0.1, Splitting{"lopsided", 1, {1, 0}, {1}});
   TorquedBody strang(start.inertia, start.momentum, start.attitude, torque, 0.1);
   double one = 0, two = 0;
   for (int k = 0; k < 100; ++k) {
@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_one_body_does) {
       }
       BOOST_TEST_MESSAGE("torqued bodies in lanes (" << name_of(machine) << "), " << method.name << ": from one body alone " << most);
       // Roundings differ where multiplications are fused: twenty a flight, magnified by the angle turned since, up to two a step here.
-      BOOST_TEST(most <= 20 * eps * steps * static_cast<double>(method.flights.size()) * (1 + steps * 0.1));
+      BOOST_TEST(most <= 20 * eps * steps * static_cast<double>(method.drifts.size()) * (1 + steps * 0.1));
     }
 }
 
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, std::nan("")), NotFinite);
   BOOST_CHECK_THROW(TorquedBody(start.inertia, {SO<3>{}, Vector3d(1, NAN, 0)}, start.attitude, still, 0.1), NotFinite);
   BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, {SU2{}, Vector4d(0, 0, 0, 0)}, still, 0.1), OutsideDomain);
-  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.1, KickFlight{"none", 1, {1}, {}}), OutsideDomain);
+  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.1, Splitting{"none", 1, {1}, {}}), OutsideDomain);
   BOOST_CHECK_THROW(composed_splitting("half", 2, {0.5}), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient(start.inertia, -1, towards), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient(start.inertia, 1, Vector3d::Zero()), OutsideDomain);

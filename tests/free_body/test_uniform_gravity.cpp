@@ -27,7 +27,7 @@ struct Top {
 
   Moment momentum() const { return {SO<3>{}, top.inertia.moments.cwiseProduct(velocity)}; }
   UniformGravity gravity() const { return uniform_gravity(top.lever(), top.gravity); }
-  FreeState after(double duration, int steps, KickFlight const& method) const {
+  FreeState after(double duration, int steps, Splitting const& method) const {
     TorquedBody body(top.inertia, momentum(), attitude, gravity(), duration / steps, method);
     body.step(steps);
     return body.state();
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(the_momentum_about_the_vertical_is_kept_and_the_energy_stay
     BOOST_TEST_MESSAGE("heavy top, " << method.name << ", 4e4 steps: energy off by " << early << " in the first half, " << late << " in the second; vertical momentum by " << lost);
     BOOST_TEST(late <= 1.2 * early);
     BOOST_TEST(early > 100 * eps);  // kept by no theorem
-    BOOST_TEST(lost <= 100 * eps * std::sqrt(4e4 * static_cast<double>(method.flights.size())) * first.body_momentum.components.norm());
+    BOOST_TEST(lost <= 100 * eps * std::sqrt(4e4 * static_cast<double>(method.drifts.size())) * first.body_momentum.components.norm());
   }
 }
 

@@ -29,7 +29,7 @@ BOOST_AUTO_TEST_CASE(the_unreduced_step_is_symplectic_and_a_step_straight_on_is_
   PairArrow<SO<3>, double> const x{g0, g0 * exp(velocity(SO<3>{}, Vector3d(0.2, -0.1, 0.15)))};
   auto const flow = [&](auto const& y) { return std::decay_t<decltype(y)>{y.second, step_euler_lagrange(top, y.first, y.second).value}; };
   auto const straight_on = [](auto const& y) { return std::decay_t<decltype(y)>{y.second, y.second * inverse(y.first) * y.second}; };
-  PairsOfPlaces const space{top};
+  PairsOfConfigurations const space{top};
   BOOST_TEST(symplectic_defect(space, flow, x) < 1000 * eps);
   BOOST_TEST(poisson_defect(space, flow, x) < 1000 * eps);
   BOOST_TEST(symplectic_defect(space, straight_on, x) > 1e-3);

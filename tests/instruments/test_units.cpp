@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(metres_and_kibimetres_give_the_same_defects) {
       return std::decay_t<decltype(p)>{p.place * exp(ratio<S>(1, 4) * submarine.velocity(body_momentum)), p.momentum};
     };
     auto const on_pairs = [](auto const& x) { return std::decay_t<decltype(x)>{x.second, x.second * inverse(x.first) * x.second}; };
-    PairsOfPlaces const pairs{lift_left(chart_lagrangian(submarine, 1.0))};
+    PairsOfConfigurations const pairs{lift_left(chart_lagrangian(submarine, 1.0))};
     std::vector<double> const now = {poisson_defect(LiePoissonMinus{}, map, at),
                                      orbit_defect(map, at),
                                      leaf_defect(LiePoissonMinus{}, family, 0.25, at),

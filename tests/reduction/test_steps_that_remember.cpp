@@ -90,7 +90,7 @@ void momentum_in_space_stays(double size, double h, int steps) {
     extent = std::max(extent, largest(g.value) * largest(inverse(g).value));
     worst = std::max(worst, largest((in_space() - before).eval()) / largest(before));
   }
-  // A few roundings a step, in place and momentum, magnified by Ad.
+  // A few roundings a step, in configuration and momentum, magnified by Ad.
   BOOST_TEST(worst < 16 * steps * eps * extent);
   BOOST_TEST(largest((motion.momentum().components - before).eval()) > 1e-2 * largest(before));
 }

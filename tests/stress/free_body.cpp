@@ -47,14 +47,14 @@ void drift(book::Program& program) {
       run();
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    auto const flight = body.flight(c.h);
-    PlaceWithCarry<double> plain{body.start(), {{}, {}}}, summed = plain;
-    HalfTurn<double> const turn(flight);
+    auto const parameters = body.step_parameters(c.h);
+    CompensatedState<double> plain{body.start(), {{}, {}}}, summed = plain;
+    HalfTurn<double> const turn(parameters);
     double seconds = timed([&] {
-      for (long k = 0; k < c.steps; ++k) turn.step(plain.place);
+      for (long k = 0; k < c.steps; ++k) turn.step(plain.state);
     });
     add("plain", kept(c.moments, plain, body.start()), seconds);
-    CompensatedTurn<double> const compensated(flight);
+    CompensatedHalfTurn<double> const compensated(parameters);
     seconds = timed([&] {
       for (long k = 0; k < c.steps; ++k) compensated.step(summed);
     });
@@ -110,7 +110,7 @@ void against_series(book::Program& program) {
     if (probe.expansions() > 120) continue;
     ++count;
     auto const truth = testing::witness_of<dec50>(p, 53);
-    sharp = std::max(sharp, testing::apart(truth, testing::flown<dec50>(p), p.amount()).larger() / (last * (1 + testing::condition(p, rough) / eps)));
+    sharp = std::max(sharp, testing::apart(truth, testing::exact_path<dec50>(p), p.amount()).larger() / (last * (1 + testing::condition(p, rough) / eps)));
   }
   program.figure("sharp_units", sharp, "150 nasty bodies, flight in 50 digits against series in 50 digits, in the same units");
   program.claim(sharp <= 2 * units, "the flight in 50 digits is right to its last places");
@@ -118,7 +118,7 @@ void against_series(book::Program& program) {
 
 /// at(t) and steps over long times, judged by the exact flight in 50 digits.
 void against_fifty_digits(book::Program& program) {
-  auto const truth_of = [](FreeProblem const& p) { return testing::flown<dec50>(p); };
+  auto const truth_of = [](FreeProblem const& p) { return testing::exact_path<dec50>(p); };
   testing::HardProblems problems(seed + 1);
   std::vector<double> once, many, leaps;
   for (int count = 0; count < 10000; ++count) {
@@ -186,20 +186,20 @@ void hard_bodies(book::Program& program) {
     };
     FreeSteps ours(body, h);
     auto const stepped = after(ours), once = testing::apart(truth, testing::path_of(body.at(c.time)), L);
-    BodyPlace<double> place = body.start();
-    HalfTurn<double> const plain(body.flight(h));
-    for (long k = 0; k < c.steps; ++k) plain.step(place);
+    FrameState<double> state = body.start();
+    HalfTurn<double> const plain(body.step_parameters(h));
+    for (long k = 0; k < c.steps; ++k) plain.step(state);
     auto const scheme = [&](int order) -> std::string {
       try {
-        FreeSteps motion(body, h, body.moser_veselov_flight(h, order));
+        FreeSteps motion(body, h, body.moser_veselov_parameters(h, order));
         return both(after(motion));
       } catch (StepTooLong const&) {
         return "none";
       }
     };
-    double const open = testing::condition(p, testing::flown<dec50>(p), [](FreeProblem const& q) { return testing::flown<dec50>(q); });
+    double const open = testing::condition(p, testing::exact_path<dec50>(p), [](FreeProblem const& q) { return testing::exact_path<dec50>(q); });
     rows.push_back({c.name, book::number(c.time), book::number(open, 2), both(stepped), both(once),
-                    both(testing::apart(truth, testing::path_of(body.state(place)), L)), scheme(2), scheme(10)});
+                    both(testing::apart(truth, testing::path_of(body.state(state)), L)), scheme(2), scheme(10)});
     program.say(c.name, ": steps ", both(stepped), ", at(t) ", both(once));
     if (c.judged) worst = std::max({worst, stepped.larger(), once.larger()});
     program.claim(once.larger() <= units * (eps + open), c.name + ": at(t) is as good as the question");

@@ -83,7 +83,7 @@ class BodyBatch {
     try {
       inertia_from_moments(inertia.moments);
       FreeBody const body(inertia, momentum, attitude);
-      put(body, body.flight(h_));
+      put(body, body.step_parameters(h_));
     } catch (BodyRefused const&) {
       throw;
     } catch (Error const& error) {
@@ -182,32 +182,32 @@ class BodyBatch {
       }
     cold_.push_back({nullptr, {1, 0, 0, 0}, 0, steps_});
   }
-  void put(FreeBody const& body, Flight<double> const& flight) {
+  void put(FreeBody const& body, StepParameters<double> const& parameters) {
     Three<double> const& u = body.start().direction;
     // At right angles to u: the part of the axis that is farthest from it.
     int const far = std::abs(u[0]) <= std::abs(u[1]) && std::abs(u[0]) <= std::abs(u[2]) ? 0 : std::abs(u[1]) <= std::abs(u[2]) ? 1 : 2;
     Three<double> w{-u[far] * u[0], -u[far] * u[1], -u[far] * u[2]};
     w[far] += 1;
     w = normalized(w);
-    Three<double> const& stretch = flight.stretch;
-    if (!std::isfinite(dot(stretch, stretch) + dot(flight.gap, flight.gap))) throw NotFinite("free body: flight over a step");
+    Three<double> const& stretch = parameters.stretch;
+    if (!std::isfinite(dot(stretch, stretch) + dot(parameters.gap, parameters.gap))) throw NotFinite("free body: flight over a step");
     leave_out();
     std::size_t const i = size() - 1;
     int const l = static_cast<int>(i % 4);
     detail::FreeLanes& lanes = lanes_[i / 4];
-    Three<double> const& d = flight.delta;
+    Three<double> const& d = parameters.delta;
     lanes.product.set(l, d[0] * d[1] * d[2]), lanes.newton.set(l, 1 / (1 + d[0] * d[1] + d[1] * d[2] + d[2] * d[0]));
     if (!std::isfinite(lanes.product[l]) || !std::isfinite(lanes.newton[l])) lanes.product.set(l, 0), lanes.newton.set(l, 0);
     for (int k = 0; k < 3; ++k) {
       lanes.u[k].set(l, u[k]), lanes.w[k].set(l, w[k]);
-      lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, flight.gap[k]), lanes.delta[k].set(l, d[k]);
+      lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, parameters.gap[k]), lanes.delta[k].set(l, d[k]);
       lanes.sum[k].set(l, d[(k + 1) % 3] + d[(k + 2) % 3]);
-      lanes.gentle = lanes.gentle && std::abs(flight.delta[k]) <= 1;
+      lanes.gentle = lanes.gentle && std::abs(parameters.delta[k]) <= 1;
     }
     auto const& q = body.start().attitude;
     cold_[i].body = std::make_shared<FreeBody const>(body);
     cold_[i].frame = SU2::compose<double>({q[0], q[1], q[2], q[3]}, frame(i));
-    cold_[i].twist = std::atan2(flight.sin_twist, flight.cos_twist);
+    cold_[i].twist = std::atan2(parameters.sin_twist, parameters.cos_twist);
   }
 
   template <bool attitude>

@@ -19,7 +19,7 @@
 #include <utility>
 
 #include "actio/free_body/pack.hpp"
-#include "actio/free_body/short_flight.hpp"
+#include "actio/free_body/short_flow.hpp"
 
 namespace actio::detail {
 

@@ -73,7 +73,7 @@ class TwistFromMiddle {
     return (dx * product + x * ((dx + twice * step_.d12) * third + first * (dx - twice * step_.d23)) - twice * x * product / sum) / sum;
   }
   /// The flight with this twist, with all digits of the delta_i: the difference that x is has lost some.
-  Flight<S> flight(S const& kappa) const {
+  StepParameters<S> parameters(S const& kappa) const {
     using std::sqrt;
     S const sum = S(1) + kappa * kappa, cosine = S(1) / S(sqrt(sum)), to_first = sum * step_.d12, to_third = sum * step_.d23;
     S x = sum * step_.j[1] - kappa;
@@ -93,7 +93,7 @@ class TwistFromMiddle {
 
 /// A flight from the numbers \f$j_i = hL/(2I_i)\f$ and the twist that goes with them.
 template <class S>
-Flight<S> flight_of(Three<S> const& j, S const& kappa) {
+StepParameters<S> parameters_of(Three<S> const& j, S const& kappa) {
   using std::sqrt;
   S const sum = S(1) + kappa * kappa, cosine = S(1) / S(sqrt(sum));
   Three<S> const delta{sum * j[0] - kappa, sum * j[1] - kappa, sum * j[2] - kappa};
@@ -141,13 +141,13 @@ Twist<S> solve_twist(Three<S> const& j, S const& r) {
 
 /// The flight of the Moser-Veselov scheme; `found` tells whether there is one. A step back in time is one with all signs changed.
 template <Real S>
-Flight<S> moser_veselov_flight(HalfStep<S> const& step, Three<S> const& u, bool& found) {
+StepParameters<S> moser_veselov_parameters(HalfStep<S> const& step, Three<S> const& u, bool& found) {
   Three<S> const& j = step.j;
   S const r = j[0] * u[0] * u[0] + j[1] * u[1] * u[1] + j[2] * u[2] * u[2], sign = r < S(0) ? S(-1) : S(1);
   HalfStep<S> const forward{{sign * j[0], sign * j[1], sign * j[2]}, sign * step.d12, sign * step.d23};
   Twist<S> const twist = smallest_root<S>(TwistFromMiddle<S>(forward, u), sign * r);
   found = twist.found;
-  return TwistFromMiddle<S>(step, u).flight(sign * twist.kappa);
+  return TwistFromMiddle<S>(step, u).parameters(sign * twist.kappa);
 }
 
 }  // namespace actio

@@ -11,7 +11,7 @@
 //     e = ( cos T (u.v),  (sin T + cos T delta_i) v_i ) / |v|,          q' = q e.
 //
 // So a step needs no iteration: one division for the momentum, one square root more for the attitude. Which delta and T make which method is told in
-// explicit_moser_veselov.hpp, modified_inertia.hpp and exact_flight.hpp.
+// explicit_moser_veselov.hpp, modified_inertia.hpp and exact_flow.hpp.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ using Four = std::array<T, 4>;
 
 /// What a free step of one length is on one orbit, in numbers without dimension.
 template <class T>
-struct Flight {
+struct StepParameters {
   Three<T> delta;  ///< \f$\delta_i = D_i/L\f$, of the axis of the half turn
   Three<T> gap;    ///< \f$\delta_k-\delta_j\f$, (i, j, k) cyclic: given apart, for a difference would lose its digits where moments are nearly equal
   T cos_twist;     ///< \f$\cos T\f$
@@ -44,7 +44,7 @@ Three<T> stretch_of(Three<T> const& delta) {
 
 /// Where a body is: direction of the body momentum, and attitude (body to space).
 template <class T>
-struct BodyPlace {
+struct FrameState {
   Three<T> direction;  ///< unit vector along the momentum as the body sees it
   Four<T> attitude;    ///< unit quaternion, scalar first
 };
@@ -90,12 +90,12 @@ template <class T>
 class HalfTurn {
  public:
   HalfTurn() = default;
-  /// @param flight  of the orbit on which the steps will be
-  explicit HalfTurn(Flight<T> const& flight) : along_(flight.cos_twist), about_(flight.sin_twist) {
+  /// @param parameters  of the orbit on which the steps will be
+  explicit HalfTurn(StepParameters<T> const& parameters) : along_(parameters.cos_twist), about_(parameters.sin_twist) {
     for (int i = 0; i < 3; ++i) {
-      stretch_[i] = flight.stretch[i];
-      shear_[i] = flight.gap[i];
-      across_[i] = flight.cos_twist * flight.delta[i] + flight.sin_twist;
+      stretch_[i] = parameters.stretch[i];
+      shear_[i] = parameters.gap[i];
+      across_[i] = parameters.cos_twist * parameters.delta[i] + parameters.sin_twist;
     }
   }
 
@@ -115,7 +115,7 @@ class HalfTurn {
   }
 
   /// Momentum and attitude.
-  [[gnu::always_inline]] void step(BodyPlace<T>& body) const {
+  [[gnu::always_inline]] void step(FrameState<T>& body) const {
     using std::sqrt;
     Three<T>& u = body.direction;
     // [half_turn_attitude]
@@ -130,7 +130,7 @@ class HalfTurn {
   }
 
   /// The same for one step of any length: with u x v in place of -delta_i v_i, whose digits go where a long flight begins or ends near the middle axis.
-  void leap(BodyPlace<T>& body) const {
+  void leap(FrameState<T>& body) const {
     using std::sqrt;
     Three<T>& u = body.direction;
     Three<T> const v = axis(u);

@@ -2,12 +2,12 @@
 //
 // With 1/I_i replaced by s/I_i + d, where s = 1 + O(h^2) and d = O(h^2) depend on the orbit and the step alone, the scheme makes the exact step \cite hairer_vilmart_2006. Both are known here in closed
 // form: in j_i = hL/(2I_i) the replacement of a flight is cos T (sin T + cos T delta_i). Cut off after h^{r-2} the power series of s and d give order r. They come from
-// those of short_flight.hpp, by arithmetic of series; with 2|p| rho = h^2 H, |p|^2 = h^2 C/2 the first terms are those that Hairer and Vilmart print.
+// those of short_flow.hpp, by arithmetic of series; with 2|p| rho = h^2 H, |p|^2 = h^2 C/2 the first terms are those that Hairer and Vilmart print.
 #pragma once
 
 #include "actio/foundations/taylor.hpp"
 #include "actio/free_body/explicit_moser_veselov.hpp"
-#include "actio/free_body/short_flight.hpp"
+#include "actio/free_body/short_flow.hpp"
 
 namespace actio {
 
@@ -63,9 +63,9 @@ ModifiedInertia<S> modified_inertia(InverseMoments<S> const& body, Three<S> cons
 
 /// \f$\tilde j_i = \cos T(\sin T+\cos T\,\delta_i)\f$: the moments with which the Moser-Veselov scheme makes this flight.
 template <class S>
-Three<S> inertia_of(Flight<S> const& flight) {
+Three<S> inertia_of(StepParameters<S> const& parameters) {
   Three<S> j;
-  for (int i = 0; i < 3; ++i) j[i] = flight.cos_twist * (flight.sin_twist + flight.cos_twist * flight.delta[i]);
+  for (int i = 0; i < 3; ++i) j[i] = parameters.cos_twist * (parameters.sin_twist + parameters.cos_twist * parameters.delta[i]);
   return j;
 }
 
@@ -79,8 +79,8 @@ HalfStep<S> half_step(InverseMoments<S> const& body, ModifiedInertia<S> const& m
 
 /// The flight of the Moser-Veselov scheme with these moments, \f$j_i = hL/(2\tilde I_i)\f$; `found` tells whether there is one.
 template <Real S>
-Flight<S> moser_veselov_flight(Three<S> const& j, Three<S> const& u, bool& found) {
-  return moser_veselov_flight<S>(HalfStep<S>{j, j[0] - j[1], j[1] - j[2]}, u, found);
+StepParameters<S> moser_veselov_parameters(Three<S> const& j, Three<S> const& u, bool& found) {
+  return moser_veselov_parameters<S>(HalfStep<S>{j, j[0] - j[1], j[1] - j[2]}, u, found);
 }
 
 }  // namespace actio

@@ -61,7 +61,7 @@ class NaturalChartStep {
   Turn turn(Three<double> const& p, Three<double> v) const {
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 12; ++iteration) {
-      Place const here = at(v);
+      Linearization const here = at(v);
       if (!(here.s < half_turn_squared) || !(here.determinant > 0)) return {v, here.s, false};
       Three<double> const change = here.solve(minus(p, here.p));
       v = plus(v, change);
@@ -95,7 +95,7 @@ class NaturalChartStep {
   static constexpr double half_turn_squared = 9.869604401089358;  // pi^2
 
   /// Momentum and slope at one v.
-  struct Place {
+  struct Linearization {
     Three<double> p;
     double s, determinant;
     std::array<Three<double>, 3> rows;      // of the derivative
@@ -108,8 +108,8 @@ class NaturalChartStep {
       return x;
     }
   };
-  Place at(Three<double> const& v) const {
-    Place here;
+  Linearization at(Three<double> const& v) const {
+    Linearization here;
     here.s = dot(v, v);
     ChartFactors const f(here.s < half_turn_squared * 3 ? here.s : half_turn_squared * 3);
     Three<double> const y{moments_[0] * v[0], moments_[1] * v[1], moments_[2] * v[2]};

@@ -38,7 +38,7 @@ auto sizes_from_hessian(G const& group, M const& hessian) {
 
 /// G x G with the two-form (3.5) of a discrete Lagrangian; coordinates \f$(\vartheta_0, \vartheta_1)\f$.
 template <class L>
-struct PairsOfPlaces {
+struct PairsOfConfigurations {
   L lagrangian;  ///< energy x time
 
   /// Of the space.
@@ -55,17 +55,17 @@ struct PairsOfPlaces {
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static PairArrow<G, Moved<S>> moved(PairArrow<G, S> const& x, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_place(x.first, sizes, 0, first), detail::moved_place(x.second, sizes, x.first.group.dimension(), first)};
+    return {detail::moved_element(x.first, sizes, 0, first), detail::moved_element(x.second, sizes, x.first.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
   static auto change(PairArrow<G, S> const& x) {
-    return detail::stacked(detail::change_of_place(x.first), detail::change_of_place(x.second));
+    return detail::stacked(detail::change_of_element(x.first), detail::change_of_element(x.second));
   }
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static auto difference(PairArrow<G, S> const& x, PairArrow<G, S> const& y) {
-    return detail::stacked(detail::difference_of_places(x.first, y.first), detail::difference_of_places(x.second, y.second));
+    return detail::stacked(detail::difference_of_elements(x.first, y.first), detail::difference_of_elements(x.second, y.second));
   }
   /// @throws Singular  where L is not regular
   template <Group G, Scalar S>
@@ -85,7 +85,7 @@ struct PairsOfPlaces {
 };
 /// The space of a discrete Lagrangian.
 template <class L>
-PairsOfPlaces(L) -> PairsOfPlaces<L>;
+PairsOfConfigurations(L) -> PairsOfConfigurations<L>;
 
 namespace detail {
 /// What the two sides of a bracket on G have in common.
@@ -98,17 +98,17 @@ struct RelativeMotions {
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static auto moved(Element<G, S> const& f, AnyVector<S> const& sizes, int first) {
-    return moved_place(f, sizes, 0, first);
+    return moved_element(f, sizes, 0, first);
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
   static auto change(Element<G, S> const& f) {
-    return change_of_place(f);
+    return change_of_element(f);
   }
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static AnyVector<S> difference(Element<G, S> const& f, Element<G, S> const& k) {
-    return difference_of_places(f, k);
+    return difference_of_elements(f, k);
   }
 };
 }  // namespace detail

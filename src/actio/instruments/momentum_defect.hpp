@@ -26,7 +26,7 @@ S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
 ///
 /// \f[ \frac{|J(\Phi(x)) - J(x)|}{\max_{x, \Phi(x)}\sum|\mu||\vartheta|}, \f]
 /// the sum over the components that share a unit: turns and shifts.
-/// @param space      `CotangentBundle`, or `PairsOfPlaces`, where \f$\mu = D_2L\f$ and \f$g = g_1\f$
+/// @param space      `CotangentBundle`, or `PairsOfConfigurations`, where \f$\mu = D_2L\f$ and \f$g = g_1\f$
 /// @param map        point -> point, at plain numbers
 /// @param generator  Element -> Velocity: the generator of the symmetry on G, carried to the identity on the right (variational/momentum_map.hpp)
 /// @throws NotFinite, OutsideDomain  where the point, its image or the generator is no number, or has the wrong size

@@ -2,7 +2,7 @@
 //
 //   LiePoissonPlus, LiePoissonMinus                  g*      Momentum    momenta of right- and of left-invariant systems
 //   CotangentBundle                                  T*G     Costate     spatial momentum, carried to the identity on the right
-//   PairsOfPlaces<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
+//   PairsOfConfigurations<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
 //   RelativeMotionsRight<l>, RelativeMotionsLeft<l>  G       Element     the bracket of a reduced discrete Lagrangian    (discrete_spaces.hpp)
 //
 // A tangent vector is written in coordinates: the change of a momentum by its components, that of a place as theta = dg g^-1. The sizes of a space at
@@ -44,7 +44,7 @@ void seed(V& v, AnyVector<S> const& sizes, int offset, int first) {
     if (int const i = first + a - offset; i >= 0 && i < v.size()) v[i].part[a] = sizes[first + a];
 }
 template <Group G, Scalar S>
-Element<G, Moved<S>> moved_place(Element<G, S> const& g, AnyVector<S> const& sizes, int offset, int first) {
+Element<G, Moved<S>> moved_element(Element<G, S> const& g, AnyVector<S> const& sizes, int offset, int first) {
   Coordinates<G, Moved<S>> v = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
   seed(v, sizes, offset, first);
   return Element<G, Moved<S>>{g.group, primitive::near_identity(g.group, v)} * over<Moved<S>>(g);
@@ -57,7 +57,7 @@ Momentum<G, Moved<S>> moved_momentum(Momentum<G, S> const& mu, AnyVector<S> cons
 }
 /// \f$\delta g\,g^{-1}\f$ of the infinitesimals of g.
 template <Group G, Scalar S>
-Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
+Coordinates<G, Moved<S>> change_of_element(Element<G, Moved<S>> const& g) {
   auto const back = inverse(value_of(g));
   if constexpr (MatrixGroup<G>) {
     Coordinates<G, Moved<S>> change = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
@@ -72,7 +72,7 @@ Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
   }
 }
 template <Group G, Scalar S>
-Coordinates<G, S> difference_of_places(Element<G, S> const& g, Element<G, S> const& k) {
+Coordinates<G, S> difference_of_elements(Element<G, S> const& g, Element<G, S> const& k) {
   return log(k * inverse(g)).coordinates;
 }
 /// One column on top of another.
@@ -156,17 +156,17 @@ struct CotangentBundle {
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static Costate<G, Moved<S>> moved(Costate<G, S> const& p, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_place(p.place, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.place.group.dimension(), first)};
+    return {detail::moved_element(p.place, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.place.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
   static auto change(Costate<G, S> const& p) {
-    return detail::stacked(detail::change_of_place(p.place), p.momentum.components);
+    return detail::stacked(detail::change_of_element(p.place), p.momentum.components);
   }
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static auto difference(Costate<G, S> const& p, Costate<G, S> const& q) {
-    return detail::stacked(detail::difference_of_places(p.place, q.place), (q.momentum - p.momentum).components);
+    return detail::stacked(detail::difference_of_elements(p.place, q.place), (q.momentum - p.momentum).components);
   }
   /// \f$\{F, H\} = \langle\partial_gF, H_\mu\rangle - \langle\partial_gH, F_\mu\rangle + \langle\mu, [F_\mu, H_\mu]\rangle\f$ as a matrix.
   template <Group G, Scalar S>

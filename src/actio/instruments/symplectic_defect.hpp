@@ -21,7 +21,7 @@ auto symplectic_residual(Space const& space, Map const& map, Point const& x) {
 ///
 /// \f[ \frac{|A^T\Omega(\Phi(x))A - \Omega(x)|}{|A^T\Omega(\Phi(x))A| + |\Omega(x)|}, \qquad A = T_x\Phi, \f]
 /// lengths being the root of the sum of squares in coordinates divided by the sizes of the space, so that units do not matter.
-/// @param space  a space with a two-form: `CotangentBundle`, `PairsOfPlaces`
+/// @param space  a space with a two-form: `CotangentBundle`, `PairsOfConfigurations`
 /// @param map    point -> point, at every scalar
 /// @throws NotFinite, OutsideDomain  as \ref tangent_of_map
 /// Accuracy: a symplectic map gets a few epsilon times \f$|A|^2\f$, times the condition of the equation that an implicit map solves; a defect above

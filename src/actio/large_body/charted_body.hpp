@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "actio/large_body/continuation.hpp"
+#include "actio/large_body/least_squares_extrapolation.hpp"
 #include "actio/large_body/matrix_algebra.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
@@ -38,7 +38,7 @@ class ChartedBody {
   void remember(Memory& memory) {
     int size = shape_.n, continuation = static_cast<int>(continuation_);
     memory(size, continuation, latest_, past_, sweeps_, steps_, contraction_, step_);
-    bool const fits = size == shape_.n && 0 <= continuation && continuation < static_cast<int>(detail::all_continuations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
+    bool const fits = size == shape_.n && 0 <= continuation && continuation < static_cast<int>(detail::all_extrapolations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
     if (!fits) throw OutsideDomain("charted body", "a body of this size is to be restored; dimensions", size, shape_.n);
     continuation_ = static_cast<std::size_t>(continuation);
     for (int k = 0; k < first_turn_; ++k) remember_array(memory, array(k));

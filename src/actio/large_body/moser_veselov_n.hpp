@@ -15,7 +15,7 @@
 #include "actio/large_body/anderson.hpp"
 #include "actio/large_body/largest_step_n.hpp"
 #include "actio/large_body/matrix_conditions.hpp"
-#include "actio/large_body/sweeping_step.hpp"
+#include "actio/large_body/fixed_point_step.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
 namespace actio {
@@ -114,7 +114,7 @@ class FastMoserVeselov {
     using detail::Stage;
     if (body.size() != shape_.n)
       throw OutsideDomain("Moser-Veselov", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), shape_.n);
-    detail::SweepingStep const s{body, {lambda_.data(), inverse_.data()}, rule_};
+    detail::FixedPointStep const s{body, {lambda_.data(), inverse_.data()}, rule_};
     if (body.scheme_ == RotatingBody::next_scheme) body.scheme_ = id_;
     if (body.scheme_ != id_) carry_out_(s, Stage::prepare, shape_.n), body.scheme_ = id_;
     if (carry_out_(s, with_attitude ? Stage::step_with_attitude : Stage::step, shape_.n)) return;
@@ -130,7 +130,7 @@ class FastMoserVeselov {
   }
 
   /// The square of a long step, from the general solver, which follows the solution from the identity.
-  void by_newton(detail::SweepingStep const& s) const {
+  void by_newton(detail::FixedPointStep const& s) const {
     auto f = MoserVeselov<Eigen::Dynamic>(inertia_, step_).relative_motion(s.body.momentum()).value;
     for (int j = 0; j < shape_.n; ++j)
       for (int i = 0; i < shape_.n; ++i) s.motion()[detail::full_entry(shape_, i, j)] = f.value(i, j) - (i == j);
@@ -139,7 +139,7 @@ class FastMoserVeselov {
   }
 
   /// The same for large n: the fixed point from G = 0, with Anderson's acceleration.
-  void by_mixing(detail::SweepingStep const& s) const {
+  void by_mixing(detail::FixedPointStep const& s) const {
     std::vector<double> x(s.body.half_size_, 0.0), residual(x.size());
     std::vector<double> seen;
     Anderson anderson(8);
@@ -173,7 +173,7 @@ class FastMoserVeselov {
   }
 
   /// Whether any two eigenvalues of \f$f^T\Lambda\f$ have a sum with positive real part, f = 1 + e.
-  bool on_branch_of_identity(detail::SweepingStep const& s) const {
+  bool on_branch_of_identity(detail::FixedPointStep const& s) const {
     auto const f = [&](int i, int j) { return s.motion()[detail::full_entry(shape_, i, j)] + (i == j); };
     Eigen::MatrixXd x(shape_.n, shape_.n);
     if (!rule_.any_negative) {
@@ -199,7 +199,7 @@ class FastMoserVeselov {
   detail::Blocked<0> shape_;
   detail::Zeros lambda_, inverse_;  // Lambda/h and h/(Lambda_i + Lambda_j)
   detail::StoppingRule rule_{};
-  bool (*carry_out_)(detail::SweepingStep const&, detail::Stage, int);
+  bool (*carry_out_)(detail::FixedPointStep const&, detail::Stage, int);
   unsigned long id_ = next_id();
 };
 

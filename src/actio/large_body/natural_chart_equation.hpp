@@ -17,7 +17,7 @@
 #include <limits>
 #include <numbers>
 
-#include "actio/large_body/constant_turn.hpp"
+#include "actio/large_body/one_parameter_subgroup.hpp"
 #include "actio/large_body/skew_spectrum.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
@@ -36,7 +36,7 @@ class NaturalChartEquation {
     });
   }
 
-  ConstantTurn& turn() { return turn_; }
+  OneParameterSubgroup& turn() { return turn_; }
   /// How many sweeps the last solution took.
   int sweeps() const { return sweeps_; }
   /// By how much the last two sweeps made the change smaller.
@@ -108,7 +108,7 @@ class NaturalChartEquation {
   static constexpr double too_large = 1e3;  // half a turn in each of hundreds of planes is less
 
   MatrixAlgebra algebra_;
-  ConstantTurn turn_;
+  OneParameterSubgroup turn_;
   Zeros moments_, inverse_, error_, room_, change_;
   double least_ = HUGE_VAL, contraction_ = 1;
   int sweeps_ = 0;

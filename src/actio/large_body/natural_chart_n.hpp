@@ -11,7 +11,7 @@
 #pragma once
 
 #include "actio/large_body/charted_body.hpp"
-#include "actio/large_body/growing_turn.hpp"
+#include "actio/large_body/step_continuation.hpp"
 #include "actio/large_body/matrix_conditions.hpp"
 #include "actio/large_body/relative_motion_sweeps.hpp"
 
@@ -123,7 +123,7 @@ class FastNaturalChart {
     }
     body.contraction_ = 1, body.sweeps_ = 0;
     if (inertia_.group.n <= largest_for_newton) {
-      double const reached = detail::GrowingTurn(equation_, p_.data()).follow(z_.data());
+      double const reached = detail::StepContinuation(equation_, p_.data()).follow(z_.data());
       if (reached < 1) throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * reached * (1 - 1e-6));
     } else {
       by_sweeps_from_rest();
@@ -154,7 +154,7 @@ class FastNaturalChart {
   /// What continues the turns of the past, or the first guess of all.
   void guess(ChartedBody& body) {
     if (body.past_ == 0) return equation_.guess(p_.data(), z_.data());
-    detail::Weights const& w = detail::all_continuations()[body.continuation_];
+    detail::Weights const& w = detail::all_extrapolations()[body.continuation_];
     std::fill(z_.data(), z_.data() + algebra_.size(), 0.0);
     for (int k = 0; k < w.length; ++k) algebra_.add(w.weight[static_cast<std::size_t>(k)], body.past(k), z_.data());
   }
@@ -177,13 +177,13 @@ class FastNaturalChart {
     ++body.steps_;
     bool const growing = body.past_ < ChartedBody::longest;
     if (growing) ++body.past_;
-    if (growing || body.steps_ % 256 == 0) choose_continuation(body);
+    if (growing || body.steps_ % 256 == 0) choose_extrapolation(body);
   }
   /// The shortest that would have made of the past twice what the best would have missed of the latest turn.
-  void choose_continuation(ChartedBody& body) {
+  void choose_extrapolation(ChartedBody& body) {
     std::vector<double> missed;
     double best = HUGE_VAL;
-    for (detail::Weights const& w : detail::all_continuations()) {
+    for (detail::Weights const& w : detail::all_extrapolations()) {
       if (w.length >= body.past_) break;
       std::copy(body.past(0), body.past(0) + algebra_.size(), room_.data());
       for (int k = 0; k < w.length; ++k) algebra_.add(-w.weight[static_cast<std::size_t>(k)], body.past(k + 1), room_.data());

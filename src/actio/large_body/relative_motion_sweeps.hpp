@@ -21,7 +21,7 @@
 #pragma once
 
 #include "actio/large_body/blocked_matrix.hpp"
-#include "actio/large_body/continuation.hpp"
+#include "actio/large_body/least_squares_extrapolation.hpp"
 
 namespace actio::detail {
 

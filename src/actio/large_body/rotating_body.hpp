@@ -11,7 +11,7 @@ namespace actio {
 
 class FastMoserVeselov;
 namespace detail {
-struct SweepingStep;
+struct FixedPointStep;
 }
 
 /// A free body in n dimensions on its way. Made by `FastMoserVeselov::release`, moved by its steps; copies are independent.
@@ -53,12 +53,12 @@ class RotatingBody {
   /// @throws OutsideDomain  where what is restored is no body of this size
   template <class Memory>
   void remember(Memory& memory) {
-    int size = shape_.n, continuation = continuation_ ? static_cast<int>(continuation_ - detail::all_continuations().data()) : -1;
+    int size = shape_.n, continuation = continuation_ ? static_cast<int>(continuation_ - detail::all_extrapolations().data()) : -1;
     unsigned long scheme = scheme_;
     memory(size, continuation, scheme, latest_, past_, sweeps_, expected_, steps_, chosen_, defect_, contraction_, solved_);
-    bool const fits = size == shape_.n && -1 <= continuation && continuation < static_cast<int>(detail::all_continuations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
+    bool const fits = size == shape_.n && -1 <= continuation && continuation < static_cast<int>(detail::all_extrapolations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
     if (!fits) throw OutsideDomain("rotating body", "a body of this size is to be restored; dimensions", size, shape_.n);
-    continuation_ = continuation < 0 ? nullptr : &detail::all_continuations()[static_cast<std::size_t>(continuation)];
+    continuation_ = continuation < 0 ? nullptr : &detail::all_extrapolations()[static_cast<std::size_t>(continuation)];
     // The number of a scheme means nothing in another process.
     if (scheme != scheme_) scheme_ = scheme ? next_scheme : 0;
     for (int const k : {motion_, attitude_, attitude_rest_}) remember_array(memory, full(k), full_size_);
@@ -67,7 +67,7 @@ class RotatingBody {
   }
 
  private:
-  friend struct detail::SweepingStep;
+  friend struct detail::FixedPointStep;
   friend class FastMoserVeselov;
 
   enum : int { motion_, attitude_, attitude_rest_, room_, full_arrays };  // e, g and what rounding left of it, room to work in

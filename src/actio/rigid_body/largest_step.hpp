@@ -33,7 +33,7 @@ template <class F>
 double top_of_hump(F const& f, double a, double b) {
   double const ratio = (std::sqrt(5.0) - 1) / 2;
   double u = b - ratio * (b - a), v = a + ratio * (b - a), fu = f(u), fv = f(v);
-  // The top is flat: half the digits in the place give all digits in the value.
+  // The top is flat: half the digits in the argument give all digits in the value.
   while (b - a > 1e-8) {
     if (fu > fv)
       b = v, v = u, fv = fu, u = b - ratio * (b - a), fu = f(u);

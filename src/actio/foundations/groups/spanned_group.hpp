@@ -5,7 +5,7 @@
 // One type for all such groups: code for it is compiled once, which is how the theorem checks run over many groups.
 //
 // Cayley's transform keeps SO(n), SE(n), U(n), Sp(2n) and GL(n), but not SL(n) and SU(n) for n > 2. Those have retractions made of the transforms of single
-// basis matrices. Which of the two serves is found out when the group is made (odd_powers.hpp).
+// basis matrices. Which of the two serves is found out when the group is made (odd_power_closure.hpp).
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "actio/foundations/groups/algebra_logarithm.hpp"
-#include "actio/foundations/groups/odd_powers.hpp"
+#include "actio/foundations/groups/odd_power_closure.hpp"
 
 namespace actio {
 
@@ -201,7 +201,7 @@ struct SpannedGroup {
   }
 
   static void choose_retraction(Data& d, Retraction choice) {
-    OddPowers const odd_powers{d.basis, d.entries, d.projection, d.denominator};
+    OddPowerClosure const odd_powers{d.basis, d.entries, d.projection, d.denominator};
     bool const cayley_keeps = choice != Retraction::elementary && odd_powers.of_all_elements();
     if (choice == Retraction::cayley && !cayley_keeps)
       throw OutsideDomain("SpannedGroup", "for Cayley's transform cubes of elements of the algebra must be in the algebra; broken conditions", 1, 0);

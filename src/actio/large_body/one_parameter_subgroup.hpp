@@ -9,9 +9,9 @@
 namespace actio::detail {
 
 /// Turns by Z, and room to work in.
-class ConstantTurn {
+class OneParameterSubgroup {
  public:
-  explicit ConstantTurn(MatrixAlgebra const& algebra) : algebra_(algebra), term_(algebra.size()), product_(algebra.size()), motion_(algebra.size()) {}
+  explicit OneParameterSubgroup(MatrixAlgebra const& algebra) : algebra_(algebra), term_(algebra.size()), product_(algebra.size()), motion_(algebra.size()) {}
 
   /// \f$e = \exp(-Z) - 1\f$, with 1 + e orthogonal to the rounding of e.
   void relative_motion(double const* z, double* e) {

@@ -187,14 +187,14 @@ template <int terms>
 
 /// What the series give at one time: all that the exact step needs besides sines.
 template <class T>
-struct ShortFlight {
+struct ShortFlow {
   T lever;   ///< \f$m/m'\f$
   T square;  ///< \f$m^2\f$
   T twist;   ///< T
 
   /// @param t  half the step, times the amount of the momentum; \f$s_1t^2\f$ small against 1: see \ref ShortSeries for what `terms` leave out
   template <int terms>
-  [[gnu::always_inline]] static ShortFlight at(InverseMoments<T> const& body, Orbit<T> const& orbit, T const& t) {
+  [[gnu::always_inline]] static ShortFlow at(InverseMoments<T> const& body, Orbit<T> const& orbit, T const& t) {
     T const x = t * t, X = orbit.s1 * x, Y = orbit.s2 * (x * x), W = orbit.a * orbit.b * x;
     ShortSeries<T> s;
     if constexpr (of_doubles<T> && terms <= 12)

@@ -21,7 +21,7 @@ struct Weights {
 };
 
 /// By orthogonal polynomials on the m places, each made from the one before and freed of all before it.
-inline Weights continuing_weights(int p, int m) {
+inline Weights extrapolation_weights(int p, int m) {
   using Values = std::array<long double, Weights::longest + 1>;  // at the m places and, last, where the sequence goes on
   std::vector<Values> basis;
   Weights result{p, m, {}, 0};
@@ -52,12 +52,12 @@ inline Weights continuing_weights(int p, int m) {
 }
 
 /// All that are worth trying, the shortest first: p up to 12, from p, p+2 and p+4 terms.
-inline std::vector<Weights> const& all_continuations() {
+inline std::vector<Weights> const& all_extrapolations() {
   static std::vector<Weights> const all = [] {
     std::vector<Weights> list;
     for (int m = 1; m <= Weights::longest; ++m)
       for (int p : {m, m - 2, m - 4})
-        if (p >= 1 && p <= 12) list.push_back(continuing_weights(p, m));
+        if (p >= 1 && p <= 12) list.push_back(extrapolation_weights(p, m));
     return list;
   }();
   return all;

@@ -1,6 +1,6 @@
 // The exact motion of a free body over a step of any length, as one half turn and one twist.
 //
-// Short steps take the power series of short_flight.hpp. For long ones the momentum at half the step after M2 = 0 comes from Jacobi's functions,
+// Short steps take the power series of short_flow.hpp. For long ones the momentum at half the step after M2 = 0 comes from Jacobi's functions,
 // m = L (A_c cn, A_2 sn, A_d dn), the axes c and d being 1 and 3 or 3 and 1, and delta_1 = m2 m3/(m1 L), delta_3 = -m1 m2/(m3 L). The twist is the precession P about the momentum, seen
 // from the axis n that the path stays away from, and an angle that belongs to the place:
 //
@@ -16,8 +16,8 @@
 #pragma once
 
 #include "actio/free_body/elliptic.hpp"
-#include "actio/free_body/short_flight.hpp"
-#include "actio/free_body/third_kind.hpp"
+#include "actio/free_body/short_flow.hpp"
+#include "actio/free_body/elliptic_integral_third_kind.hpp"
 
 namespace actio {
 namespace detail {
@@ -39,18 +39,18 @@ constexpr int series_terms = std::numeric_limits<S>::digits10 < 20 ? 8 : std::nu
 inline constexpr double short_enough = 0.02;
 
 template <Real S>
-Flight<S> flight_from(InverseMoments<S> const& body, Orbit<S> const& orbit, S const& lever, S const& square, S const& cos_twist, S const& sin_twist) {
+StepParameters<S> parameters_from(InverseMoments<S> const& body, Orbit<S> const& orbit, S const& lever, S const& square, S const& cos_twist, S const& sin_twist) {
   S const rest = lever * (S(1) - square);
   Three<S> const delta{lever * (orbit.a - body.d12 * square), -lever * orbit.beside, -lever * (orbit.b - body.d23 * square)};
   return {delta, {-rest * body.d23, rest * body.d13, -rest * body.d12}, cos_twist, sin_twist, stretch_of(delta)};
 }
 
 template <Real S, bool with_twist = true>
-Flight<S> flight_by_series(InverseMoments<S> const& body, Orbit<S> const& orbit, S const& t) {
+StepParameters<S> flow_by_series(InverseMoments<S> const& body, Orbit<S> const& orbit, S const& t) {
   using std::cos, std::sin;
-  auto const flight = ShortFlight<S>::template at<series_terms<S>>(body, orbit, t);
-  if constexpr (!with_twist) return flight_from<S>(body, orbit, flight.lever, flight.square, S(1), S(0));
-  return flight_from<S>(body, orbit, flight.lever, flight.square, cos(flight.twist), sin(flight.twist));
+  auto const parameters = ShortFlow<S>::template at<series_terms<S>>(body, orbit, t);
+  if constexpr (!with_twist) return parameters_from<S>(body, orbit, parameters.lever, parameters.square, S(1), S(0));
+  return parameters_from<S>(body, orbit, parameters.lever, parameters.square, cos(parameters.twist), sin(parameters.twist));
 }
 
 /// Which way a path goes round, and what is the same at every time.
@@ -85,16 +85,16 @@ S precession(InverseMoments<S> const& body, PathRound<S> const& path, bool from_
   int const j = from_c ? path.d : path.c;
   S const g = from_c ? S(path.along_c / path.along_d) : S(path.near_c / path.near_d), weight = from_c ? S(g * path.both / path.near_d) : S(path.both / path.near_d);
   S const size = magnitude(at.sn);
-  S const part = path.complement == S(0) && magnitude(phase) > S(1) ? integral_of_third_kind_on_the_separatrix<S>(magnitude(phase), size, g)
-                                                                    : integral_of_third_kind<S>(size, at.cn * at.cn, at.dn * at.dn, path.k2, g);
+  S const part = path.complement == S(0) && magnitude(phase) > S(1) ? elliptic_integral_third_kind_on_separatrix<S>(magnitude(phase), size, g)
+                                                                    : elliptic_integral_third_kind<S>(size, at.cn * at.cn, at.dn * at.dn, path.k2, g);
   S share = at.sn < S(0) ? S(-part) : part;
-  if (halves != S(0)) share += S(2) * halves * integral_of_third_kind<S>(S(1), S(0), path.complement, path.k2, g);
+  if (halves != S(0)) share += S(2) * halves * elliptic_integral_third_kind<S>(S(1), S(0), path.complement, path.k2, g);
   S const J_beyond = j == 0 ? body.d12 : S(-body.d23);  // J_j - J_2
   return body.J[j] * t - J_beyond * weight * share / path.frequency;
 }
 
 template <Real S, bool with_twist = true>
-Flight<S> flight_by_elliptic_functions(InverseMoments<S> const& body, Three<S> const& u, Orbit<S> const& orbit, S const& t) {
+StepParameters<S> flow_by_elliptic_functions(InverseMoments<S> const& body, Three<S> const& u, Orbit<S> const& orbit, S const& t) {
   using std::cos, std::floor, std::sin, std::sqrt;
   PathRound<S> const path(body, u, orbit);
   S const Ac = sqrt(S(path.along_c / path.both)), Ad = sqrt(S(path.along_d / path.both)), A2 = sqrt(S(path.along_c / path.near_d));
@@ -119,14 +119,14 @@ Flight<S> flight_by_elliptic_functions(InverseMoments<S> const& body, Three<S> c
   // 1 + delta_j delta_k as sums of one sign: next to the middle axis 1 - m2^2 would be a difference.
   S const across = body.d12 / body.d13, along = body.d23 / body.d13;
   Three<S> const stretch{across * (S(1) + third * third) + along * beside, beside, along * (S(1) + first * first) + across * beside};
-  Flight<S> flight{{first, lever * path.inside, third}, {-shear * body.d23, shear * body.d13, -shear * body.d12}, S(1), S(0), stretch};
+  StepParameters<S> parameters{{first, lever * path.inside, third}, {-shear * body.d23, shear * body.d13, -shear * body.d12}, S(1), S(0), stretch};
   if constexpr (with_twist) {
     bool const from_c = Ac <= Ad, from_first = from_c == (path.c == 0);
     S const turned = precession<S>(body, path, from_c, t, phase, halves, rest), cosine = cos(turned), sine = sin(turned);
     S const x = from_first ? m3 : m1, y = from_first ? S(m1 * m2) : S(-m2 * m3), length = sqrt(S(x * x + y * y));
-    flight.cos_twist = (cosine * x - sine * y) / length, flight.sin_twist = (sine * x + cosine * y) / length;
+    parameters.cos_twist = (cosine * x - sine * y) / length, parameters.sin_twist = (sine * x + cosine * y) / length;
   }
-  return flight;
+  return parameters;
 }
 
 }  // namespace detail
@@ -138,18 +138,18 @@ Flight<S> flight_by_elliptic_functions(InverseMoments<S> const& body, Three<S> c
 /// @param t     half the step times the amount of the momentum
 /// Accuracy: a few roundings of the phase, that is about epsilon times the angle turned.
 template <Real S>
-Flight<S> exact_flight(InverseMoments<S> const& body, Three<S> const& u, S const& t) {
+StepParameters<S> exact_flow(InverseMoments<S> const& body, Three<S> const& u, S const& t) {
   Orbit<S> const orbit(body, u);
-  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flight_by_series<S>(body, orbit, t);
-  return detail::flight_by_elliptic_functions<S>(body, u, orbit, t);
+  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flow_by_series<S>(body, orbit, t);
+  return detail::flow_by_elliptic_functions<S>(body, u, orbit, t);
 }
 
-/// The same without its twist, for the momentum alone: no integral, no sine and no cosine. The \f$\delta_i\f$ are those of \ref exact_flight to the bit.
+/// The same without its twist, for the momentum alone: no integral, no sine and no cosine. The \f$\delta_i\f$ are those of \ref exact_flow to the bit.
 template <Real S>
-Flight<S> exact_flight_of_momentum(InverseMoments<S> const& body, Three<S> const& u, S const& t) {
+StepParameters<S> exact_flow_of_momentum(InverseMoments<S> const& body, Three<S> const& u, S const& t) {
   Orbit<S> const orbit(body, u);
-  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flight_by_series<S, false>(body, orbit, t);
-  return detail::flight_by_elliptic_functions<S, false>(body, u, orbit, t);
+  if (!(orbit.s1 * t * t > S(detail::short_enough))) return detail::flow_by_series<S, false>(body, orbit, t);
+  return detail::flow_by_elliptic_functions<S, false>(body, u, orbit, t);
 }
 
 }  // namespace actio

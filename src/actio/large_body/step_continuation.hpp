@@ -15,10 +15,10 @@
 namespace actio::detail {
 
 /// One turn that grows.
-class GrowingTurn {
+class StepContinuation {
  public:
   /// @param p  h M0 of the whole step
-  GrowingTurn(NaturalChartEquation& equation, double const* p) : equation_(equation), algebra_(equation.algebra()), whole_(algebra_.size()), p_(algebra_.size()), z_(algebra_.size()) {
+  StepContinuation(NaturalChartEquation& equation, double const* p) : equation_(equation), algebra_(equation.algebra()), whole_(algebra_.size()), p_(algebra_.size()), z_(algebra_.size()) {
     std::copy(p, p + algebra_.size(), whole_.data());
   }
 

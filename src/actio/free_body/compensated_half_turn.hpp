@@ -14,52 +14,52 @@ namespace actio {
 
 /// A body's place as an unevaluated sum.
 template <class T>
-struct PlaceWithCarry {
-  BodyPlace<T> place;           ///< the leading part
-  BodyPlace<T> carry{{}, {}};   ///< what is to be added to it
+struct CompensatedState {
+  FrameState<T> state;           ///< the leading part
+  FrameState<T> compensation{{}, {}};   ///< what is to be added to it
 
   /// Adds a small change, and keeps what the sums lose.
   template <std::size_t N>
-  [[gnu::always_inline]] static void add(std::array<T, N>& sum, std::array<T, N>& carry, std::array<T, N> const& change) {
-    auto const y = plus(change, carry), next = plus(sum, y);
-    carry = minus(y, minus(next, sum));
+  [[gnu::always_inline]] static void add(std::array<T, N>& sum, std::array<T, N>& compensation, std::array<T, N> const& change) {
+    auto const y = plus(change, compensation), next = plus(sum, y);
+    compensation = minus(y, minus(next, sum));
     sum = next;
   }
 };
 
 /// A flight made ready for very many steps.
 template <class T>
-class CompensatedTurn {
+class CompensatedHalfTurn {
  public:
-  CompensatedTurn() = default;
-  /// @param flight  of the orbit on which the steps will be
-  explicit CompensatedTurn(Flight<T> const& flight) : cos_twist_(flight.cos_twist), sin_twist_(flight.sin_twist) {
+  CompensatedHalfTurn() = default;
+  /// @param parameters  of the orbit on which the steps will be
+  explicit CompensatedHalfTurn(StepParameters<T> const& parameters) : cos_twist_(parameters.cos_twist), sin_twist_(parameters.sin_twist) {
     for (int i = 0; i < 3; ++i) {
-      excess_[i] = flight.delta[(i + 1) % 3] * flight.delta[(i + 2) % 3];
-      shear_[i] = flight.gap[i];
+      excess_[i] = parameters.delta[(i + 1) % 3] * parameters.delta[(i + 2) % 3];
+      shear_[i] = parameters.gap[i];
     }
   }
 
   /// The momentum alone.
-  [[gnu::always_inline]] void step_momentum(PlaceWithCarry<T>& body) const {
-    Three<T> const& u = body.place.direction;
+  [[gnu::always_inline]] void step_momentum(CompensatedState<T>& body) const {
+    Three<T> const& u = body.state.direction;
     Three<T> const small = excess(u), v = {u[0] + small[0], u[1] + small[1], u[2] + small[2]};
     turn(body, cross(u, small), v, 1 / dot(v, v));
   }
 
   /// Momentum and attitude.
-  [[gnu::always_inline]] void step(PlaceWithCarry<T>& body) const {
+  [[gnu::always_inline]] void step(CompensatedState<T>& body) const {
     using std::sqrt;
-    Three<T> const& u = body.place.direction;
+    Three<T> const& u = body.state.direction;
     Three<T> const small = excess(u), v = {u[0] + small[0], u[1] + small[1], u[2] + small[2]}, across = cross(u, small);
     T const inverse = 1 / dot(v, v), root = sqrt(inverse), s = sin_twist_ * root, c = cos_twist_ * root;
     // [compensated_attitude]
     Three<T> const e = {s * v[0] - c * across[0], s * v[1] - c * across[1], s * v[2] - c * across[2]};
     T const e0 = c * dot(u, v), less = e0 > 0 ? -dot(e, e) / (1 + e0) : e0 - 1;
     // [compensated_attitude]
-    Four<T> const change = compose(body.place.attitude, {less, e[0], e[1], e[2]});
+    Four<T> const change = compose(body.state.attitude, {less, e[0], e[1], e[2]});
     turn(body, across, v, inverse);
-    PlaceWithCarry<T>::add(body.place.attitude, body.carry.attitude, change);
+    CompensatedState<T>::add(body.state.attitude, body.compensation.attitude, change);
   }
 
  private:
@@ -69,11 +69,11 @@ class CompensatedTurn {
   [[gnu::always_inline]] static Three<T> cross(Three<T> const& a, Three<T> const& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
-  [[gnu::always_inline]] static void turn(PlaceWithCarry<T>& body, Three<T> const& across, Three<T> const& v, T const& inverse) {
+  [[gnu::always_inline]] static void turn(CompensatedState<T>& body, Three<T> const& across, Three<T> const& v, T const& inverse) {
     // [compensated_turn]
     Three<T> const change = cross(across, v);
     T const twice = 2 * inverse;
-    PlaceWithCarry<T>::add(body.place.direction, body.carry.direction, Three<T>{twice * change[0], twice * change[1], twice * change[2]});
+    CompensatedState<T>::add(body.state.direction, body.compensation.direction, Three<T>{twice * change[0], twice * change[1], twice * change[2]});
     // [compensated_turn]
   }
 

@@ -14,20 +14,20 @@
 namespace actio {
 
 /// A step: kick, flight, kick, ..., flight, kick, by parts of the step length. The last kick and the first of the next step are one.
-struct KickFlight {
+struct Splitting {
   std::string name;             ///< for people
   int order;                    ///< of the error in the step
   std::vector<double> kicks;    ///< one more than flights; their sum is 1
-  std::vector<double> flights;  ///< their sum is 1
+  std::vector<double> drifts;  ///< their sum is 1
 };
 
 /// Order 2: half a kick, a flight, half a kick \cite strang_1968. One kick and one flight a step.
-inline KickFlight strang_splitting() { return {"Strang", 2, {0.5, 0.5}, {1}}; }
+inline Splitting strang_splitting() { return {"Strang", 2, {0.5, 0.5}, {1}}; }
 
 /// Strang's splitting with substeps by these fractions of the step (composition.hpp has some: \ref triple_jump, \ref suzuki, \ref kahan_li).
 /// @throws OutsideDomain, NotFinite  where they do not add up to 1, or are no numbers
-inline KickFlight composed_splitting(std::string name, int order, std::vector<double> const& fractions) {
-  KickFlight step{std::move(name), order, {0}, fractions};
+inline Splitting composed_splitting(std::string name, int order, std::vector<double> const& fractions) {
+  Splitting step{std::move(name), order, {0}, fractions};
   double sum = 0, size = 0;
   for (double const f : fractions) {
     if (!is_finite(f)) throw NotFinite("composed splitting: fraction of a step");
@@ -43,7 +43,7 @@ inline KickFlight composed_splitting(std::string name, int order, std::vector<do
 ///
 /// The free coefficients were used to make the terms of order 5 small: against Suzuki's composition, which has five flights, the error for as many flights is
 /// smaller by a factor of fifty to a hundred. The coefficients are printed with 15 digits, and what they miss the conditions by is at rounding.
-inline KickFlight blanes_moan_splitting() {
+inline Splitting blanes_moan_splitting() {
   double const b1 = 0.0829844064174052, b2 = 0.396309801498368, b3 = -0.0390563049223486, b4 = 1 - 2 * (b1 + b2 + b3);
   double const a1 = 0.245298957184271, a2 = 0.604872665711080, a3 = 0.5 - (a1 + a2);
   return {"Blanes-Moan", 4, {b1, b2, b3, b4, b3, b2, b1}, {a1, a2, a3, a3, a2, a1}};

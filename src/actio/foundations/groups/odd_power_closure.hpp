@@ -22,7 +22,7 @@ struct SpanEntry {
 };
 
 /// Odd powers in the span of some matrices of whole numbers.
-struct OddPowers {
+struct OddPowerClosure {
   using WholeMatrix = Matrix<int, Dynamic, Dynamic>;
 
   std::vector<WholeMatrix> const& basis;     ///< the matrices
