@@ -107,9 +107,9 @@ struct RateOfDrop {
 
 /// What steps of the reduced equations come to after one unit of time.
 struct Run {
-  double miss;   ///< of the last place, from the power series
+  double miss;   ///< of the last configuration, from the power series
   double drift;  ///< of the circulation \f$A_0^TA_1 - A_1^TA_0\f$, over its size
-  double sides;  ///< of the places from those of the unreduced equations
+  double sides;  ///< of the configurations from those of the unreduced equations
 };
 template <int n>
 Run run(int steps, actio::Matrix<double, n, n> const& V) {
@@ -124,19 +124,19 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
   for (int a = 0; a < dim; ++a) mu.components[a] = (V.transpose() * SL<n>{}.hat(Coordinates<SL<n>, double>(Coordinates<SL<n>, double>::Unit(a)))).trace();
   auto const start = exp(velocity(SL<n>{}, SL<n>{}.vee(Matrix(h * V))));
   auto before = one;
-  auto place = solve_on_group([&](auto const& g) { return D1(L, like(g, one), g) + like(g, mu); }, start).value;
-  auto f = before * inverse(place);
-  auto reduced_before = before, reduced = place;
-  Matrix const circulation = before.value.transpose() * place.value - place.value.transpose() * before.value;
+  auto configuration = solve_on_group([&](auto const& g) { return D1(L, like(g, one), g) + like(g, mu); }, start).value;
+  auto f = before * inverse(configuration);
+  auto reduced_before = before, reduced = configuration;
+  Matrix const circulation = before.value.transpose() * configuration.value - configuration.value.transpose() * before.value;
   Run found{0, 0, 0};
   for (int k = 1; k < steps; ++k) {
-    auto const next = step_euler_lagrange(L, before, place).value;
-    before = place, place = next;
+    auto const next = step_euler_lagrange(L, before, configuration).value;
+    before = configuration, configuration = next;
     f = step_advected_euler_poincare_right(l, f, column<double, n>(reduced_before.value * reduced_before.value.transpose()), OnSquares<n>{}).value;
     reduced_before = reduced, reduced = restore(inverse(f) * reduced);
     Matrix const now = reduced_before.value.transpose() * reduced.value - reduced.value.transpose() * reduced_before.value;
     found.drift = std::max(found.drift, magnitude(Matrix(now - circulation)) / magnitude(circulation));
-    found.sides = std::max(found.sides, magnitude(Matrix(reduced.value - place.value)));
+    found.sides = std::max(found.sides, magnitude(Matrix(reduced.value - configuration.value)));
   }
   actio::Matrix<double, 2 * n * n, 1> state;
   state << column<double, n>(Matrix::Identity()), column<double, n>(V);
@@ -148,13 +148,13 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
 }  // namespace
 
 STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of SL(n)") {
-  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the place is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
+  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
   auto const in_dimension = [&]<int n>() {
     using Matrix = actio::Matrix<S, n, n>;
     std::string const model = "SL(" + std::to_string(n) + ")";
-    auto const place = draw.element<S>(SL<n>{});
-    Matrix const A = place.value, inverse = inverse_matrix(A), V = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
+    auto const configuration = draw.element<S>(SL<n>{});
+    Matrix const A = configuration.value, inverse = inverse_matrix(A), V = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
     S const m = pressure_of_drop<S, n>(inverse, V);
     actio::Matrix<S, n, 1> const X = draw.vector<S, actio::Matrix<S, n, 1>>(n);
     auto const density = incompressible(Continuum{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{}, NoStoredEnergy{}});
@@ -165,7 +165,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     Matrix const rate = V * inverse;
     claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate));
 
-    // What the discrete equations say of three places: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
+    // What the discrete equations say of three configurations: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
     auto const a0 = draw.element<S>(SL<n>{}), a1 = draw.element<S>(SL<n>{}), a2 = draw.element<S>(SL<n>{});
     S const h = ratio<S>(1, 3);
     auto const residual = discrete_euler_lagrange(StepOfDrop<S>{h}, a0, a1, a2);
@@ -187,7 +187,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
       for (int const count : {8, 12, 16, 24, 32, 48}) {
         Run const found = run<n>(count, start);
         steps.push_back(1.0 / count), errors.push_back(found.miss);
-        // A step solves its equation to a few roundings of a momentum that is 1/h times the places; so many steps of them add up.
+        // A step solves its equation to a few roundings of a momentum that is 1/h times the configurations; so many steps of them add up.
         claim.zero("circulation along the reduced motion", model, found.drift, 1.0, count);
         claim.zero("the reduced and the unreduced motion", model, found.sides, 1.0, count);
       }

@@ -82,7 +82,7 @@ STATEMENT(claim_4_1_groupoids, "pairs and groups are groupoids, with TG and the 
       all.middleCols(a * gamma.dimension(), gamma.dimension()) = bracket[a];
       known.middleCols(a * gamma.dimension(), gamma.dimension()) = known_bracket<S>(gamma, a);
     }
-    // Condition: Gram's matrix of the entries is inverted, once for each pair of directions; the entries of a place are of order 1, and its condition is below 30.
+    // Condition: Gram's matrix of the entries is inverted, once for each pair of directions; the entries of a configuration are of order 1, and its condition is below 30.
     S const scale = magnitude(known) + S(1);
     claim.zero("bracket of the algebroid", model, Matrix<S>(all - known), scale, 30);
     if (magnitude(known) > Base<S>(0)) claim.refutes("the bracket with the other sign", model, Matrix<S>(all + known), scale);

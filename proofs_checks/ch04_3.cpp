@@ -31,7 +31,7 @@ Momentum<SpannedGroup, S> covector(SpannedGroup const& group, Value const& value
 }
 /// p = dL/dg0 as a form on matrices.
 template <class S, class L>
-S first_slope(L const& lagrangian, Place<S> const& g0, Place<S> const& g1, Matrix<S> const& change) {
+S first_slope(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1, Matrix<S> const& change) {
   return lagrangian(varied(g0, change), over<Dual<S>>(g1)).part[0];
 }
 
@@ -41,8 +41,8 @@ STATEMENT(thm_4_3_1, "the Legendre maps commute with the quotient maps") {
   claim.holds("With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta have the other sign in both. Regularity is not needed for the square, only for the maps in it to be local diffeomorphisms.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 3);
-    auto const f = relative_motions_right(Places<S>{g[0], g[1]}).front(), f_left = relative_motions_left(Places<S>{g[0], g[1]}).front();
+    auto const g = draw_configurations<S>(draw, group, 3);
+    auto const f = relative_motions_right(GroupElements<S>{g[0], g[1]}).front(), f_left = relative_motions_left(GroupElements<S>{g[0], g[1]}).front();
     // Right-invariant: along the top, then down; down, then along the bottom.
     auto const above = covector<S>(group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
     auto const below = covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); });
@@ -63,12 +63,12 @@ STATEMENT(eq_4_6, "the commuting square of Legendre and quotient maps") {
   claim.holds("For both Legendre maps, that of the momentum before the step and that of the momentum after it.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motions_right(g).front();
     claim.equal("before the step: D_1 above, R* below", model, D1(lifted(l), g[0], g[1]), right_differential(l, f), 10);
     claim.equal("after the step: D_2 above, -L* below", model, D2(lifted(l), g[0], g[1]), -left_differential(l, f), 10);
     claim.differs("D_2 above, R* below", model, D2(lifted(l), g[0], g[1]), right_differential(l, f));
-    // Both maps along the square are local diffeomorphisms together: their second derivatives differ by Ad. Condition: places are inverted.
+    // Both maps along the square are local diffeomorphisms together: their second derivatives differ by Ad. Condition: configurations are inverted.
     Matrix<S> const above = mixed_derivative(lifted(l), g[0], g[1]), below = right_second_differential(l, f);
     claim.zero("D_2 D_1 L = -(R* l')' Ad_f", model, Matrix<S>(above + below * Ad_matrix(f)), S(magnitude(below) * magnitude(Ad_matrix(f))), 10);
     claim.refutes("without Ad", model, Matrix<S>(above + below), S(magnitude(above) + magnitude(below)));
@@ -79,14 +79,14 @@ STATEMENT(eq_4_7, "the square in coordinates") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const quotient = g[0] * inverse(g[1]);
-    claim.equal("f, translated back by the later place", model, quotient * g[1], g[0]);
+    claim.equal("f, translated back by the later configuration", model, quotient * g[1], g[0]);
     // p is a form on matrices at g0; mu is p after translation by g0 on the right; and that is what f sees.
     auto const p = [&](Matrix<S> const& change) { return first_slope(lifted(l), g[0], g[1], change); };
     auto const mu = covector<S>(group, [&](auto const& e) { return p(from_left(e, g[0])); });
     claim.equal("mu from p, and from f", model, mu, right_differential(l, quotient), 10);
-    claim.differs("f from the places in the other order", model, mu, right_differential(l, g[1] * inverse(g[0])));
+    claim.differs("f from the configurations in the other order", model, mu, right_differential(l, g[1] * inverse(g[0])));
     claim.differs("p translated on the left", model, covector<S>(group, [&](auto const& e) { return p(from_right(g[0], e)); }), mu);
   });
 }
@@ -98,7 +98,7 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motions_right(g).front();
     Matrix<S> const back = inverse(g[1]).value;
     auto const between = [&](Matrix<S> const& translation) {
@@ -142,30 +142,30 @@ using Change = PairChange<SpannedGroup, S>;
 /// A tangent vector of T*G.
 template <class S>
 struct Lift {
-  Velocity<SpannedGroup, S> place;
+  Velocity<SpannedGroup, S> configuration;
   Momentum<SpannedGroup, S> momentum;
 };
 /// The canonical form: minus the differential of <mu, theta>, with d theta(u, v) = [theta_u, theta_v] for theta = dg g^-1.
 template <class S>
 S canonical_form(Momentum<SpannedGroup, S> const& mu, Lift<S> const& u, Lift<S> const& v) {
-  return pair(v.momentum, u.place) - pair(u.momentum, v.place) - pair(mu, bracket(u.place, v.place));
+  return pair(v.momentum, u.configuration) - pair(u.momentum, v.configuration) - pair(mu, bracket(u.configuration, v.configuration));
 }
 /// The image of a tangent vector of pairs under (g0, g1) -> (g0, -D_1 L).
 template <class S, class L>
-Lift<S> pushed(L const& lagrangian, Place<S> const& g0, Place<S> const& g1, Change<S> const& w) {
+Lift<S> pushed(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1, Change<S> const& w) {
   auto const moved = D1(lagrangian, varied(g0, from_left(w.first, g0)), varied(g1, from_left(w.second, g1)));
   return {w.first, momentum(g0.group, Vector<S>(-rate(moved)))};
 }
 /// The lift of the leaf vector of eta to pairs that keeps the body momentum: g0 moves along eta, g1 so that f moves along the leaf.
 template <class S, class L>
-Change<S> kept(L const& l, Place<S> const& f, Velocity<SpannedGroup, S> const& eta) {
+Change<S> kept(L const& l, GroupElement<S> const& f, Velocity<SpannedGroup, S> const& eta) {
   return {eta, Ad(inverse(f), eta - leaf_vector(l, f, eta))};
 }
 /// A point of the leaves, with everything that the checks need.
 template <class S>
 struct Corner {
   MotionPolynomial<S> l;
-  Place<S> g0, g1, f;
+  GroupElement<S> g0, g1, f;
   Momentum<SpannedGroup, S> mu;
   Velocity<SpannedGroup, S> eta, zeta, u, v;
   double condition;  // l'' is inverted to find leaf vectors
@@ -173,7 +173,7 @@ struct Corner {
 template <class S>
 Corner<S> draw_corner(Draw& draw, SpannedGroup const& group) {
   auto const l = draw_reduced_lagrangian<S>(draw, group);
-  auto const g = draw_places<S>(draw, group, 2);
+  auto const g = draw_configurations<S>(draw, group, 2);
   auto const f = relative_motions_right(g).front();
   auto const eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
   Matrix<S> const a = right_second_differential(l, f);
@@ -201,7 +201,7 @@ STATEMENT(claim_4_3_tangent_square, "the tangent maps of the square commute") {
     Vector<S> const down = pushed(lifted(c.l), c.g0, c.g1, w).momentum.components;
     claim.zero("down and across, across and down", model, Vector<S>(across - down), S(magnitude(right_second_differential(c.l, c.f)) * (size_of(w.first) + size_of(w.second) * magnitude(Ad_matrix(c.f)))), 10);
     Vector<S> const other = -(right_second_differential(c.l, c.f) * (w.first - w.second).coordinates);
-    claim.differs("the later place not carried by Ad", model, other, down);
+    claim.differs("the later configuration not carried by Ad", model, other, down);
   });
 }
 
@@ -289,7 +289,7 @@ STATEMENT(claim_4_3_reduced_form_lifts, "the form of a leaf on the images of inv
     auto const moved_g0 = varied(c.g0, from_left(U.first, c.g0));
     auto const body = Ad_star(moved_g0, -D1(lifted(c.l), moved_g0, varied(c.g1, from_left(U.second, c.g1))));
     claim.zero("the lift keeps the body momentum", model, rate(body), S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified), c.condition);
-    // As printed: any invariant lifts. Invariant is what moves both places by R(theta_0, theta_1); add generators of right multiplication.
+    // As printed: any invariant lifts. Invariant is what moves both configurations by R(theta_0, theta_1); add generators of right multiplication.
     auto const gap = several([&] {
       auto const by = draw.template velocity<S>(group);
       Change<S> const W{U.first + Ad(c.g0, by), U.second + Ad(c.g1, by)};
@@ -337,16 +337,16 @@ STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-b
 
 namespace {
 
-/// Three relative motions, places that have them, and a reduced Lagrangian of which they are a motion.
+/// Three relative motions, configurations that have them, and a reduced Lagrangian of which they are a motion.
 template <class S>
 struct Motion {
-  Places<S> f, g;
+  GroupElements<S> f, g;
   MotionPolynomial<S> l;
 };
 template <class S>
 Motion<S> draw_motion(Draw& draw, SpannedGroup const& group) {
-  auto const f = draw_places<S>(draw, group, 3);
-  return {f, places_right(draw.template element<S>(group), f), with_motions_right(draw_reduced_lagrangian<S>(draw, group), f)};
+  auto const f = draw_configurations<S>(draw, group, 3);
+  return {f, configurations_right(draw.template element<S>(group), f), with_motions_right(draw_reduced_lagrangian<S>(draw, group), f)};
 }
 /// The Casimirs of the dual that are known in closed form: |mu|^2 for rotations; |p|^2 and <turn, p> for motions of space; for GL(2) traces of powers of the matrix of mu.
 template <class S>
@@ -366,12 +366,12 @@ Momentum<SpannedGroup, S> momentum_of(TopInAnyGroup<S> const& top, State<Spanned
 }  // namespace
 
 STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the image of the discrete Euler-Lagrange motion and approximates the Hamiltonian flow") {
-  claim.holds("With (3.14) for the places: the momenta alone do not tell them. The order is that of the discrete Lagrangian, here 2.");
+  claim.holds("With (3.14) for the configurations: the momenta alone do not tell them. The order is that of the discrete Lagrangian, here 2.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     for (int k = 0; k < 2; ++k)
-      claim.zero("the places are a discrete Euler-Lagrange motion", model, discrete_euler_lagrange(lifted(m.l), m.g[k], m.g[k + 1], m.g[k + 2]), momenta_of(m.l, m.f), 10);
-    // Carry the first momentum along, and compare it with the Legendre map of the places.
+      claim.zero("the configurations are a discrete Euler-Lagrange motion", model, discrete_euler_lagrange(lifted(m.l), m.g[k], m.g[k + 1], m.g[k + 2]), momenta_of(m.l, m.f), 10);
+    // Carry the first momentum along, and compare it with the Legendre map of the configurations.
     auto mu = momentum_before_right(m.l, m.f[0]);
     for (int k = 0; k < 3; ++k) {
       // Condition: the momentum has been carried k times.
@@ -388,38 +388,38 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
       auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const run = [&](int n, double h, bool forwards) {
         auto const l = natural_chart_lagrangian_right(reduced(top), h);
-        auto place = v.place;
+        auto configuration = v.configuration;
         auto mu = momentum_of(top, v);
         auto f = exp(S(-h) * v.velocity);
         for (int k = 0; k < n; ++k) {
           f = relative_motion_from_momentum_right(l, mu, f).value;
           mu = lie_poisson_update_right(f, mu);
-          place = reconstruct_right(place, forwards ? f : inverse(f));
+          configuration = reconstruct_right(configuration, forwards ? f : inverse(f));
         }
-        return std::max(magnitude((place.value - exact.place.value).eval()), size_of(mu - momentum_of(top, exact)));
+        return std::max(magnitude((configuration.value - exact.configuration.value).eval()), size_of(mu - momentum_of(top, exact)));
       };
-      claim.order("place and momentum against the Hamiltonian flow", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
+      claim.order("configuration and momentum against the Hamiltonian flow", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
       claim.refutes_order("reconstructed with f in place of its inverse", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
     }
 }
 
 STATEMENT(claim_4_3_reconstruction_image, "momenta lifted along the quotient map against the image of the unreduced motion") {
-  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the places come by (3.14), and then all momenta of the symmetry are kept.");
+  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the configurations come by (3.14), and then all momenta of the symmetry are kept.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
-    auto const body = [&](Place<S> const& g, Momentum<SpannedGroup, S> const& mu) { return coadjoint(g, mu); };
+    auto const body = [&](GroupElement<S> const& g, Momentum<SpannedGroup, S> const& mu) { return coadjoint(g, mu); };
     auto g = m.g[0];
     auto const first = body(g, momentum_before_right(m.l, m.f[0]));
     for (int k = 0; k < 3; ++k) {
       auto const mu = momentum_before_right(m.l, m.f[k]);
-      claim.equal("places", model, g, m.g[k], 30);
+      claim.equal("configurations", model, g, m.g[k], 30);
       claim.equal("momentum of the symmetry along the lift", model, body(g, mu), first, 30);
       g = reconstruct_right(g, m.f[k]);
     }
-    // Controls: another place over the same momentum is on no motion with the first; the other side.
+    // Controls: another configuration over the same momentum is on no motion with the first; the other side.
     auto const elsewhere = m.g[1] * draw.template element<S>(group);
     auto const mu1 = momentum_before_right(m.l, m.f[1]);
-    claim.differs("another place over the same momentum", model, body(elsewhere, mu1), first);
+    claim.differs("another configuration over the same momentum", model, body(elsewhere, mu1), first);
     claim.differs("reconstructed with f in place of its inverse", model, body(m.f[0] * m.g[0], mu1), first);
   });
 }
@@ -438,7 +438,7 @@ STATEMENT(claim_4_3_invariant_leaves, "the reduced motion stays on the symplecti
         claim.refutes("Casimirs, pulled back along the Legendre map of another function", model,
                       Vector<S>(casimirs(momentum_before_right(other, m.f[k + 1])) - casimirs(momentum_before_right(other, m.f[k]))), S(size));
       }
-      // The tangent of a step takes vectors of the leaf to vectors of the leaf: the generator moves with the later place. Condition: l'' is inverted.
+      // The tangent of a step takes vectors of the leaf to vectors of the leaf: the generator moves with the later configuration. Condition: l'' is inverted.
       auto const eta = draw.template velocity<S>(group);
       auto const u = leaf_vector(m.l, m.f[k], eta);
       auto const carried = Ad(inverse(m.f[k]), eta - u);

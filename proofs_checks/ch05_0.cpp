@@ -42,7 +42,7 @@ STATEMENT(claim_5_0_inertia_operator, "symmetry and positivity of the generalise
     if (ordered_arithmetic<S>()) claim.fact("positive, one Lambda_i negative", model, lambda(0, 0) < S(0) && quarter_trace(lambda, xi) > S(0));
     // The metric: left translation carries the form, and does not change it.
     auto const k = draw_rotation<S>(draw, group), g = draw_rotation<S>(draw, group);
-    auto const metric = [&](Matrix<S> const& place, Matrix<S> const& rate) { return quarter_trace(lambda, Matrix<S>(place.transpose() * rate)); };
+    auto const metric = [&](Matrix<S> const& configuration, Matrix<S> const& rate) { return quarter_trace(lambda, Matrix<S>(configuration.transpose() * rate)); };
     claim.equal("the metric is left-invariant", model, metric(k * g, k * g * xi), quarter_trace(lambda, xi));
     // Controls: Lambda not symmetric; one sum negative; translation on the right.
     auto const bent = draw_matrix<S>(draw, n, n), j_bent = inertia_operator(bent, xi);

@@ -47,14 +47,14 @@ template <class S>
 S other_side(Matrix<S> const& lambda, Matrix<S> const& x, Matrix<S> const& y) {
   return trace_of(x, Matrix<S>(lambda * y));
 }
-/// The curve's place and its body velocity at t.
+/// The curve's configuration and its body velocity at t.
 template <class Curve, class S>
 std::pair<Matrix<S>, Matrix<S>> place_and_body_velocity(Curve const& curve, S const& t) {
   Dual<S> time(t);
   time.part[0] = S(1);
-  auto const moving_place = curve(time);
-  Matrix<S> const g = matrix_values(moving_place.value);
-  return {g, g.transpose() * matrix_rates(moving_place.value)};
+  auto const moving_element = curve(time);
+  Matrix<S> const g = matrix_values(moving_element.value);
+  return {g, g.transpose() * matrix_rates(moving_element.value)};
 }
 
 }  // namespace
@@ -243,7 +243,7 @@ template <class S>
 Matrix<Dual<S>> fixed(Matrix<S> const& m) {
   return m.template cast<Dual<S>>();
 }
-/// How the constrained action of three places changes with the middle one: dual numbers on (5.6), the definition.
+/// How the constrained action of three configurations changes with the middle one: dual numbers on (5.6), the definition.
 template <class S>
 S slope_of_action(Matrix<S> const& lambda, Matrix<S> const& before, Matrix<S> const& at, Matrix<S> const& after, Matrix<S> const& multiplier,
                   Matrix<S> const& change) {
@@ -262,7 +262,7 @@ template <class S>
 S slope_of_trace(Matrix<S> const& lambda, Matrix<S> const& v) {
   return Matrix<S>(v * lambda).trace();
 }
-/// Size of the terms of the equations at a place.
+/// Size of the terms of the equations at a configuration.
 template <class S>
 S pull_of(Matrix<S> const& lambda) {
   return S(magnitude(lambda)) * static_cast<int>(lambda.rows());
@@ -299,11 +299,11 @@ STATEMENT(claim_5_2_skew_multiplier, "skew part of the matrix multiplier") {
 }
 
 STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
-  claim.holds("For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the places varied over all matrices, are those of the "
-              "unconstrained sum varied over the group; each has one symmetric multiplier at each place, $\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
+  claim.holds("For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the configurations varied over all matrices, are those of the "
+              "unconstrained sum varied over the group; each has one symmetric multiplier at each configuration, $\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
-    // Off the group: the gradient, in all entries, of a sum over four places.
+    // Off the group: the gradient, in all entries, of a sum over four configurations.
     auto const lambda = draw_second_moments<S>(draw, n);
     auto const any = [&] { return draw_matrix<S>(draw, n, n); };
     std::vector<Matrix<S>> const g = {any(), any(), any(), any()};
@@ -327,11 +327,11 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
     for (auto& m : doubled) m *= S(2);
     std::swap(shifted[1], shifted[2]);
     claim.refutes("the constraint without its factor 1/2", model, S(slope - terms(doubled)), scale, 1e-5);
-    claim.refutes("multipliers of the wrong places", model, S(slope - terms(shifted)), scale, 1e-5);
+    claim.refutes("multipliers of the wrong configurations", model, S(slope - terms(shifted)), scale, 1e-5);
 
     // On the group: what is left of the equations of the unconstrained sum is the skew half of the would-be multiplier.
-    auto const place = [&] { return draw.template element<S>(group); };
-    auto const g0 = place(), g1 = place(), g2 = place();
+    auto const configuration = [&] { return draw.template element<S>(group); };
+    auto const g0 = configuration(), g1 = configuration(), g2 = configuration();
     Matrix<S> const pull = (g2.value + g0.value) * lambda * g1.value.transpose();
     claim.zero("on the group: the discrete Euler-Lagrange equations", model,
                Vector<S>(discrete_euler_lagrange(ScaledTrace<S>{lambda}, g0, g1, g2).components - components(group, pull)), pull_of(lambda));
@@ -350,14 +350,14 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
     claim.refutes("the multiplier with the other sign", model, constrained_stationarity(m.lambda, m.before, m.at, m.after, Matrix<S>(-multiplier)),
                   pull_of(m.lambda));
     Matrix<S> const exchanged = spatial_multiplier(m.lambda, m.at, m.before, m.after);
-    claim.refutes("two places exchanged", model, constrained_stationarity(m.lambda, m.at, m.before, m.after, exchanged), pull_of(m.lambda));
+    claim.refutes("two configurations exchanged", model, constrained_stationarity(m.lambda, m.at, m.before, m.after, exchanged), pull_of(m.lambda));
     claim.template refuses<OutsideDomain>("Lambda not symmetric", model, [&] { constrained_action(any(), g, multipliers); });
   });
 }
 
 STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elements") {
   claim.corrected(R"(\bar\lambda_k = g^T\lambda_k g \text{ for all } g \in G)", R"(\bar\lambda_k = g_k^T\lambda_k g_k)",
-                  "With one element, the place itself: the multiplier as the body sees it. All conjugates of $\\lambda_k$ are symmetric, but only this one "
+                  "With one element, the configuration itself: the multiplier as the body sees it. All conjugates of $\\lambda_k$ are symmetric, but only this one "
                   "is in the reduced equation, and they are all the same only where $\\lambda_k$ is a multiple of the identity. "
                   "Left multiplication takes the constraint to its conjugate and $\\lambda_k$ with it; $\\bar\\lambda_k$ stays.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
@@ -376,12 +376,12 @@ STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elemen
     Matrix<S> const moved = spatial_multiplier(m.lambda, Matrix<S>(k * m.before), Matrix<S>(k * m.at), Matrix<S>(k * m.after));
     claim.zero("g_k^T lambda_k g_k is the multiplier of the reduced equation", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body),
                pull_of(m.lambda), 10);
-    claim.zero("all places multiplied by k: lambda goes to k lambda k^T", model, Matrix<S>(moved - k * lambda_k * k.transpose()), pull_of(m.lambda), 10);
+    claim.zero("all configurations multiplied by k: lambda goes to k lambda k^T", model, Matrix<S>(moved - k * lambda_k * k.transpose()), pull_of(m.lambda), 10);
     claim.zero("and lambda-bar stays", model, Matrix<S>(body_multiplier(Matrix<S>(k * m.at), moved) - body), pull_of(m.lambda), 10);
     // Controls: other elements of the group, as printed; lambda itself.
     claim.refutes("g^T lambda_k g with another g, as printed", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body_multiplier(g, lambda_k)),
                   pull_of(m.lambda));
-    claim.refutes("with the place after", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body_multiplier(m.after, lambda_k)),
+    claim.refutes("with the configuration after", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body_multiplier(m.after, lambda_k)),
                   pull_of(m.lambda));
     claim.refutes("lambda_k as it is", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, lambda_k), pull_of(m.lambda));
     claim.refutes("g_k lambda_k g_k^T", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, Matrix<S>(m.at * lambda_k * m.at.transpose())),

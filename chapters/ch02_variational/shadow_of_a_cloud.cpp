@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   //    and momentum: a rim, whose states carry its tangent, and in it a sunflower's seeds, the same on every machine.
   auto const pendulum = [](auto const& v) {
     auto const& xi = v.velocity.coordinates[0];
-    return xi * xi / 2.0 + v.place.value(0, 0);  // the cosine of the angle
+    return xi * xi / 2.0 + v.configuration.value(0, 0);  // the cosine of the angle
   };
   auto const swing = [&](auto const& v) { return lagrange_acceleration(pendulum, v); };
   auto const at = [](Dual<double> const& r, Dual<double> const& s) {
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
       for (int step = 0; epoch > 0 && step * h < apart - h / 2; ++step)
         for (auto& v : cloud) v = flow ? runge_kutta(swing, v, h) : explicit_euler(swing, v, h);
       std::vector<double> q, p;
-      for (auto const& v : cloud) q.push_back(log(value_of(v.place)).coordinates[0]), p.push_back(v.velocity.coordinates[0].value);
+      for (auto const& v : cloud) q.push_back(log(value_of(v.configuration)).coordinates[0]), p.push_back(v.velocity.coordinates[0].value);
       plot.dots(std::span(q).subspan(edge), std::span(p).subspan(edge), "", {.colour = epoch + 1, .radius = 1.2});
       q[edge] = q[0], p[edge] = p[0];
       plot.curve(std::span(q).first(edge + 1), std::span(p).first(edge + 1), "time " + book::number(epoch * apart), {.colour = epoch + 1});

@@ -29,13 +29,13 @@ template <class Lagrangian>
 Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
   Moving sum = v, stage = v;
   for (int i = 0; i < 4; ++i) {
-    Matrix3d const turning = SO<3>::hat(stage.velocity.coordinates) * stage.place.value;
+    Matrix3d const turning = SO<3>::hat(stage.velocity.coordinates) * stage.configuration.value;
     auto const acceleration = lagrange_acceleration(L, stage);
     double const share = h * (i == 0 || i == 3 ? 1 : 2) / 6, next = i == 2 ? h : h / 2;
-    sum.place.value += share * turning, sum.velocity = sum.velocity + share * acceleration;
-    stage.place.value = v.place.value + next * turning, stage.velocity = v.velocity + next * acceleration;
+    sum.configuration.value += share * turning, sum.velocity = sum.velocity + share * acceleration;
+    stage.configuration.value = v.configuration.value + next * turning, stage.velocity = v.velocity + next * acceleration;
   }
-  sum.place = restore(sum.place);
+  sum.configuration = restore(sum.configuration);
   return sum;
 }
 
@@ -48,7 +48,7 @@ Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass
 auto const L = [](auto const& v) {
   auto const Omega = body_velocity(v).coordinates;
   return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 -
-         v.place.value(2, 2) * (mass * gravity * length / 2);
+         v.configuration.value(2, 2) * (mass * gravity * length / 2);
 };
 double const h = 0.03;
 int const steps = 10000;
@@ -79,7 +79,7 @@ struct Record {
 
 // 4. The first step leaves with the momentum of the start.
 Attitude first_step(Moving const& start) {
-  Attitude const g0 = start.place;
+  Attitude const g0 = start.configuration;
   auto const mu0 = legendre(L, start);
   return solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
 }
@@ -88,7 +88,7 @@ Attitude first_step(Moving const& start) {
 Record follow(Moving const& start) {
   double const J = noether_momentum(L, start, about_vertical), E = energy_above_rest(start);
   auto const energy_error = [&](Moving const& v) { return energy_above_rest(v) / E - 1; };
-  Attitude before = start.place, now = first_step(start);
+  Attitude before = start.configuration, now = first_step(start);
   Moving classical = runge_kutta(L, start, h);
 
   Record r;

@@ -45,7 +45,7 @@ struct Submarine {
   }
 };
 
-// What Runge-Kutta steps: a place, and how fast it changes as the submarine feels it.
+// What Runge-Kutta steps: a configuration, and how fast it changes as the submarine feels it.
 struct Motion {
   actio::Matrix<double, 4, 4> g = actio::Matrix<double, 4, 4>::Identity();
   Vector6d xi;

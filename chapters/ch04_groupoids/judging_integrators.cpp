@@ -26,7 +26,7 @@ constexpr CotangentBundle cotangent_bundle;
 constexpr double h = 0.2;
 
 struct Trial {
-  rivals::FreeBody<SO<3>> body;
+  rivals::DiagonalBody<SO<3>> body;
   std::vector<rivals::Rival<SO<3>>> contestants;
   std::vector<Momentum<SO<3>, double>> momenta;
   std::vector<Costate<SO<3>, double>> costates;
@@ -37,7 +37,7 @@ struct Defects {
 
 // 1. On SO(3): a body with moments 2, 3, 4 kg m^2, and eight momenta of up to 5 J s, each with an attitude.
 Trial eight_motions() {
-  rivals::FreeBody<SO<3>> const body{Vector<double, 3>(2, 3, 4)};
+  rivals::DiagonalBody<SO<3>> const body{Vector<double, 3>(2, 3, 4)};
   Trial trial{body, rivals::on_rotations(body), {}, {}};
   Draw draw(4);
   for (int i = 0; i < 8; ++i) {

@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
   constexpr LiePoissonMinus body_momenta;
 
   // 1. A body under water, whose momenta of turning and gliding have two Casimir functions.
-  rivals::FreeBody<SE<3>> const diver{Vector6d{{0.4, 1.5, 1.6, 10, 16, 17}}};
+  rivals::DiagonalBody<SE<3>> const diver{Vector6d{{0.4, 1.5, 1.6, 10, 16, 17}}};
   Draw draw(4);
   std::vector<Momentum<SE<3>, double>> dives;
   for (int i = 0; i < 8; ++i) dives.push_back({{}, Vector6d(diver.inertia.cwiseProduct(draw.velocity<double>(SE<3>{}).coordinates))});

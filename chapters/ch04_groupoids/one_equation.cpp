@@ -1,6 +1,6 @@
 // One equation, four systems: the Lagrange equations on a groupoid, as one template.
 //
-// What is shown. A pendulum that swings in all directions and a top under gravity, each solved twice by the same function `step_lagrange`: on pairs of places, which is
+// What is shown. A pendulum that swings in all directions and a top under gravity, each solved twice by the same function `step_lagrange`: on pairs of configurations, which is
 // discrete Euler-Lagrange, and on the groupoid that its symmetry leaves: pairs of heights with a turn between them, rotations with the vertical as the top sees it. The
 // two roads agree to rounding; the second knows nothing of where the system points, and its equations are fewer or simpler.
 // Read first. The section "Mechanics on a groupoid" of chapter 4.
@@ -20,7 +20,7 @@ using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 double const h = 0.02, gravity = 9.81;
 
-// The pendulum, 1 kg on 1 m: the chord between two places, and the mean of two heights. Only the turn between the azimuths counts.
+// The pendulum, 1 kg on 1 m: the chord between two configurations, and the mean of two heights. Only the turn between the azimuths counts.
 template <class S>
 S pendulum(S const& theta0, S const& theta1, S const& cos_turn) {
   using std::cos, std::sin;
@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
   int const steps = 1500;
 
   // 1. The pendulum on pairs of (theta, phi), and on the gauge groupoid (theta0, theta1, turn).
-  PairGroupoid<Translations<2>> const all_places;
+  PairGroupoid<Translations<2>> const all_pairs;
   GaugeGroupoid<SO<2>> const heights{{}, 1};
   auto const on_pairs = [](auto const& g) {
     using std::cos;
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   double const spin = legendre_at_target(heights, on_heights, arrow).components[1];
   std::vector<Vector3d> path;
   for (int k = 0; k < steps; ++k) {
-    pair = step_lagrange(all_places, on_pairs, pair, {pair.second, pair.second * inverse(pair.first) * pair.second}).value;
+    pair = step_lagrange(all_pairs, on_pairs, pair, {pair.second, pair.second * inverse(pair.first) * pair.second}).value;
     arrow = step_lagrange(heights, on_heights, arrow, {arrow.to, 2 * arrow.to - arrow.from, arrow.turn}).value;
     azimuth += log(arrow.turn).coordinates[0];
     double const theta = arrow.to[0];
@@ -79,18 +79,18 @@ int main(int argc, char** argv) {
     return top<S>(g.turn.value, g.vector, Matrix<S, Dynamic, 1>(g.turn.value.transpose() * g.vector));
   };
   auto const tilted = exp(velocity(SO<3>{}, Vector3d(0.6, 0, 0))), first = exp(velocity(SO<3>{}, Vector3d(0, 0, 18 * h)));
-  Arrow<PairGroupoid<SO<3>>, double> places{tilted, tilted * first};
+  Arrow<PairGroupoid<SO<3>>, double> configurations{tilted, tilted * first};
   Arrow<ActionGroupoid<SO<3>>, double> turning{first, seen(tilted)};
   double top_apart = 0, vertical_kept = 0;
   auto const vertical = [&] { return legendre_at_target(with_vertical, on_turns, turning).components.dot(with_vertical.target(turning).value); };
   double const start = vertical();
   std::vector<Vector3d> axis;
   for (int k = 0; k < steps; ++k) {
-    places = step_lagrange(attitudes, on_attitudes, places, {places.second, places.second * inverse(places.first) * places.second}).value;
+    configurations = step_lagrange(attitudes, on_attitudes, configurations, {configurations.second, configurations.second * inverse(configurations.first) * configurations.second}).value;
     turning = step_lagrange(with_vertical, on_turns, turning, {turning.turn, with_vertical.target(turning).value}).value;
-    turning.turn = restore(turning.turn), places.second = restore(places.second);
-    axis.push_back(places.second.value.col(2));
-    top_apart = std::max(top_apart, (seen(places.second) - with_vertical.target(turning).value).norm());
+    turning.turn = restore(turning.turn), configurations.second = restore(configurations.second);
+    axis.push_back(configurations.second.value.col(2));
+    top_apart = std::max(top_apart, (seen(configurations.second) - with_vertical.target(turning).value).norm());
     vertical_kept = std::max(vertical_kept, std::abs(vertical() / start - 1));
   }
   program.picture("top", book::Sphere(20, 25).curve(axis, "axis of the top", {.colour = 2}).svg(), "The axis of the top; its groupoid has rotations, and the vertical as the body sees it.");

@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(ten_thousand_exact_steps_are_those_of_the_general_solver_wi
     ++count;
     auto const fast = body.at(h);
     auto const f = MoserVeselov<3>(replaced, h).relative_motion({SO<3>{}, pi}).value;
-    Eigen::Vector3d const after = MoserVeselov<3>::carry(f, {SO<3>{}, pi}).components;
+    Eigen::Vector3d const after = MoserVeselov<3>::transport(f, {SO<3>{}, pi}).components;
     Eigen::Matrix3d turned;
     for (int i = 0; i < 3; ++i) turned.col(i) = Eigen::Vector3d(SU2::Ad<double>(fast.attitude.value, Eigen::Vector3d(Eigen::Vector3d::Unit(i))));
     // Moments of the new body come with a rounding each, the equation is solved to 16 epsilon of the angle: over its slope at the root, which is above

@@ -50,7 +50,7 @@ Beside beside_the_general_solver(Inertia<3> const& inertia, Vector3d const& pi, 
   HalfTurn<double>(parameters).step(state);
   auto const fast = body.state(state);
   auto const f = MoserVeselov<3>(inertia, h).relative_motion({SO<3>{}, pi}).value;
-  Vector3d const after = MoserVeselov<3>::carry(f, {SO<3>{}, pi}).components;
+  Vector3d const after = MoserVeselov<3>::transport(f, {SO<3>{}, pi}).components;
   // The relative motion looks back.
   Eigen::Matrix3d turned;
   for (int i = 0; i < 3; ++i) turned.col(i) = Vector3d(SU2::Ad<double>(fast.attitude.value, Vector3d::Unit(i)));

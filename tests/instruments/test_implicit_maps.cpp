@@ -13,7 +13,7 @@ using Vector6d = Matrix<double, 6, 1>;
 namespace {
 
 constexpr double h = 0.25;
-FreeBody<SE<3>> const submarine{Vector6d{{2, 5, 6, 1, 3, 4}}};
+DiagonalBody<SE<3>> const submarine{Vector6d{{2, 5, 6, 1, 3, 4}}};
 // Not even in the velocity: with terms that are linear in it, and one that couples turning to gliding.
 struct Twisted {
   double twist;

@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exac
     }
 }
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places) {
+BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations) {
   Draw draw(13);
   double const h = 0.05;
   int const steps = 20;
@@ -206,24 +206,24 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places) {
       auto const l = random_body(draw, group, h);
       Column<double> const c = draw.vector<double>(group.matrix_size());
       auto const L = lift_advected_left(l, c);
-      auto before = draw.element<double>(group), place = before * exp(h * draw.velocity<double>(group)), reduced = place;
-      auto f = relative_motion_left(before, place);
+      auto before = draw.element<double>(group), configuration = before * exp(h * draw.velocity<double>(group)), reduced = configuration;
+      auto f = relative_motion_left(before, configuration);
       Column<double> a = inverse(before).value * c;
       for (int k = 0; k < steps; ++k) {
-        auto const full = step_euler_lagrange(L, before, place);
+        auto const full = step_euler_lagrange(L, before, configuration);
         auto const half = step_advected_euler_poincare_left(l, f, a);
         BOOST_TEST(half.report.evaluations <= 4);
-        before = place, place = full.value;
+        before = configuration, configuration = full.value;
         a = advect_left(f, a), f = half.value, reduced = reconstruct_left(reduced, f);
       }
-      // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a place of this size magnifies that a few times.
+      // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a configuration of this size magnifies that a few times.
       double const bound = 4 * 16 * eps / h * steps;
-      BOOST_TEST(magnitude((place.value - reduced.value).eval()) <= bound * magnitude(place.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
       BOOST_TEST(magnitude((inverse(before).value * c - a).eval()) <= bound * magnitude(a));
     }
 }
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_from_the_right) {
+BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations_from_the_right) {
   Draw draw(14);
   double const h = 0.05;
   int const steps = 10;
@@ -231,17 +231,17 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_from_the_right) {
       auto const l = random_body(draw, group, h);
       Column<double> const c = draw.vector<double>(group.matrix_size());
       auto const L = lift_advected_right(l, c);
-      auto before = draw.element<double>(group), place = exp(h * draw.velocity<double>(group)) * before, reduced = place;
-      auto f = relative_motion_right(before, place);
+      auto before = draw.element<double>(group), configuration = exp(h * draw.velocity<double>(group)) * before, reduced = configuration;
+      auto f = relative_motion_right(before, configuration);
       Column<double> a = before.value * c;
       for (int k = 0; k < steps; ++k) {
-        auto const next = step_euler_lagrange(L, before, place).value;
+        auto const next = step_euler_lagrange(L, before, configuration).value;
         auto const half = step_advected_euler_poincare_right(l, f, a).value;
-        before = place, place = next;
+        before = configuration, configuration = next;
         a = advect_right(f, a), f = half, reduced = reconstruct_right(reduced, f);
       }
       double const bound = 4 * 16 * eps / h * steps;
-      BOOST_TEST(magnitude((place.value - reduced.value).eval()) <= bound * magnitude(place.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
     }
 }
 

@@ -47,7 +47,7 @@ void keeps_orbit_momentum_and_bracket(SpannedGroup const& group, int s) {
   double const h = 0.1;
   int const steps = 20;
   auto g = identity<double>(group);
-  auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_place<side>(g, done.relative_motion); });
+  auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_configuration<side>(g, done.relative_motion); });
   double const moved = magnitude((end.momentum - start.momentum).components) / magnitude(start.momentum.components),
                kept = magnitude((kept_momentum<side>(g, end.momentum) - start.momentum).components) / magnitude(start.momentum.components);
   auto const whole = [&](auto const& m) { return step(MomentumState{m, like(m, start.velocity)}, h).state.momentum; };
@@ -57,7 +57,7 @@ void keeps_orbit_momentum_and_bracket(SpannedGroup const& group, int s) {
     return side > 0 ? Ad_star(inverse(f), m) : Ad_star(f, m);
   };
   BOOST_TEST_CONTEXT(group.name() << (side > 0 ? " right" : " left") << " s = " << s) {
-    // Ad of a place multiplies a few roundings a step by its own size, at most that of its square in matrices.
+    // Ad of a configuration multiplies a few roundings a step by its own size, at most that of its square in matrices.
     double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
     BOOST_TEST(kept < 16 * steps * eps * size);
     BOOST_TEST(moved > 1e-2);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(every_degree_keeps_orbit_momentum_and_bracket) {
 }
 
 BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step_up_to_the_order_of_the_method) {
-  // The chart is that of the earlier place, so a step of degree 2 is not its own adjoint; degree 1, a one-parameter subgroup, is.
+  // The chart is that of the earlier configuration, so a step of degree 2 is not its own adjoint; degree 1, a one-parameter subgroup, is.
   Draw draw(5);
   auto const& group = four_groups()[3];
   UnevenLagrangian<double> const l(draw, group);

@@ -82,7 +82,7 @@ void momentum_in_space_stays(double size, double h, int steps) {
   EulerPoincareStepsLeft motion(l, exp(-h * velocity_at_start<G>(size)));
   auto g = identity<double>(G{});
   auto const in_space = [&] { return Ad_star(inverse(g), motion.momentum()).components; };
-  // Π after a step belongs to the place it leads to.
+  // Π after a step belongs to the configuration it leads to.
   auto const before = in_space();
   double worst = 0, extent = 1;
   for (int k = 0; k < steps; ++k) {
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_unreduced_equations_from_scratch) {
   EulerLagrangeSteps motion(weighed, g0, g1);
   double worst = 0;
   for (int k = 0; k < 100; ++k) {
-    auto const reference = step_euler_lagrange(weighed, motion.before(), motion.place()).value;
+    auto const reference = step_euler_lagrange(weighed, motion.before(), motion.configuration()).value;
     worst = std::max(worst, largest((motion.advance().value - reference.value).eval()));
   }
   // Moments between 1 and 1.6, joined by a product of inertia: the condition is below 3.

@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(the_momentum_of_the_symmetry_is_kept_whatever_the_lengths) 
       auto g = identity<double>(group);
       double worst = 0;
       take_steps(step, run.start, lengths, [&](auto const& done, double) {
-        g = next_place<-1>(g, done.relative_motion);
+        g = next_configuration<-1>(g, done.relative_motion);
         double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
         auto const change = kept_momentum<-1>(g, done.state.momentum) - run.start.momentum;
         worst = std::max(worst, magnitude(change.components) / magnitude(run.start.momentum.components) / size);

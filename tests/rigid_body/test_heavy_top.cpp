@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(the_natural_chart_lagrangian_is_that_of_chapter_three) {
   // h L at the middle of the arc, (3.20), of the Lagrangian on TSO(3), at pairs of attitudes that follow no motion.
   double const h = 0.1;
   auto const on_tangents = [&](auto const& v) {
-    return kinetic_energy(crooked.inertia, Ad(inverse(v.place), v.velocity)) - crooked.lever().dot(v.place.value.transpose() * crooked.vertical());
+    return kinetic_energy(crooked.inertia, Ad(inverse(v.configuration), v.velocity)) - crooked.lever().dot(v.configuration.value.transpose() * crooked.vertical());
   };
   auto const full = discretize_left(on_tangents, h, at_second);
   auto const reduced = lift_advected_left(natural_chart_lagrangian(crooked, h), crooked.vertical());

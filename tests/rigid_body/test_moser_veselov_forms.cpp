@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(its_momentum_is_that_of_the_general_road) {
   double const scale = 64 * eps * magnitude(pi.components) / scheme.step();
   BOOST_TEST(magnitude((momentum_before_left(scheme.lagrangian(), f) - pi).components) <= scale);
   BOOST_TEST(magnitude((-right_differential(scheme.lagrangian(), f) - scheme.momentum_after(f)).components) <= scale);
-  BOOST_TEST(magnitude((scheme.momentum_after(f) - scheme.carry(f, pi)).components) <= scale);
+  BOOST_TEST(magnitude((scheme.momentum_after(f) - scheme.transport(f, pi)).components) <= scale);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

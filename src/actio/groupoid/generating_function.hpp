@@ -1,8 +1,8 @@
-// The generating function of a free motion: the action between two places, as a function of their relative motion and of the time.
+// The generating function of a free motion: the action between two configurations, as a function of their relative motion and of the time.
 //
 // A free system has a quadratic Lagrangian on the algebra, l(xi) = <A xi, xi>/2 + <b, xi>; with b = 0 it is a rigid body, a body in an ideal fluid, or their like in any
 // group. Its motion is a power series in the time whose coefficients follow from each other; the generating function is the action along the motion that joins the
-// places, found by shooting with the initial momentum. Where l is invariant under Ad nothing has to be solved: then S(g, t) = t l(-log(g)/t), the discrete Lagrangian of the natural chart.
+// configurations, found by shooting with the initial momentum. Where l is invariant under Ad nothing has to be solved: then S(g, t) = t l(-log(g)/t), the discrete Lagrangian of the natural chart.
 #pragma once
 
 #include <vector>
@@ -85,15 +85,15 @@ struct FreeMotionSeries {
     hat_of_xi.push_back(l.group.hat(xi.coordinates));
     velocities.push_back(xi.coordinates);
     Coordinates<G, T> next = Coordinates<G, T>::Zero(l.group.dimension());
-    Storage<G, T> place = f[0] * T(0);
+    Storage<G, T> configuration = f[0] * T(0);
     T power = k == 0 ? T(-energy) : T(0);
     for (int i = 0; i <= k; ++i) {
       next += ad_star_of_xi[i] * pi[k - i];
-      place -= hat_of_xi[i] * f[k - i];
+      configuration -= hat_of_xi[i] * f[k - i];
       power += velocities[i].dot(pi[k - i]);
     }
     T const by(k + 1);
-    pi.push_back(next / by), f.push_back(place / by), action.push_back(power / by);
+    pi.push_back(next / by), f.push_back(configuration / by), action.push_back(power / by);
   }
 
  private:

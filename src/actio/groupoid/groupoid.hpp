@@ -1,7 +1,7 @@
 // Lie groupoids: arrows between points, composed where one ends and the next begins.
 //
 // An arrow g leads from alpha(g), its source, to beta(g), its target; gh is defined where beta(g) = alpha(h). What is infinitely near the unit of a point x
-// and leaves from x is a vector of the algebroid over x. Pairs of places and groups are groupoids, and so are two things in between (action_groupoid.hpp, gauge_groupoid.hpp);
+// and leaves from x is a vector of the algebroid over x. Pairs of configurations and groups are groupoids, and so are two things in between (action_groupoid.hpp, gauge_groupoid.hpp);
 // mechanics on all of them is one equation (lagrange_equations.hpp).
 #pragma once
 

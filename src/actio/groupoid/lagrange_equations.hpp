@@ -58,7 +58,7 @@ auto legendre_at_source(Gamma const& gamma, L const& l, A const& h) {
 /// \f[ \tilde\beta(dL(g)) - \tilde\alpha(dL(h)), \qquad \beta(g) = \alpha(h) \f]
 ///
 /// On \f$G\times G\f$ this is (3.2), on G it is minus (3.10) with \f$g = f_{01}\f$, \f$h = f_{12}\f$, and on the opposite of G it is minus (3.11) with \f$g = f_{10}\f$, \f$h = f_{21}\f$:
-/// \f$g_0g_1^{-1}\f$ turns pairs into group elements and products into products, but leads from the later place to the earlier, so that a velocity changes its sign.
+/// \f$g_0g_1^{-1}\f$ turns pairs into group elements and products into products, but leads from the later configuration to the earlier, so that a velocity changes its sign.
 /// \implements{def_4_1_1}
 /// @param g, h  composable: the target of g is the source of h
 /// @return      covector on the fibre of the algebroid over the point where they meet

@@ -1,4 +1,4 @@
-// The pair groupoid G x G: the arrows are pairs of places, (g0, g1)(g1, g2) = (g0, g2). Its algebroid is TG.
+// The pair groupoid G x G: the arrows are pairs of configurations, (g0, g1)(g1, g2) = (g0, g2). Its algebroid is TG.
 #pragma once
 
 #include "actio/foundations/group.hpp"
@@ -7,7 +7,7 @@
 
 namespace actio {
 
-/// A pair of places: the arrow from the first to the second.
+/// A pair of configurations: the arrow from the first to the second.
 template <Group G, Scalar S>
 struct PairArrow {
   using Scalar = S;

@@ -1,4 +1,4 @@
-// The spaces that a discrete Lagrangian makes: pairs of places with its two-form, relative motions with its bracket.
+// The spaces that a discrete Lagrangian makes: pairs of configurations with its two-form, relative motions with its bracket.
 //
 // Sizes come from the second derivatives of the Lagrangian: a shift has the size that makes the action change as a turn by 1 does.
 #pragma once
@@ -10,7 +10,7 @@
 namespace actio {
 
 namespace detail {
-/// Sizes of the changes of a place that go with a matrix of second derivatives: where a change in the components of one unit, by the size, makes the
+/// Sizes of the changes of a configuration that go with a matrix of second derivatives: where a change in the components of one unit, by the size, makes the
 /// action change by one unit. Turns, which have no unit, have the size 1.
 template <Group G, class M>
 auto sizes_from_hessian(G const& group, M const& hessian) {
@@ -77,7 +77,7 @@ struct PairsOfConfigurations {
   detail::AnyMatrix<S> two_form(PairArrow<G, S> const& x) const {
     return discrete_two_form_matrix(lagrangian, x.first, x.second);
   }
-  /// Where the momentum of a symmetry is read: the place and the momentum with which the step arrives.
+  /// Where the momentum of a symmetry is read: the configuration and the momentum with which the step arrives.
   template <Group G, Scalar S>
   Costate<G, S> costate(PairArrow<G, S> const& x) const {
     return {x.second, D2(lagrangian, x.first, x.second)};

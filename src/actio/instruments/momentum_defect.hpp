@@ -39,9 +39,9 @@ typename Point::Scalar momentum_defect(Space const& space, Map const& map, Point
   Point const image = map(x);
   require_image(space, x, image, "momentum defect: image");
   auto const before = space.costate(x), after = space.costate(image);
-  auto const theta = generator(before.place), theta_after = generator(after.place);
-  detail::require_coordinates(theta.coordinates, before.place.group.dimension(), "momentum defect: generator");
-  detail::require_coordinates(theta_after.coordinates, before.place.group.dimension(), "momentum defect: generator");
+  auto const theta = generator(before.configuration), theta_after = generator(after.configuration);
+  detail::require_coordinates(theta.coordinates, before.configuration.group.dimension(), "momentum defect: generator");
+  detail::require_coordinates(theta_after.coordinates, before.configuration.group.dimension(), "momentum defect: generator");
   S const size = detail::size_of_pairing(before.momentum, theta), size_after = detail::size_of_pairing(after.momentum, theta_after);
   S const largest = size_after > size ? size_after : size;
   // [momentum_defect]

@@ -1,6 +1,6 @@
 // Points of the spaces that maps are judged on, and what they are at a smaller or a larger scalar.
 //
-// A point is a momentum (of the dual of an algebra), a costate (of T*G), a pair of places (of G x G) or a place (of G). Each is refused where it is
+// A point is a momentum (of the dual of an algebra), a costate (of T*G), a pair of configurations (of G x G) or a configuration (of G). Each is refused where it is
 // no point: with a number missing, with a NaN.
 #pragma once
 
@@ -55,7 +55,7 @@ auto value_of(Momentum<G, S> const& mu) {
 /// The costate before it was moved.
 template <Group G, Scalar S>
 auto value_of(Costate<G, S> const& p) {
-  return Costate<G, decltype(value_of(S()))>{value_of(p.place), value_of(p.momentum)};
+  return Costate<G, decltype(value_of(S()))>{value_of(p.configuration), value_of(p.momentum)};
 }
 /// The pair before it was moved.
 template <Group G, Scalar S>
@@ -102,13 +102,13 @@ void require_point(Element<G, S> const& g, char const* where) {
                           g.group.matrix_size());
   detail::require_numbers(g.value, where);
 }
-/// @throws NotFinite, OutsideDomain  where the place or the momentum is refused
+/// @throws NotFinite, OutsideDomain  where the configuration or the momentum is refused
 template <Group G, Scalar S>
 void require_point(Costate<G, S> const& p, char const* where) {
-  require_point(p.place, where);
+  require_point(p.configuration, where);
   require_point(p.momentum, where);
 }
-/// @throws NotFinite, OutsideDomain  where one of the places is refused
+/// @throws NotFinite, OutsideDomain  where one of the configurations is refused
 template <Group G, Scalar S>
 void require_point(PairArrow<G, S> const& x, char const* where) {
   require_point(x.first, where);

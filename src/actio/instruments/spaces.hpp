@@ -5,7 +5,7 @@
 //   PairsOfConfigurations<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
 //   RelativeMotionsRight<l>, RelativeMotionsLeft<l>  G       Element     the bracket of a reduced discrete Lagrangian    (discrete_spaces.hpp)
 //
-// A tangent vector is written in coordinates: the change of a momentum by its components, that of a place as theta = dg g^-1. The sizes of a space at
+// A tangent vector is written in coordinates: the change of a momentum by its components, that of a configuration as theta = dg g^-1. The sizes of a space at
 // a point are one positive number for each coordinate, in its unit: what is computed in coordinates divided by them does not depend on the units of
 // mass, length and time. A point is moved by its sizes, so that what solves an equation at dual numbers meets numbers of one scale.
 #pragma once
@@ -139,39 +139,39 @@ struct CotangentBundle {
   /// Of the space.
   template <Group G, Scalar S>
   static int dimension(Costate<G, S> const& p) {
-    return 2 * p.place.group.dimension();
+    return 2 * p.configuration.group.dimension();
   }
   /// A positive number for each coordinate, in its unit.
   template <Group G, Plain S>
   static detail::AnyVector<S> sizes(Costate<G, S> const& p) {
     auto const momenta = sizes_by_unit(p.momentum);
-    auto const classes = unit_classes(p.place.group);
-    detail::AnyVector<S> places = detail::AnyVector<S>::Constant(momenta.size(), S(1));
+    auto const classes = unit_classes(p.configuration.group);
+    detail::AnyVector<S> configurations = detail::AnyVector<S>::Constant(momenta.size(), S(1));
     S turns(0);
     for (Index a = 0; a < momenta.size(); ++a)
       if (!classes.has_length[classes.of[a]]) turns = momenta[a];
-    for (Index a = 0; a < momenta.size() && turns > S(0); ++a) places[a] = turns / momenta[a];
-    return detail::stacked(places, momenta);
+    for (Index a = 0; a < momenta.size() && turns > S(0); ++a) configurations[a] = turns / momenta[a];
+    return detail::stacked(configurations, momenta);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static Costate<G, Moved<S>> moved(Costate<G, S> const& p, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_element(p.place, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.place.group.dimension(), first)};
+    return {detail::moved_element(p.configuration, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.configuration.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
   static auto change(Costate<G, S> const& p) {
-    return detail::stacked(detail::change_of_element(p.place), p.momentum.components);
+    return detail::stacked(detail::change_of_element(p.configuration), p.momentum.components);
   }
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static auto difference(Costate<G, S> const& p, Costate<G, S> const& q) {
-    return detail::stacked(detail::difference_of_elements(p.place, q.place), (q.momentum - p.momentum).components);
+    return detail::stacked(detail::difference_of_elements(p.configuration, q.configuration), (q.momentum - p.momentum).components);
   }
   /// \f$\{F, H\} = \langle\partial_gF, H_\mu\rangle - \langle\partial_gH, F_\mu\rangle + \langle\mu, [F_\mu, H_\mu]\rangle\f$ as a matrix.
   template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Costate<G, S> const& p) {
-    int const n = p.place.group.dimension();
+    int const n = p.configuration.group.dimension();
     detail::AnyMatrix<S> b = detail::AnyMatrix<S>::Zero(2 * n, 2 * n);
     for (int a = 0; a < n; ++a) b(a, n + a) = S(1), b(n + a, a) = S(-1);
     b.bottomRightCorner(n, n) = lie_poisson_tensor_plus(p.momentum);
@@ -181,7 +181,7 @@ struct CotangentBundle {
   /// \vartheta_2]\rangle\f$ as a matrix.
   template <Group G, Scalar S>
   static detail::AnyMatrix<S> two_form(Costate<G, S> const& p) {
-    int const n = p.place.group.dimension();
+    int const n = p.configuration.group.dimension();
     detail::AnyMatrix<S> omega = detail::AnyMatrix<S>::Zero(2 * n, 2 * n);
     for (int a = 0; a < n; ++a) omega(a, n + a) = S(1), omega(n + a, a) = S(-1);
     omega.topLeftCorner(n, n) = -lie_poisson_tensor_plus(p.momentum);

@@ -79,7 +79,7 @@ class ChartedBody {
   long steps_ = 0;
   double contraction_ = 1;                  // of the sweeps of the last step
   double step_ = 0;                         // under which the turns were made
-  std::size_t continuation_ = 0;            // the place of the one in use among all
+  std::size_t continuation_ = 0;            // the configuration of the one in use among all
 };
 
 }  // namespace actio

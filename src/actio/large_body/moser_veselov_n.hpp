@@ -24,7 +24,7 @@ namespace actio {
 class FastMoserVeselov {
  public:
   using Group = SO<Eigen::Dynamic>;      ///< n at run time
-  using Place = Element<Group, double>;  ///< of the attitude, and of the relative motion
+  using Rotation = Element<Group, double>;  ///< of the attitude, and of the relative motion
   using BodyMomentum = Momentum<Group, double>;
 
   /// @param inertia  of the body
@@ -53,7 +53,7 @@ class FastMoserVeselov {
 
   /// A body that is let go with attitude g and body momentum `pi`.
   /// @throws NotFinite, OutsideDomain  where an entry is no number, a size is not n, or g is no rotation
-  RotatingBody release(Place const& g, BodyMomentum const& pi) const {
+  RotatingBody release(Rotation const& g, BodyMomentum const& pi) const {
     detail::require_rotation(g.value, shape_.n, "Moser-Veselov: attitude");
     if (pi.components.size() != inertia_.moments.size())
       throw OutsideDomain("Moser-Veselov", "a momentum with a component for each moment of inertia is needed; components",
@@ -72,14 +72,14 @@ class FastMoserVeselov {
   /// of the square.
   /// @throws StepTooLong   where there is no solution, with the largest step that would do; the body is as it was
   /// @throws NotConverged  where there is one that could not be found; the body is as it was
-  void step(RotatingBody& body) const { carry(body, false); }
+  void step(RotatingBody& body) const { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
-  void step_with_attitude(RotatingBody& body) const { carry(body, true); }
+  void step_with_attitude(RotatingBody& body) const { advance(body, true); }
 
   /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme, from its square and the momentum; the identity before the
   /// first.
-  Place last_relative_motion(RotatingBody const& body) const {
-    Place f = identity<double>(inertia_.group);
+  Rotation last_relative_motion(RotatingBody const& body) const {
+    Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
     double const *const square = body.past(0), *const momentum = body.half(RotatingBody::momentum_);
     for (int j = 0; j < shape_.n; ++j)
@@ -110,7 +110,7 @@ class FastMoserVeselov {
     rule_.spread = std::max(rule_.spread, a * a + b * b);
   }
 
-  void carry(RotatingBody& body, bool with_attitude) const {
+  void advance(RotatingBody& body, bool with_attitude) const {
     using detail::Stage;
     if (body.size() != shape_.n)
       throw OutsideDomain("Moser-Veselov", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), shape_.n);

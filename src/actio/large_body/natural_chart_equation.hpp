@@ -1,7 +1,7 @@
 // The equation of a step of the natural-chart scheme on SO(n): which constant turn has the momentum P at its beginning (thesis, section 5.1).
 //
 // With Z = h zeta the momentum of the step is M0 = chi(ad*_Z) J zeta (momentum_of in rigid_body/natural_chart_scheme.hpp), chi(x) = x/(e^x - 1). What chi
-// divides by is a mean: J zeta is the mean of the momentum while the body turns from its place before the step to that after it. So
+// divides by is a mean: J zeta is the mean of the momentum while the body turns from its configuration before the step to that after it. So
 //
 //     J Z = Q(Z),      Q(Z) = mean over s in [0,1] of e^{-sZ} P e^{sZ},      P = h M0,
 //

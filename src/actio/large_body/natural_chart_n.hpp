@@ -21,7 +21,7 @@ namespace actio {
 class FastNaturalChart {
  public:
   using Group = SO<Eigen::Dynamic>;      ///< n at run time
-  using Place = Element<Group, double>;  ///< of the attitude, and of the relative motion
+  using Rotation = Element<Group, double>;  ///< of the attitude, and of the relative motion
   using BodyMomentum = Momentum<Group, double>;
 
   /// @param inertia  of the body
@@ -45,7 +45,7 @@ class FastNaturalChart {
 
   /// A body that is let go with attitude g and body momentum `pi`.
   /// @throws NotFinite, OutsideDomain  where an entry is no number, a size is not n, or g is no rotation
-  ChartedBody release(Place const& g, BodyMomentum const& pi) const {
+  ChartedBody release(Rotation const& g, BodyMomentum const& pi) const {
     detail::require_rotation(g.value, inertia_.group.n, "natural chart: attitude");
     if (pi.components.size() != inertia_.moments.size())
       throw OutsideDomain("natural chart", "a momentum with a component for each moment of inertia is needed; components", static_cast<double>(pi.components.size()),
@@ -62,13 +62,13 @@ class FastNaturalChart {
   /// One step of the momentum alone; the attitude is left behind. \implements{eq_5_4}
   /// Accuracy: Z to its rounding where sweeps contract, and as well as the equation determines it elsewhere; the momentum is carried by f to the rounding of f - 1.
   /// @throws StepTooLong  where the branch of solutions that begins at rest ends before this step, or n is large and the solver ends there, with the largest step that would do; the body is as it was
-  void step(ChartedBody& body) { carry(body, false); }
+  void step(ChartedBody& body) { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
-  void step_with_attitude(ChartedBody& body) { carry(body, true); }
+  void step_with_attitude(ChartedBody& body) { advance(body, true); }
 
   /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme; the identity before the first.
-  Place last_relative_motion(ChartedBody& body) {
-    Place f = identity<double>(inertia_.group);
+  Rotation last_relative_motion(ChartedBody& body) {
+    Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
     equation_.turn().relative_motion(body.past(0), e_.data());
     for (int j = 0; j < body.size(); ++j)
@@ -96,7 +96,7 @@ class FastNaturalChart {
     return std::ldexp(1.0, exponent);
   }
 
-  void carry(ChartedBody& body, bool with_attitude) {
+  void advance(ChartedBody& body, bool with_attitude) {
     if (body.size() != inertia_.group.n)
       throw OutsideDomain("natural chart", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), inertia_.group.n);
     if (body.step_ != step_) body.past_ = 0, body.contraction_ = 1, body.step_ = step_;

@@ -36,26 +36,26 @@ Momentum<G, S> discrete_euler_lagrange(L const& lagrangian, Element<G, S> const&
   // [eq_3_2]
 }
 
-/// The next place: solves \ref discrete_euler_lagrange for \f$g_2\f$, starting from "the motion goes on as it did".
+/// The next configuration: solves \ref discrete_euler_lagrange for \f$g_2\f$, starting from "the motion goes on as it did".
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class L>
 Solved<Element<G, S>> step_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
-  // Hold the momentum that the step before leaves behind, and look for the place that takes it up.
+  // Hold the momentum that the step before leaves behind, and look for the configuration that takes it up.
   auto const left_behind = D2(lagrangian, g0, g1);
   auto const start = g1 * inverse(g0) * g1;
   return solve_on_group(
       [&](auto const& g2) { return like(g2, left_behind) + D1(lagrangian, like(g2, g1), g2); }, start);
 }
 
-/// The discrete action of a sequence of places: \f$\sum_k L(g_k, g_{k+1})\f$ over every neighbouring pair of it.
+/// The discrete action of a sequence of configurations: \f$\sum_k L(g_k, g_{k+1})\f$ over every neighbouring pair of it.
 ///
 /// \implements{eq_3_1}
-template <class L, class Places>
-auto discrete_action(L const& lagrangian, Places const& places) {
+template <class L, class Configurations>
+auto discrete_action(L const& lagrangian, Configurations const& configurations) {
   // [eq_3_1]
-  auto sum = lagrangian(places[0], places[1]);
-  for (std::size_t k = 1; k + 1 < places.size(); ++k) sum += lagrangian(places[k], places[k + 1]);
+  auto sum = lagrangian(configurations[0], configurations[1]);
+  for (std::size_t k = 1; k + 1 < configurations.size(); ++k) sum += lagrangian(configurations[k], configurations[k + 1]);
   // [eq_3_1]
   return sum;
 }

@@ -2,7 +2,7 @@
 //
 // A discrete Lagrangian is an action, so its momenta are physical: what one step leaves behind the next takes up, whatever the lengths of the two. An
 // integrator on momenta is a callable (state, h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
-// (galerkin.hpp) without knowing of each other. The momentum is spatial in right-invariant systems, that of the body in left-invariant ones; places
+// (galerkin.hpp) without knowing of each other. The momentum is spatial in right-invariant systems, that of the body in left-invariant ones; configurations
 // are put together from the relative motions where they are asked for.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Discretization by natural charts: a continuous Lagrangian becomes a discrete one through the exponential map (thesis, section 3.3).
 //
-// The chart at g is psi_g(k) = log(k g^-1) for right translation, phi_g(k) = log(g^-1 k) for left translation. Two places are averaged and
+// The chart at g is psi_g(k) = log(k g^-1) for right translation, phi_g(k) = log(g^-1 k) for left translation. Two configurations are averaged and
 // subtracted in it. A discrete Lagrangian is an action: the step times the Lagrangian.
 //
 // phi_g = Ad(g^-1) psi_g, so both charts at one g make the same discrete Lagrangian of the same L; each has its function because each reads off its own
@@ -44,7 +44,7 @@ Velocity<G, S> natural_chart_left(Element<G, S> const& g, Element<G, S> const& k
   return log(inverse(g) * k);
 }
 
-/// Average and difference of two places in a chart.
+/// Average and difference of two configurations in a chart.
 template <Group G, Scalar S>
 struct ChartMidpoint {
   Velocity<G, S> eta;   ///< \f$\eta\f$, the average
@@ -83,15 +83,15 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 /// @param h     step, time; not zero, negative to go back
 /// @param base  (g1, g2) -> g, the base point of the chart, for instance \ref at_second
 /// @return      (g1, g2) -> energy x time; order 2 in h
-/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a place is outside the chart at the base point
+/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a configuration is outside the chart at the base point
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_right(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
   return [=](auto const& g1, auto const& g2) {
-    using Place = std::decay_t<decltype(g1)>;
-    using G = typename Place::GroupType;
-    using S = typename Place::Scalar;
-    Place const g = base(g1, g2);
+    using Configuration = std::decay_t<decltype(g1)>;
+    using G = typename Configuration::GroupType;
+    using S = typename Configuration::Scalar;
+    Configuration const g = base(g1, g2);
     // [eq_3_22]
     auto const m = chart_midpoint_right(g, g1, g2, h);
     return L(State<G, S>{exp(m.eta) * g, fibre_element_right(m)}) * detail::constant<S>(h);
@@ -104,23 +104,23 @@ template <class Lagrangian, class T, class BasePoint>
 auto discretize_left(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
   return [=](auto const& g1, auto const& g2) {
-    using Place = std::decay_t<decltype(g1)>;
-    using G = typename Place::GroupType;
-    using S = typename Place::Scalar;
-    Place const g = base(g1, g2);
+    using Configuration = std::decay_t<decltype(g1)>;
+    using G = typename Configuration::GroupType;
+    using S = typename Configuration::Scalar;
+    Configuration const g = base(g1, g2);
     auto const m = chart_midpoint_left(g, g1, g2, h);
-    Place const q = g * exp(m.eta);
+    Configuration const q = g * exp(m.eta);
     return L(State<G, S>{q, Ad(q, fibre_element_left(m))}) * detail::constant<S>(h);
   };
 }
 
-/// Base points of the chart: the earlier place.
+/// Base points of the chart: the earlier configuration.
 inline constexpr auto at_first = [](auto const& g1, auto const&) { return g1; };
-/// Base points of the chart: the later place.
+/// Base points of the chart: the later configuration.
 inline constexpr auto at_second = [](auto const&, auto const& g2) { return g2; };
-/// Base points of the chart: a fixed fraction of the way from the earlier place to the later one along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
+/// Base points of the chart: a fixed fraction of the way from the earlier configuration to the later one along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
 ///
-/// Moves along with the places on either side. All of these make the same discrete Lagrangian: average and difference commute.
+/// Moves along with the configurations on either side. All of these make the same discrete Lagrangian: average and difference commute.
 template <class T>
 auto at_fraction(T fraction) {
   return [fraction](auto const& g1, auto const& g2) {
@@ -155,7 +155,7 @@ auto natural_chart_lagrangian_left(Reduced l, T h) {
 /// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that moves along on the right.
 ///
 /// \f[ \ell(f) = h\,l(\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta) \f]
-/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has carried the later place to the identity.
+/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has carried the later configuration to the identity.
 ///
 /// \implements{cor_3_3_1, eq_3_23}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy

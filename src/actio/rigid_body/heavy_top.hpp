@@ -36,7 +36,7 @@ std::vector<S> symmetric_composition(int order) {
 template <Real S = double>
 class HeavyTopScheme {
  public:
-  using Place = Element<SO<3>, S>;        ///< of the attitude (body to space), and of the relative motion
+  using Rotation = Element<SO<3>, S>;        ///< of the attitude (body to space), and of the relative motion
   using State = HeavyTopState<S>;         ///< momentum and vertical
   using Vector = actio::Matrix<S, 3, 1>;  ///< of 3-space
 
@@ -59,12 +59,12 @@ class HeavyTopScheme {
   /// @throws StepTooLong  where there is no solution, with a step that would do from there; the state stays what it was
   /// @throws NotFinite    where the state is no number
   void advance(State& state) const {
-    move(state, [](Place const&) {});
+    move(state, [](Rotation const&) {});
   }
   /// The same, and the attitude with it. Attitude and vertical are carried along by the same relative motions, and stay consistent to rounding.
-  void advance(State& state, Place& attitude) const {
-    Place g = attitude;
-    move(state, [&](Place const& f) { g = MoserVeselov<3, S>::reconstruct(g, f); });
+  void advance(State& state, Rotation& attitude) const {
+    Rotation g = attitude;
+    move(state, [&](Rotation const& f) { g = MoserVeselov<3, S>::reconstruct(g, f); });
     attitude = g;
   }
 
@@ -87,13 +87,13 @@ class HeavyTopScheme {
   }
 
   /// One step of second order. Momentum and vertical turn alike, and a short step changes them by a small sum instead of a rounded whole.
-  static Place pass(Stage const& stage, State& s) {
+  static Rotation pass(Stage const& stage, State& s) {
     auto const kick = [&] { s.momentum.components += cross(s.vector, stage.kick); };
     // [heavy_top_step]
     kick();
-    Place const f = stage.drift.relative_motion(s.momentum).value;
-    s.momentum = stage.drift.carry(f, s.momentum);
-    s.vector = stage.drift.carry(f, {f.group, s.vector}).components;
+    Rotation const f = stage.drift.relative_motion(s.momentum).value;
+    s.momentum = stage.drift.transport(f, s.momentum);
+    s.vector = stage.drift.transport(f, {f.group, s.vector}).components;
     kick();
     // [heavy_top_step]
     return f;

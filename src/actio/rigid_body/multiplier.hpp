@@ -1,10 +1,10 @@
 // The discrete rigid body among all matrices: a multiplier holds its attitudes on the group (thesis, section 5.2).
 //
-// Attitudes are n by n matrices g_k, free to be any, and the constraint g g^T = 1 enters the action with a symmetric matrix of multipliers for each place.
+// Attitudes are n by n matrices g_k, free to be any, and the constraint g g^T = 1 enters the action with a symmetric matrix of multipliers for each configuration.
 // The action is scaled: -h times that of moser_veselov.hpp, in mass x length^2, up to a constant. Lambda is symmetric, not necessarily diagonal: the body may be
 // described in any frame of its own.
 //
-// Varying place k over all matrices gives n^2 equations. Their symmetric half says what the multiplier is, their skew half is the equation of motion,
+// Varying configuration k over all matrices gives n^2 equations. Their symmetric half says what the multiplier is, their skew half is the equation of motion,
 //
 //     g_{k+1} Lambda + g_{k-1} Lambda = lambda_k g_k,        f_{k+1k}^T Lambda + f_{kk-1} Lambda = g_k^T lambda_k g_k,
 //
@@ -55,14 +55,14 @@ M orthogonality(M const& g) {
   return excess;
 }
 
-/// The constrained action sum, a function of all places and all multipliers.
+/// The constrained action sum, a function of all configurations and all multipliers.
 ///
 /// \f[ S = \sum_k\mathrm{Tr}(g_k\Lambda g_{k+1}^T) - \tfrac12\sum_k\mathrm{Tr}\bigl(\lambda_k\,(g_kg_k^T - 1)\bigr) \f]
 ///
 /// \implements{eq_5_6}
 /// @param lambda       \f$\Lambda\f$, symmetric; mass x length^2
-/// @param g            the places: any square matrices, at least two
-/// @param multipliers  \f$\lambda_k\f$, one for each place; mass x length^2. A skew part of them does not count
+/// @param g            the configurations: any square matrices, at least two
+/// @param multipliers  \f$\lambda_k\f$, one for each configuration; mass x length^2. A skew part of them does not count
 /// @throws NotFinite      where an entry is no number
 /// @throws OutsideDomain  where sizes or numbers do not fit, or \f$\Lambda\f$ is not symmetric
 /// Exact up to rounding.
@@ -70,7 +70,7 @@ template <class M>
 typename M::Scalar constrained_action(M const& lambda, std::vector<M> const& g, std::vector<M> const& multipliers) {
   char const* const where = "constrained action";
   if (g.size() < 2 || multipliers.size() != g.size())
-    throw OutsideDomain(where, "two places or more, and a multiplier for each, are needed; multipliers and places", static_cast<double>(multipliers.size()),
+    throw OutsideDomain(where, "two configurations or more, and a multiplier for each, are needed; multipliers and configurations", static_cast<double>(multipliers.size()),
                         static_cast<double>(g.size()));
   detail::require_squares({&lambda}, lambda.rows(), where);
   detail::require_symmetric(lambda, "constrained action: Lambda");
@@ -84,7 +84,7 @@ typename M::Scalar constrained_action(M const& lambda, std::vector<M> const& g, 
   // [eq_5_6]
 }
 
-/// What is left at place k of the equations of the constrained action: \f$(g_{k+1} + g_{k-1})\Lambda - \lambda_kg_k\f$, zero along motions with their
+/// What is left at configuration k of the equations of the constrained action: \f$(g_{k+1} + g_{k-1})\Lambda - \lambda_kg_k\f$, zero along motions with their
 /// multiplier, and only there.
 ///
 /// The gradient of \ref constrained_action in the entries of \f$g_k\f$, for a symmetric multiplier.
@@ -119,7 +119,7 @@ M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& aft
   return (pull + pull.transpose()) / typename M::Scalar(2);
 }
 
-/// The multiplier as the body sees it, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: what multiplication of all places on the left leaves as it is.
+/// The multiplier as the body sees it, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: what multiplication of all configurations on the left leaves as it is.
 /// \implements{claim_5_2_conjugate_multiplier}
 ///
 /// @param at          \f$g_k\f$, a rotation
@@ -138,7 +138,7 @@ M body_multiplier(M const& at, M const& multiplier) {
 /// @param lambda      \f$\Lambda\f$, symmetric; mass x length^2
 /// @param f10         relative motion \f$g_1^Tg_0\f$ over the step before
 /// @param f21         relative motion \f$g_2^Tg_1\f$ over the step after
-/// @param multiplier  \f$\bar\lambda\f$ at the place between, as the body sees it; mass x length^2
+/// @param multiplier  \f$\bar\lambda\f$ at the configuration between, as the body sees it; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
 M euler_poincare_with_multiplier(M const& lambda, M const& f10, M const& f21, M const& multiplier) {

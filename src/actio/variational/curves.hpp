@@ -21,7 +21,7 @@ Velocity<G, S> value_of(Velocity<G, Dual<S>> const& xi) {
 /// The state at the bottom of one that moves.
 template <Group G, Scalar S>
 State<G, S> value_of(State<G, Dual<S>> const& v) {
-  return {value_of(v.place), value_of(v.velocity)};
+  return {value_of(v.configuration), value_of(v.velocity)};
 }
 
 /// How an element moves, carried to the identity on the right: \f$\dot g\,g^{-1}\f$.
@@ -43,7 +43,7 @@ Momentum<G, S> rate(Momentum<G, Dual<S>> const& mu) {
 /// How a state moves, as a tangent vector to TG: undoes \ref moved.
 template <MatrixGroup G, Scalar S>
 StateChange<G, S> change_of(State<G, Dual<S>> const& v) {
-  return {rate_right(v.place), rate(v.velocity)};
+  return {rate_right(v.configuration), rate(v.velocity)};
 }
 
 /// The tangent \f$(g, \dot g g^{-1})\f$ of a curve, a point of TG.
@@ -52,10 +52,10 @@ auto tangent(Curve const& curve, S const& t) {
   Dual<S> time(t);
   time.part[0] = S(1);
   auto const g = curve(time);
-  auto const place = value_of(g);
-  return State<typename std::decay_t<decltype(place)>::GroupType, S>{place, rate_right(g)};
+  auto const configuration = value_of(g);
+  return State<typename std::decay_t<decltype(configuration)>::GroupType, S>{configuration, rate_right(g)};
 }
-/// \f$\ddot g\f$: the tangent vector to TG of the curve of tangents. Its place part is the velocity again, which is what makes it second order;
+/// \f$\ddot g\f$: the tangent vector to TG of the curve of tangents. Its configuration part is the velocity again, which is what makes it second order;
 /// its velocity part is \f$\dot\xi\f$.
 ///
 /// \implements{claim_2_1_second_order_set}

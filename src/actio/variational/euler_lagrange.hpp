@@ -22,7 +22,7 @@ template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocity<G, S> const& acceleration) {
   // The rate of the momentum along the curve: the curve's own direction in TG is (xi, xi').
   auto const along = legendre(L, moved(v, {v.velocity, acceleration}));
-  Momentum<G, S> rate{v.place.group, Coordinates<G, S>(v.place.group.dimension())};
+  Momentum<G, S> rate{v.configuration.group, Coordinates<G, S>(v.configuration.group.dimension())};
   for (Index a = 0; a < rate.components.size(); ++a) rate.components[a] = along.components[a].part[0];
 
   auto const mu = legendre(L, v);
@@ -38,9 +38,9 @@ Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocit
 template <Group G, Scalar S, class Lagrangian>
 Velocity<G, S> lagrange_acceleration(Lagrangian const& L, State<G, S> const& v) {
   // The equation is affine in the acceleration: residual at zero, and the fibre Hessian beside it.
-  Velocity<G, S> const none{v.place.group, Coordinates<G, S>::Zero(v.place.group.dimension())};
+  Velocity<G, S> const none{v.configuration.group, Coordinates<G, S>::Zero(v.configuration.group.dimension())};
   auto const force = euler_lagrange(L, v, none);
-  return {v.place.group, solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
+  return {v.configuration.group, solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
 }
 
 /// The Lagrange vector field \f$X_E\f$ as a tangent vector to TG at v.

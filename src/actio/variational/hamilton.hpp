@@ -12,26 +12,26 @@ namespace actio {
 template <Group G, Scalar S>
 struct Costate {
   using Scalar = S;
-  Element<G, S> place;
+  Element<G, S> configuration;
   Momentum<G, S> momentum;  ///< \f$\mu = T_e^*R_g\,p\f$
 };
 /// A tangent vector to T*G.
 template <Group G, Scalar S>
 struct CostateChange {
-  Velocity<G, S> place;     ///< \f$\vartheta = \delta g\,g^{-1}\f$
+  Velocity<G, S> configuration;     ///< \f$\vartheta = \delta g\,g^{-1}\f$
   Momentum<G, S> momentum;  ///< \f$\delta\mu\f$
 };
 
 /// The momentum as the body sees it, \f$T_e^*L_g\,p = \mathrm{Ad}^*_g\,\mu\f$: what multiplication from the right conserves.
 template <Group G, Scalar S>
 Momentum<G, S> body_momentum(Costate<G, S> const& p) {
-  return Ad_star(p.place, p.momentum);
+  return Ad_star(p.configuration, p.momentum);
 }
 
 /// The same costate over a larger scalar, where it is a constant.
 template <Scalar T, Group G, Scalar S>
 Costate<G, T> over(Costate<G, S> const& p) {
-  return {over<T>(p.place), over<T>(p.momentum)};
+  return {over<T>(p.configuration), over<T>(p.momentum)};
 }
 
 /// A costate moved infinitely little along a tangent vector.
@@ -39,22 +39,22 @@ template <Group G, Scalar S>
 Costate<G, Dual<S>> moved(Costate<G, S> const& p, CostateChange<G, S> const& w) {
   using D = Dual<S>;
   Costate<G, D> result = over<D>(p);
-  Coordinates<G, D> turn = Coordinates<G, D>::Zero(p.place.group.dimension());
+  Coordinates<G, D> turn = Coordinates<G, D>::Zero(p.configuration.group.dimension());
   for (Index a = 0; a < turn.size(); ++a) {
-    turn[a].part[0] = w.place.coordinates[a];
+    turn[a].part[0] = w.configuration.coordinates[a];
     result.momentum.components[a].part[0] = w.momentum.components[a];
   }
-  result.place = Element<G, D>{p.place.group, primitive::near_identity(p.place.group, turn)} * result.place;
+  result.configuration = Element<G, D>{p.configuration.group, primitive::near_identity(p.configuration.group, turn)} * result.configuration;
   return result;
 }
 
-/// \f$\partial H/\partial\mu\f$ at fixed place: a velocity.
+/// \f$\partial H/\partial\mu\f$ at fixed configuration: a velocity.
 template <Group G, Scalar S, class H>
 Velocity<G, S> momentum_derivative(H const& h, Costate<G, S> const& p) {
   return gradient(
       [&](auto const& mu) {
         using T = typename std::decay_t<decltype(mu)>::Scalar;
-        return h(Costate<G, T>{over<T>(p.place), mu});
+        return h(Costate<G, T>{over<T>(p.configuration), mu});
       },
       p.momentum);
 }
@@ -66,7 +66,7 @@ Momentum<G, S> base_derivative(H const& h, Costate<G, S> const& p) {
         using T = typename std::decay_t<decltype(g)>::Scalar;
         return h(Costate<G, T>{g, over<T>(p.momentum)});
       },
-      p.place);
+      p.configuration);
 }
 
 /// The canonical bracket on T*G with the sign \f$\{q, p\} = +1\f$:

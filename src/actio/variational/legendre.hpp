@@ -14,7 +14,7 @@ Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
   return gradient(
       [&](auto const& xi) {
         using T = typename std::decay_t<decltype(xi)>::Scalar;
-        return L(State<G, T>{over<T>(v.place), xi});
+        return L(State<G, T>{over<T>(v.configuration), xi});
       },
       v.velocity);
 }
@@ -27,7 +27,7 @@ Momentum<G, S> base_derivative(Lagrangian const& L, State<G, S> const& v) {
         using T = typename std::decay_t<decltype(g)>::Scalar;
         return L(State<G, T>{g, over<T>(v.velocity)});
       },
-      v.place);
+      v.configuration);
 }
 
 /// \f$E(v) = \langle F L(v), v\rangle - L(v)\f$.
@@ -39,7 +39,7 @@ S energy(Lagrangian const& L, State<G, S> const& v) {
 /// The matrix \f$\partial^2 L/\partial\xi\,\partial\xi\f$: L is regular where it has an inverse.
 template <Group G, Scalar S, class Lagrangian>
 auto fibre_hessian(Lagrangian const& L, State<G, S> const& v) {
-  int const n = v.place.group.dimension();
+  int const n = v.configuration.group.dimension();
   Matrix<S, G::dim, G::dim> hessian(n, n);
   over_batches(n, [&](int first) {
     State<G, Moved<S>> moved = over<Moved<S>>(v);

@@ -14,7 +14,7 @@ namespace actio {
 /// @param generator  Element at any scalar -> Velocity at the same: the generator on G, carried to the identity on the right
 template <Group G, Scalar S, class Lagrangian, class Generator>
 S noether_momentum(Lagrangian const& L, State<G, S> const& v, Generator const& generator) {
-  return pair(legendre(L, v), generator(v.place));
+  return pair(legendre(L, v), generator(v.configuration));
 }
 
 /// The generator of \f$g \mapsto e^{t\zeta}g\f$.
@@ -31,8 +31,8 @@ auto right_translation(Velocity<G, S> zeta) {
 /// A generator lifted to TG: how it moves a state, \f$(\vartheta, \delta\xi)\f$ with \f$\delta\xi = \frac{d}{dt}\vartheta - [\xi, \vartheta]\f$ along the motion of the state.
 template <Group G, Scalar S, class Generator>
 StateChange<G, S> lifted_generator(State<G, S> const& v, Generator const& generator) {
-  Velocity<G, S> const none{v.place.group, Coordinates<G, S>::Zero(v.place.group.dimension())};
-  auto const along = generator(moved(v, {v.velocity, none}).place);
+  Velocity<G, S> const none{v.configuration.group, Coordinates<G, S>::Zero(v.configuration.group.dimension())};
+  auto const along = generator(moved(v, {v.velocity, none}).configuration);
   Velocity<G, S> theta = none, rate = none;
   for (Index a = 0; a < theta.coordinates.size(); ++a) {
     theta.coordinates[a] = along.coordinates[a].value;

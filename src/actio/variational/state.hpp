@@ -14,42 +14,42 @@ namespace actio {
 template <Group G, Scalar S>
 struct State {
   using Scalar = S;
-  Element<G, S> place;
+  Element<G, S> configuration;
   Velocity<G, S> velocity;  ///< \f$\xi = \dot g\,g^{-1}\f$
 };
 
 /// A tangent vector to TG at a state.
 template <Group G, Scalar S>
 struct StateChange {
-  Velocity<G, S> place;     ///< \f$\vartheta = \delta g\,g^{-1}\f$
+  Velocity<G, S> configuration;     ///< \f$\vartheta = \delta g\,g^{-1}\f$
   Velocity<G, S> velocity;  ///< \f$\delta\xi\f$
 };
 
 /// The velocity as the body sees it, \f$g^{-1}\dot g\f$.
 template <Group G, Scalar S>
 Velocity<G, S> body_velocity(State<G, S> const& v) {
-  return Ad(inverse(v.place), v.velocity);
+  return Ad(inverse(v.configuration), v.velocity);
 }
 
 /// The same state over a larger scalar, where it is a constant.
 template <Scalar T, Group G, Scalar S>
 State<G, T> over(State<G, S> const& v) {
-  return {over<T>(v.place), over<T>(v.velocity)};
+  return {over<T>(v.configuration), over<T>(v.velocity)};
 }
 
 /// A state moved infinitely little along a tangent vector: the dual number's only direction.
 template <Group G, Scalar S>
 State<G, Dual<S>> moved(State<G, S> const& v, StateChange<G, S> const& w) {
   using D = Dual<S>;
-  int const n = v.place.group.dimension();
+  int const n = v.configuration.group.dimension();
   Coordinates<G, D> turn = Coordinates<G, D>::Zero(n);
   Velocity<G, D> velocity = over<D>(v.velocity);
   for (int a = 0; a < n; ++a) {
-    turn[a].part[0] = w.place.coordinates[a];
+    turn[a].part[0] = w.configuration.coordinates[a];
     velocity.coordinates[a].part[0] = w.velocity.coordinates[a];
   }
-  Element<G, D> const step{v.place.group, primitive::near_identity(v.place.group, turn)};
-  return {step * over<D>(v.place), velocity};
+  Element<G, D> const step{v.configuration.group, primitive::near_identity(v.configuration.group, turn)};
+  return {step * over<D>(v.configuration), velocity};
 }
 
 /// A right-invariant Lagrangian on TG from its restriction to the algebra: \f$L(g, \dot g) = l(\dot g g^{-1})\f$.
