@@ -133,7 +133,7 @@ namespace {
 /// The frame of a chart is inverted: its condition is below 10 where coordinates stay below 1/2.
 constexpr double frame_condition = 10;
 
-/// The covector at chart(q) with components p, carried to the identity on the right: <mu, dg g^-1> = p.dq.
+/// The covector at chart(q) with components p, translated to the identity on the right: <mu, dg g^-1> = p.dq.
 template <class Chart, class T>
 Costate<SpannedGroup, T> costate_in(Chart const& chart, Vector<T> const& q, Vector<T> const& p) {
   auto const g = chart(q);
@@ -261,7 +261,7 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
 STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group element") {
   claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
                   R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
-                  "The momentum is that of the same instant, carried to the identity. With the momentum frozen at its initial value g "
+                  "The momentum is that of the same instant, translated to the identity. With the momentum frozen at its initial value g "
                   "would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());

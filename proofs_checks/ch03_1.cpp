@@ -344,7 +344,8 @@ STATEMENT(claim_3_1_pullback_canonical, "the two-form is the pull-back of the ca
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
-    // The form -d theta_0 on T*G at (g, mu), momenta carried to the identity on the right, pulled back by (g0, g1) -> (g0 or g1, momentum).
+    // The form -d theta_0 on T*G at (g, mu), momenta translated to the identity on the right, pulled back by
+    // (g0, g1) -> (g0 or g1, momentum).
     using Covector = Momentum<SpannedGroup, S>;
     auto const pulled_back = [&](auto const& momentum, auto const& configuration) {
       auto const mu = momentum(g[0], g[1]);

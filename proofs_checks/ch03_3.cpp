@@ -339,7 +339,7 @@ Vector<S> logarithm_rate(GroupElement<S> const& f, Algebra<S> const& theta) {
 }  // namespace
 
 STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart difference quotient") {
-  claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})", "In the chart by right translation the difference quotient is the velocity carried to the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
+  claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})", "In the chart by right translation the difference quotient is the velocity translated to the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
     auto const g1 = draw.template element<S>(group, S(1));

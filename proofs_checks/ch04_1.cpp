@@ -109,7 +109,8 @@ STATEMENT(claim_4_1_dual_poisson, "the duals of the algebroids are Poisson manif
     int const d = group.dimension();
     auto const mu = draw.template momentum<S>(group);
     auto const x = draw.template element<S>(group);
-    // T*G: {F, H} = <dF, H_mu> - <dH, F_mu> + <mu, [F_mu, H_mu]> is the canonical bracket, momenta carried to the identity on the right (claim_2_2_lie_poisson_equivalence).
+    // T*G: {F, H} = <dF, H_mu> - <dH, F_mu> + <mu, [F_mu, H_mu]> is the canonical bracket, momenta translated
+    // to the identity on the right (claim_2_2_lie_poisson_equivalence).
     Matrix<S> canonical = Matrix<S>::Zero(2 * d, 2 * d);
     canonical.topRightCorner(d, d).setIdentity();
     canonical.bottomLeftCorner(d, d) = -Matrix<S>::Identity(d, d);

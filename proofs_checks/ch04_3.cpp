@@ -133,7 +133,7 @@ STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant s
 // Section 4.3, second part: symplectic forms on the corners of the square, and the two constructions of a Poisson structure on the group.
 //
 // Physical momenta, mu = -D_1 L = -R* l', so that the Legendre map pulls the canonical form with {q, p} = 1 back to omega_L of (3.5).
-// A tangent vector of T*G at (g, mu) is (theta, delta mu), all carried to the identity on the right.
+// A tangent vector of T*G at (g, mu) is (theta, delta mu), all translated to the identity on the right.
 
 namespace {
 

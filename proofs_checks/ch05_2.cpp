@@ -83,7 +83,7 @@ STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
     auto const g0 = draw_rotation<S>(draw, group), g1 = draw_rotation<S>(draw, group), k = draw_rotation<S>(draw, group);
     Matrix<S> const d = difference_at_end(g0, g1, h);
     claim.equal("D + D^T = h D^T D", model, Matrix<S>(d + d.transpose()), Matrix<S>(d.transpose() * d * h));
-    claim.equal("as the body sees it: the same for k g_k, k g_k+1", model, difference_at_end(Matrix<S>(k * g0), Matrix<S>(k * g1), h), d);
+    claim.equal("in the body frame: the same for k g_k, k g_k+1", model, difference_at_end(Matrix<S>(k * g0), Matrix<S>(k * g1), h), d);
     // A product of matrices that starts at 1: the derivative of D h at a step of no length is the velocity.
     auto const xi = draw_skew<S>(draw, group);
     Matrix<Dual<S>> const along = g0.template cast<Dual<S>>(), next = varying(g0, Matrix<S>(g0 * xi));
@@ -357,7 +357,7 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
 
 STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elements") {
   claim.corrected(R"(\bar\lambda_k = g^T\lambda_k g \text{ for all } g \in G)", R"(\bar\lambda_k = g_k^T\lambda_k g_k)",
-                  "With one element, the configuration itself: the multiplier as the body sees it. All conjugates of $\\lambda_k$ are symmetric, but only this one "
+                  "With one element, the configuration itself: the multiplier in the body frame. All conjugates of $\\lambda_k$ are symmetric, but only this one "
                   "is in the reduced equation, and they are all the same only where $\\lambda_k$ is a multiple of the identity. "
                   "Left multiplication takes the constraint to its conjugate and $\\lambda_k$ with it; $\\bar\\lambda_k$ stays.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {

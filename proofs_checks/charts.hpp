@@ -73,7 +73,7 @@ Velocity<SpannedGroup, T> acceleration_in(Chart const& chart, Vector<T> const& q
   auto const state = state_in(chart, moving(q, v), moving(v, a));
   return {state.configuration.group, rates(state.velocity.coordinates)};
 }
-/// Columns: how the element moves when a coordinate does, carried to the identity on the right.
+/// Columns: how the element moves when a coordinate does, translated to the identity on the right.
 template <class Chart, class T>
 Matrix<T> frame(Chart const& chart, Vector<T> const& q) {
   int const n = static_cast<int>(q.size());

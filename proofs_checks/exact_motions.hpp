@@ -101,7 +101,7 @@ struct ExactMotions {
       return self.configuration(self.bent(x));
     };
   }
-  /// The generator of u -> u + e d, carried to the identity on the right.
+  /// The generator of u -> u + e d, translated to the identity on the right.
   auto shift(Vector<S> const& d) const {
     return [self = *this, d](auto const& g) {
       using T = typename std::decay_t<decltype(g)>::Scalar;

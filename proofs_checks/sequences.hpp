@@ -205,7 +205,8 @@ Vector<S> stacked(std::vector<Momentum<SpannedGroup, S>> const& parts) {
   return all;
 }
 
-/// What is left of (3.10), written with matrices, at every inner configuration of a sequence of relative motions.
+/// The residual of (3.10), written with matrices, at every inner configuration of a sequence of relative
+/// motions.
 template <class F, class S>
 Vector<S> reduced_residual_right(F const& l, GroupElements<S> const& f) {
   auto const& group = f.front().group;

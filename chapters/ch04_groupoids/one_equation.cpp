@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
     top_apart = std::max(top_apart, (seen(configurations.second) - with_vertical.target(turning).value).norm());
     vertical_kept = std::max(vertical_kept, std::abs(vertical() / start - 1));
   }
-  program.picture("top", book::Sphere(20, 25).curve(axis, "axis of the top", {.colour = 2}).svg(), "The axis of the top; its groupoid has rotations, and the vertical as the body sees it.");
+  program.picture("top", book::Sphere(20, 25).curve(axis, "axis of the top", {.colour = 2}).svg(), "The axis of the top; its groupoid has rotations, and the vertical in the body frame.");
 
   // 3. What must be so: two roads with rounding errors of their own, a thousand steps long; a momentum that each step keeps.
   program.table("groupoids", {"system", "groupoid", "base", "fibre", "apart from pairs", "momentum kept to"},

@@ -7,7 +7,7 @@
 // Read first. The section "A vector that is carried along" of chapter 5.
 //
 //   Omega, Pi   body velocity, rad/s, and body momentum, J s     p     weight times centre of mass, J
-//   Gamma       the vertical as the body sees it                 u     height of the axis, cosine of its angle with the vertical
+//   Gamma       the vertical in the body frame                 u     height of the axis, cosine of its angle with the vertical
 #include "actio/foundations/taylor_reference.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "book/measure.hpp"
@@ -35,7 +35,8 @@ auto euler_poisson(Matrix<dec50, 3, 1> const& I, Matrix<dec50, 3, 1> const& p) {
 // A toy: a thin disc of 100 g, 4 cm in radius, 3 cm above the tip. The disc is flat, so that one of its Lambda is zero.
 double const disc = 0.1 * 0.04 * 0.04 / 4;
 auto const toy = held_at_a_point<double>(0.1, inertia_from_moments(disc, disc, 2 * disc), Vector3d(0, 0, 0.03), Vector3d(0, 0, -9.81));
-// Leaning, spinning about its axis as the body sees it, and going round the vertical at a rate of its own: attitude and state.
+// Leaning, spinning about its axis in the body frame, and going round the vertical at a rate of its own:
+// attitude and state.
 auto let_go(double lean, double spin, double round) {
   auto const g = exp(velocity(SO<3>{}, Vector3d(lean, 0, 0)));
   Vector3d const omega = round * g.value.transpose() * Vector3d::UnitZ();

@@ -32,7 +32,7 @@ struct Top {
     body.step(steps);
     return body.state();
   }
-  /// Momentum, and the vertical as the body sees it.
+  /// Momentum, and the vertical in the body frame.
   Vector6d seen(FreeState const& s) const {
     Vector6d y;
     y << s.body_momentum.components, SU2::Ad<double>(SU2::inverse<double>(s.attitude.value), top.vertical());

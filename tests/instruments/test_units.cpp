@@ -31,7 +31,8 @@ BOOST_AUTO_TEST_CASE(metres_and_kibimetres_give_the_same_defects) {
     auto const map = [&](auto const& mu) { return family(typename std::decay_t<decltype(mu)>::Scalar(0.25), mu); };
     auto const glide_square = [](auto const& mu) { return mu.components.template tail<3>().squaredNorm(); };
     auto const product = [](auto const& mu) { return mu.components.template head<3>().dot(mu.components.template tail<3>()); };
-    // On T*SE(3): the configuration moves on as fast as it does at first. On SE(3) x SE(3): the motion goes on as it did.
+    // On T*SE(3): the configuration moves on as fast as it does at first. On SE(3) x SE(3): the last relative
+    // motion is repeated.
     auto const g0 = exp(velocity(space, Vector6d(where.cwiseProduct(configuration_unit)))),
                g1 = g0 * exp(velocity(space, Vector6d(ahead.cwiseProduct(configuration_unit))));
     auto const on_bundle = [&](auto const& p) {

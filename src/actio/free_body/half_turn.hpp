@@ -45,7 +45,7 @@ Three<T> stretch_of(Three<T> const& delta) {
 /// Where a body is: direction of the body momentum, and attitude (body to space).
 template <class T>
 struct FrameState {
-  Three<T> direction;  ///< unit vector along the momentum as the body sees it
+  Three<T> direction;  ///< unit vector along the momentum in the body frame
   Four<T> attitude;    ///< unit quaternion, scalar first
 };
 

@@ -1,6 +1,7 @@
 // The torque of a uniform field of gravity on a body that is held at a point.
 //
-// With the lever p = m |g| chi, weight times centre of mass, and n the direction of gravity as the body sees it, torque and potential are
+// With the lever p = m |g| chi, weight times centre of mass, and n the direction of gravity in the body
+// frame, torque and potential are
 //
 //     tau = p x n,        V = -p.n.
 //

@@ -50,7 +50,8 @@ GeneratedMomenta<V> generated_momenta(F const& s, V const& q, V const& q0, typen
   }
   return p;
 }
-/// What is left of the Hamilton-Jacobi equation \f$\partial S/\partial t + H(q, \partial S/\partial q) = 0\f$ on \f$\mathbb R^n\f$.
+/// The residual of the Hamilton-Jacobi equation \f$\partial S/\partial t + H(q, \partial S/\partial q) = 0\f$
+/// on \f$\mathbb R^n\f$.
 ///
 /// @param s  as in \ref generated_momenta
 /// @param h  Hamiltonian, (q, p) -> energy
@@ -79,7 +80,7 @@ S time_derivative(F const& s, Element<G, S> const& g, std::type_identity_t<S> co
   return s(over<Dual<S>>(g), time).part[0];
 }
 
-/// What is left of the Lie-Poisson Hamilton-Jacobi equation of a left-invariant system.
+/// The residual of the Lie-Poisson Hamilton-Jacobi equation of a left-invariant system.
 ///
 /// \f[ \frac{\partial S_L}{\partial t} + H_L(-R_g^*\,dS_L(g)) \f]
 ///

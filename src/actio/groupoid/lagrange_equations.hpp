@@ -53,7 +53,8 @@ auto legendre_at_source(Gamma const& gamma, L const& l, A const& h) {
   return DualPoint<Gamma, S>{gamma.source(h), -d};
 }
 
-/// What is left of the Lagrange equations on a groupoid: zero where \f$L(g)+L(h)\f$ is stationary among pairs with the product gh, and only there.
+/// The residual of the Lagrange equations on a groupoid: zero where \f$L(g)+L(h)\f$ is stationary among pairs
+/// with the product gh, and only there.
 ///
 /// \f[ \tilde\beta(dL(g)) - \tilde\alpha(dL(h)), \qquad \beta(g) = \alpha(h) \f]
 ///

@@ -15,7 +15,8 @@ struct PairArrow {
   Element<G, S> second;  ///< to here
 };
 
-/// \f$G\times G\f$ over G. A vector of its algebroid at g is a tangent vector, carried to the identity on the right: \f$\vartheta = \delta g\,g^{-1}\f$ of the target.
+/// \f$G\times G\f$ over G. A vector of its algebroid at g is a tangent vector, translated to the identity on
+/// the right: \f$\vartheta = \delta g\,g^{-1}\f$ of the target.
 ///
 /// \implements{claim_4_1_groupoids}
 template <Group G>

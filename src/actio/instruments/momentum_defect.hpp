@@ -28,7 +28,8 @@ S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
 /// the sum over the components that share a unit: turns and shifts.
 /// @param space      `CotangentBundle`, or `PairsOfConfigurations`, where \f$\mu = D_2L\f$ and \f$g = g_1\f$
 /// @param map        point -> point, at plain numbers
-/// @param generator  Element -> Velocity: the generator of the symmetry on G, carried to the identity on the right (variational/momentum_map.hpp)
+/// @param generator  Element -> Velocity: the generator of the symmetry on G, translated to the identity on
+///   the right (variational/momentum_map.hpp)
 /// @throws NotFinite, OutsideDomain  where the point, its image or the generator is no number, or has the wrong size
 /// Accuracy: a map that conserves J gets about an epsilon for each rounding of a step, of the order of ten; 0 where the momentum vanishes at both
 /// ends.

@@ -1,7 +1,7 @@
 // The spaces that a map may be judged on: how their points move to first order, and the bracket that a good map keeps.
 //
 //   LiePoissonPlus, LiePoissonMinus                  g*      Momentum    momenta of right- and of left-invariant systems
-//   CotangentBundle                                  T*G     Costate     spatial momentum, carried to the identity on the right
+//   CotangentBundle                                  T*G     Costate     spatial momentum, translated to the identity on the right
 //   PairsOfConfigurations<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
 //   RelativeMotionsRight<l>, RelativeMotionsLeft<l>  G       Element     the bracket of a reduced discrete Lagrangian    (discrete_spaces.hpp)
 //

@@ -112,10 +112,12 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 
 // The equations.
 
-/// What is left of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along motions, and only there.
+/// The residual of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along
+/// motions, and only there.
 ///
 /// \f[ L^*_{f_{21}}\ell'(f_{21}, a_1) - A_{a_1}^*\,\partial_a\ell(f_{21}, a_1) - R^*_{f_{10}}\ell'(f_{10}, a_0), \qquad a_1 = f_{10}\,a_0 \f]
-/// It is \f$\mathrm{Ad}^*_{g_1}\f$ of what is left of the discrete Euler-Lagrange equations of \ref lift_advected_left at \f$(g_0, g_1, g_2)\f$.
+/// It is \f$\mathrm{Ad}^*_{g_1}\f$ of the residual of the discrete Euler-Lagrange equations of
+/// \ref lift_advected_left at \f$(g_0, g_1, g_2)\f$.
 ///
 /// \implements{rem_3_1_3}
 /// @param l    reduced discrete Lagrangian (f, a) -> energy x time, a the vector before the step
@@ -137,7 +139,8 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
 /// The same, right-invariant.
 ///
 /// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01}, a_0), \qquad a_1 = f_{01}^{-1}a_0 \f]
-/// It is what is left of the discrete Euler-Lagrange equations of \ref lift_advected_right at \f$(g_0, g_1, g_2)\f$.
+/// It is the residual of the discrete Euler-Lagrange equations of \ref lift_advected_right at
+/// \f$(g_0, g_1, g_2)\f$.
 ///
 /// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before
 /// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
@@ -181,8 +184,8 @@ Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> 
       start);
 }
 
-/// The next relative motion, left-invariant: solves \ref advected_euler_poincare_left for `f21`, starting from "the motion goes on as it did". The
-/// vector goes on with \ref advect_left.
+/// The next relative motion, left-invariant: solves \ref advected_euler_poincare_left for `f21`; the initial
+/// guess repeats the last relative motion. The vector goes on with \ref advect_left.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>

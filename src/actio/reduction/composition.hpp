@@ -11,8 +11,8 @@
 
 namespace actio {
 
-/// What is left of the conditions for order 6 on the fractions of a symmetric composition of a self-adjoint step of order 2; the first two are those
-/// for order 4.
+/// The residual of the conditions for order 6 on the fractions of a symmetric composition of a self-adjoint
+/// step of order 2; the first two are those for order 4.
 ///
 /// \f[ \sum_k\gamma_k - 1,\qquad \sum_k\gamma_k^3,\qquad \sum_k\gamma_k^5,\qquad \sum_k\gamma_k^3\,m_k^2,
 ///    \qquad m_k = \gamma_1+\dots+\gamma_{k-1}+\tfrac12\gamma_k \f]

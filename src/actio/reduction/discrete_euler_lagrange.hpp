@@ -2,7 +2,7 @@
 //
 // A discrete Lagrangian is any callable L(g0, g1), at every scalar. It is an action (energy x time), about the integral of the
 // continuous Lagrangian over the step, so that D2 is a momentum and steps may differ. The thesis divides by the step; no statement changes.
-// Differentials in either slot are carried to the identity on the right, variations being theta = dg g^-1.
+// Differentials in either slot are translated to the identity on the right, variations being theta = dg g^-1.
 #pragma once
 
 #include "actio/foundations/solve.hpp"
@@ -21,7 +21,7 @@ Momentum<G, S> D2(L const& lagrangian, Element<G, S> const& g0, Element<G, S> co
   return right_differential([&](auto const& g) { return lagrangian(like(g, g0), g); }, g1);
 }
 
-/// What is left of the discrete Euler-Lagrange equations: zero along discrete motions, and only there.
+/// The residual of the discrete Euler-Lagrange equations: zero along discrete motions, and only there.
 ///
 /// \f[ D_2 L(g_0, g_1) + D_1 L(g_1, g_2) \f]
 ///
@@ -36,7 +36,8 @@ Momentum<G, S> discrete_euler_lagrange(L const& lagrangian, Element<G, S> const&
   // [eq_3_2]
 }
 
-/// The next configuration: solves \ref discrete_euler_lagrange for \f$g_2\f$, starting from "the motion goes on as it did".
+/// The next configuration: solves \ref discrete_euler_lagrange for \f$g_2\f$; the initial guess repeats the
+/// last relative motion.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class L>

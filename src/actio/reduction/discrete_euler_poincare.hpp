@@ -9,7 +9,8 @@
 
 namespace actio {
 
-/// What is left of the discrete Euler-Poincare equations of a right-invariant system: zero along motions, and only there.
+/// The residual of the discrete Euler-Poincare equations of a right-invariant system: zero along motions, and
+/// only there.
 ///
 /// \f[ R^*_{f_{12}}\,\ell'(f_{12}) \;-\; L^*_{f_{01}}\,\ell'(f_{01}) \f]
 ///
@@ -26,7 +27,7 @@ Momentum<G, S> euler_poincare_right(F const& l, Element<G, S> const& f01, Elemen
   // [eq_3_10]
 }
 
-/// What is left of the discrete Euler-Poincare equations of a left-invariant system.
+/// The residual of the discrete Euler-Poincare equations of a left-invariant system.
 ///
 /// \f[ L^*_{f_{21}}\,\ell'(f_{21}) \;-\; R^*_{f_{10}}\,\ell'(f_{10}) \f]
 ///
@@ -41,7 +42,8 @@ Momentum<G, S> euler_poincare_left(F const& l, Element<G, S> const& f10, Element
   // [eq_3_11]
 }
 
-/// The next relative motion of a right-invariant system: solves \ref euler_poincare_right for `f12`, starting from "the motion goes on as it did".
+/// The next relative motion of a right-invariant system: solves \ref euler_poincare_right for `f12`; the
+/// initial guess repeats the last relative motion.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class F>

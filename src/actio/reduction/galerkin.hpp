@@ -152,7 +152,7 @@ struct GalerkinStep {
     require_steppable(from, h);
     auto const& mu = from.momentum;
     int const n = mu.group.dimension(), s = path.degree();
-    // Start from "the motion goes on as it did": a line in the chart.
+    // The initial guess repeats the last step: a line in the chart.
     Element<Stack, S> start{{s * n}, {}};
     start.value.resize(s * n);
     for (int nu = 0; nu < s; ++nu) start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));

@@ -76,7 +76,8 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 /// \f$h\,L(q, \cdot)\f$ with average and difference taken in the natural chart at a base point (right translation).
 ///
 /// \f[ \eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2)),\quad \zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1)),\quad q = e^\eta g,\quad \xi = \mathrm{iex}(\mathrm{ad}_\eta)\,\zeta \f]
-/// \f$\xi\f$ is the velocity at q carried to the identity on the right, so that this is (3.20) with its push-forward carried out, (3.22).
+/// \f$\xi\f$ is the velocity at q translated to the identity on the right, so that this is (3.20) with its
+/// push-forward carried out, (3.22).
 ///
 /// \implements{eq_3_20}
 /// @param L     Lagrangian on TG
@@ -202,7 +203,8 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
   return {xi.group, chi(ad_matrix(-xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
 }
 
-/// What is left of the implicit algorithm on the algebra, right-invariant: zero along the logarithms of the motions of \ref euler_poincare_right, and only there.
+/// The residual of the implicit algorithm on the algebra, right-invariant: zero along the logarithms of the
+/// motions of \ref euler_poincare_right, and only there.
 ///
 /// \f[ l'(-\xi_{12}/h)\cdot\chi(\mathrm{ad}_{\xi_{12}}) \;-\; l'(-\xi_{01}/h)\cdot\chi(\mathrm{ad}_{\xi_{01}})\cdot\exp(\mathrm{ad}_{\xi_{01}}), \qquad \chi\cdot\mathrm{iex} = 1 \f]
 /// The momenta that the step after takes up and the step before leaves behind: minus the residual (3.10) of \ref natural_chart_lagrangian_right.
@@ -220,7 +222,8 @@ Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, 
   return momentum_through_log_right(l, h, xi12) - momentum_through_log_left(l, h, xi01);
   // [eq_3_26]
 }
-/// What is left of the implicit algorithm on the algebra, left-invariant: minus the residual (3.11) of \ref natural_chart_lagrangian_left.
+/// The residual of the implicit algorithm on the algebra, left-invariant: minus the residual (3.11) of
+/// \ref natural_chart_lagrangian_left.
 ///
 /// @param xi10  logarithm of \f$f_{10} = g_1^{-1}g_0\f$
 /// @param xi21  logarithm of \f$f_{21} = g_2^{-1}g_1\f$
@@ -273,7 +276,8 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
 }
 }  // namespace detail
 
-/// The next logarithm of a right-invariant system: solves \ref algebra_euler_poincare_right for `xi12`, starting from "the motion goes on as it did".
+/// The next logarithm of a right-invariant system: solves \ref algebra_euler_poincare_right for `xi12`; the
+/// initial guess repeats the last relative motion.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular, or for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>

@@ -104,7 +104,7 @@ class MoserVeselov {
     return reconstruct_left(g1, step_euler_poincare(relative_motion_left(g0, g1)).value);
   }
 
-  /// What is left of the DEP equation (5.7), matrices in coordinates: zero along motions.
+  /// The residual of the DEP equation (5.7), matrices in coordinates: zero along motions.
   BodyMomentum residual(Rotation const& f10, Rotation const& f21) const {
     // [eq_5_7]
     return momentum_before(f21) - momentum_after(f10);

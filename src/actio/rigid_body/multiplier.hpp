@@ -109,7 +109,7 @@ M constrained_stationarity(M const& lambda, M const& before, M const& at, M cons
 /// @param before  \f$g_{k-1}\f$
 /// @param at      \f$g_k\f$, a rotation
 /// @param after   \f$g_{k+1}\f$
-/// @return        \f$\lambda_k\f$, as seen from space; mass x length^2
+/// @return        \f$\lambda_k\f$, in the spatial frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
 M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& after) {
@@ -119,11 +119,12 @@ M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& aft
   return (pull + pull.transpose()) / typename M::Scalar(2);
 }
 
-/// The multiplier as the body sees it, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: what multiplication of all configurations on the left leaves as it is.
+/// The multiplier in the body frame, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: what multiplication of all
+/// configurations on the left leaves as it is.
 /// \implements{claim_5_2_conjugate_multiplier}
 ///
 /// @param at          \f$g_k\f$, a rotation
-/// @param multiplier  \f$\lambda_k\f$, as seen from space; mass x length^2
+/// @param multiplier  \f$\lambda_k\f$, in the spatial frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
 M body_multiplier(M const& at, M const& multiplier) {
@@ -133,12 +134,13 @@ M body_multiplier(M const& at, M const& multiplier) {
   // [claim_5_2_conjugate_multiplier]
 }
 
-/// What is left of the reduced equation with a multiplier: \f$f_{21}^T\Lambda + f_{10}\Lambda - \bar\lambda\f$. \implements{claim_5_2_dep_with_multiplier}
+/// The residual of the reduced equation with a multiplier:
+/// \f$f_{21}^T\Lambda + f_{10}\Lambda - \bar\lambda\f$. \implements{claim_5_2_dep_with_multiplier}
 ///
 /// @param lambda      \f$\Lambda\f$, symmetric; mass x length^2
 /// @param f10         relative motion \f$g_1^Tg_0\f$ over the step before
 /// @param f21         relative motion \f$g_2^Tg_1\f$ over the step after
-/// @param multiplier  \f$\bar\lambda\f$ at the configuration between, as the body sees it; mass x length^2
+/// @param multiplier  \f$\bar\lambda\f$ at the configuration between, in the body frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
 M euler_poincare_with_multiplier(M const& lambda, M const& f10, M const& f21, M const& multiplier) {

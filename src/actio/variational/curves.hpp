@@ -24,7 +24,7 @@ State<G, S> value_of(State<G, Dual<S>> const& v) {
   return {value_of(v.configuration), value_of(v.velocity)};
 }
 
-/// How an element moves, carried to the identity on the right: \f$\dot g\,g^{-1}\f$.
+/// How an element moves, translated to the identity on the right: \f$\dot g\,g^{-1}\f$.
 template <MatrixGroup G, Scalar S>
 Velocity<G, S> rate_right(Element<G, Dual<S>> const& g) {
   Storage<G, S> const rate = g.value.unaryExpr([](Dual<S> const& x) { return x.part[0]; });

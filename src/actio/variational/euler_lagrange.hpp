@@ -1,7 +1,8 @@
 // The Euler-Lagrange equations of a Lagrangian on TG, without coordinates.
 //
-// Carried to the identity on the right, the variation of a curve is theta = dg g^-1 and that of its velocity is theta' - [xi, theta]. What stands beside theta
-// after integration by parts is the Euler-Lagrange map; what is left at the ends is the Lagrange one-form.
+// Translated to the identity on the right, the variation of a curve is theta = dg g^-1 and that of its
+// velocity is theta' - [xi, theta]. What stands beside theta after integration by parts is the Euler-Lagrange
+// map; what is left at the ends is the Lagrange one-form.
 #pragma once
 
 #include "actio/variational/legendre.hpp"
@@ -12,7 +13,8 @@ namespace actio {
 ///
 /// \f[ \partial_g L \;-\; \mathrm{ad}^*_\xi\,\mu \;-\; \frac{d\mu}{dt}, \qquad \mu = F L(g, \xi) \f]
 ///
-/// In a chart this is (2.4); here the base derivative and the momentum are carried to the identity on the right.
+/// In a chart this is (2.4); here the base derivative and the momentum are translated to the identity on the
+/// right.
 /// \implements{eq_2_4}
 /// @param L             Lagrangian on TG, energy
 /// @param v             state

@@ -21,7 +21,7 @@ Momentum<G, S> momentum_rate(F const& l, Velocity<G, S> const& xi, Velocity<G, S
 }
 }  // namespace detail
 
-/// What is left of the Euler-Poincare equations of a right-invariant system:
+/// The residual of the Euler-Poincare equations of a right-invariant system:
 /// \f[ \frac{d}{dt}\frac{\partial l}{\partial\xi} + \mathrm{ad}^*_\xi\frac{\partial l}{\partial\xi} . \f]
 ///
 /// \implements{thm_2_2_1}
@@ -35,7 +35,7 @@ Momentum<G, S> euler_poincare_right(F const& l, Velocity<G, S> const& xi, Veloci
   // [thm_2_2_1]
 }
 
-/// What is left of the Euler-Poincare equations of a left-invariant system:
+/// The residual of the Euler-Poincare equations of a left-invariant system:
 /// \f[ \frac{d}{dt}\frac{\partial l}{\partial\xi} - \mathrm{ad}^*_\xi\frac{\partial l}{\partial\xi} . \f]
 ///
 /// @param l             reduced Lagrangian on the algebra, energy

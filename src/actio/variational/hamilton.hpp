@@ -1,7 +1,8 @@
 // Hamilton's equations and the canonical bracket on T*G.
 //
-// A covector p at g is written (g, mu) with mu = T_e^*R_g p, carried to the identity on the right: the spatial momentum, what the thesis calls lambda(p).
-// A function on T*G is any callable f(costate), at every scalar.
+// A covector p at g is written (g, mu) with mu = T_e^*R_g p, translated to the identity on the right: the
+// spatial momentum, what the thesis calls lambda(p). A function on T*G is any callable f(costate), at every
+// scalar.
 #pragma once
 
 #include "actio/foundations/differential.hpp"
@@ -22,7 +23,8 @@ struct CostateChange {
   Momentum<G, S> momentum;  ///< \f$\delta\mu\f$
 };
 
-/// The momentum as the body sees it, \f$T_e^*L_g\,p = \mathrm{Ad}^*_g\,\mu\f$: what multiplication from the right conserves.
+/// The momentum in the body frame, \f$T_e^*L_g\,p = \mathrm{Ad}^*_g\,\mu\f$: what multiplication from the
+/// right conserves.
 template <Group G, Scalar S>
 Momentum<G, S> body_momentum(Costate<G, S> const& p) {
   return Ad_star(p.configuration, p.momentum);
@@ -58,7 +60,7 @@ Velocity<G, S> momentum_derivative(H const& h, Costate<G, S> const& p) {
       },
       p.momentum);
 }
-/// \f$\partial_gH\f$ at fixed \f$\mu\f$, carried to the identity on the right.
+/// \f$\partial_gH\f$ at fixed \f$\mu\f$, translated to the identity on the right.
 template <Group G, Scalar S, class H>
 Momentum<G, S> base_derivative(H const& h, Costate<G, S> const& p) {
   return right_differential(

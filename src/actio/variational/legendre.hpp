@@ -7,7 +7,7 @@ namespace actio {
 
 /// \f$F L\f$: the momentum of a state, the derivative of L along the fibre, \f$\langle F L(v), \eta\rangle = \frac{d}{d\epsilon}L(g, \xi+\epsilon\eta)\f$.
 ///
-/// Carried to the identity on the right, as the velocity is: the spatial momentum.
+/// Translated to the identity on the right, as the velocity is: the spatial momentum.
 /// @param L  Lagrangian, energy
 template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
@@ -19,7 +19,8 @@ Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
       v.velocity);
 }
 
-/// The derivative of L along the base, with the right-carried velocity held fixed: \f$\langle\cdot, \vartheta\rangle = \frac{d}{d\epsilon}L(e^{\epsilon\vartheta}g, \xi)\f$.
+/// The derivative of L along the base, with the right-translated velocity held fixed:
+/// \f$\langle\cdot, \vartheta\rangle = \frac{d}{d\epsilon}L(e^{\epsilon\vartheta}g, \xi)\f$.
 template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> base_derivative(Lagrangian const& L, State<G, S> const& v) {
   return right_differential(

@@ -1,7 +1,8 @@
 // Momentum maps: what a symmetry conserves (Noether).
 //
-// A one-parameter group acting on G has a generator at each g; carried to the identity on the right it is a function g -> theta(g).
-// Multiplication from the left by exp(t zeta) has theta = zeta; multiplication from the right by exp(t zeta) has theta = Ad_g zeta.
+// A one-parameter group acting on G has a generator at each g; translated to the identity on the right it is
+// a function g -> theta(g). Multiplication from the left by exp(t zeta) has theta = zeta; multiplication from
+// the right by exp(t zeta) has theta = Ad_g zeta.
 #pragma once
 
 #include "actio/variational/lagrange_forms.hpp"
@@ -11,7 +12,8 @@ namespace actio {
 /// \f$J(v) = \langle F L(v), \vartheta(g)\rangle\f$: the contraction of the lifted generator with \f$\theta_L\f$.
 ///
 /// \implements{claim_2_1_noether_momentum}
-/// @param generator  Element at any scalar -> Velocity at the same: the generator on G, carried to the identity on the right
+/// @param generator  Element at any scalar -> Velocity at the same: the generator on G, translated to the
+///   identity on the right
 template <Group G, Scalar S, class Lagrangian, class Generator>
 S noether_momentum(Lagrangian const& L, State<G, S> const& v, Generator const& generator) {
   return pair(legendre(L, v), generator(v.configuration));
