@@ -1,24 +1,26 @@
-// Half turns for very many steps: the small change of a step is added with what the sums before have lost.
+// Half turns for very many steps: the small change of a step is added by compensated summation (Kahan).
 //
-// A step writes the new momentum as a rounded whole, which costs one rounding of the whole a step. Here the change itself is worked out, to all its digits, and summed with a
-// carry (Kahan): with v = u + eps, eps_i = delta_j delta_k u_i + (delta_k - delta_j) u_j u_k,
+// A step writes the new momentum as a rounded whole, which costs one rounding of the whole a step. Here the
+// change itself is worked out, to all its digits, and summed with the rounding error of the sum so far: with
+// v = u + eps, eps_i = delta_j delta_k u_i + (delta_k - delta_j) u_j u_k,
 //
 //     u' - u = 2 (u x eps) x v / (v.v),      q' - q = q (e - 1),      e = (cos T (u.v), sin T v - cos T (u x eps)) / |v|,      e_0 - 1 = -(e_1^2 + e_2^2 + e_3^2)/(1 + e_0).
 //
-// Written with u x eps, the rotation takes the new momentum to the old one whatever rounding has done to the delta: momentum in space does not feel it.
+// Written with u x eps, the rotation takes the new momentum to the old one whatever the rounding of the
+// delta: the momentum in space does not depend on it.
 #pragma once
 
 #include "actio/free_body/half_turn.hpp"
 
 namespace actio {
 
-/// A body's place as an unevaluated sum.
+/// A body's state as an unevaluated sum.
 template <class T>
 struct CompensatedState {
   FrameState<T> state;           ///< the leading part
   FrameState<T> compensation{{}, {}};   ///< what is to be added to it
 
-  /// Adds a small change, and keeps what the sums lose.
+  /// Adds a small change; `compensation` accumulates the rounding errors of the sum.
   template <std::size_t N>
   [[gnu::always_inline]] static void add(std::array<T, N>& sum, std::array<T, N>& compensation, std::array<T, N> const& change) {
     auto const y = plus(change, compensation), next = plus(sum, y);
@@ -27,7 +29,7 @@ struct CompensatedState {
   }
 };
 
-/// A flight made ready for very many steps.
+/// A map that takes very many steps with the same parameters.
 template <class T>
 class CompensatedHalfTurn {
  public:

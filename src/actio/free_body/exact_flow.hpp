@@ -1,8 +1,8 @@
-// The exact motion of a free body over a step of any length, as one half turn and one twist.
+// The exact flow of the free body over a step of any length, as one half turn and one twist.
 //
 // Short steps take the power series of short_flow.hpp. For long ones the momentum at half the step after M2 = 0 comes from Jacobi's functions,
 // m = L (A_c cn, A_2 sn, A_d dn), the axes c and d being 1 and 3 or 3 and 1, and delta_1 = m2 m3/(m1 L), delta_3 = -m1 m2/(m3 L). The twist is the precession P about the momentum, seen
-// from the axis n that the path stays away from, and an angle that belongs to the place:
+// from the axis n that the path stays away from, and an angle that depends on the point of the orbit:
 //
 //     (cos T, sin T)  along  (L m3, m1 m2) turned by P for n = 1,      (L m1, -m2 m3) turned by P for n = 3,
 //     P = L J_j t - L (J_j - J_2) int_0^t m2^2/(m2^2 + mj^2) ds,       j = 3 or 1, the other one.
@@ -12,7 +12,8 @@
 // The quaternion e of half_turn.hpp is 1 at t = 0, and continuous in t: its sign counts the turns. For u.v = sum (1 + delta_j delta_k) u_i^2, and the three factors are sums of positive
 // terms, so that v never vanishes. Where m_c = 0, and nowhere else, v is infinite: m_c^2 v is analytic there, not zero by the same sum, and m_c^2 is positive on both sides. So v/|v| is
 // continuous. The vector (x, y) along which (cos T, sin T) is taken is analytic in t too; it never vanishes, for m1, m2 and m3 never do two at a time in the pairs that occur; and it begins along (1, 0).
-// That holds with m_c and m2 as they are: both change their signs after half a period, which the delta_i do not feel and (x, y) does.
+// That holds with m_c and m2 as they are: both change their signs after half a period, under which the
+// delta_i are invariant and (x, y) is not.
 #pragma once
 
 #include "actio/free_body/elliptic.hpp"
@@ -53,7 +54,7 @@ StepParameters<S> flow_by_series(InverseMoments<S> const& body, Orbit<S> const& 
   return parameters_from<S>(body, orbit, parameters.lever, parameters.square, cos(parameters.twist), sin(parameters.twist));
 }
 
-/// Which way a path goes round, and what is the same at every time.
+/// The axis that an orbit encloses, and the constants of the motion on it.
 template <Real S>
 struct PathRound {
   S inside;           ///< \f$J_2-2H\f$
@@ -72,14 +73,14 @@ struct PathRound {
     along_d = magnitude(third ? orbit.a : orbit.b), along_c = magnitude(third ? orbit.b : orbit.a);
     S const all = both * magnitude(inside) / (near_d * along_d);
     frequency = sqrt(S(near_d * along_d)), k2 = near_c * along_c / (near_d * along_d);
-    // Closer to the separatrix than this the squares of what is left would fall below the smallest numbers.
+    // Closer to the separatrix than this the squares of the remainder would fall below the smallest numbers.
     complement = all < std::numeric_limits<S>::min() / epsilon<S>() ? S(0) : all;
     if (complement > S(1)) complement = S(1);
   }
 };
 
 /// The precession P, seen from the axis that the path stays away from: the other one than j.
-/// @param sn,cn,dn  of what is left of the phase after that many whole half periods
+/// @param sn,cn,dn  of the remainder of the phase after that many whole half periods
 template <Real S>
 S precession(InverseMoments<S> const& body, PathRound<S> const& path, bool from_c, S const& t, S const& phase, S const& halves, typename JacobiFunctions<S>::Values const& at) {
   int const j = from_c ? path.d : path.c;
@@ -131,7 +132,7 @@ StepParameters<S> flow_by_elliptic_functions(InverseMoments<S> const& body, Thre
 
 }  // namespace detail
 
-/// The free flight of a body: exact, for every step length.
+/// The exact flow of the free body, for every step length.
 ///
 /// @param body  inverse moments of inertia, the middle one in the middle
 /// @param u     direction of the body momentum

@@ -11,7 +11,8 @@
 //     e3 (1 + kappa^2)^2 - e2 kappa (1 + kappa^2) + e1 kappa^2 - kappa + r = 0,
 //
 // of the fourth degree, the smallest root being the one that grows out of the identity: since Tr(f Lambda) = Tr Lambda - 2 K, the four roots are the four ways to choose the
-// eigenvalues of f^T Lambda from the pairs that the momentum allows. The flight is delta_i = (1 + kappa^2) j_i - kappa, tan T = kappa.
+// eigenvalues of f^T Lambda from the pairs that the momentum allows. The parameters of the step are delta_i =
+// (1 + kappa^2) j_i - kappa, tan T = kappa.
 #pragma once
 
 #include "actio/free_body/half_turn.hpp"
@@ -19,7 +20,7 @@
 
 namespace actio {
 
-/// The equation for \f$\kappa = \tan T\f$ of the explicit scheme: what is left of it, and the slope.
+/// The equation for \f$\kappa = \tan T\f$ of the explicit scheme: its residual, and the slope.
 template <Scalar S>
 class TwistEquation {
  public:
@@ -72,7 +73,8 @@ class TwistFromMiddle {
     S const dx = twice * step_.j[1] - S(1), product = first * third + S(1);
     return (dx * product + x * ((dx + twice * step_.d12) * third + first * (dx - twice * step_.d23)) - twice * x * product / sum) / sum;
   }
-  /// The flight with this twist, with all digits of the delta_i: the difference that x is has lost some.
+  /// The parameters of the step with this twist, with all digits of the delta_i: the difference that x is has
+  /// lost some.
   StepParameters<S> parameters(S const& kappa) const {
     using std::sqrt;
     S const sum = S(1) + kappa * kappa, cosine = S(1) / S(sqrt(sum)), to_first = sum * step_.d12, to_third = sum * step_.d23;
@@ -91,7 +93,7 @@ class TwistFromMiddle {
   S beside_;
 };
 
-/// A flight from the numbers \f$j_i = hL/(2I_i)\f$ and the twist that goes with them.
+/// The parameters of a step from the numbers \f$j_i = hL/(2I_i)\f$ and the twist that goes with them.
 template <class S>
 StepParameters<S> parameters_of(Three<S> const& j, S const& kappa) {
   using std::sqrt;
@@ -139,7 +141,8 @@ Twist<S> solve_twist(Three<S> const& j, S const& r) {
   return smallest_root<S>(TwistEquation<S>(j, r), r);
 }
 
-/// The flight of the Moser-Veselov scheme; `found` tells whether there is one. A step back in time is one with all signs changed.
+/// The parameters of a step of the Moser-Veselov scheme; `found` tells whether there is one. A step back in
+/// time is one with all signs changed.
 template <Real S>
 StepParameters<S> moser_veselov_parameters(HalfStep<S> const& step, Three<S> const& u, bool& found) {
   Three<S> const& j = step.j;

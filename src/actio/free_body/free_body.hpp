@@ -79,11 +79,11 @@ class FreeBody {
     return state;
   }
 
-  /// The exact flight over a time t.
+  /// The parameters of the exact flow over a time t.
   /// @throws NotFinite  where t is no number, or the angle overflows
   StepParameters<double> step_parameters(double t) const { return exact_flow<double>(moments_, start_.direction, half(t)); }
 
-  /// The flight of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified moments of inertia, 4, 6, 8, ...
+  /// The parameters of a step of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified moments of inertia, 4, 6, 8, ...
   /// @throws OutsideDomain  where the order is odd or not positive
   /// @throws StepTooLong    where there is no solution, with the largest step that would do
   StepParameters<double> moser_veselov_parameters(double h, int order) const {
@@ -98,7 +98,7 @@ class FreeBody {
     return parameters;
   }
 
-  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No small change of the place grows faster.
+  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No perturbation grows faster.
   double pace() const { return std::sqrt(Orbit<double>(moments_, start_.direction).s1) * rate_; }
   /// Whether the orbit passes the middle axis closely: \f$k'^2\f$ about 1/100, or less.
   bool near_separatrix() const {
@@ -111,11 +111,11 @@ class FreeBody {
   /// The inverse moments in the axes that the steps use, in units of a power of two near that of the largest moment.
   InverseMoments<double> const& inverse_moments() const { return moments_; }
 
-  /// The state of a place that the steps have reached.
+  /// The momentum and attitude of a state in the axes of the steps.
   FreeState state(FrameState<double> const& state) const {
     return {momentum_along(state.direction), {SU2{}, frame_.leave(state.attitude).normalized()}};
   }
-  /// The body momentum in the direction of such a place.
+  /// The body momentum with such a direction.
   Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
 
  private:

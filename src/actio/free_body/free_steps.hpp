@@ -12,26 +12,30 @@ namespace actio {
 /// A free body in steps of one length.
 ///
 /// The steps are compensated: what a step adds is summed with what the sums before have lost. The numbers of a step are rounded once and for all, so that each step misses the orbit by
-/// a part of a rounding, always to the same side; and next to the separatrix a miss grows as fast as the motion leaves the middle axis. So every 64 steps, or more often where they are long, the place is set back on its
-/// orbit, of which amount and energy are known, and the attitude is turned so that the momentum in space is what it was. That takes the error next to the separatrix down to what one rounding of the start makes.
-/// Steps of more than four radians there, of which one may pass by the middle axis more than once, are evaluated from the start, each as `at` of the body does it.
+/// a part of a rounding, always to the same side; and next to the separatrix a miss grows as fast as the
+/// motion leaves the middle axis. So every 64 steps, or more often where they are long, the state is
+/// projected back onto its orbit, of which amount and energy are known, and the attitude is turned so that
+/// the momentum in space is what it was. That takes the error next to the separatrix down to what one
+/// rounding of the start makes. Steps of more than four radians there, of which one may pass by the middle
+/// axis more than once, are evaluated from the start, each as `at` of the body does it.
 class FreeSteps {
  public:
   /// @param body  where it starts
   /// @param h     step, time, not zero; negative steps go back in time
   /// @throws NotFinite, OutsideDomain  where the step is no number, or zero
   FreeSteps(FreeBody body, double h) : FreeSteps(body, h, checked(body, h)) { leaps_ = body_.near_separatrix() && std::abs(h) * body_.pace() > 4; }
-  /// The same for a flight of another method, such as \ref FreeBody::moser_veselov_parameters.
+  /// The same for the parameters of another method, such as \ref FreeBody::moser_veselov_parameters.
   FreeSteps(FreeBody body, double h, StepParameters<double> const& parameters)
       : body_(std::move(body)), step_(h), turn_(parameters), now_{body_.start(), {{}, {}}}, above_(above(body_)), energy_(energy(now_)), space_(in_space(now_)) {
-    // A flight is that of its orbit, and long steps beside it depart from it: where they are longer than a few radians each one must be set back. Next to the separatrix what was
-    // missed grows even between short steps.
+    // Parameters belong to an orbit, and long steps beside it depart from it: where they are longer than a
+    // few radians each one must be set back. Next to the separatrix what was missed grows even between short
+    // steps.
     double const pace = std::abs(h) * body_.pace(), often = std::max(4 * pace * pace, body_.near_separatrix() ? 16 * pace : 0.0);
     block_ = often > 1 ? std::max(1L, static_cast<long>(64 / often)) : 64;
   }
 
   /// Steps with momentum and attitude. One call with 1000 and a thousand calls with 1 give the same digits.
-  /// @throws OutsideDomain  after \ref advance_momentum, which has left the attitude behind
+  /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown
   void advance(long count = 1) {
     require_attitude();
     take(count, [turn = turn_](CompensatedState<double>& state) __attribute__((always_inline)) { turn.step(state); }, [this] { restore_momentum(), restore_attitude(); });
@@ -42,7 +46,8 @@ class FreeSteps {
     take(count, [turn = turn_](CompensatedState<double>& state) __attribute__((always_inline)) { turn.step_momentum(state); }, [this] { restore_momentum(); });
   }
 
-  /// Saves, or restores, what the next step depends on besides body, step and flight: `memory(numbers...)` takes each of them by reference.
+  /// Saves, or restores, what the next step depends on besides body, step and method: `memory(numbers...)`
+  /// takes each of them by reference.
   template <class Memory>
   void remember(Memory& memory) {
     memory(now_, taken_, since_, attitude_known_);
@@ -89,7 +94,7 @@ class FreeSteps {
     }
     while (count > 0) {
       long const now = std::min(count, block_ - since_);
-      // In a local variable, where the compiler may keep it in registers.
+      // In a local variable, so that the compiler can use registers.
       CompensatedState<double> state = now_;
       for (long k = 0; k < now; ++k) step(state);
       now_ = state;
@@ -169,7 +174,7 @@ class FreeSteps {
   long block_;      ///< steps between two restorations; each costs as much as a few steps
   long since_ = 0;  ///< steps since the last restoration
   long taken_ = 0;
-  bool leaps_ = false;  ///< whether each place is evaluated from the start instead
+  bool leaps_ = false;  ///< whether each state is evaluated from the start instead
 };
 
 }  // namespace actio

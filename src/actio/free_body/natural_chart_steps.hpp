@@ -16,8 +16,9 @@ namespace actio {
 
 /// A free body in steps of one length, by the natural-chart scheme.
 ///
-/// The momentum in the body is turned back by what the attitude is turned by, so that its amount and the momentum in space are kept to rounding, whatever Newton's method has left. Both are summed with what the sums before
-/// have lost. Each search begins where the three before it point to.
+/// The momentum in the body is turned back by what the attitude is turned by, so that its amount and the
+/// momentum in space are conserved to rounding, whatever the residual of Newton's method. Both are summed
+/// with what the sums before have lost. Each search begins where the three before it point to.
 class NaturalChartSteps {
  public:
   /// @param momentum   body momentum at the start, energy x time
@@ -58,7 +59,7 @@ class NaturalChartSteps {
 
   double step() const { return step_; }
   /// Momentum and attitude now.
-  /// @throws OutsideDomain  after \ref advance_momentum, which has left the attitude behind
+  /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown
   FreeState state() const {
     if (!attitude_known_) throw OutsideDomain("natural-chart steps", "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
     auto const q = plus(now_.attitude, compensation_.attitude);

@@ -6,7 +6,8 @@
 //
 //     tan^2(u, V) = |p x V|^2/(p.V)^2 = sum (D_i V_i)^2/(p.V)^2 =: e2,        |p||V| = (p.V) sqrt(1 + e2),
 //
-// where e2 is small, so that its root is a short series, and what is left is one division. A body at rest is no exception.
+// where e2 is small, so that its root is a short series, and one division remains. A body at rest is no
+// exception.
 #pragma once
 
 #include "actio/free_body/short_flow.hpp"

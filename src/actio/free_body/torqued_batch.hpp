@@ -1,6 +1,7 @@
-// Many bodies under the torque of gravity, several at once: the steps of torqued_body.hpp in lanes.
+// Many bodies under the torque of gravity, several at once: the steps of torqued_body.hpp in the lanes of
+// SIMD registers.
 //
-// A lane whose flight is too long for the series of its neighbours is flown by itself, and put back.
+// A lane whose drift is too long for the series of its neighbours is computed by itself, and put back.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +40,7 @@ void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) 
   for (std::size_t i = 0; i < n; ++i) x[i].set(l, y[i]);
 }
 
-/// The flight of each lane by itself.
+/// The drift of each lane by itself.
 [[gnu::noinline, gnu::cold]] inline void drift_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p, Four<Pack<4>>& q) {
   for (int l = 0; l < 4; ++l) {
     InverseMoments<double> body;
@@ -120,7 +121,7 @@ struct TorquedLaneSteps {
     lanes.p = p, lanes.q = q, lanes.cosine = cosine, lanes.sine = sine;
   }
 
-  std::vector<InverseMoments<Lanes>> const& parts;  ///< of the flights
+  std::vector<InverseMoments<Lanes>> const& parts;  ///< of the drifts
   std::vector<Lanes> rotation{};                    ///< cosine and sine of what the direction turns by in each of them
 };
 
@@ -128,8 +129,8 @@ struct TorquedLaneSteps {
 
 /// Bodies under the torque of gravity, in steps of one length.
 ///
-/// A body that cannot be flown has its index and loses no other: its place stays empty, it is in \ref refused, and asking for its state throws.
-/// So does one whose momentum becomes too large for a number, from then on.
+/// A body that cannot be stepped has an index of its own: its entry stays empty, it is in \ref refused, and
+/// asking for its state throws. So does one whose momentum becomes too large for a number, from then on.
 class TorquedBatch {
  public:
   /// An empty batch.
@@ -141,7 +142,7 @@ class TorquedBatch {
     if (!is_finite(h)) throw NotFinite("batch: step");
     if (h == 0) throw OutsideDomain("batch", "the step must differ from zero", 0, 0);
     if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
-      throw OutsideDomain("batch", "one kick more than flights is needed; kicks", static_cast<double>(method_.kicks.size()),
+      throw OutsideDomain("batch", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
                           static_cast<double>(method_.drifts.size() + 1));
   }
   /// @throws OutsideDomain  where the lists are not of one length
@@ -161,7 +162,8 @@ class TorquedBatch {
   }
 
   /// One more body, from now on. @return its index
-  /// @throws BodyRefused  where it cannot be flown, with the index that it would have had; the batch is as before
+  /// @throws BodyRefused  where it cannot be stepped, with the index that it would have had; the batch is as
+  ///   before
   std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, GravityGradient const& torque) {
     try {
       detail::TorquedFrame const frame(inertia, h_);
@@ -180,7 +182,7 @@ class TorquedBatch {
   }
 
   std::size_t size() const { return frames_.size(); }
-  /// The bodies that could not be taken, or not be kept.
+  /// The bodies that were refused at the start, or in the course of the motion.
   std::vector<BodyRefused> const& refused() const { return refused_; }
   /// h, time.
   double step_length() const { return h_; }

@@ -1,10 +1,12 @@
-// A rigid body under a torque: kicks, and exact free flights in between.
+// A rigid body under a torque, by splitting: kicks, and drifts, which are the exact flow of the free body, in
+// between.
 //
 //     TorquedBody body(inertia, momentum, attitude, gravity_gradient(inertia, 3 * mu / (r * r * r), towards), 0.1);
 //     body.step(1000);
 //
-// After each kick the body is on another orbit, so a flight is set up anew each time: by the power series of short_step.hpp as long as it is short,
-// by elliptic functions otherwise. Free motion is exact whatever the step; the order is that of the kicks.
+// After each kick the body is on another orbit, so a drift is set up anew each time: by the power series of
+// short_step.hpp as long as it is short, by elliptic functions otherwise. Free motion is exact whatever the
+// step; the order is that of the kicks.
 #pragma once
 
 #include <type_traits>
@@ -17,13 +19,14 @@
 namespace actio {
 namespace detail {
 
-/// A body between kicks, in the axes that the flights use: p = hM/(2I), I the unit of inertia, and the attitude.
+/// A body between kicks, in the axes that the drifts use: p = hM/(2I), I the unit of inertia, and the
+/// attitude.
 struct TorquedState {
   Three<double> p;
   Four<double> q;
 };
 
-/// Which body it is, in numbers without dimension; and from its axes to those of the flights and back.
+/// Which body it is, in numbers without dimension; and from its axes to those of the drifts and back.
 class TorquedFrame {
  public:
   /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where there is no such body, or no such step
@@ -65,7 +68,7 @@ template <class T>
   return part;
 }
 
-/// A flight over the part c of a step, of any length.
+/// A drift over the part c of a step, of any length.
 /// @throws NotFinite  where the momentum is no number
 [[gnu::noinline, gnu::cold]] inline TorquedState long_step(InverseMoments<double> const& body, double c, TorquedState state) {
   double const size = std::max({std::abs(state.p[0]), std::abs(state.p[1]), std::abs(state.p[2])});
@@ -81,7 +84,7 @@ template <class T>
   return state;
 }
 
-/// A flight over the part c of a step; `terms` is 5 or 8, what the last one did with.
+/// A drift over the part c of a step; `terms` is 5 or 8, as many as the last one needed.
 [[gnu::always_inline]] inline TorquedState drift(InverseMoments<double> const& body, InverseMoments<double> const& part, double c, TorquedState const& state,
                                                int& terms) {
   if (terms == 5) {
@@ -182,7 +185,7 @@ class TorquedBody {
         state_(frame_.enter(momentum, attitude)) {
     if (!is_finite(start)) throw NotFinite("torqued body: time at the start");
     if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
-      throw OutsideDomain("torqued body", "one kick more than flights is needed; kicks", static_cast<double>(method_.kicks.size()),
+      throw OutsideDomain("torqued body", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
                           static_cast<double>(method_.drifts.size() + 1));
     for (double const c : method_.drifts) parts_.push_back(detail::scaled(frame_.body(), c));
   }
@@ -212,7 +215,7 @@ class TorquedBody {
   double time() const { return start_ + static_cast<double>(steps_) * frame_.step(); }
   /// h, time.
   double step_length() const { return frame_.step(); }
-  /// How kicks and flights make up a step.
+  /// How kicks and drifts make up a step.
   Splitting const& method() const { return method_; }
 
  private:

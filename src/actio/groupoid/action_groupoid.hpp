@@ -1,14 +1,15 @@
-// An action groupoid: a group together with what it carries along. Its arrows are (g, a), from a to g^-1 a.
+// An action groupoid: a group together with vectors it acts on. Its arrows are (g, a), from a to g^-1 a.
 //
-// A system whose symmetry is broken by a vector, such as gravity as a top sees it, lives here: g = g0^-1 g1 is how the top turns in a step, a = g0^-1 a0 is the vector in
-// the body before it. The Lagrange equations of this groupoid are the discrete Euler-Poincare equations with an advected quantity.
+// A system whose symmetry is broken by a vector, such as gravity in the frame of a top, is a system on it: g
+// = g0^-1 g1 is how the top turns in a step, a = g0^-1 a0 is the vector in the body before it. The Lagrange
+// equations of this groupoid are the discrete Euler-Poincare equations with an advected quantity.
 #pragma once
 
 #include "actio/groupoid/groupoid.hpp"
 
 namespace actio {
 
-/// A group element and the vector it finds.
+/// A group element and the vector at its source.
 template <Group G, Scalar S>
 struct ActionArrow {
   using Scalar = S;

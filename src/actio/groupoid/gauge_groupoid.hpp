@@ -1,4 +1,5 @@
-// The gauge groupoid (M x M)/K of a principal bundle M -> M/K: pairs of configurations, when moving both by K does not count.
+// The gauge groupoid (M x M)/K of a principal bundle M -> M/K: pairs of configurations modulo the action of K
+// on both.
 //
 // Over a contractible base the bundle is R^m x K, and an arrow is (x0, x1, k): from x0 to x1, turning by k on the way. For a single point it is K, for a trivial K the
 // pairs of points. The spherical pendulum is of this kind: x is the height, K the rotations about the vertical.

@@ -59,7 +59,8 @@ struct QuadraticLagrangian {
   }
 };
 
-/// The power series in the time of a left-invariant free motion that leaves with a body momentum: coefficients of \f$t^k\f$.
+/// The power series in the time of a left-invariant free motion with a given initial body momentum:
+/// coefficients of \f$t^k\f$.
 ///
 /// \f$\dot\Pi = \mathrm{ad}^*_\xi\Pi\f$ with \f$\xi = \partial h/\partial\Pi\f$; \f$\dot f = -\xi f\f$ for the relative motion \f$f = g(t)^{-1}g_0\f$;
 /// \f$\dot S = \langle\Pi,\xi\rangle - h\f$. Over any field.
@@ -69,7 +70,7 @@ struct FreeMotionSeries {
   std::vector<Coordinates<G, T>> pi;     ///< body momentum
   std::vector<T> action;                 ///< energy x time
 
-  /// The series up to \f$t^0\f$; \ref extend goes on.
+  /// The series up to \f$t^0\f$; \ref extend adds the powers after it.
   template <Scalar S>
   FreeMotionSeries(QuadraticLagrangian<G, S> const& l, Momentum<G, T> const& pi0) : energy(l(pi0)) {
     f.push_back(primitive::identity<T>(l.group));
@@ -103,14 +104,15 @@ struct FreeMotionSeries {
   std::vector<Coordinates<G, T>> velocities;
 };
 
-/// What a left-invariant free motion has done by the time t.
+/// A left-invariant free motion at the time t: relative motion, body momentum and action.
 template <Group G, Scalar T>
 struct FreeMotion {
   Element<G, T> f;    ///< relative motion \f$g(t)^{-1}g_0\f$
   Momentum<G, T> pi;  ///< body momentum at time t
   T action;           ///< \f$\int l\,dt\f$
 };
-/// The left-invariant free motion that leaves with body momentum `pi0`, by power series whose remainder is below rounding.
+/// The left-invariant free motion with initial body momentum `pi0`, by power series whose remainder is below
+/// rounding.
 ///
 /// @param t  time, of either sign
 /// @throws NotFinite     where momentum or time is no number

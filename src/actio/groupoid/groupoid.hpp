@@ -51,7 +51,8 @@ struct DualPoint {
   Fibre<Gamma, S> components;  ///< of the covector
 };
 
-/// A step can be taken from any point in any direction: `leave(x, v)` is an arrow from x, the unit for v = 0, near_unit(x, v) to first order.
+/// A step can start at any point in any direction: `leave(x, v)` is an arrow from x, the unit for v = 0,
+/// near_unit(x, v) to first order.
 template <class Gamma>
 concept ExponentialGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Point<Gamma, double> const& x, Fibre<Gamma, double> const& v) {
   { gamma.leave(x, v) } -> std::convertible_to<Arrow<Gamma, double>>;

@@ -1,8 +1,11 @@
 // Hamilton-Jacobi theory of invariant systems: motions from a generating function (thesis, section 4.2).
 //
-// A generating function S(g, g0, t) has the later configuration first: p = dS/dg and p0 = -dS/dg0. Where it does not change when both configurations are moved along, it is a function of
-// the relative motion alone, g(t)^-1 g0 for left-invariant systems and g0 g(t)^-1 for right-invariant ones, as a reduced discrete Lagrangian is. The argument of a reduced
-// generating function looks back: for a motion that starts at the identity it is the inverse of the configuration. Momenta have their physical sign; energy x time is the unit of S.
+// A generating function S(g, g0, t) has the later configuration first: p = dS/dg and p0 = -dS/dg0. Where it
+// is invariant under translation of both configurations, it is a function of the relative motion alone,
+// g(t)^-1 g0 for left-invariant systems and g0 g(t)^-1 for right-invariant ones, as a reduced discrete
+// Lagrangian is. The argument of a reduced generating function leads backwards in time: for a motion that
+// starts at the identity it is the inverse of the configuration. Momenta have their physical sign; energy x
+// time is the unit of S.
 #pragma once
 
 #include "actio/reduction/discrete_lie_poisson.hpp"

@@ -17,7 +17,7 @@ PairArrow<G, T> over(PairArrow<G, S> const& x) {
   return {over<T>(x.first), over<T>(x.second)};
 }
 
-// What is left of a dual number, or of what is made of them, without the infinitesimals: one layer of them.
+// The value of a dual number, or of what is made of them: one layer of infinitesimals is dropped.
 
 /// A plain number is its own value.
 template <Plain S>

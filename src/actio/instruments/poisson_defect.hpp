@@ -17,7 +17,8 @@ auto poisson_residual(Space const& space, Map const& map, Point const& x) {
   return detail::AnyMatrix<S>(carried - detail::over_sizes<S>(space.bivector(at.image), at.sizes));
 }
 
-/// The Poisson defect of a map at a point: from 0 for a map that keeps the bracket there to 1 where nothing cancels.
+/// The Poisson defect of a map at a point: from 0 for a map that preserves the bracket there to 1 where
+/// nothing cancels.
 ///
 /// \f[ \frac{|A\,B(x)\,A^T - B(\Phi(x))|}{|A\,B(x)\,A^T| + |B(\Phi(x))|}, \qquad A = T_x\Phi, \f]
 /// lengths being the root of the sum of squares in coordinates divided by the sizes of the space, so that units do not matter. It is 0 where both

@@ -1,4 +1,5 @@
-// The spaces that a map may be judged on: how their points move to first order, and the bracket that a good map keeps.
+// The spaces that a map may be judged on: how their points move to first order, and the bracket that a
+// Poisson map preserves.
 //
 //   LiePoissonPlus, LiePoissonMinus                  g*      Momentum    momenta of right- and of left-invariant systems
 //   CotangentBundle                                  T*G     Costate     spatial momentum, translated to the identity on the right

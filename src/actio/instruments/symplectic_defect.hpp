@@ -5,7 +5,8 @@
 
 namespace actio {
 
-/// \f$A^T\,\Omega(\Phi(x))\,A - \Omega(x)\f$ with \f$A = T_x\Phi\f$: zero exactly where the map keeps the two-form at x.
+/// \f$A^T\,\Omega(\Phi(x))\,A - \Omega(x)\f$ with \f$A = T_x\Phi\f$: zero exactly where the map preserves the
+/// two-form at x.
 ///
 /// In coordinates divided by the sizes of the space at x (`TangentAt`); an action. Exact over the rationals.
 template <class Point, SymplecticSpaceOf<Point> Space, class Map>
@@ -17,7 +18,8 @@ auto symplectic_residual(Space const& space, Map const& map, Point const& x) {
   return detail::AnyMatrix<S>(carried - detail::times_sizes<S>(space.two_form(x), at.sizes));
 }
 
-/// The symplectic defect of a map at a point: from 0 for a map that keeps the two-form there to 1 where nothing cancels.
+/// The symplectic defect of a map at a point: from 0 for a map that preserves the two-form there to 1 where
+/// nothing cancels.
 ///
 /// \f[ \frac{|A^T\Omega(\Phi(x))A - \Omega(x)|}{|A^T\Omega(\Phi(x))A| + |\Omega(x)|}, \qquad A = T_x\Phi, \f]
 /// lengths being the root of the sum of squares in coordinates divided by the sizes of the space, so that units do not matter.

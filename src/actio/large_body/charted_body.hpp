@@ -14,7 +14,8 @@ class FastNaturalChart;
 
 /// A free body in n dimensions on its way. Made by `FastNaturalChart::release`, moved by its steps; copies are independent.
 ///
-/// Momentum and attitude are each kept as a rounded matrix and what rounding left over.
+/// Momentum and attitude are each a rounded matrix and the accumulated rounding errors (compensated
+/// summation).
 class ChartedBody {
  public:
   using Group = SO<Eigen::Dynamic>;  ///< n at run time
@@ -79,7 +80,7 @@ class ChartedBody {
   long steps_ = 0;
   double contraction_ = 1;                  // of the sweeps of the last step
   double step_ = 0;                         // under which the turns were made
-  std::size_t continuation_ = 0;            // the configuration of the one in use among all
+  std::size_t continuation_ = 0;            // the index of the one in use among all
 };
 
 }  // namespace actio

@@ -1,4 +1,5 @@
-// A step of the Moser-Veselov scheme on SO(n) by sweeps, and the compiled copies of it.
+// A step of the Moser-Veselov scheme on SO(n) by fixed-point iteration (an iteration is a sweep over the
+// blocks of the matrices), and the compiled copies of it.
 #pragma once
 
 #include <utility>

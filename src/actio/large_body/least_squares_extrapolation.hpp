@@ -1,4 +1,5 @@
-// What continues a sequence by one: polynomials through its last terms, or nearest to them.
+// Extrapolation of a sequence by one term: polynomials through its last terms, or nearest to them in least
+// squares.
 #pragma once
 
 #include <array>
@@ -20,16 +21,16 @@ struct Weights {
   double amplification = 0;  ///< the length of the vector of weights
 };
 
-/// By orthogonal polynomials on the m configurations, each made from the one before and freed of all before it.
+/// By orthogonal polynomials on the m nodes, each made from the one before and freed of all before it.
 inline Weights extrapolation_weights(int p, int m) {
-  using Values = std::array<long double, Weights::longest + 1>;  // at the m configurations and, last, where the sequence goes on
+  using Values = std::array<long double, Weights::longest + 1>;  // at the m nodes and, last, at the next one
   std::vector<Values> basis;
   Weights result{p, m, {}, 0};
   for (int degree = 0; degree < p; ++degree) {
     Values v{};
     for (int a = 0; a <= m; ++a) {
-      long double const configuration = a < m ? (m - 1) / 2.0L - a : (m + 1) / 2.0L;
-      v[a] = degree ? configuration * basis.back()[a] : 1;
+      long double const node = a < m ? (m - 1) / 2.0L - a : (m + 1) / 2.0L;
+      v[a] = degree ? node * basis.back()[a] : 1;
     }
     for (int twice = 0; twice < 2; ++twice)
       for (Values const& b : basis) {

@@ -2,8 +2,9 @@
 //
 // The same scheme as in rigid_body/moser_veselov.hpp, which solves it by Newton in n(n-1)/2 unknowns. Here the unknown is the square of f - 1, and its
 // equation is a fixed point (relative_motion_sweeps.hpp). For short steps the polynomial through the last few squares leaves so little to be
-// done that one square settles a step; for longer ones sweeps go on until the defect is at rounding (stopping_rule.hpp). Where they do not
-// contract, the general solver takes over, or for large n an accelerated iteration; where there is no solution, the step is refused.
+// done that one square settles a step; for longer ones sweeps continue until the defect is at rounding
+// (stopping_rule.hpp). Where they do not contract, the general solver takes over, or for large n an
+// accelerated iteration; where there is no solution, the step is refused.
 //
 //   FastMoserVeselov const scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);
@@ -67,9 +68,9 @@ class FastMoserVeselov {
   /// The same with the attitude 1.
   RotatingBody release(BodyMomentum const& pi) const { return release(identity<double>(inertia_.group), pi); }
 
-  /// One step of the momentum alone; the attitude is left behind.
-  /// Accuracy: the relative motion is a rotation to \f$\epsilon|f-1|\f$ in the norm of Frobenius, and the momentum is carried by it to the rounding
-  /// of the square.
+  /// One step of the momentum alone; the attitude is not updated.
+  /// Accuracy: the relative motion is a rotation to \f$\epsilon|f-1|\f$ in the norm of Frobenius, and the
+  /// momentum is transported by it to the rounding of the square.
   /// @throws StepTooLong   where there is no solution, with the largest step that would do; the body is as it was
   /// @throws NotConverged  where there is one that could not be found; the body is as it was
   void step(RotatingBody& body) const { advance(body, false); }

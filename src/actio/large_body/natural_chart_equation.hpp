@@ -1,7 +1,8 @@
 // The equation of a step of the natural-chart scheme on SO(n): which constant turn has the momentum P at its beginning (thesis, section 5.1).
 //
 // With Z = h zeta the momentum of the step is M0 = chi(ad*_Z) J zeta (momentum_of in rigid_body/natural_chart_scheme.hpp), chi(x) = x/(e^x - 1). What chi
-// divides by is a mean: J zeta is the mean of the momentum while the body turns from its configuration before the step to that after it. So
+// divides by is a mean: J zeta is the mean of the momentum while the body turns from its attitude before the
+// step to that after it. So
 //
 //     J Z = Q(Z),      Q(Z) = mean over s in [0,1] of e^{-sZ} P e^{sZ},      P = h M0,
 //
@@ -9,9 +10,10 @@
 //
 //     Z <- Z + J^{-1} (R + [Z,R]/2 + [Z,[Z,R]]/12),
 //
-// so that what is left of an error is J^{-1}[Lambda, .] of it times Z, however the moments differ. Long steps of small bodies are solved by Newton along a
-// growing step, from rest: what is found is the solution that grows out of the identity, until the derivative has no inverse or an angle is half a turn,
-// where the chart ends. For large n a step is taken where sweeps contract.
+// so that an iteration maps an error to J^{-1}[Lambda, .] of it times Z, however the moments differ. Long
+// steps of small bodies are solved by Newton along a growing step, from rest: what is found is the solution
+// that grows out of the identity, until the derivative has no inverse or an angle is half a turn, where the
+// chart ends. For large n a step is taken where sweeps contract.
 #pragma once
 
 #include <limits>
@@ -42,7 +44,7 @@ class NaturalChartEquation {
   /// By how much the last two sweeps made the change smaller.
   double contraction() const { return contraction_; }
 
-  /// Sweeps from a guess until what is left is lost in the rounding of Z.
+  /// Iterates from a guess until the change is below the rounding of Z.
   /// @param contraction  of sweeps, known from a step nearby; 1 where it is not
   /// @param slowest      the largest ratio of changes that counts as contraction
   /// @return whether they contract

@@ -3,7 +3,7 @@
 // The same scheme as in rigid_body/natural_chart_scheme.hpp, whose reduced discrete Lagrangian is l(f) = <J log f, log f>/2h: there by the general road, for a fixed n and
 // any scalar, here by products of matrices (natural_chart_equation.hpp). A step finds the turn Z = h zeta with the momentum M0 at its beginning; with
 // f = exp(-Z) the momentum after it is f M0 f^T, and the attitude g0 f^T. f is orthogonal to the rounding of f - 1, whatever is left in Z: so the spectrum of the
-// momentum is kept to rounding.
+// momentum is conserved to rounding.
 //
 //   FastNaturalChart scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);
@@ -59,8 +59,9 @@ class FastNaturalChart {
   /// The same with the attitude 1.
   ChartedBody release(BodyMomentum const& pi) const { return release(identity<double>(inertia_.group), pi); }
 
-  /// One step of the momentum alone; the attitude is left behind. \implements{eq_5_4}
-  /// Accuracy: Z to its rounding where sweeps contract, and as well as the equation determines it elsewhere; the momentum is carried by f to the rounding of f - 1.
+  /// One step of the momentum alone; the attitude is not updated. \implements{eq_5_4}
+  /// Accuracy: Z to its rounding where sweeps contract, and as well as the equation determines it elsewhere;
+  /// the momentum is transported by f to the rounding of f - 1.
   /// @throws StepTooLong  where the branch of solutions that begins at rest ends before this step, or n is large and the solver ends there, with the largest step that would do; the body is as it was
   void step(ChartedBody& body) { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
@@ -105,7 +106,7 @@ class FastNaturalChart {
     if (!is_finite(algebra_.norm(p_.data()))) throw NotFinite("natural chart: step times body momentum over inertia");
     solve(body);
     equation_.turn().relative_motion(z_.data(), e_.data());
-    carry_momentum(body);
+    transport_momentum(body);
     if (with_attitude) {
       double* const attitude = body.array(ChartedBody::attitude_);
       algebra_.times_transposed(attitude, e_.data(), product_.data());
@@ -160,7 +161,7 @@ class FastNaturalChart {
   }
 
   /// \f$M_1 = fM_0f^T = M_0 + eM_0 + M_0e^T + eM_0e^T\f$.
-  void carry_momentum(ChartedBody& body) {
+  void transport_momentum(ChartedBody& body) {
     double *const m = body.array(ChartedBody::momentum_), *const e = e_.data(), *const em = room_.data(), *const eme = product_.data();
     // -e M0, and -e M0 e^T.
     algebra_.times_transposed(e, m, em);

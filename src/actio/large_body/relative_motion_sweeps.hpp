@@ -10,14 +10,16 @@
 //
 //     e_ij = -G_ij/2 - h (M0_ij + (Lambda_j - Lambda_i) G_ij/2h) / (Lambda_i + Lambda_j),
 //
-// and G = e e^T is an equation for the symmetric matrix G alone. A sweep makes e of G, and a square makes G of e.
+// and G = e e^T is a fixed-point equation for the symmetric matrix G alone. A sweep computes e from G, and a
+// square G from e.
 //
 // No Lambda_i is divided by: one may be zero or negative. Nothing of first order in the step cancels: G is of second order, and so is what its
 // rounding does to M. And the constants may be rounded: f is normal, so that sum G_ij (mu_j - mu_i) (e - e^T)_ij = 0 for any mu, and as
 // M1 - M0 is c_ij G_ij and e - e^T is -a_ij (M0 + M1)_ij, with a_ij and c_ij as they are in the machine, the n-1 sums
-// sum (mu_j - mu_i) (a_ij/c_ij) M_ij^2 are kept as they would be by exact constants: among them what is near Tr M^2 and near the energy.
+// sum (mu_j - mu_i) (a_ij/c_ij) M_ij^2 are conserved as they would be with exact constants: among them what
+// is near Tr M^2 and near the energy.
 //
-// Matrices are in blocks: e is full, of G and M one half is kept.
+// Matrices are in blocks: e is full, of G and M one half is stored.
 #pragma once
 
 #include "actio/large_body/blocked_matrix.hpp"

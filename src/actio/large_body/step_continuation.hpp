@@ -1,4 +1,5 @@
-// Long steps of the natural-chart scheme on SO(n): the solution is followed from rest, along a growing step.
+// Long steps of the natural-chart scheme on SO(n), by numerical continuation: the solution is followed from
+// rest, along a growing step.
 //
 // The equation J Z = Q(Z) depends on the step through P = h M0 alone, so a step that grows is a P that grows. Where n is small each piece of the way is solved by
 // Newton, with differences for the derivative, whose determinant must stay positive; it ends where the derivative has no inverse, or an angle reaches half a turn.
@@ -14,7 +15,7 @@
 
 namespace actio::detail {
 
-/// One turn that grows.
+/// The continuation of one solution in the length of the step.
 class StepContinuation {
  public:
   /// @param p  h M0 of the whole step
@@ -122,7 +123,7 @@ class StepContinuation {
     if (!derivative_.allFinite()) return false;
     order_.resize(static_cast<std::size_t>(n));
     gsl_permutation order{order_.size(), order_.data()};
-    // GSL sees rows where there are columns.
+    // GSL reads rows where there are columns.
     Eigen::MatrixXd const by_rows = derivative_.transpose();
     derivative_ = by_rows;
     auto view = as_gsl(derivative_);

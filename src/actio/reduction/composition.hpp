@@ -1,8 +1,9 @@
 // Compositions: several steps, some of them backwards, that make one step of higher order.
 //
 // The base step must be self-adjoint: a step by -h undoes one by h. Then its error has even powers of h only, and substeps gamma_1 h, ..., gamma_n h
-// in a palindromic pattern cancel them one after another. Each substep is a step of the discrete Lie-Poisson algorithm, so the whole keeps what each
-// keeps: the coadjoint orbit, the bracket, the momentum of the symmetry.
+// in a palindromic pattern cancel them one after another. Each substep is a step of the discrete Lie-Poisson
+// algorithm, so the composition preserves what each preserves: the coadjoint orbit, the bracket, the momentum
+// of the symmetry.
 #pragma once
 
 #include <vector>

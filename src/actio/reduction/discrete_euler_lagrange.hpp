@@ -27,7 +27,7 @@ Momentum<G, S> D2(L const& lagrangian, Element<G, S> const& g0, Element<G, S> co
 ///
 /// \implements{eq_3_2}
 /// @param lagrangian  discrete Lagrangian, \f$G\times G\to\mathbb R\f$, energy x time
-/// @return            covector at the identity (carried from \f$g_1\f$ on the right)
+/// @return            covector at the identity (translated from \f$g_1\f$ on the right)
 /// Exact up to rounding.
 template <Group G, Scalar S, class L>
 Momentum<G, S> discrete_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, Element<G, S> const& g2) {
@@ -42,7 +42,8 @@ Momentum<G, S> discrete_euler_lagrange(L const& lagrangian, Element<G, S> const&
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class L>
 Solved<Element<G, S>> step_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
-  // Hold the momentum that the step before leaves behind, and look for the configuration that takes it up.
+  // The momentum at the end of the step before is given: solve for the configuration whose step starts with
+  // it.
   auto const left_behind = D2(lagrangian, g0, g1);
   auto const start = g1 * inverse(g0) * g1;
   return solve_on_group(

@@ -1,8 +1,9 @@
 // Discrete Euler-Poincare equations: the discrete motion of an invariant system, in relative motions alone.
 //
 // A discrete Lagrangian that does not change under right multiplication is a function l of f01 = g0 g1^-1; one that does not change under left
-// multiplication is a function of f10 = g1^-1 g0. Along a motion the momentum left behind equals the momentum taken up. The two sides have their own functions; neither is
-// obtained from the other by a flag.
+// multiplication is a function of f10 = g1^-1 g0. Along a motion the momentum at the end of a step equals
+// that at the start of the next. The two sides have their own functions; neither is obtained from the other
+// by a flag.
 #pragma once
 
 #include "actio/foundations/solve.hpp"
@@ -48,7 +49,7 @@ Momentum<G, S> euler_poincare_left(F const& l, Element<G, S> const& f10, Element
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const& f01) {
-  // Hold the momentum left behind, and look for the motion that takes it up.
+  // The momentum at the end of the step before is given: solve for the motion that starts with it.
   auto const left_behind = left_differential(l, f01);
   return solve_on_group([&](auto const& f) { return right_differential(l, f) - like(f, left_behind); }, f01);
 }

@@ -10,7 +10,7 @@ namespace actio {
 /// step.
 ///
 /// Configurations are those of \ref step_euler_lagrange to rounding, in a fraction of the time: the derivative of the
-/// equation is kept from step to step, and the next configuration is extrapolated from the last ones (\ref
+/// equation is reused from step to step, and the next configuration is extrapolated from the last ones (\ref
 /// PredictorCorrector).
 /// @tparam L  discrete Lagrangian, \f$G\times G\to\mathbb R\f$, energy x time
 template <class L, ExponentialGroup G, Real S>

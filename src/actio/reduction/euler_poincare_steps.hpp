@@ -1,10 +1,10 @@
-// Motions by the discrete Euler-Poincare equations, step after step: what one step has found out about the
-// equation serves the next.
+// Motions by the discrete Euler-Poincare equations, step after step: what one step computes about the
+// equation is reused in the next.
 //
-// The functions `step_euler_poincare_right` and `step_euler_poincare_left` know of a motion the last relative
-// motion. Who takes many steps knows more: the momentum, which Ad* carries along (the discrete Lie-Poisson
-// algorithm); the derivative of the equation, which changes little from step to step; and where the motion is
-// going. The relative motions are the same to rounding.
+// The functions `step_euler_poincare_right` and `step_euler_poincare_left` are given the last relative
+// motion alone. A run of many steps has more: the momentum, which Ad* transports (the discrete Lie-Poisson
+// algorithm); the derivative of the equation, which changes little from step to step; and an extrapolation of
+// the motion. The relative motions are the same to rounding.
 #pragma once
 
 #include "actio/foundations/predictor_corrector.hpp"
@@ -15,7 +15,7 @@ namespace actio {
 /// The motion of a right-invariant system: \ref euler_poincare_right solved step after step.
 ///
 /// Relative motions are those of \ref step_euler_poincare_right to rounding; what a step costs is measured on \ref performance.
-/// The momentum is carried along by \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is kept to rounding.
+/// The momentum is transported by \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is preserved to rounding.
 /// @tparam F  reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 template <class F, ExponentialGroup G, Real S>
 class EulerPoincareStepsRight {

@@ -3,8 +3,8 @@
 // The path is g(t) = g0 exp(eta(t)) in a left-invariant system and exp(eta(t)) g0 in a right-invariant one. eta is a polynomial of degree s through
 // eta(0) = 0, xi_1, ..., xi_s at the times 0, h/s, ..., h. The action by Gauss's rule with s nodes is a function A(xi_1, ..., xi_s). It is stationary
 // in the configurations in between, and its differential in the last one is the momentum, read in the chart. So a step from a given momentum solves s dim G
-// equations; the momentum is carried along by Ad*, so the coadjoint orbit, the bracket and the momentum of the symmetry are kept exactly, and the
-// order is 2s.
+// equations; the momentum is transported by Ad*, so the coadjoint orbit, the bracket and the momentum of the
+// symmetry are preserved exactly, and the order is 2s.
 #pragma once
 
 #include "actio/reduction/momentum_step.hpp"

@@ -1,9 +1,11 @@
 // Steps of the discrete Lie-Poisson algorithm as maps of the momentum, of any length, forwards or backwards.
 //
-// A discrete Lagrangian is an action, so its momenta are physical: what one step leaves behind the next takes up, whatever the lengths of the two. An
-// integrator on momenta is a callable (state, h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
-// (galerkin.hpp) without knowing of each other. The momentum is spatial in right-invariant systems, that of the body in left-invariant ones; configurations
-// are put together from the relative motions where they are asked for.
+// A discrete Lagrangian is an action, so its momenta are physical: the momentum at the end of a step is that
+// at the start of the next, whatever the lengths of the two. An integrator on momenta is a callable (state,
+// h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
+// (galerkin.hpp) independently of each other. The momentum is spatial in right-invariant systems, that of the
+// body in left-invariant ones; configurations are put together from the relative motions where they are asked
+// for.
 #pragma once
 
 #include <utility>
@@ -14,7 +16,7 @@
 
 namespace actio {
 
-/// What a run on momenta carries from step to step.
+/// The state of a run on momenta between two steps.
 template <Group G, Scalar S>
 struct MomentumState {
   Momentum<G, S> momentum;  ///< energy x time; spatial (right-invariant) or of the body (left-invariant)
@@ -45,7 +47,7 @@ void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
 }
 }  // namespace detail
 
-/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and carries \f$\mu\f$ to
+/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and transports \f$\mu\f$ to
 /// \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
 ///
 /// \implements{claim_4_3_time_step_legendre}
@@ -73,8 +75,8 @@ struct LiePoissonStepRight {
     return {f, {lie_poisson_update_right(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };
-/// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and carries \f$\Pi\f$ to \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18).
-/// Otherwise as \ref LiePoissonStepRight.
+/// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and transports \f$\Pi\f$ to
+/// \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18). Otherwise as \ref LiePoissonStepRight.
 template <class Family>
 struct LiePoissonStepLeft {
   Family family;                                ///< h -> reduced discrete Lagrangian

@@ -4,7 +4,8 @@
 // subtracted in it. A discrete Lagrangian is an action: the step times the Lagrangian.
 //
 // phi_g = Ad(g^-1) psi_g, so both charts at one g make the same discrete Lagrangian of the same L; each has its function because each reads off its own
-// velocity. A discrete Lagrangian inherits an invariance of L where the base point moves along: base(g1 k, g2 k) = base(g1, g2) k, or the same on the left.
+// velocity. A discrete Lagrangian inherits an invariance of L where the base point is equivariant: base(g1 k,
+// g2 k) = base(g1, g2) k, or the same on the left.
 #pragma once
 
 #include "actio/foundations/solve.hpp"
@@ -121,7 +122,8 @@ inline constexpr auto at_first = [](auto const& g1, auto const&) { return g1; };
 inline constexpr auto at_second = [](auto const&, auto const& g2) { return g2; };
 /// Base points of the chart: a fixed fraction of the way from the earlier configuration to the later one along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
 ///
-/// Moves along with the configurations on either side. All of these make the same discrete Lagrangian: average and difference commute.
+/// Equivariant under translations on either side. All of these make the same discrete Lagrangian: average and
+/// difference commute.
 template <class T>
 auto at_fraction(T fraction) {
   return [fraction](auto const& g1, auto const& g2) {
@@ -132,7 +134,7 @@ auto at_fraction(T fraction) {
 
 /// The reduced discrete Lagrangian of a right-invariant system, chart at either end: \f$\ell(f) = h\,l(-\log(f)/h)\f$, \f$f = g_0g_1^{-1}\f$.
 ///
-/// The velocity points from g0 to g1 and f from g1 to g0: hence the sign, which print drops.
+/// The velocity points from g0 to g1 and f from g1 to g0: hence the sign, which the thesis drops.
 /// \implements{eq_3_25}
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 /// @param h  step, time; not zero, negative to go back
@@ -153,10 +155,12 @@ auto natural_chart_lagrangian_left(Reduced l, T h) {
   return natural_chart_lagrangian_right(l, h);
 }
 
-/// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that moves along on the right.
+/// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that is equivariant
+/// under right translations.
 ///
 /// \f[ \ell(f) = h\,l(\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta) \f]
-/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has carried the later configuration to the identity.
+/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has translated the later
+/// configuration to the identity.
 ///
 /// \implements{cor_3_3_1, eq_3_23}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
@@ -174,7 +178,8 @@ auto natural_chart_lagrangian_right(Reduced l, T h, BasePoint base) {
     // [eq_3_23]
   };
 }
-/// The reduced discrete Lagrangian of a left-invariant system, chart at any base point that moves along on the left: \f$\ell(f) = h\,l(\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta)\f$.
+/// The reduced discrete Lagrangian of a left-invariant system, chart at any base point that is equivariant
+/// under left translations: \f$\ell(f) = h\,l(\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta)\f$.
 template <class Reduced, class T, class BasePoint>
 auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
   detail::nonzero_step(h);
@@ -207,7 +212,8 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 /// motions of \ref euler_poincare_right, and only there.
 ///
 /// \f[ l'(-\xi_{12}/h)\cdot\chi(\mathrm{ad}_{\xi_{12}}) \;-\; l'(-\xi_{01}/h)\cdot\chi(\mathrm{ad}_{\xi_{01}})\cdot\exp(\mathrm{ad}_{\xi_{01}}), \qquad \chi\cdot\mathrm{iex} = 1 \f]
-/// The momenta that the step after takes up and the step before leaves behind: minus the residual (3.10) of \ref natural_chart_lagrangian_right.
+/// The momentum at the start of the step after, less that at the end of the step before: minus the residual
+/// (3.10) of \ref natural_chart_lagrangian_right.
 ///
 /// \implements{eq_3_26}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy

@@ -1,13 +1,14 @@
 // From pairs of configurations to relative motions: the quotient maps of the diagonal actions, and back.
 //
-// Both quotients take the earlier configuration over the later one, so a relative motion is near 1 - h xi: it looks back.
+// Both quotients take the earlier configuration over the later one, so a relative motion is near 1 - h xi: it
+// leads backwards in time.
 #pragma once
 
 #include "actio/foundations/group.hpp"
 
 namespace actio {
 
-/// \f$f_{01} = g_0\,g_1^{-1}\f$, what is left of a pair when right multiplication of both does not count.
+/// \f$f_{01} = g_0\,g_1^{-1}\f$, the class of a pair modulo right multiplication of both.
 ///
 /// \implements{eq_3_9}
 template <Group G, Scalar S>
@@ -16,7 +17,7 @@ Element<G, S> relative_motion_right(Element<G, S> const& g0, Element<G, S> const
   return g0 * inverse(g1);
   // [eq_3_9]
 }
-/// \f$f_{10} = g_1^{-1}g_0\f$, what is left of a pair when left multiplication of both does not count.
+/// \f$f_{10} = g_1^{-1}g_0\f$, the class of a pair modulo left multiplication of both.
 template <Group G, Scalar S>
 Element<G, S> relative_motion_left(Element<G, S> const& g0, Element<G, S> const& g1) {
   return inverse(g1) * g0;

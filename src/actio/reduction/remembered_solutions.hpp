@@ -7,12 +7,12 @@
 
 namespace actio::detail {
 
-/// The solver of a step on momenta, kept from call to call where the calls follow one another. A step is a
-/// callable at every group and scalar, so the type of its solver shows at the first call only.
+/// The solver of a step on momenta, stored between calls that follow one another. A step is a
+/// callable at every group and scalar, so the type of its solver is determined by the first call.
 ///
-/// A call with another length, or from elsewhere, finds the derivative of the last call and no prediction.
-/// Solutions do not depend on what is remembered beyond rounding. For one thread at a time; copies are
-/// independent.
+/// A call with another length, or from another velocity, reuses the derivative of the last call and has no
+/// prediction. Solutions do not depend on what is remembered beyond rounding. For one thread at a time;
+/// copies are independent.
 class RememberedSolutions {
  public:
   /// The solver for a step of length h from a velocity; it predicts if both are what they were, or nearly so.

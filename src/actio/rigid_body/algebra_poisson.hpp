@@ -46,7 +46,8 @@ auto algebra_poisson_tensor(Coordinates<G, S> const& moments, Velocity<G, S> con
   return tensor;
 }
 
-/// \f$C(\xi) = |J\xi|^2\f$, in the metric that Ad keeps: a Casimir. Its level sets are the ellipsoids of \f$J^2\f$.
+/// \f$C(\xi) = |J\xi|^2\f$, in the Ad-invariant metric: a Casimir. Its level sets are the ellipsoids of
+/// \f$J^2\f$.
 ///
 /// \implements{claim_5_3_algebra_casimir, claim_5_3_algebra_casimir_coordinates}
 template <Group G, Scalar S>

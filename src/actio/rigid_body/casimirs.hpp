@@ -1,4 +1,4 @@
-// Casimir functions of so(n)*, and what they become on the group (thesis, section 5.3).
+// Casimir functions of so(n)*, and their pull-backs to the group (thesis, section 5.3).
 //
 // A skew matrix has floor(n/2) independent invariants under rotations: the coefficients of its characteristic polynomial, which has only every second
 // one, with the last replaced by its root, the Pfaffian, where n is even. The first is the squared length of the momentum. Every one of them is

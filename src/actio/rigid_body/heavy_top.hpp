@@ -61,7 +61,8 @@ class HeavyTopScheme {
   void advance(State& state) const {
     move(state, [](Rotation const&) {});
   }
-  /// The same, and the attitude with it. Attitude and vertical are carried along by the same relative motions, and stay consistent to rounding.
+  /// The same, and the attitude with it. Attitude and vertical are updated by the same relative motions, and
+  /// stay consistent to rounding.
   void advance(State& state, Rotation& attitude) const {
     Rotation g = attitude;
     move(state, [&](Rotation const& f) { g = MoserVeselov<3, S>::reconstruct(g, f); });

@@ -43,7 +43,8 @@ struct HeavyTop {
   Vector lever() const { return centre * S(mass * pull()); }
   /// \f$\langle p, \Gamma\rangle\f$: the potential energy, zero with the centre of mass as high as the fixed point.
   S potential(Vector const& gamma) const { return lever().dot(gamma); }
-  /// Kinetic and potential energy. No discrete motion keeps it exactly: its error is bounded, of second order in the step.
+  /// Kinetic and potential energy. No discrete motion conserves it exactly: its error is bounded, of second
+  /// order in the step.
   S energy(HeavyTopState<S> const& state) const { return kinetic_energy(inertia, state.momentum) + potential(state.vector); }
   /// The same top over another scalar.
   template <Real T>

@@ -1,14 +1,18 @@
-// What the Moser-Veselov scheme keeps: a matrix polynomial that turns with the body, and the coefficients of its determinant (thesis, chapter 1 and section 5.2).
+// What the Moser-Veselov scheme conserves: a matrix polynomial evolves by similarity (isospectrally), so the
+// coefficients of its determinant are conserved (thesis, chapter 1 and section 5.2).
 //
 // With \f$X = f^T\Lambda\f$ for a relative motion f, h times the body momenta before the step and after it appear in
 //
 //     1 - lambda h M0 - lambda^2 Lambda^2 =   (1 + lambda X^T) (1 - lambda X),
 //     1 - lambda h M1 - lambda^2 Lambda^2 = f (1 - lambda X) (1 + lambda X^T) f^T.
 //
-// The same two factors, exchanged: so the two matrices are similar for every lambda, and all coefficients of \f$\det(\zeta - \lambda hM - \lambda^2\Lambda^2)\f$ are kept. Those without
-// \f$\Lambda^2\f$ are Casimirs, floor(n/2) of them. The others are in involution, and they are as many as half the dimension of a generic coadjoint orbit.
-// On the branch that grows out of the identity the two factors are told apart by their spectra, and the determinant of each is kept: so is the discrete Lagrangian Tr(f Lambda).
-// One variable too few loses some: \f$\det(1 - \lambda hM - \lambda^2\Lambda^2)\f$ has n-1 coefficients that depend on M, enough for n = 3 only.
+// The same two factors, exchanged: so the two matrices are similar for every lambda, and all coefficients of
+// \f$\det(\zeta - \lambda hM - \lambda^2\Lambda^2)\f$ are conserved. Those without \f$\Lambda^2\f$ are
+// Casimirs, floor(n/2) of them. The others are in involution, and they are as many as half the dimension of a
+// generic coadjoint orbit. On the branch that grows out of the identity the two factors are told apart by
+// their spectra, and the determinant of each is conserved: so is the discrete Lagrangian Tr(f Lambda). With
+// one variable fewer some are missing: \f$\det(1 - \lambda hM - \lambda^2\Lambda^2)\f$ has n-1 coefficients
+// that depend on M, enough for n = 3 only.
 #pragma once
 
 #include <vector>

@@ -12,7 +12,8 @@ namespace detail {
 /// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ at \f$s = e^{t}\f$.
 inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> const& m, double t) {
   double const s = std::exp(t);
-  // Plain loops: this is no template, so whoever reads the header compiles it, and Eigen's product of matrices takes the compiler half a second.
+  // Plain loops: this is no template, so every unit that includes the header compiles it, and Eigen's product
+  // of matrices takes the compiler half a second.
   Index const n = lambda.size();
   Vector<double> w(n);
   for (Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);

@@ -62,7 +62,8 @@ M orthogonality(M const& g) {
 /// \implements{eq_5_6}
 /// @param lambda       \f$\Lambda\f$, symmetric; mass x length^2
 /// @param g            the configurations: any square matrices, at least two
-/// @param multipliers  \f$\lambda_k\f$, one for each configuration; mass x length^2. A skew part of them does not count
+/// @param multipliers  \f$\lambda_k\f$, one for each configuration; mass x length^2. A skew part of them has
+///   no effect
 /// @throws NotFinite      where an entry is no number
 /// @throws OutsideDomain  where sizes or numbers do not fit, or \f$\Lambda\f$ is not symmetric
 /// Exact up to rounding.
@@ -84,8 +85,8 @@ typename M::Scalar constrained_action(M const& lambda, std::vector<M> const& g, 
   // [eq_5_6]
 }
 
-/// What is left at configuration k of the equations of the constrained action: \f$(g_{k+1} + g_{k-1})\Lambda - \lambda_kg_k\f$, zero along motions with their
-/// multiplier, and only there.
+/// The residual at configuration k of the equations of the constrained action:
+/// \f$(g_{k+1} + g_{k-1})\Lambda - \lambda_kg_k\f$, zero along motions with their multiplier, and only there.
 ///
 /// The gradient of \ref constrained_action in the entries of \f$g_k\f$, for a symmetric multiplier.
 /// @param lambda      \f$\Lambda\f$, symmetric; mass x length^2
@@ -119,8 +120,8 @@ M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& aft
   return (pull + pull.transpose()) / typename M::Scalar(2);
 }
 
-/// The multiplier in the body frame, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: what multiplication of all
-/// configurations on the left leaves as it is.
+/// The multiplier in the body frame, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: it is invariant under left
+/// multiplication of all configurations.
 /// \implements{claim_5_2_conjugate_multiplier}
 ///
 /// @param at          \f$g_k\f$, a rotation
@@ -151,8 +152,9 @@ M euler_poincare_with_multiplier(M const& lambda, M const& f10, M const& f21, M 
   // [claim_5_2_dep_with_multiplier]
 }
 
-/// What is left of it once the multiplier is gone, by subtracting the transpose: \f$f_{21}^T\Lambda - \Lambda f_{21} - (\Lambda f_{10}^T - f_{10}\Lambda)\f$, a
-/// skew matrix. \implements{eq_5_7}
+/// Its skew half, from which the multiplier is eliminated:
+/// \f$f_{21}^T\Lambda - \Lambda f_{21} - (\Lambda f_{10}^T - f_{10}\Lambda)\f$, a skew matrix.
+/// \implements{eq_5_7}
 ///
 /// For a diagonal \f$\Lambda\f$ it is h times the residual of the scheme in moser_veselov.hpp, which has it in coordinates.
 /// @param lambda  \f$\Lambda\f$, symmetric; mass x length^2

@@ -11,9 +11,9 @@ namespace actio {
 
 /// A velocity \f$\eta\f$ with \f$\mathrm{ad}^*_\eta\,\mu = w\f$: how the coadjoint action produces a tangent vector of an orbit.
 ///
-/// It is unique up to velocities that leave \f$\mu\f$ in its place.
+/// It is unique up to the isotropy algebra of \f$\mu\f$.
 /// @param w  tangent to the orbit at mu
-/// @throws OutsideDomain  where w is not tangent to the orbit: with the part of w that is left over, against rounding
+/// @throws OutsideDomain  where w is not tangent to the orbit: with the residual, against rounding
 template <Group G, Scalar S>
 Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w) {
   int const n = mu.group.dimension();
@@ -22,7 +22,7 @@ Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w
   Matrix<S, Dynamic, 1> b = w.components;
   Base<S> const scale = magnitude(a), tiny = Base<S>(256 * n) * epsilon<S>();
 
-  // Eliminate with full pivoting until what is left of the matrix is rounding.
+  // Eliminate with full pivoting until the remaining block is at rounding.
   std::vector<int> column(n);
   for (int c = 0; c < n; ++c) column[c] = c;
   int rank = 0;

@@ -1,8 +1,8 @@
 // The Euler-Lagrange equations of a Lagrangian on TG, without coordinates.
 //
 // Translated to the identity on the right, the variation of a curve is theta = dg g^-1 and that of its
-// velocity is theta' - [xi, theta]. What stands beside theta after integration by parts is the Euler-Lagrange
-// map; what is left at the ends is the Lagrange one-form.
+// velocity is theta' - [xi, theta]. The covector that is paired with theta after integration by parts is the
+// Euler-Lagrange map; the boundary term is the Lagrange one-form.
 #pragma once
 
 #include "actio/variational/legendre.hpp"

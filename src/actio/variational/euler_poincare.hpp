@@ -1,6 +1,7 @@
 // The Euler-Poincare equations: the motion of an invariant system, in the algebra alone.
 //
-// Right-invariant systems see xi = g' g^-1, left-invariant ones xi = g^-1 g'. The two have equations of opposite sign; each has its own function.
+// The velocity of a right-invariant system is xi = g' g^-1, that of a left-invariant one xi = g^-1 g'. The
+// two have equations of opposite sign; each has its own function.
 #pragma once
 
 #include "actio/foundations/differential.hpp"

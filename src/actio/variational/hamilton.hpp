@@ -23,7 +23,7 @@ struct CostateChange {
   Momentum<G, S> momentum;  ///< \f$\delta\mu\f$
 };
 
-/// The momentum in the body frame, \f$T_e^*L_g\,p = \mathrm{Ad}^*_g\,\mu\f$: what multiplication from the
+/// The body momentum, \f$T_e^*L_g\,p = \mathrm{Ad}^*_g\,\mu\f$: what multiplication from the
 /// right conserves.
 template <Group G, Scalar S>
 Momentum<G, S> body_momentum(Costate<G, S> const& p) {

@@ -1,7 +1,7 @@
 // Points of TG, and Lagrangians on it.
 //
 // A point (g, g') of TG is written (g, xi) with the velocity translated to the identity on the right, xi = g'
-// g^-1: as seen from space. The velocity as seen from the body is Ad(g^-1) xi. A Lagrangian is any callable
+// g^-1: the spatial velocity. The body velocity is Ad(g^-1) xi. A Lagrangian is any callable
 // l(state), at every scalar.
 //
 // A tangent vector to TG is written (theta, d xi): theta = dg g^-1 and the change of xi.
@@ -11,7 +11,7 @@
 
 namespace actio {
 
-/// A point of TG: where, and how fast, the velocity translated to the identity on the right.
+/// A point of TG: configuration and velocity, translated to the identity on the right.
 template <Group G, Scalar S>
 struct State {
   using Scalar = S;
@@ -26,7 +26,7 @@ struct StateChange {
   Velocity<G, S> velocity;  ///< \f$\delta\xi\f$
 };
 
-/// The velocity in the body frame, \f$g^{-1}\dot g\f$.
+/// The body velocity, \f$g^{-1}\dot g\f$.
 template <Group G, Scalar S>
 Velocity<G, S> body_velocity(State<G, S> const& v) {
   return Ad(inverse(v.configuration), v.velocity);
