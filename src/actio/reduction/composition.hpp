@@ -41,13 +41,30 @@ std::vector<S> triple_jump() {
   S const outer = S(1) / (S(2) - S(exp(S(log(S(2)) / S(3)))));
   return {outer, S(1) - outer - outer, outer};
 }
-/// Order 4 in five stages (Suzuki): \f$\gamma_1 = \gamma_2 = \gamma_4 = \gamma_5 = 1/(4-\sqrt[3]4)\f$ and \f$\gamma_3 = 1 - 4\gamma_1\f$. No substep
-/// is longer than 0.66 of the step.
+/// Order 2, 4, 6 or 8 by Suzuki's fractals, in 1, 5, 25 or 125 stages: \f$s, s, 1-4s, s, s\f$ with
+/// \f$s = 1/(4-4^{1/(p+1)})\f$ takes order p to p + 2. Steps back in time are shorter than those of the triple jump.
+/// @param order  2, 4, 6 or 8
+/// @throws OutsideDomain  for another
+template <Real S>
+std::vector<S> symmetric_composition(int order) {
+  if (order < 2 || order > 8 || order % 2)
+    throw OutsideDomain("symmetric composition", "the order must be 2, 4, 6 or 8", order, order < 2 ? 2 : 8);
+  using std::pow;
+  std::vector<S> fractions{S(1)};
+  for (int p = 2; p < order; p += 2) {
+    S const outer = S(1) / (S(4) - S(pow(S(4), S(S(1) / S(p + 1))))), inner = S(1) - S(4) * outer;
+    std::vector<S> composed;
+    for (S const& s : {outer, outer, inner, outer, outer})
+      for (S const& f : fractions) composed.push_back(s * f);
+    fractions = std::move(composed);
+  }
+  return fractions;
+}
+/// Order 4 in five stages (Suzuki): \f$\gamma_1 = \gamma_2 = \gamma_4 = \gamma_5 = 1/(4-\sqrt[3]4)\f$ and
+/// \f$\gamma_3 = 1 - 4\gamma_1\f$. No substep is longer than 0.66 of the step.
 template <Real S>
 std::vector<S> suzuki() {
-  using std::exp, std::log;
-  S const outer = S(1) / (S(4) - S(exp(S(log(S(4)) / S(3)))));
-  return {outer, outer, S(1) - S(4) * outer, outer, outer};
+  return symmetric_composition<S>(4);
 }
 /// Order 6 in nine stages (Kahan and Li): \f$\gamma_1, \dots, \gamma_5\f$ and back.
 ///

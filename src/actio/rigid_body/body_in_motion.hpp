@@ -22,7 +22,7 @@ struct BodyInMotion {
 template <int n, Real S>
 void advance(MoserVeselov<n, S> const& scheme, BodyInMotion<n, S>& body) {
   body.last = scheme.relative_motion(body.body_momentum, body.last).value;
-  body.body_momentum = scheme.transport(body.last, body.body_momentum);
+  body.body_momentum = scheme.transport_by_increment(body.last, body.body_momentum);
   body.attitude = scheme.reconstruct(body.attitude, body.last);
 }
 

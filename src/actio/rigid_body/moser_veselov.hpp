@@ -85,19 +85,24 @@ class MoserVeselov {
 
   /// DLP: the body momentum after a step with relative motion f, \f$M_1 = f M_0 f^T\f$. \implements{eq_5_8}
   static BodyMomentum transport(Rotation const& f, BodyMomentum const& pi) {
-    Matrix const m = pi.group.hat(pi.components), e = less_identity(f);
-    // f M f^T with f = 1 + e, so that a short step changes M by a small sum instead of a rounded whole.
-    Matrix const em = e * m;
+    Matrix const M0 = pi.group.hat(pi.components);
     // [eq_5_8]
+    Matrix const M1 = f.value * M0 * f.value.transpose();
+    // [eq_5_8]
+    return {pi.group, pi.group.vee(M1)};
+  }
+  /// The same as \f$M_0 + eM_0 + M_0e^T + eM_0e^T\f$ with e = f - 1, which the steps use: a short step adds a small
+  /// change, so that the rounding of a step is that of the change and not of the whole.
+  static BodyMomentum transport_by_increment(Rotation const& f, BodyMomentum const& pi) {
+    Matrix const m = pi.group.hat(pi.components), e = less_identity(f), em = e * m;
     return {pi.group, pi.components + pi.group.vee((em + m * e.transpose() + em * e.transpose()).eval())};
-    // [eq_5_8]
   }
   /// The attitude after g and a step with relative motion f: \f$g_1 = g_0f^{-1}\f$.
   static Rotation reconstruct(Rotation const& g, Rotation const& f) {
     return restore(Rotation{g.group, g.value + g.value * less_identity(f).transpose()});
   }
   /// DLP: the body momentum after `pi`, with the relative motion found from it.
-  BodyMomentum step_lie_poisson(BodyMomentum const& pi) const { return transport(relative_motion(pi).value, pi); }
+  BodyMomentum step_lie_poisson(BodyMomentum const& pi) const { return transport_by_increment(relative_motion(pi).value, pi); }
 
   /// DEL: the attitude after g0, g1. Only \f$g_1^Tg_0\f$ matters: \f$g_2 = g_1f_{21}^{-1}\f$. \implements{claim_5_2_reconstruction}
   Rotation step_euler_lagrange(Rotation const& g0, Rotation const& g1) const {
