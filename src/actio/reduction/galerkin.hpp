@@ -7,6 +7,7 @@
 // symmetry are preserved exactly, and the order is 2s.
 #pragma once
 
+#include "actio/foundations/groups/unipotent_groups.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/reduction/polynomial_path.hpp"
 
@@ -33,36 +34,6 @@ V iex_times(M const& w, V const& v) {
   }
   throw OutsideDomain("galerkin", "a step must stay within the natural chart (3.19); size of ad", row_norm(w), 2 * M_PI);
 }
-
-/// Several vectors of the algebra, one after another, as a group under addition.
-struct Stack {
-  static constexpr int dim = Dynamic;
-  template <class S>
-  using Value = Matrix<S, Dynamic, 1>;
-  int size;
-
-  int dimension() const { return size; }
-  template <class S>
-  Value<S> identity() const { return Value<S>::Zero(size); }
-  template <class V>
-  static V compose(V const& a, V const& b) { return a + b; }
-  template <class V>
-  static V inverse(V const& a) { return -a; }
-  template <class V>
-  static V Ad(V const&, V const& v) { return v; }
-  template <class V>
-  static V bracket(V const& v, V const&) { return V::Zero(v.size()); }
-  template <class V>
-  static V retract(V const& v) { return v; }
-  template <class V>
-  static V near_identity(V const& v) { return v; }
-  template <class V>
-  static V exp(V const& v) { return v; }
-  template <class V>
-  static V log(V const& v) { return v; }
-  template <class V>
-  static V restore(V const& v) { return v; }
-};
 
 /// \f$\eta\f$ at the i-th node of the rule, and as its infinitesimal part the rate at which it changes with the fraction of the step.
 template <Group G, Scalar S>
@@ -153,14 +124,14 @@ struct GalerkinStep {
     auto const& mu = from.momentum;
     int const n = mu.group.dimension(), s = path.degree();
     // The initial guess repeats the last step: a line in the chart.
-    Element<Stack, S> start{{s * n}, {}};
+    Element<Translations<Dynamic>, S> start{{s * n}, {}};  // the nodes, one below the other
     start.value.resize(s * n);
     for (int nu = 0; nu < s; ++nu) start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
-    auto& solver = remembered.template solver<Stack>(from.velocity, h);
+    auto& solver = remembered.template solver<Translations<Dynamic>>(from.velocity, h);
     auto const xi = solver.solve(
         [&](auto const& x) {
           using R = typename std::decay_t<decltype(x)>::Scalar;
-          return Momentum<Stack, R>{x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
+          return Momentum<Translations<Dynamic>, R>{x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
         },
         start);
 

@@ -8,6 +8,7 @@
 // g2 k) = base(g1, g2) k, or the same on the left.
 #pragma once
 
+#include "actio/foundations/groups/unipotent_groups.hpp"
 #include "actio/foundations/solve.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/variational/state.hpp"
@@ -193,6 +194,12 @@ auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
 
 // The algorithm on the algebra: relative motions by their logarithms xi = log f. The velocity of the step is -xi/h.
 
+/// \f$\mu\cdot A\f$: a covector composed with a linear map of the algebra.
+template <Group G, Scalar S, MatrixLike M>
+Momentum<G, S> composed(Momentum<G, S> const& mu, M const& a) {
+  return {mu.group, a.transpose() * mu.components};
+}
+
 /// \f$l'(-\xi/h)\cdot\chi(\pm\mathrm{ad}_\xi)\f$ as covectors: the momenta at the two ends of a step with relative motion \f$e^\xi\f$.
 ///
 /// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$, \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
@@ -224,8 +231,10 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 template <Group G, Scalar S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01, Velocity<G, S> const& xi12) {
   detail::nonzero_step(h);
+  auto const mu01 = gradient(l, -xi01 / detail::constant<S>(h)), mu12 = gradient(l, -xi12 / detail::constant<S>(h));
+  auto const ad01 = ad_matrix(xi01), ad12 = ad_matrix(xi12);
   // [eq_3_26]
-  return momentum_through_log_right(l, h, xi12) - momentum_through_log_left(l, h, xi01);
+  return composed(mu12, chi(ad12)) - composed(mu01, chi(ad01) * matrix_exponential(ad01));
   // [eq_3_26]
 }
 /// The residual of the implicit algorithm on the algebra, left-invariant: minus the residual (3.11) of
@@ -240,36 +249,14 @@ Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S
 }
 
 namespace detail {
-/// The algebra of G as a group under addition, so that Newton's iteration on a group serves it too.
+/// The algebra of G as a group under addition, so that Newton's iteration on a group applies to it.
 template <Group G>
-struct Additive {
-  static constexpr int dim = G::dim;
-  template <class S>
-  using Value = Coordinates<G, S>;
-  [[no_unique_address]] G group;
-
-  int dimension() const { return group.dimension(); }
-  template <class S>
-  Value<S> identity() const { return Value<S>::Zero(dimension()); }
-  template <class V>
-  static V compose(V const& a, V const& b) { return a + b; }
-  template <class V>
-  static V inverse(V const& a) { return -a; }
-  template <class V>
-  static V Ad(V const&, V const& v) { return v; }
-  template <class V>
-  static V bracket(V const& v, V const&) { return V::Zero(v.size()); }
-  template <class V>
-  static V retract(V const& v) { return v; }
-  template <class V>
-  static V near_identity(V const& v) { return v; }
-  template <class V>
-  static V exp(V const& v) { return v; }
-  template <class V>
-  static V log(V const& v) { return v; }
-  template <class V>
-  static V restore(V const& v) { return v; }
-};
+Translations<G::dim> additive_group(G const& group) {
+  if constexpr (G::dim == Dynamic)
+    return {group.dimension()};
+  else
+    return {};
+}
 /// Solves residual(xi) = 0 in the algebra.
 template <Group G, Real S, class Residual>
 Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S> const& start) {
@@ -277,7 +264,7 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
     using R = typename std::decay_t<decltype(x)>::Scalar;
     return residual(Velocity<G, R>{start.group, x.value});
   };
-  auto solved = solve_on_group(on_coordinates, Element<Additive<G>, S>{{start.group}, start.coordinates});
+  auto solved = solve_on_group(on_coordinates, Element<Translations<G::dim>, S>{additive_group(start.group), start.coordinates});
   return {{start.group, solved.value.value}, std::move(solved.report)};
 }
 }  // namespace detail
