@@ -6,7 +6,7 @@
 // by a flag.
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 
 namespace actio {
 

@@ -7,7 +7,7 @@
 // symmetry are preserved exactly, and the order is 2s.
 #pragma once
 
-#include "actio/foundations/groups/unipotent_groups.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/reduction/polynomial_path.hpp"
 

@@ -8,8 +8,8 @@
 // g2 k) = base(g1, g2) k, or the same on the left.
 #pragma once
 
-#include "actio/foundations/groups/unipotent_groups.hpp"
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/unipotent_groups.hpp"
+#include "actio/groups/solve.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/variational/state.hpp"
 

@@ -4,7 +4,7 @@
 // leads backwards in time.
 #pragma once
 
-#include "actio/foundations/group.hpp"
+#include "actio/groups/group.hpp"
 
 namespace actio {
 

@@ -4,7 +4,7 @@
 // two have equations of opposite sign; each has its own function.
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

@@ -5,7 +5,7 @@
 // scalar.
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

@@ -1,0 +1,235 @@
+// A rigid body under a torque, by splitting: kicks, and drifts, which are the exact flow of the free body, in
+// between.
+//
+//     TorquedBody body(inertia, momentum, attitude, gravity_gradient(inertia, 3 * mu / (r * r * r), towards), 0.1);
+//     body.step(1000);
+//
+// After each kick the body is on another orbit, so a drift is set up anew each time: by the power series of
+// short_step.hpp as long as it is short, by elliptic functions otherwise. Free motion is exact whatever the
+// step; the order is that of the kicks.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "actio/fast_body/space/gravity_gradient.hpp"
+#include "actio/fast_body/space/splitting.hpp"
+#include "actio/fast_body/space/short_step.hpp"
+
+namespace actio {
+namespace detail {
+
+/// A body between kicks, in the axes that the drifts use: p = hM/(2I), I the unit of inertia, and the
+/// attitude.
+struct TorquedState {
+  Three<double> p;
+  Four<double> q;
+};
+
+/// Which body it is, in numbers without dimension; and from its axes to those of the drifts and back.
+class TorquedFrame {
+ public:
+  /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where there is no such body, or no such step
+  TorquedFrame(Inertia<3> const& inertia, double h) : h_(h), frame_(inertia.moments), body_(frame_.moments()) {
+    if (!is_finite(h)) throw NotFinite("torqued body: step");
+    if (h == 0) throw OutsideDomain("torqued body", "the step must differ from zero", 0, 0);
+    inertia_from_moments(inertia.moments);  // which refuses what is none
+  }
+
+  InverseMoments<double> const& body() const { return body_; }
+  int first() const { return frame_.first(); }
+  double step() const { return h_; }
+  /// What the torque is multiplied with for a kick of a whole step.
+  double kick() const { return h_ / frame_.unit() * (h_ / 2); }
+  /// @throws NotFinite, OutsideDomain  where a number is none, or the quaternion not near unit length
+  TorquedState enter(Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude) const {
+    if (!is_finite(momentum.components)) throw NotFinite("torqued body: body momentum");
+    if (!is_finite(attitude.value)) throw NotFinite("torqued body: attitude");
+    TorquedState const state{frame_.enter(Eigen::Vector3d(momentum.components / frame_.unit() * (h_ / 2))), frame_.enter(restore(attitude).value)};
+    if (!is_finite(dot(state.p, state.p))) throw NotFinite("torqued body: step times momentum over inertia");
+    return state;
+  }
+  FreeState leave(TorquedState const& state) const {
+    return {{SO<3>{}, frame_.leave(state.p) / (h_ / 2) * frame_.unit()}, {SU2{}, frame_.leave(state.q).normalized()}};
+  }
+
+ private:
+  double h_;
+  MiddleAxisFrame frame_;
+  InverseMoments<double> body_;
+};
+
+/// The same inverse moments, times c.
+template <class T>
+[[gnu::always_inline]] inline InverseMoments<T> scaled(InverseMoments<T> const& body, T const& c) {
+  InverseMoments<T> part;
+  part.J = {body.J[0] * c, body.J[1] * c, body.J[2] * c};
+  part.d12 = body.d12 * c, part.d23 = body.d23 * c, part.d13 = body.d13 * c;
+  return part;
+}
+
+/// A drift over the part c of a step, of any length.
+/// @throws NotFinite  where the momentum is no number
+[[gnu::noinline, gnu::cold]] inline TorquedState long_step(InverseMoments<double> const& body, double c, TorquedState state) {
+  double const size = std::max({std::abs(state.p[0]), std::abs(state.p[1]), std::abs(state.p[2])});
+  if (!std::isfinite(size) || !std::isfinite(dot(state.p, state.p))) throw NotFinite("torqued body: momentum, in the course of the motion");
+  if (size == 0) return state;
+  Three<double> u{state.p[0] / size, state.p[1] / size, state.p[2] / size};
+  double const length = std::sqrt(dot(u, u));
+  for (double& x : u) x /= length;
+  FrameState<double> moved{u, state.q};
+  HalfTurn<double>(exact_flow<double>(body, u, c * (size * length))).step(moved);
+  state.q = moved.attitude;
+  for (int i = 0; i < 3; ++i) state.p[i] = size * length * moved.direction[i];
+  return state;
+}
+
+/// A drift over the part c of a step; `terms` is 5 or 8, as many as the last one needed.
+[[gnu::always_inline]] inline TorquedState drift(InverseMoments<double> const& body, InverseMoments<double> const& part, double c, TorquedState const& state,
+                                               int& terms) {
+  if (terms == 5) {
+    TorquedState next = state;
+    if (all_within<5>(short_step(StepTable<5, double>::get(), part, next.p, next.q))) [[likely]]
+      return next;
+  }
+  TorquedState next = state;
+  auto const reach = short_step(StepTable<8, double>::get(), part, next.p, next.q);
+  terms = reach.turn <= short_reach<5> / 2 && reach.twist <= short_twist<5> / 2 ? 5 : 8;
+  if (all_within<8>(reach)) return next;
+  return long_step(body, c, state);
+}
+
+/// \f$|q|\to1\f$ without a root, for it is nearly so.
+template <class T>
+[[gnu::always_inline]] inline void tidy(Four<T>& q) {
+  T const shorter = 1.5 - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (int i = 0; i < 4; ++i) q[i] = q[i] * shorter;
+}
+
+/// A torque whose axes are counted from another one on.
+template <class Torque>
+struct RelabelledTorque {
+  Torque torque;
+  int first;
+  [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double time) const {
+    int const back = 3 - first;
+    Four<double> const outside{q[0], q[1 + back % 3], q[1 + (back + 1) % 3], q[1 + (back + 2) % 3]};
+    Three<double> const t = torque(outside, time);
+    return {t[first % 3], t[(first + 1) % 3], t[(first + 2) % 3]};
+  }
+};
+template <class Torque>
+auto relabelled(Torque const& torque, int first) {
+  if constexpr (requires { torque.relabelled(first); })
+    return torque.relabelled(first);
+  else
+    return RelabelledTorque<Torque>{torque, first};
+}
+
+/// Steps of one body under a torque.
+template <class Torque>
+struct TorquedSteps {
+  InverseMoments<double> const& body;
+  std::vector<InverseMoments<double>> const& parts;
+  Splitting const& method;
+  Torque const& torque;
+  double h, kick;
+  long from, count;
+  TorquedState state;
+  int terms;
+
+  [[gnu::always_inline]] void kick_by(double part, double time, TorquedState& at) const {
+    Three<double> const t = torque(at.q, time);
+    double const c = part * kick;
+    at.p = {at.p[0] + c * t[0], at.p[1] + c * t[1], at.p[2] + c * t[2]};
+  }
+  [[gnu::always_inline]] void operator()() {
+    TorquedState at = state;
+    int order_of_series = terms;
+    std::size_t const stages = parts.size();
+    double const joined = method.kicks.front() + method.kicks.back();
+    kick_by(method.kicks.front(), static_cast<double>(from) * h, at);
+    for (long n = 0; n < count; ++n) {
+      double reached = 0;
+      for (std::size_t k = 0; k < stages; ++k) {
+        at = drift(body, parts[k], method.drifts[k], at, order_of_series);
+        reached += method.drifts[k];
+        bool const last = k + 1 == stages;
+        double const time = last ? static_cast<double>(from + n + 1) * h : (static_cast<double>(from + n) + reached) * h;
+        kick_by(last && n + 1 < count ? joined : method.kicks[k + 1], time, at);
+      }
+      if ((from + n) % 64 == 63) tidy(at.q);
+    }
+    state = at, terms = order_of_series;
+  }
+};
+
+}  // namespace detail
+
+/// A body under a torque.
+///
+/// @tparam Torque  (Four<double> const& attitude, double time) -> Three<double>: the torque on the body in its own axes, energy,
+///                 from the unit quaternion (scalar first) that takes the body to space
+template <class Torque>
+class TorquedBody {
+ public:
+  /// @param momentum  body momentum at the start, energy x time
+  /// @param attitude  at the start
+  /// @param h         step, time, not zero; negative steps go back in time
+  /// @param method    order 2 or 4: \ref strang_splitting, \ref blanes_moan_splitting
+  /// @param start     time at the start
+  /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where a number is none, no body has such moments, or the quaternion is not near unit length
+  TorquedBody(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, Torque const& torque, double h,
+              Splitting method = strang_splitting(), double start = 0, Machine machine = best_machine())
+      : frame_(inertia, h), torque_(detail::relabelled(torque, frame_.first())), method_(std::move(method)), start_(start), machine_(machine),
+        state_(frame_.enter(momentum, attitude)) {
+    if (!is_finite(start)) throw NotFinite("torqued body: time at the start");
+    if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
+      throw OutsideDomain("torqued body", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
+                          static_cast<double>(method_.drifts.size() + 1));
+    for (double const c : method_.drifts) parts_.push_back(detail::scaled(frame_.body(), c));
+  }
+
+  /// So many steps.
+  /// @throws NotFinite      where the torque or the momentum is no number any more; the body is where it was then
+  /// @throws OutsideDomain  where count is negative
+  void step(long count = 1) {
+    if (count < 0) throw OutsideDomain("torqued body", "the number of steps must not be negative", static_cast<double>(count), 0);
+    if (count == 0) return;
+    auto const shifted = [this](Four<double> const& q, double time) __attribute__((always_inline)) { return torque_(q, start_ + time); };
+    detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(), frame_.kick(), steps_, count, state_, terms_};
+    run_on(machine_, steps);
+    if (!std::isfinite(dot(steps.state.p, steps.state.p))) throw NotFinite("torqued body: torque");
+    state_ = steps.state, terms_ = steps.terms, steps_ += count;
+  }
+
+  /// Saves, or restores, what the next step depends on besides body, torque, step and method: `memory(numbers...)` takes each of them by reference.
+  template <class Memory>
+  void remember(Memory& memory) {
+    memory(state_, terms_, steps_);
+  }
+
+  /// Momentum and attitude now.
+  FreeState state() const { return frame_.leave(state_); }
+  /// The time reached.
+  double time() const { return start_ + static_cast<double>(steps_) * frame_.step(); }
+  /// h, time.
+  double step_length() const { return frame_.step(); }
+  /// How kicks and drifts make up a step.
+  Splitting const& method() const { return method_; }
+
+ private:
+  using Relabelled = decltype(detail::relabelled(std::declval<Torque const&>(), 0));
+
+  detail::TorquedFrame frame_;
+  Relabelled torque_;
+  Splitting method_;
+  double start_;
+  Machine machine_;
+  detail::TorquedState state_;
+  std::vector<InverseMoments<double>> parts_;
+  int terms_ = 5;
+  long steps_ = 0;
+};
+
+}  // namespace actio
