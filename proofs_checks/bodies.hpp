@@ -66,7 +66,7 @@ Matrix<S> turning(int n, int i, int j) {
   return xi;
 }
 
-/// A body made of points that have mass. It knows nothing of \f$\Lambda\f$, of J, or of moments of inertia.
+/// A body made of points that have mass. It is described without \f$\Lambda\f$, J, or moments of inertia.
 template <class S>
 struct PointMasses {
   std::vector<S> mass;
@@ -176,7 +176,7 @@ BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
   Matrix<S> columns(d, static_cast<int>(directions.size()));
   for (std::size_t k = 0; k < directions.size(); ++k) columns.col(static_cast<int>(k)) = slopes(directions[k]);
   Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
-  // The normal equations square the condition: again on what is left.
+  // The normal equations square the condition: solve again for the residual.
   for (int pass = 0; pass < (exact_arithmetic<S>() ? 1 : 3); ++pass) {
     Vector<S> const change = transposed * solve_linear(square, slopes(motion.lambda), "draw_body_motion");
     for (std::size_t k = 0; k < directions.size(); ++k) motion.lambda -= directions[k] * S(change[static_cast<int>(k)]);

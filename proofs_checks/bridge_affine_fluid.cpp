@@ -1,7 +1,7 @@
 // Between the two parts: a drop of ideal fluid whose motion stays linear is a field on the one hand, and a geodesic of SL(n) on the other.
 //
 // The motion is phi(t, X) = A(t) X with A in SL(n), the drop the unit ball. Part II knows it as a section with a pressure, m/2 (1 - |X|^2). Part I knows it as a motion of a
-// group whose Lagrangian is invariant but for the vector A A^T that is carried along, and discretizes it.
+// group whose Lagrangian is invariant but for the advected vector A A^T, and discretizes it.
 #include "actio/groups/special_linear.hpp"
 #include "witness/taylor_reference.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
@@ -30,7 +30,8 @@ struct StepOfDrop {
     return T(sum / T(Base<T>(h) * 2));
   }
 };
-/// The same reduced: \f$\mathrm{tr}\,(f^{-1}-1)\,M\,(f^{-1}-1)^T/2h\f$ with \f$f = A_0A_1^{-1}\f$ and \f$M = A_0A_0^T\f$, carried along.
+/// The same reduced: \f$\mathrm{tr}\,(f^{-1}-1)\,M\,(f^{-1}-1)^T/2h\f$ with \f$f = A_0A_1^{-1}\f$ and
+/// \f$M = A_0A_0^T\f$, advected.
 template <class S, int n>
 struct ReducedStep {
   S h;
@@ -55,7 +56,8 @@ actio::Matrix<S, n * n, 1> column(actio::Matrix<S, n, n> const& m) {
   return m.reshaped();
 }
 
-/// \f$m = \mathrm{tr}\,(\dot AA^{-1})^2/\mathrm{tr}\,(A^{-1}A^{-T})\f$, with which \f$\ddot A = mA^{-T}\f$ keeps the determinant.
+/// \f$m = \mathrm{tr}\,(\dot AA^{-1})^2/\mathrm{tr}\,(A^{-1}A^{-T})\f$, with which \f$\ddot A = mA^{-T}\f$
+/// preserves the determinant.
 template <class S, int n>
 S pressure_of_drop(actio::Matrix<S, n, n> const& inverse, actio::Matrix<S, n, n> const& V) {
   actio::Matrix<S, n, n> const rate = V * inverse;
@@ -148,7 +150,7 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
 }  // namespace
 
 STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of SL(n)") {
-  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
+  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is advected. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
   auto const in_dimension = [&]<int n>() {
     using Matrix = actio::Matrix<S, n, n>;
@@ -174,7 +176,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     for (int a = 0; a < paired.size(); ++a) paired[a] = (moment.transpose() * SL<n>{}.hat(Coordinates<SL<n>, S>(Coordinates<SL<n>, S>::Unit(a)))).trace();
     claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval());
     auto const reduced = advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(a0.value * a0.value.transpose()), a1 * actio::inverse(a2), OnSquares<n>{});
-    claim.equal("and the reduced ones with the square carried along", model, reduced.components.eval(), residual.components.eval());
+    claim.equal("and the reduced ones with the advected square", model, reduced.components.eval(), residual.components.eval());
     claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
                   residual.components.eval());
     if (n == 3 && claim.fits_orders()) {

@@ -44,7 +44,7 @@ Vector<S> momenta_in_entries(ExactMotions<S> const& m, Entries const& q, S const
 }  // namespace
 
 STATEMENT(eq_2_1, "the action of a curve") {
-  claim.holds("The integral does not see which coordinates express g and its rate; it depends on a and b.");
+  claim.holds("The integral does not depend on the coordinates that express g and its rate; it depends on a and b.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -139,7 +139,7 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
     };
     claim.equal("(dL/dg') dg is the Lagrange one-form", model, one_form(b), boundary(b), amplification);
     // Controls: only one end moves; a one-form with the whole velocity's change in it.
-    claim.differs("the end a kept fixed", model, dS, boundary(b));
+    claim.differs("the end a held fixed", model, dS, boundary(b));
     claim.differs("momentum paired with the change of the velocity", model,
                   pair(legendre(m, tangent(motion, b)), lifted_variation(shifted(m, motion, loose), b).velocity), boundary(b));
   });
@@ -428,7 +428,7 @@ STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
       S const difference = lagrange_one_form(m, end, lifted_generator(end, generator)) - lagrange_one_form(m, v, lifted);
       return std::array<S, 4>{dS, carried, difference, lagrange_one_form(m, v, lifted)};
     };
-    // Make the Lagrangian invariant under shifts along d: neither c nor the total derivative see d.
+    // Make the Lagrangian invariant under shifts along d: neither c nor the total derivative depends on d.
     auto m = draw_exact_motions<S>(draw, group);
     Vector<S> d = draw_vector<S>(draw, group.dimension());
     d -= m.c * S(d.dot(m.c) / m.c.dot(m.c));
@@ -710,11 +710,11 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
     double const condition = 1e4;
     Vector<S> const found = solve_linear(rows, response, "variations must be independent");
 
-    // beta = 0; alpha is the one-form of the library; what is left at theta is D + alpha'.
+    // beta = 0; alpha is the one-form of the library; the coefficient of theta is D + alpha'.
     auto const state = tangent(curve, t);
     auto const mu = legendre(L, state), mu_rate = rate(legendre(L, tangent(curve, time)));
     auto const map = euler_lagrange(L, state, second_tangent(curve, t).velocity);
-    claim.zero("the form does not see changes of the velocity", model, Vector<S>(found.tail(n)), size_of(mu), condition);
+    claim.zero("the form does not depend on changes of the velocity", model, Vector<S>(found.tail(n)), size_of(mu), condition);
     claim.equal("the only form is theta_L", model, Vector<S>(found.segment(n, n)), mu.components, condition);
     claim.equal("the only map is D_EL L", model, Vector<S>(found.head(n) - mu_rate.components), map.components, condition);
 
@@ -754,7 +754,7 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
 
     // The second derivative of a curve is a tangent vector of TG whose configuration part is the velocity of its base point.
     claim.equal("second derivatives are second order", model, second.configuration, state.velocity);
-    // The map sees no more of the curve: change it at third order.
+    // The map depends on no more of the curve: change it at third order.
     auto const bend = draw.template velocity<S>(group);
     auto const third = [&](auto const& s) {
       using T = std::decay_t<decltype(s)>;

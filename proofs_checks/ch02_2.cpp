@@ -111,7 +111,8 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
     };
     Vector<S> const momentum_rate = Matrix<S>(hessian(l, v.velocity)) * full.coordinates;
     claim.equal("rate of dl/dxi = - ad* dl/dxi, by commutators", model, momentum_rate, rate_by_hand(v.velocity), hessian_condition);
-    // Left: xi = g^-1 g', whose rate is that of the full system carried to the body, Ad commuting with its own velocity.
+    // Left: xi = g^-1 g', whose rate is that of the full system in the body frame, Ad commuting with its own
+    // velocity.
     auto const body = body_velocity(v);
     auto const body_rate = Ad(inverse(v.configuration), lagrange_acceleration(left_invariant(l), v));
     claim.equal("left-invariant: the same with the other sign", model, body_rate, euler_poincare_acceleration_left(l, body),
@@ -126,7 +127,8 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
 // ----
 // Section 2.2: Lie-Poisson reduction and coadjoint orbits.
 //
-// The canonical bracket and Hamilton's equations are taken in coordinates (q, p) of T*G, {q, p} = 1, and carried to the reduced ones.
+// The canonical bracket and Hamilton's equations are taken in coordinates (q, p) of T*G, {q, p} = 1, and
+// mapped to the reduced ones.
 
 namespace {
 
@@ -317,7 +319,8 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
       claim.zero("ii for the components of the momentum", model, S(canonical_bracket(component, invariant, at) - expected), scale);
       claim.zero("iv for the components of the momentum", model, S(lie_poisson_bracket_plus(component, h, at.momentum) - expected), scale);
     }
-    // Controls: g moved by something else keeps iii and iv and breaks i and ii; the canonical bracket without its last term.
+    // Controls: with g moved by something else iii and iv hold and i and ii do not; the canonical bracket
+    // without its last term.
     auto astray = reduced;
     astray.configuration = draw.template velocity<S>(group);
     claim.differs("another motion of g", model, F(moved(at, astray)).part[0], canonical_bracket(F, invariant, at));
@@ -479,7 +482,8 @@ STATEMENT(claim_2_2_coadjoint_action_kk, "the coadjoint action preserves the Kir
     claim.equal("carried vectors are tangent to the orbit", model, ad_star(orbit_generator(act(mu), act(v)), act(mu)), act(v),
                 orbit_condition);
     claim.equal("Ad* composes in the order of the group", model, act(Ad_star(inverse(g), v)), Ad_star(inverse(g * g), v));
-    // Controls: another linear map of orbits to orbits; the star lost, where the group sees it.
+    // Controls: another linear map of orbits to orbits; the star left out, on groups where that makes a
+    // difference.
     auto const twice = [&](Momentum<SpannedGroup, S> const& nu) { return S(2) * nu; };
     claim.differs("multiplication by 2 instead", model, kirillov_kostant_plus(twice(mu), twice(v), twice(w)), before);
     auto const starless = [&](Momentum<SpannedGroup, S> const& nu) {

@@ -109,10 +109,10 @@ STATEMENT(rem_3_1_1, "a discretization without origin inherits the symmetry; lif
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     S const h = ratio<S>(1, 3);
-    // Small draws keep every pair inside Cayley's chart.
+    // Draws are small, so that every pair is inside Cayley's chart.
     auto const g0 = draw.template element<S>(group), g1 = draw.template element<S>(group), bar = draw.template element<S>(group);
 
-    // Right multiplication: the Lagrangian on TG does not see it, nor does the discrete one.
+    // The Lagrangian on TG is invariant under right multiplication, and so is the discrete one.
     auto const right = discretize_at_the_configuration(right_invariant(l), h), left = discretize_at_the_configuration(left_invariant(l), h);
     claim.equal("right-invariant: unchanged under (g0 k, g1 k)", model, right(g0 * bar, g1 * bar), right(g0, g1));
     claim.equal("left-invariant: unchanged under (k g0, k g1)", model, left(bar * g0, bar * g1), left(g0, g1));
@@ -189,7 +189,8 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
                   R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta g_k=\dots)",
                   "In the first line the arguments of the two sums are exchanged, so that it asks for configurations g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // N = 3: configurations all[1], ..., all[4] are g_0, ..., g_3; all[0] and all[5] are the g_{-1} and g_4 that print asks for.
+    // N = 3: configurations all[1], ..., all[4] are g_0, ..., g_3; all[0] and all[5] are the g_{-1} and g_4
+    // that the thesis prints.
     int const N = 3;
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const all = draw_configurations<S>(draw, group, N + 3);
@@ -213,7 +214,7 @@ STATEMENT(claim_3_1_action_differential_split, "first slots and second slots of 
                   R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta g_k)",
                   "A configuration is the second of the pair before it and the first of the pair after it: D_2 goes with (g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // N = 4; all[0] and all[6] are the g_{-1} and g_5 that print asks for.
+    // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const all = draw_configurations<S>(draw, group, N + 3);
@@ -318,7 +319,7 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
   claim.corrected(R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_k^i\wedge dg_{k+1}^j)",
                   R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_{k+1}^j\wedge dg_k^i)",
                   "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, for with omega = d theta+ the coordinates, the chain for "
-                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library keeps omega = d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
+                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega = d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -459,7 +460,7 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
                   "The last of N pairs is N-1 steps of the flow from the first; the printed single step is right for N = 2 only. F is the flow, not the Legendre transformation.");
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
-    // A motion of three pairs, and changes of its first pair carried along by the tangent of the flow.
+    // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
     auto const g = draw_configurations<S>(draw, group, 4);
     auto const L = draw_with_motion<S>(draw, g);
     auto const w01 = draw_changes<S>(draw, group);
@@ -485,7 +486,7 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
   });
 }
 
-STATEMENT(claim_3_1_flow_symplectic, "the discrete flow keeps the discrete two-form") {
+STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete two-form") {
   claim.holds("Where the Lagrangian is regular, at every length of the step.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);
@@ -501,9 +502,9 @@ STATEMENT(claim_3_1_flow_symplectic, "the discrete flow keeps the discrete two-f
     auto const L = draw_with_motion<S>(draw, g);
     auto const after = carried(L);
     double const condition = flow_condition<S>(L, g[1], g[2]);
-    auto const left_behind = rates(D2(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second)));
+    auto const end_momentum = rates(D2(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second)));
     auto const equation = rates(discrete_euler_lagrange(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second), nudged(g[2], after[0].second)));
-    claim.zero("the tangent of the flow keeps (3.2)", model, equation, size_of(left_behind), condition);
+    claim.zero("the tangent of the flow satisfies the linearized (3.2)", model, equation, size_of(end_momentum), condition);
     claim.equal("the new first configuration moves as the old second did", model, after[0].first, before[0].second);
 
     claim.equal("the two-form after a step is that before", model, form(L, 1, after), form(L, 0, before), condition);
@@ -555,7 +556,8 @@ namespace {
 inline constexpr auto on_the_right = [](auto const& zeta) { return right_translation(zeta); };
 inline constexpr auto on_the_left = [](auto const& zeta) { return left_translation(zeta); };
 
-/// Right- and left-invariant Lagrangians of which `g` is a motion, each with the translations that it does not see and with those on the other side.
+/// Right- and left-invariant Lagrangians of which `g` is a motion, each with the translations under which it
+/// is invariant and with those on the other side.
 template <class S, class Visit>
 void over_sides(Draw& draw, GroupElements<S> const& g, std::string const& model, Visit const& visit) {
   visit(draw_right_invariant_with_motion<S>(draw, g), on_the_right, on_the_left, model + ", right-invariant");
@@ -593,7 +595,7 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
       claim.equal("(3.7)", side, first(own), Vector<S>(-last(own)));
       // Controls: no minus sign, a symmetry of the other side.
       claim.differs("without the minus sign", side, first(own), last(own));
-      claim.differs("translations on the side that the Lagrangian sees", side, first(other), Vector<S>(-last(other)));
+      claim.differs("translations under which the Lagrangian is not invariant", side, first(other), Vector<S>(-last(other)));
     });
   });
 }
@@ -619,7 +621,7 @@ STATEMENT(claim_3_1_momentum_forms, "at one and the same pair the symmetry's con
 STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
   claim.holds();
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    // Three pairs: two would not see a momentum of the wrong pair.
+    // Three pairs: with two a momentum of the wrong pair would pass.
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
     over_sides(draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
       auto const J = [&](int k, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], side_of(zeta)); }); };
@@ -648,13 +650,13 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
     });
 }
 
-STATEMENT(rem_3_1_3, "a symmetry group smaller than G keeps its own momentum and no other") {
+STATEMENT(rem_3_1_3, "a symmetry group smaller than G conserves its own momentum and no other") {
   claim.holds("The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers it. Instance: K the one-parameter group that fixes a vector, acting on G from the right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // The first basis matrix kills the last vector of the standard basis in each of these groups, save SO(3), where it kills the first.
     int const fixed = group.name() == "SO(3)" ? 0 : group.matrix_size() - 1;
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
-    // A right-invariant Lagrangian plus a potential that sees only where the fixed vector goes.
+    // A right-invariant Lagrangian plus a potential that depends only on the image of the fixed vector.
     auto const heights = draw_vector<S>(draw, group.matrix_size());
     auto const with_potential = [&](auto const& l) {
       return [lift = lift_right(l), heights, fixed](auto const& g0, auto const& g1) {

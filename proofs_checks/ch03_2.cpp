@@ -47,7 +47,7 @@ STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
     auto const g = draw_configurations<S>(draw, group, 6);
     auto const f = relative_motion_right(g[0], g[1]);
     claim.equal("f g1 = g0, as matrices", model, Matrix<S>(f.value * g[1].value), g[0].value);
-    claim.equal("right multiplication of both configurations does not count", model, relative_motion_right(g[0] * g[2], g[1] * g[2]), f);
+    claim.equal("invariant under right multiplication of both configurations", model, relative_motion_right(g[0] * g[2], g[1] * g[2]), f);
     // Onto: (f, 1) lies over f. One orbit over each f: whatever pair lies over it, g1^-1 p1 carries (g0, g1) to it.
     claim.equal("(f, 1) lies over f", model, relative_motion_right(f, identity<S>(group)), f);
     auto const p1 = g[3], p0 = f * p1, carry = inverse(g[1]) * p1;
@@ -67,7 +67,7 @@ STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instea
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 4);
     auto const f01 = g[1] * inverse(g[0]), f12 = g[2] * inverse(g[1]);
-    claim.equal("right multiplication of both configurations does not count", model, (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
+    claim.equal("invariant under right multiplication of both configurations", model, (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
     claim.equal("it is the inverse of the other representative", model, f01 * relative_motion_right(g[0], g[1]), identity<S>(group));
 
     // The Lagrangian that l~(g1 g0^-1) stands for, and its equations.
@@ -349,7 +349,7 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
       return values;
     };
     auto const as_they_are = on_pairs([](auto const& x) { return x; });
-    claim.zero("left multiplication of both configurations does not count", model, Vector<S>(on_pairs([&](auto const& x) { return g[4] * x; }) - as_they_are), scale);
+    claim.zero("invariant under left multiplication of both configurations", model, Vector<S>(on_pairs([&](auto const& x) { return g[4] * x; }) - as_they_are), scale);
     claim.equal("the library's relative motion", model, relative_motion_left(g[0], g[1]), f[0]);
 
     // Vary the configurations by g theta: what stands beside theta_k is (3.11).
@@ -787,8 +787,8 @@ STATEMENT(claim_3_2_body_spatial_momenta, "body and spatial momentum of a covect
   });
 }
 
-STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system keeps its body momentum") {
-  claim.holds("First Euler theorem: right-invariant systems keep m_c, left-invariant ones m_s.");
+STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves its body momentum") {
+  claim.holds("First Euler theorem: right-invariant systems conserve m_c, left-invariant ones m_s.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     using Side = typename SymmetricLagrangian<S>::Side;
     // Rates of the two momenta along a motion of the Euler-Lagrange equations.
@@ -890,14 +890,15 @@ struct MapAt {
   Covector<S> image;
   Matrix<S> tangent;
 };
-/// The discrete Lie-Poisson map with f solved from mu: f is drawn, mu is the momentum it takes up, and the tangent follows from the equation.
+/// The discrete Lie-Poisson map with f solved from mu: f is drawn, mu is the momentum it starts with, and the
+/// tangent follows from the equation.
 template <class L, class S>
 MapAt<S> lie_poisson_map(L const& l, GroupElement<S> const& f) {
   // d mu0 = -A theta and d mu1 = -B theta.
   Matrix<S> const a = right_second_differential(l, f), b = left_second_differential(l, f);
   return {lie_poisson_update_right(f, momentum_before_right(l, f)), b * inverse_matrix(a)};
 }
-/// mu carried along by an element that depends on it in any way: keeps every orbit.
+/// The coadjoint action on mu of an element that depends on it in any way: it preserves every orbit.
 template <class S>
 MapAt<S> orbit_keeping_map(Matrix<S> const& k, Covector<S> const& mu) {
   auto const map = [&](auto const& at) {
@@ -921,7 +922,7 @@ Matrix<S> poisson_defect(MapAt<S> const& map, Covector<S> const& mu) {
 
 }  // namespace
 
-STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action keeps orbits, their symplectic forms, and the Lie-Poisson brackets") {
+STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action preserves orbits, their symplectic forms, and the Lie-Poisson brackets") {
   claim.corrected(R"(\mathcal O\subset\mathfrak g)", R"(\mathcal O\subset\mathfrak g^*)",
                   "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. Under Ad_g in the algebra the brackets do not survive.");
   claim.maybe_scan();
@@ -948,14 +949,15 @@ STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action keeps orbits, t
     };
     Matrix<S> const ad = Ad_matrix(g), coad = Ad_matrix(inverse(g)).transpose();
     claim.zero("tensor", model, with(coad), S(1) + magnitude(coad) * magnitude(coad));
-    // (Where transposition keeps the group, or a metric, Ad_g is the coadjoint action of another element.)
+    // (Where transposition preserves the group, or a metric, Ad_g is the coadjoint action of another
+    // element.)
     if (!has_invariant_metric(model) && model != "GL(2)") claim.refutes("Ad_g, orbits in the algebra", model, with(ad), magnitude(lie_poisson_tensor_plus(mu)));
     claim.refutes("twice the coadjoint action", model, with(coad + coad), magnitude(lie_poisson_tensor_plus(mu)));
   });
 }
 
 STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of the dual algebra") {
-  claim.holds("In both readings: along a fixed sequence of f, and with f solved from mu, where it takes the discrete Euler-Poincare equations and not the orbits alone. The minus bracket is kept as well.");
+  claim.holds("In both readings: along a fixed sequence of f, and with f solved from mu, where the proof needs the discrete Euler-Poincare equations and not the orbits alone. The minus bracket is preserved as well.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
@@ -994,7 +996,7 @@ STATEMENT(eq_3_17, "discrete Lie-Poisson update, right-invariant case") {
     Matrix<S> inverted(group.dimension(), 2), star_lost(group.dimension(), 2), next(group.dimension(), 2);
     for (int k = 0; k < 2; ++k) {
       claim.zero("mu_{k+1} = Ad*_f mu_k along a motion", model, lie_poisson_update_right(f[k], mu[k]) - mu[k + 1], scale, 10);
-      claim.zero("the momentum that the step leaves behind", model, legendre_target(lifted(l), g[k], g[k + 1]) - coadjoint(f[k], mu[k]), scale, 10);
+      claim.zero("the momentum at the end of the step", model, legendre_target(lifted(l), g[k], g[k + 1]) - coadjoint(f[k], mu[k]), scale, 10);
       claim.zero("mu_k from f alone", model, momentum_before_right(l, f[k]) - mu[k], scale, 10);
       claim.zero("Ad*_{g_k} mu_k stays", model, coadjoint(g[k + 1], mu[k + 1]) - coadjoint(g[0], mu[0]), scale, 10);
       inverted.col(k) = column(Ad_star(inverse(f[k]), mu[k])), star_lost.col(k) = Ad_matrix(f[k]) * mu[k].components, next.col(k) = column(mu[k + 1]);
@@ -1087,26 +1089,26 @@ STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
   });
 }
 
-STATEMENT(claim_3_2_orbits_and_bracket, "a map that keeps every orbit need not keep the bracket") {
+STATEMENT(claim_3_2_orbits_and_bracket, "a map that preserves every orbit need not preserve the bracket") {
   claim.corrected(R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
                   R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}}\ell'(f_{kk+1}), \text{ the Poisson structure})",
-                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu keeps every orbit for any f(mu), and the bracket only for special ones.");
+                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu preserves every orbit for any f(mu), and the bracket only for special ones.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
     auto const mu = momentum_before_right(l, f);
     auto const size = [&](MapAt<S> const& map) { return magnitude(map.tangent) * size_of(mu) * magnitude(map.tangent) + size_of(map.image); };
-    // Two maps that keep every orbit: the algorithm, and one whose element is any function of mu.
+    // Two maps that preserve every orbit: the algorithm, and one whose element is any function of mu.
     auto const algorithm = lie_poisson_map(l, f);
     auto const any_map = [&] { return orbit_keeping_map(Matrix<S>(draw_matrix<S>(draw, d, d) / (S(2) * (S(1) + S(size_of(mu))))), mu); };
     auto const other = any_map();
     if (auto const invariants = casimirs(mu); invariants.size() > 0) {
       auto const square = S(1) + S(size_of(mu) * size_of(mu)) + S(size_of(algorithm.image) * size_of(algorithm.image));
-      claim.zero("the algorithm keeps orbits", model, Vector<S>(casimirs(algorithm.image) - invariants), square, 10);
-      claim.zero("the other map keeps orbits", model, Vector<S>(casimirs(other.image) - invariants), square, 10);
+      claim.zero("the algorithm preserves orbits", model, Vector<S>(casimirs(algorithm.image) - invariants), square, 10);
+      claim.zero("the other map preserves orbits", model, Vector<S>(casimirs(other.image) - invariants), square, 10);
     }
-    claim.zero("the algorithm keeps the bracket", model, poisson_defect(algorithm, mu), size(algorithm), 100);
+    claim.zero("the algorithm preserves the bracket", model, poisson_defect(algorithm, mu), size(algorithm), 100);
     claim.refutes("other maps do not", model, several([&] { return poisson_defect(any_map(), mu); }), magnitude(lie_poisson_tensor_plus(mu)));
   });
 }
@@ -1159,7 +1161,7 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
       auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const momentum_at_end = momentum(group, Vector<S>(top.a * exact.velocity.coordinates + top.b));
-      // The errors at the end: of the configuration, and of the momentum that the last step leaves behind.
+      // The errors at the end: of the configuration, and of the momentum at the end of the last step.
       auto const run = [&](int n, double h, auto const& L) {
         auto before = v.configuration, configuration = top.flow(v, S(h)).first.configuration;
         for (int k = 1; k < n; ++k) {
@@ -1216,21 +1218,23 @@ STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstru
 }
 
 STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare equations and carrying the momentum makes a Lie-Poisson integrator") {
-  claim.holds("It keeps the bracket because its relative motion solves those equations; keeping the orbits alone would not be enough.");
+  claim.holds("It preserves the bracket because its relative motion solves those equations; that it preserves the orbits is not enough.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    // One step with f solved from mu0, wherever (3.10) has a solution: draw f, and mu0 is what it takes up.
+    // One step with f solved from mu0, wherever (3.10) has a solution: draw f, and mu0 is the momentum at its
+    // start.
     auto const l = draw_group_polynomial<S>(draw, group);
     auto const f = draw.template element<S>(group);
     auto const mu0 = momentum_before_right(l, f);
     auto const mu1 = lie_poisson_update_right(f, mu0);
-    claim.equal("the step leaves the momentum that the next one takes up", model, -left_differential(l, f), mu1);
+    claim.equal("the momentum at the end of the step is that at the start of the next", model, -left_differential(l, f), mu1);
     // Its tangent, from the equation: d mu0 = -A theta, d mu1 = -B theta. Condition: A is inverted.
     Matrix<S> const tangent = left_second_differential(l, f) * inverse_matrix(right_second_differential(l, f));
     auto const defect = [&](Matrix<S> const& t, Momentum<SpannedGroup, S> const& image) {
       return Matrix<S>(t * lie_poisson_tensor_plus(mu0) * t.transpose() - lie_poisson_tensor_plus(image));
     };
-    claim.zero("the bracket is kept", model, defect(tangent, mu1), S(magnitude(tangent) * magnitude(tangent) * size_of(mu0) + size_of(mu1)), 100);
-    // Controls: carried the other way; and an explicit Euler step of mu' = -ad* mu. (On Aff(1) any such step keeps the bracket: there it is the determinant of the step times mu_2.)
+    claim.zero("the bracket is preserved", model, defect(tangent, mu1), S(magnitude(tangent) * magnitude(tangent) * size_of(mu0) + size_of(mu1)), 100);
+    // Controls: the inverse element; and an explicit Euler step of mu' = -ad* mu. (On Aff(1) any such step
+    // preserves the bracket: there it is the determinant of the step times mu_2.)
     claim.differs("Ad* of the inverse", model, -left_differential(l, f), Ad_star(inverse(f), mu0));
     auto const xi = draw.template velocity<S>(group);
     Matrix<S> const euler = Matrix<S>::Identity(group.dimension(), group.dimension()) - ad_matrix(xi).transpose();

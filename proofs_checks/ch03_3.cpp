@@ -77,7 +77,7 @@ STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group), k = draw_near(draw, g), h = draw.template element<S>(group);
     auto const v = draw.template velocity<S>(group, ratio<S>(1, 4));
-    // A chart and its inverse, the base point at the origin, the charts carried along by right translation.
+    // A chart and its inverse, the base point at the origin, the charts related by right translation.
     claim.equal("exp(psi_g(k)) g = k", model, exp(natural_chart_right(g, k)) * g, k);
     claim.equal("psi_g(exp(v) g) = v", model, natural_chart_right(g, exp(v) * g), v);
     claim.equal("psi_gh(kh) = psi_g(k)", model, natural_chart_right(g * h, k * h), natural_chart_right(g, k));
@@ -94,7 +94,7 @@ STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
 }
 
 STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart") {
-  claim.convention("The push-forward is taken at the averaged point $\\eta$, which print leaves open. The discrete Lagrangian of the library is $h$ times the printed one: an action.");
+  claim.convention("The push-forward is taken at the averaged point $\\eta$, which the thesis leaves open. The discrete Lagrangian of the library is $h$ times the printed one: an action.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -241,13 +241,14 @@ STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connec
       claim.differs("integral without the root is not", model, square_a, distance);
     }
   });
-  // On every group: a geodesic of a right-invariant metric keeps its speed, so that the printed integral over [0, 1] is the square of the length.
+  // On every group: a geodesic of a right-invariant metric has constant speed, so that the printed integral
+  // over [0, 1] is the square of the length.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto metric = draw_algebra_polynomial<S>(draw, group.dimension());
     metric.b.setZero(), metric.kappa = S(0);
     auto const xi = draw.template velocity<S>(group);
     auto const mu = gradient(metric, xi);
-    claim.zero("a geodesic keeps its speed", model, pair(mu, euler_poincare_acceleration_right(metric, xi)), size_of(ad_star(xi, mu)) * size_of(xi));
+    claim.zero("a geodesic has constant speed", model, pair(mu, euler_poincare_acceleration_right(metric, xi)), size_of(ad_star(xi, mu)) * size_of(xi));
   });
 }
 
@@ -442,7 +443,7 @@ STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried ou
 }
 
 STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time step vanishes") {
-  claim.convention("The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is carried to $q$ on the right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign only where the base point tends to the same configuration.");
+  claim.convention("The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is translated to $q$ on the right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign only where the base point tends to the same configuration.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // The limit itself is a derivative: average and difference quotient tend to psi_g(c) and its rate of change.
     auto const xi = draw.template velocity<S>(group);
@@ -482,7 +483,8 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
     auto const w = ad_matrix(xi);
     auto const of = [&](Matrix<S> const& m) { return Algebra<S>{group, Vector<S>(chi(m) * theta.coordinates)}; };
     claim.equal("chi(ad) iex(ad) = 1", model, Matrix<S>(chi(w) * iex(w)), Matrix<S>(Matrix<S>::Identity(w.rows(), w.cols())));
-    // The derivative of log undoes that of exp: exp(xi + eps chi theta) moves along theta, on the right or on the left.
+    // The derivative of log undoes that of exp: exp(xi + eps chi theta) has the tangent theta, on the right
+    // or on the left.
     claim.equal("exp(xi + eps chi(ad) theta) = exp(eps theta) exp(xi)", model, state_of(exp(moving(xi, of(w)))).velocity, theta);
     claim.equal("exp(xi + eps chi(-ad) theta) = exp(xi) exp(eps theta)", model, body_velocity(state_of(exp(moving(xi, of(-w))))), theta);
     claim.equal("log(exp(eps theta) f) = log f + eps chi(ad) theta", model, logarithm_rate(exp(xi), theta), of(w).coordinates);
@@ -494,7 +496,7 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
     }
   });
   if (!exact_arithmetic<S>()) {
-    // The logarithm of a rotation in closed form, differentiated, knows nothing of iex.
+    // The logarithm of a rotation in closed form, differentiated, does not use iex.
     SO<3> const group;
     {
       auto const xi = draw.template velocity<S>(group), theta = draw.template velocity<S>(group);
@@ -532,7 +534,7 @@ Algebra<S> base_point_term(GroupElement<S> const& g, GroupElement<S> const& g1, 
 }  // namespace
 
 STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under the diagonal action") {
-  claim.convention("The base point of the chart moves along with the configurations, as the proof has it; with a base point that stays, the invariance is lost. Charts of either side serve either invariance.");
+  claim.convention("The base point of the chart is equivariant, as the proof has it; with a fixed base point there is no invariance. Charts of either side serve either invariance.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), k = draw.template element<S>(group), c = draw_small<S>(draw, group);
@@ -553,17 +555,17 @@ STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under th
     auto const any = draw_state_polynomial<S>(draw, group);
     claim.refutes("Lagrangian without the invariance", model, S(discretize_right(any, h, base)(g1 * k, g2 * k) - discretize_right(any, h, base)(g1, g2)), size_of_terms(any.kinetic, Algebra<S>(log(g1 * inverse(g2)) / h)));
     auto const seen = [&](GroupElement<S> const& g, GroupElement<S> const& a, GroupElement<S> const& b) { return fibre_element_right(chart_midpoint_right(g, a, b, h)); };
-    claim.differs("moved on the wrong side: the velocity that a right-invariant L sees", model, seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
+    claim.differs("moved on the wrong side: the argument of a right-invariant L", model, seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
     auto const fixed = GroupElement<S>(c * g2);
     auto const lost = base_point_term(fixed, g1, g2);
     if (to_double(size_of(lost)) > 1e-6)
-      claim.refutes("base point that stays: change of the velocity that L sees, beside the first term that this adds", model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
+      claim.refutes("fixed base point: change of the velocity in L, beside the first term that this adds", model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
   });
 }
 
 STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous reduced one") {
   claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))", R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
-                  "The reduction holds where the base point moves along; the sign is that of (3.22). The library's carries the factor $h$.");
+                  "The reduction holds where the base point is equivariant; the sign is that of (3.22). The library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // l from L by translation to the identity.
     auto const lagrangian = right_invariant(draw_algebra_polynomial<S>(draw, group.dimension()));
@@ -671,7 +673,7 @@ STATEMENT(claim_3_3_midpoint_eta, "average algebra element eta for the chart at 
 
 STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point") {
   claim.corrected(R"(q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2})", R"(q = \psi_{g_{k+1}}^{-1}(\eta) = (g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
-                  "The inverse of the chart takes $\\eta$ to the configuration half-way along $e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two configurations commute, and does not move along with them.");
+                  "The inverse of the chart takes $\\eta$ to the configuration half-way along $e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two configurations commute, and is not equivariant.");
   claim.maybe_scan();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -680,7 +682,7 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
     claim.equal("psi_{g_k+1}(q) = eta", model, natural_chart_right(g2, q), chart_midpoint_right(g2, g1, g2, h).eta);
     claim.equal("(q g_k+1^-1)^2 = g_k g_k+1^-1", model, q * inverse(g2) * q * inverse(g2), g1 * inverse(g2));
     claim.equal("as far from g_k as from g_k+1", model, natural_chart_right(g1, q), -natural_chart_right(g2, q));
-    // The configuration that the library's discrete Lagrangian sees.
+    // The configuration at which the library's discrete Lagrangian is evaluated.
     PlaceFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
     claim.zero("the configuration at which (3.24) evaluates L", model, S(discretize_right(configuration, h, at_second)(g1, g2) - h * contract(configuration.w, q.value)), size_of(q));
     // Control: the printed root of the product.
@@ -691,7 +693,7 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
 
 STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the second point") {
   claim.corrected(R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))", R"(\zeta = -\frac1{\Delta t}\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
-                  "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart of the earlier one. A Lagrangian that is even in the velocity does not see it.");
+                  "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
   claim.maybe_scan();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group, S(1)), g2 = draw_near(draw, g1);
@@ -760,7 +762,7 @@ STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
     claim.zero("left: L(g_k, g_k+1) = h l(-log(f)/h), f = g_k+1^-1 g_k", model,
                S(natural_chart_lagrangian_left(l, h)(relative_motion_left(g1, g2)) - discretize_left(left_invariant(l), h, at_second)(g1, g2)), scale);
     claim.refutes("h l(log(f)/h), as printed", model, S(printed_chart_lagrangian(l, h)(f) - full), scale);
-    // An even Lagrangian does not see the sign.
+    // An even Lagrangian does not depend on the sign.
     auto even = l;
     even.b.setZero(), even.kappa = S(0);
     claim.zero("l even: as printed", model, S(printed_chart_lagrangian(even, h)(f) - discretize_right(right_invariant(even), h, at_second)(g1, g2)), scale);

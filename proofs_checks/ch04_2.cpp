@@ -89,7 +89,7 @@ STATEMENT(claim_4_2_invariant_generating_function, "an invariant generating func
     claim.equal("S is invariant", model, generating(g[2] * g[0], g[2] * g[1]), generating(g[0], g[1]), 10);
     claim.equal("S(g, g0) = S_L(g^-1 g0)", model, generating(g[0], g[1]), reduced(f), 10);
     claim.equal("any other pair over the same relative motion", model, generating(inverse(f) * e, e), reduced(f), 10);
-    claim.equal("momenta move along: the transformation is equivariant", model, D1(generating, g[2] * g[0], g[2] * g[1]), coadjoint(inverse(g[2]), D1(generating, g[0], g[1])), 100);
+    claim.equal("the transformation of momenta is equivariant", model, D1(generating, g[2] * g[0], g[2] * g[1]), coadjoint(inverse(g[2]), D1(generating, g[0], g[1])), 100);
     // Controls: a function that is not invariant; the relative motion that looks ahead; the quotient by the other side.
     auto const any = draw_pair_polynomial<S>(draw, group);
     claim.differs("no invariance", model, any(g[0], g[1]), any(e, f), 1e-4);
@@ -184,18 +184,19 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motion_left(g[0], g[1]);
     auto const value = momentum_system_left(l, f).first;
-    // What the step from g[0] to g[1] takes up, as the body at g[0] feels it: the differential of the discrete Lagrangian in its first argument.
-    auto const left_behind = coadjoint(g[0], D1(lifted_left(l), g[0], g[1]));
+    // The body momentum at the start of the step from g[0] to g[1]: the differential of the discrete
+    // Lagrangian in its first argument.
+    auto const start_momentum = coadjoint(g[0], D1(lifted_left(l), g[0], g[1]));
     // Condition: a configuration is inverted.
-    claim.equal("L*_f l'(f) = Ad*_{g_{k-1}} D_1 L", model, value, left_behind, 10);
+    claim.equal("L*_f l'(f) = Ad*_{g_{k-1}} D_1 L", model, value, start_momentum, 10);
     // Component by component, the tangent vector f e_a as a matrix.
     Vector<S> by_definition(group.dimension());
     for (int a = 0; a < group.dimension(); ++a) by_definition[a] = slope(l, f, from_right(f, basis_velocity<S>(group, a)));
     claim.equal("on matrices", model, column(value), by_definition);
     claim.equal("minus the momentum of the step", model, -value, momentum_before_left(l, f));
     // Controls: R* in place of L*; the relative motion that looks ahead; the momentum at the other end.
-    claim.differs("R* in place of L*", model, right_differential(l, f), left_behind);
-    claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, left_differential(l, inverse(f)), left_behind);
+    claim.differs("R* in place of L*", model, right_differential(l, f), start_momentum);
+    claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, left_differential(l, inverse(f)), start_momentum);
     claim.differs("at g_k", model, -coadjoint(g[1], D2(lifted_left(l), g[0], g[1])), value);
     claim.differs("as the momentum itself", model, value, momentum_before_left(l, f));
   });
@@ -237,7 +238,7 @@ STATEMENT(claim_4_2_system_and_dep, "the two lines and the discrete Euler-Poinca
     auto const g = configurations_left(draw.template element<S>(group), f);
     claim.zero("(3.11) on matrices", model, Vector<S>(reduced_residual_left(any, GroupElements<S>{f[0], f[1]}) - between(any)), scale);
     // Condition: configurations after two steps.
-    claim.zero("(3.2) as the body feels it", model, column(coadjoint(g[1], discrete_euler_lagrange(lifted_left(any), g[0], g[1], g[2]))) - between(any), scale, 10);
+    claim.zero("(3.2) in the body frame", model, column(coadjoint(g[1], discrete_euler_lagrange(lifted_left(any), g[0], g[1], g[2]))) - between(any), scale, 10);
     auto const l = with_motions_left(any, f);
     claim.zero("along a motion", model, between(l), momenta_of(l, f));
     // Controls: off a motion; the two relative motions exchanged; the right-invariant system.
@@ -418,7 +419,7 @@ STATEMENT(eq_4_2, "the initial momentum from the reduced generating function") {
     auto const g = draw_configurations<S>(draw, group, 2);  // the earlier configuration first
     auto const generating = [l = lifted_left(l)](auto const& later, auto const& earlier) { return l(earlier, later); };
     auto const f = relative_motion_left(g[0], g[1]);
-    // p0 = -dS/dg0, as the body at g0 feels it.
+    // p0 = -dS/dg0, in the body frame at g0.
     auto const pi0 = coadjoint(g[0], -D2(generating, g[1], g[0]));
     auto const as_printed = initial_momentum_left(l, f);
     // Condition: a configuration is inverted.
@@ -447,7 +448,7 @@ STATEMENT(eq_4_3, "the final momentum by the coadjoint action, and the Poisson m
     auto const generating = [l = lifted_left(l)](auto const& later, auto const& earlier) { return l(earlier, later); };
     auto const f = relative_motion_left(g[0], g[1]);
     auto const pi0 = initial_momentum_left(l, f);
-    // p = dS/dg, as the body at g feels it.
+    // p = dS/dg, in the body frame at g.
     auto const pi = coadjoint(g[1], D1(generating, g[1], g[0]));
     claim.equal("Ad*_{g^-1} Pi_0 is dS/dg in the body", model, final_momentum_left(f, pi0), pi, 10);
     claim.equal("and -R*_g dS_L", model, -right_differential(l, f), pi, 10);

@@ -1,6 +1,7 @@
 // Section 4.3, first part: the square of Legendre maps and quotient maps.
 //
-// A function of pairs sees only g0 g1^-1, found by elimination (sequences.hpp: lifted). Differentials are taken along matrices, with no translation of the library.
+// The functions of pairs depend on g0 g1^-1 only, found by elimination (sequences.hpp: lifted). Differentials
+// are taken along matrices, with no translation of the library.
 
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
@@ -82,7 +83,8 @@ STATEMENT(eq_4_7, "the square in coordinates") {
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const quotient = g[0] * inverse(g[1]);
     claim.equal("f, translated back by the later configuration", model, quotient * g[1], g[0]);
-    // p is a form on matrices at g0; mu is p after translation by g0 on the right; and that is what f sees.
+    // p is a form on matrices at g0; mu is p after translation by g0 on the right; and that is paired with
+    // the change of f.
     auto const p = [&](Matrix<S> const& change) { return first_slope(lifted(l), g[0], g[1], change); };
     auto const mu = covector<S>(group, [&](auto const& e) { return p(from_left(e, g[0])); });
     claim.equal("mu from p, and from f", model, mu, right_differential(l, quotient), 10);
@@ -156,9 +158,10 @@ Lift<S> pushed(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> c
   auto const moved = D1(lagrangian, varied(g0, from_left(w.first, g0)), varied(g1, from_left(w.second, g1)));
   return {w.first, momentum(g0.group, Vector<S>(-rate(moved)))};
 }
-/// The lift of the leaf vector of eta to pairs that keeps the body momentum: g0 moves along eta, g1 so that f moves along the leaf.
+/// The lift of the leaf vector of eta to pairs that preserves the body momentum: g0 moves by eta, g1 so that
+/// f moves in the leaf.
 template <class S, class L>
-Change<S> kept(L const& l, GroupElement<S> const& f, Velocity<SpannedGroup, S> const& eta) {
+Change<S> level_lift(L const& l, GroupElement<S> const& f, Velocity<SpannedGroup, S> const& eta) {
   return {eta, Ad(inverse(f), eta - leaf_vector(l, f, eta))};
 }
 /// A point of the leaves, with everything that the checks need.
@@ -208,7 +211,7 @@ STATEMENT(claim_4_3_tangent_square, "the tangent maps of the square commute") {
 STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections") {
   claim.corrected(R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak g^*\to T_g^*G)",
                   R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ \text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must keep the momentum of the symmetry, the body momentum; then g moves with mu.");
+                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve the momentum of the symmetry, the body momentum; then g moves with mu.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -216,10 +219,11 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
     auto const A = pushed(lifted(c.l), c.g0, c.g1, a), B = pushed(lifted(c.l), c.g0, c.g1, b);
     S const size = size_of(A.momentum) * size_of(b.first) + size_of(B.momentum) * size_of(a.first) + size_of(c.mu);
     claim.zero("the Legendre map above pulls the canonical form back to omega_L", model, S(canonical_form(c.mu, A, B) - discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)), S(size * Base<S>(group.dimension())), 30);
-    // Up the right side: vectors of the orbit, lifted with the body momentum kept, and lifted within the fibre.
+    // Up the right side: vectors of the orbit, lifted with constant body momentum, and lifted within the
+    // fibre.
     auto const w = [&](auto const& eta) { return -ad_star(eta, c.mu); };
     Lift<S> const up_eta{c.eta, w(c.eta)}, up_zeta{c.zeta, w(c.zeta)};
-    claim.zero("the lift that keeps the body momentum", model, S(canonical_form(c.mu, up_eta, up_zeta) - orbit_value(c)), scale_of(c), 10);
+    claim.zero("the lift that preserves the body momentum", model, S(canonical_form(c.mu, up_eta, up_zeta) - orbit_value(c)), scale_of(c), 10);
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     auto const fibre = several([&] {
       auto const x = draw.template velocity<S>(group), y = draw.template velocity<S>(group);
@@ -256,14 +260,14 @@ STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
 STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
   claim.corrected(R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
                   R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb L^{-1}T\sigma\,TF\ell\,v\bigr))",
-                  "With the lift that keeps the body momentum, as in (4.9). Lifted within a fibre, as printed, both sides on the right are zero.");
+                  "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as printed, both sides on the right are zero.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
-    auto const U = kept(c.l, c.f, c.eta), V = kept(c.l, c.f, c.zeta);
+    auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
     S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) * (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
     claim.zero("through the canonical form", model, S(canonical_form(c.mu, pushed(lifted(c.l), c.g0, c.g1, U), pushed(lifted(c.l), c.g0, c.g1, V)) - orbit_value(c)), magnified, c.condition);
     claim.zero("through omega_L", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
-    // As printed: g0 held, g1 such that f moves along the leaf.
+    // As printed: g0 held, g1 such that f moves in the leaf.
     auto const within_the_fibre = [&](auto const& eta) {
       Change<S> const w{velocity(group, Vector<S>(Vector<S>::Zero(group.dimension()))), Ad(inverse(c.f), -leaf_vector(c.l, c.f, eta))};
       return w;
@@ -279,16 +283,16 @@ STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
 STATEMENT(claim_4_3_reduced_form_lifts, "the form of a leaf on the images of invariant fields is omega_L on the fields") {
   claim.corrected(R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V \text{ with } u = T\pi_d U,\ v = T\pi_d V)",
                   R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a level of the momentum map of the symmetry})",
-                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ sees these: it is the differential of the momentum map on them. Tangent to its level they do no harm.");
+                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ does not vanish on these: it is the differential of the momentum map on them. It vanishes on those tangent to its level.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
-    auto const U = kept(c.l, c.f, c.eta), V = kept(c.l, c.f, c.zeta);
+    auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
     S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) * (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
     claim.zero("tangent to the level", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
-    // The level: the body momentum Ad*_{g0} mu does not move along U.
+    // The level: the body momentum Ad*_{g0} mu is constant along U.
     auto const moved_g0 = varied(c.g0, from_left(U.first, c.g0));
     auto const body = Ad_star(moved_g0, -D1(lifted(c.l), moved_g0, varied(c.g1, from_left(U.second, c.g1))));
-    claim.zero("the lift keeps the body momentum", model, rate(body), S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified), c.condition);
+    claim.zero("the lift preserves the body momentum", model, rate(body), S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified), c.condition);
     // As printed: any invariant lifts. Invariant is what moves both configurations by R(theta_0, theta_1); add generators of right multiplication.
     auto const gap = several([&] {
       auto const by = draw.template velocity<S>(group);
@@ -331,7 +335,8 @@ STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-b
 }
 
 // ----
-// Section 4.3, third part: motions along the square: reconstruction, leaves that are kept, and steps of different lengths.
+// Section 4.3, third part: motions along the square: reconstruction, invariant leaves, and steps of different
+// lengths.
 //
 // Orders are fitted in double, against power series of equations written out by hand (top_in_any_group.hpp).
 
@@ -404,7 +409,7 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
 }
 
 STATEMENT(claim_4_3_reconstruction_image, "momenta lifted along the quotient map against the image of the unreduced motion") {
-  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the configurations come by (3.14), and then all momenta of the symmetry are kept.");
+  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the configurations come by (3.14), and then all momenta of the symmetry are conserved.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     auto const body = [&](GroupElement<S> const& g, Momentum<SpannedGroup, S> const& mu) { return coadjoint(g, mu); };
@@ -445,7 +450,7 @@ STATEMENT(claim_4_3_invariant_leaves, "the reduced motion stays on the symplecti
       Matrix<S> const t = euler_poincare_tangent_right(m.l, m.f[k], m.f[k + 1]), a = right_second_differential(m.l, m.f[k + 1]);
       auto const after = leaf_vector(m.l, m.f[k + 1], carried);
       double const condition = to_double(row_norm(a) * row_norm(inverse_matrix(a)));
-      claim.zero("the tangent of a step keeps the leaves", model, Vector<S>(t * u.coordinates - after.coordinates), S(magnitude(t) * size_of(u) + size_of(after)), condition);
+      claim.zero("the tangent of a step preserves the leaves", model, Vector<S>(t * u.coordinates - after.coordinates), S(magnitude(t) * size_of(u) + size_of(after)), condition);
       claim.refutes("with the generator left as it was", model, Vector<S>(t * u.coordinates - leaf_vector(m.l, m.f[k + 1], eta).coordinates), S(size_of(after)), 1e-4);
     }
     // The leaf's tangent space is the image of the bracket: A P = Pi_+ A^-T.
@@ -474,7 +479,7 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
     // Steps of different lengths: the momentum handed over is that of the action.
     S const longer = ratio<S>(2, 7);
     auto const handed = [&](S const& first, S const& second) { return first * left_differential(average, m.f[0]) - second * right_differential(average, m.f[1]); };
-    claim.zero("steps h and h: what one leaves the next takes up", model, handed(h, h), momenta_of(m.l, m.f), 10);
+    claim.zero("steps h and h: the momentum at the end of one is that at the start of the next", model, handed(h, h), momenta_of(m.l, m.f), 10);
     claim.refutes("steps h and 2h, the same average", model, handed(h, longer), momenta_of(m.l, m.f));
   });
   if (claim.fits_orders())
@@ -490,7 +495,7 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
         for (int k = 0; k < n; ++k) {
           double const step = k % 2 == 0 ? 2 * h / 3 : 4 * h / 3;
           auto const l = natural_chart_lagrangian_right(reduced(top), step);
-          if (!with_factor && k > 0) mu = S(step / before) * mu;  // what D_2 of one average leaves is taken up by D_1 of the other
+          if (!with_factor && k > 0) mu = S(step / before) * mu;  // D_2 of one average matches D_1 of the other
           f = relative_motion_from_momentum_right(l, mu, k == 0 ? exp(S(-step) * v.velocity) : f).value;
           mu = lie_poisson_update_right(f, mu);
           before = step;

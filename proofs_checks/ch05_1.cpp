@@ -81,7 +81,7 @@ STATEMENT(claim_5_1_base_point, "base point of the chart discretisation, left-in
     claim.equal("chart by left translation at g_k+1, half of the chart of g_k", model, natural_chart_left(g1, q), natural_chart_left(g1, g0) / S(2));
     claim.equal("as far from g_k as from g_k+1", model, natural_chart_left(g0, q), -natural_chart_left(g1, q));
     claim.equal("the same with the two configurations exchanged", model, base_point(g1, g0), q);
-    claim.equal("moves along on the left", model, base_point(k * g0, k * g1), k * q);
+    claim.equal("equivariant under left translations", model, base_point(k * g0, k * g1), k * q);
     PlaceFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
     claim.zero("the configuration at which the library evaluates L", model, S(discretize_left(configuration, h, at_second)(g0, g1) - h * contract(configuration.w, q.value)),
                size_of(q));
@@ -98,7 +98,7 @@ STATEMENT(claim_5_1_base_point, "base point of the chart discretisation, left-in
 
 STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisation, left-invariant case") {
   claim.corrected(R"(\zeta_{k+1k} = \frac1h\log(g_{k+1}^{-1}g_k))", R"(\zeta_{k+1k} = -\frac1h\log(g_{k+1}^{-1}g_k) = \frac1h\log(g_k^{-1}g_{k+1}))",
-                  "The printed one leads from the later configuration to the earlier. The kinetic energy is even and does not see it; (5.4) goes with the printed "
+                  "The printed one leads from the later configuration to the earlier. The kinetic energy is even and does not depend on it; (5.4) goes with the printed "
                   "sign.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), g1 = draw_near(draw, g0), k = draw.template element<S>(group);
@@ -210,7 +210,7 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
     auto const residual = euler_poincare_left(natural_chart_lagrangian_left(l, h), exp(x0), exp(x1));
     Vector<S> const expected = dual_of(iex_of(minus * x1), Vector<S>(residual.components));
     S const scale = S(magnitude(j)) * (S(size_of(z0)) + S(size_of(z1)));
-    claim.zero("(5.4), chi(ad) iex(-ad) = 1: what is left is what is left of (3.11)", model, Vector<S>(left_side - right_side(minus, minus, back) - expected),
+    claim.zero("(5.4), chi(ad) iex(-ad) = 1: its residual is that of (3.11)", model, Vector<S>(left_side - right_side(minus, minus, back) - expected),
                scale, 10);  // iex is inverted
     claim.zero("chi iex = 1, without Ad*", model, Vector<S>(left_side - right_side(minus, plus, none) - expected), scale, 10);
     // Controls: chi the inverse of iex with Ad* as printed; Ad* of the other configuration; Ad* left out; iex of the other sign; the same with zeta the velocity.

@@ -55,12 +55,13 @@ GroupElement<S> draw_near(Draw& draw, GroupElement<S> const& g) {
   return draw_small<S>(draw, g.group) * g;
 }
 
-/// An arbitrary base point that moves along on the right: c g2. It is on no geodesic from g1 to g2.
+/// An arbitrary base point that is equivariant under right translations: c g2. It is on no geodesic from g1
+/// to g2.
 template <class S>
 auto beside_right(GroupElement<S> c) {
   return [c](auto const&, auto const& g2) { return like(g2, c) * g2; };
 }
-/// An arbitrary base point that moves along on the left: g2 c.
+/// An arbitrary base point that is equivariant under left translations: g2 c.
 template <class S>
 auto beside_left(GroupElement<S> c) {
   return [c](auto const&, auto const& g2) { return g2 * like(g2, c); };

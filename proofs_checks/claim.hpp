@@ -122,7 +122,7 @@ class AnyClaim {
   void corrected(std::string_view printed, std::string_view right, std::string_view note);
   /// Fixes scope only, nothing to compute.
   void scope(std::string_view note);
-  /// The slip may be the scan's: text recognition loses stars, inverses and signs.
+  /// The slip may be the scan's: text recognition drops stars, inverses and signs.
   void maybe_scan();
 
   // Evidence that is no residual.
@@ -134,7 +134,7 @@ class AnyClaim {
   void refutes_order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double claimed);
   /// A fact that is no residual: true or the check fails. For controls that are refusals, say so with `refuses`.
   void fact(std::string_view what, std::string_view model, bool truth);
-  /// Control: the call throws `E`, which it does not with the hypothesis kept.
+  /// Control: the call throws `E`, which it does not under the hypothesis.
   template <class E, class Call>
   void refuses(std::string_view what, std::string_view model, Call const& call) {
     try {

@@ -85,7 +85,8 @@ Matrix<S> as_matrix(BodyMomentum<S> const& mu) {
   return mu.group.hat(mu.components);
 }
 
-/// \f$\ell(f) = \mathrm{Tr}(f\Lambda)\f$, scaled as in print: the physical one is -1/h of it, up to a constant.
+/// \f$\ell(f) = \mathrm{Tr}(f\Lambda)\f$, scaled as in the thesis: the physical one is -1/h of it, up to a
+/// constant.
 template <class S>
 struct TraceLagrangian {
   Matrix<S> lambda;

@@ -158,7 +158,7 @@ template <class S>
 Vector<S> draw_vector(Draw& draw, int n) {
   return draw_matrix<S>(draw, n, 1);
 }
-/// Rows that see every direction of the algebra: the basis itself, bent a little, and one more.
+/// Rows that span the dual of the algebra: the basis itself, bent a little, and one more.
 template <class S>
 std::vector<Matrix<S>> draw_squares(Draw& draw, SpannedGroup const& group) {
   int const n = group.matrix_size();

@@ -69,7 +69,7 @@ GroupElement<Dual<S>> nudged(GroupElement<S> const& g, Velocity<SpannedGroup, S>
     for (Index j = 0; j < rate.cols(); ++j) moved.value(i, j).part[0] = rate(i, j);
   return moved;
 }
-/// The covector that sees nothing.
+/// The covector zero.
 template <class S>
 Momentum<SpannedGroup, S> zero_momentum(SpannedGroup const& group) {
   return {group, Vector<S>::Zero(group.dimension())};
@@ -184,7 +184,8 @@ S exterior_derivative(Form const& form, GroupElement<S> const& g0, GroupElement<
 template <class S, class Polynomial, class Wrap>
 Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw, Wrap const& wrap) {
   int const d = g[0].group.dimension(), n = g[0].group.matrix_size(), inner = static_cast<int>(g.size()) - 2;
-  // Over the rationals as many terms as equations. Where numbers are rounded twice as many and the least of their coefficients, which keeps them small.
+  // Over the rationals as many terms as equations. Where numbers are rounded twice as many and the least of
+  // their coefficients, so that they are small.
   int const terms = (exact_arithmetic<S>() ? 1 : 2) * d * inner;
   l.phi.clear(), l.psi.clear();
   for (int k = 0; k < 2 * d * inner; ++k) l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
@@ -206,7 +207,7 @@ Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw
   if (exact_arithmetic<S>()) {
     l.correction = -solve_linear(columns, left, "with_motion_along");
   } else {
-    // The normal equations square the condition: twice again on what is left.
+    // The normal equations square the condition: twice again for the residual.
     Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
     for (int pass = 0; pass < 3; ++pass) l.correction -= transposed * solve_linear(square, equations(l), "with_motion_along");
   }

@@ -114,8 +114,9 @@ GroupElements<S> configurations_left(GroupElement<S> const& g0, GroupElements<S>
   return g;
 }
 
-/// A function of pairs that sees only \f$g_0g_1^{-1}\f$, or only \f$g_1^{-1}g_0\f$, found by elimination: not through the library's quotient. One type for both sides:
-/// such functions are differentiated twice and thrice, and each type would be compiled on its own.
+/// A function of pairs that depends on \f$g_0g_1^{-1}\f$ only, or on \f$g_1^{-1}g_0\f$ only, found by
+/// elimination: not through the library's quotient. One type for both sides: such functions are
+/// differentiated twice and thrice, and each type would be compiled on its own.
 template <class F>
 struct Lifted {
   enum class Side { right, left };
@@ -147,7 +148,8 @@ Momentum<SpannedGroup, S> coadjoint(GroupElement<S> const& g, Momentum<SpannedGr
   }
   return momentum(g.group, Vector<S>(solve_linear(gram, products).transpose() * mu.components));
 }
-/// Whether the basis of the algebra is orthonormal for a metric that Ad keeps: there a lost star does not show.
+/// Whether the basis of the algebra is orthonormal for an Ad-invariant metric: there a missing star makes no
+/// difference.
 inline bool has_invariant_metric(std::string const& model) { return model == "SO(3)" || model == "SO(4)" || model == "SU(2)"; }
 /// A sum of reduced Lagrangians over a sequence.
 template <class F, class S>

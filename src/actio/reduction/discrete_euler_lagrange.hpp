@@ -44,10 +44,10 @@ template <ExponentialGroup G, Real S, class L>
 Solved<Element<G, S>> step_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   // The momentum at the end of the step before is given: solve for the configuration whose step starts with
   // it.
-  auto const left_behind = D2(lagrangian, g0, g1);
+  auto const end_momentum = D2(lagrangian, g0, g1);
   auto const start = g1 * inverse(g0) * g1;
   return solve_on_group(
-      [&](auto const& g2) { return like(g2, left_behind) + D1(lagrangian, like(g2, g1), g2); }, start);
+      [&](auto const& g2) { return like(g2, end_momentum) + D1(lagrangian, like(g2, g1), g2); }, start);
 }
 
 /// The discrete action of a sequence of configurations: \f$\sum_k L(g_k, g_{k+1})\f$ over every neighbouring pair of it.

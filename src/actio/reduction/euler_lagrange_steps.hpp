@@ -23,7 +23,7 @@ class EulerLagrangeSteps {
       : lagrangian_(std::move(lagrangian)),
         before_(g0),
         now_(g1),
-        left_behind_(D2(lagrangian_, g0, g1)),
+        end_momentum_(D2(lagrangian_, g0, g1)),
         solver_(g1) {}
 
   /// Takes a step: solves \f$D_2L(g_0, g_1) + D_1L(g_1, g) = 0\f$.
@@ -32,9 +32,9 @@ class EulerLagrangeSteps {
   /// the motion stays where it was
   Element<G, S> const& advance() {
     Element<G, S> const next = solver_.solve(
-        [&](auto const& g) { return like(g, left_behind_) + D1(lagrangian_, like(g, now_), g); },
+        [&](auto const& g) { return like(g, end_momentum_) + D1(lagrangian_, like(g, now_), g); },
         now_ * inverse(before_) * now_);
-    left_behind_ = D2(lagrangian_, now_, next);
+    end_momentum_ = D2(lagrangian_, now_, next);
     before_ = now_;
     return now_ = next;
   }
@@ -43,14 +43,14 @@ class EulerLagrangeSteps {
   /// The last configuration.
   Element<G, S> const& configuration() const { return now_; }
   /// \f$D_2L(g_0, g_1)\f$ at the last two configurations: the momentum in space after the last step.
-  Momentum<G, S> const& momentum() const { return left_behind_; }
+  Momentum<G, S> const& momentum() const { return end_momentum_; }
   /// How the last step was solved for.
   Report const& report() const { return solver_.report(); }
 
  private:
   L lagrangian_;
   Element<G, S> before_, now_;
-  Momentum<G, S> left_behind_;
+  Momentum<G, S> end_momentum_;
   PredictorCorrector<G, S> solver_;
 };
 

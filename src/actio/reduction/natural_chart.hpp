@@ -276,8 +276,8 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01) {
   detail::nonzero_step(h);
-  auto const left_behind = momentum_through_log_left(l, h, xi01);
-  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, left_behind); }, xi01);
+  auto const end_momentum = momentum_through_log_left(l, h, xi01);
+  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, end_momentum); }, xi01);
 }
 /// The next logarithm of a left-invariant system: solves \ref algebra_euler_poincare_left for `xi21`.
 ///
@@ -285,8 +285,8 @@ Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h,
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10) {
   detail::nonzero_step(h);
-  auto const left_behind = momentum_through_log_right(l, h, xi10);
-  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, left_behind); }, xi10);
+  auto const end_momentum = momentum_through_log_right(l, h, xi10);
+  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, end_momentum); }, xi10);
 }
 
 }  // namespace actio
