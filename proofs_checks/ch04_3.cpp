@@ -283,7 +283,7 @@ STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
 STATEMENT(claim_4_3_reduced_form_lifts, "the form of a leaf on the images of invariant fields is omega_L on the fields") {
   claim.corrected(R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V \text{ with } u = T\pi_d U,\ v = T\pi_d V)",
                   R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a level of the momentum map of the symmetry})",
-                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ does not vanish on these: it is the differential of the momentum map on them. It vanishes on those tangent to its level.");
+                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ contracted with a generator is the differential of its momentum, which vanishes on tangent vectors of a level only.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);

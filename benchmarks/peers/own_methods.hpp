@@ -18,7 +18,7 @@ inline Seven seven(actio::FreeState const& s) {
   return {M[0], M[1], M[2], q[0], q[1], q[2], q[3]};
 }
 
-/// Half turns of one flight, written down as they are.
+/// Half turns with the same parameters, without compensation.
 inline std::unique_ptr<Stepper> half_turns(actio::FreeBody const& body, actio::StepParameters<double> const& parameters) {
   using State = actio::FrameState<double>;
   return stepper(

@@ -16,7 +16,7 @@
 using namespace actio;
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a cloud of nearby states changes its shape and keeps its area; under explicit Euler it grows");
+  book::Program program(argc, argv, "a cloud of nearby states changes its shape and preserves its area; under explicit Euler it grows");
 
   // 1. A pendulum on SO(2), length and gravity 1, its angle counted from below. The cloud is a disc in the plane of angle
   //    and momentum: a rim, whose states carry its tangent, and in it a sunflower's seeds, the same on every machine.
@@ -60,8 +60,8 @@ int main(int argc, char** argv) {
     }
     program.picture(flow ? "flow" : "euler", plot.svg(),
                     flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is sheared and bent; "
-                           "but every state keeps the room that it had, and the area is the same all the time."
-                         : "The same cloud under explicit Euler with steps of 0.2. It takes up more and more room, and part of it has "
+                           "but the flow preserves the area, which is the same all the time."
+                         : "The same cloud under explicit Euler with steps of 0.2. Its area grows, and part of it has "
                            "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
   }
   program.figure("kept", kept, "largest change of the area, relative");
@@ -71,6 +71,6 @@ int main(int argc, char** argv) {
   double const h = 0.005;
   program.claim(kept < std::pow(h, 4), "the area of the cloud stays as it is");
   program.claim(grown > 0.4, "under explicit Euler it grows by more than two fifths");
-  program.headline("area of a cloud kept to " + book::number(kept, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", kept);
+  program.headline("area of a cloud preserved to " + book::number(kept, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", kept);
   return program.finish();
 }

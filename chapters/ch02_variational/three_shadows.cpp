@@ -1,4 +1,4 @@
-// Three shadows: what is kept where there are more coordinates than one.
+// Three shadows: what is conserved where there are more coordinates than one.
 //
 // What is shown. A flat body adrift in still water has three coordinates and three momenta, and a thin sheet of its states casts three shadows, one in the
 // plane of each pair: each of them changes, their sum does not. The sum is the integral of the Lagrange one-form round the rim, and that it stays is
@@ -79,6 +79,6 @@ int main(int argc, char** argv) {
   program.claim(body_kept < std::pow(5 * h, 4), "the sum of the shadows stays as it is");
   program.claim(body_split < std::pow(5 * h, 4), "the integral of the one-form is the sum of the shadows");
   program.claim(most - least > std::abs(sum_before), "a single shadow changes by more than the sum");
-  program.headline("sum of three shadows kept to " + book::number(body_kept, 2), body_kept);
+  program.headline("sum of three shadows conserved to " + book::number(body_kept, 2), body_kept);
   return program.finish();
 }

@@ -1,9 +1,9 @@
-// Momentum kept: a heavy body on a ball joint, symmetric about the vertical and about nothing else.
+// Momentum conserved: a heavy body on a ball joint, symmetric about the vertical and about nothing else.
 //
 // What is shown. Gravity singles out the vertical, so of all turns of space only those about it are symmetries, and the
 // discrete Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum about the vertical stays what it is,
 // to rounding (discrete Noether, 3.8), at a step so long that the energy is off by a per cent; and the energy, which no
-// theorem keeps, does not run away. Runge-Kutta keeps neither.
+// theorem conserves, does not run away. Runge-Kutta conserves neither.
 // Read first. The section "What a symmetry conserves" of chapter 3.
 //
 //   g        attitude in SO(3), body to space         L       Lagrangian on TG, J
@@ -44,7 +44,8 @@ double const mass = 0.6, length = 0.4, width = 0.2, thickness = 0.01, gravity = 
 Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass * (length * length / 3 + width * width / 12),
                  mass * (width * width + thickness * thickness) / 12);
 
-// 2. Its Lagrangian on TG: what turns, as the body feels it, less the weight times the height of the middle of the board.
+// 2. Its Lagrangian on TG: the energy of rotation, in the body frame, less the weight times the height of the
+// middle of the board.
 auto const L = [](auto const& v) {
   auto const Omega = body_velocity(v).coordinates;
   return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 -
@@ -155,20 +156,20 @@ std::vector<double> tabulate_quarters(book::Program& program, Record const& r) {
 void check(book::Program& program, Record const& r, std::vector<double> const& worst) {
   program.figure("kept", r.discrete_J, "change of the momentum about the vertical, relative");
   program.figure("lost", r.classical_J, "the same by Runge-Kutta");
-  program.figure("level", r.level_J, "change of the momentum about a level axis, which no symmetry keeps, over the vertical one");
-  program.claim(r.discrete_J < steps * 0x1p-52, "the momentum about the vertical is kept to rounding");
+  program.figure("level", r.level_J, "change of the momentum about a level axis, which no symmetry conserves, over the vertical one");
+  program.claim(r.discrete_J < steps * 0x1p-52, "the momentum about the vertical is conserved to rounding");
   program.claim(r.level_J > 1, "that about a level axis is not");
-  program.claim(r.classical_J > 0.01, "Runge-Kutta loses it");
+  program.claim(r.classical_J > 0.01, "Runge-Kutta does not conserve it");
   program.claim(worst[3] < 1.5 * worst[0] && worst[3] < 3, "the error of the energy does not grow, and stays below 3 per cent");
   program.claim(r.energy_lost.back() > 5 * worst[3], "that of Runge-Kutta does");
   program.headline(
-      "vertical momentum kept to " + book::number(r.discrete_J, 2) + "; Runge-Kutta loses " + book::number(100 * r.classical_J, 2) + " % of it",
+      "vertical momentum conserved to " + book::number(r.discrete_J, 2) + "; Runge-Kutta changes it by " + book::number(100 * r.classical_J, 2) + " %",
       r.discrete_J);
 }
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a board hung by one end and thrown round: what its one symmetry keeps, and what happens to the energy");
+                        "a board hung by one end and thrown round: what its one symmetry conserves, and what happens to the energy");
   Record const r = follow(throw_round());
   draw(program, r);
   check(program, r, tabulate_quarters(program, r));

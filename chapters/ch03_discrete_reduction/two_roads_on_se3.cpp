@@ -35,7 +35,7 @@ auto weigh_and_discretise(book::Program& program) {
   return std::pair{l, lift_left(l)};
 }
 
-// 2. Cast off. The first relative motion takes up this momentum.
+// 2. Cast off. The first step starts with this momentum.
 template <class Reduced>
 Configuration first_relative_motion(Reduced const& l, double h) {
   Vector6d const xi = energy.cast_off;

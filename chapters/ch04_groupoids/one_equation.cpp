@@ -1,9 +1,10 @@
 // One equation, four systems: the Lagrange equations on a groupoid, as one template.
 //
 // What is shown. A pendulum that swings in all directions and a top under gravity, each solved twice by the same function `step_lagrange`: on pairs of configurations, which is
-// discrete Euler-Lagrange, and on the groupoid that its symmetry leaves: pairs of heights with a turn between them, rotations with the vertical as the top sees it. The
-// two roads agree to rounding; the second knows nothing of where the system points, and its equations are fewer or simpler.
-// Read first. The section "Mechanics on a groupoid" of chapter 4.
+// discrete Euler-Lagrange, and on the groupoid that its symmetry leaves: pairs of heights with a turn between
+// them, rotations with the vertical in the body frame. The two roads agree to rounding; the second does not
+// use the attitude, and its equations are fewer or simpler. Read first. The section "Mechanics on a groupoid"
+// of chapter 4.
 //
 //   theta, phi   angle from the downward vertical, azimuth      R, gamma   attitude of the top, the vertical in its body
 //   h            step, s; every Lagrangian is an action, J s
@@ -95,15 +96,16 @@ int main(int argc, char** argv) {
   }
   program.picture("top", book::Sphere(20, 25).curve(axis, "axis of the top", {.colour = 2}).svg(), "The axis of the top; its groupoid has rotations, and the vertical in the body frame.");
 
-  // 3. What must be so: two roads with rounding errors of their own, a thousand steps long; a momentum that each step keeps.
-  program.table("groupoids", {"system", "groupoid", "base", "fibre", "apart from pairs", "momentum kept to"},
+  // 3. What must be so: two roads with rounding errors of their own, a thousand steps long; a momentum that
+  // each step conserves.
+  program.table("groupoids", {"system", "groupoid", "base", "fibre", "apart from pairs", "momentum conserved to"},
                 {{"pendulum", "heights and turns", "1", "2", book::number(apart, 2), book::number(momentum_kept, 2)},
                  {"top", "turns and the vertical", "3", "3", book::number(top_apart, 2), book::number(vertical_kept, 2)}},
                 "Two systems on the groupoids that their symmetry leaves; dimensions of base and fibre.");
   double const rounding = 0x1p-52 * steps;
   program.claim(apart < 1000 * rounding, "the pendulum goes the same way on both groupoids");
   program.claim(top_apart < 1000 * rounding, "and the top");
-  program.claim(momentum_kept < 20 * rounding, "the pendulum keeps its vertical momentum to rounding");
+  program.claim(momentum_kept < 20 * rounding, "the pendulum conserves its vertical momentum to rounding");
   program.claim(vertical_kept < 20 * rounding, "and so does the top");
   program.figure("apart", std::max(apart, top_apart), "distance of the two roads");
   program.figure("kept", std::max(momentum_kept, vertical_kept), "change of the vertical momentum, relative");

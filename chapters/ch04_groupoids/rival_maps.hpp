@@ -1,8 +1,10 @@
 // Maps under judgement: ways to step a free body on a group, our own among them.
 //
-// The body is left-invariant with a diagonal inertia: its momentum, as it feels it, changes by Pi' = ad*_Omega Pi with Omega = Pi/I, on SO(3) by
-// Euler's equations. A rival is a family (h, Pi) -> Pi, written at every scalar. Most of them find a motion k of one step first: the configuration moves from
-// g to g k and the momentum from Pi to Ad*_k Pi. The same k makes a family (h, p) -> p on T*G, where a costate has the spatial momentum.
+// The body is left-invariant with a diagonal inertia: its momentum, in the body frame, changes by Pi' =
+// ad*_Omega Pi with Omega = Pi/I, on SO(3) by Euler's equations. A rival is a family (h, Pi) -> Pi, written
+// at every scalar. Most of them find a motion k of one step first: the configuration moves from g to g k and
+// the momentum from Pi to Ad*_k Pi. The same k makes a family (h, p) -> p on T*G, where a costate has the
+// spatial momentum.
 #pragma once
 
 #include <functional>
@@ -91,7 +93,8 @@ auto strang_splitting(DiagonalBody<G> body) {
   };
 }
 
-// A discrete Lagrangian l(h, f): the relative motion f takes up the momentum, -L*_f l'(f) = Pi (3.18), and k is its inverse.
+// A discrete Lagrangian l(h, f): the relative motion f starts with the momentum, -L*_f l'(f) = Pi (3.18), and
+// k is its inverse.
 template <Group G, class Lagrangian>
 auto discrete_lagrangian(DiagonalBody<G> body, Lagrangian l) {
   return [body, l]<class S>(S const& h, Momentum<G, S> const& pi) {
@@ -134,8 +137,8 @@ auto on_costates(Motion motion) {
   return [motion](auto const& h, auto const& p) { return std::decay_t<decltype(p)>{p.configuration * motion(h, body_momentum(p)), p.momentum}; };
 }
 
-// Classical Runge-Kutta, which knows no motion: on momenta, and on attitudes with momenta as matrices of numbers; the attitude is brought back on the
-// group.
+// Classical Runge-Kutta, with no element of the group for a step: on momenta, and on attitudes with momenta
+// as matrices of numbers; the attitude is brought back on the group.
 template <Group G>
 auto classical(DiagonalBody<G> body) {
   return [body](auto const& h, auto const& pi) { return runge_kutta_4([&](auto const& m) { return body.rate(m); }, h, pi); };

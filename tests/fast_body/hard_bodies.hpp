@@ -59,7 +59,7 @@ inline FreePath<double> path_of(FreeState const& s) {
   return {{m[0], m[1], m[2]}, {q[0], q[1], q[2], q[3]}};
 }
 
-/// The library's exact flight in the numbers of S, from a start that is the same real numbers in all of them.
+/// The library's exact flow in the numbers of S, from a start that is the same real numbers in all of them.
 template <class S>
 FreePath<S> exact_path(FreeProblem const& p) {
   using std::sqrt;
@@ -99,8 +99,8 @@ inline double condition(FreeProblem const& p, FreePath<long double> const& answe
 
 /// The error of at(t) over (epsilon + what one unit in the last place of each number of the question does).
 ///
-/// The series in 19 digits are quick, but next to the middle axis they too lose a component that starts below 1e-19: where they find more than `enough`, 45
-/// digits decide.
+/// The series in 19 digits are quick, but next to the middle axis they too miss a component that starts below
+/// 1e-19: where they find more than `enough`, 45 digits decide.
 inline double units_off(FreeProblem const& p, FreePath<long double> const& answer, double enough) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   auto const found = path_of(p.body().at(p.time));
@@ -111,12 +111,12 @@ inline double units_off(FreeProblem const& p, FreePath<long double> const& answe
   return apart(truth, found, p.amount()).larger() / (eps + condition(p, truth, slow));
 }
 
-/// What a motion should keep: relative changes of |M|^2, of the energy, of the momentum in space, and of the length of the quaternion; in 34 digits, which
-/// the compiler has.
-struct Kept {
+/// What a motion should conserve: relative changes of |M|^2, of the energy, of the momentum in space, and of
+/// the length of the quaternion; in 34 digits, which the compiler has.
+struct ConservationErrors {
   double casimir, energy, spatial, length;
 };
-inline Kept kept(Three<double> const& moments, CompensatedState<double> const& now, FrameState<double> const& start) {
+inline ConservationErrors conservation_errors(Three<double> const& moments, CompensatedState<double> const& now, FrameState<double> const& start) {
   using Quad = __float128;
   Three<Quad> u, from;
   Four<Quad> q;
@@ -132,10 +132,10 @@ inline Kept kept(Three<double> const& moments, CompensatedState<double> const& n
           std::abs(static_cast<double>(length - 1))};
 }
 /// The same of what a motion gives away, from the attitude 1.
-inline Kept kept(FreeSteps const& motion, Three<double> const& moments) {
+inline ConservationErrors conservation_errors(FreeSteps const& motion, Three<double> const& moments) {
   auto const now = path_of(motion.state()), start = path_of(motion.body().at(0));
   double const L = motion.body().amount();
-  return kept(moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
+  return conservation_errors(moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
               {{start.momentum[0] / L, start.momentum[1] / L, start.momentum[2] / L}, start.attitude});
 }
 

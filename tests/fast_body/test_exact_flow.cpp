@@ -1,4 +1,5 @@
-// The exact flight in double, 50 and 100 digits against power series in the time; its elliptic functions and integral against Boost.Math.
+// The exact flow in double, 50 and 100 digits against power series in the time; its elliptic functions and
+// integral against Boost.Math.
 #include <boost/test/unit_test.hpp>
 
 #include <boost/math/special_functions/ellint_3.hpp>
@@ -92,7 +93,7 @@ void follows_the_unit(char const* name) {
       // 16 roundings, and of the phase as many for each radian; the witness has a few of its own for each of its steps.
       BOOST_TEST(error <= 16 * (1 + 2 * time));
     }
-  BOOST_TEST_MESSAGE("exact flight, " << name << ": errors up to " << worst << " units in the last place");
+  BOOST_TEST_MESSAGE("exact flow, " << name << ": errors up to " << worst << " units in the last place");
 }
 }  // namespace
 
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_hundred_nasty_bodies_in_fifty_digits) {
     double const open = testing::condition(p, rough) / unit_of<double>();
     worst = std::max(worst, error_in_units<dec50>(p) / (1 + open));
   }
-  BOOST_TEST_MESSAGE("exact flight, 100 nasty bodies in 50 digits: at most " << worst << " (1 + condition) units in the last place");
+  BOOST_TEST_MESSAGE("exact flow, 100 nasty bodies in 50 digits: at most " << worst << " (1 + condition) units in the last place");
   BOOST_TEST(worst <= 16);
 }
 
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(the_elliptic_functions_are_those_of_boost) {
       double const lost = 1e-47 / complement;  // by k
       BOOST_TEST(to_double(magnitude(dec50(fine.sn - sn))) <= lost * (1 + std::abs(u)));
       BOOST_TEST(to_double(magnitude(dec50(fine.cn - cn))) <= lost * (1 + std::abs(u)));
-      // dn of Boost is cos/cos and loses its digits next to the quarter period; dn^2 = cn^2 + k'^2 sn^2 does not.
+      // dn of Boost is cos/cos and cancels next to the quarter period; dn^2 = cn^2 + k'^2 sn^2 does not.
       BOOST_TEST(to_double(magnitude(dec50(fine.dn - sqrt(dec50(cn * cn + dec50(complement) * sn * sn))))) <= lost * (1 + std::abs(u)));
     }
   }
@@ -230,7 +231,8 @@ BOOST_AUTO_TEST_CASE(the_integral_of_the_third_kind_is_that_of_boost) {
         dec50 const same =
             S * S * S / 3 * boost::math::ellint_rj(dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1), dec50(1 + dec50(g) * S * S));
         BOOST_TEST(to_double(magnitude(dec50(many / same - 1))) <= 64 * unit_of<dec50>());
-        // Legendre's form (F - Pi)/g, where the difference keeps its digits; next to k = 1 it has lost what 1 - k^2 sin^2 loses.
+        // Legendre's form (F - Pi)/g, where the difference does not cancel; next to k = 1 it has the error of
+        // 1 - k^2 sin^2.
         if (g >= 0.01 && part >= 0.1) {
           long double const k = std::sqrt(1 - static_cast<long double>(complement)),
                             phi = std::atan2(static_cast<long double>(s), static_cast<long double>(c));

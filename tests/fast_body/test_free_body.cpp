@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(whatever_the_body_momentum_and_energy_stay) {
           start += p.momentum[i] / body.amount() * (p.momentum[i] / p.moments[i]);
     }
     double const size = body.amount(), slack = (s.spatial_momentum().components - body.at(0).spatial_momentum().components).norm() / size;
-    // Of a component next to zero the rounding is one of the amount: the energy knows it by the largest 1/I.
+    // Of a component next to zero the rounding is one of the amount: in the energy it is multiplied by the
+    // largest 1/I.
     double const stiff = 1 / std::min({p.moments[0], p.moments[1], p.moments[2]});
     if (!(slack <= 32 * eps) || !(std::abs(momentum_of(s).norm() / size - 1) <= 16 * eps) ||
         !(std::abs(energy - start) <= 64 * eps * std::sqrt(stiff * start) + 64 * eps * eps * stiff))
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(whatever_the_body_momentum_and_energy_stay) {
   BOOST_TEST(missed == 0);
 }
 
-BOOST_AUTO_TEST_CASE(two_flights_are_one) {
+BOOST_AUTO_TEST_CASE(two_flows_compose_to_one) {
   testing::HardProblems problems(testing::seed + 1);
   int judged = 0;
   for (int repeat = 0; repeat < 2000; ++repeat) {
@@ -211,7 +212,8 @@ BOOST_AUTO_TEST_CASE(half_turns_half_periods_and_very_long_times) {
       auto const s = body.at(quarters * quarter);
       keeps_what_is_kept(body, s);
       if (quarters % 2) continue;
-      // Two components change their signs in half a period: M2, and the one that is not kept.
+      // Two components change their signs in half a period: M2, and the one whose axis the orbit does not
+      // enclose.
       Vector3d expected = quarters % 4 == 0 ? M : third ? Vector3d(-M[0], -M[1], M[2]) : Vector3d(M[0], -M[1], -M[2]);
       BOOST_TEST((momentum_of(s) - expected).norm() <= 64 * eps * quarters * quarter * M.norm() * std::max(1.0, 1 / std::sqrt(complement)));
       // Steps of that length: to and fro.
@@ -288,7 +290,7 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
     BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.999999 * error.largest_step, 2));
     BOOST_CHECK_THROW(body.moser_veselov_parameters(1.000001 * error.largest_step, 2), StepTooLong);
   }
-  // An inertia that nobody has checked must not hang.
+  // An inertia that was not checked must not make it hang.
   BOOST_CHECK_THROW(FreeBody(Inertia<3>{{}, Vector3d(1, 1, 1), Vector3d(nan, 1, 1)}, {SO<3>{}, M}), NotFinite);
 }
 
@@ -341,7 +343,7 @@ BOOST_AUTO_TEST_CASE(steps_and_one_evaluation_agree) {
       motion.advance(0), motion.advance(-5);
       BOOST_TEST((motion.state().attitude.value == one.state().attitude.value));
       BOOST_TEST((alone.body_momentum() - motion.body_momentum()).components.norm() <= room);
-      // The attitude was left behind: it is not given away as if it were known.
+      // The attitude is unknown after steps without it: asking for it is refused.
       BOOST_CHECK_THROW(alone.state(), OutsideDomain);
       BOOST_CHECK_THROW(alone.advance(), OutsideDomain);
     }

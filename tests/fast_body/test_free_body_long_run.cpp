@@ -8,7 +8,7 @@
 using namespace actio;
 
 namespace {
-using testing::FreePath, testing::FreeProblem, testing::Kept, testing::kept;
+using testing::FreePath, testing::FreeProblem, testing::ConservationErrors, testing::conservation_errors;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Four roundings of the answer, and four units in the last place of each number of the question.
@@ -16,12 +16,13 @@ constexpr double units = 8;
 
 using Quad = __float128;  // 34 digits, from the compiler
 
-void say(std::string const& what, Kept const& k) {
+void say(std::string const& what, ConservationErrors const& k) {
   BOOST_TEST_MESSAGE(what << ": Casimir " << k.casimir << ", energy " << k.energy << ", momentum in space " << k.spatial << ", length of the quaternion "
                           << k.length);
 }
 
-// Whether the moments that make a flight exact are those of a body for which the general solver has the solution: the flight is the smallest root.
+// Whether the moments that make a step exact are those of a body for which the general solver has the
+// solution: the step is the smallest root.
 bool general_road(Inertia<3> const& inertia, FreeBody const& body, double h, Inertia<3>& replaced) {
   auto const j = inertia_of(body.step_parameters(h));
   Eigen::Vector3d moments;
@@ -113,7 +114,8 @@ BOOST_AUTO_TEST_CASE(a_thousand_seconds_of_hard_bodies_to_twelve_digits) {
 }
 
 BOOST_AUTO_TEST_CASE(steps_of_nasty_bodies_are_as_good_as_one_evaluation) {
-  // Next to the separatrix and next to steady turns, where what is added wrongly grows, or what is set back disturbs. The truth is the flight in 50 digits.
+  // Next to the separatrix and next to steady turns, where what is added wrongly grows, or what is set back
+  // disturbs. The truth is the exact flow in 50 digits.
   auto const truth_of = [](FreeProblem const& p) { return testing::exact_path<dec50>(p); };
   testing::HardProblems problems(testing::seed + 3);
   double worst = 0;
@@ -144,16 +146,17 @@ BOOST_AUTO_TEST_CASE(a_million_steps_keep_everything) {
     CompensatedHalfTurn<double> const turn(body.step_parameters(h));
     CompensatedState<double> now{body.start(), {{}, {}}};
     for (long k = 0; k < 1000000; ++k) turn.step(now);
-    Kept const alone = kept(moments, now, body.start());
+    ConservationErrors const alone = conservation_errors(moments, now, body.start());
     say("1e6 compensated steps of " + std::to_string(h), alone);
     // A step is a map with coefficients rounded to eps/2, each missing the orbit by a part of its change, to the same side: the Casimir, which no coefficient
-    // can change, and the momentum in space keep what the sums keep; the energy loses at most a rounding of the change each step.
+    // can change, and the momentum in space have the errors of the sums; the energy changes by at most a
+    // rounding of the change each step.
     for (double const x : {alone.casimir, alone.energy}) BOOST_TEST(x <= 2e-14);
     BOOST_TEST(alone.spatial <= 5e-13);
     // With it.
     FreeSteps motion(body, h);
     motion.advance(1000000);
-    Kept const back = kept(motion, moments);
+    ConservationErrors const back = conservation_errors(motion, moments);
     say("1e6 steps of FreeSteps of " + std::to_string(h), back);
     for (double const x : {back.casimir, back.energy}) BOOST_TEST(x <= 2e-14);
     BOOST_TEST(back.spatial <= 5e-13);
@@ -161,7 +164,7 @@ BOOST_AUTO_TEST_CASE(a_million_steps_keep_everything) {
     HalfTurn<double> const plain(body.step_parameters(h));
     CompensatedState<double> whole{body.start(), {{}, {}}};
     for (long k = 0; k < 1000000; ++k) plain.step(whole.state);
-    Kept const rounded = kept(moments, whole, body.start());
+    ConservationErrors const rounded = conservation_errors(moments, whole, body.start());
     say("1e6 plain steps of " + std::to_string(h), rounded);
     BOOST_TEST(std::max(rounded.casimir, rounded.energy) > 10 * std::max(alone.casimir, alone.energy));
   }

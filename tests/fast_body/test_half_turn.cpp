@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(the_half_turn_takes_the_momentum_before_to_that_after_exact
     Three<rational> u = motion.before;
     HalfTurn<rational>(parameters).step(u);
     BOOST_TEST((u == motion.after));
-    // The axis is the null vector of diag(delta) + [u]x, and the moments come back from the flight.
+    // The axis is the null vector of diag(delta) + [u]x, and the moments are recovered from the parameters.
     Three<rational> const v = HalfTurn<rational>(parameters).axis(motion.before), side = cross_product(motion.before, v);
     for (int i = 0; i < 3; ++i) BOOST_TEST((delta[i] * v[i] + side[i] == 0));
     BOOST_TEST((inertia_of(parameters) == j));

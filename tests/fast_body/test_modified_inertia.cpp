@@ -74,7 +74,8 @@ BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(the_series_are_those_of_what_makes_the_step_exact) {
-  // s and d of an exact flight from the replaced moments themselves, by differences of two of them; 24 terms at t = 1/8.
+  // s and d of an exact step from the replaced moments themselves, by differences of two of them; 24 terms at
+  // t = 1/8.
   using S = dec50;
   for (bool const third : {false, true}) {
     Model<S> const model(third);

@@ -127,7 +127,7 @@ class Laws {
     S const c = draw.number<S>();
     auto const linear = bracket(xi + c * zeta, eta) - bracket(xi, eta) - c * bracket(zeta, eta);
     vanishes("bracket is linear", linear.coordinates, (size(xi) + size(zeta)) * size(eta) * group.dimension(), 8);
-    vanishes("Ad keeps brackets", (Ad(g, bracket(xi, eta)) - bracket(Ad(g, xi), Ad(g, eta))).coordinates,
+    vanishes("Ad preserves brackets", (Ad(g, bracket(xi, eta)) - bracket(Ad(g, xi), Ad(g, eta))).coordinates,
              conditioned * conditioned * group.dimension(), 32);
 
     vanishes("<Ad*_g mu, xi> = <mu, Ad_g xi>", pair(Ad_star(g, mu), xi) - pair(mu, Ad(g, xi)), conditioned * group.dimension(), 16);

@@ -92,7 +92,8 @@ void laws_in_space() {
     S const a = nearly_pi<S>();
     rotations.push_back({turning(a)});
     rotations.push_back({Coordinates<SO<3>, S>(S(0), a, S(0))});
-    // Next to -1 every direction leads back to 1: the axis, a vector of length 10^-8, keeps its digits relative to 1.
+    // Next to -1 every direction leads back to 1: the axis, a vector of length 10^-8, has its digits relative
+    // to 1.
     quaternions.push_back({turning(S(2) * a), 1e8});
     Coordinates<SE<3>, S> v;
     v << turning(a), S(1), ratio<S>(2, 3), ratio<S>(-1, 3);

@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(a_scaling_by_an_eighth_has_the_defect_it_must_have) {
 }
 
 BOOST_AUTO_TEST_CASE(the_midpoint_rule_has_the_poisson_defect_of_its_determinant) {
-  // It keeps every sphere, so that A B A^T = det A B; and det A = (1 + c + d)/(1 + c - d) with the second and third invariants of the vector field at
-  // the middle.
+  // It preserves every sphere, so that A B A^T = det A B; and det A = (1 + c + d)/(1 + c - d) with the second
+  // and third invariants of the vector field at the middle.
   for (double const h : {0.5, 0.25, 0.125}) {
     auto const map = [h](auto const& mu) { return implicit_midpoint(body, typename std::decay_t<decltype(mu)>::Scalar(h), mu); };
     Vector3d const m = (pi.components + map(pi).components) / 2, I = body.inertia;
@@ -160,7 +160,8 @@ BOOST_AUTO_TEST_CASE(a_coadjoint_action_is_exact_over_the_rationals) {
   auto const mu = draw.momentum<rational>(space);
   auto const action = [&](auto const& at) { return Ad_star(like(at, g), at); };
   BOOST_TEST(magnitude(poisson_residual(LiePoissonPlus{}, action, mu)) == 0);
-  // Lifted to the cotangent bundle; and with an element that depends on the momentum, which keeps orbits and not the bracket.
+  // Lifted to the cotangent bundle; and with an element that depends on the momentum, which preserves orbits
+  // and not the bracket.
   Costate<SE<3>, rational> const x{draw.element<rational>(space), mu};
   auto const lifted = [&](auto const& p) {
     return std::decay_t<decltype(p)>{like(p.configuration, g) * p.configuration, Ad_star(inverse(like(p.momentum, g)), p.momentum)};

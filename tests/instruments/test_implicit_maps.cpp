@@ -1,4 +1,5 @@
-// Maps that solve an equation: their tangents against that of the equation, and the brackets that reduced discrete Lagrangians keep.
+// Maps that solve an equation: their tangents against that of the equation, and the brackets that reduced
+// discrete Lagrangians preserve.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/motions.hpp"

@@ -56,7 +56,8 @@ constexpr auto on_rows = [](auto const& g, auto const& a) {
   return A(inverse(g).value.transpose() * a);
 };
 
-/// Kinetic energy of a body without any symmetry of its own, through the natural chart, and a potential that sees the vector, by the trapezoidal rule.
+/// Kinetic energy of a body without any symmetry of its own, through the natural chart, and a potential that
+/// depends on the vector, by the trapezoidal rule.
 struct BodyInField {
   Matrix<double> inertia;
   Vector<double> slope;
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
           BOOST_TEST((before + Ad_star(g0, D1(L, g0, g1))).components.isZero(0));
           BOOST_TEST((after - Ad_star(g1, D2(L, g0, g1))).components.isZero(0));
           BOOST_TEST((after - advected_lie_poisson_update_left(l, f10, a0, before, act)).components.isZero(0));
-          // Controls: a vector that is not carried along, and a momentum that the vector has no share in.
+          // Controls: a vector that is not advected, and a momentum without the term of the vector.
           BOOST_TEST(!(reduced - (advected_momentum_after_left(l, f10, a0) - advected_momentum_before_left(l, f21, a0, act)).components).isZero(0));
           BOOST_TEST(!(after - Ad_star(inverse(f10), before)).components.isZero(0));
         }
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(what_fixes_the_vector_has_the_same_momentum_at_both_ends_of
       BOOST_TEST(left == stabiliser_momentum(advected_momentum_after_left(l, f, a0), Ad(f, zeta), a1));
       auto const right = stabiliser_momentum(advected_momentum_before_right(l, f, a0), zeta, a0);
       BOOST_TEST(right == stabiliser_momentum(advected_momentum_after_right(l, f, a0), Ad(inverse(f), zeta), b1));
-      // Controls: carried along the wrong way, and a generator that moves the vector.
+      // Controls: transported by the inverse, and a generator that moves the vector.
       BOOST_TEST(left != pair(advected_momentum_after_left(l, f, a0), Ad(inverse(f), zeta)));
       auto const other = draw.velocity<rational>(group);
       BOOST_TEST(pair(advected_momentum_before_left(l, f, a0), other) != pair(advected_momentum_after_left(l, f, a0), Ad(f, other)));

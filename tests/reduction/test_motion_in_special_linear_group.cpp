@@ -82,7 +82,8 @@ Deviation steps_by(L const& l, double h, int steps) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(steps_follow_the_geodesics_of_a_left_invariant_metric_to_second_order) {
-  // The closed form knows nothing of the steps: were it not the limit, the ratio would tend to 1. It is 2^2 up to a term h^2 |M|^2, here 0.02 or 0.006 of it.
+  // The closed form is independent of the steps: were it not the limit, the ratio would tend to 1. It is 2^2
+  // up to a term h^2 |M|^2, here 0.02 or 0.006 of it.
   double const coarse = steps_by(carried_around(0.02), 0.02, 50).miss, fine = steps_by(carried_around(0.01), 0.01, 100).miss;
   BOOST_TEST(std::abs(coarse / fine - 4) < 0.1);
   // The natural chart needs the logarithm of the group as well.
@@ -107,7 +108,7 @@ BOOST_AUTO_TEST_CASE(momentum_in_space_is_kept_over_ten_thousand_steps) {
 
 namespace {
 
-/// \f$\ddot A = \lambda A^{-T}\f$ with the multiplier that keeps the determinant.
+/// \f$\ddot A = \lambda A^{-T}\f$ with the multiplier that preserves the determinant.
 actio::Vector<double> ellipsoid_rate(double, actio::Vector<double> const& state) {
   Square const a = as_matrix<3, 3>(state.data()), rate = as_matrix<3, 3>(state.data() + 9), inverse = inverse_matrix(a);
   Square const velocity = inverse * rate, force = inverse.transpose() * ((velocity * velocity).trace() / inverse.squaredNorm());

@@ -1,5 +1,5 @@
-// Steppers that keep what they have found out about their equation, against Newton's iteration from scratch:
-// the same motions to rounding, what is conserved, the order, and the same refusals.
+// Steppers that reuse the derivative of their equation and extrapolate its solutions, against Newton's
+// iteration from scratch: the same motions to rounding, what is conserved, the order, and the same refusals.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/linear_groups.hpp"
@@ -48,7 +48,7 @@ double condition(M const& derivative) {
   return worst;
 }
 
-/// Two solvers stop within 16 eps of a row each, and the momentum carried along is off by that of the step
+/// Two solvers stop within 16 eps of a row each, and the momentum is off by that of the step
 /// before: four times that with what Ad adds.
 template <int side, class G>
 void the_same_relative_motions(double size, double h, int steps) {

@@ -1,4 +1,5 @@
-// A Lagrangian that knows forwards from backwards, its flow written out by hand with commutators of matrices, and what is measured against it.
+// A Lagrangian that is not even in the velocity, its flow written out by hand with commutators of matrices,
+// and what is measured against it.
 #pragma once
 
 #include <string>
@@ -122,9 +123,9 @@ Element<SpannedGroup, S> next_configuration(Element<SpannedGroup, S> const& g, E
   else
     return reconstruct_left(g, f);
 }
-/// The momentum that a symmetry keeps, from the one that moves.
+/// The momentum that the symmetry conserves, from the one that changes.
 template <int side, class S>
-Momentum<SpannedGroup, S> kept_momentum(Element<SpannedGroup, S> const& g, Momentum<SpannedGroup, S> const& m) {
+Momentum<SpannedGroup, S> conserved_momentum(Element<SpannedGroup, S> const& g, Momentum<SpannedGroup, S> const& m) {
   if constexpr (side > 0)
     return Ad_star(g, m);
   else

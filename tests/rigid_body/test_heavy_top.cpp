@@ -1,4 +1,5 @@
-// The heavy top: the scheme against the general road and against the equations of Euler and Poisson, what it keeps, and refusals.
+// The heavy top: the scheme against the general road and against the equations of Euler and Poisson, what it
+// conserves, and refusals.
 #include <boost/test/unit_test.hpp>
 
 #include <complex>
@@ -44,11 +45,11 @@ struct Action {
     return arcs ? natural_chart_lagrangian(top, h)(f, gamma) : trace_lagrangian(top, h)(f, gamma);
   }
 };
-/// The relative motion that takes up the momentum of a state, by the general road.
+/// The relative motion of the step that starts with the momentum of a state, by the general road.
 Element<SO<3>, double> relative_motion(Action const& l, HeavyTopState<double> const& s) {
   return advected_relative_motion_left(l, s.momentum, s.vector, exp(-l.h * body_velocity(l.top.inertia, s.momentum))).value;
 }
-/// A step of the general road: relative motion from momentum, momentum left behind, vertical carried along.
+/// A step of the general road: relative motion from momentum, momentum at the end, vertical transported.
 HeavyTopState<double> step_by_duals(Action const& l, HeavyTopState<double> const& s) {
   auto const f = relative_motion(l, s);
   return {advected_momentum_after_left(l, f, s.vector), advect_left(f, s.vector)};
