@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     using std::cos;
     return pendulum(g.first.value[0], g.second.value[0], cos(g.second.value[1] - g.first.value[1]));
   };
-  auto const on_heights = [](auto const& g) { return pendulum(g.from[0], g.to[0], g.turn.value(0, 0)); };
+  auto const on_heights = [](auto const& g) { return pendulum(g.from[0], g.to[0], g.element.value(0, 0)); };
   using TwoAngles = Element<Translations<2>, double>;
   Arrow<PairGroupoid<Translations<2>>, double> pair{TwoAngles{{}, {1.2, 0.0}}, TwoAngles{{}, {1.2, 0.035}}};
   auto const turn = [](double angle) { return exp(velocity(SO<2>{}, Matrix<double, 1, 1>(angle))); };
@@ -58,8 +58,8 @@ int main(int argc, char** argv) {
   std::vector<Vector3d> path;
   for (int k = 0; k < steps; ++k) {
     pair = step_lagrange(all_pairs, on_pairs, pair, {pair.second, pair.second * inverse(pair.first) * pair.second}).value;
-    arrow = step_lagrange(heights, on_heights, arrow, {arrow.to, 2 * arrow.to - arrow.from, arrow.turn}).value;
-    azimuth += log(arrow.turn).coordinates[0];
+    arrow = step_lagrange(heights, on_heights, arrow, {arrow.to, 2 * arrow.to - arrow.from, arrow.element}).value;
+    azimuth += log(arrow.element).coordinates[0];
     double const theta = arrow.to[0];
     path.push_back({std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth), -std::cos(theta)});
     apart = std::max(apart, std::abs(theta - pair.second.value[0]) + std::abs(azimuth + 0.035 - pair.second.value[1]));
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   };
   auto const on_turns = [&](auto const& g) {
     using S = typename std::decay_t<decltype(g)>::Scalar;
-    return top<S>(g.turn.value, g.vector, Matrix<S, Dynamic, 1>(g.turn.value.transpose() * g.vector));
+    return top<S>(g.element.value, g.vector, Matrix<S, Dynamic, 1>(g.element.value.transpose() * g.vector));
   };
   auto const tilted = exp(velocity(SO<3>{}, Vector3d(0.6, 0, 0))), first = exp(velocity(SO<3>{}, Vector3d(0, 0, 18 * h)));
   Arrow<PairGroupoid<SO<3>>, double> configurations{tilted, tilted * first};
@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
   std::vector<Vector3d> axis;
   for (int k = 0; k < steps; ++k) {
     configurations = step_lagrange(attitudes, on_attitudes, configurations, {configurations.second, configurations.second * inverse(configurations.first) * configurations.second}).value;
-    turning = step_lagrange(with_vertical, on_turns, turning, {turning.turn, with_vertical.target(turning).value}).value;
-    turning.turn = restore(turning.turn), configurations.second = restore(configurations.second);
+    turning = step_lagrange(with_vertical, on_turns, turning, {turning.element, with_vertical.target(turning).value}).value;
+    turning.element = restore(turning.element), configurations.second = restore(configurations.second);
     axis.push_back(configurations.second.value.col(2));
     top_apart = std::max(top_apart, (seen(configurations.second) - with_vertical.target(turning).value).norm());
     vertical_kept = std::max(vertical_kept, std::abs(vertical() / start - 1));

@@ -22,8 +22,8 @@ struct Polynomial {
   /// Adds c times a monomial.
   void add(Powers const& powers, S const& c) {
     if (c == S(0)) return;
-    auto const [at, fresh] = terms.try_emplace(powers, c);
-    if (!fresh && (at->second += c) == S(0)) terms.erase(at);
+    auto const [term, fresh] = terms.try_emplace(powers, c);
+    if (!fresh && (term->second += c) == S(0)) terms.erase(term);
   }
   /// Adds q.
   Polynomial& operator+=(Polynomial const& q) {

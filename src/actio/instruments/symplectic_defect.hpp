@@ -12,10 +12,10 @@ namespace actio {
 template <class Point, SymplecticSpaceOf<Point> Space, class Map>
 auto symplectic_residual(Space const& space, Map const& map, Point const& x) {
   using S = typename Point::Scalar;
-  auto const at = tangent_of_map(space, map, x);
-  detail::AnyMatrix<S> const carried =
-      detail::congruent<S>(at.tangent.transpose(), detail::times_sizes<S>(space.two_form(at.image), at.sizes));
-  return detail::AnyMatrix<S>(carried - detail::times_sizes<S>(space.two_form(x), at.sizes));
+  auto const linearized = tangent_of_map(space, map, x);
+  detail::AnyMatrix<S> const pulled_back =
+      detail::congruent<S>(linearized.tangent.transpose(), detail::times_sizes<S>(space.two_form(linearized.image), linearized.sizes));
+  return detail::AnyMatrix<S>(pulled_back - detail::times_sizes<S>(space.two_form(x), linearized.sizes));
 }
 
 /// The symplectic defect of a map at a point: from 0 for a map that preserves the two-form there to 1 where
@@ -31,10 +31,10 @@ auto symplectic_residual(Space const& space, Map const& map, Point const& x) {
 template <class Point, SymplecticSpaceOf<Point> Space, class Map>
 typename Point::Scalar symplectic_defect(Space const& space, Map const& map, Point const& x) {
   using S = typename Point::Scalar;
-  auto const at = tangent_of_map(space, map, x);
+  auto const linearized = tangent_of_map(space, map, x);
   // [symplectic_defect]
-  auto const carried = detail::congruent<S>(at.tangent.transpose(), detail::times_sizes<S>(space.two_form(at.image), at.sizes));
-  return detail::relative_difference<S>(carried, detail::times_sizes<S>(space.two_form(x), at.sizes));
+  auto const pulled_back = detail::congruent<S>(linearized.tangent.transpose(), detail::times_sizes<S>(space.two_form(linearized.image), linearized.sizes));
+  return detail::relative_difference<S>(pulled_back, detail::times_sizes<S>(space.two_form(x), linearized.sizes));
   // [symplectic_defect]
 }
 

@@ -50,11 +50,11 @@ Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& 
 
 /// \f$\mathrm{iex}(\pm\mathrm{ad}_\eta)\,\eta'\f$: what the path turns by over the step, at the rate it has where `eta` was taken. side: +1 right, -1 left.
 template <int side, Group G, Scalar S>
-Velocity<G, S> turn_of_path(Velocity<G, Dual<S>> const& eta) {
+Velocity<G, S> velocity_of_path(Velocity<G, Dual<S>> const& eta) {
   int const n = eta.group.dimension();
-  Coordinates<G, S> at(n), rate(n);
-  for (int a = 0; a < n; ++a) at[a] = eta.coordinates[a].value * Base<S>(side), rate[a] = eta.coordinates[a].part[0];
-  return {eta.group, iex_times(ad_matrix(Velocity<G, S>{eta.group, at}), rate)};
+  Coordinates<G, S> signed_eta(n), rate(n);
+  for (int a = 0; a < n; ++a) signed_eta[a] = eta.coordinates[a].value * Base<S>(side), rate[a] = eta.coordinates[a].part[0];
+  return {eta.group, iex_times(ad_matrix(Velocity<G, S>{eta.group, signed_eta}), rate)};
 }
 
 /// The action of the path through \f$\xi_1, \dots, \xi_s\f$: \f$h\sum_i b_i\,l(\tfrac1h\,\mathrm{iex}(\pm\mathrm{ad}_{\eta_i})\,\eta_i')\f$.
@@ -64,7 +64,7 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
   for (int i = 0; i < path.degree(); ++i) {
     auto const eta = path_at_node(path, group, xi, i);
     // [galerkin_action]
-    sum += l(turn_of_path<side>(eta) / S(h)) * (h * path.weights[i]);
+    sum += l(velocity_of_path<side>(eta) / S(h)) * (h * path.weights[i]);
     // [galerkin_action]
   }
   return sum;
@@ -83,8 +83,8 @@ Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> 
   Matrix<S, Dynamic, 1> differential = Matrix<S, Dynamic, 1>::Zero(s * n);
   for (int i = 0; i < s; ++i) {
     auto const eta = path_at_node(path, group, xi, i);
-    auto const turn = turn_of_path<side>(eta);
-    auto const p = gradient(l, turn / S(h)), along = ad_star(turn, p);
+    auto const velocity = velocity_of_path<side>(eta);
+    auto const p = gradient(l, velocity / S(h)), along = ad_star(velocity, p);
     Coordinates<G, Dual<S>> moving(n);
     for (int a = 0; a < n; ++a) moving[a].value = p.components[a], moving[a].part[0] = side > 0 ? -along.components[a] : along.components[a];
     auto const q = iex_times(ad_matrix(side > 0 ? eta : -eta).transpose().eval(), moving);
@@ -148,7 +148,7 @@ struct GalerkinStep {
       after = lie_poisson_update_right(f, mu);
     else
       after = lie_poisson_update_left(f, mu);
-    return {f, {after, turn_of_path<side>(end) / S(h)}, solver.report().evaluations};
+    return {f, {after, velocity_of_path<side>(end) / S(h)}, solver.report().evaluations};
   }
 };
 }  // namespace detail

@@ -91,16 +91,16 @@ typename M::Scalar constrained_action(M const& lambda, std::vector<M> const& g, 
 /// The gradient of \ref constrained_action in the entries of \f$g_k\f$, for a symmetric multiplier.
 /// @param lambda      \f$\Lambda\f$, symmetric; mass x length^2
 /// @param before      \f$g_{k-1}\f$
-/// @param at          \f$g_k\f$
+/// @param g           \f$g_k\f$
 /// @param after       \f$g_{k+1}\f$
 /// @param multiplier  \f$\lambda_k\f$, symmetric; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
-M constrained_stationarity(M const& lambda, M const& before, M const& at, M const& after, M const& multiplier) {
-  detail::require_squares({&lambda, &before, &at, &after, &multiplier}, lambda.rows(), "constrained stationarity");
+M constrained_stationarity(M const& lambda, M const& before, M const& g, M const& after, M const& multiplier) {
+  detail::require_squares({&lambda, &before, &g, &after, &multiplier}, lambda.rows(), "constrained stationarity");
   detail::require_symmetric(lambda, "constrained stationarity: Lambda");
   detail::require_symmetric(multiplier, "constrained stationarity: multiplier");
-  return (after + before) * lambda - multiplier * at;
+  return (after + before) * lambda - multiplier * g;
 }
 
 /// The multiplier at a rotation \f$g_k\f$ between its neighbours: the symmetric half of \f$(g_{k+1} + g_{k-1})\Lambda g_k^T\f$. Along a motion there is no
@@ -108,15 +108,15 @@ M constrained_stationarity(M const& lambda, M const& before, M const& at, M cons
 ///
 /// @param lambda  \f$\Lambda\f$, symmetric; mass x length^2
 /// @param before  \f$g_{k-1}\f$
-/// @param at      \f$g_k\f$, a rotation
+/// @param g       \f$g_k\f$, a rotation
 /// @param after   \f$g_{k+1}\f$
 /// @return        \f$\lambda_k\f$, in the spatial frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
-M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& after) {
-  detail::require_squares({&lambda, &before, &at, &after}, lambda.rows(), "multiplier");
+M spatial_multiplier(M const& lambda, M const& before, M const& g, M const& after) {
+  detail::require_squares({&lambda, &before, &g, &after}, lambda.rows(), "multiplier");
   detail::require_symmetric(lambda, "multiplier: Lambda");
-  M const pull = (after + before) * lambda * at.transpose();
+  M const pull = (after + before) * lambda * g.transpose();
   return (pull + pull.transpose()) / typename M::Scalar(2);
 }
 
@@ -124,14 +124,14 @@ M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& aft
 /// multiplication of all configurations.
 /// \implements{claim_5_2_conjugate_multiplier}
 ///
-/// @param at          \f$g_k\f$, a rotation
+/// @param g           \f$g_k\f$, a rotation
 /// @param multiplier  \f$\lambda_k\f$, in the spatial frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
-M body_multiplier(M const& at, M const& multiplier) {
-  detail::require_squares({&at, &multiplier}, at.rows(), "multiplier of the body");
+M body_multiplier(M const& g, M const& multiplier) {
+  detail::require_squares({&g, &multiplier}, g.rows(), "multiplier of the body");
   // [claim_5_2_conjugate_multiplier]
-  return at.transpose() * multiplier * at;
+  return g.transpose() * multiplier * g;
   // [claim_5_2_conjugate_multiplier]
 }
 

@@ -41,12 +41,12 @@ template <Group G, Scalar S>
 Costate<G, Dual<S>> moved(Costate<G, S> const& p, CostateChange<G, S> const& w) {
   using D = Dual<S>;
   Costate<G, D> result = over<D>(p);
-  Coordinates<G, D> turn = Coordinates<G, D>::Zero(p.configuration.group.dimension());
-  for (Index a = 0; a < turn.size(); ++a) {
-    turn[a].part[0] = w.configuration.coordinates[a];
+  Coordinates<G, D> theta = Coordinates<G, D>::Zero(p.configuration.group.dimension());
+  for (Index a = 0; a < theta.size(); ++a) {
+    theta[a].part[0] = w.configuration.coordinates[a];
     result.momentum.components[a].part[0] = w.momentum.components[a];
   }
-  result.configuration = Element<G, D>{p.configuration.group, primitive::near_identity(p.configuration.group, turn)} * result.configuration;
+  result.configuration = Element<G, D>{p.configuration.group, primitive::near_identity(p.configuration.group, theta)} * result.configuration;
   return result;
 }
 

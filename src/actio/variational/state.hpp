@@ -43,13 +43,13 @@ template <Group G, Scalar S>
 State<G, Dual<S>> moved(State<G, S> const& v, StateChange<G, S> const& w) {
   using D = Dual<S>;
   int const n = v.configuration.group.dimension();
-  Coordinates<G, D> turn = Coordinates<G, D>::Zero(n);
+  Coordinates<G, D> theta = Coordinates<G, D>::Zero(n);
   Velocity<G, D> velocity = over<D>(v.velocity);
   for (int a = 0; a < n; ++a) {
-    turn[a].part[0] = w.configuration.coordinates[a];
+    theta[a].part[0] = w.configuration.coordinates[a];
     velocity.coordinates[a].part[0] = w.velocity.coordinates[a];
   }
-  Element<G, D> const step{v.configuration.group, primitive::near_identity(v.configuration.group, turn)};
+  Element<G, D> const step{v.configuration.group, primitive::near_identity(v.configuration.group, theta)};
   return {step * over<D>(v.configuration), velocity};
 }
 

@@ -127,13 +127,13 @@ template <int B>
       }
 #pragma GCC unroll 4
       for (int c = 0; c < 4; ++c) {
-        std::ptrdiff_t const here = at + 4 * c;
+        std::ptrdiff_t const offset = at + 4 * c;
         FourLanes const slope = body.lambda[4 * j + c] - lambda;
         // [eq_5_8]
-        add_compensated(lanes(momentum + here), lanes(rest + here), slope * lanes(past[0] + here));
+        add_compensated(lanes(momentum + offset), lanes(rest + offset), slope * lanes(past[0] + offset));
         // [eq_5_8]
-        lanes(guess + here) = g[c];
-        relative_motion_entries(g[c], lanes(momentum + here), slope, lanes(body.inverse + here), lanes(to + 4 * c), mirror[c]);
+        lanes(guess + offset) = g[c];
+        relative_motion_entries(g[c], lanes(momentum + offset), slope, lanes(body.inverse + offset), lanes(to + 4 * c), mirror[c]);
       }
       write_mirror(shape, mirror, e, i, j);
     }

@@ -26,23 +26,23 @@ class StepContinuation {
   /// Follows the solution as far as it goes.
   /// @return the part of the step that it reaches, 1 where it reaches all; z is the solution there
   double follow(double* z) {
-    std::vector<double> here(static_cast<std::size_t>(unknowns()), 0.0), before = here;
+    std::vector<double> now(static_cast<std::size_t>(unknowns()), 0.0), before = now;
     double reached = 0, previous = 0, first = first_part(), gap = first;
     while (reached < 1 && gap > smallest_gap * std::max(reached, first)) {
       double const part = std::min(1.0, reached + gap);
-      std::vector<double> next = here;
+      std::vector<double> next = now;
       // Along the secant; from rest along the velocity of the first guess.
       if (reached == 0) next = first_guess(part);
       else
-        for (std::size_t a = 0; a < next.size(); ++a) next[a] += (here[a] - before[a]) * ((part - reached) / (reached - previous));
+        for (std::size_t a = 0; a < next.size(); ++a) next[a] += (now[a] - before[a]) * ((part - reached) / (reached - previous));
       std::vector<double> const expected = next;
-      if (solve(part, next) && distance(next, expected) <= 0.3 * distance(next, here)) {
-        before = here, previous = reached, here = next, reached = part, gap *= 2;
+      if (solve(part, next) && distance(next, expected) <= 0.3 * distance(next, now)) {
+        before = now, previous = reached, now = next, reached = part, gap *= 2;
       } else {
         gap = (part - reached) / 2;
       }
     }
-    put(here, z);
+    put(now, z);
     return reached;
   }
 
@@ -112,13 +112,13 @@ class StepContinuation {
   bool differentiate(std::vector<double> const& x) {
     int const n = unknowns();
     double const apart = 1e-7 * std::max(1.0, norm(x));
-    auto const here = change(x);
+    auto const at_x = change(x);
     derivative_.resize(n, n);
     for (int b = 0; b < n; ++b) {
       auto moved = x;
       moved[static_cast<std::size_t>(b)] += apart;
-      auto const there = change(moved);
-      for (int a = 0; a < n; ++a) derivative_(a, b) = (here[static_cast<std::size_t>(a)] - there[static_cast<std::size_t>(a)]) / apart;
+      auto const at_moved = change(moved);
+      for (int a = 0; a < n; ++a) derivative_(a, b) = (at_x[static_cast<std::size_t>(a)] - at_moved[static_cast<std::size_t>(a)]) / apart;
     }
     if (!derivative_.allFinite()) return false;
     order_.resize(static_cast<std::size_t>(n));
