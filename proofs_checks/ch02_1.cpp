@@ -706,7 +706,7 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
           rate(theta_rate(time)).coordinates.transpose();
       response[i] = L(varied_tangent(family, t)).part[0];
     }
-    // A system of random rows of up to 18 unknowns loses a few digits.
+    // A system of random rows of up to 18 unknowns costs a few digits.
     double const condition = 1e4;
     Vector<S> const found = solve_linear(rows, response, "variations must be independent");
 

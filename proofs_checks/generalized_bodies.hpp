@@ -100,8 +100,9 @@ struct TraceLagrangian {
     return sum;
   }
 };
-/// Another discrete Lagrangian of the same body, by Cayley's chart in place of the logarithm: \f$\ell(f) = \tfrac12\xi^TA\xi\f$ with \f$f = \mathrm{cay}(\xi)\f$. A control: it keeps
-/// the Casimirs of its own bracket and nothing else.
+/// Another discrete Lagrangian of the same body, by Cayley's chart in place of the logarithm:
+/// \f$\ell(f) = \tfrac12\xi^TA\xi\f$ with \f$f = \mathrm{cay}(\xi)\f$. A control: it preserves the Casimirs
+/// of its own bracket and nothing else.
 template <class S>
 struct ChartLagrangian {
   Matrix<S> a;

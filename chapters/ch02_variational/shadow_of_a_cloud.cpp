@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   std::vector<double> angle, above, below;
   for (double q = -3.3; q < 3.3; q += 0.02)
     angle.push_back(q), above.push_back(2 * std::abs(std::cos(q / 2))), below.push_back(-above.back());
-  double kept = 0, grown = 0;
+  double preserved = 0, grown = 0;
   for (bool const flow : {true, false}) {
     auto plot = book::Plot("angle, radians", "momentum").size(700, 450).x_range(-3.3, 3.3).y_range(-2.2, 2.2);
     plot.curve(angle, above, "between swinging and going over", {.colour = 6, .width = 1, .dashed = true});
@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
       q[edge] = q[0], p[edge] = p[0];
       plot.curve(std::span(q).first(edge + 1), std::span(p).first(edge + 1), "time " + book::number(epoch * apart), {.colour = epoch + 1});
       double const change = std::abs(shadows(pendulum, rim(cloud)) / area - 1);
-      (flow ? kept : grown) = std::max(flow ? kept : grown, change);
+      (flow ? preserved : grown) = std::max(flow ? preserved : grown, change);
     }
     program.picture(flow ? "flow" : "euler", plot.svg(),
                     flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is sheared and bent; "
@@ -64,13 +64,13 @@ int main(int argc, char** argv) {
                          : "The same cloud under explicit Euler with steps of 0.2. Its area grows, and part of it has "
                            "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
   }
-  program.figure("kept", kept, "largest change of the area, relative");
+  program.figure("kept", preserved, "largest change of the area, relative");
   program.figure("grown", grown, "the same under explicit Euler");
 
   // 3. What must be so. Runge-Kutta is of order 4.
   double const h = 0.005;
-  program.claim(kept < std::pow(h, 4), "the area of the cloud stays as it is");
+  program.claim(preserved < std::pow(h, 4), "the area of the cloud stays as it is");
   program.claim(grown > 0.4, "under explicit Euler it grows by more than two fifths");
-  program.headline("area of a cloud preserved to " + book::number(kept, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", kept);
+  program.headline("area of a cloud preserved to " + book::number(preserved, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", preserved);
   return program.finish();
 }

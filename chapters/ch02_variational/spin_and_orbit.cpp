@@ -62,7 +62,7 @@ Motion reduced(Motion const& m) {
 Motion wrong_side(Motion const& m) {
   return {m.R * SO<3>::hat(m.Omega), euler_poincare_acceleration_right(l, body(m.Omega)).coordinates};
 }
-Motion unreduced(Motion const& m) {  // here the velocity is carried to the identity on the right, as on TG
+Motion unreduced(Motion const& m) {  // here the velocity is translated to the identity on the right, as on TG
   State<SO<3>, double> const state{{{}, m.R}, body(m.Omega)};
   return {SO<3>::hat(m.Omega) * m.R, lagrange_acceleration(L, state).coordinates};
 }

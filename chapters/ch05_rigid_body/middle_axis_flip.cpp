@@ -3,8 +3,8 @@
 // What is shown. The time between two flips comes out right to second order in the step. At a coarse step, half a radian, the scheme is 8 % off in
 // that time, and stays so: momentum and energy are conserved to rounding for ever. The classical Runge-Kutta
 // method of order 4 with the same step starts out better and then dissipates momentum and energy a little
-// every step: its T-handle runs down. Given the same running time instead of the same step it loses little,
-// but still steadily.
+// every step: its T-handle runs down. Given the same running time instead of the same step it dissipates
+// little, but still steadily.
 // Read first. The section "Chords instead of arcs" of chapter 5.
 //
 //   I      principal moments, ascending, kg m^2        h     step, s
@@ -171,14 +171,14 @@ double time_between_flips(Run const& run, bool late) {
 // 5. What they conserved, and the time between flips at the start and at the end, each a mean over twenty of
 // them.
 void show_what_was_kept(book::Program& program, Runs const& runs, double flip) {
-  std::vector<book::Program::Row> kept;
+  std::vector<book::Program::Row> conserved;
   auto drift = book::Plot("time, s", "largest change of the energy so far, relative").log_y().size(660, 320).y_range(1e-16, 10);
   for (auto const* run : {&runs.ours, &runs.same_step, &runs.same_cost}) {
-    kept.push_back({run->name, book::number(run->step), book::number(run->energy_drift), book::number(run->casimir_drift), book::number(run->spatial_drift),
+    conserved.push_back({run->name, book::number(run->step), book::number(run->energy_drift), book::number(run->casimir_drift), book::number(run->spatial_drift),
                     book::number(time_between_flips(*run, false)) + " to " + book::number(time_between_flips(*run, true))});
     drift.curve(run->time, run->energy_lost, run->name);
   }
-  program.table("kept", {"method", "step, s", "energy", "amount of momentum", "momentum in space", "time between flips, s"}, kept,
+  program.table("kept", {"method", "step, s", "energy", "amount of momentum", "momentum in space", "time between flips, s"}, conserved,
                 "Largest relative changes over 5000 s, about 2000 flips, and the time between flips at the start and at the end. Exact: " +
                     book::number(flip) + " s.");
   program.picture("drift", drift.svg(), "What the methods do to the energy. Runge-Kutta takes it away, a little every step and always in the same direction.");

@@ -22,8 +22,8 @@ SpannedGroup from_span(std::string const& name, G const& group, Retraction choic
   return SpannedGroup(name, basis, choice);
 }
 
-/// Near the edge of the chart of the logarithm of general matrices, which takes square roots: each loses what the eigenvalue -1 is near. Whole multiples of
-/// the first basis vectors, seen from another frame.
+/// Near the edge of the chart of the logarithm of general matrices, which takes square roots: each cancels as
+/// the eigenvalue comes near to -1. Whole multiples of the first basis vectors, seen from another frame.
 template <Scalar S, Group G>
 std::vector<Edge<S>> edge(G const& group, std::initializer_list<int> multiples) {
   if constexpr (Real<S>) {

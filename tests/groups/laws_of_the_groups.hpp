@@ -112,7 +112,8 @@ void laws_of_small_matrices() {
     heisenberg.push_back({coordinates<Heisenberg, S>(S(10), {5, -9, 20})});
     affine.push_back({coordinates<Aff1, S>(S(3), {0, 5})});
     affine.push_back({coordinates<Aff1, S>(S(-3), {0, 5})});
-    // Turns by 3: the logarithm of general matrices takes square roots, and each loses what the eigenvalue -1 is near.
+    // Turns by 3: the logarithm of general matrices takes square roots, and each cancels as the eigenvalue
+    // comes near to -1.
     special.push_back({coordinates<SL2, S>(S(0), {0, 21, -21}), 100});
     general.push_back({coordinates<GL<2>, S>(S(0), {1, 21, -21, 1}), 100});
   }

@@ -83,4 +83,4 @@ for how in ranks alone; do
 done
 killed no_mpirun mpirun
 
-echo "Six members are the same on one machine and on two ranks; a sweep that loses a rank or mpirun ends."
+echo "Six members are the same on one machine and on two ranks; a sweep whose rank or mpirun dies ends."

@@ -1,7 +1,7 @@
 // G x H of two matrix groups: pairs of elements, as block diagonal matrices.
 //
-// Every operation is done block by block with the operations of the factors, so that their structure, accuracy and refusals are kept. A factor may be a
-// product itself.
+// Every operation is done block by block with the operations of the factors, so that their structure,
+// accuracy and refusals are those of the factors. A factor may be a product itself.
 #pragma once
 
 #include <utility>

@@ -34,7 +34,7 @@ typename Point::Scalar self_adjointness_defect(Space const& space, Family const&
   if (h == S(0)) throw OutsideDomain("self-adjointness defect", "the step must differ from zero", 0, 0);
   require_point(x, "self-adjointness defect: point");
   Point const image = family(h, x);
-  require_image(space, x, there, "self-adjointness defect: image");
+  require_image(space, x, image, "self-adjointness defect: image");
   // [self_adjointness_defect]
   Point const back = family(S(-h), image);
   return detail::distance_in_sizes(space, x, back, "self-adjointness defect: image of the way back");
@@ -57,7 +57,7 @@ typename Point::Scalar reversibility_defect(Space const& space, Map const& map, 
     throw OutsideDomain("reversibility defect", "an involution is needed; twice the reversal leads away by", to_double(twice),
                         to_double(allowed));
   Point const image = map(x);
-  require_image(space, x, there, "reversibility defect: image");
+  require_image(space, x, image, "reversibility defect: image");
   // [reversibility_defect]
   Point const back = reversal(Point(map(Point(reversal(image)))));
   return detail::distance_in_sizes(space, x, back, "reversibility defect: image of the way back");
