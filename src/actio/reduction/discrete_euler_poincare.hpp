@@ -50,8 +50,8 @@ Momentum<G, S> euler_poincare_left(F const& l, Element<G, S> const& f10, Element
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const& f01) {
   // The momentum at the end of the step before is given: solve for the motion that starts with it.
-  auto const end_momentum = left_differential(l, f01);
-  return solve_on_group([&](auto const& f) { return right_differential(l, f) - like(f, end_momentum); }, f01);
+  auto const end_momentum = -left_differential(l, f01);
+  return solve_on_group([&](auto const& f) { return right_differential(l, f) + like(f, end_momentum); }, f01);
 }
 
 /// The next relative motion of a left-invariant system: solves \ref euler_poincare_left for `f21`.
@@ -59,8 +59,8 @@ Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const&
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_left(F const& l, Element<G, S> const& f10) {
-  auto const end_momentum = right_differential(l, f10);
-  return solve_on_group([&](auto const& f) { return left_differential(l, f) - like(f, end_momentum); }, f10);
+  auto const end_momentum = -right_differential(l, f10);
+  return solve_on_group([&](auto const& f) { return left_differential(l, f) + like(f, end_momentum); }, f10);
 }
 
 /// How \f$R_f^*\ell'(f)\f$ changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.

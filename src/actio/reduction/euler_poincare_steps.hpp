@@ -24,14 +24,14 @@ class EulerPoincareStepsRight {
   /// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before the first
   /// @throws NotFinite  where f01 is no number, or l or its derivative there
   EulerPoincareStepsRight(F l, Element<G, S> const& f01)
-      : l_(std::move(l)), motion_(f01), end_momentum_(left_differential(l_, f01)), solver_(f01) {}
+      : l_(std::move(l)), motion_(f01), end_momentum_(-left_differential(l_, f01)), solver_(f01) {}
 
   /// Takes a step: solves \f$R_f^*\ell'(f) = L_{f_{01}}^*\ell'(f_{01})\f$.
   /// @return the next relative motion
   /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
   /// the motion stays where it was
   Element<G, S> const& advance() {
-    motion_ = solver_.solve([&](auto const& f) { return right_differential(l_, f) - like(f, end_momentum_); },
+    motion_ = solver_.solve([&](auto const& f) { return right_differential(l_, f) + like(f, end_momentum_); },
                             motion_);
     end_momentum_ = lie_poisson_update_right(motion_, end_momentum_);
     return motion_;
@@ -39,7 +39,7 @@ class EulerPoincareStepsRight {
   /// The relative motion over the last step.
   Element<G, S> const& relative_motion() const { return motion_; }
   /// \f$\mu_1 = -L_f^*\ell'(f)\f$: the spatial momentum after the last step.
-  Momentum<G, S> momentum() const { return -end_momentum_; }
+  Momentum<G, S> const& momentum() const { return end_momentum_; }
   /// How the last step was solved for.
   Report const& report() const { return solver_.report(); }
 
@@ -59,14 +59,14 @@ class EulerPoincareStepsLeft {
   /// @param f10  relative motion \f$g_1^{-1}g_0\f$ over the step before the first
   /// @throws NotFinite  where f10 is no number, or l or its derivative there
   EulerPoincareStepsLeft(F l, Element<G, S> const& f10)
-      : l_(std::move(l)), motion_(f10), end_momentum_(right_differential(l_, f10)), solver_(f10) {}
+      : l_(std::move(l)), motion_(f10), end_momentum_(-right_differential(l_, f10)), solver_(f10) {}
 
   /// Takes a step: solves \f$L_f^*\ell'(f) = R_{f_{10}}^*\ell'(f_{10})\f$.
   /// @return the next relative motion
   /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
   /// the motion stays where it was
   Element<G, S> const& advance() {
-    motion_ = solver_.solve([&](auto const& f) { return left_differential(l_, f) - like(f, end_momentum_); },
+    motion_ = solver_.solve([&](auto const& f) { return left_differential(l_, f) + like(f, end_momentum_); },
                             motion_);
     end_momentum_ = lie_poisson_update_left(motion_, end_momentum_);
     return motion_;
@@ -74,7 +74,7 @@ class EulerPoincareStepsLeft {
   /// The relative motion over the last step.
   Element<G, S> const& relative_motion() const { return motion_; }
   /// \f$\Pi_1 = -R_f^*\ell'(f)\f$: the body momentum after the last step.
-  Momentum<G, S> momentum() const { return -end_momentum_; }
+  Momentum<G, S> const& momentum() const { return end_momentum_; }
   /// How the last step was solved for.
   Report const& report() const { return solver_.report(); }
 
