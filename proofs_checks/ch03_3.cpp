@@ -517,7 +517,7 @@ namespace {
 
 /// A Lagrangian that shows the configuration at which it is evaluated.
 template <class S>
-struct PlaceFunction {
+struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
   T operator()(State<SpannedGroup, T> const& state) const {
@@ -683,7 +683,7 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
     claim.equal("(q g_k+1^-1)^2 = g_k g_k+1^-1", model, q * inverse(g2) * q * inverse(g2), g1 * inverse(g2));
     claim.equal("as far from g_k as from g_k+1", model, natural_chart_right(g1, q), -natural_chart_right(g2, q));
     // The configuration at which the library's discrete Lagrangian is evaluated.
-    PlaceFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
+    ConfigurationFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
     claim.zero("the configuration at which (3.24) evaluates L", model, S(discretize_right(configuration, h, at_second)(g1, g2) - h * contract(configuration.w, q.value)), size_of(q));
     // Control: the printed root of the product.
     auto const printed = exp(log(g1 * g2) / S(2));

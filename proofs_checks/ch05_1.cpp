@@ -55,7 +55,7 @@ S matrix_pairing(Algebra<S> const& xi, Matrix<S> const& j, Algebra<S> const& eta
 }
 /// A Lagrangian that shows the configuration at which it is evaluated.
 template <class S>
-struct PlaceFunction {
+struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
   T operator()(State<SpannedGroup, T> const& state) const {
@@ -82,7 +82,7 @@ STATEMENT(claim_5_1_base_point, "base point of the chart discretisation, left-in
     claim.equal("as far from g_k as from g_k+1", model, natural_chart_left(g0, q), -natural_chart_left(g1, q));
     claim.equal("the same with the two configurations exchanged", model, base_point(g1, g0), q);
     claim.equal("equivariant under left translations", model, base_point(k * g0, k * g1), k * q);
-    PlaceFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
+    ConfigurationFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
     claim.zero("the configuration at which the library evaluates L", model, S(discretize_left(configuration, h, at_second)(g0, g1) - h * contract(configuration.w, q.value)),
                size_of(q));
     if (!exact_arithmetic<S>()) {

@@ -155,7 +155,7 @@ void show_flip(book::Program& program, Flip const& flip) {
 
 // 7. What must be so. A step has an error of about (h Omega)^5/120, and all of them may add up; a hundredth
 // off the unstable axis
-//    the configuration on the curve is a hundred times as sensitive.
+//    the point on the curve is a hundred times as sensitive.
 void claim_what_must_be_so(book::Program& program, Lost const& off, Flip const& flip) {
   double const allowed = duration / h * std::pow(h * p / I[0], 5) / 120;
   program.claim(off.orbit < allowed && off.energy < allowed, "the momentum stays on its sphere and on its level of the energy");

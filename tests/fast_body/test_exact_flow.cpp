@@ -23,7 +23,7 @@ enum class Road { chosen, series, elliptic };
 
 // A problem in the numbers of S, from a start that is the same real number in all of them. The middle moment is the second.
 template <class S>
-StepParameters<S> drift(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
+StepParameters<S> parameters_on(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
   using std::sqrt;
   Three<S> I;
   S square(0);

@@ -86,15 +86,15 @@ struct FreeMotionSeries {
     hat_of_xi.push_back(l.group.hat(xi.coordinates));
     velocities.push_back(xi.coordinates);
     Coordinates<G, T> next = Coordinates<G, T>::Zero(l.group.dimension());
-    Storage<G, T> configuration = f[0] * T(0);
+    Storage<G, T> motion = f[0] * T(0);
     T power = k == 0 ? T(-energy) : T(0);
     for (int i = 0; i <= k; ++i) {
       next += ad_star_of_xi[i] * pi[k - i];
-      configuration -= hat_of_xi[i] * f[k - i];
+      motion -= hat_of_xi[i] * f[k - i];
       power += velocities[i].dot(pi[k - i]);
     }
     T const by(k + 1);
-    pi.push_back(next / by), f.push_back(configuration / by), action.push_back(power / by);
+    pi.push_back(next / by), f.push_back(motion / by), action.push_back(power / by);
   }
 
  private:

@@ -38,7 +38,7 @@ struct PolynomialPath {
     if (s < 1 || s > 8) throw OutsideDomain("PolynomialPath", "a degree from 1 to 8 is needed", s, s < 1 ? 1 : 8);
     return s;
   }
-  /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s configurations.
+  /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s nodes.
   Dual<S> basis(int nu, S const& time) const {
     int const s = static_cast<int>(final_slope.size());
     Dual<S> x(time), product(S(1));
