@@ -1,4 +1,5 @@
-// The state of a free body on SO(n) between two steps of the natural-chart scheme: momentum, attitude, and the turns of the last steps.
+// The state of a free body on SO(n) between two steps of the natural-chart scheme: momentum, attitude, and
+// the rotation vectors of the last steps.
 #pragma once
 
 #include <array>
@@ -54,7 +55,7 @@ class ChartedBody {
   explicit ChartedBody(int n) : shape_(n), array_size_(detail::full_size(shape_)), numbers_(array_size_ * arrays) {}
   double* array(int k) { return numbers_.data() + array_size_ * static_cast<std::size_t>(k); }
   double const* array(int k) const { return numbers_.data() + array_size_ * static_cast<std::size_t>(k); }
-  /// The turn Z of the last step but k.
+  /// The rotation vector Z of the last step but k.
   double* past(int k) { return array(first_turn_ + (latest_ + k) % longest); }
 
   Eigen::MatrixXd whole(int k) const {
@@ -76,10 +77,10 @@ class ChartedBody {
   detail::Blocked<0> shape_;
   std::size_t array_size_;
   detail::Zeros numbers_;
-  int latest_ = 0, past_ = 0, sweeps_ = 0;  // where the last turn is, how many there are, and what the last one took
+  int latest_ = 0, past_ = 0, sweeps_ = 0;  // where the last rotation vector is, how many there are, and what the last one took
   long steps_ = 0;
   double contraction_ = 1;                  // of the sweeps of the last step
-  double step_ = 0;                         // under which the turns were made
+  double step_ = 0;                         // of the steps with these rotation vectors
   std::size_t continuation_ = 0;            // the index of the one in use among all
 };
 

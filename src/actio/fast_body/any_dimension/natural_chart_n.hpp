@@ -71,7 +71,7 @@ class FastNaturalChart {
   Rotation last_relative_motion(ChartedBody& body) {
     Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
-    equation_.turn().relative_motion(body.past(0), e_.data());
+    equation_.subgroup().relative_motion(body.past(0), e_.data());
     for (int j = 0; j < body.size(); ++j)
       for (int i = 0; i < body.size(); ++i) f.value(i, j) += e_.data()[detail::full_entry(algebra_.shape(), i, j)];
     return f;
@@ -105,7 +105,7 @@ class FastNaturalChart {
     algebra_.scale(1 / unit_, p_.data()), algebra_.scale(step_, p_.data());
     if (!is_finite(algebra_.norm(p_.data()))) throw NotFinite("natural chart: step times body momentum over inertia");
     solve(body);
-    equation_.turn().relative_motion(z_.data(), e_.data());
+    equation_.subgroup().relative_motion(z_.data(), e_.data());
     transport_momentum(body);
     if (with_attitude) {
       double* const attitude = body.array(ChartedBody::attitude_);
@@ -152,7 +152,7 @@ class FastNaturalChart {
     return equation_.by_sweeps(room_.data(), z_.data(), 1, slowest()) && equation_.in_chart(z_.data());
   }
 
-  /// What continues the turns of the past, or the first guess of all.
+  /// The extrapolation of the past rotation vectors, or the first guess of all.
   void guess(ChartedBody& body) {
     if (body.past_ == 0) return equation_.guess(p_.data(), z_.data());
     detail::Weights const& w = detail::all_extrapolations()[body.continuation_];
@@ -171,7 +171,7 @@ class FastNaturalChart {
     detail::turn(algebra_.shape(), m, body.array(ChartedBody::momentum_rest_), em);
   }
 
-  /// The turn of this step becomes the latest of the past.
+  /// The rotation vector of this step becomes the latest of the past.
   void remember(ChartedBody& body) {
     body.latest_ = body.latest_ == 0 ? ChartedBody::longest - 1 : body.latest_ - 1;
     std::copy(z_.data(), z_.data() + algebra_.size(), body.past(0));

@@ -2,7 +2,7 @@
 // subgroup transports.
 //
 // Both are entire functions of the skew matrix Z, and made by products alone: a series over a short piece of the way, and doubling. Nothing has a pole where
-// angles come near half a turn, as the inverse of the mean has.
+// angles come near pi, as the inverse of the mean has.
 #pragma once
 
 #include "actio/fast_body/any_dimension/matrix_algebra.hpp"
@@ -50,7 +50,7 @@ class OneParameterSubgroup {
     }
   }
 
-  /// A bound on the largest angle of the turn: at most \f$(n/2)^{1/4}\f$ times it.
+  /// A bound on the largest angle of the rotation exp(Z): at most \f$(n/2)^{1/4}\f$ times it.
   double angle_bound(double const* z) {
     // The squares of the angles are, twice each, the eigenvalues of Z Z^T.
     algebra_.times_transposed(z, z, product_.data());

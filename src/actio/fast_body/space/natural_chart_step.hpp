@@ -49,7 +49,7 @@ class NaturalChartStep {
       : moments_(moments), gap_{moments[2] - moments[1], moments[0] - moments[2], moments[1] - moments[0]} {}
 
   /// What a rotation of the body over a step came to.
-  struct Turn {
+  struct StepRotation {
     Three<double> v;       ///< rotation vector, body frame
     double angle_squared;  ///< \f$|v|^2\f$
     bool found;            ///< whether v is less than half a turn, on the branch that grows out of the identity
@@ -59,7 +59,7 @@ class NaturalChartStep {
   Three<double> momentum(Three<double> const& v) const { return at(v).p; }
 
   /// The turn of the step that begins with p = h M, by Newton's method from a guess.
-  Turn turn(Three<double> const& p, Three<double> v) const {
+  StepRotation turn(Three<double> const& p, Three<double> v) const {
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 12; ++iteration) {
       Linearization const l = at(v);
@@ -77,8 +77,8 @@ class NaturalChartStep {
   }
 
   /// The same from the identity, along the momenta between 0 and p: finds it wherever the branch leads there.
-  Turn followed(Three<double> const& p) const {
-    Turn reached{{0, 0, 0}, 0, true};
+  StepRotation followed(Three<double> const& p) const {
+    StepRotation reached{{0, 0, 0}, 0, true};
     constexpr int pieces = 32;
     for (int k = 1; k <= pieces; ++k) {
       double const part = static_cast<double>(k) / pieces;

@@ -95,7 +95,7 @@ class NaturalChartSteps {
     return plus(times(3, minus(v1, v2)), v3);
   }
   /// The relative motion of a turn: \f$e-1\f$, so that nothing is lost where it is small.
-  static Four<double> change_of(NaturalChartStep::Turn const& turn) {
+  static Four<double> change_of(NaturalChartStep::StepRotation const& turn) {
     double const half = std::sqrt(turn.angle_squared) / 2, ratio = half > 0 ? std::sin(half) / (2 * half) : 0.5;
     Three<double> const e = times(ratio, turn.v);
     return {-dot(e, e) / (1 + std::cos(half)), e[0], e[1], e[2]};
