@@ -38,10 +38,10 @@ struct PolynomialPath {
     if (s < 1 || s > 8) throw OutsideDomain("PolynomialPath", "a degree from 1 to 8 is needed", s, s < 1 ? 1 : 8);
     return s;
   }
-  /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s places.
-  Dual<S> basis(int nu, S const& at) const {
+  /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s nodes.
+  Dual<S> basis(int nu, S const& time) const {
     int const s = static_cast<int>(final_slope.size());
-    Dual<S> x(at), product(S(1));
+    Dual<S> x(time), product(S(1));
     x.part[0] = S(1);
     for (int m = 0; m <= s; ++m)
       if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
