@@ -138,19 +138,19 @@ Matrix<S, n, k> lowered(Kronecker<n>, Matrix<S, n, k> const& T) {
 namespace detail {
 /// A metric and the point that it is taken at, for a message.
 template <class V>
-std::string metric_at(char const* which, V const& at) {
+std::string metric_at(char const* which, V const& y) {
   std::string text = std::string(which) + " at (";
-  for (Index i = 0; i < at.size(); ++i) text += (i ? ", " : "") + show(to_double(at[i]));
+  for (Index i = 0; i < y.size(); ++i) text += (i ? ", " : "") + show(to_double(y[i]));
   return text + ")";
 }
 }  // namespace detail
 
 /// Refuses a matrix that is not symmetric to rounding, or not positive definite.
-/// @param at  the point, for the message
+/// @param y  the point, for the message
 /// @throws NotAMetric  with the asymmetry over the largest entry, or the pivot of the elimination that is not positive
 template <class S, int n, class V>
-void require_metric(Matrix<S, n, n> const& g, V const& at, char const* which) {
-  auto const where = [&] { return detail::metric_at(which, at); };
+void require_metric(Matrix<S, n, n> const& g, V const& y, char const* which) {
+  auto const where = [&] { return detail::metric_at(which, y); };
   if (!is_finite(g)) throw NotFinite(where());
   Base<S> const size = magnitude(g);
   // Entries come out of a computation: some tens of roundings.
@@ -178,16 +178,16 @@ template <int n, class V>
 void require_metric(Kronecker<n>, V const&, char const*) {}
 
 /// Refuses, over the rationals, a matrix whose volume is irrational.
-/// @param at  the point, for the message
+/// @param y  the point, for the message
 /// @throws NotASquare  with the determinant
 template <class S, int n, class V>
-void require_volume(Matrix<S, n, n> const& g, V const& at, char const* which) {
+void require_volume(Matrix<S, n, n> const& g, V const& y, char const* which) {
   if (exact_arithmetic<S>()) {
     S const square = determinant(g);
     try {
       square_root(base_value(square));
     } catch (NotASquare const& not_a_square) {
-      throw NotASquare(detail::metric_at(which, at), "over a field without all roots the determinant is the square of a number", not_a_square.measured, 0);
+      throw NotASquare(detail::metric_at(which, y), "over a field without all roots the determinant is the square of a number", not_a_square.measured, 0);
     }
   }
 }

@@ -11,7 +11,7 @@ namespace actio {
 
 namespace detail {
 /// Component a: the rate of `f(near_unit(x, v))` along the a-th direction of the algebroid over x.
-template <Groupoid Gamma, Field S, class F>
+template <Groupoid Gamma, Scalar S, class F>
 Fibre<Gamma, S> fibre_differential(Gamma const& gamma, Point<Gamma, Moved<S>> const& x, F const& f, char const* where) {
   auto const d = derivative([&](Fibre<Gamma, Moved<S>> const& v) { return f(gamma.near_unit(x, v)); }, Fibre<Gamma, S>(Fibre<Gamma, S>::Zero(gamma.dimension())));
   require_number(d, where);
@@ -46,12 +46,13 @@ auto legendre_at_source(Gamma const& gamma, L const& l, A const& h) {
   return DualPoint<Gamma, S>{gamma.source(h), -d};
 }
 
-/// What is left of the Lagrange equations on a groupoid: zero where \f$L(g)+L(h)\f$ is stationary among pairs with the product gh, and only there.
+/// The residual of the Lagrange equations on a groupoid: zero where \f$L(g)+L(h)\f$ is stationary among pairs
+/// with the product gh, and only there.
 ///
 /// \f[ \tilde\beta(dL(g)) - \tilde\alpha(dL(h)), \qquad \beta(g) = \alpha(h) \f]
 ///
 /// On \f$G\times G\f$ this is (3.2), on G it is minus (3.10) with \f$g = f_{01}\f$, \f$h = f_{12}\f$, and on the opposite of G it is minus (3.11) with \f$g = f_{10}\f$, \f$h = f_{21}\f$:
-/// \f$g_0g_1^{-1}\f$ turns pairs into group elements and products into products, but leads from the later place to the earlier, so that a velocity changes its sign.
+/// \f$g_0g_1^{-1}\f$ turns pairs into group elements and products into products, but leads from the later configuration to the earlier, so that a velocity changes its sign.
 /// \implements{def_4_1_1}
 /// @param g, h  composable: the target of g is the source of h
 /// @return      covector on the fibre of the algebroid over the point where they meet

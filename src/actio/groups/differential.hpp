@@ -65,7 +65,7 @@ Coordinates<G, Moved<S>> infinitesimals(G const& group, int first) {
 }
 
 /// \f$(1 + \sum_a\varepsilon_a e_{first+a})\,g\f$: g moved on the left by infinitesimals, one for each direction of a batch.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, Moved<S>> moved_left(Element<G, S> const& g, int first) {
   Storage<G, Moved<S>> value = g.value.template cast<Moved<S>>();
   if constexpr (moves_by_matrices<G, S>) {
@@ -79,7 +79,7 @@ Element<G, Moved<S>> moved_left(Element<G, S> const& g, int first) {
   return {g.group, value};
 }
 /// \f$g\,(1 + \sum_a\varepsilon_a e_{first+a})\f$: g moved on the right.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, Moved<S>> moved_right(Element<G, S> const& g, int first) {
   Storage<G, Moved<S>> value = g.value.template cast<Moved<S>>();
   if constexpr (moves_by_matrices<G, S>) {
@@ -119,7 +119,7 @@ void over_batches(int dimension, Visit const& visit) {
 /// @return   covector at the identity
 /// @throws NotFinite  where l or its derivative at g is no number
 /// Exact up to rounding.
-template <Group G, Field S, FunctionOnGroup<G, Moved<S>> F>
+template <Group G, Scalar S, FunctionOnGroup<G, Moved<S>> F>
 Momentum<G, S> right_differential(F const& l, Element<G, S> const& g) {
   int const n = g.group.dimension();
   Momentum<G, S> d{g.group, Coordinates<G, S>(n)};
@@ -134,7 +134,7 @@ Momentum<G, S> right_differential(F const& l, Element<G, S> const& g) {
 /// \f$L_g^*\,l'(g)\f$: the differential of l at g, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}l(g\,e^{\epsilon\vartheta})\f$.
 ///
 /// Equal to \f$\mathrm{Ad}^*_g\,R_g^*\,l'(g)\f$. Parameters and accuracy as in \ref right_differential.
-template <Group G, Field S, FunctionOnGroup<G, Moved<S>> F>
+template <Group G, Scalar S, FunctionOnGroup<G, Moved<S>> F>
 Momentum<G, S> left_differential(F const& l, Element<G, S> const& g) {
   int const n = g.group.dimension();
   Momentum<G, S> d{g.group, Coordinates<G, S>(n)};
@@ -147,7 +147,7 @@ Momentum<G, S> left_differential(F const& l, Element<G, S> const& g) {
 }
 
 /// \f$\partial l/\partial\xi\f$ of a function on the algebra: a covector.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> gradient(F const& l, Velocity<G, S> const& xi) {
   auto const d = derivative([&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T { return l(Velocity<G, T>{xi.group, moved}); }, xi.coordinates);
   require_number(d, "gradient");
@@ -155,7 +155,7 @@ Momentum<G, S> gradient(F const& l, Velocity<G, S> const& xi) {
 }
 
 /// \f$\partial h/\partial\mu\f$ of a function on the dual of the algebra: a velocity.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Velocity<G, S> gradient(F const& h, Momentum<G, S> const& mu) {
   auto const d = derivative([&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T { return h(Momentum<G, T>{mu.group, moved}); }, mu.components);
   require_number(d, "gradient");

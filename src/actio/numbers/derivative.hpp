@@ -71,7 +71,7 @@ auto value_and_rate(Y const& y) {
 }  // namespace detail
 
 /// A number as a variable: \f$t + \epsilon\f$ with an infinitesimal \f$\epsilon\f$.
-template <Field S>
+template <Scalar S>
 Dual<S> variable(S const& t) {
   Dual<S> moved(t);
   moved.part[0] = S(1);
@@ -82,7 +82,7 @@ Dual<S> variable(S const& t) {
 /// @param f  a callable on numbers, over any scalar; its values are numbers, vectors or matrices
 /// @param t  where, a plain number or one over dual numbers
 /// Accuracy: exact but for the rounding of f.
-template <class F, Field S>
+template <class F, Scalar S>
 auto derivative(F const& f, S const& t) {
   return detail::value_and_rate<Dual<S>>(f(variable(t)));
 }

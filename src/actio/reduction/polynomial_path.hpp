@@ -38,8 +38,8 @@ struct PolynomialPath {
     if (s < 1 || s > 8) throw OutsideDomain("PolynomialPath", "a degree from 1 to 8 is needed", s, s < 1 ? 1 : 8);
     return s;
   }
-  /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s places.
-  ValueAndRate<S> basis(int nu, S const& at) const {
+  /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s nodes.
+  ValueAndRate<S> basis(int nu, S const& time) const {
     int const s = static_cast<int>(final_slope.size());
     return derivative(
         [&]<class T>(T const& x) {
@@ -48,7 +48,7 @@ struct PolynomialPath {
             if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
           return product;
         },
-        at);
+        time);
   }
 };
 

@@ -83,7 +83,7 @@ std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule cons
     }
     auto const steps = [=](auto const& momentum, auto const& attitude, double h) {
       FreeBody const body(inertia, momentum, attitude);
-      return FreeSteps(body, h, body.moser_veselov_flight(h, order));
+      return FreeSteps(body, h, body.moser_veselov_parameters(h, order));
     };
     return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step, scene.inertia);
   } catch (StepTooLong const& error) {
