@@ -45,14 +45,14 @@ S jacobian(Kronecker<n>, Kronecker<n>, Matrix<S, n, n> const& F) {
   return determinant(F);
 }
 
-namespace detail {
+/// Refuses a deformation that turns the body inside out, or flat.
+/// @param which  who asks, for the message
 /// @throws NotOrientationPreserving  with J, where it is not positive
 template <class S, int n>
 void require_orientation(S const& J, Matrix<S, n, 1> const& x, char const* which) {
   if (ordered_arithmetic<S>() && !(base_value(J) > Base<S>(0)))
-    throw NotOrientationPreserving(std::string(which) + " at x = " + shown(x), "the Jacobian of a motion is positive", to_double(J), 0);
+    throw NotOrientationPreserving(std::string(which) + " at x = " + show(x), "the Jacobian of a motion is positive", to_double(J), 0);
 }
-}  // namespace detail
 
 /// The Green deformation tensor \f$C_{ij} = g_{ab}F^a{}_iF^b{}_j\f$ (6.2), the metric of space pulled back to the body.
 ///
@@ -122,7 +122,7 @@ struct Continuum {
     require_volume(G, x, "metric of the body");
     S const mass = rho(x);
     if (ordered_arithmetic<S>() && !(base_value(mass) > Base<S>(0)))
-      throw NotAMassDensity("mass density at x = " + detail::shown(x), "mass is positive", to_double(mass), 0);
+      throw NotAMassDensity("mass density at x = " + show(x), "mass is positive", to_double(mass), 0);
     if constexpr (requires { W.examine(x, G, g, j.gradient()); }) W.examine(x, G, g, j.gradient());
   }
 };

@@ -41,7 +41,7 @@ struct Barotropic {
   template <class BodyMetric, class SpaceMetric, class S, int n>
   void examine(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) const {
     require_volume(g, x, "metric of the space at the place of x =");
-    detail::require_orientation(S(jacobian(G, g, F)), x, "fluid");
+    require_orientation(S(jacobian(G, g, F)), x, "fluid");
   }
 };
 template <class Law>
@@ -127,9 +127,9 @@ struct OfGreenTensor {
   void examine(Matrix<S, n, 1> const& x, BodyMetric const&, SpaceMetric const& g, Matrix<S, N, n> const& F) const {
     if constexpr (requires { Law::resists_collapse; }) {
       if constexpr (n == N)
-        detail::require_orientation(S(determinant(F)), x, "solid");
+        require_orientation(S(determinant(F)), x, "solid");
       else
-        detail::require_orientation(S(determinant(green_tensor(g, F))), x, "solid");
+        require_orientation(S(determinant(green_tensor(g, F))), x, "solid");
     }
   }
 };

@@ -83,7 +83,7 @@ Matrix<S, n, n> cauchy_stress(Medium const& medium, Jet<S, n, n> const& j) {
   auto const g = medium.g(j.y);
   require_volume(g, j.y, "metric of the space");
   S const J = jacobian(medium.G(x), g, j.gradient());
-  detail::require_orientation(J, x, "cauchy_stress");
+  require_orientation(J, x, "cauchy_stress");
   // [eq_6_14]
   Matrix<S, n, n> const stress = partial_g(medium, j) * S(S(2) * medium.rho(x) / J);
   // [eq_6_14]

@@ -39,7 +39,7 @@ struct VolumeConstraint {
     Matrix<S, n, 1> const x = j.particle();
     require_metric(G(x), x, "metric of the body");
     require_metric(g(j.y), j.y, "metric of the space");
-    detail::require_orientation(volume_ratio(j), x, "volume constraint");
+    require_orientation(volume_ratio(j), x, "volume constraint");
   }
 };
 template <class BodyMetric, class SpaceMetric>

@@ -21,15 +21,13 @@ struct NoDerivative : NotFinite {
   using NotFinite::NotFinite;
 };
 
-namespace detail {
-/// Coordinates for a message.
+/// Coordinates for a message: numbers in parentheses.
 template <MatrixLike V>
-std::string shown(V const& v) {
+std::string show(V const& v) {
   std::string text = "(";
   for (Index i = 0; i < v.size(); ++i) text += (i ? ", " : "") + show(to_double(v(i)));
   return text + ")";
 }
-}  // namespace detail
 
 /// Asks a density, a constraint or a medium whether it is defined at a jet: its member `examine(jet)`, where it has one, refuses.
 ///
@@ -47,7 +45,7 @@ template <MatrixLike M, class S, int n, int N>
 void require_derivative(M const& derivative, Jet<S, n, N> const& jet, char const* where) {
   if constexpr (!is_exact<S>)
     if (!is_finite(derivative))
-      throw NoDerivative(std::string(where) + " at x = " + detail::shown(jet.x) + ", y = " + detail::shown(jet.y) + ": the density has no derivative there");
+      throw NoDerivative(std::string(where) + " at x = " + show(jet.x) + ", y = " + show(jet.y) + ": the density has no derivative there");
 }
 
 /// The partial derivatives \f$\partial L/\partial x^\mu\f$ of a density at a jet, with y and v held: not the \ref total_derivative.

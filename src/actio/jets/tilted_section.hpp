@@ -33,7 +33,7 @@ auto tilted_jet(Map const& map, Matrix<S, rows, 1> const& u) {
   Matrix<S, rows, rows> const DX = D_map.template topRows<rows>();
   TiltedJet<S, n, N> tilted{{image.template head<rows>(), image.template tail<N>(), {}}, determinant(DX)};
   if (!(base_value(tilted.stretch) > Base<S>(0)))
-    throw NotAnEmbedding("tilted_jet at u = " + detail::shown(u), "a tilted section covers an embedding that keeps the orientation; determinant",
+    throw NotAnEmbedding("tilted_jet at u = " + show(u), "a tilted section covers an embedding that keeps the orientation; determinant",
                          to_double(tilted.stretch), 0);
   tilted.jet.v = D_map.template bottomRows<N>() * inverse_matrix(DX, "tilted_jet");
   return tilted;

@@ -76,7 +76,7 @@ auto inverse_of_tangent(M const& block, char const* which, X const& at) {
   try {
     return inverse_matrix(block, which);
   } catch (Singular const& e) {
-    throw Singular(std::string(which) + " at " + shown(at), "an automorphism has a tangent map with an inverse; pivot over the terms it is made from", e.measured, e.bound);
+    throw Singular(std::string(which) + " at " + show(at), "an automorphism has a tangent map with an inverse; pivot over the terms it is made from", e.measured, e.bound);
   }
 }
 
@@ -108,7 +108,7 @@ template <class Eta, class S, int n, int N>
 DualJet<S, n, N> dual_prolongation(Eta const& eta, DualJet<S, n, N> const& z) {
   auto const d = tangent<n, N>(eta, z.x, z.y);
   S const det = determinant(d.base);
-  if (base_value(det) == Base<S>(0)) throw Singular("dual_prolongation at " + detail::shown(z.x), "an automorphism has a tangent map with an inverse; determinant", 0, 0);
+  if (base_value(det) == Base<S>(0)) throw Singular("dual_prolongation at " + show(z.x), "an automorphism has a tangent map with an inverse; determinant", 0, 0);
   Matrix<S, N, n + 1> const q = detail::inverse_of_tangent(d.fibre, "dual_prolongation", z.x).transpose() * z.p;
   S Pi = z.Pi;
   for (int mu = 0; mu <= n; ++mu)

@@ -21,9 +21,9 @@ template <class Metric, class Field, class S, int N>
 void require_killing(Metric const& g, Field const& k, Matrix<S, N, 1> const& y, Base<S> const& rate) {
   Base<S> const found = magnitude(lie_derivative(g, k, y));
   Base<S> const bound = Base<S>(256 * N) * epsilon<S>();
-  if (!is_finite(found)) throw NotFinite("Killing field at y = " + detail::shown(y));
+  if (!is_finite(found)) throw NotFinite("Killing field at y = " + show(y));
   if (found > bound * rate)
-    throw NotKilling("field at y = " + detail::shown(y), "an isometry preserves the metric; Lie derivative over the rates of the field", rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found), to_double(bound));
+    throw NotKilling("field at y = " + show(y), "an isometry preserves the metric; Lie derivative over the rates of the field", rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found), to_double(bound));
 }
 
 /// The rotation \f$k^a = A^a{}_by^b\f$ of flat space about the origin, A skew; with `shift` a translation too.

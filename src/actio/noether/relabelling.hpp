@@ -48,9 +48,9 @@ void require_divergence_free(Metric const& G, Xi const& xi, Matrix<S, n, 1> cons
   Base<S> const found = magnitude(divergence(G, xi, x));
   // Derivatives of a potential, of a volume and of their quotient: some tens of roundings for each of n terms.
   Base<S> const bound = Base<S>(256 * n) * epsilon<S>();
-  if (!is_finite(found)) throw NotFinite("relabelling field at x = " + detail::shown(x));
+  if (!is_finite(found)) throw NotFinite("relabelling field at x = " + show(x));
   if (found > bound * rate)
-    throw NotDivergenceFree("relabelling field at x = " + detail::shown(x), "a relabelling preserves the volume of the body; divergence over the rates of the field", rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found),
+    throw NotDivergenceFree("relabelling field at x = " + show(x), "a relabelling preserves the volume of the body; divergence over the rates of the field", rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found),
                             to_double(bound));
 }
 
