@@ -20,8 +20,8 @@ using namespace scene;
 
 namespace {
 
-LibraryBody const& body_named(std::string const& name) {
-  LibraryBody const* const body = find_body(name);
+Body const& body_named(std::string const& name) {
+  Body const* const body = find_body(name);
   if (!body)
     throw SceneError({"actio new"}, fmt::format("unknown body '{}'{} (actio list bodies)", shown(name),
                                                 did_you_mean(name, names_of_bodies())));
@@ -37,7 +37,7 @@ std::string scene_of(std::string const& name, std::string const& body) {
     throw SceneError({"actio new"},
                      "--body belongs to a system, as in actio new rigid_body --body " + shown(body));
   if (NamedScene const* const carried = find_scene(name)) return std::string(carried->text);
-  if (LibraryBody const* const of = find_body(name)) return scene_template(*find_system("rigid_body"), of);
+  if (Body const* const of = find_body(name)) return scene_template(*find_system("rigid_body"), of);
   std::vector<std::string> known;
   for (auto const* const list : {"systems", "scenes", "bodies"})
     for (auto const& one : names_in(list)) known.push_back(one);

@@ -27,8 +27,8 @@ GivenInertia read_inertia(SceneTable const& system) {
 GivenInertia read_body_or_inertia(SceneTable const& system) {
   if (system.has("body") && system.has("inertia")) system.fail("inertia", "body and inertia exclude each other: a body of the library has its inertia with it");
   if (!system.has("body")) return read_inertia(system);
-  LibraryBody const& body = *find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"));
-  return {body.inertia, body.axes, !body.axes.isIdentity(0)};
+  Body const& body = *find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"));
+  return {body.principal.inertia, body.principal.axes, !body.principal.axes.isIdentity(0)};
 }
 
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks) {
