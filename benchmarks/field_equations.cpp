@@ -6,8 +6,8 @@
 // beside them. Started with the word `--count` the program goes over the points once with each contestant and does no more, for valgrind to count.
 #include <array>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/jets/elastic_equation.hpp"
+#include "witness/draw.hpp"
+#include "actio/continuum/elastic_equation.hpp"
 #include "benchmark.hpp"
 #include "callgrind.hpp"
 #include "timing.hpp"

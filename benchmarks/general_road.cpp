@@ -7,8 +7,8 @@
 // turns, so that a busy machine slows all; what is claimed is judged by the best tenth of the rounds of each.
 #include <memory>
 
-#include "actio/foundations/groups/linear_groups.hpp"
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/linear_groups.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/euler_poincare_steps.hpp"
 #include "actio/reduction/galerkin.hpp"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "actio/free_body/free_steps.hpp"
+#include "actio/fast_body/space/free_steps.hpp"
 #include "benchmark.hpp"
 #include "callgrind.hpp"
 

@@ -1,6 +1,6 @@
 // Work and precision on the heavy top: Kovalevskaya's, as a Lagrangian with an advected vector, beside GSL,
 // odeint and Runge-Kutta on the equations of Euler and Poisson.
-#include "actio/foundations/predictor_corrector.hpp"
+#include "actio/groups/predictor_corrector.hpp"
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/heavy_top.hpp"

@@ -1,6 +1,6 @@
 // Work and precision on SE(3): a body in still water (Kirchhoff) as a Lagrangian of one's own, beside GSL,
 // odeint and Runge-Kutta on its equations.
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
 #include "road_precision.hpp"

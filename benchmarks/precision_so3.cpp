@@ -1,6 +1,6 @@
 // Work and precision on SO(3): a free body as a Lagrangian of one's own, beside GSL, odeint and Runge-Kutta
 // on Euler's equations.
-#include "actio/foundations/groups/rotations.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
 #include "road_precision.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "actio/reduction/composition.hpp"
-#include "actio/free_body/torqued_batch.hpp"
+#include "actio/fast_body/space/torqued_batch.hpp"
 #include "benchmark.hpp"
 #include "timing.hpp"
 

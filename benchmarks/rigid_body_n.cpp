@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "actio/large_body/moser_veselov_n.hpp"
+#include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 #include "benchmark.hpp"
 #include "peers/riccati.hpp"
 #include "timing.hpp"

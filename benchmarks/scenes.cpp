@@ -13,7 +13,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "actio/free_body/free_steps.hpp"
+#include "actio/fast_body/space/free_steps.hpp"
 #include "actio/scene/run.hpp"
 #include "benchmark.hpp"
 #include "callgrind.hpp"

@@ -2,8 +2,8 @@
 //
 // The motion is phi(t, X) = A(t) X with A in SL(n), the drop the unit ball. Part II knows it as a section with a pressure, m/2 (1 - |X|^2). Part I knows it as a motion of a
 // group whose Lagrangian is invariant but for the vector A A^T that is carried along, and discretizes it.
-#include "actio/foundations/groups/special_linear.hpp"
-#include "actio/foundations/taylor_reference.hpp"
+#include "actio/groups/special_linear.hpp"
+#include "witness/taylor_reference.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "actio/reduction/advected.hpp"

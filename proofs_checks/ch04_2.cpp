@@ -1,6 +1,6 @@
 // Section 4.2, first part: invariant generating functions, the classical equation, and the system on the dual algebra that a discrete Lagrangian makes.
 
-#include "actio/foundations/taylor.hpp"
+#include "actio/numbers/taylor.hpp"
 #include "actio/groupoid/generating_function.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groupoid/hamilton_jacobi.hpp"

@@ -1,6 +1,6 @@
 // Section 8.2: the density of an incompressible medium, its momenta and what its Legendre transformation loses.
 
-#include "actio/foundations/rank.hpp"
+#include "actio/numbers/rank.hpp"
 
 #include "incompressible_models.hpp"
 #include "statement.hpp"

@@ -1,7 +1,7 @@
 // Section 9.1: the relabelling action, its prolongations and equivariance.
 
 #include "actio/jets/action.hpp"
-#include "actio/jets/stresses.hpp"
+#include "actio/continuum/stresses.hpp"
 #include "actio/noether/isometries.hpp"
 #include "actio/noether/time_translation.hpp"
 

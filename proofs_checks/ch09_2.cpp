@@ -1,7 +1,7 @@
 // Section 9.2: translations of time and the continuity of energy.
 #include "fields.hpp"
 
-#include "actio/jets/stresses.hpp"
+#include "actio/continuum/stresses.hpp"
 #include "actio/noether/time_translation.hpp"
 #include "statement.hpp"
 #include "symmetries.hpp"

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/square_root.hpp"
+#include "witness/draw.hpp"
+#include "actio/numbers/square_root.hpp"
 #include "witness/number.hpp"
 
 namespace actio::checks {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "actio/jets/materials.hpp"
+#include "actio/continuum/materials.hpp"
 #include "claim.hpp"
 
 namespace actio::checks {

@@ -1,7 +1,7 @@
 // Continuous media for the checks of chapter 6: any metrics, any mass, and a stored energy of the most general form, of a fluid, or of a solid.
 #pragma once
 
-#include "actio/jets/continuum_equations.hpp"
+#include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "fields.hpp"
 

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "actio/foundations/groups/linear_groups.hpp"
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/groups/affine_line.hpp"
-#include "actio/foundations/groups/spanned_group.hpp"
-#include "actio/foundations/groups/unipotent_groups.hpp"
+#include "actio/groups/linear_groups.hpp"
+#include "actio/groups/motions.hpp"
+#include "actio/groups/affine_line.hpp"
+#include "actio/groups/spanned_group.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/discrete_euler_poincare.hpp"
 #include "actio/variational/state.hpp"

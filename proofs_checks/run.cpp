@@ -22,7 +22,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "actio/foundations/square_root.hpp"
+#include "actio/numbers/square_root.hpp"
 #include "book/json.hpp"
 #include "statement.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "actio/foundations/taylor_reference.hpp"
+#include "witness/taylor_reference.hpp"
 #include "actio/variational/state.hpp"
 #include "models.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "fields.hpp"
 
-#include "actio/foundations/wedge.hpp"
+#include "actio/forms/wedge.hpp"
 #include "actio/jets/cartan.hpp"
 #include "actio/jets/prolongation.hpp"
 #include "actio/jets/tilted_section.hpp"

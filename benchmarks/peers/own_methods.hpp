@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "actio/rigid_body/body_in_motion.hpp"
-#include "actio/free_body/free_steps.hpp"
+#include "actio/fast_body/space/free_steps.hpp"
 #include "peers/preprocessed_moser_veselov.hpp"
 
 namespace peers {

@@ -11,7 +11,7 @@
 
 #include <stdexcept>
 
-#include "actio/free_body/modified_inertia.hpp"
+#include "actio/fast_body/space/modified_inertia.hpp"
 #include "peers/quaternion.hpp"
 
 namespace peers {

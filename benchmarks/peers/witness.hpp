@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "actio/foundations/taylor_reference.hpp"
+#include "witness/taylor_reference.hpp"
 #include "peers/stepper.hpp"
 
 namespace peers {

@@ -9,7 +9,7 @@
 //   Omega  body velocity R^-1 R', 1/s                  l     the same on the algebra, a function of Omega
 //   Pi     body momentum dl/dOmega, J s                mu    spatial momentum, Pi = Ad*_R mu
 //   h      step of the Runge-Kutta method, s           I     moments of inertia, kg m^2
-#include "actio/foundations/groups/rotations.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/euler_poincare.hpp"
 #include "book/plot.hpp"

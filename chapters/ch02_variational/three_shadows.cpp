@@ -10,7 +10,7 @@
 //            number that carries its tangent
 #include <algorithm>
 
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/variational/euler_poincare.hpp"
 #include "book/plot.hpp"
 #include "cloud.hpp"

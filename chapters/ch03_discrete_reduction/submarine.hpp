@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/variational/euler_poincare.hpp"
 
 using Vector6d = actio::Matrix<double, 6, 1>;

@@ -9,7 +9,7 @@
 //   g        place in SE(3), body to space            l     Lagrangian on the algebra, J; reduced discrete Lagrangian, J s
 //   f        relative motion g1^-1 g0                 L     discrete Lagrangian on pairs of places, l(g1^-1 g0)
 //   xi       turning and gliding                      h     step, s
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/reduction/discrete_forms.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"

@@ -8,8 +8,8 @@
 //   I      principal moments, kg m^2                      S     generating function, J s
 //   M      body momentum, kg m^2/s                        f     relative motion g1^-1 g0
 //   l      Lagrangian of the free body, J                 h     step, s
-#include "actio/foundations/groups/rotations.hpp"
-#include "actio/foundations/reference_solution.hpp"
+#include "actio/groups/rotations.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

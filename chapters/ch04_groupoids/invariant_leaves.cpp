@@ -8,8 +8,8 @@
 //
 //   f      relative motion g1^-1 g0           l    reduced discrete Lagrangian Tr((1 - f) Lambda)/h, J s
 //   pi     body momentum -L*_f l'(f), J s     C    Tr(f Lambda f Lambda), the Casimir (5.10)
-#include "actio/foundations/forms.hpp"
-#include "actio/foundations/groups/rotations.hpp"
+#include "actio/forms/forms.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/groupoid/poisson_on_group.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "book/plot.hpp"

@@ -7,7 +7,7 @@
 //
 //   Pi     momentum as the body feels it, J s       h      step, s
 //   I      principal moments of inertia, kg m^2
-#include "actio/foundations/groups/rotations.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/instruments/reversibility_defect.hpp"

@@ -7,8 +7,8 @@
 //
 //   Pi     momentum as the body feels it       h      step, s
 //   p      costate: attitude and momentum in space     defects   0 for what is kept, at most 1 where nothing cancels
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/rotations.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/momentum_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"

@@ -5,8 +5,8 @@
 // functions, and they agree. Again three maps keep the orbit and are not Poisson. Read first. judging_integrators.
 //
 //   Pi, P   momenta of turning and of gliding, as the body feels them        h      step, s
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/motions.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "actio/instruments/reversibility_defect.hpp"

@@ -7,8 +7,8 @@
 //
 //   theta, phi   angle from the downward vertical, azimuth      R, gamma   attitude of the top, the vertical in its body
 //   h            step, s; every Lagrangian is an action, J s
-#include "actio/foundations/groups/rotations.hpp"
-#include "actio/foundations/groups/unipotent_groups.hpp"
+#include "actio/groups/rotations.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/groupoid/action_groupoid.hpp"
 #include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"

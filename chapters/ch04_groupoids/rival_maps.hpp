@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
-#include "actio/foundations/groups/rotations.hpp"
-#include "actio/foundations/groups/unipotent_groups.hpp"
+#include "actio/groups/rotations.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/instruments/implicit_map.hpp"
 
 namespace rivals {

@@ -1,7 +1,7 @@
 // What the programs that judge rival_maps.hpp have in common: the order of a map, the worst of a sample, and how a defect is written.
 #pragma once
 
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/reference_solution.hpp"
 #include "book/measure.hpp"
 #include "book/program.hpp"
 #include "rival_maps.hpp"

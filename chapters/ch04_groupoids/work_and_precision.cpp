@@ -7,9 +7,9 @@
 //
 //   l        Lagrangian on the algebra              Pi    body momentum
 //   I, b     inertia; momentum of a wheel inside    h     step
-#include "actio/foundations/groups/linear_groups.hpp"
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/taylor_reference.hpp"
+#include "actio/groups/linear_groups.hpp"
+#include "actio/groups/motions.hpp"
+#include "witness/taylor_reference.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
 #include "book/measure.hpp"

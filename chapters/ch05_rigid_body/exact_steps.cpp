@@ -11,8 +11,8 @@
 #include <Eigen/Geometry>
 
 #include "actio/bodies/body_catalogue.hpp"
-#include "actio/free_body/euler_series.hpp"
-#include "actio/free_body/free_steps.hpp"
+#include "witness/euler_series.hpp"
+#include "actio/fast_body/space/free_steps.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

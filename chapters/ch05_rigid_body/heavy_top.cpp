@@ -8,7 +8,7 @@
 //
 //   Omega, Pi   body velocity, rad/s, and body momentum, J s     p     weight times centre of mass, J
 //   Gamma       the vertical as the body sees it                 u     height of the axis, cosine of its angle with the vertical
-#include "actio/foundations/taylor_reference.hpp"
+#include "witness/taylor_reference.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

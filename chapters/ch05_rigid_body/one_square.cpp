@@ -11,7 +11,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "actio/large_body/moser_veselov_n.hpp"
+#include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"

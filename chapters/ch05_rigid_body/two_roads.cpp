@@ -7,7 +7,7 @@
 //
 //   g      attitude, body to space                h     step, s
 //   f      relative motion g1^-1 g0               p, q, r  body rates, degrees per second
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"

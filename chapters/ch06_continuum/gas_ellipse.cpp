@@ -7,9 +7,9 @@
 // Dirichlet, Ovsyannikov and Dyson found the solution; graded_body.hpp has the three lines that prove it.
 #include <numbers>
 
-#include "actio/foundations/draw.hpp"
+#include "witness/draw.hpp"
 #include "actio/jets/field_equations.hpp"
-#include "actio/jets/stresses.hpp"
+#include "actio/continuum/stresses.hpp"
 #include "book/plot.hpp"
 #include "gas_ellipse.hpp"
 

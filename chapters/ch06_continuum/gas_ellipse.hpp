@@ -5,7 +5,7 @@
 //   A'' = b (det A)^(1-gamma) A^-T,   b = 2 K gamma/(gamma-1).
 #pragma once
 
-#include "actio/jets/materials.hpp"
+#include "actio/continuum/materials.hpp"
 #include "graded_body.hpp"
 
 struct EllipticGas {

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <vector>
 
-#include "actio/foundations/taylor_reference.hpp"
-#include "actio/jets/continuum.hpp"
+#include "witness/taylor_reference.hpp"
+#include "actio/continuum/continuum.hpp"
 
 // 1 - |X|^2, the square of the half chord through X.
 template <class V>

@@ -5,9 +5,9 @@
 // alone; with one that does not, Piola's transformation fails, and the angular momentum of the ball with it. Blown up and let go, a
 // neo-Hookean ball bounces for ever. One of St Venant and Kirchhoff collapses into its centre, for its energy has no objection.
 // Read first. gas_ellipse; graded_body.hpp proves the motion exact.
-#include "actio/foundations/draw.hpp"
+#include "witness/draw.hpp"
 #include "actio/jets/field_equations.hpp"
-#include "actio/jets/stresses.hpp"
+#include "actio/continuum/stresses.hpp"
 #include "book/plot.hpp"
 #include "graded_body.hpp"
 

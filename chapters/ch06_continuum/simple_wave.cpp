@@ -7,9 +7,9 @@
 // Read first. gas_ellipse.
 #include <numbers>
 
-#include "actio/foundations/draw.hpp"
+#include "witness/draw.hpp"
 #include "actio/jets/field_equations.hpp"
-#include "actio/jets/materials.hpp"
+#include "actio/continuum/materials.hpp"
 #include "book/plot.hpp"
 
 using namespace actio;

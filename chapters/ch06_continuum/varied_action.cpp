@@ -4,7 +4,7 @@
 // integral over the boundary of the box, that of the Cartan form; for variations that move space-time too, only if the form has its last term. On a motion that
 // solves nothing the rest is the integral of the Euler-Lagrange derivative inside. And two first variations of the solution have no flux through the boundary.
 // Read first. gas_ellipse.
-#include "actio/foundations/draw.hpp"
+#include "witness/draw.hpp"
 #include "actio/jets/cartan.hpp"
 #include "actio/jets/prolongation.hpp"
 #include "actio/jets/tilted_section.hpp"

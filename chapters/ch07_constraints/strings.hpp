@@ -10,7 +10,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "actio/foundations/gauss_quadrature.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/jets/jet.hpp"
 
 // A closed loop with three lobes, by its direction angle 2 pi s/l + a sin(6 pi s/l): of unit speed by construction, and closed.

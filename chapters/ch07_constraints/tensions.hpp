@@ -8,7 +8,7 @@
 
 #include "actio/constraints/constrained_equations.hpp"
 #include "actio/constraints/inextensible.hpp"
-#include "actio/foundations/linear.hpp"
+#include "actio/numbers/linear.hpp"
 #include "strings.hpp"
 
 // The largest of what the constrained field equations leave, over the largest force that they balance: rho |phi_tt| and the weight.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "actio/foundations/scalar.hpp"
+#include "actio/numbers/scalar.hpp"
 
 // The sum of c[a][b] cos(a y1) cos(b y2), whose slope at the walls is zero term by term.
 struct CosineSeries {

@@ -6,7 +6,7 @@
 //
 //   (a, b)  labels of a particle, b <= b0 < 0      k  wave number, c = sqrt(gravity/k) speed of the wave
 //   phi = (a + r sin s, b - r cos s) with r = e^(kb)/k and s = k(a + ct)
-#include "actio/foundations/gauss_quadrature.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "book/plot.hpp"

@@ -6,7 +6,7 @@
 //
 //   X  particle, its place at t = 0     y  place              P  pressure on the body
 //   phi(t, X)  place of a particle      u  velocity in space  p  pressure in space
-#include "actio/foundations/gauss_quadrature.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/incompressible/ideal_fluid.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "book/plot.hpp"

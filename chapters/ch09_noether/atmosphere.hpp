@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "actio/jets/continuum.hpp"
-#include "actio/jets/materials.hpp"
+#include "actio/continuum/continuum.hpp"
+#include "actio/continuum/materials.hpp"
 
 // The metric of the sphere, or of a body that has `stretch` dz dl of area laid out on it.
 template <class V>

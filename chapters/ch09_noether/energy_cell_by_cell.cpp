@@ -3,7 +3,7 @@
 // What is shown. The Noether current of time translation is the current of energy: what leaves a cell through its faces is what the cell loses, at each moment
 // to rounding, and over a time as well as the quadrature of that time. The body has polar coordinates, whose metric is not constant.
 // Read first. gas_in_cells.hpp, the cloud and its cells.
-#include "actio/foundations/gauss_quadrature.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 #include "gas_in_cells.hpp"

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/jets/action.hpp"
-#include "actio/jets/continuum.hpp"
+#include "actio/continuum/continuum.hpp"
 #include "actio/noether/current_divergence.hpp"
 #include "actio/noether/time_translation.hpp"
 

@@ -94,7 +94,7 @@ void say_what_scenes_do_not_take(std::string const& what) {
   if (what == "materials" && names_in("materials").empty())
     say(stderr,
         "There are no materials for scenes yet: they come with the systems of continua. Those of the "
-        "library, for programs in C++, are in actio/jets/materials.hpp.\n");
+        "library, for programs in C++, are in actio/continuum/materials.hpp.\n");
   if (what == "groups" && !takes("system.group"))
     say(stderr,
         "No scene takes a group yet: these are of the library, for programs in C++; actio show SE(3) names "

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "actio/foundations/errors.hpp"
+#include "actio/numbers/errors.hpp"
 
 namespace actio::python {
 namespace {

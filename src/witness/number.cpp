@@ -6,7 +6,7 @@
 #include <sstream>
 #include <unordered_set>
 
-#include "actio/foundations/square_root.hpp"
+#include "actio/numbers/square_root.hpp"
 #include "witness/number_parts.hpp"
 #include "witness/prime_field.hpp"
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <type_traits>
 
-#include "actio/foundations/dual.hpp"
+#include "actio/numbers/dual.hpp"
 #include "witness/arithmetic.hpp"
 
 namespace actio {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "actio/foundations/square_root.hpp"
+#include "actio/numbers/square_root.hpp"
 #include "witness/free_cells.hpp"
 
 namespace actio::detail {

@@ -1,8 +1,8 @@
 // Groupoids: their laws, the step on them, the map that a function generates, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/motions.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/groupoid/action_groupoid.hpp"
 #include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"

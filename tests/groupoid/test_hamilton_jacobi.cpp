@@ -1,10 +1,10 @@
 // Hamilton-Jacobi theory as a reader uses it: exact generating functions against closed forms, the series against its first terms, the integrators it makes, refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/affine_line.hpp"
-#include "actio/foundations/groups/rotations.hpp"
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/affine_line.hpp"
+#include "actio/groups/rotations.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/reduction/natural_chart.hpp"
 

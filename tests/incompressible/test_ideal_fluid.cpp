@@ -1,7 +1,7 @@
 // The ideal fluid seen from space: accelerations, divergences, the source and the walls of the equation of the pressure, curvature.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
+#include "witness/draw.hpp"
 #include "actio/incompressible/bracket_of_fields.hpp"
 #include "actio/incompressible/ideal_fluid.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"

@@ -1,4 +1,4 @@
-#include <actio/foundations/groups/motions.hpp>
+#include <actio/groups/motions.hpp>
 #include <actio/reduction/euler_poincare_steps.hpp>
 #include <actio/reduction/natural_chart.hpp>
 

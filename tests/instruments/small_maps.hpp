@@ -1,7 +1,7 @@
 // Maps small enough to know all about, for the tests of this folder.
 #pragma once
 
-#include "actio/foundations/groups/unipotent_groups.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/instruments/implicit_map.hpp"
 
 namespace actio::testing {

@@ -1,8 +1,8 @@
 // The instruments against maps whose defects are known in closed form, and over the rationals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/motions.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/momentum_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"

@@ -1,7 +1,7 @@
 // Maps that solve an equation: their tangents against that of the equation, and the brackets that reduced discrete Lagrangians keep.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/instruments/discrete_spaces.hpp"
 #include "actio/instruments/poisson_defect.hpp"
 #include "small_maps.hpp"

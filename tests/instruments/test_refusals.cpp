@@ -1,8 +1,8 @@
 // What is no point, and what is no map, is refused.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/rotations.hpp"
-#include "actio/foundations/groups/spanned_group.hpp"
+#include "actio/groups/rotations.hpp"
+#include "actio/groups/spanned_group.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/momentum_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"

@@ -1,7 +1,7 @@
 // The solvers of the library differentiated as they are, on bodies of any size and without reduction.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/rotations.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/instruments/discrete_spaces.hpp"
 #include "actio/instruments/momentum_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"

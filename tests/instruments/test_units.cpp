@@ -1,7 +1,7 @@
 // Units of mass, length and time do not matter to the instruments.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/instruments/discrete_spaces.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"

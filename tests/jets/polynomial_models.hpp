@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actio/jets/cartan.hpp"
-#include "actio/jets/continuum.hpp"
+#include "actio/continuum/continuum.hpp"
 
 namespace actio::testing {
 

@@ -1,8 +1,8 @@
 // Laws of forms, exactly over the rationals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/determinant.hpp"
-#include "actio/foundations/wedge.hpp"
+#include "actio/numbers/determinant.hpp"
+#include "actio/forms/wedge.hpp"
 #include "polynomial_models.hpp"
 
 using namespace actio;

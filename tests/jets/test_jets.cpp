@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/jets/field_equations.hpp"
-#include "actio/jets/materials.hpp"
+#include "actio/continuum/materials.hpp"
 #include "actio/jets/prolongation.hpp"
 #include "polynomial_models.hpp"
 

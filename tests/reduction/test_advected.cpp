@@ -1,12 +1,12 @@
 // Systems with an advected vector: the equations against the unreduced ones, exactly and through the solvers, what is conserved, and refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/affine_line.hpp"
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/groups/spanned_group.hpp"
-#include "actio/foundations/groups/unit_quaternions.hpp"
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/affine_line.hpp"
+#include "actio/groups/motions.hpp"
+#include "actio/groups/spanned_group.hpp"
+#include "actio/groups/unit_quaternions.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 

@@ -4,9 +4,9 @@
 // either side. The metric that is carried around by left multiplication has geodesics in closed form.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/special_linear.hpp"
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/special_linear.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/discrete_momentum.hpp"

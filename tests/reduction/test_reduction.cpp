@@ -1,12 +1,12 @@
 // Discrete mechanics as a reader uses it: the two roads with their solvers on many groups, and refusals in place of wrong numbers.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/affine_line.hpp"
-#include "actio/foundations/groups/linear_groups.hpp"
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/groups/spanned_group.hpp"
-#include "actio/foundations/groups/unipotent_groups.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/affine_line.hpp"
+#include "actio/groups/linear_groups.hpp"
+#include "actio/groups/motions.hpp"
+#include "actio/groups/spanned_group.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "actio/reduction/discrete_euler_poincare.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"

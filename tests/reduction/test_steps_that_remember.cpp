@@ -2,8 +2,8 @@
 // the same motions to rounding, what is conserved, the order, and the same refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/linear_groups.hpp"
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/linear_groups.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/reduction/euler_lagrange_steps.hpp"
 #include "actio/reduction/euler_poincare_steps.hpp"
 #include "actio/reduction/galerkin.hpp"

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/groups/affine_line.hpp"
-#include "actio/foundations/groups/linear_groups.hpp"
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/groups/spanned_group.hpp"
-#include "actio/foundations/taylor_reference.hpp"
+#include "witness/draw.hpp"
+#include "actio/groups/affine_line.hpp"
+#include "actio/groups/linear_groups.hpp"
+#include "actio/groups/motions.hpp"
+#include "actio/groups/spanned_group.hpp"
+#include "witness/taylor_reference.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/variational/lie_poisson.hpp"
 

@@ -1,7 +1,7 @@
 // What the scheme of Moser and Veselov keeps: Casimirs of every size, the isospectral integrals along its steps, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/draw.hpp"
+#include "witness/draw.hpp"
 #include "actio/rigid_body/algebra_poisson.hpp"
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/rigid_body/isospectral.hpp"

@@ -4,9 +4,9 @@
 #include <complex>
 #include <functional>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/forms.hpp"
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/draw.hpp"
+#include "actio/forms/forms.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "euler_poisson.hpp"
 #include "random_bodies.hpp"

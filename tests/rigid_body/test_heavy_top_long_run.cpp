@@ -7,7 +7,7 @@
 
 #include <sstream>
 
-#include "actio/foundations/taylor_reference.hpp"
+#include "witness/taylor_reference.hpp"
 #include "euler_poisson.hpp"
 #include "random_bodies.hpp"
 

@@ -1,7 +1,7 @@
 // Inertia: the operator J, principal moments and tensors, every kind of input that is no inertia, and sizes from 1e-47 to 1e+47.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/forms.hpp"
+#include "actio/forms/forms.hpp"
 #include "actio/rigid_body/inertia.hpp"
 #include "random_bodies.hpp"
 

@@ -1,7 +1,7 @@
 // Order of both schemes against somebody else's solution, and the reference solution against itself.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/reference_solution.hpp"
+#include "witness/reference_solution.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "random_bodies.hpp"

@@ -1,8 +1,8 @@
 // Lagrangians of a reader's own: on groups that are no rotations, and with no regular velocity.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/groups/unit_quaternions.hpp"
+#include "actio/groups/motions.hpp"
+#include "actio/groups/unit_quaternions.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/euler_poincare.hpp"
 #include "spinning_body.hpp"

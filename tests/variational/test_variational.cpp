@@ -1,9 +1,9 @@
 // Variational mechanics as a reader uses it: known equations of motion, quadrature, orbits.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/foundations/groups/motions.hpp"
-#include "actio/foundations/groups/unit_quaternions.hpp"
-#include "actio/foundations/taylor_reference.hpp"
+#include "actio/groups/motions.hpp"
+#include "actio/groups/unit_quaternions.hpp"
+#include "witness/taylor_reference.hpp"
 #include "actio/variational/action.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/euler_lagrange.hpp"

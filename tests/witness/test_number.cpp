@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "actio/foundations/draw.hpp"
-#include "actio/foundations/linear.hpp"
-#include "actio/foundations/metric.hpp"
-#include "actio/foundations/second_order.hpp"
-#include "actio/foundations/square_root.hpp"
+#include "witness/draw.hpp"
+#include "actio/numbers/linear.hpp"
+#include "actio/forms/metric.hpp"
+#include "actio/numbers/second_order.hpp"
+#include "actio/numbers/square_root.hpp"
 #include "witness/number.hpp"
 
 namespace {

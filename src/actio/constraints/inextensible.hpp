@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actio/constraints/augmented.hpp"
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 
 namespace actio {
 

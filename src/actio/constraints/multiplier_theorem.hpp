@@ -6,7 +6,7 @@
 #pragma once
 
 #include "actio/constraints/regularity.hpp"
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 
 namespace actio {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "actio/foundations/linear.hpp"
+#include "actio/numbers/linear.hpp"
 
 namespace actio {
 

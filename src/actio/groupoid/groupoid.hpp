@@ -5,7 +5,7 @@
 // mechanics on all of them is one equation (lagrange_equations.hpp).
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

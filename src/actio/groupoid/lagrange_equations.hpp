@@ -4,7 +4,7 @@
 // that exactly if the covector with which g arrives is the covector with which h leaves.
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 #include "actio/groupoid/groupoid.hpp"
 
 namespace actio {

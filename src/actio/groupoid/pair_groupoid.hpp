@@ -1,7 +1,7 @@
 // The pair groupoid G x G: the arrows are pairs of places, (g0, g1)(g1, g2) = (g0, g2). Its algebroid is TG.
 #pragma once
 
-#include "actio/foundations/group.hpp"
+#include "actio/groups/group.hpp"
 #include "actio/groupoid/groupoid.hpp"
 #include "actio/variational/curves.hpp"
 

@@ -4,7 +4,7 @@
 // local diffeomorphisms into the dual of the algebra, and both pull back the same bracket. Coordinates at f are those of \f$\delta f\,f^{-1}\f$.
 #pragma once
 
-#include "actio/foundations/rank.hpp"
+#include "actio/numbers/rank.hpp"
 #include "actio/reduction/discrete_euler_poincare.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/lie_poisson.hpp"

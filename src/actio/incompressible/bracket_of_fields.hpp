@@ -1,7 +1,7 @@
 // The Lie algebra of the volume preserving diffeomorphisms (section 8.3 of the thesis).
 #pragma once
 
-#include "actio/foundations/dual.hpp"
+#include "actio/numbers/dual.hpp"
 
 namespace actio {
 

@@ -4,7 +4,7 @@
 // covariant, those of the metric g of space; points are given as (t, y).
 #pragma once
 
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 #include "actio/jets/jet.hpp"
 
 namespace actio {

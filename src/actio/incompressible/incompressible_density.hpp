@@ -2,7 +2,7 @@
 #pragma once
 
 #include "actio/incompressible/volume_constraint.hpp"
-#include "actio/jets/stresses.hpp"
+#include "actio/continuum/stresses.hpp"
 
 namespace actio {
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "actio/incompressible/incompressible_density.hpp"
-#include "actio/jets/continuum_equations.hpp"
+#include "actio/continuum/continuum_equations.hpp"
 
 namespace actio {
 

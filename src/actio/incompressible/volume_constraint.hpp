@@ -4,7 +4,7 @@
 #pragma once
 
 #include "actio/constraints/augmented.hpp"
-#include "actio/jets/continuum.hpp"
+#include "actio/continuum/continuum.hpp"
 
 namespace actio {
 

@@ -5,7 +5,7 @@
 // follows: the implicit function theorem.
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 #include "actio/instruments/points.hpp"
 
 namespace actio {

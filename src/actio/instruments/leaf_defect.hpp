@@ -5,7 +5,7 @@
 // are known, by their change (casimir_defect).
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 #include "actio/instruments/tangent_of_map.hpp"
 
 namespace actio {

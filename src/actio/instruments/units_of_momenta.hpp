@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "actio/foundations/group.hpp"
+#include "actio/groups/group.hpp"
 
 namespace actio {
 

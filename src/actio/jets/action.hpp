@@ -8,8 +8,8 @@
 #include <concepts>
 #include <vector>
 
-#include "actio/foundations/forms.hpp"
-#include "actio/foundations/gauss_quadrature.hpp"
+#include "actio/forms/forms.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/jets/density.hpp"
 
 namespace actio {

@@ -4,7 +4,7 @@
 // tangent vectors both are determinants. Forms take coordinates as `coordinates(jet)` orders them: x, y, then the rest.
 #pragma once
 
-#include "actio/foundations/forms.hpp"
+#include "actio/forms/forms.hpp"
 #include "actio/jets/density.hpp"
 
 namespace actio {

@@ -1,7 +1,7 @@
 // The Euler-Lagrange derivative of a density (section 6.2 of the thesis).
 #pragma once
 
-#include "actio/foundations/divergence_functions.hpp"
+#include "actio/numbers/divergence_functions.hpp"
 #include "actio/jets/density.hpp"
 
 namespace actio {

@@ -7,8 +7,8 @@
 #include <concepts>
 #include <type_traits>
 
-#include "actio/foundations/second_order.hpp"
-#include "actio/foundations/square_root.hpp"
+#include "actio/numbers/second_order.hpp"
+#include "actio/numbers/square_root.hpp"
 
 namespace actio {
 

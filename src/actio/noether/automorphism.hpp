@@ -4,7 +4,7 @@
 // callables over any scalar. A prolongation needs the inverse of the tangent map of eta_X alone; only a section that is moved needs the inverse map.
 #pragma once
 
-#include "actio/foundations/linear.hpp"
+#include "actio/numbers/linear.hpp"
 #include "actio/jets/density.hpp"
 #include "actio/jets/prolongation.hpp"
 

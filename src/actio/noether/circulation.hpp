@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 #include "actio/jets/jet.hpp"
 
 namespace actio {

@@ -4,7 +4,7 @@
 // isometries, whatever its body is made of.
 #pragma once
 
-#include "actio/foundations/metric.hpp"
+#include "actio/forms/metric.hpp"
 #include "actio/jets/density.hpp"
 
 namespace actio {

@@ -4,7 +4,7 @@
 // volume-preserving map is sqrt(det G(x))/sqrt(det G(eta(x))) there, and it is 1 only in such coordinates.
 #pragma once
 
-#include "actio/jets/materials.hpp"
+#include "actio/continuum/materials.hpp"
 #include "actio/noether/covariant_momentum_map.hpp"
 
 namespace actio {

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 #include "actio/reduction/relative_motion.hpp"
 
 namespace actio {

@@ -1,7 +1,7 @@
 // Motions by the discrete Euler-Poincare equations with an advected vector, step after step.
 #pragma once
 
-#include "actio/foundations/predictor_corrector.hpp"
+#include "actio/groups/predictor_corrector.hpp"
 #include "actio/reduction/advected.hpp"
 
 namespace actio {

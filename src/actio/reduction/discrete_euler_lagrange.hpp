@@ -5,7 +5,7 @@
 // Differentials in either slot are carried to the identity on the right, variations being theta = dg g^-1.
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 
 namespace actio {
 

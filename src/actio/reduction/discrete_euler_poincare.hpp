@@ -5,7 +5,7 @@
 // obtained from the other by a flag.
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 
 namespace actio {
 

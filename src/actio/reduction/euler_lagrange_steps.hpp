@@ -1,7 +1,7 @@
 // Motions by the discrete Euler-Lagrange equations on G x G, step after step.
 #pragma once
 
-#include "actio/foundations/predictor_corrector.hpp"
+#include "actio/groups/predictor_corrector.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 
 namespace actio {

@@ -7,7 +7,7 @@
 // going. The relative motions are the same to rounding.
 #pragma once
 
-#include "actio/foundations/predictor_corrector.hpp"
+#include "actio/groups/predictor_corrector.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 
 namespace actio {

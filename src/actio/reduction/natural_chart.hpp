@@ -7,7 +7,7 @@
 // velocity. A discrete Lagrangian inherits an invariance of L where the base point moves along: base(g1 k, g2 k) = base(g1, g2) k, or the same on the left.
 #pragma once
 
-#include "actio/foundations/solve.hpp"
+#include "actio/groups/solve.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/variational/state.hpp"
 

@@ -1,7 +1,7 @@
 // Polynomials of low degree over a step, as Galerkin methods use them: by their values at equal distances, read at the nodes of Gauss's rule.
 #pragma once
 
-#include "actio/foundations/gauss_quadrature.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 
 namespace actio {
 

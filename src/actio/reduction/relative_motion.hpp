@@ -3,7 +3,7 @@
 // Both quotients take the earlier place over the later one, so a relative motion is near 1 - h xi: it looks back.
 #pragma once
 
-#include "actio/foundations/group.hpp"
+#include "actio/groups/group.hpp"
 
 namespace actio {
 

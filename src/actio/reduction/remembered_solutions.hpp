@@ -3,7 +3,7 @@
 
 #include <any>
 
-#include "actio/foundations/predictor_corrector.hpp"
+#include "actio/groups/predictor_corrector.hpp"
 
 namespace actio::detail {
 

@@ -6,7 +6,7 @@
 // J is given by the moments of the planes, its diagonal in coordinates (`moments` of an Inertia): any field, the rationals included.
 #pragma once
 
-#include "actio/foundations/linear.hpp"
+#include "actio/numbers/linear.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
 namespace actio {

@@ -10,7 +10,7 @@
 // <Pi, Gamma>, the momentum about the vertical, are the Casimirs. The frame of the body is that of its principal axes at the fixed point.
 #pragma once
 
-#include "actio/foundations/groups/motions.hpp"
+#include "actio/groups/motions.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/rigid_body/inertia.hpp"
 

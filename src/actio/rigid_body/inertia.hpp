@@ -12,8 +12,8 @@
 
 #include <Eigen/LU>
 
-#include "actio/foundations/eigenvalues.hpp"
-#include "actio/foundations/group.hpp"
+#include "actio/numbers/eigenvalues.hpp"
+#include "actio/groups/group.hpp"
 #include "actio/rigid_body/rotations_of_any_size.hpp"
 
 namespace actio {

@@ -14,7 +14,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "actio/foundations/errors.hpp"
+#include "actio/numbers/errors.hpp"
 
 namespace actio {
 

@@ -3,7 +3,7 @@
 // The same coordinates as for a fixed n: for n = 3 the axes, for n = 2 the angle, otherwise the entries above the diagonal, row by row.
 #pragma once
 
-#include "actio/foundations/groups/rotations.hpp"
+#include "actio/groups/rotations.hpp"
 
 namespace actio {
 

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "actio/foundations/errors.hpp"
+#include "actio/numbers/errors.hpp"
 
 namespace actio::scene {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "actio/foundations/errors.hpp"
+#include "actio/numbers/errors.hpp"
 #include "actio/scene/printable.hpp"
 
 namespace actio::scene {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

@@ -3,7 +3,7 @@
 // Right-invariant systems see xi = g' g^-1, left-invariant ones xi = g^-1 g'. The two have equations of opposite sign; each has its own function.
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

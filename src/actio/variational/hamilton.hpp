@@ -4,7 +4,7 @@
 // A function on T*G is any callable f(costate), at every scalar.
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

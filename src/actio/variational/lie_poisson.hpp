@@ -4,7 +4,7 @@
 // algebra, right-invariant functions on T*G give the plus bracket, left-invariant ones the minus bracket.
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

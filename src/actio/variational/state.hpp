@@ -6,7 +6,7 @@
 // A tangent vector to TG is written (theta, d xi): theta = dg g^-1 and the change of xi.
 #pragma once
 
-#include "actio/foundations/differential.hpp"
+#include "actio/groups/differential.hpp"
 
 namespace actio {
 

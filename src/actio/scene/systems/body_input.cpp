@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "actio/foundations/groups/unit_quaternions.hpp"
+#include "actio/groups/unit_quaternions.hpp"
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/nearest_name.hpp"
 #include "actio/scene/systems/angle_input.hpp"

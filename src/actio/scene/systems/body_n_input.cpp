@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "actio/large_body/matrix_conditions.hpp"
+#include "actio/fast_body/any_dimension/matrix_conditions.hpp"
 #include "actio/scene/systems/angle_input.hpp"
 
 namespace actio::scene {

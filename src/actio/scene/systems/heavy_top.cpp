@@ -1,8 +1,8 @@
 // The heavy top: a rigid body held at a point under gravity.
 #include <fmt/format.h>
 
-#include "actio/free_body/torqued_body.hpp"
-#include "actio/free_body/uniform_gravity.hpp"
+#include "actio/fast_body/space/torqued_body.hpp"
+#include "actio/fast_body/space/uniform_gravity.hpp"
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/principal_body.hpp"

@@ -1,7 +1,7 @@
 // What the methods of scenes have in common: a name, an order and a step, each with its default.
 #pragma once
 
-#include "actio/foundations/errors.hpp"
+#include "actio/numbers/errors.hpp"
 #include "actio/scene/system.hpp"
 
 namespace actio::scene {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "actio/free_body/free_steps.hpp"
-#include "actio/free_body/natural_chart_steps.hpp"
+#include "actio/fast_body/space/free_steps.hpp"
+#include "actio/fast_body/space/natural_chart_steps.hpp"
 #include "actio/scene/systems/turning_body.hpp"
 
 namespace actio::scene {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <type_traits>
 
-#include "actio/large_body/moser_veselov_n.hpp"
-#include "actio/large_body/natural_chart_n.hpp"
+#include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
+#include "actio/fast_body/any_dimension/natural_chart_n.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/scene/systems/angle_input.hpp"
 #include "actio/scene/systems/body_n_input.hpp"

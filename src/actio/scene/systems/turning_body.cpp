@@ -1,6 +1,6 @@
 #include "actio/scene/systems/turning_body.hpp"
 
-#include "actio/foundations/groups/unit_quaternions.hpp"
+#include "actio/groups/unit_quaternions.hpp"
 #include "actio/scene/drift.hpp"
 
 namespace actio::scene {

@@ -1,6 +1,6 @@
 #include "actio/scene/systems/turning_body_n.hpp"
 
-#include "actio/large_body/skew_spectrum.hpp"
+#include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
 
 namespace actio::scene {

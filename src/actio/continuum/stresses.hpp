@@ -1,0 +1,155 @@
+// The stresses of a continuous medium: first Piola and Kirchhoff's, Cauchy's, the pressure of a fluid, and Piola's transformation (section 6.2 of the thesis).
+//
+// All come from the stored energy W(x, G, g, F) per unit mass and the mass rho per volume of the body, so they are forces per area, or energies per volume.
+// The derivative in the metric is the symmetric one: dW = (dW/dg_ab) h_ab for symmetric h, with dW/dg_ab = dW/dg_ba however W is written.
+#pragma once
+
+#include "actio/continuum/materials.hpp"
+
+namespace actio {
+
+namespace detail {
+
+/// The value of a metric over a scalar that extends its own.
+template <class T, class S, int n>
+Matrix<T, n, n> metric_over(Matrix<S, n, n> const& g) {
+  return g.template cast<T>();
+}
+template <class T, int n>
+Kronecker<n> metric_over(Kronecker<n> g) {
+  return g;
+}
+
+/// \f$\partial W/\partial F^a{}_i\f$, a row for each a.
+template <class Medium, class S, int n, int N>
+Matrix<S, N, n> strain_derivative(Medium const& medium, Jet<S, n, N> const& j) {
+  using D = Dual<S, N>;
+  Matrix<S, n, 1> const x = j.particle();
+  auto const here = metric_over<D>(medium.G(x));
+  auto const there = metric_over<D>(medium.g(j.y));
+  Matrix<D, n, 1> const at = x.template cast<D>();
+  Matrix<S, N, n> rate;
+  for (int i = 0; i < n; ++i) {
+    Matrix<D, N, n> F = j.gradient().template cast<D>();
+    for (int a = 0; a < N; ++a) F(a, i).part[a] = S(1);
+    D const energy = medium.W(at, here, there, F);
+    for (int a = 0; a < N; ++a) rate(a, i) = energy.part[a];
+  }
+  return rate;
+}
+
+/// The symmetric \f$\partial W/\partial g_{ab}\f$.
+template <class Medium, class S, int n, int N>
+Matrix<S, N, N> metric_derivative(Medium const& medium, Jet<S, n, N> const& j) {
+  using D = Dual<S, N>;
+  Matrix<S, n, 1> const x = j.particle();
+  auto const here = metric_over<D>(medium.G(x));
+  Matrix<D, N, N> const there = as_matrix<S>(medium.g(j.y)).template cast<D>();
+  Matrix<D, n, 1> const at = x.template cast<D>();
+  Matrix<D, N, n> const F = j.gradient().template cast<D>();
+  Matrix<S, N, N> rate;
+  for (int a = 0; a < N; ++a) {
+    // Half of the change goes to g_ab and half to g_ba.
+    Matrix<D, N, N> moved = there;
+    for (int b = 0; b < N; ++b) moved(a, b).part[b] += ratio<S>(1, 2), moved(b, a).part[b] += ratio<S>(1, 2);
+    D const energy = medium.W(at, here, moved, F);
+    for (int b = 0; b < N; ++b) rate(a, b) = energy.part[b];
+  }
+  return rate;
+}
+
+/// \f$\rho\,\partial W/\partial F^a{}_i\f$, of a medium that has been examined.
+template <class Medium, class S, int n, int N>
+Matrix<S, N, n> piola_kirchhoff(Medium const& medium, Jet<S, n, N> const& j) {
+  // [eq_6_19]
+  return strain_derivative(medium, j) * S(medium.rho(j.particle()));
+  // [eq_6_19]
+}
+
+/// \f$-\rho\,dW/dJ\f$, of a fluid that has been examined.
+template <class Medium, class S, int n>
+S pressure(Medium const& medium, Jet<S, n, n> const& j) {
+  Matrix<S, n, 1> const x = j.particle();
+  Dual<S> J = jacobian(medium.G(x), medium.g(j.y), j.gradient());
+  J.part[0] = S(1);
+  // [eq_6_16]
+  return -(S(medium.rho(x)) * medium.W.w(J).part[0]);
+  // [eq_6_16]
+}
+
+}  // namespace detail
+
+/// The first Piola-Kirchhoff stress \f$\mathcal P_a{}^i = \rho\,\partial W/\partial F^a{}_i\f$ (6.19): force per area of the body.
+///
+/// \implements{eq_6_19}
+/// @return  a row for each a, a column for each i
+/// @throws NoDerivative  where the stored energy has none; and what the medium itself refuses
+/// Accuracy: exact but for the rounding of W.
+template <class Medium, class S, int n, int N>
+  requires MediumOver<Medium, S, n, N>
+Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> const& j) {
+  detail::examine(medium, j);
+  Matrix<S, N, n> const stress = detail::piola_kirchhoff(medium, j);
+  detail::require_derivative(stress, j, "first_piola_kirchhoff_stress");
+  return stress;
+}
+
+/// The Cauchy stress \f$\sigma^{ab} = \frac{2\rho}{J}\,\frac{\partial W}{\partial g_{ab}}\f$ (6.14), Doyle and Ericksen's formula: force per area of space.
+///
+/// \implements{eq_6_14}
+/// @return  a symmetric matrix with upper indices
+/// @throws NotOrientationPreserving  where J is not positive
+/// @throws NoDerivative  where the stored energy has none; and what the medium itself refuses
+template <class Medium, class S, int n>
+  requires MediumOver<Medium, S, n, n>
+Matrix<S, n, n> cauchy_stress(Medium const& medium, Jet<S, n, n> const& j) {
+  detail::examine(medium, j);
+  Matrix<S, n, 1> const x = j.particle();
+  auto const there = medium.g(j.y);
+  require_volume(there, j.y, "metric of the space");
+  S const J = jacobian(medium.G(x), there, j.gradient());
+  detail::require_orientation(J, x, "cauchy_stress");
+  // [eq_6_14]
+  Matrix<S, n, n> const stress = detail::metric_derivative(medium, j) * S(S(2) * medium.rho(x) / J);
+  // [eq_6_14]
+  detail::require_derivative(stress, j, "cauchy_stress");
+  return stress;
+}
+
+/// A medium whose stored energy is a function of the Jacobian alone.
+template <class Medium>
+concept FluidMedium = is_barotropic<std::remove_cvref_t<decltype(std::declval<Medium const&>().W)>>;
+
+/// The material pressure \f$P = -\rho\,dW/dJ\f$ of a barotropic fluid (6.16), a function on the body.
+///
+/// \implements{eq_6_16}
+/// @throws NotOrientationPreserving  where J is not positive; and what else the medium refuses
+template <class Medium, class S, int n>
+  requires MediumOver<Medium, S, n, n> && FluidMedium<Medium>
+S material_pressure(Medium const& medium, Jet<S, n, n> const& j) {
+  detail::examine(medium, j);
+  S const pressure = detail::pressure(medium, j);
+  detail::require_derivative(Matrix<S, 1, 1>(pressure), j, "material_pressure");
+  return pressure;
+}
+
+/// \f$J\,(F^{-1})^i{}_a\f$, what carries areas of space to areas of the body: a row for each a, a column for each i, as a Piola-Kirchhoff stress has.
+/// @throws Singular  where F has no inverse
+template <class BodyMetric, class SpaceMetric, class S, int n>
+Matrix<S, n, n> area_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) {
+  return inverse_matrix(F, "area_transformation").transpose() * jacobian(G, g, F);
+}
+
+/// Piola's transformation \f$J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c\f$ of a stress on space: the first Piola-Kirchhoff stress where W is a function of the Green tensor.
+///
+/// \implements{claim_6_2_piola_transform}
+/// @param sigma  Cauchy stress with upper indices
+/// @throws Singular  where F has no inverse
+template <class BodyMetric, class SpaceMetric, class S, int n>
+Matrix<S, n, n> piola_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F, Matrix<S, n, n> const& sigma) {
+  // [claim_6_2_piola_transform]
+  return lowered(g, sigma) * area_transformation(G, g, F);
+  // [claim_6_2_piola_transform]
+}
+
+}  // namespace actio

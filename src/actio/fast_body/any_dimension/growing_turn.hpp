@@ -1,0 +1,148 @@
+// Long steps of the natural-chart scheme on SO(n): the solution is followed from rest, along a growing step.
+//
+// The equation J Z = Q(Z) depends on the step through P = h M0 alone, so a step that grows is a P that grows. Where n is small each piece of the way is solved by
+// Newton, with differences for the derivative, whose determinant must stay positive; it ends where the derivative has no inverse, or an angle reaches half a turn.
+// Where n is large sweeps must contract: so they do on this branch alone.
+#pragma once
+
+#include <gsl/gsl_linalg.h>
+
+#include <vector>
+
+#include "actio/numbers/eigenvalues.hpp"
+#include "actio/fast_body/any_dimension/natural_chart_equation.hpp"
+
+namespace actio::detail {
+
+/// One turn that grows.
+class GrowingTurn {
+ public:
+  /// @param p  h M0 of the whole step
+  GrowingTurn(NaturalChartEquation& equation, double const* p) : equation_(equation), algebra_(equation.algebra()), whole_(algebra_.size()), p_(algebra_.size()), z_(algebra_.size()) {
+    std::copy(p, p + algebra_.size(), whole_.data());
+  }
+
+  /// Follows the solution as far as it goes.
+  /// @return the part of the step that it reaches, 1 where it reaches all; z is the solution there
+  double follow(double* z) {
+    std::vector<double> here(static_cast<std::size_t>(unknowns()), 0.0), before = here;
+    double reached = 0, previous = 0, first = first_part(), gap = first;
+    while (reached < 1 && gap > smallest_gap * std::max(reached, first)) {
+      double const part = std::min(1.0, reached + gap);
+      std::vector<double> next = here;
+      // Along the secant; from rest along the velocity of the first guess.
+      if (reached == 0) next = first_guess(part);
+      else
+        for (std::size_t a = 0; a < next.size(); ++a) next[a] += (here[a] - before[a]) * ((part - reached) / (reached - previous));
+      std::vector<double> const expected = next;
+      if (solve(part, next) && distance(next, expected) <= 0.3 * distance(next, here)) {
+        before = here, previous = reached, here = next, reached = part, gap *= 2;
+      } else {
+        gap = (part - reached) / 2;
+      }
+    }
+    put(here, z);
+    return reached;
+  }
+
+ private:
+  static constexpr double smallest_gap = 1e-8;
+  static constexpr double rounding_at_end = 1e-8;  // next to the end of the branch half of the digits are lost
+
+  int size() const { return algebra_.shape().n; }
+  int unknowns() const { return size() * (size() - 1) / 2; }
+  /// Of the way: where angles are a tenth or so.
+  double first_part() {
+    equation_.guess(whole_.data(), z_.data());
+    return std::min(1.0, 0.1 / algebra_.norm(z_.data()));
+  }
+  std::vector<double> first_guess(double part) {
+    equation_.guess(whole_.data(), z_.data());
+    algebra_.scale(part, z_.data());
+    return taken(z_.data());
+  }
+
+  void put(std::vector<double> const& x, double* z) const {
+    std::size_t a = 0;
+    for (int j = 0; j < size(); ++j)
+      for (int i = j + 1; i < size(); ++i, ++a) z[full_entry(algebra_.shape(), i, j)] = x[a], z[full_entry(algebra_.shape(), j, i)] = -x[a];
+  }
+  std::vector<double> taken(double const* z) const {
+    std::vector<double> x;
+    for (int j = 0; j < size(); ++j)
+      for (int i = j + 1; i < size(); ++i) x.push_back(z[full_entry(algebra_.shape(), i, j)]);
+    return x;
+  }
+  static double norm(std::vector<double> const& x) { return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).norm(); }
+  static double distance(std::vector<double> x, std::vector<double> const& y) {
+    for (std::size_t a = 0; a < x.size(); ++a) x[a] -= y[a];
+    return norm(x);
+  }
+  std::vector<double> change(std::vector<double> const& x) {
+    put(x, z_.data());
+    return taken(equation_.change(p_.data(), z_.data()));
+  }
+
+  /// Newton for a part of the step. The derivative is taken where it begins, and again where the moves no longer fall; where they fall no more from there, they are rounding.
+  bool solve(double part, std::vector<double>& x) {
+    std::copy(whole_.data(), whole_.data() + algebra_.size(), p_.data());
+    algebra_.scale(part, p_.data());
+    for (int derivatives = 0; derivatives < 4; ++derivatives) {
+      if (!differentiate(x)) return false;
+      double before = HUGE_VAL;
+      for (int k = 0; k < 12; ++k) {
+        auto const move = newton_move(change(x));
+        for (std::size_t a = 0; a < x.size(); ++a) x[a] += move[a];
+        double const size = norm(move);
+        if (!(size < 1)) return false;
+        bool const stalls = size > before / 4, settled = derivatives > 0 && stalls && size <= rounding_at_end * norm(x);
+        if (size <= 4 * std::numeric_limits<double>::epsilon() * norm(x) || settled) {
+          put(x, z_.data());
+          return equation_.in_chart(z_.data()) && (derivatives > 0 || differentiate(x));
+        }
+        if (stalls) break;
+        before = size;
+      }
+    }
+    return false;
+  }
+
+  /// The derivative of the change, by differences, in triangular factors. Whether its determinant has the sign that it has at rest.
+  bool differentiate(std::vector<double> const& x) {
+    int const n = unknowns();
+    double const apart = 1e-7 * std::max(1.0, norm(x));
+    auto const here = change(x);
+    derivative_.resize(n, n);
+    for (int b = 0; b < n; ++b) {
+      auto moved = x;
+      moved[static_cast<std::size_t>(b)] += apart;
+      auto const there = change(moved);
+      for (int a = 0; a < n; ++a) derivative_(a, b) = (here[static_cast<std::size_t>(a)] - there[static_cast<std::size_t>(a)]) / apart;
+    }
+    if (!derivative_.allFinite()) return false;
+    order_.resize(static_cast<std::size_t>(n));
+    gsl_permutation order{order_.size(), order_.data()};
+    // GSL sees rows where there are columns.
+    Eigen::MatrixXd const by_rows = derivative_.transpose();
+    derivative_ = by_rows;
+    auto view = as_gsl(derivative_);
+    int sign = 1;
+    gsl_linalg_LU_decomp(&view.matrix, &order, &sign);
+    return gsl_linalg_LU_sgndet(&view.matrix, sign) == 1;
+  }
+  std::vector<double> newton_move(std::vector<double> move) {
+    gsl_permutation order{order_.size(), order_.data()};
+    auto view = as_gsl(derivative_);
+    auto right = gsl_vector_view_array(move.data(), move.size());
+    gsl_linalg_LU_svx(&view.matrix, &order, &right.vector);
+    return move;
+  }
+
+  NaturalChartEquation& equation_;
+  MatrixAlgebra algebra_;
+  Zeros whole_, p_, z_;
+  Eigen::MatrixXd derivative_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace actio::detail

@@ -1,0 +1,160 @@
+// A free rigid body in three dimensions, moved exactly: to any time at once.
+//
+//     FreeBody body(inertia_from_moments(0.6, 0.8, 1), momentum, attitude);
+//     auto later = body.at(1000);                               // one evaluation, whatever the time
+//
+// Momentum and attitude are kept by direction and unit quaternion, in axes that are relabelled so that the middle moment of inertia belongs to the second.
+// No body needs a tolerance: spheres, symmetric bodies, rods, plates and turns about any axis are on the same road, and next to their limits nothing is lost.
+#pragma once
+
+#include <string>
+
+#include "actio/groups/unit_quaternions.hpp"
+#include "actio/fast_body/space/exact_flight.hpp"
+#include "actio/rigid_body/inertia.hpp"
+#include "actio/rigid_body/largest_step.hpp"
+#include "actio/fast_body/space/middle_axis_frame.hpp"
+#include "actio/fast_body/space/modified_inertia.hpp"
+#include "actio/fast_body/space/symmetric_body.hpp"
+
+namespace actio {
+
+/// Momentum and attitude of a body at one time.
+struct FreeState {
+  Momentum<SO<3>, double> body_momentum;  ///< energy x time
+  Element<SU2, double> attitude;          ///< unit quaternion, body to space
+
+  /// The momentum in space, constant along a free motion.
+  Momentum<SO<3>, double> spatial_momentum() const { return {SO<3>{}, SU2::Ad<double>(attitude.value, body_momentum.components)}; }
+};
+
+/// A body that turns freely, from a given start.
+class FreeBody {
+ public:
+  /// @param inertia   of the body
+  /// @param momentum  body momentum at the start, energy x time
+  /// @param attitude  at the start, body to space
+  /// @throws NotFinite, OutsideDomain  where a number is none, or the quaternion not near unit length
+  FreeBody(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{}))
+      : inertia_(inertia), frame_(inertia.moments) {
+    if (!is_finite(momentum.components)) throw NotFinite("free body: body momentum");
+    if (!is_finite(attitude.value)) throw NotFinite("free body: attitude");
+    amount_ = momentum.components.stableNorm();
+    Eigen::Vector3d const direction = amount_ > 0 ? Eigen::Vector3d(momentum.components / amount_).normalized() : Eigen::Vector3d::UnitX();
+    Element<SU2, double> const unit = restore(attitude);
+    start_ = {frame_.enter(direction), frame_.enter(unit.value)};
+    symmetry_ = axis_of_symmetry(frame_.moments());
+    moments_ = InverseMoments<double>(frame_.moments());
+    rate_ = amount_ / frame_.unit();
+    if (!is_finite(rate_)) throw NotFinite("free body: momentum over inertia");
+  }
+
+  Inertia<3> const& inertia() const { return inertia_; }
+  /// Whether two moments are equal to rounding, so that the motion has a closed form in sines and cosines.
+  bool is_symmetric() const { return symmetry_ >= 0; }
+  /// Whether all three are.
+  bool is_sphere() const {
+    auto const& I = frame_.moments();
+    return is_symmetric() && axis_of_symmetry({I[2], I[1], I[0]}) == symmetry_;
+  }
+  /// \f$|M|\f$, energy x time.
+  double amount() const { return amount_; }
+
+  /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal moments sines and cosines.
+  /// The quaternion is the one that the given one becomes as time goes on, its sign too.
+  /// Accuracy: a few epsilon times the angle turned.
+  FreeState at(double t) const { return state(place_at(t)); }
+  /// The momentum alone, to the same bits: nothing of the attitude is computed.
+  Momentum<SO<3>, double> body_momentum_at(double t) const {
+    Three<double> u = start_.direction;
+    if (symmetry_ >= 0) return momentum_along(symmetric_motion(moments_, symmetry_, u, 2 * half(t)));
+    HalfTurn<double>(exact_flight_of_momentum<double>(moments_, u, half(t))).leap(u);
+    return momentum_along(u);
+  }
+  /// The same, in the axes that the steps use.
+  BodyPlace<double> place_at(double t) const {
+    if (symmetry_ >= 0) return symmetric_motion(moments_, symmetry_, start_, 2 * half(t));
+    BodyPlace<double> place = start_;
+    HalfTurn<double>(flight(t)).leap(place);
+    return place;
+  }
+
+  /// The exact flight over a time t.
+  /// @throws NotFinite  where t is no number, or the angle overflows
+  Flight<double> flight(double t) const { return exact_flight<double>(moments_, start_.direction, half(t)); }
+
+  /// The flight of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified moments of inertia, 4, 6, 8, ...
+  /// @throws OutsideDomain  where the order is odd or not positive
+  /// @throws StepTooLong    where there is no solution, with the largest step that would do
+  Flight<double> moser_veselov_flight(double h, int order) const {
+    if (order < 2 || order % 2 != 0 || order > 40) throw OutsideDomain("free body", "the order of the scheme must be 2, 4, ... 40", order, order < 2 ? 2 : 40);
+    double const t = half(h);
+    auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
+    bool found = false;
+    Flight<double> const flight = actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
+    // With modified moments there may be roots again beyond the longest step; they do not grow out of the identity.
+    if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5) found = !(longest_step(h, order) < std::abs(h));
+    if (!found) throw StepTooLong("Moser-Veselov of order " + std::to_string(order), std::abs(h), longest_step(h, order));
+    return flight;
+  }
+
+  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No small change of the place grows faster.
+  double pace() const { return std::sqrt(Orbit<double>(moments_, start_.direction).s1) * rate_; }
+  /// Whether the orbit passes the middle axis closely: \f$k'^2\f$ about 1/100, or less.
+  bool near_separatrix() const {
+    Orbit<double> const orbit(moments_, start_.direction);
+    return 100 * std::abs(moments_.d13 * orbit.beside) < orbit.s1;
+  }
+
+  /// Where the body starts, in the axes that the steps use.
+  BodyPlace<double> const& start() const { return start_; }
+  /// The inverse moments in the axes that the steps use, in units of a power of two near that of the largest moment.
+  InverseMoments<double> const& inverse_moments() const { return moments_; }
+
+  /// The state of a place that the steps have reached.
+  FreeState state(BodyPlace<double> const& place) const {
+    return {momentum_along(place.direction), {SU2{}, frame_.leave(place.attitude).normalized()}};
+  }
+  /// The body momentum in the direction of such a place.
+  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
+
+ private:
+  double half(double t) const {
+    double const angle = t / 2 * rate_;
+    if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");
+    return angle;
+  }
+  /// The longest step up to h of the scheme of this order. Order 2 has a closed form, where no Lambda_i is negative; beyond that the first step that has no solution is looked for
+  /// upwards, and then between it and the last that had one.
+  double longest_step(double h, int order) const {
+    if (order == 2 && !(inertia_.lambda.minCoeff() < 0)) return largest_step(inertia_, Momentum<SO<3>, double>{SO<3>{}, state(start_).body_momentum.components});
+    auto const solvable = [&](double step) {
+      double const t = half(step);
+      auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
+      bool found = false;
+      actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
+      return found;
+    };
+    if (!(rate_ > 0)) return std::abs(h);
+    double low = 0, high = 0;
+    for (double step = 0.01 / (rate_ * std::max(moments_.J[0], moments_.J[2])); high == 0; step *= 1.05) {
+      double const next = std::min(step, std::abs(h));
+      if (!solvable(next)) high = next;
+      else if (low = next; next == std::abs(h)) return low;
+    }
+    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
+      double const middle = (low + high) / 2;
+      (solvable(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  Inertia<3> inertia_;
+  MiddleAxisFrame frame_;
+  int symmetry_;
+  double amount_, rate_;
+  BodyPlace<double> start_;
+  InverseMoments<double> moments_;
+};
+
+}  // namespace actio

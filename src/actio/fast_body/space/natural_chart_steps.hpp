@@ -1,0 +1,161 @@
+// A free rigid body in steps of the natural-chart scheme, and of its compositions.
+//
+//     NaturalChartSteps motion(inertia, momentum, attitude, 0.01);               // order 2
+//     NaturalChartSteps better(inertia, momentum, attitude, 0.1, suzuki<double>());  // order 4: the scheme is its own adjoint
+//
+// A step of -h undoes one of h, since the discrete Lagrangian is the same at f and at its inverse. So substeps by the fractions of composition.hpp make steps of higher order.
+#pragma once
+
+#include <vector>
+
+#include "actio/fast_body/space/compensated_turn.hpp"
+#include "actio/fast_body/space/free_body.hpp"
+#include "actio/fast_body/space/natural_chart_step.hpp"
+
+namespace actio {
+
+/// A free body in steps of one length, by the natural-chart scheme.
+///
+/// The momentum in the body is turned back by what the attitude is turned by, so that its amount and the momentum in space are kept to rounding, whatever Newton's method has left. Both are summed with what the sums before
+/// have lost. Each search begins where the three before it point to.
+class NaturalChartSteps {
+ public:
+  /// @param momentum   body momentum at the start, energy x time
+  /// @param attitude   at the start, body to space
+  /// @param h          step, time, not zero
+  /// @param fractions  of a step, for its substeps; they add up to 1
+  /// @throws NotFinite, OutsideDomain  where a number is none, the step is zero, the fractions do not add up to 1, or the quaternion is not near unit length
+  /// @throws StepTooLong               where the first step has no solution: the chart ends at half a turn
+  NaturalChartSteps(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1})
+      : step_(h), unit_(unit_of(inertia)), scheme_(over(inertia.moments, unit_)), fractions_(std::move(fractions)), guesses_(fractions_.size()) {
+    if (!is_finite(h)) throw NotFinite("natural-chart steps: step");
+    if (h == 0) throw OutsideDomain("natural-chart steps", "the step must differ from zero", 0, 0);
+    double sum = 0;
+    for (double const f : fractions_) sum += f;
+    if (!(std::abs(sum - 1) <= 1e-12)) throw OutsideDomain("natural-chart steps", "the fractions of a step must add up to 1", sum, 1);
+    if (!is_finite(momentum.components)) throw NotFinite("natural-chart steps: body momentum");
+    if (!is_finite(attitude.value)) throw NotFinite("natural-chart steps: attitude");
+    Eigen::Vector4d const q = restore(attitude).value;
+    now_ = {over(momentum.components, unit_), {q[0], q[1], q[2], q[3]}};
+    if (!is_finite(dot(now_.direction, now_.direction))) throw NotFinite("natural-chart steps: momentum over inertia");
+    if (!possible(now_.direction, h)) too_long();
+  }
+
+  /// Steps with momentum and attitude.
+  /// @throws StepTooLong  where a step has no solution; the body is then at the last step that had one
+  void advance(long count = 1) { take<true>(count); }
+  /// Steps with the momentum alone.
+  void advance_momentum(long count = 1) {
+    if (count > 0) attitude_known_ = false;
+    take<false>(count);
+  }
+
+  /// Saves, or restores, what the next step depends on besides body and step: `memory(numbers...)` takes each of them by reference.
+  template <class Memory>
+  void remember(Memory& memory) {
+    memory(now_, carry_, taken_, attitude_known_, guesses_);
+  }
+
+  double step() const { return step_; }
+  /// Momentum and attitude now.
+  /// @throws OutsideDomain  after \ref advance_momentum, which has left the attitude behind
+  FreeState state() const {
+    if (!attitude_known_) throw OutsideDomain("natural-chart steps", "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
+    auto const q = plus(now_.attitude, carry_.attitude);
+    return {body_momentum(), {SU2{}, Eigen::Vector4d(q[0], q[1], q[2], q[3]).normalized()}};
+  }
+  /// The body momentum now, energy x time.
+  Momentum<SO<3>, double> body_momentum() const {
+    auto const p = plus(now_.direction, carry_.direction);
+    return {SO<3>{}, Eigen::Vector3d(p[0], p[1], p[2]) * unit_};
+  }
+
+ private:
+  /// The turns of the last three steps, the latest first.
+  struct Guess {
+    Three<double> v1, v2, v3;
+  };
+
+  static double unit_of(Inertia<3> const& inertia) {
+    if (!is_finite(inertia.moments)) throw NotFinite("natural-chart steps: moments of inertia");
+    return MiddleAxisFrame(inertia.moments).unit();
+  }
+  static Three<double> over(Eigen::Vector3d const& x, double unit) { return {x[0] / unit, x[1] / unit, x[2] / unit}; }
+  static Three<double> times(double c, Three<double> const& x) { return {c * x[0], c * x[1], c * x[2]}; }
+  static Three<double> cross(Three<double> const& a, Three<double> const& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+
+  Three<double> guess(std::size_t stage, Three<double> const& p) const {
+    auto const& [v1, v2, v3] = guesses_[stage];
+    if (taken_ == 0) return scheme_.velocity(p);
+    if (taken_ == 1) return v1;
+    if (taken_ == 2) return plus(v1, minus(v1, v2));
+    return plus(times(3, minus(v1, v2)), v3);
+  }
+  /// The relative motion of a turn: \f$e-1\f$, so that nothing is lost where it is small.
+  static Four<double> change_of(NaturalChartStep::Turn const& turn) {
+    double const half = std::sqrt(turn.angle_squared) / 2, ratio = half > 0 ? std::sin(half) / (2 * half) : 0.5;
+    Three<double> const e = times(ratio, turn.v);
+    return {-dot(e, e) / (1 + std::cos(half)), e[0], e[1], e[2]};
+  }
+  /// The momentum on the other side of a turn, less the momentum on this side.
+  static Three<double> momentum_change(Four<double> const& change, Three<double> const& m) {
+    Three<double> const e{change[1], change[2], change[3]}, across = cross(e, m);
+    return times(2, minus(cross(e, across), times(1 + change[0], across)));
+  }
+
+  template <bool with_attitude>
+  void take(long count) {
+    for (long n = 0; n < count; ++n) {
+      auto const now = now_, carry = carry_;
+      before_ = guesses_;
+      for (std::size_t k = 0; k < fractions_.size(); ++k) {
+        Three<double> const p = times(fractions_[k] * step_, now_.direction);
+        auto turn = scheme_.turn(p, guess(k, p));
+        if (!turn.found) turn = scheme_.followed(p);
+        if (!turn.found) {
+          now_ = now, carry_ = carry, guesses_ = before_;
+          too_long();
+        }
+        guesses_[k] = {turn.v, guesses_[k].v1, guesses_[k].v2};
+        Four<double> const change = change_of(turn);
+        if constexpr (with_attitude) PlaceWithCarry<double>::add(now_.attitude, carry_.attitude, compose(now_.attitude, change));
+        PlaceWithCarry<double>::add(now_.direction, carry_.direction, momentum_change(change, now_.direction));
+      }
+      ++taken_;
+    }
+  }
+
+  /// Whether a whole step of length h has a solution.
+  bool possible(Three<double> m, double h) const {
+    for (double const f : fractions_) {
+      auto const turn = scheme_.followed(times(f * h, m));
+      if (!turn.found) return false;
+      m = plus(m, momentum_change(change_of(turn), m));
+    }
+    return true;
+  }
+  /// @throws StepTooLong  with the longest step from here
+  [[noreturn]] void too_long() const {
+    auto const& m = now_.direction;
+    // Moments are at most 1 here: no turn of less than pi has more than |p| = |y| (1 + pi/2 + 1) < 12.
+    double const size = std::max({std::abs(m[0]), std::abs(m[1]), std::abs(m[2])}), share = *std::max_element(fractions_.begin(), fractions_.end());
+    double low = 0, high = std::min(std::abs(step_), 12 / size / share);
+    for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
+      double const middle = (low + high) / 2;
+      (possible(m, std::copysign(middle, step_)) ? low : high) = middle;
+    }
+    throw StepTooLong("natural-chart scheme", std::abs(step_), low);
+  }
+
+  double step_, unit_;
+  NaturalChartStep scheme_;
+  std::vector<double> fractions_;
+  BodyPlace<double> now_{}, carry_{};  ///< the momentum in units of inertia, and the attitude
+  std::vector<Guess> guesses_, before_;  ///< of each substep; before_ as they were when the step began
+  long taken_ = 0;
+  bool attitude_known_ = true;
+};
+
+}  // namespace actio

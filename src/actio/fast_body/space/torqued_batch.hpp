@@ -1,0 +1,272 @@
+// Many bodies under the torque of gravity, several at once: the steps of torqued_body.hpp in lanes.
+//
+// A lane whose flight is too long for the series of its neighbours is flown by itself, and put back.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "actio/fast_body/space/body_batch.hpp"
+#include "actio/fast_body/space/torqued_body.hpp"
+
+namespace actio {
+namespace detail {
+
+/// Four bodies under gravity.
+struct TorquedLanes {
+  using Lanes = Pack<4>;
+  Three<Lanes> p;
+  Four<Lanes> q;
+  InverseMoments<Lanes> body;
+  Three<Lanes> coefficients;  ///< of the torque, times what a kick multiplies it with
+  Three<Lanes> towards, ahead;
+  Lanes rate;                 ///< times the step
+  Lanes cosine, sine;         ///< of the angle that the direction has gone round by
+  bool orbits = false;        ///< whether a rate differs from zero
+};
+
+/// One lane of a bundle.
+template <std::size_t n>
+std::array<double, n> lane_of(std::array<Pack<4>, n> const& x, int l) {
+  std::array<double, n> y;
+  for (std::size_t i = 0; i < n; ++i) y[i] = x[i][l];
+  return y;
+}
+template <std::size_t n>
+void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) {
+  for (std::size_t i = 0; i < n; ++i) x[i].set(l, y[i]);
+}
+
+/// The flight of each lane by itself.
+[[gnu::noinline, gnu::cold]] inline void fly_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p, Four<Pack<4>>& q) {
+  for (int l = 0; l < 4; ++l) {
+    InverseMoments<double> body;
+    for (int i = 0; i < 3; ++i) body.J[i] = c.body.J[i][l];
+    body.d12 = c.body.d12[l], body.d23 = c.body.d23[l], body.d13 = c.body.d13[l];
+    TorquedPlace place{lane_of(p, l), lane_of(q, l)};
+    int terms = 8;
+    place = fly(body, scaled(body, part), part, place, terms);
+    set_lane(p, l, place.p), set_lane(q, l, place.q);
+  }
+}
+
+/// Steps of four bodies.
+template <bool orbits>
+struct TorquedLaneSteps {
+  using Lanes = Pack<4>;
+  TorquedLanes& lanes;
+  KickFlight const& method;
+  long from, count;
+
+  /// The angle at the beginning, from the number of steps: what is multiplied up from there has no time to go astray.
+  void place_direction(double steps) {
+    for (int l = 0; l < 4; ++l) {
+      lanes.cosine.set(l, std::cos(lanes.rate[l] * steps));
+      lanes.sine.set(l, std::sin(lanes.rate[l] * steps));
+    }
+  }
+  /// Turned on by so many steps.
+  [[gnu::always_inline]] static void turn(Lanes& cosine, Lanes& sine, Lanes const& c, Lanes const& s) {
+    Lanes const next = cosine * c - sine * s;
+    sine = sine * c + cosine * s;
+    cosine = next;
+  }
+  [[gnu::always_inline]] void kick(double part, Lanes const& cosine, Lanes const& sine, Three<Lanes>& p, Four<Lanes> const& q) const {
+    auto const& [to, ahead] = std::tie(lanes.towards, lanes.ahead);
+    Three<Lanes> t;
+    if constexpr (orbits)
+      t = GravityGradient::of_direction<Lanes>(
+          lanes.coefficients, q, {cosine * to[0] + sine * ahead[0], cosine * to[1] + sine * ahead[1], cosine * to[2] + sine * ahead[2]});
+    else
+      t = GravityGradient::of_direction<Lanes>(lanes.coefficients, q, to);
+    p = {p[0] + part * t[0], p[1] + part * t[1], p[2] + part * t[2]};
+  }
+  [[gnu::always_inline]] void operator()() {
+    long const between = 64;
+    for (long done = 0; done < count; done += between) {
+      if constexpr (orbits) place_direction(static_cast<double>(from + done));
+      run(std::min(between, count - done), done == 0, done + between >= count);
+    }
+  }
+  /// Steps in a row. A kick between two rows is given by the first of them.
+  [[gnu::always_inline]] void run(long steps, bool first, bool last) {
+    std::size_t const stages = method.flights.size();
+    double const joined = method.kicks.front() + method.kicks.back();
+    auto const& table = StepTable<5, Lanes>::get();
+    Three<Lanes> p = lanes.p;
+    Four<Lanes> q = lanes.q;
+    Lanes cosine = lanes.cosine, sine = lanes.sine;
+    if (first) kick(method.kicks.front(), cosine, sine, p, q);
+    for (long n = 1; n <= steps; ++n)
+      for (std::size_t k = 0; k < stages; ++k) {
+        Three<Lanes> next_p = p;
+        Four<Lanes> next_q = q;
+        bool const short_enough = all_within<5>(short_step(table, parts[k], next_p, next_q));
+        if (short_enough) [[likely]] {
+          p = next_p, q = next_q;
+        } else {
+          // In copies, so that the others need not be in memory.
+          Three<Lanes> apart_p = p;
+          Four<Lanes> apart_q = q;
+          fly_apart(lanes, method.flights[k], apart_p, apart_q);
+          p = apart_p, q = apart_q;
+        }
+        if constexpr (orbits) turn(cosine, sine, rotation[2 * k], rotation[2 * k + 1]);
+        kick(k + 1 < stages || (last && n == steps) ? method.kicks[k + 1] : joined, cosine, sine, p, q);
+      }
+    tidy(q);
+    lanes.p = p, lanes.q = q, lanes.cosine = cosine, lanes.sine = sine;
+  }
+
+  std::vector<InverseMoments<Lanes>> const& parts;  ///< of the flights
+  std::vector<Lanes> rotation{};                    ///< cosine and sine of what the direction turns by in each of them
+};
+
+}  // namespace detail
+
+/// Bodies under the torque of gravity, in steps of one length.
+///
+/// A body that cannot be flown has its index and loses no other: its place stays empty, it is in \ref refused, and asking for its state throws.
+/// So does one whose momentum becomes too large for a number, from then on.
+class TorquedBatch {
+ public:
+  /// An empty batch.
+  /// @param h       step, time, not zero; negative steps go back in time
+  /// @param method  as of \ref TorquedBody
+  /// @throws NotFinite, OutsideDomain  where h is no number, or zero
+  explicit TorquedBatch(double h, KickFlight method = strang_splitting(), Machine machine = best_machine())
+      : h_(h), method_(std::move(method)), machine_(machine) {
+    if (!is_finite(h)) throw NotFinite("batch: step");
+    if (h == 0) throw OutsideDomain("batch", "the step must differ from zero", 0, 0);
+    if (method_.flights.empty() || method_.kicks.size() != method_.flights.size() + 1)
+      throw OutsideDomain("batch", "one kick more than flights is needed; kicks", static_cast<double>(method_.kicks.size()),
+                          static_cast<double>(method_.flights.size() + 1));
+  }
+  /// @throws OutsideDomain  where the lists are not of one length
+  TorquedBatch(std::vector<Inertia<3>> const& inertias, std::vector<Momentum<SO<3>, double>> const& momenta, std::vector<Element<SU2, double>> const& attitudes,
+               std::vector<GravityGradient> const& torques, double h, KickFlight method = strang_splitting(), Machine machine = best_machine())
+      : TorquedBatch(h, std::move(method), machine) {
+    for (std::size_t const size : {momenta.size(), attitudes.size(), torques.size()})
+      if (size != inertias.size())
+        throw OutsideDomain("batch", "as many momenta, attitudes and torques as bodies are needed; the length that is off", static_cast<double>(size),
+                            static_cast<double>(inertias.size()));
+    for (std::size_t i = 0; i < inertias.size(); ++i) try {
+        add(inertias[i], momenta[i], attitudes[i], torques[i]);
+      } catch (BodyRefused const& why) {
+        refused_.push_back(why);
+        leave_out();
+      }
+  }
+
+  /// One more body, from now on. @return its index
+  /// @throws BodyRefused  where it cannot be flown, with the index that it would have had; the batch is as before
+  std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, GravityGradient const& torque) {
+    try {
+      detail::TorquedFrame const frame(inertia, h_);
+      auto const place = frame.enter(momentum, attitude);
+      GravityGradient const turned = torque.relabelled(frame.first());
+      Three<double> coefficients = turned.coefficients();
+      for (double& c : coefficients) c *= frame.kick();
+      if (!std::isfinite(dot(coefficients, coefficients) + dot(turned.towards, turned.towards) + dot(turned.ahead, turned.ahead) + turned.rate * h_))
+        throw NotFinite("torqued body: torque");
+      leave_out();
+      put(frame, place, turned, coefficients);
+    } catch (Error const& error) {
+      throw BodyRefused(size(), error.what());
+    }
+    return size() - 1;
+  }
+
+  std::size_t size() const { return frames_.size(); }
+  /// The bodies that could not be taken, or not be kept.
+  std::vector<BodyRefused> const& refused() const { return refused_; }
+  /// h, time.
+  double step_length() const { return h_; }
+  /// The time reached.
+  double time() const { return static_cast<double>(steps_) * h_; }
+
+  /// So many steps.
+  /// @throws OutsideDomain  where count is negative
+  void step(long count = 1) {
+    if (count < 0) throw OutsideDomain("batch", "the number of steps must not be negative", static_cast<double>(count), 0);
+    if (count == 0) return;
+    for (auto& lanes : lanes_) lanes.orbits ? run<true>(lanes, count) : run<false>(lanes, count);
+    steps_ += count;
+    for (std::size_t i = 0; i < size(); ++i) {
+      auto const p = detail::lane_of(lanes_[i / 4].p, static_cast<int>(i % 4));
+      if (std::isfinite(dot(p, p))) continue;
+      refused_.emplace_back(i, "torqued body: the momentum has become no number");
+      empty(i);
+    }
+  }
+  /// Momentum and attitude.
+  /// @throws BodyRefused, OutsideDomain  where there is no such body
+  FreeState state(std::size_t i) const {
+    if (i >= size()) throw OutsideDomain("batch", "no such body; index", static_cast<double>(i), static_cast<double>(size()));
+    if (!frames_[i])
+      for (auto const& why : refused_)
+        if (why.index == i) throw why;
+    int const l = static_cast<int>(i % 4);
+    return frames_[i]->leave({detail::lane_of(lanes_[i / 4].p, l), detail::lane_of(lanes_[i / 4].q, l)});
+  }
+
+ private:
+  using Lanes = Pack<4>;
+
+  /// A sphere at rest, without a torque.
+  void empty(std::size_t i) {
+    auto& lanes = lanes_[i / 4];
+    int const l = static_cast<int>(i % 4);
+    frames_[i] = nullptr;
+    detail::set_lane<3>(lanes.p, l, {0, 0, 0}), detail::set_lane<4>(lanes.q, l, {1, 0, 0, 0}), detail::set_lane<3>(lanes.body.J, l, {1, 1, 1});
+    lanes.body.d12.set(l, 0), lanes.body.d23.set(l, 0), lanes.body.d13.set(l, 0);
+    detail::set_lane<3>(lanes.coefficients, l, {0, 0, 0}), detail::set_lane<3>(lanes.towards, l, {1, 0, 0}), detail::set_lane<3>(lanes.ahead, l, {0, 1, 0});
+    lanes.rate.set(l, 0), lanes.cosine.set(l, 1), lanes.sine.set(l, 0);
+  }
+  void leave_out() {
+    std::size_t const i = size();
+    bool const opens = i % 4 == 0;
+    if (opens) lanes_.emplace_back();
+    frames_.resize(opens ? i + 4 : i + 1);
+    for (std::size_t k = i; opens && k < i + 4; ++k) empty(k);
+    frames_.resize(i + 1);
+  }
+  void put(detail::TorquedFrame const& frame, detail::TorquedPlace const& place, GravityGradient const& torque, Three<double> const& coefficients) {
+    std::size_t const i = size() - 1;
+    auto& lanes = lanes_[i / 4];
+    int const l = static_cast<int>(i % 4);
+    frames_[i] = std::make_shared<detail::TorquedFrame const>(frame);
+    auto const& body = frame.body();
+    detail::set_lane(lanes.p, l, place.p), detail::set_lane(lanes.q, l, place.q), detail::set_lane(lanes.body.J, l, body.J);
+    lanes.body.d12.set(l, body.d12), lanes.body.d23.set(l, body.d23), lanes.body.d13.set(l, body.d13);
+    detail::set_lane(lanes.coefficients, l, coefficients), detail::set_lane(lanes.towards, l, torque.towards), detail::set_lane(lanes.ahead, l, torque.ahead);
+    lanes.rate.set(l, torque.rate * h_);
+    lanes.orbits = lanes.orbits || torque.rate != 0;
+  }
+  template <bool orbits>
+  void run(detail::TorquedLanes& lanes, long count) {
+    parts_.resize(method_.flights.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k] = detail::scaled<Lanes>(lanes.body, method_.flights[k]);
+    detail::TorquedLaneSteps<orbits> steps{lanes, method_, steps_, count, parts_};
+    if constexpr (orbits)
+      for (double const part : method_.flights) {
+        Lanes c, s;
+        for (int l = 0; l < 4; ++l) c.set(l, std::cos(part * lanes.rate[l])), s.set(l, std::sin(part * lanes.rate[l]));
+        steps.rotation.push_back(c), steps.rotation.push_back(s);
+      }
+    run_on(machine_, steps);
+  }
+
+  double h_;
+  KickFlight method_;
+  Machine machine_;
+  std::vector<detail::TorquedLanes> lanes_;
+  std::vector<std::shared_ptr<detail::TorquedFrame const>> frames_;
+  std::vector<BodyRefused> refused_;
+  std::vector<InverseMoments<Lanes>> parts_;  ///< for the four bodies at work
+  long steps_ = 0;
+};
+
+}  // namespace actio

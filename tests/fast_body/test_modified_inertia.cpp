@@ -1,0 +1,125 @@
+// Moments with which the Moser-Veselov scheme is of any order: against the polynomials of Hairer and Vilmart over the rationals, and by the orders that come
+// out.
+#include <boost/test/unit_test.hpp>
+
+#include "witness/draw.hpp"
+#include "actio/fast_body/space/exact_flight.hpp"
+#include "actio/fast_body/space/modified_inertia.hpp"
+#include "../rigid_body/random_bodies.hpp"
+
+using namespace actio;
+
+namespace {
+
+// What Hairer and Vilmart print for 1/I_i -> (1 + h^2 s3 + h^4 s5)/I_i + h^2 d3 + h^4 d5, with C = |M|^2/2 and H the energy.
+template <class S>
+struct PrintedTerms {
+  S s3, d3, s5, d5;
+
+  PrintedTerms(Three<S> const& I, S const& C, S const& H) {
+    S const det = I[0] * I[1] * I[2], I1 = I[0] + I[1] + I[2], I2 = I[0] * I[0] + I[1] * I[1] + I[2] * I[2], J1 = S(1) / I[0] + S(1) / I[1] + S(1) / I[2],
+            J2 = S(1) / (I[0] * I[0]) + S(1) / (I[1] * I[1]) + S(1) / (I[2] * I[2]), mixed = I1 * J1 - S(3);
+    s3 = I1 / (S(6) * det) * C - J1 / S(3) * H;
+    d3 = -C / (S(3) * det) + I1 / (S(6) * det) * H;
+    s5 = (I2 / det - J1) / (S(30) * det) * C * C + (S(1) - mixed) / (S(30) * det) * C * H + (S(3) * I1 / det + S(2) * J2) / S(60) * H * H;
+    d5 = -I1 / (S(60) * det * det) * C * C + (J1 / (S(10) * det) - I2 / (S(60) * det * det)) * C * H - (S(9) + mixed) / (S(60) * det) * H * H;
+  }
+};
+
+Three<rational> rational_direction(Draw& draw) {
+  rational const a = draw.number<rational>(), b = draw.number<rational>(), whole = 1 + a * a + b * b;
+  return {2 * a / whole, 2 * b / whole, (1 - a * a - b * b) / whole};
+}
+
+// A body of middling shape in S, and a direction.
+template <class S>
+struct Model {
+  InverseMoments<S> body{Three<S>{ratio<S>(6, 10), ratio<S>(8, 10), S(1)}};
+  Three<S> u;
+  explicit Model(bool round_third) {
+    using std::sqrt;
+    u = round_third ? Three<S>{ratio<S>(3, 10), ratio<S>(-4, 10), ratio<S>(9, 10)} : Three<S>{ratio<S>(18, 10), ratio<S>(4, 10), ratio<S>(-9, 10)};
+    S const size = sqrt(dot(u, u));
+    for (S& x : u) x /= size;
+  }
+};
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(modified_inertia)
+
+BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
+  Draw draw(testing::seed);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    Three<rational> I;
+    for (auto& x : I) x = 2 + draw.number<rational>();
+    // The middle moment in the middle, from either end.
+    std::sort(I.begin(), I.end());
+    if (repeat % 2) std::swap(I[0], I[2]);
+    InverseMoments<rational> const body(I);
+    Three<rational> const u = rational_direction(draw);
+    ModifiedInertiaSeries<rational> const series(body, Orbit<rational>(body, u), 3);
+    // |M| = 1, so that t = h/2.
+    rational const H = (body.J[0] * u[0] * u[0] + body.J[1] * u[1] * u[1] + body.J[2] * u[2] * u[2]) / 2;
+    PrintedTerms<rational> const printed(I, rational(1, 2), H), other(I, rational(1, 2), H + rational(1, 1000));
+    BOOST_TEST((series.s.coefficient(0) == 1));
+    BOOST_TEST((series.d.coefficient(0) == 0));
+    BOOST_TEST((series.s.coefficient(1) / 4 == printed.s3));
+    BOOST_TEST((series.d.coefficient(1) / 4 == printed.d3));
+    BOOST_TEST((series.s.coefficient(2) / 16 == printed.s5));
+    BOOST_TEST((series.d.coefficient(2) / 16 == printed.d5));
+    // On another orbit the terms are others.
+    BOOST_TEST((series.s.coefficient(1) / 4 != other.s3));
+    BOOST_TEST((series.d.coefficient(2) / 16 != other.d5));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_series_are_those_of_what_makes_the_step_exact) {
+  // s and d of an exact flight from the replaced moments themselves, by differences of two of them; 24 terms at t = 1/8.
+  using S = dec50;
+  for (bool const third : {false, true}) {
+    Model<S> const model(third);
+    S const t = ratio<S>(1, 8);
+    auto const j = inertia_of(exact_flight<S>(model.body, model.u, t));
+    S const s = (j[0] - j[2]) / (t * model.body.d13), d = j[1] - s * t * model.body.J[1];
+    auto const series = modified_inertia<S>(model.body, model.u, t, 48);
+    BOOST_TEST(to_double(magnitude(S(series.s - s))) <= 1e-30);
+    BOOST_TEST(to_double(magnitude(S(series.d - d))) <= 1e-30);
+    // The moment in the middle fits the same s and d.
+    BOOST_TEST(to_double(magnitude(S(j[0] - s * t * model.body.J[0] - d))) <= 1e-48);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(orders_two_to_ten_come_out) {
+  using S = dec50;
+  for (bool const third : {false, true}) {
+    Model<S> const model(third);
+    BodyPlace<S> const start{model.u, {S(1), S(0), S(0), S(0)}};
+    // Over the time 1, by 8 to 256 steps, against the exact motion in one.
+    BodyPlace<S> exact = start;
+    HalfTurn<S>(exact_flight<S>(model.body, model.u, ratio<S>(1, 2))).step(exact);
+    for (int order = 2; order <= 10; order += 2) {
+      std::vector<double> steps, errors;
+      for (int count = 8; count <= 256; count *= 2) {
+        S const t = S(1) / S(2 * count);
+        auto const modified = actio::modified_inertia<S>(model.body, model.u, t, order);
+        Three<S> j;
+        for (int i = 0; i < 3; ++i) j[i] = modified.s * t * model.body.J[i] + modified.d;
+        bool found = false;
+        HalfTurn<S> const turn(moser_veselov_flight<S>(j, model.u, found));
+        BOOST_REQUIRE(found);
+        BodyPlace<S> place = start;
+        for (int k = 0; k < count; ++k) turn.step(place);
+        S error(0);
+        for (int i = 0; i < 3; ++i) error += magnitude(S(place.direction[i] - exact.direction[i]));
+        for (int i = 0; i < 4; ++i) error += magnitude(S(place.attitude[i] - exact.attitude[i]));
+        steps.push_back(1.0 / count), errors.push_back(to_double(error));
+      }
+      auto const fit = testing::fit_order(steps, errors);
+      BOOST_TEST_MESSAGE("order " << order << (third ? ", round axis 3" : ", round axis 1") << ": observed " << fit.slope << ", least error "
+                                  << errors.back());
+      BOOST_TEST(std::abs(fit.slope - order) < 0.05);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

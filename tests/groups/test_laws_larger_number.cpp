@@ -1,0 +1,18 @@
+// The laws of the larger groups over the rationals and in many digits.
+#include "actio/numbers/schur_form_in_digits.hpp"
+#include "laws_of_more_groups.hpp"
+
+using namespace actio;
+
+BOOST_AUTO_TEST_CASE(laws_of_larger_matrices_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_of_larger_matrices<Number>);
+}
+BOOST_AUTO_TEST_CASE(laws_in_five_dimensions_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_in_five_dimensions<Number>);
+}
+BOOST_AUTO_TEST_CASE(laws_of_families_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_of_families<Number>);
+}
+BOOST_AUTO_TEST_CASE(laws_of_products_and_spans_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_of_products_and_spans<Number>);
+}
