@@ -60,7 +60,7 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
   foreach(level IN ITEMS fast brief)
     add_library(actio_precompiled_${level} OBJECT "${PROJECT_BINARY_DIR}/precompiled.cpp")
-    target_link_libraries(actio_precompiled_${level} PRIVATE actio_foundations)
+    target_link_libraries(actio_precompiled_${level} PRIVATE actio_groups)
     actio_own(actio_precompiled_${level} ${level})
     target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
   endforeach()
@@ -68,6 +68,6 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   # Not the catalogue, which few tests read; nor natural charts and steppers, which few units take; nor the heavy top
   # and the bodies that are moved fast: functions there that are no templates would be compiled
   # in every unit; nor Part II, which few units need.
-  list(FILTER own EXCLUDE REGEX "bodies/|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps|remembered_solutions|composition|galerkin|heavy_top|free_body/|large_body/|scene/|foundations/(forms|metric|second_order|square_root|wedge|divergence|number_row)|jets/|constraints/|incompressible/|noether/")
+  list(FILTER own EXCLUDE REGEX "bodies/|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps|remembered_solutions|composition|galerkin|heavy_top|numbers/(second_order|square_root|divergence|number_row)|/(fast_body|scene|forms|jets|continuum|constraints|incompressible|noether)/")
   target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp> ${own})
 endif()

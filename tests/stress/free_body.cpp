@@ -5,7 +5,7 @@
 // its last place.
 #include <chrono>
 
-#include "../free_body/hard_bodies.hpp"
+#include "../fast_body/hard_bodies.hpp"
 #include "book/measure.hpp"
 #include "book/program.hpp"
 

@@ -28,7 +28,7 @@ concept PrimitiveGroup = requires(G const& group, Storage<G, double> const& a, C
 
 /// A Lie group over any field, the rationals included: a matrix group, or one that brings all its primitives.
 ///
-/// Laws, checked for every group of the library and usable on a reader's own (`tests/foundations/group_laws.hpp`):
+/// Laws, checked for every group of the library and usable on a reader's own (`tests/groups/group_laws.hpp`):
 /// compose is associative, identity neutral, inverse inverse; Ad(gh) = Ad(g) Ad(h); the bracket is bilinear, antisymmetric,
 /// satisfies Jacobi's identity and is the derivative of Ad; `retract(-v)` is the inverse of `retract(v)`, and along a line it
 /// agrees with the exponential to second order; `near_identity(v)` is `retract(v)` for infinitesimal v.

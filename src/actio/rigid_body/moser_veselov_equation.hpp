@@ -4,6 +4,7 @@
 // growing P where none is; the spectrum of f^T Lambda tells whether it is the right one.
 #pragma once
 
+#include "actio/groups/solve.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/rigid_body/inertia.hpp"
 

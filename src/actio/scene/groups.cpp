@@ -24,7 +24,7 @@ std::string stem(std::string word) {
 }  // namespace
 
 std::vector<LibraryGroup> const& library_groups() {
-  static std::string const folder = "actio/foundations/groups/";
+  static std::string const folder = "actio/groups/";
   static std::vector<LibraryGroup> const groups{
       {"R^n", "n", "Translations of n-space: the abelian group.", "the vector itself", "actio::Translations<n>", folder + "unipotent_groups.hpp", "eq_3_19"},
       {"SO(n)", "n (n - 1) / 2", "Rotations of n-space.", "n = 2: the angle; n = 3: the rotation vector; n > 3: the entries above the diagonal, row by row", "actio::SO<n>",
