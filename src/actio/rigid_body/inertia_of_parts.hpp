@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "actio/rigid_body/inertia.hpp"
+#include "actio/rigid_body/principal_inertia.hpp"
 
 namespace actio {
 

@@ -34,12 +34,12 @@ std::optional<BodyShape> body_shape(Scene const& scene) {
   std::string const& kind = scene.system->name;
   SceneTable const system = scene.file.section("system");
   if (kind == "rigid_body") {
-    GivenInertia const inertia = read_body_or_inertia(system);
-    return BodyShape{inertia.principal.moments, inertia.axes, system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{}, {}};
+    PrincipalInertia const inertia = read_body_or_inertia(system);
+    return BodyShape{inertia.inertia.moments, inertia.axes, system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{}, {}};
   }
   if (kind == "heavy_top") {
-    GivenInertia const inertia = read_inertia(system);
-    return BodyShape{inertia.principal.moments, inertia.axes, {}, BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
+    PrincipalInertia const inertia = read_inertia(system);
+    return BodyShape{inertia.inertia.moments, inertia.axes, {}, BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
   }
   return std::nullopt;
 }

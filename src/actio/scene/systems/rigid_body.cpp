@@ -4,7 +4,7 @@
 #include "actio/reduction/composition.hpp"
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/systems/method_input.hpp"
-#include "actio/scene/systems/principal_body.hpp"
+#include "actio/scene/systems/free_motion.hpp"
 
 namespace actio::scene {
 namespace {
@@ -43,23 +43,16 @@ std::vector<Quantity> quantities() {
 struct FreeBodyScene {
   SceneTable system, initial, method;
   std::vector<std::string> remarks;
-  GivenInertia inertia;
-  PrincipalStart start;
+  PrincipalInertia inertia;
+  FreeState start;
   FreeBody body;
   MethodChoice choice;
   double fastest, step;
 
   explicit FreeBodyScene(Request const& request)
-      : system(request.file.section("system")), initial(request.file.section("initial")), method(request.file.section("method")), inertia(read_inertia_of_body()),
-        start(read_start()), body(inertia.principal, start.momentum, start.attitude), choice(read_method(method, methods())),
-        fastest(fastest_turn(inertia, kinetic_energy(inertia.principal, start.momentum))), step(read_step(method, request.schedule, fastest)) {}
-
- private:
-  GivenInertia read_inertia_of_body() { return read_body_or_inertia(system); }
-  PrincipalStart read_start() {
-    Eigen::Vector4d const attitude = read_attitude(initial, remarks);
-    return {inertia, read_momentum(initial, inertia), attitude};
-  }
+      : system(request.file.section("system")), initial(request.file.section("initial")), method(request.file.section("method")), inertia(read_body_or_inertia(system)),
+        start(read_start(initial, inertia, remarks)), body(inertia, start.body_momentum, start.attitude), choice(read_method(method, methods())),
+        fastest(fastest_turn(inertia, kinetic_energy(inertia, start.body_momentum))), step(read_step(method, request.schedule, fastest)) {}
 };
 
 /// Sees to it that the angle turned until the end has digits.
@@ -73,19 +66,19 @@ void check_phase(FreeBodyScene& scene, SceneTable const& run, double until) {
 
 std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule const& schedule) {
   int const order = scene.choice.number();
-  Inertia<3> const inertia = scene.inertia.principal;
+  PrincipalInertia const& inertia = scene.inertia;
   try {
-    if (order == 0) return exact_motion(scene.body, scene.inertia);
+    if (order == 0) return exact_motion(scene.body);
     if (scene.choice.name == "natural_chart") {
       auto const fractions = order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>();
-      auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return NaturalChartSteps(inertia, momentum, attitude, h, fractions); };
-      return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step, scene.inertia);
+      auto const steps = [=](FreeState const& start, double h) { return NaturalChartSteps(inertia, start.body_momentum, start.attitude, h, fractions); };
+      return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step);
     }
-    auto const steps = [=](auto const& momentum, auto const& attitude, double h) {
-      FreeBody const body(inertia, momentum, attitude);
+    auto const steps = [=](FreeState const& start, double h) {
+      FreeBody const body(inertia, start.body_momentum, start.attitude);
       return FreeSteps(body, h, body.moser_veselov_flight(h, order));
     };
-    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step, scene.inertia);
+    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step);
   } catch (StepTooLong const& error) {
     fail_for_long_step(scene.method, schedule, error);
   } catch (Error const& error) {
@@ -97,7 +90,7 @@ std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule cons
 Companion companion_of(FreeBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
   if (scene.choice.order == "exact") return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
-  auto exact = exact_motion(scene.body, scene.inertia);
+  auto exact = exact_motion(scene.body);
   if (!attitude) exact->leave_attitude_out();
   return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the exact motion"};
 }
@@ -117,8 +110,8 @@ std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
 
 /// Squares may fall below the smallest numbers where momenta do not.
 void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
-  Eigen::Vector3d const& M = scene.start.momentum.components;
-  double const least = std::numeric_limits<double>::min(), energy = kinetic_energy(scene.inertia.principal, scene.start.momentum);
+  auto const& M = scene.start.body_momentum.components;
+  double const least = std::numeric_limits<double>::min(), energy = kinetic_energy(scene.inertia, scene.start.body_momentum);
   for (auto const& [name, value] : {std::pair<char const*, double>{"energy", energy}, {"casimir", M.squaredNorm()}})
     if (graph.needed(name) && magnitude(M) > 0 && value < least) scene.remarks.push_back(fmt::format("{}: it is below {:.3g}, where digits are lost", name, least));
 }
@@ -133,7 +126,7 @@ Simulation prepare(Request const& request) {
   } catch (NumericsError const& error) {
     // The start can still be told.
     simulation.failure = error.what();
-    motion = exact_motion(scene.body, scene.inertia);
+    motion = exact_motion(scene.body);
   }
   QuantityGraph& graph = simulation.quantities;
   define_turning_body(graph, *motion, scene.inertia);
