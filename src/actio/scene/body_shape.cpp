@@ -1,7 +1,8 @@
 #include "actio/scene/body_shape.hpp"
 
-#include "actio/scene/bodies.hpp"
-#include "actio/scene/systems/body_input.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace actio::scene {
 namespace {
@@ -21,27 +22,12 @@ std::vector<BodyShape::Part> balls(std::vector<PointMass> const& points) {
   return out;
 }
 
-/// What the body is made of, as far as the catalogue says it.
+}  // namespace
+
 std::vector<BodyShape::Part> parts_of(Body const& body) {
   std::vector<BodyShape::Part> parts = balls(body.points);
   for (auto const& c : body.cylinders) parts.push_back(cylinder(c));
   return parts;
-}
-
-}  // namespace
-
-std::optional<BodyShape> body_shape(Scene const& scene) {
-  std::string const& kind = scene.system->name;
-  SceneTable const system = scene.file.section("system");
-  if (kind == "rigid_body") {
-    PrincipalInertia const inertia = read_body_or_inertia(system);
-    return BodyShape{inertia.inertia.moments, inertia.axes, system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{}, {}};
-  }
-  if (kind == "heavy_top") {
-    PrincipalInertia const inertia = read_inertia(system);
-    return BodyShape{inertia.inertia.moments, inertia.axes, {}, BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
-  }
-  return std::nullopt;
 }
 
 }  // namespace actio::scene

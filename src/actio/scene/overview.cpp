@@ -58,11 +58,6 @@ std::vector<Overview::Drawn> drawn_quantities(Scene const& scene) {
   return out;
 }
 
-/// The quantities that a body in space is played from.
-bool of_motion(Quantity const& q) {
-  return q.kind == Quantity::Kind::quaternion || (q.kind == Quantity::Kind::vector && (q.name == "body_momentum" || q.name == "angular_velocity" || q.name == "spatial_momentum"));
-}
-
 /// Two rows are near where no direction in them has turned by more than thirty degrees.
 Excerpt::Near near(std::vector<Direction> directions) {
   return [directions = std::move(directions)](std::vector<double> const& a, std::vector<double> const& b) {
@@ -103,8 +98,9 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
   for (auto const& name : scene.simulation.quantities.columns()) columns.push_back(name);
   std::vector<std::size_t> moving{0};  // columns that are in the excerpt
   for (auto const& drawn : quantities) {
-    if (!of_motion(drawn.quantity)) continue;
-    if (drawn.quantity.name != "spatial_momentum") directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
+    bool const direction = drawn.quantity.shown == Quantity::Shown::as_direction;
+    if (!direction && drawn.quantity.shown != Quantity::Shown::beside_motion) continue;
+    if (direction) directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
     for (std::size_t i = 0; i < drawn.size; ++i) moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
   }
 

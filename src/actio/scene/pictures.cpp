@@ -7,7 +7,6 @@
 #include <iterator>
 #include <limits>
 
-#include "actio/scene/body_shape.hpp"
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/drift.hpp"
 #include "actio/scene/own_files.hpp"
@@ -124,11 +123,12 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   std::vector<std::pair<std::string, std::string>> pictures;
   for (auto const& drawn : overview.quantities) pictures.emplace_back("plots/" + drawn.quantity.name + ".svg", quantity_picture(scene, drawn));
   for (auto const& drifting : overview.drifts) pictures.emplace_back("plots/drift_" + drifting.name + ".svg", drift_picture(scene, drifting));
-  if (scene.system->name == "rigid_body" && overview.find("body_momentum")) pictures.emplace_back("plots/polhode.svg", polhode_picture(scene, overview));
+  for (auto const& own : scene.system->pictures)
+    if (overview.find(own.quantity)) pictures.emplace_back("plots/" + own.name + ".svg", own.draw(scene, overview));
   pictures.emplace_back("plots/index.html", viewer_page(scene, overview, file_contents(folder + "/summary.json")));
   make_way(folder, pictures);
   for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
-  if (!quiet && body_shape(scene) && !overview.find("attitude")) say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
+  if (!quiet && scene.system->shape && !overview.find("attitude")) say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
 }
 
 }  // namespace actio::scene

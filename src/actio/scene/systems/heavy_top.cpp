@@ -5,6 +5,7 @@
 #include "actio/fast_body/space/uniform_gravity.hpp"
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/body_shape.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 
 namespace actio::scene {
@@ -215,11 +216,18 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
+BodyShape shape(SceneFile const& file) {
+  SceneTable const system = file.section("system");
+  return {read_inertia(system), {}, BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
+}
+
 }  // namespace
 
+/// The rigid body held at a point under gravity.
 System heavy_top_system() {
   return {"heavy_top", "Heavy top", "A rigid body held at a point under uniform gravity.", "chapter 3", parameters(), methods(), quantities(), prepare,
-          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n"};
+          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n",
+          shape};
 }
 
 }  // namespace actio::scene

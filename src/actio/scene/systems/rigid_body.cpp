@@ -3,6 +3,8 @@
 
 #include "actio/reduction/composition.hpp"
 #include "actio/scene/bodies.hpp"
+#include "actio/scene/body_shape.hpp"
+#include "actio/scene/pictures.hpp"
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 
@@ -147,12 +149,21 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
+BodyShape shape(SceneFile const& file) {
+  SceneTable const system = file.section("system");
+  PrincipalInertia const inertia = read_body_or_inertia(system);
+  return {inertia, system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{}};
+}
+
 }  // namespace
 
+/// The free rigid body in space.
 System rigid_body_system() {
   return {"rigid_body", "Free rigid body", "A rigid body that turns freely about its centre of mass: Euler's equations for the momentum, and the attitude that goes with it.", "chapter 5",
           parameters(), methods(), quantities(), prepare,
-          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"angular_velocity\", \"energy\"]\n"};
+          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"angular_velocity\", \"energy\"]\n",
+          shape,
+          {{"polhode", "body_momentum", polhode_picture}}};
 }
 
 }  // namespace actio::scene

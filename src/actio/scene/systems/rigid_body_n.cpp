@@ -278,6 +278,7 @@ std::vector<Parameter> parameters() {
 
 }  // namespace
 
+/// The free rigid body in n dimensions.
 System rigid_body_n_system() {
   return {"rigid_body_n",
           "Free rigid body in n dimensions",

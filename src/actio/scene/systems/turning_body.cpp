@@ -26,11 +26,12 @@ StateDistance TurningBody::distance(Motion const& other) const {
 
 std::vector<Quantity> turning_body_quantities(bool free) {
   using Kind = Quantity::Kind;
+  using Shown = Quantity::Shown;
   return {
-      {"attitude", Kind::quaternion, "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one given.", "q", "1", "", {}, false},
-      {"body_momentum", Kind::vector, "The angular momentum in the frame of the body.", "M", "energy x time", "eq_5_1", {}, false},
-      {"angular_velocity", Kind::vector, "The angular velocity in the frame of the body.", "\\omega = I^{-1}M", "1/time", "", {"body_momentum"}, false},
-      {"spatial_momentum", Kind::vector, "The angular momentum in space.", "\\pi = R(q)\\,M", "energy x time", "claim_5_2_spatial_momentum", {"attitude", "body_momentum"}, free},
+      {"attitude", Kind::quaternion, "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one given.", "q", "1", "", {}, false, Shown::as_direction},
+      {"body_momentum", Kind::vector, "The angular momentum in the frame of the body.", "M", "energy x time", "eq_5_1", {}, false, Shown::as_direction},
+      {"angular_velocity", Kind::vector, "The angular velocity in the frame of the body.", "\\omega = I^{-1}M", "1/time", "", {"body_momentum"}, false, Shown::as_direction},
+      {"spatial_momentum", Kind::vector, "The angular momentum in space.", "\\pi = R(q)\\,M", "energy x time", "claim_5_2_spatial_momentum", {"attitude", "body_momentum"}, free, Shown::beside_motion},
   };
 }
 
