@@ -3,8 +3,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/gmp.hpp>
 
-#include <boost/multiprecision/eigen.hpp>
-
 #include <Eigen/Core>
 
 #include <array>

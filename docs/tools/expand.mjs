@@ -9,6 +9,7 @@ import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegist
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable, systemPage, viewerFrame, viewerOf } from './scenes.mjs';
 import { knowStatements } from './small_print.mjs';
+import { housePlan, houseTable, readHouse } from './house.mjs';
 import { keysPage, readKeys } from './keys.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 import { legend, measured, originClass, originText, releasedChecks, releasedPrograms } from './release.mjs';
@@ -293,6 +294,8 @@ for (const p of pages) {
       if (!fs.existsSync(file)) return errors.add(p.file, line, `there is no data/scenes/${name}.py`);
       block(pythonCard(`data/scenes/${name}.py`, fs.readFileSync(file, 'utf8'), fs.existsSync(said) ? fs.readFileSync(said, 'utf8') : null));
     },
+    houseplan() { block(housePlan(readHouse(opt.root, errors))); },
+    house() { block(houseTable(readHouse(opt.root, errors))); },
     scenes() {
       block(book.scenes ? sceneTable(book.scenes) : `<p>${notRun('the scenes')}</p>`);
       if (book.scenes) emit(`Each has a page with its motion and its text: ${[...book.scenes.keys()].map(name => `\\subpage scenefile_${name} "${name}"`).join(', ')}.\n`);
@@ -369,7 +372,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');

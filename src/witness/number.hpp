@@ -273,11 +273,6 @@ std::uint64_t operations_done();
 /// How many cells have ever been allocated for numbers that do not fit into 16 bytes.
 std::uint64_t cells_allocated();
 
-// What the library asks of a scalar.
-
-template <>
-inline constexpr bool detail::own_arithmetic<Number> = true;
-
 static_assert(sizeof(Number) == 16);
 
 }  // namespace actio
@@ -293,16 +288,3 @@ struct std::numeric_limits<actio::Number> {
   static actio::Number min() { return actio::Number(std::numeric_limits<double>::min()); }
 };
 
-namespace Eigen {
-template <>
-struct NumTraits<actio::Number> : GenericNumTraits<actio::Number> {
-  using Real = actio::Number;
-  using NonInteger = actio::Number;
-  using Nested = actio::Number;
-  using Literal = actio::Number;
-  static Real epsilon() { return actio::Number::rounding(); }
-  static Real dummy_precision() { return actio::Number(8) * actio::Number::rounding(); }
-  static int digits10() { return actio::current_arithmetic().digits(); }
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 2, AddCost = 8, MulCost = 8 };
-};
-}  // namespace Eigen

@@ -4,6 +4,7 @@
 #include <complex>
 #include <functional>
 
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "witness/draw.hpp"
 #include "actio/forms/forms.hpp"
 #include "witness/reference_solution.hpp"

@@ -20,9 +20,6 @@ struct BaseOf<DivergenceNumber<S, m, N>> {
   using type = Base<S>;
 };
 
-template <class S, int m, int N>
-inline constexpr bool detail::own_arithmetic<DivergenceNumber<S, m, N>> = true;
-
 /// A number \f$x + \sum_\mu x_\mu\delta_\mu + \sum_{a\mu} x^a{}_\mu\,\varepsilon_a{}^\mu + \sum_a x^a\,\tau_a\f$ with m values of mu and N of a, where
 /// \f$\delta_\mu\varepsilon_a{}^\mu = \tau_a\f$ and all other products are zero.
 template <class S, int m, int N>
@@ -191,23 +188,3 @@ bool is_finite(DivergenceNumber<S, m, N> const& x) {
 }
 
 }  // namespace actio
-
-namespace Eigen {
-template <class S, int m, int N>
-struct NumTraits<actio::DivergenceNumber<S, m, N>> : GenericNumTraits<actio::DivergenceNumber<S, m, N>> {
-  using Real = actio::DivergenceNumber<S, m, N>;
-  using NonInteger = actio::DivergenceNumber<S, m, N>;
-  using Nested = actio::DivergenceNumber<S, m, N>;
-  using Literal = actio::Base<S>;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = (m + 1) * (N + 1), AddCost = (m + 1) * (N + 1), MulCost = 4 * (m + 1) * (N + 1) };
-};
-// A plain number may stand beside one of these in a product of matrices.
-template <class S, int m, int N, class Op>
-struct ScalarBinaryOpTraits<actio::DivergenceNumber<S, m, N>, actio::Base<S>, Op> {
-  using ReturnType = actio::DivergenceNumber<S, m, N>;
-};
-template <class S, int m, int N, class Op>
-struct ScalarBinaryOpTraits<actio::Base<S>, actio::DivergenceNumber<S, m, N>, Op> {
-  using ReturnType = actio::DivergenceNumber<S, m, N>;
-};
-}  // namespace Eigen

@@ -30,9 +30,6 @@ inline constexpr bool is_dual<Dual<S, N>> = true;
 template <class T, class S>
 concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 
-template <class S, int N>
-inline constexpr bool detail::own_arithmetic<Dual<S, N>> = true;
-
 namespace detail {
 /// Whether a dual number is an even number of doubles, which the machine adds and multiplies in pairs.
 template <class S, int N>
@@ -324,23 +321,3 @@ bool is_finite(Dual<S, N> const& x) {
 }
 
 }  // namespace actio
-
-namespace Eigen {
-template <class S, int N>
-struct NumTraits<actio::Dual<S, N>> : GenericNumTraits<actio::Dual<S, N>> {
-  using Real = actio::Dual<S, N>;
-  using NonInteger = actio::Dual<S, N>;
-  using Nested = actio::Dual<S, N>;
-  using Literal = actio::Base<S>;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 1 + N, AddCost = 1 + N, MulCost = 1 + 2 * N };
-};
-// A plain number may stand beside a dual one in a product of matrices.
-template <class S, int N, class Op>
-struct ScalarBinaryOpTraits<actio::Dual<S, N>, actio::Base<S>, Op> {
-  using ReturnType = actio::Dual<S, N>;
-};
-template <class S, int N, class Op>
-struct ScalarBinaryOpTraits<actio::Base<S>, actio::Dual<S, N>, Op> {
-  using ReturnType = actio::Dual<S, N>;
-};
-}  // namespace Eigen

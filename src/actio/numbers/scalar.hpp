@@ -8,9 +8,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/gmp.hpp>
 
-// Boost's bridge to Eigen: it must come before any Eigen header meets a multiprecision number.
-#include <boost/multiprecision/eigen.hpp>
-
 #include <Eigen/Core>
 
 #include <cmath>
@@ -19,7 +16,6 @@
 #include <type_traits>
 
 #include "actio/numbers/matrix.hpp"
-#include "actio/numbers/products.hpp"
 
 namespace actio {
 
@@ -29,15 +25,6 @@ using dec50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float
 using dec100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 /// Exact rational numbers: a residual over them is zero or it is not.
 using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
-
-namespace detail {
-template <>
-inline constexpr bool own_arithmetic<dec50> = true;
-template <>
-inline constexpr bool own_arithmetic<dec100> = true;
-template <>
-inline constexpr bool own_arithmetic<rational> = true;
-}  // namespace detail
 
 /// The plain number at the bottom of a scalar: `double` of a dual number over dual numbers over `double`.
 template <class S>

@@ -18,9 +18,6 @@ struct BaseOf<SecondOrder<S, m>> {
   using type = Base<S>;
 };
 
-template <class S, int m>
-inline constexpr bool detail::own_arithmetic<SecondOrder<S, m>> = true;
-
 /// A number \f$x + \sum_i x_i\,s_i + \tfrac12\sum_{ij} x_{ij}\,s_is_j\f$ up to terms of third degree.
 template <class S, int m>
 struct SecondOrder {
@@ -197,23 +194,3 @@ bool is_finite(SecondOrder<S, m> const& x) {
 }
 
 }  // namespace actio
-
-namespace Eigen {
-template <class S, int m>
-struct NumTraits<actio::SecondOrder<S, m>> : GenericNumTraits<actio::SecondOrder<S, m>> {
-  using Real = actio::SecondOrder<S, m>;
-  using NonInteger = actio::SecondOrder<S, m>;
-  using Nested = actio::SecondOrder<S, m>;
-  using Literal = actio::Base<S>;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 1 + 2 * m, AddCost = 1 + 2 * m, MulCost = 4 * m };
-};
-// A plain number may stand beside one of these in a product of matrices.
-template <class S, int m, class Op>
-struct ScalarBinaryOpTraits<actio::SecondOrder<S, m>, actio::Base<S>, Op> {
-  using ReturnType = actio::SecondOrder<S, m>;
-};
-template <class S, int m, class Op>
-struct ScalarBinaryOpTraits<actio::Base<S>, actio::SecondOrder<S, m>, Op> {
-  using ReturnType = actio::SecondOrder<S, m>;
-};
-}  // namespace Eigen

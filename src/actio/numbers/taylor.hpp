@@ -118,8 +118,6 @@ struct Taylor {
 };
 
 template <class S>
-inline constexpr bool detail::own_arithmetic<Taylor<S>> = true;
-template <class S>
 struct BaseOf<Taylor<S>> {
   using type = Base<S>;
 };
@@ -246,14 +244,3 @@ Taylor<S> abs(Taylor<S> const& x) {
 }
 
 }  // namespace actio
-
-namespace Eigen {
-template <class S>
-struct NumTraits<actio::Taylor<S>> : GenericNumTraits<actio::Taylor<S>> {
-  using Real = actio::Taylor<S>;
-  using NonInteger = actio::Taylor<S>;
-  using Nested = actio::Taylor<S>;
-  using Literal = actio::Base<S>;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 10, AddCost = 100, MulCost = 1000 };
-};
-}  // namespace Eigen
