@@ -59,7 +59,7 @@ std::vector<Overview::Drawn> drawn_quantities(Scene const& scene) {
 }
 
 /// Two rows are near where no direction in them has turned by more than thirty degrees.
-Excerpt::Near near(std::vector<Direction> directions) {
+KeyFrames::Near near(std::vector<Direction> directions) {
   return [directions = std::move(directions)](std::vector<double> const& a, std::vector<double> const& b) {
     for (auto const& d : directions) {
       double dot = 0;
@@ -96,7 +96,7 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
   std::vector<Direction> directions;
   std::vector<std::string> motion, columns{"t"};
   for (auto const& name : scene.simulation.quantities.columns()) columns.push_back(name);
-  std::vector<std::size_t> moving{0};  // columns that are in the excerpt
+  std::vector<std::size_t> moving{0};  // columns that are in the key frames
   for (auto const& drawn : quantities) {
     bool const direction = drawn.quantity.shown == Quantity::Shown::as_direction;
     if (!direction && drawn.quantity.shown != Quantity::Shown::beside_motion) continue;
@@ -104,7 +104,7 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
     for (std::size_t i = 0; i < drawn.size; ++i) moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
   }
 
-  Overview out{std::move(quantities), {}, std::move(motion), Excerpt(near(std::move(directions))), 0};
+  Overview out{std::move(quantities), {}, std::move(motion), KeyFrames(near(std::move(directions))), 0};
   auto const conserved = scene.simulation.quantities.conserved();
   for (auto const& c : conserved) out.drifts.push_back({c.name, {}, 0});
   auto const units = drift_units(folder);
@@ -127,7 +127,7 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
       else out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
     }
     for (std::size_t i = 0; i < moving.size(); ++i) moved[i] = row[moving[i]];
-    if (!out.motion.empty()) out.excerpt.add(moved);
+    if (!out.motion.empty()) out.key_frames.add(moved);
     if (out.rows % 1024 == 0) progress.show(reader->fraction());
   }
   return out;

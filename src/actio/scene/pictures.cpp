@@ -18,7 +18,7 @@
 namespace actio::scene {
 namespace {
 
-/// A picture with its title on a sheet of its own colour, light or dark as whoever looks at it prefers; in a page, as the page says.
+/// A picture with its title on a sheet of its own colour, light or dark as the browser prefers; in a page, as the page says.
 std::string standing_alone(std::string const& title, double width, std::string const& picture) {
   std::string const opening = "height=\"";
   double const height = std::stod(picture.substr(picture.find(opening) + opening.size())) + 32;
@@ -110,7 +110,7 @@ std::string drift_picture(Scene const& scene, Overview::Drifting const& drifting
 std::string polhode_picture(Scene const& scene, Overview const& overview) {
   std::size_t const at = 1 + static_cast<std::size_t>(std::ranges::find(overview.motion, "body_momentum_x") - overview.motion.begin());
   std::vector<std::array<double, 3>> way;
-  for (auto const& row : overview.excerpt.rows())
+  for (auto const& row : overview.key_frames.rows())
     if (length_of(std::span(row).subspan(at, 3)) > 0) way.push_back({row[at], row[at + 1], row[at + 2]});
   auto sphere = book::Sphere(35, 22).axes({"x", "y", "z"});
   sphere.curve(way, "angular momentum in the body", {.colour = 2, .width = 2});

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/memory.hpp"
+#include "actio/scene/checkpoint_stream.hpp"
 
 namespace actio::scene {
 
@@ -104,7 +104,7 @@ class QuantityGraph {
   /// For each quantity of the system, in its order.
   std::vector<Count> counts() const;
   /// Saves, or restores, how often each was evaluated.
-  void remember(Memory& memory);
+  void remember(CheckpointStream& stream);
 
   /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a list one by one.
   struct Conserved {

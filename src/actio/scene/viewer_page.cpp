@@ -67,14 +67,14 @@ std::string drifts(Overview const& overview) {
 }
 
 std::string motion(Overview const& overview) {
-  auto const& rows = overview.excerpt.rows();
+  auto const& rows = overview.key_frames.rows();
   std::string columns;
   for (std::size_t i = 0; i <= overview.motion.size(); ++i) {
     std::vector<double> column;
     for (auto const& row : rows) column.push_back(row[i]);
     columns += (i ? ",\n" : "") + Json(i ? overview.motion[i - 1] : "t").dump() + ":" + numbers(column, i ? 6 : 12);
   }
-  return fmt::format("{{\"stride\":{},\"beginning_only\":{},\"columns\":{{{}}}}}", overview.excerpt.stride(), overview.excerpt.beginning_only(), columns);
+  return fmt::format("{{\"stride\":{},\"beginning_only\":{},\"columns\":{{{}}}}}", overview.key_frames.stride(), overview.key_frames.beginning_only(), columns);
 }
 
 Json list(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }

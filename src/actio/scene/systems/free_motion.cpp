@@ -37,7 +37,7 @@ class SteppedMotion : public TurningBody {
     ahead_.emplace(from_({steps_.body_momentum(), attitude_wanted() ? steps_.state().attitude : identity<double>(SU2{})}, time));
     move(*ahead_, 1);
   }
-  void remember(Memory& memory) override { steps_.remember(memory); }
+  void remember(CheckpointStream& stream) override { steps_.remember(stream); }
   Eigen::Vector3d body_momentum() const override { return now().body_momentum().components; }
   Eigen::Vector4d attitude() const override { return now().state().attitude.value; }
 

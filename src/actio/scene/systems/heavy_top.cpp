@@ -64,8 +64,8 @@ class TopMotion : public TurningBody {
     ahead.step();
     now_ = ahead.state();
   }
-  void remember(Memory& memory) override {
-    top_.remember(memory);
+  void remember(CheckpointStream& stream) override {
+    top_.remember(stream);
     now_ = top_.state();
   }
   Eigen::Vector3d body_momentum() const override { return now_.body_momentum.components; }
