@@ -1,7 +1,7 @@
 // What the general road costs: steps for a Lagrangian given as a callable, by group, in steps of the
 // classical Runge-Kutta method on a free body.
 //
-// Nothing is known of a group but its primitives: residuals by dual numbers, a derivative kept from step to
+// A group is given by its primitives alone: residuals by dual numbers, a derivative reused from step to
 // step, starts extrapolated from the last steps. Beside each stands the same step by Newton's iteration from
 // scratch. Runge-Kutta has seven numbers, momentum and quaternion, and is written for its body. All run in
 // turns, so that a busy machine slows all; what is claimed is judged by the best tenth of the rounds of each.
@@ -164,7 +164,7 @@ int main(int argc, char** argv) {
                 "A step turns by 0.1, about; the time that a tenth of the rounds came under. A Runge-Kutta step "
                 "of a free body, momentum and attitude, takes " +
                     book::number(1e9 * benchmark::best_tenth(times[0])) +
-                    " ns. From scratch: Newton's iteration, which knows nothing of the last step.");
+                    " ns. From scratch: Newton's iteration, which uses nothing of the last step.");
   program.figure("so3_us", 1e6 * benchmark::best_tenth(times[1]), "a DEP step on SO(3), microseconds");
   program.figure("so3", so3, "the same in Runge-Kutta steps");
   program.figure("residual", residual, "largest residual over the rounding level it has to come under");

@@ -26,25 +26,25 @@ double energy(InverseMoments<double> const& body, Three<double> const& u) {
 }
 
 void momentum(FreeBody const& body, long steps) {
-  HalfTurn<double> const turn(body.flight(0.1));
+  HalfTurn<double> const turn(body.step_parameters(0.1));
   auto u = body.start().direction;
   for (; steps > 0; --steps) turn.step(u);
   sink = u[0];
 }
 void attitude(FreeBody const& body, long steps) {
-  HalfTurn<double> const turn(body.flight(0.1));
-  auto place = body.start();
-  for (; steps > 0; --steps) turn.step(place);
-  sink = place.attitude[0] + place.direction[0];
+  HalfTurn<double> const turn(body.step_parameters(0.1));
+  auto state = body.start();
+  for (; steps > 0; --steps) turn.step(state);
+  sink = state.attitude[0] + state.direction[0];
 }
 void with_energy(FreeBody const& body, long steps) {
-  HalfTurn<double> const turn(body.flight(0.1));
-  auto place = body.start();
+  HalfTurn<double> const turn(body.step_parameters(0.1));
+  auto state = body.start();
   for (; steps > 0; --steps) {
-    turn.step(place);
-    sink = energy(body.inverse_moments(), place.direction);
+    turn.step(state);
+    sink = energy(body.inverse_moments(), state.direction);
   }
-  sink = place.attitude[0];
+  sink = state.attitude[0];
 }
 void compensated_momentum(FreeBody const& body, long steps) {
   FreeSteps motion(body, 0.1);

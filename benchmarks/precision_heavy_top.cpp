@@ -8,7 +8,7 @@
 
 using namespace actio;
 
-/// A symmetric composition of steps of the general road with an advected vector: each stage keeps a
+/// A symmetric composition of steps of the general road with an advected vector: each stage has a
 /// derivative of its own.
 class ComposedTop {
  public:

@@ -194,7 +194,7 @@ double race(Benchmark& program, std::vector<Curve> const& curves) {
   return gain;
 }
 
-// Only the end: body made, flight found, one step, each time another body.
+// Only the end: body constructed, parameters computed, one step, each time another body.
 void end_point(Benchmark& program, double error) {
   double sum = 0, shift = 0;
   auto const times = in_turns(program.rounds(41), {{"end point",

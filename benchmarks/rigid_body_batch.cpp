@@ -1,5 +1,5 @@
-// What a step of a rigid body costs when there are many, and when a torque acts: exact free flights in lanes, kicks and exact flights, against the
-// classical Runge-Kutta method on the same bodies.
+// What a step of a rigid body costs when there are many, and when a torque acts: exact free steps in SIMD
+// lanes, kicks and exact drifts, against the classical Runge-Kutta method on the same bodies.
 //
 // Nanoseconds of processor time for a step of one body; contestants in turns, a tenth of the rounds below. A call of a batch is 200 steps or more, so that the
 // bodies are in the first cache, as far as a row of four is concerned.
@@ -123,7 +123,7 @@ void free_bodies(benchmark::Benchmark& program) {
                    worst);
 }
 
-/// Kicks and flights, one body and many.
+/// Kicks and drifts, one body and many.
 void torqued_bodies(benchmark::Benchmark& program) {
   Cast const cast(64);
   auto const& I = cast.inertias[0];
@@ -158,11 +158,11 @@ void torqued_bodies(benchmark::Benchmark& program) {
   program.table("torqued",
                 {"method", "one body, " + name, "baseline", name + ", in orbit", "batch of 64, " + name, "baseline", name + ", in orbit", "Runge-Kutta"},
                 rows, "Bodies under the torque of gravity: nanoseconds for a step of one body. The centre stands still but for \"in orbit\".");
-  program.figure("torqued", scalar, "ns for a kick and an exact flight of one body");
-  program.figure("torqued_batch", batch, "ns for a kick and an exact flight of a body in a batch");
-  program.figure("torqued_ratio", ratio, "a kick and an exact flight, in Runge-Kutta steps under the same torque");
+  program.figure("torqued", scalar, "ns for a kick and an exact drift of one body");
+  program.figure("torqued_batch", batch, "ns for a kick and an exact drift of a body in a batch");
+  program.figure("torqued_ratio", ratio, "a kick and an exact drift, in Runge-Kutta steps under the same torque");
   if (best_machine() == Machine::avx2) {
-    program.claim_of_time(scalar <= 60, "a kick and an exact flight take at most 60 ns");
+    program.claim_of_time(scalar <= 60, "a kick and an exact drift take at most 60 ns");
     program.claim_of_time(batch <= 15, "in a batch at most 15 ns a body");
   }
 }

@@ -98,7 +98,7 @@ void overhead(Benchmark& program, Folder const& folder) {
   std::array<std::vector<double>, 3> plain, complete, more;
   for (int round = -1; round < rounds; ++round) {
     Times const bare = times_of([&] {
-      FreeSteps motion(body(), 0.125, body().moser_veselov_flight(0.125, 2));
+      FreeSteps motion(body(), 0.125, body().moser_veselov_parameters(0.125, 2));
       motion.advance_momentum(steps);
       sink = motion.body_momentum().components[0];
     });
@@ -193,7 +193,7 @@ int count_steps(char const* key, long steps, long every) {
       Folder const folder;
       run(scene_of(steps, every, kind.quantities), folder.empty());
     } else {
-      FreeSteps motion(body(), 0.125, body().moser_veselov_flight(0.125, 2));
+      FreeSteps motion(body(), 0.125, body().moser_veselov_parameters(0.125, 2));
       kind.attitude ? motion.advance(steps) : motion.advance_momentum(steps);
       sink = motion.body_momentum().components[0];
     }

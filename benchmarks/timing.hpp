@@ -1,12 +1,12 @@
 // Time as the benchmarks measure it: processor time, contestants in turns, judged by the best rounds.
 //
-// A machine that others use as well slows down and speeds up within a second. So nobody is timed alone: each
-// round times every contestant once, for a few milliseconds. What else the machine does can only add to a
-// time. Hence the time of a contestant is the one that a tenth of its rounds came under, and a ratio is that
-// of two such times, each of its own best rounds: it favours neither side, and it is right as soon as a tenth
-// of the rounds were undisturbed. The tenth of the ratios would not do: it takes the rounds in which the
-// other side was disturbed. Nor would the median of the times, for a machine that is busy more than half of
-// the time.
+// A machine that others use as well slows down and speeds up within a second. So no program is timed alone:
+// each round times every contestant once, for a few milliseconds. What else the machine does can only add to
+// a time. Hence the time of a contestant is the one that a tenth of its rounds came under, and a ratio is
+// that of two such times, each of its own best rounds: it favours neither side, and it is right as soon as a
+// tenth of the rounds were undisturbed. The tenth of the ratios would not do: it takes the rounds in which
+// the other side was disturbed. Nor would the median of the times, for a machine that is busy more than half
+// of the time.
 #pragma once
 
 #include <time.h>

@@ -44,7 +44,7 @@ struct Curve {
   }
 };
 
-/// How long the search for the best step goes on.
+/// How long the search for the best step continues.
 struct Patience {
   double share = 1;  ///< of the longest time that a run may take
   int repeats = 3;   ///< of a run, at least

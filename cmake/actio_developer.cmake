@@ -55,7 +55,7 @@ function(actio_own target level)
 endfunction()
 
 # The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -Og, where all the tests are,
-# Boost.Test (which whoever includes it must link) and the library itself: reading that takes two seconds, and there are over a hundred units.
+# Boost.Test (which every target that includes it must link) and the library itself: reading that takes two seconds, and there are over a hundred units.
 if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
   foreach(level IN ITEMS fast brief)

@@ -66,7 +66,7 @@ Matrix<S> turning(int n, int i, int j) {
   return xi;
 }
 
-/// A body made of points that have mass. It knows nothing of \f$\Lambda\f$, of J, or of moments of inertia.
+/// A body made of points that have mass. It is described without \f$\Lambda\f$, J, or moments of inertia.
 template <class S>
 struct PointMasses {
   std::vector<S> mass;
@@ -142,7 +142,7 @@ template <class S>
 struct BodyMotion {
   Matrix<S> lambda, before, at, after, f10, f21;
 };
-/// The sum of the two terms in which the middle one of three places occurs, as it changes with that place.
+/// The sum of the two terms in which the middle one of three configurations occurs, as it changes with that configuration.
 template <class S>
 S slope_of_sum(Matrix<S> const& lambda, Matrix<S> const& before, Matrix<S> const& after, Matrix<S> const& change) {
   return contract(change, Matrix<S>(after * lambda)) + contract(Matrix<S>(before * lambda), change);
@@ -150,7 +150,7 @@ S slope_of_sum(Matrix<S> const& lambda, Matrix<S> const& before, Matrix<S> const
 /// Three attitudes at random, and a symmetric \f$\Lambda\f$ of which they are a motion.
 ///
 /// \f$\Lambda\f$ has more entries than there are equations, and these are linear in it: the smallest change of a drawn one that satisfies them. They say that
-/// the sum does not change as the middle place turns, with nothing carried out. A diagonal \f$\Lambda\f$ has too few entries for that; a frame of the body in
+/// the sum does not change as the middle configuration turns, with nothing carried out. A diagonal \f$\Lambda\f$ has too few entries for that; a frame of the body in
 /// which it is diagonal would take roots.
 template <class S>
 BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
@@ -176,7 +176,7 @@ BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
   Matrix<S> columns(d, static_cast<int>(directions.size()));
   for (std::size_t k = 0; k < directions.size(); ++k) columns.col(static_cast<int>(k)) = slopes(directions[k]);
   Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
-  // The normal equations square the condition: again on what is left.
+  // The normal equations square the condition: solve again for the residual.
   for (int pass = 0; pass < (exact_arithmetic<S>() ? 1 : 3); ++pass) {
     Vector<S> const change = transposed * solve_linear(square, slopes(motion.lambda), "draw_body_motion");
     for (std::size_t k = 0; k < directions.size(); ++k) motion.lambda -= directions[k] * S(change[static_cast<int>(k)]);

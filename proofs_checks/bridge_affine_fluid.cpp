@@ -1,7 +1,7 @@
 // Between the two parts: a drop of ideal fluid whose motion stays linear is a field on the one hand, and a geodesic of SL(n) on the other.
 //
 // The motion is phi(t, X) = A(t) X with A in SL(n), the drop the unit ball. Part II knows it as a section with a pressure, m/2 (1 - |X|^2). Part I knows it as a motion of a
-// group whose Lagrangian is invariant but for the vector A A^T that is carried along, and discretizes it.
+// group whose Lagrangian is invariant but for the advected vector A A^T, and discretizes it.
 #include "actio/groups/special_linear.hpp"
 #include "witness/taylor_reference.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
@@ -30,7 +30,8 @@ struct StepOfDrop {
     return T(sum / T(Base<T>(h) * 2));
   }
 };
-/// The same reduced: \f$\mathrm{tr}\,(f^{-1}-1)\,M\,(f^{-1}-1)^T/2h\f$ with \f$f = A_0A_1^{-1}\f$ and \f$M = A_0A_0^T\f$, carried along.
+/// The same reduced: \f$\mathrm{tr}\,(f^{-1}-1)\,M\,(f^{-1}-1)^T/2h\f$ with \f$f = A_0A_1^{-1}\f$ and
+/// \f$M = A_0A_0^T\f$, advected.
 template <class S, int n>
 struct ReducedStep {
   S h;
@@ -55,7 +56,8 @@ actio::Matrix<S, n * n, 1> column(actio::Matrix<S, n, n> const& m) {
   return m.reshaped();
 }
 
-/// \f$m = \mathrm{tr}\,(\dot AA^{-1})^2/\mathrm{tr}\,(A^{-1}A^{-T})\f$, with which \f$\ddot A = mA^{-T}\f$ keeps the determinant.
+/// \f$m = \mathrm{tr}\,(\dot AA^{-1})^2/\mathrm{tr}\,(A^{-1}A^{-T})\f$, with which \f$\ddot A = mA^{-T}\f$
+/// preserves the determinant.
 template <class S, int n>
 S pressure_of_drop(actio::Matrix<S, n, n> const& inverse, actio::Matrix<S, n, n> const& V) {
   actio::Matrix<S, n, n> const rate = V * inverse;
@@ -107,9 +109,9 @@ struct RateOfDrop {
 
 /// What steps of the reduced equations come to after one unit of time.
 struct Run {
-  double miss;   ///< of the last place, from the power series
+  double miss;   ///< of the last configuration, from the power series
   double drift;  ///< of the circulation \f$A_0^TA_1 - A_1^TA_0\f$, over its size
-  double sides;  ///< of the places from those of the unreduced equations
+  double sides;  ///< of the configurations from those of the unreduced equations
 };
 template <int n>
 Run run(int steps, actio::Matrix<double, n, n> const& V) {
@@ -124,19 +126,19 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
   for (int a = 0; a < dim; ++a) mu.components[a] = (V.transpose() * SL<n>{}.hat(Coordinates<SL<n>, double>(Coordinates<SL<n>, double>::Unit(a)))).trace();
   auto const start = exp(velocity(SL<n>{}, SL<n>{}.vee(Matrix(h * V))));
   auto before = one;
-  auto place = solve_on_group([&](auto const& g) { return D1(L, like(g, one), g) + like(g, mu); }, start).value;
-  auto f = before * inverse(place);
-  auto reduced_before = before, reduced = place;
-  Matrix const circulation = before.value.transpose() * place.value - place.value.transpose() * before.value;
+  auto configuration = solve_on_group([&](auto const& g) { return D1(L, like(g, one), g) + like(g, mu); }, start).value;
+  auto f = before * inverse(configuration);
+  auto reduced_before = before, reduced = configuration;
+  Matrix const circulation = before.value.transpose() * configuration.value - configuration.value.transpose() * before.value;
   Run found{0, 0, 0};
   for (int k = 1; k < steps; ++k) {
-    auto const next = step_euler_lagrange(L, before, place).value;
-    before = place, place = next;
+    auto const next = step_euler_lagrange(L, before, configuration).value;
+    before = configuration, configuration = next;
     f = step_advected_euler_poincare_right(l, f, column<double, n>(reduced_before.value * reduced_before.value.transpose()), OnSquares<n>{}).value;
     reduced_before = reduced, reduced = restore(inverse(f) * reduced);
     Matrix const now = reduced_before.value.transpose() * reduced.value - reduced.value.transpose() * reduced_before.value;
     found.drift = std::max(found.drift, magnitude(Matrix(now - circulation)) / magnitude(circulation));
-    found.sides = std::max(found.sides, magnitude(Matrix(reduced.value - place.value)));
+    found.sides = std::max(found.sides, magnitude(Matrix(reduced.value - configuration.value)));
   }
   actio::Matrix<double, 2 * n * n, 1> state;
   state << column<double, n>(Matrix::Identity()), column<double, n>(V);
@@ -148,13 +150,13 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
 }  // namespace
 
 STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of SL(n)") {
-  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the place is carried along. The reduced discrete equations are those of remark 3.1.3 with it.");
+  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is advected. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
   auto const in_dimension = [&]<int n>() {
     using Matrix = actio::Matrix<S, n, n>;
     std::string const model = "SL(" + std::to_string(n) + ")";
-    auto const place = draw.element<S>(SL<n>{});
-    Matrix const A = place.value, inverse = inverse_matrix(A), V = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
+    auto const configuration = draw.element<S>(SL<n>{});
+    Matrix const A = configuration.value, inverse = inverse_matrix(A), V = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
     S const m = pressure_of_drop<S, n>(inverse, V);
     actio::Matrix<S, n, 1> const X = draw.vector<S, actio::Matrix<S, n, 1>>(n);
     auto const density = incompressible(Continuum{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{}, NoStoredEnergy{}});
@@ -165,7 +167,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     Matrix const rate = V * inverse;
     claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate));
 
-    // What the discrete equations say of three places: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
+    // What the discrete equations say of three configurations: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
     auto const a0 = draw.element<S>(SL<n>{}), a1 = draw.element<S>(SL<n>{}), a2 = draw.element<S>(SL<n>{});
     S const h = ratio<S>(1, 3);
     auto const residual = discrete_euler_lagrange(StepOfDrop<S>{h}, a0, a1, a2);
@@ -174,7 +176,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     for (int a = 0; a < paired.size(); ++a) paired[a] = (moment.transpose() * SL<n>{}.hat(Coordinates<SL<n>, S>(Coordinates<SL<n>, S>::Unit(a)))).trace();
     claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval());
     auto const reduced = advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(a0.value * a0.value.transpose()), a1 * actio::inverse(a2), OnSquares<n>{});
-    claim.equal("and the reduced ones with the square carried along", model, reduced.components.eval(), residual.components.eval());
+    claim.equal("and the reduced ones with the advected square", model, reduced.components.eval(), residual.components.eval());
     claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
                   residual.components.eval());
     if (n == 3 && claim.fits_orders()) {
@@ -187,7 +189,7 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
       for (int const count : {8, 12, 16, 24, 32, 48}) {
         Run const found = run<n>(count, start);
         steps.push_back(1.0 / count), errors.push_back(found.miss);
-        // A step solves its equation to a few roundings of a momentum that is 1/h times the places; so many steps of them add up.
+        // A step solves its equation to a few roundings of a momentum that is 1/h times the configurations; so many steps of them add up.
         claim.zero("circulation along the reduced motion", model, found.drift, 1.0, count);
         claim.zero("the reduced and the unreduced motion", model, found.sides, 1.0, count);
       }

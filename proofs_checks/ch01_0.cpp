@@ -1,7 +1,8 @@
 // Chapter 1: the Moser-Veselov scheme is completely integrable.
 //
-// A step turns the body momentum M0 before it into M1 after it, and the next step takes up M1: what is the same at both for every relative motion is kept by the scheme. So no motion has to
-// be solved for, and all of it is exact over the rationals.
+// A step turns the body momentum M0 before it into M1 after it, and the next step starts with M1: what is the
+// same at both for every relative motion is conserved by the scheme. So no motion has to be solved for, and
+// all of it is exact over the rationals.
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/rigid_body/isospectral.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
@@ -116,7 +117,8 @@ STATEMENT(claim_1_0_moser_veselov_integrable, "complete integrability of the Mos
     ChartLagrangian<S> const chart{Matrix<S>(moments.asDiagonal())};
     claim.differs("a step in Cayley's chart", model, integrals(right_differential(chart, f)), integrals(left_differential(chart, f)), 1e-5);
   });
-  // On the branch that grows out of the identity: the factors are told apart by their spectra, so each keeps its own, and with it the trace of f Lambda.
+  // On the branch that grows out of the identity: the factors are told apart by their spectra, so the
+  // spectrum of each is conserved, and with it the trace of f Lambda.
   if (!exact_arithmetic<S>())
     over_bodies(claim, [&](int n, auto const& model) {
       auto const lambda = draw_inertia<S>(draw, n);

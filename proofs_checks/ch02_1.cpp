@@ -44,7 +44,7 @@ Vector<S> momenta_in_entries(ExactMotions<S> const& m, Entries const& q, S const
 }  // namespace
 
 STATEMENT(eq_2_1, "the action of a curve") {
-  claim.holds("The integral does not see which coordinates express g and its rate; it depends on a and b.");
+  claim.holds("The integral does not depend on the coordinates that express g and its rate; it depends on a and b.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -84,7 +84,7 @@ STATEMENT(eq_2_2, "the action is stationary at motions") {
     // Only the first-order change of the curve counts: bend the family at second order, and bend its parameter.
     auto const family = shifted(m, other, fixed), bent_family = [&](auto const&e, auto const&t) {
       using T = std::decay_t<decltype(t)>;
-      return m.place(Vector<T>(m.read(Matrix<T>(other(t).value)) + fixed(t) * (e + e * e) + loose(t) * (e * e)));
+      return m.configuration(Vector<T>(m.read(Matrix<T>(other(t).value)) + fixed(t) * (e + e * e) + loose(t) * (e * e)));
     };
     S const off_motion = action_variation(m, family, a, b, rule);
     claim.equal("the same for every family with the same first-order change", model, action_variation(m, bent_family, a, b, rule),
@@ -139,7 +139,7 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
     };
     claim.equal("(dL/dg') dg is the Lagrange one-form", model, one_form(b), boundary(b), amplification);
     // Controls: only one end moves; a one-form with the whole velocity's change in it.
-    claim.differs("the end a kept fixed", model, dS, boundary(b));
+    claim.differs("the end a held fixed", model, dS, boundary(b));
     claim.differs("momentum paired with the change of the velocity", model,
                   pair(legendre(m, tangent(motion, b)), lifted_variation(shifted(m, motion, loose), b).velocity), boundary(b));
   });
@@ -157,7 +157,7 @@ STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form 
     auto const family = shifted(m, curve, draw_direction<S>(draw, group.dimension(), a, b, false));
     auto const inside = [&](S const& t) {
       auto const acceleration = second_tangent(curve, t).velocity;
-      return pair(euler_lagrange(m, tangent(curve, t), acceleration), lifted_variation(family, t).place);
+      return pair(euler_lagrange(m, tangent(curve, t), acceleration), lifted_variation(family, t).configuration);
     };
     auto const one_form = [&](S const& t) { return lagrange_one_form(m, tangent(curve, t), lifted_variation(family, t)); };
 
@@ -186,12 +186,12 @@ STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of t
     // The lift covers the variation, and its velocity part is theta' - [xi, theta].
     Dual<S> epsilon(S(0));
     epsilon.part[0] = S(1);
-    claim.equal("the lift covers the variation", model, lifted.place, rate_right(family(epsilon, Dual<S>(b))), amplification);
-    auto const along_time = [&](auto const& t) { return lifted_variation(family, t).place; };
+    claim.equal("the lift covers the variation", model, lifted.configuration, rate_right(family(epsilon, Dual<S>(b))), amplification);
+    auto const along_time = [&](auto const& t) { return lifted_variation(family, t).configuration; };
     Dual<S> time(b);
     time.part[0] = S(1);
     auto const xi = tangent(motion, b).velocity;
-    claim.equal("its velocity part", model, lifted.velocity, rate(along_time(time)) - bracket(xi, lifted.place), amplification);
+    claim.equal("its velocity part", model, lifted.velocity, rate(along_time(time)) - bracket(xi, lifted.configuration), amplification);
     // (2.6) along a motion is its boundary part.
     S const dS = action_variation(m, family, a, b, rule);
     auto const end = [&](S const& t, auto const& w) { return lagrange_one_form(m, tangent(motion, t), w); };
@@ -255,9 +255,9 @@ STATEMENT(eq_2_7, "the action as a function of the initial velocity") {
     claim.differs("second piece from v", model, whole, S(first + action_of_motion(m, v, s, rule)));
     auto const straight = [&](auto const& x) {
       using T = std::decay_t<decltype(x)>;
-      Matrix<T> const g = v.place.value.template cast<T>(),
-                      rate = Matrix<S>(group.hat(v.velocity.coordinates) * v.place.value).template cast<T>();
-      return m.place(Vector<T>(m.read(g) + m.read(rate) * x + m.fall.template cast<T>() * (x * x)));
+      Matrix<T> const g = v.configuration.value.template cast<T>(),
+                      rate = Matrix<S>(group.hat(v.velocity.coordinates) * v.configuration.value).template cast<T>();
+      return m.configuration(Vector<T>(m.read(g) + m.read(rate) * x + m.fall.template cast<T>() * (x * x)));
     };
     claim.differs("another curve from v", model, action(m, straight, S(0), t, rule), first);
   });
@@ -308,12 +308,12 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     // Control: a flow with friction, the velocity decaying along the way.
     auto const with_friction = [&](StateChange<SpannedGroup, S> const& w) {
       auto const moving = m.flow(moved(v, w), Dual<S>(t));
-      return change_of(State<SpannedGroup, Dual<S>>{moving.place, Dual<S>(ratio<S>(3, 4)) * moving.velocity});
+      return change_of(State<SpannedGroup, Dual<S>>{moving.configuration, Dual<S>(ratio<S>(3, 4)) * moving.velocity});
     };
     auto const end = m.flow(v, t);
     claim.differs(
         "a flow with friction", model,
-        lagrange_two_form(m, State<SpannedGroup, S>{end.place, ratio<S>(3, 4) * end.velocity}, with_friction(w1), with_friction(w2)),
+        lagrange_two_form(m, State<SpannedGroup, S>{end.configuration, ratio<S>(3, 4) * end.velocity}, with_friction(w1), with_friction(w2)),
         before);
   });
 
@@ -326,10 +326,10 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     auto const rate_of_form = [&](auto const& vector_field) {
       auto const carried = [&](StateChange<SpannedGroup, S> const& w) {
         auto const change = vector_field(moved(v, w));
-        auto const theta_rate = rate(change.place) + bracket(v.velocity, w.place), xi_rate = rate(change.velocity);
-        StateChange<SpannedGroup, Dual<S>> result{over<Dual<S>>(w.place), over<Dual<S>>(w.velocity)};
+        auto const theta_rate = rate(change.configuration) + bracket(v.velocity, w.configuration), xi_rate = rate(change.velocity);
+        StateChange<SpannedGroup, Dual<S>> result{over<Dual<S>>(w.configuration), over<Dual<S>>(w.velocity)};
         for (int a = 0; a < group.dimension(); ++a) {
-          result.place.coordinates[a].part[0] = theta_rate.coordinates[a];
+          result.configuration.coordinates[a].part[0] = theta_rate.coordinates[a];
           result.velocity.coordinates[a].part[0] = xi_rate.coordinates[a];
         }
         return result;
@@ -404,7 +404,7 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
     auto const slowed = [&](auto const& moving) {
       auto const end = motion(moving);
       using T = std::decay_t<decltype(end.velocity.coordinates[0])>;
-      return std::decay_t<decltype(end)>{end.place, ratio<T>(3, 4) * end.velocity};
+      return std::decay_t<decltype(end)>{end.configuration, ratio<T>(3, 4) * end.velocity};
     };
     claim.equal("d of the pull back is the pull back of d, for any map", model, exterior(slowed), S(omega - pulled(slowed)), amplification);
     // Control: curves that are no solutions, so that their action does not have (2.8).
@@ -428,7 +428,7 @@ STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
       S const difference = lagrange_one_form(m, end, lifted_generator(end, generator)) - lagrange_one_form(m, v, lifted);
       return std::array<S, 4>{dS, carried, difference, lagrange_one_form(m, v, lifted)};
     };
-    // Make the Lagrangian invariant under shifts along d: neither c nor the total derivative see d.
+    // Make the Lagrangian invariant under shifts along d: neither c nor the total derivative depends on d.
     auto m = draw_exact_motions<S>(draw, group);
     Vector<S> d = draw_vector<S>(draw, group.dimension());
     d -= m.c * S(d.dot(m.c) / m.c.dot(m.c));
@@ -595,7 +595,7 @@ STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regul
         for (int j = 0; j < 2 * n; ++j) omega(i, j) = lagrange_two_form(L, state, unit(j), unit(i));
       }
       Vector<S> x(2 * n);
-      x << X.place.coordinates, X.velocity.coordinates;
+      x << X.configuration.coordinates, X.velocity.coordinates;
       claim.equal("the only solution of X contracted with omega_L = dE", model, solve_linear(omega, slope), x, hessian_condition);
     }
     // Its integral curves solve (2.4), read in the chart: find q'' with this xi'.
@@ -607,7 +607,7 @@ STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regul
 
     // Controls: the other sign of omega_L; a field that is not second order; no field where L is not regular.
     claim.differs("omega_L = + d theta_L", model, S(-lagrange_two_form(L, state, X, w1)), dE(w1));
-    claim.differs("acceleration left out", model, lagrange_two_form(L, state, {X.place, S(0) * X.velocity}, w1), dE(w1));
+    claim.differs("acceleration left out", model, lagrange_two_form(L, state, {X.configuration, S(0) * X.velocity}, w1), dE(w1));
     auto singular = L;
     singular.kinetic.c.setZero();
     singular.kinetic.a.row(0).setZero(), singular.kinetic.a.col(0).setZero();
@@ -652,7 +652,7 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
     S const boundary_rate = lagrange_one_form(L, tangent(curve, time), lifted_variation(family, time)).part[0];
     auto const state = tangent(curve, t);
     auto const acceleration = second_tangent(curve, t).velocity;
-    S const inside = pair(euler_lagrange(L, state, acceleration), lifted_variation(family, t).place);
+    S const inside = pair(euler_lagrange(L, state, acceleration), lifted_variation(family, t).configuration);
     claim.equal("(2.6), differentiated by its upper end", model, variation, S(inside + boundary_rate));
     // Controls: the sign of the map; the one-form of another Lagrangian.
     claim.differs("D_EL with the other sign", model, variation, S(boundary_rate - inside));
@@ -664,7 +664,7 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
   auto v = draw_state<S>(draw, group);
   v.velocity.coordinates[0] = S(0);
   StateChange<SpannedGroup, S> const across{draw.template velocity<S>(group), basis_velocity<S>(group, 0)};
-  StateChange<SpannedGroup, Dual<S>> const again{over<Dual<S>>(across.place), over<Dual<S>>(across.velocity)};
+  StateChange<SpannedGroup, Dual<S>> const again{over<Dual<S>>(across.configuration), over<Dual<S>>(across.velocity)};
   auto const acceleration = draw.template velocity<S>(group);
   SideOfSeam<S> const above{true}, below{false};
   auto const map_jump = euler_lagrange(above, v, acceleration) - euler_lagrange(below, v, acceleration);
@@ -695,7 +695,7 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
     Vector<S> response(3 * n);
     for (int i = 0; i < 3 * n; ++i) {
       auto const family = draw_family<S>(draw, group, curve);
-      auto const theta = [&](auto const& s) { return lifted_variation(family, s).place; };
+      auto const theta = [&](auto const& s) { return lifted_variation(family, s).configuration; };
       auto const theta_rate = [&](auto const& s) {
         using T = std::decay_t<decltype(s)>;
         Dual<T> moving_time(s);
@@ -706,15 +706,15 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
           rate(theta_rate(time)).coordinates.transpose();
       response[i] = L(varied_tangent(family, t)).part[0];
     }
-    // A system of random rows of up to 18 unknowns loses a few digits.
+    // A system of random rows of up to 18 unknowns costs a few digits.
     double const condition = 1e4;
     Vector<S> const found = solve_linear(rows, response, "variations must be independent");
 
-    // beta = 0; alpha is the one-form of the library; what is left at theta is D + alpha'.
+    // beta = 0; alpha is the one-form of the library; the coefficient of theta is D + alpha'.
     auto const state = tangent(curve, t);
     auto const mu = legendre(L, state), mu_rate = rate(legendre(L, tangent(curve, time)));
     auto const map = euler_lagrange(L, state, second_tangent(curve, t).velocity);
-    claim.zero("the form does not see changes of the velocity", model, Vector<S>(found.tail(n)), size_of(mu), condition);
+    claim.zero("the form does not depend on changes of the velocity", model, Vector<S>(found.tail(n)), size_of(mu), condition);
     claim.equal("the only form is theta_L", model, Vector<S>(found.segment(n, n)), mu.components, condition);
     claim.equal("the only map is D_EL L", model, Vector<S>(found.head(n) - mu_rate.components), map.components, condition);
 
@@ -722,7 +722,7 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
     Matrix<S> const weights = draw_matrix<S>(draw, group.matrix_size(), group.matrix_size());
     auto const gauged = [&](auto const& v) {
       using T = typename std::decay_t<decltype(v)>::Scalar;
-      Matrix<T> const g = v.place.value, g_rate = group.hat(v.velocity.coordinates) * g;
+      Matrix<T> const g = v.configuration.value, g_rate = group.hat(v.velocity.coordinates) * g;
       return L(v) + contract(weights, g) * contract(weights, g_rate);
     };
     claim.equal("a total derivative does not change the map", model, euler_lagrange(gauged, state, second_tangent(curve, t).velocity), map);
@@ -752,9 +752,9 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
     auto const state = tangent(curve, t);
     auto const second = second_tangent(curve, t);
 
-    // The second derivative of a curve is a tangent vector of TG whose place part is the velocity of its base point.
-    claim.equal("second derivatives are second order", model, second.place, state.velocity);
-    // The map sees no more of the curve: change it at third order.
+    // The second derivative of a curve is a tangent vector of TG whose configuration part is the velocity of its base point.
+    claim.equal("second derivatives are second order", model, second.configuration, state.velocity);
+    // The map depends on no more of the curve: change it at third order.
     auto const bend = draw.template velocity<S>(group);
     auto const third = [&](auto const& s) {
       using T = std::decay_t<decltype(s)>;
@@ -789,7 +789,7 @@ struct Upright {
   template <class T>
   T operator()(State<SpannedGroup, T> const& v) const {
     auto const body = body_velocity(v);
-    return kinetic(body) - contract(weight, v.place.group.hat(Ad(inverse(v.place), over<T>(zeta)).coordinates));
+    return kinetic(body) - contract(weight, v.configuration.group.hat(Ad(inverse(v.configuration), over<T>(zeta)).coordinates));
   }
 };
 

@@ -61,7 +61,7 @@ STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
     auto const curve = draw_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
     S const t = ratio<S>(1, 3);
-    auto const eta = [&](auto const& s) { return lifted_variation(family, s).place; };
+    auto const eta = [&](auto const& s) { return lifted_variation(family, s).configuration; };
     auto const velocity = tangent(curve, t).velocity;
     S const varied = L(varied_tangent(family, t)).part[0];
     claim.equal("ii and iv: the integrands vary alike", model, varied,
@@ -111,9 +111,10 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
     };
     Vector<S> const momentum_rate = Matrix<S>(hessian(l, v.velocity)) * full.coordinates;
     claim.equal("rate of dl/dxi = - ad* dl/dxi, by commutators", model, momentum_rate, rate_by_hand(v.velocity), hessian_condition);
-    // Left: xi = g^-1 g', whose rate is that of the full system carried to the body, Ad commuting with its own velocity.
+    // Left: xi = g^-1 g', whose rate is that of the full system in the body frame, Ad commuting with its own
+    // velocity.
     auto const body = body_velocity(v);
-    auto const body_rate = Ad(inverse(v.place), lagrange_acceleration(left_invariant(l), v));
+    auto const body_rate = Ad(inverse(v.configuration), lagrange_acceleration(left_invariant(l), v));
     claim.equal("left-invariant: the same with the other sign", model, body_rate, euler_poincare_acceleration_left(l, body),
                 10 * hessian_condition);
 
@@ -126,14 +127,15 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
 // ----
 // Section 2.2: Lie-Poisson reduction and coadjoint orbits.
 //
-// The canonical bracket and Hamilton's equations are taken in coordinates (q, p) of T*G, {q, p} = 1, and carried to the reduced ones.
+// The canonical bracket and Hamilton's equations are taken in coordinates (q, p) of T*G, {q, p} = 1, and
+// mapped to the reduced ones.
 
 namespace {
 
 /// The frame of a chart is inverted: its condition is below 10 where coordinates stay below 1/2.
 constexpr double frame_condition = 10;
 
-/// The covector at chart(q) with components p, carried to the identity on the right: <mu, dg g^-1> = p.dq.
+/// The covector at chart(q) with components p, translated to the identity on the right: <mu, dg g^-1> = p.dq.
 template <class Chart, class T>
 Costate<SpannedGroup, T> costate_in(Chart const& chart, Vector<T> const& q, Vector<T> const& p) {
   auto const g = chart(q);
@@ -164,7 +166,7 @@ struct CostatePolynomial {
   Vector<S> v;
   template <class T>
   T operator()(Costate<SpannedGroup, T> const& p) const {
-    Matrix<T> const g = p.place.value;
+    Matrix<T> const g = p.configuration.value;
     T along(0);
     for (Index i = 0; i < v.size(); ++i) along += p.momentum.components[i] * T(v[i]);
     T const well = contract(w, g);
@@ -238,7 +240,7 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
     Momentum<SpannedGroup, S> const momentum{group, values(along.momentum.components)}, momentum_rate = rate(along.momentum);
 
     // i gives the equation for g, and iii; the equation for g and iii together give p', so they give i back.
-    claim.equal("i: g' = T_eR_g dh/dmu", model, rate_right(along.place), gradient(h, momentum), frame_condition);
+    claim.equal("i: g' = T_eR_g dh/dmu", model, rate_right(along.configuration), gradient(h, momentum), frame_condition);
     claim.equal("i and iii: mu' = - ad* mu", model, momentum_rate, lie_poisson_rate_right(h, momentum), frame_condition);
     Vector<S> const q_rate = solve_linear(frame(chart, q), gradient(h, momentum).coordinates);
     Vector<Dual<S>> const carried =
@@ -261,7 +263,7 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
 STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group element") {
   claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
                   R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
-                  "The momentum is that of the same instant, carried to the identity. With the momentum frozen at its initial value g "
+                  "The momentum is that of the same instant, translated to the identity. With the momentum frozen at its initial value g "
                   "would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -270,12 +272,12 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
     auto const at = costate_in(chart, q, p);
 
     // Hamilton's equations move g by the momentum of this instant,
-    auto const xi = rate_right(moved_by_hamilton(H, chart, q, p).place);
+    auto const xi = rate_right(moved_by_hamilton(H, chart, q, p).configuration);
     claim.equal("g' g^-1 = dh/dmu at mu(t)", model, xi, gradient(h, at.momentum), frame_condition);
     // at the next instant by that of the next: the rate of the velocity is that of dh/dmu along mu'.
     auto const f = in_canonical(H, chart);
     auto const q_later = moving(q, momenta(f, q, p)), p_later = moving(p, Vector<S>(-slopes(f, q, p)));
-    auto const xi_rate = rate(rate_right(costate_in(chart, moving(q_later, momenta(f, q_later, p_later)), moving(p_later, p_later)).place));
+    auto const xi_rate = rate(rate_right(costate_in(chart, moving(q_later, momenta(f, q_later, p_later)), moving(p_later, p_later)).configuration));
     Momentum<SpannedGroup, Dual<S>> const later{group, moving(at.momentum.components, lie_poisson_rate_right(h, at.momentum).components)};
     claim.equal("and stays so", model, xi_rate, rate(gradient(h, later)), 10 * frame_condition);
     // Controls: the momentum frozen, whose velocity has no rate; the components of p(0) taken for an element of the dual algebra.
@@ -299,7 +301,7 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
                 bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p), frame_condition);
     auto const along = moved_by_hamilton(H, chart, q, p);
     auto const field = hamiltonian_vector_field(H, at);
-    claim.equal("Hamilton's equations, place", model, field.place, rate_right(along.place), frame_condition);
+    claim.equal("Hamilton's equations, configuration", model, field.configuration, rate_right(along.configuration), frame_condition);
     claim.equal("Hamilton's equations, momentum", model, field.momentum, rate(along.momentum), frame_condition);
     claim.equal("i and ii: F' = {F, H}", model, F(moved(at, field)).part[0], canonical_bracket(F, H, at));
 
@@ -317,15 +319,16 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
       claim.zero("ii for the components of the momentum", model, S(canonical_bracket(component, invariant, at) - expected), scale);
       claim.zero("iv for the components of the momentum", model, S(lie_poisson_bracket_plus(component, h, at.momentum) - expected), scale);
     }
-    // Controls: g moved by something else keeps iii and iv and breaks i and ii; the canonical bracket without its last term.
+    // Controls: with g moved by something else iii and iv hold and i and ii do not; the canonical bracket
+    // without its last term.
     auto astray = reduced;
-    astray.place = draw.template velocity<S>(group);
+    astray.configuration = draw.template velocity<S>(group);
     claim.differs("another motion of g", model, F(moved(at, astray)).part[0], canonical_bracket(F, invariant, at));
     claim.differs("the term <mu, [F, H]> left out", model,
                   S(canonical_bracket(F, H, at) - pair(at.momentum, bracket(momentum_derivative(F, at), momentum_derivative(H, at)))),
                   canonical_bracket(F, H, at));
     claim.differs("the reduced equations for a Hamiltonian that is not invariant", model, field.momentum,
-                  -ad_star(field.place, at.momentum));
+                  -ad_star(field.configuration, at.momentum));
   });
 }
 
@@ -438,12 +441,12 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
     auto const J = body_momentum(p);
 
     // J pairs p with the generator g zeta of multiplication from the right; along motions it is constant.
-    Matrix<S> const generator = p.place.value * group.hat(zeta.coordinates) * inverse_matrix(p.place.value);
+    Matrix<S> const generator = p.configuration.value * group.hat(zeta.coordinates) * inverse_matrix(p.configuration.value);
     claim.equal("J is the momentum map of multiplication from the right", model, pair(J, zeta),
                 pair(p.momentum, Velocity<SpannedGroup, S>{group, group.vee(generator)}));
     claim.zero("J is constant along motions", model, rate(body_momentum(along)), size_of(rate(along.momentum)));
     // So mu is carried back from it by g, over whatever time.
-    claim.equal("mu = Ad*_{g^-1} J", model, Ad_star(inverse(p.place), J), p.momentum);
+    claim.equal("mu = Ad*_{g^-1} J", model, Ad_star(inverse(p.configuration), J), p.momentum);
     // The other way round: along any curve, mu(t) = Ad*_{g^-1(t)} mu_0 has the rate - ad*_xi mu of the Lie-Poisson equations with xi = g' g^-1.
     auto const curve = draw_curve<S>(draw, group);
     S const t = ratio<S>(1, 3);
@@ -453,7 +456,7 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
     claim.equal("the formula solves mu' = - ad*_xi mu", model, mu_rate, -ad_star(tangent(curve, t).velocity, mu));
 
     // Controls: no inverse; the spatial momentum taken for the constant one; the initial value of mu although g(0) is not e; a left-invariant Hamiltonian.
-    claim.differs("Ad*_g", model, Ad_star(p.place, J), p.momentum);
+    claim.differs("Ad*_g", model, Ad_star(p.configuration, J), p.momentum);
     auto const without_inverse = rate(Ad_star(curve(time), over<Dual<S>>(J)));
     claim.differs("Ad*_g solves it too", model, without_inverse, -ad_star(tangent(curve, t).velocity, Ad_star(curve(t), J)));
     auto const g0 = curve(S(0));
@@ -471,15 +474,16 @@ STATEMENT(claim_2_2_coadjoint_action_kk, "the coadjoint action preserves the Kir
     auto const v = ad_star(draw.template velocity<S>(group), mu), w = ad_star(draw.template velocity<S>(group), mu);
     auto const act = [&](Momentum<SpannedGroup, S> const& nu) { return Ad_star(inverse(g), nu); };
 
-    // Ad* is linear, so it carries tangent vectors as it carries momenta. The form finds its generators at the new place afresh.
+    // Ad* is linear, so it carries tangent vectors as it carries momenta. The form finds its generators at the new configuration afresh.
     S const before = kirillov_kostant_plus(mu, v, w);
-    claim.equal("omega_+ at the new place on carried vectors", model, kirillov_kostant_plus(act(mu), act(v), act(w)), before,
+    claim.equal("omega_+ at the new configuration on carried vectors", model, kirillov_kostant_plus(act(mu), act(v), act(w)), before,
                 orbit_condition);
     claim.equal("omega_-", model, kirillov_kostant_minus(act(mu), act(v), act(w)), S(-before), orbit_condition);
     claim.equal("carried vectors are tangent to the orbit", model, ad_star(orbit_generator(act(mu), act(v)), act(mu)), act(v),
                 orbit_condition);
     claim.equal("Ad* composes in the order of the group", model, act(Ad_star(inverse(g), v)), Ad_star(inverse(g * g), v));
-    // Controls: another linear map of orbits to orbits; the star lost, where the group sees it.
+    // Controls: another linear map of orbits to orbits; the star left out, on groups where that makes a
+    // difference.
     auto const twice = [&](Momentum<SpannedGroup, S> const& nu) { return S(2) * nu; };
     claim.differs("multiplication by 2 instead", model, kirillov_kostant_plus(twice(mu), twice(v), twice(w)), before);
     auto const starless = [&](Momentum<SpannedGroup, S> const& nu) {
@@ -506,7 +510,7 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
     auto const curve = draw_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
     S const t = ratio<S>(1, 3);
-    auto const eta = [&](auto const& s) { return lifted_variation(family, s).place; };
+    auto const eta = [&](auto const& s) { return lifted_variation(family, s).configuration; };
     auto const xi = tangent(curve, t).velocity, eta_rate = rate_along(eta, t);
 
     // Differentiate g' g^-1 by epsilon, on matrices.
@@ -518,7 +522,7 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
       using T = std::decay_t<decltype(s)>;
       return retract(e * over<T>(chosen)) * curve(s);
     };
-    claim.equal("every eta occurs", model, lifted_variation(constant, t).place, chosen);
+    claim.equal("every eta occurs", model, lifted_variation(constant, t).configuration, chosen);
     claim.equal("a constant eta gives - ad_xi eta", model, lifted_variation(constant, t).velocity, -ad(xi, chosen));
     // Controls: the sign of left-invariant systems; ad left out.
     claim.differs("eta' + ad_xi eta", model, delta, reduced_variation_left(xi, eta(t), eta_rate));
@@ -539,14 +543,14 @@ STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocit
       Matrix<S> const a = group.hat(x.coordinates), b = group.hat(y.coordinates);
       return Velocity<SpannedGroup, S>{group, group.vee(Matrix<S>(a * b - b * a))};
     };
-    auto const eta = [&](auto const& s) { return lifted_variation(family, s).place; };
+    auto const eta = [&](auto const& s) { return lifted_variation(family, s).configuration; };
     auto const xi = tangent(curve, t).velocity, delta = lifted_variation(family, t).velocity;
     claim.equal("delta xi = eta' - [xi, eta]", model, delta, rate_along(eta, t) - commutator(xi, eta(t)));
 
     // Seen from the body the sign is plus.
     auto const body_eta = [&](auto const& s) { return Ad(inverse(curve(s)), eta(s)); };
     auto const varied = varied_tangent(family, t);
-    auto const body_xi = Ad(inverse(varied.place), varied.velocity);
+    auto const body_xi = Ad(inverse(varied.configuration), varied.velocity);
     claim.equal("g^-1 g' varies by eta' + [xi, eta]", model, rate(body_xi),
                 rate_along(body_eta, t) + commutator(value_of(body_xi), body_eta(t)));
     // Control: as printed.

@@ -11,7 +11,7 @@ using namespace actio::checks;
 
 namespace {
 
-/// A discretization in Cayley's chart at the identity, wherever the places are: an approximation as \ref discretize_at_the_place is, but with an origin. `where` = 1/2 is half-way, 0 is at the first place.
+/// A discretization in Cayley's chart at the identity, wherever the configurations are: an approximation as \ref discretize_at_the_configuration is, but with an origin. `where` = 1/2 is half-way, 0 is at the first configuration.
 template <class Lagrangian, class S>
 auto discretize_at_the_identity(Lagrangian L, S h, S where) {
   return [=](auto const& g0, auto const& g1) {
@@ -29,15 +29,15 @@ auto discretize_at_the_identity(Lagrangian L, S h, S where) {
 
 }  // namespace
 
-STATEMENT(eq_3_1, "the action sums over the pairs between the two places that are held") {
+STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations that are held") {
   claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))", R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb L(g_k,g_{k+1}))",
-                  "The places are g_0, ..., g_N and the ends g_0 and g_N are held, so the sum runs over the N pairs between them; the printed range leaves "
-                  "g_0 out, needs a place g_{N+1}, and its variation at g_1 is not (3.2).");
+                  "The configurations are g_0, ..., g_N and the ends g_0 and g_N are held, so the sum runs over the N pairs between them; the printed range leaves "
+                  "g_0 out, needs a configuration g_{N+1}, and its variation at g_1 is not (3.2).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // Places g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
+    // Configurations g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 6);
-    Places<S> const held(g.begin(), g.begin() + 5);
+    auto const g = draw_configurations<S>(draw, group, 6);
+    GroupElements<S> const held(g.begin(), g.begin() + 5);
     auto const action = discrete_action(L, held);
     claim.equal("the action of g_0, ..., g_4 is the sum over its four pairs", model, action, S(L(g[0], g[1]) + L(g[1], g[2]) + L(g[2], g[3]) + L(g[3], g[4])));
     claim.differs("the printed range, k = 1, ..., N", model, sum_over_pairs(L, g, 1, 4), action);
@@ -52,27 +52,27 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two places that ar
   });
 }
 
-STATEMENT(claim_3_1_discrete_from_continuous, "a discrete Lagrangian from an approximate place and an approximate velocity") {
+STATEMENT(claim_3_1_discrete_from_continuous, "a discrete Lagrangian from an approximate configuration and an approximate velocity") {
   claim.convention("For equal steps. Print leaves the step out as a factor, which divides the action and every momentum by it; where steps differ the factor h belongs there, and the library's discrete Lagrangians carry it.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     S const h = ratio<S>(1, 3);
     auto const per_step = [&](S const& step) {
-      return [L = discretize_at_the_place(lagrangian, step), step](auto const& g0, auto const& g1) { return L(g0, g1) / typename std::decay_t<decltype(g0)>::Scalar(step); };
+      return [L = discretize_at_the_configuration(lagrangian, step), step](auto const& g0, auto const& g1) { return L(g0, g1) / typename std::decay_t<decltype(g0)>::Scalar(step); };
     };
 
     // Equal steps: the factor drops out of (3.2).
-    auto const action = discretize_at_the_place(lagrangian, h);
+    auto const action = discretize_at_the_configuration(lagrangian, h);
     auto const with_factor = discrete_euler_lagrange(action, g[0], g[1], g[2]);
     claim.equal("(3.2) with the factor h is h times (3.2) without", model, with_factor, h * discrete_euler_lagrange(per_step(h), g[0], g[1], g[2]));
     // Control: a second step of half the length.
-    auto const half = discretize_at_the_place(lagrangian, S(h / 2));
+    auto const half = discretize_at_the_configuration(lagrangian, S(h / 2));
     auto const two_steps = D2(action, g[0], g[1]) + D1(half, g[1], g[2]);
     claim.differs("unequal steps without the factor", model, h * (D2(per_step(h), g[0], g[1]) + D1(per_step(S(h / 2)), g[1], g[2])), two_steps);
   });
 
-  // Along a smooth curve the approximate place and velocity tend to the true ones, and so does the Lagrangian.
+  // Along a smooth curve the approximate configuration and velocity tend to the true ones, and so does the Lagrangian.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const a = draw.template velocity<S>(group), b = draw.template velocity<S>(group);
@@ -88,52 +88,52 @@ STATEMENT(claim_3_1_discrete_from_continuous, "a discrete Lagrangian from an app
       return std::abs(to_double(S(scheme(curve(S(0)), curve(h)) / h - exact)));
     };
     if (!exact_arithmetic<S>()) {
-      std::vector<double> steps, at_place, at_identity, backwards;
+      std::vector<double> steps, at_configuration, at_identity, backwards;
       for (int k = 6; k <= 12; ++k) {
         S const h = S(1) / S(1 << k);
         steps.push_back(to_double(h));
-        at_place.push_back(error(discretize_at_the_place(lagrangian, h), h));
+        at_configuration.push_back(error(discretize_at_the_configuration(lagrangian, h), h));
         at_identity.push_back(error(discretize_at_the_identity(lagrangian, h, ratio<S>(1, 2)), h));
-        backwards.push_back(error([&](auto const& p, auto const& q) { return discretize_at_the_place(lagrangian, h)(q, p); }, h));
+        backwards.push_back(error([&](auto const& p, auto const& q) { return discretize_at_the_configuration(lagrangian, h)(q, p); }, h));
       }
-      claim.order("half-way in a chart at the place", model, steps, at_place, 2);
+      claim.order("half-way in a chart at the configuration", model, steps, at_configuration, 2);
       claim.order("half-way in a chart at the identity", model, steps, at_identity, 2);
-      // Control: earlier and later place exchanged, so that the velocity points backwards.
-      claim.refutes_order("velocity from the later place to the earlier", model, steps, backwards, 2);
+      // Control: earlier and later configuration exchanged, so that the velocity points backwards.
+      claim.refutes_order("velocity from the later configuration to the earlier", model, steps, backwards, 2);
     }
   });
 }
 
 STATEMENT(rem_3_1_1, "a discretization without origin inherits the symmetry; lifted and diagonal actions agree") {
-  claim.holds("Instance: the half-way rule in Cayley's chart at the place, right- and left-invariant Lagrangians. A chart at the identity, as accurate, does not inherit: the choice in the remark is needed.");
+  claim.holds("Instance: the half-way rule in Cayley's chart at the configuration, right- and left-invariant Lagrangians. A chart at the identity, as accurate, does not inherit: the choice in the remark is needed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     S const h = ratio<S>(1, 3);
-    // Small draws keep every pair inside Cayley's chart.
+    // Draws are small, so that every pair is inside Cayley's chart.
     auto const g0 = draw.template element<S>(group), g1 = draw.template element<S>(group), bar = draw.template element<S>(group);
 
-    // Right multiplication: the Lagrangian on TG does not see it, nor does the discrete one.
-    auto const right = discretize_at_the_place(right_invariant(l), h), left = discretize_at_the_place(left_invariant(l), h);
+    // The Lagrangian on TG is invariant under right multiplication, and so is the discrete one.
+    auto const right = discretize_at_the_configuration(right_invariant(l), h), left = discretize_at_the_configuration(left_invariant(l), h);
     claim.equal("right-invariant: unchanged under (g0 k, g1 k)", model, right(g0 * bar, g1 * bar), right(g0, g1));
     claim.equal("left-invariant: unchanged under (k g0, k g1)", model, left(bar * g0, bar * g1), left(g0, g1));
 
-    // A pair of infinitely near places, moved diagonally, is the state moved by the lifted action.
+    // A pair of infinitely near configurations, moved diagonally, is the state moved by the lifted action.
     State<SpannedGroup, S> const v{g0, draw.template velocity<S>(group)};
-    auto const near = nudged(v.place, v.velocity);
+    auto const near = nudged(v.configuration, v.velocity);
     auto const moved_right_ = state_of(near * over<Dual<S>>(bar)), moved_left_ = state_of(over<Dual<S>>(bar) * near);
     claim.equal("lifted right action: the spatial velocity stays", model, moved_right_.velocity, v.velocity);
     claim.equal("lifted left action: the spatial velocity turns by Ad", model, moved_left_.velocity, Ad(bar, v.velocity));
     claim.equal("right-invariant on TG", model, right_invariant(l)(moved_right_), right_invariant(l)(v));
     claim.equal("left-invariant on TG", model, left_invariant(l)(moved_left_), left_invariant(l)(v));
 
-    // Controls: the other side, one place alone.
+    // Controls: the other side, one configuration alone.
     claim.differs("right-invariant Lagrangian, multiplied on the left", model, right(bar * g0, bar * g1), right(g0, g1));
-    claim.differs("one place multiplied, not both", model, right(g0 * bar, g1), right(g0, g1));
+    claim.differs("one configuration multiplied, not both", model, right(g0 * bar, g1), right(g0, g1));
   });
   // Where the group is nilpotent of class 2 even a chart at the identity inherits, so the last control has its own groups.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const with_origin = discretize_at_the_identity(right_invariant(l), ratio<S>(1, 3), S(0));
     claim.differs("discretized in a chart at the identity", model, with_origin(g[0] * g[2], g[1] * g[2]), with_origin(g[0], g[1]));
   });
@@ -142,11 +142,11 @@ STATEMENT(rem_3_1_1, "a discretization without origin inherits the symmetry; lif
 STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of the action") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // Off shell, four steps: the differential at each place in between is the left side of (3.2) there.
+    // Off shell, four steps: the differential at each configuration in between is the left side of (3.2) there.
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 5);
+    auto const g = draw_configurations<S>(draw, group, 5);
     int const d = group.dimension();
-    auto const inside = [&](auto const& lagrangian, Places<S> const& q) {
+    auto const inside = [&](auto const& lagrangian, GroupElements<S> const& q) {
       int const N = static_cast<int>(q.size()) - 1;
       return Vector<S>(differential(q, [&](auto const& r) { return sum_over_pairs(lagrangian, r, 0, N - 1); }).segment(d, d * (N - 1)));
     };
@@ -160,26 +160,26 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
     claim.differs("the two slots exchanged", model, inside(L, g), stacked(exchanged));
     claim.differs("both derivatives at the later pair", model, inside(L, g), stacked(shifted));
 
-    // On shell: a Lagrangian of which three places are a motion has them as a stationary sequence.
-    auto const M = draw_with_motion<S>(draw, Places<S>{g[0], g[1], g[2]});
+    // On shell: a Lagrangian of which three configurations are a motion has them as a stationary sequence.
+    auto const M = draw_with_motion<S>(draw, GroupElements<S>{g[0], g[1], g[2]});
     auto const terms = size_of(D2(M, g[0], g[1]));
     claim.zero("a motion makes the action stationary", model, inside(M, {g[0], g[1], g[2]}), terms);
     claim.refutes("a sequence that is no motion", model, inside(M, {g[0], g[1], g[3]}), terms);
   });
 
-  // The discrete flow finds the next place from the equation: four steps of the solver, the equation written out with the directional derivative.
+  // The discrete flow finds the next configuration from the equation: four steps of the solver, the equation written out with the directional derivative.
   if (!exact_arithmetic<S>())
     over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
       auto lagrangian = draw_state_polynomial<S>(draw, group);
       lagrangian.kinetic = draw_regular_algebra_polynomial<S>(draw, group);
-      auto const L = discretize_at_the_place(lagrangian, ratio<S>(1, 64));
-      Places<S> g = {draw.template element<S>(group)};
+      auto const L = discretize_at_the_configuration(lagrangian, ratio<S>(1, 64));
+      GroupElements<S> g = {draw.template element<S>(group)};
       g.push_back(retract(draw.template velocity<S>(group, ratio<S>(1, 256))) * g[0]);
       for (int k = 1; k <= 4; ++k) {
         g.push_back(step_euler_lagrange(L, g[k - 1], g[k]).value);
-        auto const whole = differential(Places<S>{g[k - 1], g[k], g[k + 1]}, [&](auto const& q) { return sum_over_pairs(L, q, 0, 1); });
+        auto const whole = differential(GroupElements<S>{g[k - 1], g[k], g[k + 1]}, [&](auto const& q) { return sum_over_pairs(L, q, 0, 1); });
         // The solver stops at 16 roundings of the derivative, which is 1/h = 64 times a momentum.
-        claim.zero("the place that the step finds satisfies (3.2)", model, Vector<S>(whole.segment(group.dimension(), group.dimension())), size_of(D2(L, g[k - 1], g[k])), 8);
+        claim.zero("the configuration that the step finds satisfies (3.2)", model, Vector<S>(whole.segment(group.dimension(), group.dimension())), size_of(D2(L, g[k - 1], g[k])), 8);
       }
     });
 }
@@ -187,12 +187,13 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
 STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
   claim.corrected(R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_{k-1},g_k)\delta g_k=\dots)",
                   R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta g_k=\dots)",
-                  "In the first line the arguments of the two sums are exchanged, so that it asks for places g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
+                  "In the first line the arguments of the two sums are exchanged, so that it asks for configurations g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // N = 3: places all[1], ..., all[4] are g_0, ..., g_3; all[0] and all[5] are the g_{-1} and g_4 that print asks for.
+    // N = 3: configurations all[1], ..., all[4] are g_0, ..., g_3; all[0] and all[5] are the g_{-1} and g_4
+    // that the thesis prints.
     int const N = 3;
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const all = draw_places<S>(draw, group, N + 3);
+    auto const all = draw_configurations<S>(draw, group, N + 3);
     auto const g = [&](int k) { return all[k + 1]; };
     std::vector<Momentum<SpannedGroup, S>> right(N + 1, zero_momentum<S>(group)), printed = right, regrouped;
     for (int k = 1; k <= N; ++k) right[k] = right[k] + D2(L, g(k - 1), g(k)), printed[k] = printed[k] + D2(L, g(k), g(k + 1));
@@ -201,7 +202,7 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
     for (int k = 1; k <= N - 1; ++k) regrouped.push_back(D1(L, g(k), g(k + 1)) + D2(L, g(k - 1), g(k)));
     regrouped.push_back(D2(L, g(N - 1), g(N)));
 
-    auto const dS = differential(Places<S>{g(0), g(1), g(2), g(3)}, [&](auto const& q) { return discrete_action(L, q); });
+    auto const dS = differential(GroupElements<S>{g(0), g(1), g(2), g(3)}, [&](auto const& q) { return discrete_action(L, q); });
     claim.equal("first line, arguments exchanged back", model, dS, stacked(right));
     claim.equal("second line, as printed", model, dS, stacked(regrouped));
     claim.differs("first line as printed", model, dS, stacked(printed));
@@ -211,15 +212,15 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
 STATEMENT(claim_3_1_action_differential_split, "first slots and second slots of the action, each with its own range") {
   claim.corrected(R"(\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_{k-1},g_k)\delta g_k)",
                   R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta g_k)",
-                  "A place is the second of the pair before it and the first of the pair after it: D_2 goes with (g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
+                  "A configuration is the second of the pair before it and the first of the pair after it: D_2 goes with (g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // N = 4; all[0] and all[6] are the g_{-1} and g_5 that print asks for.
+    // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const all = draw_places<S>(draw, group, N + 3);
+    auto const all = draw_configurations<S>(draw, group, N + 3);
     auto const g = [&](int k) { return all[k + 1]; };
-    // Two copies of the places: the pairs take their first place from one, their second from the other.
-    Places<S> copies;
+    // Two copies of the configurations: the pairs take their first configuration from one, their second from the other.
+    GroupElements<S> copies;
     for (int copy = 0; copy < 2; ++copy)
       for (int k = 0; k <= N; ++k) copies.push_back(g(k));
     auto const both = differential(copies, [&](auto const& q) {
@@ -244,7 +245,7 @@ STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), th
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, N + 2);
+    auto const g = draw_configurations<S>(draw, group, N + 2);
     auto const dS = differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 0, N - 1); });
     auto const none = zero_momentum<S>(group);
 
@@ -282,7 +283,7 @@ STATEMENT(eq_3_4, "the two one-forms add up to the differential of the Lagrangia
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     auto const dL = on_each(w, [&](auto const& u) { return rate(g, {u.first, u.second}, [&](auto const& q) { return L(q[0], q[1]); }); });
     auto const minus = on_each(w, [&](auto const& u) { return discrete_one_form_minus(L, g[0], g[1], u); });
@@ -290,8 +291,8 @@ STATEMENT(eq_3_4, "the two one-forms add up to the differential of the Lagrangia
     claim.equal("theta- plus theta+ is dL", model, Vector<S>(minus + plus), dL);
     // Each lives in its own slot.
     auto const still = rest<S>(group);
-    claim.equal("theta- is dL with the second place at rest", model, minus, on_each(w, [&](auto const& u) { return rate(g, {u.first, still}, [&](auto const& q) { return L(q[0], q[1]); }); }));
-    claim.equal("theta+ is dL with the first place at rest", model, plus, on_each(w, [&](auto const& u) { return rate(g, {still, u.second}, [&](auto const& q) { return L(q[0], q[1]); }); }));
+    claim.equal("theta- is dL with the second configuration at rest", model, minus, on_each(w, [&](auto const& u) { return rate(g, {u.first, still}, [&](auto const& q) { return L(q[0], q[1]); }); }));
+    claim.equal("theta+ is dL with the first configuration at rest", model, plus, on_each(w, [&](auto const& u) { return rate(g, {still, u.second}, [&](auto const& q) { return L(q[0], q[1]); }); }));
     // Controls: the sign of the momentum in theta-, the slots exchanged.
     claim.differs("theta+ minus theta-", model, Vector<S>(plus - minus), dL);
     claim.differs("slots exchanged", model, on_each(w, [&](auto const& u) { return S(pair(D1(L, g[0], g[1]), u.second) + pair(D2(L, g[0], g[1]), u.first)); }), dL);
@@ -302,7 +303,7 @@ STATEMENT(claim_3_1_exterior_derivative_sum, "the exterior derivatives of the tw
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(minus_form(L), g[0], g[1], a, b); });
     auto const d_plus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(plus_form(L), g[0], g[1], a, b); });
@@ -318,10 +319,10 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
   claim.corrected(R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_k^i\wedge dg_{k+1}^j)",
                   R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_{k+1}^j\wedge dg_k^i)",
                   "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, for with omega = d theta+ the coordinates, the chain for "
-                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library keeps omega = d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
+                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega = d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
     // Coordinates x -> exp(x) g_k, y -> exp(y) g_{k+1}: the mixed second derivative of L along x and y, on dx^i ^ dy^j.
     auto const mixed = [&](auto const& x, auto const& y) { return L(nudged(over<Dual<S>>(g[0]), over<Dual<S>>(x)), over<Dual<Dual<S>>>(nudged(g[1], y))).part[0].part[0]; };
@@ -330,7 +331,7 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
     auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(minus_form(L), g[0], g[1], a, b); });
     auto const d_plus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(plus_form(L), g[0], g[1], a, b); });
     auto const omega = on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
-    claim.equal("d theta- with the later place first in the wedge", model, d_minus, Vector<S>(-printed));
+    claim.equal("d theta- with the later configuration first in the wedge", model, d_minus, Vector<S>(-printed));
     claim.equal("the library's two-form is d theta-", model, omega, d_minus);
     claim.equal("the library's two-form is -d theta+", model, omega, Vector<S>(-d_plus));
     claim.equal("the printed coordinates are those of d theta+", model, printed, d_plus);
@@ -342,14 +343,15 @@ STATEMENT(claim_3_1_pullback_canonical, "the two-form is the pull-back of the ca
   claim.convention("With the printed Legendre transformation (g_k, D_1 L) and omega = d theta- the canonical form is +d theta_0. With chapter 2's sign, -d theta_0, it takes the physical momentum, (g_k, -D_1 L).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
-    // The form -d theta_0 on T*G at (g, mu), momenta carried to the identity on the right, pulled back by (g0, g1) -> (g0 or g1, momentum).
+    // The form -d theta_0 on T*G at (g, mu), momenta translated to the identity on the right, pulled back by
+    // (g0, g1) -> (g0 or g1, momentum).
     using Covector = Momentum<SpannedGroup, S>;
-    auto const pulled_back = [&](auto const& momentum, auto const& place) {
+    auto const pulled_back = [&](auto const& momentum, auto const& configuration) {
       auto const mu = momentum(g[0], g[1]);
       auto const change = [&](Change<S> const& u) { return Covector{group, rates(momentum(nudged(g[0], u.first), nudged(g[1], u.second)))}; };
-      return on_pairs(w, [&](auto const& a, auto const& b) { return S(pair(change(b), place(a)) - pair(change(a), place(b)) - pair(mu, bracket(place(a), place(b)))); });
+      return on_pairs(w, [&](auto const& a, auto const& b) { return S(pair(change(b), configuration(a)) - pair(change(a), configuration(b)) - pair(mu, bracket(configuration(a), configuration(b)))); });
     };
     auto const first = [](Change<S> const& u) { return u.first; };
     auto const second = [](Change<S> const& u) { return u.second; };
@@ -366,7 +368,7 @@ STATEMENT(claim_3_1_pullback_canonical, "the two-form is the pull-back of the ca
 
 namespace {
 
-/// \f$L(g_0, g_1) = \mathrm{tr}(g_0g_1^{-1})\f$, which on SO(3) depends on the angle between the two places alone.
+/// \f$L(g_0, g_1) = \mathrm{tr}(g_0g_1^{-1})\f$, which on SO(3) depends on the angle between the two configurations alone.
 inline constexpr auto trace_lagrangian = [](auto const& g0, auto const& g1) { return (g0 * inverse(g1)).value.trace(); };
 /// \f$-\tfrac12|g_1 - g_0|^2\f$, entry by entry.
 inline constexpr auto squared_distance = [](auto const& g0, auto const& g1) {
@@ -404,12 +406,12 @@ STATEMENT(rem_3_1_2, "near the diagonal a regular Lagrangian gives a nondegenera
     auto const g = draw.template element<S>(group);
     State<SpannedGroup, S> const at_rest{g, rest<S>(group)};
     Matrix<S> const hessian = fibre_hessian(lagrangian, at_rest);
-    auto const remainder = [&](S const& h) { return Matrix<S>((h * mixed_derivative(discretize_at_the_place(lagrangian, h), g, g) + hessian) / h); };
+    auto const remainder = [&](S const& h) { return Matrix<S>((h * mixed_derivative(discretize_at_the_configuration(lagrangian, h), g, g) + hessian) / h); };
     claim.equal("on the diagonal h D2 D1 L tends to minus the fibre Hessian", model, Matrix<S>(remainder(ratio<S>(1, 2)) + remainder(ratio<S>(1, 6))), Matrix<S>(remainder(ratio<S>(1, 3)) * S(2)));
     // So for a short step it has an inverse, as the Hessian (positive definite here) has.
-    Matrix<S> const m = mixed_derivative(discretize_at_the_place(lagrangian, ratio<S>(1, 1000)), g, g), one = Matrix<S>::Identity(m.rows(), m.cols());
+    Matrix<S> const m = mixed_derivative(discretize_at_the_configuration(lagrangian, ratio<S>(1, 1000)), g, g), one = Matrix<S>::Identity(m.rows(), m.cols());
     claim.equal("nondegenerate on the diagonal for a short step", model, Matrix<S>(m * inverse_matrix(m)), one);
-    // Controls: the Hessian with the other sign; a Lagrangian that couples its places in no way.
+    // Controls: the Hessian with the other sign; a Lagrangian that couples its configurations in no way.
     claim.differs("on the diagonal h D2 D1 L tends to the fibre Hessian", model, Matrix<S>(m / S(1000)), hessian);
     auto const apart = [](auto const& g0, auto const& g1) { return g0.value(0, 0) + g1.value(0, 1) * g1.value(0, 0); };
     claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] { inverse_matrix(Matrix<S>(mixed_derivative(apart, g, g)), "D2 D1 L"); });
@@ -433,20 +435,20 @@ STATEMENT(rem_3_1_2, "near the diagonal a regular Lagrangian gives a nondegenera
     // At a quarter turn the axis is a null direction of the form, and the flow is refused.
     Matrix<S> quarter(3, 3);
     quarter << S(0), S(-1), S(0), S(1), S(0), S(0), S(0), S(0), S(1);
-    Place<S> const turned = Place<S>{so3, quarter} * g0;
+    GroupElement<S> const turned = GroupElement<S>{so3, quarter} * g0;
     auto const axis = basis_velocity<S>(so3, 2);
     auto const any = draw_changes<S>(draw, so3)[0];
     claim.zero("a null vector at a quarter turn", "SO(3)", discrete_two_form(trace_lagrangian, g0, turned, {axis, axis}, any), S(2));
     claim.refutes("the same vector at a random pair", "SO(3)", discrete_two_form(trace_lagrangian, g0, g1, {axis, rest<S>(so3)}, {rest<S>(so3), axis}), S(2));
     auto const here = identity<S>(so3);
-    claim.template refuses<Singular>("the flow into a quarter turn", "SO(3)", [&] { discrete_flow_tangent(trace_lagrangian, here, here, Place<S>{so3, quarter}, any); });
+    claim.template refuses<Singular>("the flow into a quarter turn", "SO(3)", [&] { discrete_flow_tangent(trace_lagrangian, here, here, GroupElement<S>{so3, quarter}, any); });
   }
-  // Nowhere degenerate: the squared distance on the Heisenberg group, at places far apart.
+  // Nowhere degenerate: the squared distance on the Heisenberg group, at configurations far apart.
   SpannedGroup const heisenberg = all_groups().back();
   {
     auto const g0 = draw.template element<S>(heisenberg, S(50)), g1 = draw.template element<S>(heisenberg, S(50));
     // Terms reach the fourth power of the distance.
-    claim.equal("determinant 1 at places far apart", "Heisenberg", determinant<S>(mixed_derivative(squared_distance, g0, g1)), S(1), 1e7);
+    claim.equal("determinant 1 at configurations far apart", "Heisenberg", determinant<S>(mixed_derivative(squared_distance, g0, g1)), S(1), 1e7);
   }
 }
 
@@ -458,8 +460,8 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
                   "The last of N pairs is N-1 steps of the flow from the first; the printed single step is right for N = 2 only. F is the flow, not the Legendre transformation.");
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
-    // A motion of three pairs, and changes of its first pair carried along by the tangent of the flow.
-    auto const g = draw_places<S>(draw, group, 4);
+    // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
+    auto const g = draw_configurations<S>(draw, group, 4);
     auto const L = draw_with_motion<S>(draw, g);
     auto const w01 = draw_changes<S>(draw, group);
     std::vector<Change<S>> w12, w23;
@@ -469,7 +471,7 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
     Vector<S> two(3), three(3), no_motion(3);
     auto const M = draw_pair_polynomial<S>(draw, group);
     for (int i = 0; i < 3; ++i) {
-      two[i] = rate(Places<S>{g[0], g[1], g[2]}, {w01[i].first, w01[i].second, w12[i].second}, along(L));
+      two[i] = rate(GroupElements<S>{g[0], g[1], g[2]}, {w01[i].first, w01[i].second, w12[i].second}, along(L));
       three[i] = rate(g, {w01[i].first, w01[i].second, w12[i].second, w23[i].second}, along(L));
       no_motion[i] = rate(g, {w01[i].first, w01[i].second, w12[i].second, w23[i].second}, along(M));
     }
@@ -480,14 +482,14 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
     claim.equal("N = 2: one step, as printed", model, two, Vector<S>(minus(L) + after_one), flow_condition<S>(L, g[1], g[2]));
     claim.equal("N = 3: two steps", model, three, Vector<S>(minus(L) + after_two(L)), flow_condition<S>(L, g[1], g[2]) * flow_condition<S>(L, g[2], g[3]));
     claim.differs("N = 3 with one step, as printed", model, three, Vector<S>(minus(L) + after_one));
-    claim.differs("along places that are no motion", model, no_motion, Vector<S>(minus(M) + after_two(M)));
+    claim.differs("along configurations that are no motion", model, no_motion, Vector<S>(minus(M) + after_two(M)));
   });
 }
 
-STATEMENT(claim_3_1_flow_symplectic, "the discrete flow keeps the discrete two-form") {
+STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete two-form") {
   claim.holds("Where the Lagrangian is regular, at every length of the step.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const before = draw_changes<S>(draw, group);
     auto const carried = [&](auto const& lagrangian) {
       std::vector<Change<S>> after;
@@ -496,19 +498,19 @@ STATEMENT(claim_3_1_flow_symplectic, "the discrete flow keeps the discrete two-f
     };
     auto const form = [&](auto const& lagrangian, int k, auto const& w) { return on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(lagrangian, g[k], g[k + 1], a, b); }); };
 
-    // The tangent of the flow is on trial too: along it the equation stays true, and the old second place is the new first.
+    // The tangent of the flow is on trial too: along it the equation stays true, and the old second configuration is the new first.
     auto const L = draw_with_motion<S>(draw, g);
     auto const after = carried(L);
     double const condition = flow_condition<S>(L, g[1], g[2]);
-    auto const left_behind = rates(D2(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second)));
+    auto const end_momentum = rates(D2(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second)));
     auto const equation = rates(discrete_euler_lagrange(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second), nudged(g[2], after[0].second)));
-    claim.zero("the tangent of the flow keeps (3.2)", model, equation, size_of(left_behind), condition);
-    claim.equal("the new first place moves as the old second did", model, after[0].first, before[0].second);
+    claim.zero("the tangent of the flow satisfies the linearized (3.2)", model, equation, size_of(end_momentum), condition);
+    claim.equal("the new first configuration moves as the old second did", model, after[0].first, before[0].second);
 
     claim.equal("the two-form after a step is that before", model, form(L, 1, after), form(L, 0, before), condition);
     claim.differs("with the opposite sign", model, form(L, 1, after), Vector<S>(-form(L, 0, before)));
 
-    // Control: a constant spatial force f on the right side of (3.2) feeds the form with <f, [theta, theta']> at the middle place.
+    // Control: a constant spatial force f on the right side of (3.2) feeds the form with <f, [theta, theta']> at the middle configuration.
     auto const M = draw_pair_polynomial<S>(draw, group);
     auto const forced = form(M, 1, carried(M)), gain = Vector<S>(forced - form(M, 0, before));
     auto const force = discrete_euler_lagrange(M, g[0], g[1], g[2]);
@@ -523,7 +525,7 @@ STATEMENT(claim_3_1_symplecticity_chain, "symplecticity from the vanishing secon
                   R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb L}=\omega_{\mathbb L})",
                   "With the page's own omega = d theta- = -d theta+ the first and the last sign are wrong and cancel; the middle equality, from ddS = 0, is right. The chain holds as printed if omega is defined as d theta+.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const L = draw_with_motion<S>(draw, g);
     auto const before = draw_changes<S>(draw, group);
     std::vector<Change<S>> after;
@@ -554,15 +556,16 @@ namespace {
 inline constexpr auto on_the_right = [](auto const& zeta) { return right_translation(zeta); };
 inline constexpr auto on_the_left = [](auto const& zeta) { return left_translation(zeta); };
 
-/// Right- and left-invariant Lagrangians of which `g` is a motion, each with the translations that it does not see and with those on the other side.
+/// Right- and left-invariant Lagrangians of which `g` is a motion, each with the translations under which it
+/// is invariant and with those on the other side.
 template <class S, class Visit>
-void over_sides(Draw& draw, Places<S> const& g, std::string const& model, Visit const& visit) {
+void over_sides(Draw& draw, GroupElements<S> const& g, std::string const& model, Visit const& visit) {
   visit(draw_right_invariant_with_motion<S>(draw, g), on_the_right, on_the_left, model + ", right-invariant");
   visit(draw_left_invariant_with_motion<S>(draw, g), on_the_left, on_the_right, model + ", left-invariant");
 }
 /// The generator of the diagonal action at a pair.
 template <class S, class Generator>
-Change<S> at_pair(Generator const& generator, Place<S> const& g0, Place<S> const& g1) {
+Change<S> at_pair(Generator const& generator, GroupElement<S> const& g0, GroupElement<S> const& g1) {
   return {generator(g0), generator(g1)};
 }
 /// A number for each basis vector of the algebra.
@@ -578,7 +581,7 @@ Vector<S> over_basis(SpannedGroup const& group, Value const& value) {
 STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of a motion") {
   claim.holds("For an invariant Lagrangian along a motion of two pairs, as (3.6) with N = 2.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 3, ratio<S>(1, 2));
+    auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
     over_sides(draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
       // The action does not change along the symmetry.
       auto const along = [&](auto const& generator) { return rate(g, {generator(g[0]), generator(g[1]), generator(g[2])}, [&](auto const& q) { return discrete_action(L, q); }); };
@@ -592,7 +595,7 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
       claim.equal("(3.7)", side, first(own), Vector<S>(-last(own)));
       // Controls: no minus sign, a symmetry of the other side.
       claim.differs("without the minus sign", side, first(own), last(own));
-      claim.differs("translations on the side that the Lagrangian sees", side, first(other), Vector<S>(-last(other)));
+      claim.differs("translations under which the Lagrangian is not invariant", side, first(other), Vector<S>(-last(other)));
     });
   });
 }
@@ -600,7 +603,7 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
 STATEMENT(claim_3_1_momentum_forms, "at one and the same pair the symmetry's contractions are opposite") {
   claim.holds("Off shell: no equation of motion is needed, only invariance.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const minus = [&](auto const& L, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1])); }); };
     auto const plus = [&](auto const& L, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_plus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1])); }); };
     auto const l = draw_group_polynomial<S>(draw, group);
@@ -618,8 +621,8 @@ STATEMENT(claim_3_1_momentum_forms, "at one and the same pair the symmetry's con
 STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
   claim.holds();
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
-    // Three pairs: two would not see a momentum of the wrong pair.
-    auto const g = draw_places<S>(draw, group, 4, ratio<S>(1, 2));
+    // Three pairs: with two a momentum of the wrong pair would pass.
+    auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
     over_sides(draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
       auto const J = [&](int k, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], side_of(zeta)); }); };
       auto const minus = over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_minus(L, g[1], g[2], at_pair(own(zeta), g[1], g[2])); });
@@ -627,18 +630,18 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
       claim.equal("after one step", side, J(1, own), J(0, own));
       claim.equal("after two steps", side, J(2, own), J(0, own));
       claim.equal("as minus theta-, at the next pair", side, Vector<S>(-minus), J(0, own));
-      // Controls: theta- with the sign of theta+, the momentum of the other side, places that are no motion.
+      // Controls: theta- with the sign of theta+, the momentum of the other side, configurations that are no motion.
       claim.differs("theta- in place of theta+", side, minus, J(0, own));
       claim.differs("momentum of translations on the other side", side, J(1, other), J(0, other));
-      claim.differs("a last place that is no motion", side, over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[1], g[3], own(zeta)); }), J(0, own));
+      claim.differs("a last configuration that is no motion", side, over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[1], g[3], own(zeta)); }), J(0, own));
     });
   });
 
   // Through the solver: eight steps of a system with a right-invariant Lagrangian that is not even.
   if (!exact_arithmetic<S>())
     over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-      auto const L = discretize_at_the_place(right_invariant(draw_regular_algebra_polynomial<S>(draw, group)), ratio<S>(1, 64));
-      Places<S> g = {draw.template element<S>(group)};
+      auto const L = discretize_at_the_configuration(right_invariant(draw_regular_algebra_polynomial<S>(draw, group)), ratio<S>(1, 64));
+      GroupElements<S> g = {draw.template element<S>(group)};
       g.push_back(retract(draw.template velocity<S>(group, ratio<S>(1, 256))) * g[0]);
       for (int k = 1; k <= 8; ++k) g.push_back(step_euler_lagrange(L, g[k - 1], g[k]).value);
       auto const J = [&](int k) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], right_translation(zeta)); }); };
@@ -647,13 +650,13 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
     });
 }
 
-STATEMENT(rem_3_1_3, "a symmetry group smaller than G keeps its own momentum and no other") {
+STATEMENT(rem_3_1_3, "a symmetry group smaller than G conserves its own momentum and no other") {
   claim.holds("The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers it. Instance: K the one-parameter group that fixes a vector, acting on G from the right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // The first basis matrix kills the last vector of the standard basis in each of these groups, save SO(3), where it kills the first.
     int const fixed = group.name() == "SO(3)" ? 0 : group.matrix_size() - 1;
-    auto const g = draw_places<S>(draw, group, 4, ratio<S>(1, 2));
-    // A right-invariant Lagrangian plus a potential that sees only where the fixed vector goes.
+    auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
+    // A right-invariant Lagrangian plus a potential that depends only on the image of the fixed vector.
     auto const heights = draw_vector<S>(draw, group.matrix_size());
     auto const with_potential = [&](auto const& l) {
       return [lift = lift_right(l), heights, fixed](auto const& g0, auto const& g1) {

@@ -20,20 +20,20 @@ using namespace actio::checks;
 
 namespace {
 
-/// A sequence with one variation for each place.
+/// A sequence with one variation for each configuration.
 template <class S>
 struct VariedSequence {
-  Places<S> g;
+  GroupElements<S> g;
   std::vector<Velocity<SpannedGroup, S>> theta;
 
-  /// The places, varied: delta g = theta g, or g theta for `left`.
-  Places<Dual<S>> right() const {
-    Places<Dual<S>> out;
+  /// The configurations, varied: delta g = theta g, or g theta for `left`.
+  GroupElements<Dual<S>> right() const {
+    GroupElements<Dual<S>> out;
     for (std::size_t k = 0; k < g.size(); ++k) out.push_back(varied(g[k], from_left(theta[k], g[k])));
     return out;
   }
-  Places<Dual<S>> left() const {
-    Places<Dual<S>> out;
+  GroupElements<Dual<S>> left() const {
+    GroupElements<Dual<S>> out;
     for (std::size_t k = 0; k < g.size(); ++k) out.push_back(varied(g[k], from_right(g[k], theta[k])));
     return out;
   }
@@ -44,10 +44,10 @@ struct VariedSequence {
 STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 6);
+    auto const g = draw_configurations<S>(draw, group, 6);
     auto const f = relative_motion_right(g[0], g[1]);
     claim.equal("f g1 = g0, as matrices", model, Matrix<S>(f.value * g[1].value), g[0].value);
-    claim.equal("right multiplication of both places does not count", model, relative_motion_right(g[0] * g[2], g[1] * g[2]), f);
+    claim.equal("invariant under right multiplication of both configurations", model, relative_motion_right(g[0] * g[2], g[1] * g[2]), f);
     // Onto: (f, 1) lies over f. One orbit over each f: whatever pair lies over it, g1^-1 p1 carries (g0, g1) to it.
     claim.equal("(f, 1) lies over f", model, relative_motion_right(f, identity<S>(group)), f);
     auto const p1 = g[3], p0 = f * p1, carry = inverse(g[1]) * p1;
@@ -56,7 +56,7 @@ STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
     auto const by_left = [&](int k) { return relative_motion_right(g[k] * g[0], g[k] * g[1]); };
     auto const other = [&](int k) { return relative_motion_left(g[0] * g[k], g[1] * g[k]); };
     auto const h = relative_motion_left(g[0], g[1]);
-    claim.differs("left multiplication of both places", model, stacked<S>({by_left(2), by_left(4), by_left(5)}), stacked<S>({f, f, f}));
+    claim.differs("left multiplication of both configurations", model, stacked<S>({by_left(2), by_left(4), by_left(5)}), stacked<S>({f, f, f}));
     claim.differs("g1^-1 g0 under right multiplication", model, stacked<S>({other(2), other(4), other(5)}), stacked<S>({h, h, h}));
   });
 }
@@ -65,9 +65,9 @@ STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instea
   claim.holds("It serves as well, but the equations that follow exchange their sides: L* l~' at the new motion equals R* l~' at the one before.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 4);
+    auto const g = draw_configurations<S>(draw, group, 4);
     auto const f01 = g[1] * inverse(g[0]), f12 = g[2] * inverse(g[1]);
-    claim.equal("right multiplication of both places does not count", model, (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
+    claim.equal("invariant under right multiplication of both configurations", model, (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
     claim.equal("it is the inverse of the other representative", model, f01 * relative_motion_right(g[0], g[1]), identity<S>(group));
 
     // The Lagrangian that l~(g1 g0^-1) stands for, and its equations.
@@ -80,11 +80,11 @@ STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instea
 }
 
 STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a function of f, its action a sum over f") {
-  claim.holds("The sum over k = 0, ..., N-1 that is printed here belongs to the places g_0, ..., g_N; (3.1) prints k = 1, ..., N.");
+  claim.holds("The sum over k = 0, ..., N-1 that is printed here belongs to the configurations g_0, ..., g_N; (3.1) prints k = 1, ..., N.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const invariant = lifted(l);
-    auto const g = draw_places<S>(draw, group, 6);
+    auto const g = draw_configurations<S>(draw, group, 6);
     auto const one = identity<S>(group);
     // Restrict to pairs (f, 1), and lift again.
     auto const reduced = [&](auto const& f) { return invariant(f, like(f, one)); };
@@ -94,15 +94,15 @@ STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a f
       return values;
     };
     claim.equal("l(g0 g1^-1) = L(g0, g1)", model, on_pairs(lift_right(reduced)), on_pairs(invariant));
-    Places<S> const places(g.begin(), g.end() - 1);
-    S const action = discrete_action(invariant, places);
-    claim.equal("reduced action sum, k = 0, ..., N-1", model, reduced_sum(reduced, relative_motions_right(places)), action);
+    GroupElements<S> const configurations(g.begin(), g.end() - 1);
+    S const action = discrete_action(invariant, configurations);
+    claim.equal("reduced action sum, k = 0, ..., N-1", model, reduced_sum(reduced, relative_motions_right(configurations)), action);
 
     // Controls: a Lagrangian that is not invariant is no function of f; the range of (3.1).
     auto const other = draw_pair_polynomial<S>(draw, group);
     claim.differs("no invariance", model, on_pairs(lift_right([&](auto const& f) { return other(f, like(f, one)); })), on_pairs(other));
     auto const from_one = several([&] {
-      Places<S> shifted(g.begin() + 1, g.end() - 1);
+      GroupElements<S> shifted(g.begin() + 1, g.end() - 1);
       shifted.push_back(draw.template element<S>(group));
       return S(reduced_sum(reduced, relative_motions_right(shifted)) - action);
     });
@@ -116,11 +116,11 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     for (int steps : {2, 3}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
-      auto const f = draw_places<S>(draw, group, steps);
+      auto const f = draw_configurations<S>(draw, group, steps);
       auto const any = draw_reduced_lagrangian<S>(draw, group);
       auto const l = with_motions_right(any, f);
       auto const scale = momenta_of(l, f);
-      auto const g = places_right(draw.template element<S>(group), f);
+      auto const g = configurations_right(draw.template element<S>(group), f);
       std::vector<std::vector<Velocity<SpannedGroup, S>>> variations;
       for (int i = 0; i < 3; ++i) variations.push_back(draw_variations<S>(draw, group, steps + 1));
 
@@ -162,18 +162,18 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
 }
 
 STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of N relative motions") {
-  claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)", "The action sum has N + 1 places, the reduced sum N relative motions.");
+  claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)", "The action sum has N + 1 configurations, the reduced sum N relative motions.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     for (int steps : {3, 4}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
-      auto const f = draw_places<S>(draw, group, steps + 1, ratio<S>(1, 2));
-      Places<S> const n_of_them(f.begin(), f.end() - 1);
-      auto const g = places_right(draw.template element<S>(group), f);
-      Places<S> const places(g.begin(), g.end() - 1);
-      // N relative motions and one place make N + 1 places with that action.
-      S const action = discrete_action(lifted(l), places);
-      claim.zero("N of them give the action of N + 1 places" + of, model, S(reduced_sum(l, n_of_them) - action), momenta_of(l, f));
+      auto const f = draw_configurations<S>(draw, group, steps + 1, ratio<S>(1, 2));
+      GroupElements<S> const n_of_them(f.begin(), f.end() - 1);
+      auto const g = configurations_right(draw.template element<S>(group), f);
+      GroupElements<S> const configurations(g.begin(), g.end() - 1);
+      // N relative motions and one configuration make N + 1 configurations with that action.
+      S const action = discrete_action(lifted(l), configurations);
+      claim.zero("N of them give the action of N + 1 configurations" + of, model, S(reduced_sum(l, n_of_them) - action), momenta_of(l, f));
       auto const longer = several([&] {
         auto one_more = n_of_them;
         one_more.push_back(draw.template element<S>(group));
@@ -181,26 +181,26 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
       });
       claim.refutes("N + 1 of them" + of, model, longer, momenta_of(l, f));
 
-      // Every variation of the N comes from variations of the places, g_0 held: the tangent of the quotient is onto.
+      // Every variation of the N comes from variations of the configurations, g_0 held: the tangent of the quotient is onto.
       std::vector<Velocity<SpannedGroup, S>> theta{velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())))};
       for (int k = 0; k < steps; ++k) {
         auto const wanted = draw.template velocity<S>(group);
         theta.push_back(Ad(inverse(f[k]), theta[k] - wanted));
-        auto const pair_of_places = relative_motions_right(Places<Dual<S>>{varied(g[k], from_left(theta[k], g[k])), varied(g[k + 1], from_left(theta[k + 1], g[k + 1]))});
+        auto const pair_of_places = relative_motions_right(GroupElements<Dual<S>>{varied(g[k], from_left(theta[k], g[k])), varied(g[k + 1], from_left(theta[k + 1], g[k + 1]))});
         claim.equal("any N variations are induced" + of, model, rate(pair_of_places[0]), from_left(wanted, f[k]));
       }
     }
   });
 }
 
-STATEMENT(claim_3_2_variation_of_f, "how the relative motion varies with its places") {
+STATEMENT(claim_3_2_variation_of_f, "how the relative motion varies with its configurations") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const theta0 = draw.template velocity<S>(group), theta1 = draw.template velocity<S>(group);
     auto const f = relative_motion_right(g[0], g[1]);
-    // Vary both places, eliminate f, and read off what epsilon multiplies.
-    auto const moved = relative_motions_right(Places<Dual<S>>{varied(g[0], from_left(theta0, g[0])), varied(g[1], from_left(theta1, g[1]))})[0];
+    // Vary both configurations, eliminate f, and read off what epsilon multiplies.
+    auto const moved = relative_motions_right(GroupElements<Dual<S>>{varied(g[0], from_left(theta0, g[0])), varied(g[1], from_left(theta1, g[1]))})[0];
     claim.equal("delta f = TR_f (theta0 - Ad_f theta1)", model, from_left(relative_variation_right(f, theta0, theta1), f), rate(moved));
     // Controls: Ad of the inverse, the sign of the second term, translation on the other side.
     auto const inverted = several([&] {
@@ -217,7 +217,7 @@ STATEMENT(claim_3_2_variation_of_f, "how the relative motion varies with its pla
 
     // The left quotient has its own formula.
     auto const back = relative_motion_left(g[0], g[1]);
-    auto const moved_back = relative_motions_left(Places<Dual<S>>{varied(g[0], from_right(g[0], theta0)), varied(g[1], from_right(g[1], theta1))})[0];
+    auto const moved_back = relative_motions_left(GroupElements<Dual<S>>{varied(g[0], from_right(g[0], theta0)), varied(g[1], from_right(g[1], theta1))})[0];
     claim.equal("left quotient: TL_f (theta0 - Ad_{f^-1} theta1)", model, from_right(back, relative_variation_left(back, theta0, theta1)), rate(moved_back));
   });
 }
@@ -226,13 +226,13 @@ STATEMENT(eq_3_10, "discrete Euler-Poincare equations, right-invariant case") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const f01 = relative_motion_right(g[0], g[1]), f12 = relative_motion_right(g[1], g[2]);
 
-    // Off shell: whatever the places, (3.10) is (3.2) of the invariant Lagrangian.
+    // Off shell: whatever the configurations, (3.10) is (3.2) of the invariant Lagrangian.
     auto const full = discrete_euler_lagrange(lifted(l), g[0], g[1], g[2]);
     claim.equal("(3.10) equals (3.2) of the invariant Lagrangian", model, euler_poincare_right(l, f01, f12), full);
-    claim.equal("(3.10) from the definition of l', entry by entry", model, reduced_residual_right(l, Places<S>{f01, f12}), column(full));
+    claim.equal("(3.10) from the definition of l', entry by entry", model, reduced_residual_right(l, GroupElements<S>{f01, f12}), column(full));
     // Controls: the two translations exchanged, the two motions exchanged, the signs equal.
     claim.differs("left and right translation exchanged", model, left_differential(l, f12) - right_differential(l, f01), full);
     claim.differs("the two motions exchanged", model, euler_poincare_right(l, f12, f01), full);
@@ -245,7 +245,7 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const steps = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    VariedSequence<S> const sequence{draw_places<S>(draw, group, steps + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, steps + 1)};
+    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, steps + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, steps + 1)};
     auto const& [g, theta] = sequence;
     auto const f = relative_motions_right(g);
 
@@ -267,10 +267,10 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
       ends.theta[steps] = draw.template velocity<S>(group);
       return S(discrete_action(lifted(l), ends.right()).part[0] - of_equations);
     });
-    claim.refutes("the last place varies too", model, end_moves, scale);
+    claim.refutes("the last configuration varies too", model, end_moves, scale);
 
-    // Control: along a motion, variations of f that no variation of places induces.
-    Places<S> const three(f.begin(), f.begin() + 3);
+    // Control: along a motion, variations of f that no variation of configurations induces.
+    GroupElements<S> const three(f.begin(), f.begin() + 3);
     auto const with_motion = with_motions_right(l, three);
     auto const free = several([&] {
       S sum(0);
@@ -286,7 +286,7 @@ STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const n = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    VariedSequence<S> const sequence{draw_places<S>(draw, group, n + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, n + 1)};
+    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, n + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, n + 1)};
     auto const& g = sequence.g;
     auto const f = relative_motions_right(g);
     auto const value = [&](int k) -> Matrix<S> const& { return g[k].value; };
@@ -322,7 +322,7 @@ STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum
         auto const moving = lines(theta);
         return S(moving[1] - moving[2]);
       });
-      claim.refutes(end == 0 ? "lines 1 and 2, first place varies" : "lines 1 and 2, last place varies", model, gap, scale);
+      claim.refutes(end == 0 ? "lines 1 and 2, first configuration varies" : "lines 1 and 2, last configuration varies", model, gap, scale);
     }
     auto const shifted = several([&] {
       auto const theta = draw_variations<S>(draw, group, n + 1);
@@ -339,7 +339,7 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const invariant = lifted_left(l);
-    VariedSequence<S> const sequence{draw_places<S>(draw, group, 5, ratio<S>(1, 2)), draw_variations<S>(draw, group, 5)};
+    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, 5, ratio<S>(1, 2)), draw_variations<S>(draw, group, 5)};
     auto const& [g, theta] = sequence;
     auto const f = relative_motions_left(g);
     auto const scale = momenta_of(l, f);
@@ -349,10 +349,10 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
       return values;
     };
     auto const as_they_are = on_pairs([](auto const& x) { return x; });
-    claim.zero("left multiplication of both places does not count", model, Vector<S>(on_pairs([&](auto const& x) { return g[4] * x; }) - as_they_are), scale);
+    claim.zero("invariant under left multiplication of both configurations", model, Vector<S>(on_pairs([&](auto const& x) { return g[4] * x; }) - as_they_are), scale);
     claim.equal("the library's relative motion", model, relative_motion_left(g[0], g[1]), f[0]);
 
-    // Vary the places by g theta: what stands beside theta_k is (3.11).
+    // Vary the configurations by g theta: what stands beside theta_k is (3.11).
     S const of_action = discrete_action(invariant, sequence.left()).part[0];
     S of_equations(0);
     for (int k = 1; k < 4; ++k) of_equations += pair(euler_poincare_left(l, f[k - 1], f[k]), theta[k]);
@@ -367,10 +367,10 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
       auto const h = draw.template element<S>(group, S(1));
       return Vector<S>(on_pairs([&](auto const& x) { return x * h; }) - as_they_are);
     });
-    claim.refutes("right multiplication of both places", model, other_side, scale);
+    claim.refutes("right multiplication of both configurations", model, other_side, scale);
 
     // Along a motion by design of three steps all of it vanishes.
-    Places<S> const three(f.begin(), f.begin() + 3), four(g.begin(), g.begin() + 4);
+    GroupElements<S> const three(f.begin(), f.begin() + 3), four(g.begin(), g.begin() + 4);
     auto const k = with_motions_left(l, three);
     auto const terms = momenta_of(k, three);
     for (int i : {1, 2}) {
@@ -384,13 +384,13 @@ STATEMENT(eq_3_11, "discrete Euler-Poincare equations, left-invariant case") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const f10 = relative_motion_left(g[0], g[1]), f21 = relative_motion_left(g[1], g[2]);
 
-    // Off shell: (3.2) of the invariant Lagrangian, read on variations g theta: Ad* of the place carries one reading to the other.
+    // Off shell: (3.2) of the invariant Lagrangian, read on variations g theta: Ad* of the configuration carries one reading to the other.
     auto const full = Ad_star(g[1], discrete_euler_lagrange(lifted_left(l), g[0], g[1], g[2]));
     claim.equal("(3.11) equals (3.2) of the invariant Lagrangian", model, euler_poincare_left(l, f10, f21), full);
-    claim.equal("(3.11) from the definition of l', entry by entry", model, reduced_residual_left(l, Places<S>{f10, f21}), column(full));
+    claim.equal("(3.11) from the definition of l', entry by entry", model, reduced_residual_left(l, GroupElements<S>{f10, f21}), column(full));
     // Controls: the equation of the other side, the two motions exchanged, f_{k,k+1} = g_k^-1 g_{k+1} instead.
     claim.differs("left and right translation exchanged", model, euler_poincare_right(l, f10, f21), full);
     claim.differs("the two motions exchanged", model, euler_poincare_left(l, f21, f10), full);
@@ -402,17 +402,17 @@ STATEMENT(thm_3_2_3, "projection and reconstruction carry motions to motions") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f01 = draw.template element<S>(group), f12 = draw.template element<S>(group);
-    auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), Places<S>{f01, f12});
-    auto const scale = momenta_of(l, Places<S>{f01, f12});
+    auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), GroupElements<S>{f01, f12});
+    auto const scale = momenta_of(l, GroupElements<S>{f01, f12});
     claim.zero("(3.10) along the reduced motion", model, euler_poincare_right(l, f01, f12), scale);
 
-    // Lift: each place follows from the one before and the relative motion.
+    // Lift: each configuration follows from the one before and the relative motion.
     auto const g0 = draw.template element<S>(group, S(1));
     auto const g1 = reconstruct_right(g0, f01), g2 = reconstruct_right(g1, f12);
     claim.zero("(3.2) along the lifted motion", model, discrete_euler_lagrange(lifted(l), g0, g1, g2), scale);
     // Project it again.
     claim.zero("(3.10) along its projection", model, euler_poincare_right(l, relative_motion_right(g0, g1), relative_motion_right(g1, g2)), scale);
-    // Controls: the last place lifted by f instead of its inverse, or on the other side.
+    // Controls: the last configuration lifted by f instead of its inverse, or on the other side.
     auto const left_over = [&](auto const& third) {
       std::vector<Momentum<SpannedGroup, S>> parts;
       for (int i = 0; i < 3; ++i) {
@@ -421,14 +421,14 @@ STATEMENT(thm_3_2_3, "projection and reconstruction carry motions to motions") {
       }
       return stacked(parts);
     };
-    auto const size = momenta_of(l, Places<S>{f01, f12});
+    auto const size = momenta_of(l, GroupElements<S>{f01, f12});
     claim.refutes("lift by f instead of its inverse", model, left_over([&](auto const& g) { return f12 * g; }), size);
     claim.refutes("lift on the other side", model, left_over([&](auto const& g) { return reconstruct_left(g, f12); }), size);
 
     // Left-invariant systems.
-    auto const k = with_motions_left(draw_reduced_lagrangian<S>(draw, group), Places<S>{f01, f12});
+    auto const k = with_motions_left(draw_reduced_lagrangian<S>(draw, group), GroupElements<S>{f01, f12});
     auto const h1 = reconstruct_left(g0, f01), h2 = reconstruct_left(h1, f12);
-    claim.zero("left-invariant: (3.2) along the lifted motion", model, discrete_euler_lagrange(lifted_left(k), g0, h1, h2), momenta_of(k, Places<S>{f01, f12}));
+    claim.zero("left-invariant: (3.2) along the lifted motion", model, discrete_euler_lagrange(lifted_left(k), g0, h1, h2), momenta_of(k, GroupElements<S>{f01, f12}));
   });
 }
 
@@ -436,7 +436,7 @@ STATEMENT(claim_3_2_projection_of_del, "a motion of the full equations projects 
   claim.holds("For the invariant Lagrangians that the section is about.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     // Three steps of a motion of (3.2), by design: nothing reduced is used to make it.
-    auto const g = draw_places<S>(draw, group, 4);
+    auto const g = draw_configurations<S>(draw, group, 4);
     auto const f = relative_motions_right(g);
     auto const l = solved_for(
         draw_reduced_lagrangian<S>(draw, group), f, [&](auto const& k, int i) { return column(discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1])); },
@@ -456,20 +456,20 @@ STATEMENT(claim_3_2_projection_of_del, "a motion of the full equations projects 
   });
 }
 
-STATEMENT(claim_3_2_reconstruction_of_dep, "a motion of the reduced equations lifts to motions of the full ones, one for each first place") {
-  claim.holds("The first place is free: one reduced motion has a lift through every g_0.");
+STATEMENT(claim_3_2_reconstruction_of_dep, "a motion of the reduced equations lifts to motions of the full ones, one for each first configuration") {
+  claim.holds("The first configuration is free: one reduced motion has a lift through every g_0.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
     auto const scale = momenta_of(l, f);
     for (int lift = 0; lift < 2; ++lift) {
-      Places<S> g{draw.template element<S>(group)};
+      GroupElements<S> g{draw.template element<S>(group)};
       for (auto const& step : f) g.push_back(reconstruct_right(g.back(), step));
-      // Condition: each place carries the rounding of the products before it, magnified by the second derivatives of l.
+      // Condition: each configuration carries the rounding of the products before it, magnified by the second derivatives of l.
       for (int k : {1, 2}) claim.zero("(3.2) along each lift", model, discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale, 10);
       // Controls: relative motions taken in the wrong order; a sequence that does not satisfy (3.10).
       // (On the Heisenberg group a motion with little momentum at the centre does not care for order.)
-      auto const back = places_right(g[0], Places<S>{f[2], f[1], f[0]});
+      auto const back = configurations_right(g[0], GroupElements<S>{f[2], f[1], f[0]});
       if (model != "Heisenberg") claim.refutes("relative motions in the wrong order", model, reduced_residual_right(l, relative_motions_right(back)), momenta_of(l, f));
       auto const elsewhere = several([&] { return column(discrete_euler_lagrange(lifted(l), g[0], g[1], reconstruct_right(g[1], draw.template element<S>(group)))); });
       claim.refutes("relative motions that (3.10) does not give", model, elsewhere, momenta_of(l, f));
@@ -480,9 +480,9 @@ STATEMENT(claim_3_2_reconstruction_of_dep, "a motion of the reduced equations li
 STATEMENT(eq_3_14, "reconstruction map, right-invariant case") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 5);
+    auto const g = draw_configurations<S>(draw, group, 5);
     auto const f = relative_motions_right(g);
-    Places<S> by_f, other_side, late, right;
+    GroupElements<S> by_f, other_side, late, right;
     // Carry pairs along, four steps, from the first pair alone.
     auto g0 = g[0], g1 = reconstruct_right(g[0], f[0]);
     for (int k = 1; k < 4; ++k) {
@@ -501,9 +501,9 @@ STATEMENT(eq_3_14, "reconstruction map, right-invariant case") {
 STATEMENT(eq_3_15, "reconstruction map, left-invariant case") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 5);
+    auto const g = draw_configurations<S>(draw, group, 5);
     auto const f = relative_motions_left(g);
-    Places<S> by_f, other_side, late, right;
+    GroupElements<S> by_f, other_side, late, right;
     auto g0 = g[0], g1 = reconstruct_left(g[0], f[0]);
     for (int k = 1; k < 4; ++k) {
       auto const next0 = reconstruct_left(g0, f[k - 1]), next1 = reconstruct_left(g1, f[k]);
@@ -525,7 +525,7 @@ namespace {
 
 /// The differential of a function of pairs, (theta0, theta1).
 template <class F, class S>
-Vector<S> differential(F const& f, Place<S> const& g0, Place<S> const& g1) {
+Vector<S> differential(F const& f, GroupElement<S> const& g0, GroupElement<S> const& g1) {
   return stacked<S>({D1(f, g0, g1), D2(f, g0, g1)});
 }
 /// {a, b} of two functions of pairs, as a function of pairs.
@@ -556,15 +556,15 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
 
     // d theta^- on right-invariant fields, X theta(Y) - Y theta(X) - theta[X, Y], whose commutator is minus the one of the algebra.
     auto const theta = D1(lagrangian, g0, g1);
-    Matrix<S> omega = Matrix<S>::Zero(2 * d, 2 * d), place(d, d);
+    Matrix<S> omega = Matrix<S>::Zero(2 * d, 2 * d), configuration(d, d);
     for (int i = 0; i < d; ++i) {
       auto const e = basis_velocity<S>(group, i);
-      place.col(i) = rate(D1(lagrangian, varied(g0, from_left(e, g0)), over<Dual<S>>(g1)));
+      configuration.col(i) = rate(D1(lagrangian, varied(g0, from_left(e, g0)), over<Dual<S>>(g1)));
       omega.col(d + i).head(d) = -rate(D1(lagrangian, over<Dual<S>>(g0), varied(g1, from_left(e, g1))));
     }
     for (int i = 0; i < d; ++i)
       for (int j = 0; j < d; ++j) {
-        omega(i, j) = place(j, i) - place(i, j) + pair(theta, bracket(basis_velocity<S>(group, i), basis_velocity<S>(group, j)));
+        omega(i, j) = configuration(j, i) - configuration(i, j) + pair(theta, bracket(basis_velocity<S>(group, i), basis_velocity<S>(group, j)));
         omega(d + j, i) = -omega(i, d + j);
       }
     // Solve X_F from omega(X_F, .) = dF, and pair.
@@ -580,12 +580,12 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
 
     // It is the canonical bracket: the momenta mu = -D1 L have the plus bracket, and {F(g0), mu_a} = dF e_a.
     Matrix<S> momenta(2 * d, d);
-    momenta.topRows(d) = -place.transpose();
+    momenta.topRows(d) = -configuration.transpose();
     for (int i = 0; i < d; ++i) momenta.row(d + i) = omega.col(d + i).head(d).transpose();
     auto const size = magnitude(momenta) * magnitude(pi) * magnitude(momenta);
     claim.zero("brackets of momenta", model, Matrix<S>(momenta.transpose() * pi * momenta - lie_poisson_tensor_plus(-theta)), size);
     Matrix<S> const positions = (pi * momenta).topRows(d);
-    claim.zero("brackets of places and momenta", model, Matrix<S>(positions - Matrix<S>::Identity(d, d)), magnitude(pi) * magnitude(momenta));
+    claim.zero("brackets of configurations and momenta", model, Matrix<S>(positions - Matrix<S>::Identity(d, d)), magnitude(pi) * magnitude(momenta));
   });
   over_groups(small_groups(), claim, [&](auto const& group, auto const& model) {
     // Jacobi's identity: three functions, third derivatives of L.
@@ -611,17 +611,17 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
 
 STATEMENT(eq_3_13, "the bracket on the group") {
   claim.corrected(R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})", R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
-                  "The functions are lifted by the quotient map itself; lifted by the projection on a place they would commute.");
+                  "The functions are lifted by the quotient map itself; lifted by the projection on a configuration they would commute.");
   claim.maybe_scan();
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const a = draw_reduced_lagrangian<S>(draw, group), b = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const f = relative_motion_right(g[0], g[1]);
     S const below = reduced_bracket(l, a, b)(f);
     Matrix<S> const tensor = reduced_bivector_right(l, f);
     auto const scale = magnitude(column(right_differential(a, f))) * magnitude(tensor) * magnitude(column(right_differential(b, f)));
-    // Well defined: the same at every pair over f. Condition: the places magnify, and a matrix is inverted at each of them.
+    // Well defined: the same at every pair over f. Condition: the configurations magnify, and a matrix is inverted at each of them.
     for (auto const& carry : {g[2], inverse(g[2])})
       claim.zero("lifted by the quotient map", model, S(bracket_of_pairs(lifted(l), lifted(a), lifted(b))(g[0] * carry, g[1] * carry) - below), scale, 10);
     // What it is: the momentum mu = -R* l' carries it to the plus Lie-Poisson bracket.
@@ -635,13 +635,13 @@ STATEMENT(eq_3_13, "the bracket on the group") {
     claim.zero("left-invariant: to the minus bracket", model, Matrix<S>(slope_of * other * slope_of.transpose() + lie_poisson_tensor_plus(momentum_before_left(l, f))),
                magnitude(slope_of) * magnitude(other) * magnitude(slope_of));
 
-    // Control, as printed with the projection on the first place: such functions commute.
+    // Control, as printed with the projection on the first configuration: such functions commute.
     auto const on_first = [](auto const& h) { return [h](auto const& x, auto const&) { return h(x); }; };
     auto const gap = several([&] {
       auto const other_b = draw_reduced_lagrangian<S>(draw, group);
       return S(bracket_of_pairs(lifted(l), on_first(a), on_first(other_b))(g[0], g[1]) - reduced_bracket(l, a, other_b)(f));
     });
-    claim.refutes("lifted by the projection on a place", model, gap, scale);
+    claim.refutes("lifted by the projection on a configuration", model, gap, scale);
     // Control: no invariance, no bracket below.
     auto const any = draw_pair_polynomial<S>(draw, group);
     auto const two = [&](auto const& x, auto const& y) {
@@ -657,7 +657,7 @@ STATEMENT(eq_3_13, "the bracket on the group") {
 STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
   claim.holds("The hypothesis on the action is always true; regularity of L is what the bracket needs.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 2);
+    auto const f = draw_configurations<S>(draw, group, 2);
     auto const any = draw_reduced_lagrangian<S>(draw, group);
     auto const l = with_motions_right(any, f);
     claim.zero("the motion", model, euler_poincare_right(l, f[0], f[1]), momenta_of(l, f));
@@ -681,12 +681,12 @@ STATEMENT(claim_3_2_dep_preserves_bracket, "brackets of functions before and aft
   claim.holds("Jacobi's identity comes down from the bracket on pairs.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
-    auto const f = draw_places<S>(draw, group, 2);
+    auto const f = draw_configurations<S>(draw, group, 2);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
     auto const a = draw_reduced_lagrangian<S>(draw, group), b = draw_reduced_lagrangian<S>(draw, group);
 
     // The tangent of a step, from the full algorithm: move g0 alone, and project what g2 does.
-    auto const g = places_right(identity<S>(group), f);
+    auto const g = configurations_right(identity<S>(group), f);
     Matrix<S> tangent(d, d);
     for (int i = 0; i < d; ++i) {
       PairChange<SpannedGroup, S> const w{basis_velocity<S>(group, i), velocity(group, Vector<S>(Vector<S>::Zero(d)))};
@@ -719,17 +719,17 @@ STATEMENT(claim_3_2_dep_preserves_bracket, "brackets of functions before and aft
 STATEMENT(claim_3_2_proper_action, "the diagonal action is proper") {
   claim.holds("Always true of right multiplication on pairs: the hypothesis asks for nothing. The action is free, too.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const h = draw.template element<S>(group), axis = draw.template element<S>(group);
     // Proper and free: h is a continuous function of a pair and its image, so it stays bounded where these do.
     auto const found = [&](auto const& before, auto const& after) { return inverse(before) * after; };
-    claim.equal("h from one place and its image", model, found(g[0], g[0] * h), h);
-    claim.equal("h from the other place and its image", model, found(g[1], g[1] * h), h);
-    // Control: conjugation of both places. Elements that commute with them do nothing, so the pair and its image do not tell h.
+    claim.equal("h from one configuration and its image", model, found(g[0], g[0] * h), h);
+    claim.equal("h from the other configuration and its image", model, found(g[1], g[1] * h), h);
+    // Control: conjugation of both configurations. Elements that commute with them do nothing, so the pair and its image do not tell h.
     auto const conjugated = [&](auto const& x, auto const& by) { return by * x * inverse(by); };
     auto const square = axis * axis;
     claim.equal("conjugation: an element fixes its powers", model, conjugated(square, axis), square);
-    claim.differs("conjugation: h from a place and its image", model, found(square, conjugated(square, axis)), axis);
+    claim.differs("conjugation: h from a configuration and its image", model, found(square, conjugated(square, axis)), axis);
   });
   // Control: a free action that is not proper, (x, y) -> (h x, y/h) off the origin. The pair (1, s) and its image (s, 1) stay bounded, h = s leaves the group.
   for (long s : {16L, 256L, 4096L}) {
@@ -787,8 +787,8 @@ STATEMENT(claim_3_2_body_spatial_momenta, "body and spatial momentum of a covect
   });
 }
 
-STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system keeps its body momentum") {
-  claim.holds("First Euler theorem: right-invariant systems keep m_c, left-invariant ones m_s.");
+STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves its body momentum") {
+  claim.holds("First Euler theorem: right-invariant systems conserve m_c, left-invariant ones m_s.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     using Side = typename SymmetricLagrangian<S>::Side;
     // Rates of the two momenta along a motion of the Euler-Lagrange equations.
@@ -797,7 +797,7 @@ STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system keeps its 
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
       auto const moving = moved(v, lagrange_vector_field(lagrangian, v));
       auto const spatial = legendre(lagrangian, moving);
-      return std::pair(rate(Ad_star(moving.place, spatial)), rate(spatial));
+      return std::pair(rate(Ad_star(moving.configuration, spatial)), rate(spatial));
     };
     auto const right = [&] { return rates(Side::right); };
     auto const left = [&] { return rates(Side::left); };
@@ -817,17 +817,17 @@ STATEMENT(eq_3_16, "spatial momentum of a right-invariant system in time") {
     State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
     auto const moving = moved(v, lagrange_vector_field(lagrangian, v));
     auto const mu = legendre(lagrangian, v);
-    auto const mu0 = coadjoint(v.place, mu);
-    auto const g = moving.place;
+    auto const mu0 = coadjoint(v.configuration, mu);
+    auto const g = moving.configuration;
     // Both sides have the same value at this instant, by the relation of body and spatial momentum, and the same rate: hence they agree at all times.
-    claim.equal("value", model, Ad_star(inverse(v.place), mu0), mu);
+    claim.equal("value", model, Ad_star(inverse(v.configuration), mu0), mu);
     auto const actual = rate(legendre(lagrangian, moving));
     // Condition: the acceleration solves a system.
     claim.zero("rate", model, Vector<S>(rate(Ad_star(inverse(g), over<Dual<S>>(mu0))) - actual), S(1), 100);
     claim.zero("rate, by the Lie-Poisson equation", model, Vector<S>(actual + column(ad_star(v.velocity, mu))), S(1), 100);
     // Controls: the inverse lost; mu(0) for mu_0 although the motion does not begin at 1.
     claim.differs("Ad*_g instead of its inverse", model, rate(Ad_star(g, over<Dual<S>>(mu0))), actual);
-    claim.differs("mu(0) for mu_0, g(0) not 1", model, Ad_star(inverse(v.place), mu), mu);
+    claim.differs("mu(0) for mu_0, g(0) not 1", model, Ad_star(inverse(v.configuration), mu), mu);
   });
 }
 
@@ -838,7 +838,7 @@ STATEMENT(claim_3_2_dlp_chain, "the chain of equalities that leads to the update
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), f = draw.template element<S>(group);
-    auto const g1 = places_right(g0, Places<S>{f})[1];
+    auto const g1 = configurations_right(g0, GroupElements<S>{f})[1];
     auto const mu0 = draw.template momentum<S>(group);
     // (3.16) at both ends of the step, with the coadjoint action written out.
     auto const before = coadjoint(inverse(g0), mu0), after = coadjoint(inverse(g1), mu0);
@@ -890,14 +890,15 @@ struct MapAt {
   Covector<S> image;
   Matrix<S> tangent;
 };
-/// The discrete Lie-Poisson map with f solved from mu: f is drawn, mu is the momentum it takes up, and the tangent follows from the equation.
+/// The discrete Lie-Poisson map with f solved from mu: f is drawn, mu is the momentum it starts with, and the
+/// tangent follows from the equation.
 template <class L, class S>
-MapAt<S> lie_poisson_map(L const& l, Place<S> const& f) {
+MapAt<S> lie_poisson_map(L const& l, GroupElement<S> const& f) {
   // d mu0 = -A theta and d mu1 = -B theta.
   Matrix<S> const a = right_second_differential(l, f), b = left_second_differential(l, f);
   return {lie_poisson_update_right(f, momentum_before_right(l, f)), b * inverse_matrix(a)};
 }
-/// mu carried along by an element that depends on it in any way: keeps every orbit.
+/// The coadjoint action on mu of an element that depends on it in any way: it preserves every orbit.
 template <class S>
 MapAt<S> orbit_keeping_map(Matrix<S> const& k, Covector<S> const& mu) {
   auto const map = [&](auto const& at) {
@@ -921,7 +922,7 @@ Matrix<S> poisson_defect(MapAt<S> const& map, Covector<S> const& mu) {
 
 }  // namespace
 
-STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action keeps orbits, their symplectic forms, and the Lie-Poisson brackets") {
+STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action preserves orbits, their symplectic forms, and the Lie-Poisson brackets") {
   claim.corrected(R"(\mathcal O\subset\mathfrak g)", R"(\mathcal O\subset\mathfrak g^*)",
                   "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. Under Ad_g in the algebra the brackets do not survive.");
   claim.maybe_scan();
@@ -948,14 +949,15 @@ STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action keeps orbits, t
     };
     Matrix<S> const ad = Ad_matrix(g), coad = Ad_matrix(inverse(g)).transpose();
     claim.zero("tensor", model, with(coad), S(1) + magnitude(coad) * magnitude(coad));
-    // (Where transposition keeps the group, or a metric, Ad_g is the coadjoint action of another element.)
+    // (Where transposition preserves the group, or a metric, Ad_g is the coadjoint action of another
+    // element.)
     if (!has_invariant_metric(model) && model != "GL(2)") claim.refutes("Ad_g, orbits in the algebra", model, with(ad), magnitude(lie_poisson_tensor_plus(mu)));
     claim.refutes("twice the coadjoint action", model, with(coad + coad), magnitude(lie_poisson_tensor_plus(mu)));
   });
 }
 
 STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of the dual algebra") {
-  claim.holds("In both readings: along a fixed sequence of f, and with f solved from mu, where it takes the discrete Euler-Poincare equations and not the orbits alone. The minus bracket is kept as well.");
+  claim.holds("In both readings: along a fixed sequence of f, and with f solved from mu, where the proof needs the discrete Euler-Poincare equations and not the orbits alone. The minus bracket is preserved as well.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
@@ -984,17 +986,17 @@ STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of th
 STATEMENT(eq_3_17, "discrete Lie-Poisson update, right-invariant case") {
   claim.holds("mu_k = -R* l'(f_{k,k+1}) is the momentum with which the step leaves g_k.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
-    auto const g = places_right(draw.template element<S>(group), f);
-    // Momenta of the full motion, and what the update makes of them. Condition: places after three steps.
+    auto const g = configurations_right(draw.template element<S>(group), f);
+    // Momenta of the full motion, and what the update makes of them. Condition: configurations after three steps.
     std::vector<Covector<S>> mu;
     for (int k = 0; k < 3; ++k) mu.push_back(legendre_source(lifted(l), g[k], g[k + 1]));
     auto const scale = momenta_of(l, f);
     Matrix<S> inverted(group.dimension(), 2), star_lost(group.dimension(), 2), next(group.dimension(), 2);
     for (int k = 0; k < 2; ++k) {
       claim.zero("mu_{k+1} = Ad*_f mu_k along a motion", model, lie_poisson_update_right(f[k], mu[k]) - mu[k + 1], scale, 10);
-      claim.zero("the momentum that the step leaves behind", model, legendre_target(lifted(l), g[k], g[k + 1]) - coadjoint(f[k], mu[k]), scale, 10);
+      claim.zero("the momentum at the end of the step", model, legendre_target(lifted(l), g[k], g[k + 1]) - coadjoint(f[k], mu[k]), scale, 10);
       claim.zero("mu_k from f alone", model, momentum_before_right(l, f[k]) - mu[k], scale, 10);
       claim.zero("Ad*_{g_k} mu_k stays", model, coadjoint(g[k + 1], mu[k + 1]) - coadjoint(g[0], mu[0]), scale, 10);
       inverted.col(k) = column(Ad_star(inverse(f[k]), mu[k])), star_lost.col(k) = Ad_matrix(f[k]) * mu[k].components, next.col(k) = column(mu[k + 1]);
@@ -1012,11 +1014,11 @@ STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries")
                   "The definition of Pi_k is right and contradicts the update as printed, (3.18), which lacks an inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
-    auto const g = places_left(draw.template element<S>(group), f);
+    auto const g = configurations_left(draw.template element<S>(group), f);
     auto const scale = momenta_of(l, f);
-    // The spatial momentum is the constant; Ad* of the place makes the body momentum of it. Condition: places after three steps.
+    // The spatial momentum is the constant; Ad* of the configuration makes the body momentum of it. Condition: configurations after three steps.
     auto const spatial = [&](int k) { return legendre_source(lifted_left(l), g[k], g[k + 1]); };
     for (int k : {1, 2}) {
       claim.zero("m_s is constant", model, spatial(k) - spatial(0), scale, 10);
@@ -1040,10 +1042,10 @@ STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
                   "The inverse is missing: f_{k+1,k} is g_{k+1}^{-1} g_k, and Pi_k is Ad* of g_k, not of its inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
-    auto const g = places_left(draw.template element<S>(group), f);
-    // Body momenta of the full motion. Condition: places after three steps.
+    auto const g = configurations_left(draw.template element<S>(group), f);
+    // Body momenta of the full motion. Condition: configurations after three steps.
     std::vector<Covector<S>> body;
     for (int k = 0; k < 3; ++k) body.push_back(coadjoint(g[k], legendre_source(lifted_left(l), g[k], g[k + 1])));
     auto const scale = momenta_of(l, f);
@@ -1060,7 +1062,7 @@ STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
 STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
     auto const start = momentum_before_right(l, f[0]);
     auto const scale = momenta_of(l, f);
@@ -1087,26 +1089,26 @@ STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
   });
 }
 
-STATEMENT(claim_3_2_orbits_and_bracket, "a map that keeps every orbit need not keep the bracket") {
+STATEMENT(claim_3_2_orbits_and_bracket, "a map that preserves every orbit need not preserve the bracket") {
   claim.corrected(R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
                   R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}}\ell'(f_{kk+1}), \text{ the Poisson structure})",
-                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu keeps every orbit for any f(mu), and the bracket only for special ones.");
+                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu preserves every orbit for any f(mu), and the bracket only for special ones.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
     auto const mu = momentum_before_right(l, f);
     auto const size = [&](MapAt<S> const& map) { return magnitude(map.tangent) * size_of(mu) * magnitude(map.tangent) + size_of(map.image); };
-    // Two maps that keep every orbit: the algorithm, and one whose element is any function of mu.
+    // Two maps that preserve every orbit: the algorithm, and one whose element is any function of mu.
     auto const algorithm = lie_poisson_map(l, f);
     auto const any_map = [&] { return orbit_keeping_map(Matrix<S>(draw_matrix<S>(draw, d, d) / (S(2) * (S(1) + S(size_of(mu))))), mu); };
     auto const other = any_map();
     if (auto const invariants = casimirs(mu); invariants.size() > 0) {
       auto const square = S(1) + S(size_of(mu) * size_of(mu)) + S(size_of(algorithm.image) * size_of(algorithm.image));
-      claim.zero("the algorithm keeps orbits", model, Vector<S>(casimirs(algorithm.image) - invariants), square, 10);
-      claim.zero("the other map keeps orbits", model, Vector<S>(casimirs(other.image) - invariants), square, 10);
+      claim.zero("the algorithm preserves orbits", model, Vector<S>(casimirs(algorithm.image) - invariants), square, 10);
+      claim.zero("the other map preserves orbits", model, Vector<S>(casimirs(other.image) - invariants), square, 10);
     }
-    claim.zero("the algorithm keeps the bracket", model, poisson_defect(algorithm, mu), size(algorithm), 100);
+    claim.zero("the algorithm preserves the bracket", model, poisson_defect(algorithm, mu), size(algorithm), 100);
     claim.refutes("other maps do not", model, several([&] { return poisson_defect(any_map(), mu); }), magnitude(lie_poisson_tensor_plus(mu)));
   });
 }
@@ -1146,7 +1148,7 @@ STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the acti
         return magnitude(S(total - exact));
       };
       claim.order("the sum along any curve", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return sum(n, h, discretize_right(lagrangian, h, at_first)); }), 2);
-      claim.refutes_order("the velocity from the later place to the earlier", group.name(), by_halves.step_lengths(),
+      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(), by_halves.step_lengths(),
                           by_halves.errors_of([&](int n, double h) { return sum(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(lagrangian, h, at_first)(g1, g0); }); }), 2);
     }
 }
@@ -1159,24 +1161,24 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
       auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const momentum_at_end = momentum(group, Vector<S>(top.a * exact.velocity.coordinates + top.b));
-      // The errors at the end: of the place, and of the momentum that the last step leaves behind.
+      // The errors at the end: of the configuration, and of the momentum at the end of the last step.
       auto const run = [&](int n, double h, auto const& L) {
-        auto before = v.place, place = top.flow(v, S(h)).first.place;
+        auto before = v.configuration, configuration = top.flow(v, S(h)).first.configuration;
         for (int k = 1; k < n; ++k) {
-          auto const next = step_euler_lagrange(L, before, place).value;
-          before = place, place = next;
+          auto const next = step_euler_lagrange(L, before, configuration).value;
+          before = configuration, configuration = next;
         }
-        return std::pair(magnitude((place.value - exact.place.value).eval()), size_of(D2(L, before, place) - momentum_at_end));
+        return std::pair(magnitude((configuration.value - exact.configuration.value).eval()), size_of(D2(L, before, configuration) - momentum_at_end));
       };
       std::vector<double> momenta;
-      auto const places = by_halves.errors_of([&](int n, double h) {
+      auto const configurations = by_halves.errors_of([&](int n, double h) {
         auto const [of_place, of_momentum] = run(n, h, discretize_right(top, h, at_first));
         momenta.push_back(to_double(of_momentum));
         return of_place;
       });
-      claim.order("the place", group.name(), by_halves.step_lengths(), places, 2);
+      claim.order("the configuration", group.name(), by_halves.step_lengths(), configurations, 2);
       claim.order("the momentum", group.name(), by_halves.step_lengths(), momenta, 2);
-      claim.refutes_order("the velocity from the later place to the earlier", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) {
+      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) {
                             return run(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(top, h, at_first)(g1, g0); }).first;
                           }), 2);
     }
@@ -1191,46 +1193,48 @@ STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstru
       auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const momentum_at_end = momentum(group, Vector<S>(top.a * exact.velocity.coordinates + top.b));
       struct Error {
-        S place, momentum, velocity;
+        S configuration, momentum, velocity;
       };
       auto const run = [&](int n, double h) -> Error {
         auto const l = natural_chart_lagrangian_right(reduced(top), h);
-        auto place = v.place;
-        auto f = relative_motion_right(place, top.flow(v, S(h)).first.place);
+        auto configuration = v.configuration;
+        auto f = relative_motion_right(configuration, top.flow(v, S(h)).first.configuration);
         for (int k = 0; k < n; ++k) {
-          place = reconstruct_right(place, f);
+          configuration = reconstruct_right(configuration, f);
           f = step_euler_poincare_right(l, f).value;
         }
-        return {magnitude((place.value - exact.place.value).eval()), size_of(momentum_before_right(l, f) - momentum_at_end), size_of(-log(f) / S(h) - exact.velocity)};
+        return {magnitude((configuration.value - exact.configuration.value).eval()), size_of(momentum_before_right(l, f) - momentum_at_end), size_of(-log(f) / S(h) - exact.velocity)};
       };
       std::vector<double> momenta, velocities;
-      auto const places = by_halves.errors_of([&](int n, double h) {
+      auto const configurations = by_halves.errors_of([&](int n, double h) {
         Error const error = run(n, h);
         momenta.push_back(to_double(error.momentum)), velocities.push_back(to_double(error.velocity));
-        return error.place;
+        return error.configuration;
       });
-      claim.order("the place", group.name(), by_halves.step_lengths(), places, 2);
+      claim.order("the configuration", group.name(), by_halves.step_lengths(), configurations, 2);
       claim.order("the momentum", group.name(), by_halves.step_lengths(), momenta, 2);
       claim.refutes_order("the velocity of the relative motion", group.name(), by_halves.step_lengths(), velocities, 2);
     }
 }
 
 STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare equations and carrying the momentum makes a Lie-Poisson integrator") {
-  claim.holds("It keeps the bracket because its relative motion solves those equations; keeping the orbits alone would not be enough.");
+  claim.holds("It preserves the bracket because its relative motion solves those equations; that it preserves the orbits is not enough.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    // One step with f solved from mu0, wherever (3.10) has a solution: draw f, and mu0 is what it takes up.
+    // One step with f solved from mu0, wherever (3.10) has a solution: draw f, and mu0 is the momentum at its
+    // start.
     auto const l = draw_group_polynomial<S>(draw, group);
     auto const f = draw.template element<S>(group);
     auto const mu0 = momentum_before_right(l, f);
     auto const mu1 = lie_poisson_update_right(f, mu0);
-    claim.equal("the step leaves the momentum that the next one takes up", model, -left_differential(l, f), mu1);
+    claim.equal("the momentum at the end of the step is that at the start of the next", model, -left_differential(l, f), mu1);
     // Its tangent, from the equation: d mu0 = -A theta, d mu1 = -B theta. Condition: A is inverted.
     Matrix<S> const tangent = left_second_differential(l, f) * inverse_matrix(right_second_differential(l, f));
     auto const defect = [&](Matrix<S> const& t, Momentum<SpannedGroup, S> const& image) {
       return Matrix<S>(t * lie_poisson_tensor_plus(mu0) * t.transpose() - lie_poisson_tensor_plus(image));
     };
-    claim.zero("the bracket is kept", model, defect(tangent, mu1), S(magnitude(tangent) * magnitude(tangent) * size_of(mu0) + size_of(mu1)), 100);
-    // Controls: carried the other way; and an explicit Euler step of mu' = -ad* mu. (On Aff(1) any such step keeps the bracket: there it is the determinant of the step times mu_2.)
+    claim.zero("the bracket is preserved", model, defect(tangent, mu1), S(magnitude(tangent) * magnitude(tangent) * size_of(mu0) + size_of(mu1)), 100);
+    // Controls: the inverse element; and an explicit Euler step of mu' = -ad* mu. (On Aff(1) any such step
+    // preserves the bracket: there it is the determinant of the step times mu_2.)
     claim.differs("Ad* of the inverse", model, -left_differential(l, f), Ad_star(inverse(f), mu0));
     auto const xi = draw.template velocity<S>(group);
     Matrix<S> const euler = Matrix<S>::Identity(group.dimension(), group.dimension()) - ad_matrix(xi).transpose();

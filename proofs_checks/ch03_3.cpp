@@ -77,7 +77,7 @@ STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group), k = draw_near(draw, g), h = draw.template element<S>(group);
     auto const v = draw.template velocity<S>(group, ratio<S>(1, 4));
-    // A chart and its inverse, the base point at the origin, the charts carried along by right translation.
+    // A chart and its inverse, the base point at the origin, the charts related by right translation.
     claim.equal("exp(psi_g(k)) g = k", model, exp(natural_chart_right(g, k)) * g, k);
     claim.equal("psi_g(exp(v) g) = v", model, natural_chart_right(g, exp(v) * g), v);
     claim.equal("psi_gh(kh) = psi_g(k)", model, natural_chart_right(g * h, k * h), natural_chart_right(g, k));
@@ -94,7 +94,7 @@ STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
 }
 
 STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart") {
-  claim.convention("The push-forward is taken at the averaged point $\\eta$, which print leaves open. The discrete Lagrangian of the library is $h$ times the printed one: an action.");
+  claim.convention("The push-forward is taken at the averaged point $\\eta$, which the thesis leaves open. The discrete Lagrangian of the library is $h$ times the printed one: an action.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -127,8 +127,8 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
         auto const m = chart_midpoint_right(g, g1, g2, h);
         errors_unpushed.push_back(to_double(magnitude(S(lagrangian(State<SpannedGroup, S>{exp(m.eta) * g, m.zeta}) - exact))));
       }
-      claim.order("midpoint value, chart at the later place", group.name(), halving_steps(), errors_end, 2);
-      claim.order("midpoint value, chart at a fixed place beside the curve", group.name(), halving_steps(), errors_beside, 2);
+      claim.order("midpoint value, chart at the later configuration", group.name(), halving_steps(), errors_end, 2);
+      claim.order("midpoint value, chart at a fixed configuration beside the curve", group.name(), halving_steps(), errors_beside, 2);
       claim.refutes_order("push-forward left out", group.name(), halving_steps(), errors_unpushed, 2);
     }
   }
@@ -174,28 +174,28 @@ struct SquareNorm {
 };
 /// \f$\cosh\f$ of the distance in Aff(1) with that metric, translated on the right: inverted, it is the hyperbolic plane of points (shift, stretch).
 template <class S>
-S cosh_distance(Place<S> const& g1, Place<S> const& g2) {
+S cosh_distance(GroupElement<S> const& g1, GroupElement<S> const& g2) {
   auto const p = inverse(g1).value, q = inverse(g2).value;
   S const dx = p(0, 1) - q(0, 1), dy = p(0, 0) - q(0, 0);
   return S(1) + (dx * dx + dy * dy) / (S(2) * p(0, 0) * q(0, 0));
 }
 /// A geodesic of it, at unit speed in log u: a half circle of centre c and radius r, inverted back.
 template <class T, class S>
-Place<T> half_circle(SpannedGroup const& aff1, S const& c, S const& r, T const& u) {
+GroupElement<T> half_circle(SpannedGroup const& aff1, S const& c, S const& r, T const& u) {
   T const w = u * u + T(1);
   Matrix<T> k = Matrix<T>::Identity(2, 2);
   k(0, 0) = T(2) * u * T(r) / w, k(0, 1) = T(c) + T(r) * (u * u - T(1)) / w;
-  return inverse(Place<T>{aff1, k});
+  return inverse(GroupElement<T>{aff1, k});
 }
 /// \f$\cos\f$ of the angle between two rotations of space.
 template <class S>
-S cos_angle(Place<S> const& g1, Place<S> const& g2) {
+S cos_angle(GroupElement<S> const& g1, GroupElement<S> const& g2) {
   auto const f = (g1 * inverse(g2)).value;
   return (f(0, 0) + f(1, 1) + f(2, 2) - S(1)) / S(2);
 }
 /// A rotation with tan(angle/2) = t about an axis with rational length.
 template <class S>
-Place<S> rotation_by_half_tangent(SpannedGroup const& so3, S const& t) {
+GroupElement<S> rotation_by_half_tangent(SpannedGroup const& so3, S const& t) {
   Vector<S> axis(3);
   axis << S(2), S(-1), S(2);
   return retract(Algebra<S>{so3, Vector<S>(axis * (S(2) * t / S(3)))});
@@ -241,13 +241,14 @@ STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connec
       claim.differs("integral without the root is not", model, square_a, distance);
     }
   });
-  // On every group: a geodesic of a right-invariant metric keeps its speed, so that the printed integral over [0, 1] is the square of the length.
+  // On every group: a geodesic of a right-invariant metric has constant speed, so that the printed integral
+  // over [0, 1] is the square of the length.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto metric = draw_algebra_polynomial<S>(draw, group.dimension());
     metric.b.setZero(), metric.kappa = S(0);
     auto const xi = draw.template velocity<S>(group);
     auto const mu = gradient(metric, xi);
-    claim.zero("a geodesic keeps its speed", model, pair(mu, euler_poincare_acceleration_right(metric, xi)), size_of(ad_star(xi, mu)) * size_of(xi));
+    claim.zero("a geodesic has constant speed", model, pair(mu, euler_poincare_acceleration_right(metric, xi)), size_of(ad_star(xi, mu)) * size_of(xi));
   });
 }
 
@@ -257,7 +258,7 @@ STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its tr
   // Where lengths can be compared.
   if (ordered_arithmetic<S>()) over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group);
-    std::vector<Place<S>> domain;
+    std::vector<GroupElement<S>> domain;
     for (int i = 0; i < 4; ++i) domain.push_back(draw.template element<S>(group));
     auto const diameter = [&](auto const& move) {
       S largest(1);
@@ -266,7 +267,7 @@ STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its tr
       return largest;
     };
     S const plain = diameter([](auto const& a) { return a; });
-    claim.equal("cosh of the diameter of four places and of their right translates", model, diameter([&](auto const& a) { return a * g; }), plain);
+    claim.equal("cosh of the diameter of four configurations and of their right translates", model, diameter([&](auto const& a) { return a * g; }), plain);
     claim.differs("of their left translates", model, diameter([&](auto const& a) { return g * a; }), plain);
   });
   // On every group: right translation leaves the speed of every curve as it is.
@@ -282,28 +283,28 @@ STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its tr
 
 STATEMENT(claim_3_3_chart_condition, "condition on two group elements for the discrete Lagrangian to be defined") {
   claim.corrected(R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))", R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,\quad\text{where } U \text{ contains the ball of radius } r \text{ about } e)",
-                  "Two places nearer to each other than the diameter of $U$ may be further from the base point than $U$ reaches: with the base point at either end the radius counts, half the diameter of a ball. The printed bound is enough where the base point is half-way.");
+                  "Two configurations nearer to each other than the diameter of $U$ may be further from the base point than $U$ reaches: with the base point at either end the radius counts, half the diameter of a ball. The printed bound is enough where the base point is half-way.");
   // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by nearly +- a right angle are nearly half a turn apart.
   auto const so3 = spanned("SO(3)", SO<3>{});
   S const one(1);
   if (ordered_arithmetic<S>()) {
     auto const g2 = draw.template element<S>(so3, S(2)), g = draw.template element<S>(so3, S(2));
     S const inside = (S(1) + draw.template number<S>()) / S(2), outside = ratio<S>(11, 8) + draw.template number<S>() / S(4);
-    claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2", cos_angle(Place<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
+    claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2", cos_angle(GroupElement<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
     auto const e = identity<S>(so3);
     auto const nearly = rotation_by_half_tangent(so3, ratio<S>(99, 100));
     claim.fact("the diameter of U is more than 178 degrees", "SO(3), U of radius pi/2", cos_angle(nearly, e) > S(0) && cos_angle(nearly, inverse(nearly)) < -ratio<S>(999, 1000));
     // Half-way, the printed bound does: g1 = s g, g2 = s^-1 g with s by less than a right angle.
     auto const s = rotation_by_half_tangent(so3, inside);
-    claim.fact("dist(g1, g2) < diam(U) is enough at the place half-way", "SO(3), U of radius pi/2", cos_angle(s * g, g) > S(0) && cos_angle(inverse(s) * g, g) > S(0));
+    claim.fact("dist(g1, g2) < diam(U) is enough at the configuration half-way", "SO(3), U of radius pi/2", cos_angle(s * g, g) > S(0) && cos_angle(inverse(s) * g, g) > S(0));
     // Control: nearer than the diameter, 97 to 117 degrees apart, and outside of the chart at g2: by how much the angle's cosine lies below that of U's edge.
     auto const g1 = rotation_by_half_tangent(so3, outside) * g2;
-    claim.fact("the control's places are nearer than the diameter", "SO(3), U of radius pi/2", cos_angle(g1, g2) > -ratio<S>(999, 1000));
+    claim.fact("the control's configurations are nearer than the diameter", "SO(3), U of radius pi/2", cos_angle(g1, g2) > -ratio<S>(999, 1000));
     S const excess = S(0) > cos_angle(g1, g2) ? S(-cos_angle(g1, g2)) : S(0);
     claim.refutes("dist(g1, g2) < diam(U), base point at g2: outside by", "SO(3), U of radius pi/2", excess, one);
   }
   if (!exact_arithmetic<S>()) {
-    // With all of the chart of SE(3): up to half a turn every place is met, however far away it is, so that U has no finite diameter.
+    // With all of the chart of SE(3): up to half a turn every configuration is met, however far away it is, so that U has no finite diameter.
     SE<3> const se3;
     auto const far = [&](S const& angle, S const& distance) {
       Coordinates<SE<3>, S> v = Coordinates<SE<3>, S>::Zero();
@@ -332,14 +333,14 @@ namespace {
 
 /// The differential of log read on \f$e^\vartheta f\f$, by dual numbers, one direction at a time.
 template <class S>
-Vector<S> logarithm_rate(Place<S> const& f, Algebra<S> const& theta) {
+Vector<S> logarithm_rate(GroupElement<S> const& f, Algebra<S> const& theta) {
   return rate_part<S>(log(moving_along(theta) * over<Dual<S>>(f)).coordinates);
 }
 
 }  // namespace
 
 STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart difference quotient") {
-  claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})", "In the chart by right translation the difference quotient is the velocity carried to the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
+  claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})", "In the chart by right translation the difference quotient is the velocity translated to the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
     auto const g1 = draw.template element<S>(group, S(1));
@@ -373,8 +374,8 @@ STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential ma
                   "With $\\mathrm{ad}_\\eta\\zeta = \\eta\\zeta - \\zeta\\eta$, for which $\\mathrm{Ad}_{\\exp\\eta} = \\exp(\\mathrm{ad}_\\eta)$ as (3.26) has it, the minus sign goes with left translation. The printed form takes the bracket of right-invariant vector fields.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
-    auto const moving_place = exp(moving(eta, zeta));
-    auto const state = state_of(moving_place);
+    auto const moving_element = exp(moving(eta, zeta));
+    auto const state = state_of(moving_element);
     auto const through = [&](Algebra<S> const& along) { return Algebra<S>{group, Vector<S>(iex(ad_matrix(along)) * zeta.coordinates)}; };
     claim.equal("on the right: iex(ad)", model, state.velocity, through(eta));
     claim.equal("on the left: iex(-ad)", model, body_velocity(state), through(-eta));
@@ -442,7 +443,7 @@ STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried ou
 }
 
 STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time step vanishes") {
-  claim.convention("The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is carried to $q$ on the right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign only where the base point tends to the same place.");
+  claim.convention("The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is translated to $q$ on the right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign only where the base point tends to the same configuration.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // The limit itself is a derivative: average and difference quotient tend to psi_g(c) and its rate of change.
     auto const xi = draw.template velocity<S>(group);
@@ -467,7 +468,7 @@ STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time
         half_way.push_back(to_double(size_of(fibre_element_right(m) - state_of(curve(moving(S(h / 2)))).velocity)));
         printed.push_back(to_double(size_of(Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates - start.velocity.coordinates))));
       }
-      claim.order("to the velocity at the earlier place, base point there", group.name(), halving_steps(), at_end, 1);
+      claim.order("to the velocity at the earlier configuration, base point there", group.name(), halving_steps(), at_end, 1);
       claim.order("the same, base point off the curve", group.name(), halving_steps(), beside, 1);
       claim.order("to the velocity half-way", group.name(), halving_steps(), half_way, 2);
       claim.refutes_order("with iex(-ad), base point off the curve", group.name(), halving_steps(), printed, 1);
@@ -482,7 +483,8 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
     auto const w = ad_matrix(xi);
     auto const of = [&](Matrix<S> const& m) { return Algebra<S>{group, Vector<S>(chi(m) * theta.coordinates)}; };
     claim.equal("chi(ad) iex(ad) = 1", model, Matrix<S>(chi(w) * iex(w)), Matrix<S>(Matrix<S>::Identity(w.rows(), w.cols())));
-    // The derivative of log undoes that of exp: exp(xi + eps chi theta) moves along theta, on the right or on the left.
+    // The derivative of log undoes that of exp: exp(xi + eps chi theta) has the tangent theta, on the right
+    // or on the left.
     claim.equal("exp(xi + eps chi(ad) theta) = exp(eps theta) exp(xi)", model, state_of(exp(moving(xi, of(w)))).velocity, theta);
     claim.equal("exp(xi + eps chi(-ad) theta) = exp(xi) exp(eps theta)", model, body_velocity(state_of(exp(moving(xi, of(-w))))), theta);
     claim.equal("log(exp(eps theta) f) = log f + eps chi(ad) theta", model, logarithm_rate(exp(xi), theta), of(w).coordinates);
@@ -494,7 +496,7 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
     }
   });
   if (!exact_arithmetic<S>()) {
-    // The logarithm of a rotation in closed form, differentiated, knows nothing of iex.
+    // The logarithm of a rotation in closed form, differentiated, does not use iex.
     SO<3> const group;
     {
       auto const xi = draw.template velocity<S>(group), theta = draw.template velocity<S>(group);
@@ -513,18 +515,18 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
 
 namespace {
 
-/// A Lagrangian that shows the place at which it is evaluated.
+/// A Lagrangian that shows the configuration at which it is evaluated.
 template <class S>
-struct PlaceFunction {
+struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
   T operator()(State<SpannedGroup, T> const& state) const {
-    return contract(w, state.place.value);
+    return contract(w, state.configuration.value);
   }
 };
 /// The first term by which \f$h\,\mathrm{iex}(\mathrm{ad}_\eta)\zeta\f$ differs from \f$\log(g_2g_1^{-1})\f$: \f$[d,[d,[x_1,x_2]]]/96\f$ with \f$x_i = \psi_g(g_i)\f$, \f$d = x_2-x_1\f$.
 template <class S>
-Algebra<S> base_point_term(Place<S> const& g, Place<S> const& g1, Place<S> const& g2) {
+Algebra<S> base_point_term(GroupElement<S> const& g, GroupElement<S> const& g1, GroupElement<S> const& g2) {
   auto const x1 = natural_chart_right(g, g1), x2 = natural_chart_right(g, g2), d = x2 - x1;
   return bracket(d, bracket(d, bracket(x1, x2))) / S(96);
 }
@@ -532,7 +534,7 @@ Algebra<S> base_point_term(Place<S> const& g, Place<S> const& g1, Place<S> const
 }  // namespace
 
 STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under the diagonal action") {
-  claim.convention("The base point of the chart moves along with the places, as the proof has it; with a base point that stays, the invariance is lost. Charts of either side serve either invariance.");
+  claim.convention("The base point of the chart is equivariant, as the proof has it; with a fixed base point there is no invariance. Charts of either side serve either invariance.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), k = draw.template element<S>(group), c = draw_small<S>(draw, group);
@@ -552,18 +554,18 @@ STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under th
     // Controls: a Lagrangian with no invariance, the wrong side, and a base point that stays.
     auto const any = draw_state_polynomial<S>(draw, group);
     claim.refutes("Lagrangian without the invariance", model, S(discretize_right(any, h, base)(g1 * k, g2 * k) - discretize_right(any, h, base)(g1, g2)), size_of_terms(any.kinetic, Algebra<S>(log(g1 * inverse(g2)) / h)));
-    auto const seen = [&](Place<S> const& g, Place<S> const& a, Place<S> const& b) { return fibre_element_right(chart_midpoint_right(g, a, b, h)); };
-    claim.differs("moved on the wrong side: the velocity that a right-invariant L sees", model, seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
-    auto const fixed = Place<S>(c * g2);
+    auto const seen = [&](GroupElement<S> const& g, GroupElement<S> const& a, GroupElement<S> const& b) { return fibre_element_right(chart_midpoint_right(g, a, b, h)); };
+    claim.differs("moved on the wrong side: the argument of a right-invariant L", model, seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
+    auto const fixed = GroupElement<S>(c * g2);
     auto const lost = base_point_term(fixed, g1, g2);
     if (to_double(size_of(lost)) > 1e-6)
-      claim.refutes("base point that stays: change of the velocity that L sees, beside the first term that this adds", model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
+      claim.refutes("fixed base point: change of the velocity in L, beside the first term that this adds", model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
   });
 }
 
 STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous reduced one") {
   claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))", R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
-                  "The reduction holds where the base point moves along; the sign is that of (3.22). The library's carries the factor $h$.");
+                  "The reduction holds where the base point is equivariant; the sign is that of (3.22). The library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // l from L by translation to the identity.
     auto const lagrangian = right_invariant(draw_algebra_polynomial<S>(draw, group.dimension()));
@@ -595,7 +597,7 @@ STATEMENT(eq_3_23, "reduced discrete Lagrangian through iex") {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), c = draw_small<S>(draw, group);
     S const h = step_length<S>();
-    auto const g = Place<S>(c * g2);
+    auto const g = GroupElement<S>(c * g2);
     auto const m = chart_midpoint_right(g, g1, g2, h);
     // The velocity by dual numbers; the library's function of the relative motion alone.
     auto const state = push_forward(g, m.eta, m.zeta);
@@ -620,11 +622,11 @@ STATEMENT(eq_3_23, "reduced discrete Lagrangian through iex") {
 }
 
 STATEMENT(claim_3_3_fibre_element_commutes, "chart centred at one of the two points: bracket of average and difference elements") {
-  claim.holds("The same at every point of the curve $e^{t\\xi}g_k$ from one place to the other.");
+  claim.holds("The same at every point of the curve $e^{t\\xi}g_k$ from one configuration to the other.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
     S const h = step_length<S>();
-    auto const try_at = [&](std::string const& name, Place<S> const& g) {
+    auto const try_at = [&](std::string const& name, GroupElement<S> const& g) {
       auto const m = chart_midpoint_right(g, g1, g2, h);
       claim.zero("[zeta, eta] = 0, " + name, model, bracket(m.zeta, m.eta), size_of(m.zeta) * size_of(natural_chart_right(g1, g2)));
       claim.equal("iex(-ad) zeta = zeta, " + name, model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), m.zeta.coordinates);
@@ -633,7 +635,7 @@ STATEMENT(claim_3_3_fibre_element_commutes, "chart centred at one of the two poi
     try_at("base point g_k+1", at_second(g1, g2));
     try_at("base point a third of the way", at_fraction(ratio<S>(1, 3))(g1, g2));
     // Control: a base point beside the way.
-    auto const m = chart_midpoint_right(Place<S>(draw.template element<S>(group) * g2), g1, g2, h);
+    auto const m = chart_midpoint_right(GroupElement<S>(draw.template element<S>(group) * g2), g1, g2, h);
     claim.refutes("[zeta, eta], base point beside the way", model, bracket(m.zeta, m.eta), size_of(m.zeta) * size_of(m.eta));
   });
 }
@@ -671,7 +673,7 @@ STATEMENT(claim_3_3_midpoint_eta, "average algebra element eta for the chart at 
 
 STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point") {
   claim.corrected(R"(q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2})", R"(q = \psi_{g_{k+1}}^{-1}(\eta) = (g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
-                  "The inverse of the chart takes $\\eta$ to the place half-way along $e^{t\\xi}g_k$. The printed root of the product is that place only where the two places commute, and does not move along with them.");
+                  "The inverse of the chart takes $\\eta$ to the configuration half-way along $e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two configurations commute, and is not equivariant.");
   claim.maybe_scan();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -680,9 +682,9 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
     claim.equal("psi_{g_k+1}(q) = eta", model, natural_chart_right(g2, q), chart_midpoint_right(g2, g1, g2, h).eta);
     claim.equal("(q g_k+1^-1)^2 = g_k g_k+1^-1", model, q * inverse(g2) * q * inverse(g2), g1 * inverse(g2));
     claim.equal("as far from g_k as from g_k+1", model, natural_chart_right(g1, q), -natural_chart_right(g2, q));
-    // The place that the library's discrete Lagrangian sees.
-    PlaceFunction<S> const place{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
-    claim.zero("the place at which (3.24) evaluates L", model, S(discretize_right(place, h, at_second)(g1, g2) - h * contract(place.w, q.value)), size_of(q));
+    // The configuration at which the library's discrete Lagrangian is evaluated.
+    ConfigurationFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
+    claim.zero("the configuration at which (3.24) evaluates L", model, S(discretize_right(configuration, h, at_second)(g1, g2) - h * contract(configuration.w, q.value)), size_of(q));
     // Control: the printed root of the product.
     auto const printed = exp(log(g1 * g2) / S(2));
     claim.differs("(g_k g_k+1)^(1/2), as printed", model, printed, q);
@@ -691,7 +693,7 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
 
 STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the second point") {
   claim.corrected(R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))", R"(\zeta = -\frac1{\Delta t}\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
-                  "In the chart at $g_{k+1}$ the later place is the origin, so the difference is minus the chart of the earlier one. A Lagrangian that is even in the velocity does not see it.");
+                  "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
   claim.maybe_scan();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group, S(1)), g2 = draw_near(draw, g1);
@@ -760,7 +762,7 @@ STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
     claim.zero("left: L(g_k, g_k+1) = h l(-log(f)/h), f = g_k+1^-1 g_k", model,
                S(natural_chart_lagrangian_left(l, h)(relative_motion_left(g1, g2)) - discretize_left(left_invariant(l), h, at_second)(g1, g2)), scale);
     claim.refutes("h l(log(f)/h), as printed", model, S(printed_chart_lagrangian(l, h)(f) - full), scale);
-    // An even Lagrangian does not see the sign.
+    // An even Lagrangian does not depend on the sign.
     auto even = l;
     even.b.setZero(), even.kappa = S(0);
     claim.zero("l even: as printed", model, S(printed_chart_lagrangian(even, h)(f) - discretize_right(right_invariant(even), h, at_second)(g1, g2)), scale);

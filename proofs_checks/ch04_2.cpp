@@ -17,18 +17,18 @@ using namespace actio::checks;
 
 namespace {
 
-/// An invariant generating function that was not made from a function on the group: the later place comes first. The step of a left-invariant Lagrangian on TG through Cayley's chart.
+/// An invariant generating function that was not made from a function on the group: the later configuration comes first. The step of a left-invariant Lagrangian on TG through Cayley's chart.
 template <class S>
 struct InvariantFunction {
   AlgebraPolynomial<S> l;
 
   template <class T>
-  T operator()(Place<T> const& g, Place<T> const& g0) const {
+  T operator()(GroupElement<T> const& g, GroupElement<T> const& g0) const {
     Velocity<SpannedGroup, T> const c{g.group, g.group.vee(inverse_cayley((g * inverse(g0)).value))};
     return l(Ad(inverse(retract(c / T(2)) * g0), c));
   }
 };
-/// S(g, g0) from a function of pairs with the earlier place first.
+/// S(g, g0) from a function of pairs with the earlier configuration first.
 template <class L>
 auto later_first(L lagrangian) {
   return [lagrangian](auto const& g, auto const& g0) { return lagrangian(g0, g); };
@@ -81,15 +81,15 @@ STATEMENT(claim_4_2_invariant_generating_function, "an invariant generating func
   claim.holds("S_L(f) = S(e, f): there is no other, since every f is the relative motion of (e, f). The canonical transformation is then equivariant.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     InvariantFunction<S> const generating{draw_algebra_polynomial<S>(draw, group.dimension())};
-    auto const g = draw_places<S>(draw, group, 3);
+    auto const g = draw_configurations<S>(draw, group, 3);
     auto const e = identity<S>(group);
-    auto const reduced = [&](Place<S> const& f) { return generating(e, f); };
-    auto const f = relative_motion_left(g[1], g[0]);  // g0^-1 g1: g[0] is the later place
-    // Condition: places are inverted and turned into velocities by Cayley's transform.
+    auto const reduced = [&](GroupElement<S> const& f) { return generating(e, f); };
+    auto const f = relative_motion_left(g[1], g[0]);  // g0^-1 g1: g[0] is the later configuration
+    // Condition: configurations are inverted and turned into velocities by Cayley's transform.
     claim.equal("S is invariant", model, generating(g[2] * g[0], g[2] * g[1]), generating(g[0], g[1]), 10);
     claim.equal("S(g, g0) = S_L(g^-1 g0)", model, generating(g[0], g[1]), reduced(f), 10);
     claim.equal("any other pair over the same relative motion", model, generating(inverse(f) * e, e), reduced(f), 10);
-    claim.equal("momenta move along: the transformation is equivariant", model, D1(generating, g[2] * g[0], g[2] * g[1]), coadjoint(inverse(g[2]), D1(generating, g[0], g[1])), 100);
+    claim.equal("the transformation of momenta is equivariant", model, D1(generating, g[2] * g[0], g[2] * g[1]), coadjoint(inverse(g[2]), D1(generating, g[0], g[1])), 100);
     // Controls: a function that is not invariant; the relative motion that looks ahead; the quotient by the other side.
     auto const any = draw_pair_polynomial<S>(draw, group);
     claim.differs("no invariance", model, any(g[0], g[1]), any(e, f), 1e-4);
@@ -114,7 +114,7 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi, "the classical Hamilton-Jacobi eq
       Vector<S> const q = q0 + s->inverse_a * (p0 * t + s->c * (t * t / S(2))), p = p0 + s->c * t;
       auto const energy = [s](Vector<S> const& x, Vector<S> const& y) { return s->energy(x, y); };
       auto const scale = size_of(s->energy(q, p)) + size_of(q0) + size_of(p);
-      // Condition: the place at the end is rounded, and divided by the mass.
+      // Condition: the configuration at the end is rounded, and divided by the mass.
       claim.zero("dS/dt + H(q, dS/dq)", model, hamilton_jacobi(*s, energy, q, q0, t), scale, 10);
       auto const momenta = generated_momenta(*s, q, q0, t);
       claim.equal("p0 = -dS/dq0", model, momenta.initial, p0, 10);
@@ -152,7 +152,7 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi, "the classical Hamilton-Jacobi eq
     auto const energy = [&](Vector<S> const& x, Vector<S> const& y) { return S(y.dot(v) - lagrangian(x, v)); };
     auto const scale = size_of(p) * size_of(v) * S(Base<S>(4)) + size_of(lagrangian(q, v)) + S(1);
     auto const generated = generated_momenta(s, q, q0, t);
-    // Condition: a difference of places over the time, cubed; integrals by a rule of fifteen nodes.
+    // Condition: a difference of configurations over the time, cubed; integrals by a rule of fifteen nodes.
     claim.zero("dS/dt + H(q, dS/dq)", model, hamilton_jacobi(s, energy, q, q0, t), scale, 100);
     claim.zero("p0 = -dS/dq0", model, Vector<S>(generated.initial - p0), S(size_of(p0) + size_of(p)), 100);
     claim.zero("p = dS/dq", model, Vector<S>(generated.final - p), S(size_of(p0) + size_of(p)), 100);
@@ -181,21 +181,22 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
   claim.convention("With l an action, its value at f_{k,k-1} is minus the body momentum with which the step leaves g_{k-1}.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motion_left(g[0], g[1]);
     auto const value = momentum_system_left(l, f).first;
-    // What the step from g[0] to g[1] takes up, as the body at g[0] feels it: the differential of the discrete Lagrangian in its first place.
-    auto const left_behind = coadjoint(g[0], D1(lifted_left(l), g[0], g[1]));
-    // Condition: a place is inverted.
-    claim.equal("L*_f l'(f) = Ad*_{g_{k-1}} D_1 L", model, value, left_behind, 10);
+    // The body momentum at the start of the step from g[0] to g[1]: the differential of the discrete
+    // Lagrangian in its first argument.
+    auto const start_momentum = coadjoint(g[0], D1(lifted_left(l), g[0], g[1]));
+    // Condition: a configuration is inverted.
+    claim.equal("L*_f l'(f) = Ad*_{g_{k-1}} D_1 L", model, value, start_momentum, 10);
     // Component by component, the tangent vector f e_a as a matrix.
     Vector<S> by_definition(group.dimension());
     for (int a = 0; a < group.dimension(); ++a) by_definition[a] = slope(l, f, from_right(f, basis_velocity<S>(group, a)));
     claim.equal("on matrices", model, column(value), by_definition);
     claim.equal("minus the momentum of the step", model, -value, momentum_before_left(l, f));
     // Controls: R* in place of L*; the relative motion that looks ahead; the momentum at the other end.
-    claim.differs("R* in place of L*", model, right_differential(l, f), left_behind);
-    claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, left_differential(l, inverse(f)), left_behind);
+    claim.differs("R* in place of L*", model, right_differential(l, f), start_momentum);
+    claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, left_differential(l, inverse(f)), start_momentum);
     claim.differs("at g_k", model, -coadjoint(g[1], D2(lifted_left(l), g[0], g[1])), value);
     claim.differs("as the momentum itself", model, value, momentum_before_left(l, f));
   });
@@ -204,11 +205,11 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
 STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
   claim.convention("Pi is then minus the body momentum. With the physical momentum both lines take a minus, as (4.2) does. f is f_{k+1,k}, and l an action.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
-    auto const g = places_left(draw.template element<S>(group), f);
+    auto const g = configurations_left(draw.template element<S>(group), f);
     auto const scale = momenta_of(l, f);
-    // Condition: places after three steps.
+    // Condition: configurations after three steps.
     Matrix<S> exchanged(group.dimension(), 2), next(group.dimension(), 2);
     for (int k = 0; k < 2; ++k) {
       auto const step = momentum_system_left(l, f[k]);
@@ -229,15 +230,15 @@ STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
 STATEMENT(claim_4_2_system_and_dep, "the two lines and the discrete Euler-Poincare equation") {
   claim.convention("One equation (3.11) joins two of these systems: the second line of one step and the first line of the next, with Pi_k eliminated.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 2);
+    auto const f = draw_configurations<S>(draw, group, 2);
     auto const any = draw_reduced_lagrangian<S>(draw, group);
     auto const between = [&](auto const& k) { return column(momentum_system_left(k, f[1]).first - momentum_system_left(k, f[0]).second); };
     auto const scale = momenta_of(any, f);
-    // Whatever the relative motions: the residual of (3.11), on matrices and from places, is what Pi_k disagrees by.
-    auto const g = places_left(draw.template element<S>(group), f);
-    claim.zero("(3.11) on matrices", model, Vector<S>(reduced_residual_left(any, Places<S>{f[0], f[1]}) - between(any)), scale);
-    // Condition: places after two steps.
-    claim.zero("(3.2) as the body feels it", model, column(coadjoint(g[1], discrete_euler_lagrange(lifted_left(any), g[0], g[1], g[2]))) - between(any), scale, 10);
+    // Whatever the relative motions: the residual of (3.11), on matrices and from configurations, is what Pi_k disagrees by.
+    auto const g = configurations_left(draw.template element<S>(group), f);
+    claim.zero("(3.11) on matrices", model, Vector<S>(reduced_residual_left(any, GroupElements<S>{f[0], f[1]}) - between(any)), scale);
+    // Condition: configurations after two steps.
+    claim.zero("(3.2) in the body frame", model, column(coadjoint(g[1], discrete_euler_lagrange(lifted_left(any), g[0], g[1], g[2]))) - between(any), scale, 10);
     auto const l = with_motions_left(any, f);
     claim.zero("along a motion", model, between(l), momenta_of(l, f));
     // Controls: off a motion; the two relative motions exchanged; the right-invariant system.
@@ -252,7 +253,7 @@ STATEMENT(claim_4_2_dlp_consequence, "the momentum update that follows from the 
                   "The inverse is missing, as in (3.18); (4.3) has it. Either sign of Pi will do.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_places<S>(draw, group, 3);
+    auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
     auto const scale = momenta_of(l, f);
     Matrix<S> printed(group.dimension(), 3), star_lost(group.dimension(), 3), next(group.dimension(), 3);
@@ -276,8 +277,8 @@ STATEMENT(claim_4_2_dlp_consequence, "the momentum update that follows from the 
 //
 // The witness is the power series in the time of a free motion on a group, with coefficients in the scalar of the unit: equations between such series are checked power by
 // power, over the rationals exactly. Their coefficients up to the sixth power are polynomials of degree 7 in the initial momentum and 6 in the inverse of the inertia, whose
-// entries have degree 12 over a determinant of degree 12; the initial momentum may be the differential of a cubic in a place, of degree 20 over one of 20. With their inverses
-// and products that stays below 1000. Where places are drawn, degrees are those of ch03_2d.cpp. The bounds say so.
+// entries have degree 12 over a determinant of degree 12; the initial momentum may be the differential of a cubic in a configuration, of degree 20 over one of 20. With their inverses
+// and products that stays below 1000. Where configurations are drawn, degrees are those of ch03_2d.cpp. The bounds say so.
 
 namespace {
 
@@ -412,18 +413,18 @@ STATEMENT(eq_4_1, "the Lie-Poisson Hamilton-Jacobi equation") {
 }
 
 STATEMENT(eq_4_2, "the initial momentum from the reduced generating function") {
-  claim.holds("Its g is the relative motion g(t)^{-1} g_0: for a motion that starts at the identity it is the inverse of the place, not the place.");
+  claim.holds("Its g is the relative motion g(t)^{-1} g_0: for a motion that starts at the identity it is the inverse of the configuration, not the configuration.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);  // the earlier place first
+    auto const g = draw_configurations<S>(draw, group, 2);  // the earlier configuration first
     auto const generating = [l = lifted_left(l)](auto const& later, auto const& earlier) { return l(earlier, later); };
     auto const f = relative_motion_left(g[0], g[1]);
-    // p0 = -dS/dg0, as the body at g0 feels it.
+    // p0 = -dS/dg0, in the body frame at g0.
     auto const pi0 = coadjoint(g[0], -D2(generating, g[1], g[0]));
     auto const as_printed = initial_momentum_left(l, f);
-    // Condition: a place is inverted.
+    // Condition: a configuration is inverted.
     claim.equal("-L*_g dS_L is -dS/dg0 in the body", model, as_printed, pi0, 10);
-    // Controls: the sign; the other translation; the place in the role of its inverse.
+    // Controls: the sign; the other translation; the configuration in the role of its inverse.
     claim.differs("L*_g dS_L", model, -as_printed, pi0);
     claim.differs("-R*_g dS_L", model, -right_differential(l, f), pi0);
     claim.differs("at g_0^-1 g(t)", model, initial_momentum_left(l, inverse(f)), pi0);
@@ -443,11 +444,11 @@ STATEMENT(eq_4_3, "the final momentum by the coadjoint action, and the Poisson m
   claim.convention("With Ad* the dual of Ad, no inverse in the star. The map is a Lie-Poisson map for the minus bracket, and so for the plus bracket, whatever S is.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const generating = [l = lifted_left(l)](auto const& later, auto const& earlier) { return l(earlier, later); };
     auto const f = relative_motion_left(g[0], g[1]);
     auto const pi0 = initial_momentum_left(l, f);
-    // p = dS/dg, as the body at g feels it.
+    // p = dS/dg, in the body frame at g.
     auto const pi = coadjoint(g[1], D1(generating, g[1], g[0]));
     claim.equal("Ad*_{g^-1} Pi_0 is dS/dg in the body", model, final_momentum_left(f, pi0), pi, 10);
     claim.equal("and -R*_g dS_L", model, -right_differential(l, f), pi, 10);
@@ -542,12 +543,12 @@ template <class L>
 struct EvenPart {
   L l;
   template <class T>
-  T operator()(Place<T> const& f) const {
+  T operator()(GroupElement<T> const& f) const {
     return l(f) + l(inverse(f));
   }
 };
 
-/// A free left-invariant motion from the witness: the inverse of the place moves by the right-invariant system with the opposite linear term.
+/// A free left-invariant motion from the witness: the inverse of the configuration moves by the right-invariant system with the opposite linear term.
 template <class S>
 struct Witness {
   TopInAnyGroup<S> mirror;
@@ -556,7 +557,7 @@ struct Witness {
   FreeMotion<SpannedGroup, S> motion(Momentum<SpannedGroup, S> const& pi0, S const& t) const {
     auto const xi = lagrangian().velocity_of(pi0);
     auto const [end, action] = mirror.flow(State<SpannedGroup, S>{identity<S>(mirror.group), -xi}, t);
-    return {end.place, momentum(mirror.group, Vector<S>(-(mirror.a * end.velocity.coordinates + mirror.b))), action};
+    return {end.configuration, momentum(mirror.group, Vector<S>(-(mirror.a * end.velocity.coordinates + mirror.b))), action};
   }
 };
 
@@ -578,7 +579,7 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification, "a discrete Lagrangian in th
     claim.equal("(4.3) is the second line with a minus", model, -system.second, pi1, 10);
     claim.differs("the first line as printed", model, system.first, pi0);
     claim.differs("l divided by a step of 3/7", model, ratio<S>(7, 3) * pi0, pi0);
-    // An even l, as of a body: the printed system, begun with the momentum at the end, leads back to the momentum at the start. Condition: a place is inverted.
+    // An even l, as of a body: the printed system, begun with the momentum at the end, leads back to the momentum at the start. Condition: a configuration is inverted.
     EvenPart<GroupPolynomial<S>> const even{l};
     auto const start = initial_momentum_left(even, f), end = final_momentum_left(f, start);
     auto const printed = momentum_system_left(even, inverse(f));
@@ -615,7 +616,7 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification, "a discrete Lagrangian in th
       claim.equal("the relative motion of the flow", model, ours.f.value, motion.f.value, 10);
       claim.equal("the momentum of the flow", model, ours.pi, motion.pi, 10);
       claim.equal("its action", model, ours.action, motion.action, 10);
-      // The action between places as a generating function, where no orders are fitted. Condition: shooting over a third of a unit of time, and differentiated.
+      // The action between configurations as a generating function, where no orders are fitted. Condition: shooting over a third of a unit of time, and differentiated.
       auto const scale = S(size_of(pi0) + size_of(motion.pi) + Base<S>(1));
       if (current_arithmetic().kind() == ArithmeticKind::decimal && claim.first()) {
         ExactGeneratingFunction const exact{l};
@@ -624,10 +625,10 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification, "a discrete Lagrangian in th
         claim.zero("S = the action: (4.3) gives the momentum at the end", model, final_momentum_left(motion.f, generated) - motion.pi, scale, 100);
         claim.zero("S = the action solves (4.1)", model, S(time_derivative(exact, motion.f, t) + l(motion.pi)), S(size_of(l(motion.pi)) + Base<S>(1)), 100);
       }
-      // Controls: the first term of the series alone; the place in the role of its inverse.
+      // Controls: the first term of the series alone; the configuration in the role of its inverse.
       auto const chart = generating_series(l, 0);
       claim.refutes("the natural chart is not exact", model, initial_momentum_left(at_time(chart, t), motion.f) - pi0, scale, 1e-6);
-      claim.refutes("(4.2) at the place", model, initial_momentum_left(at_time(chart, t), inverse(motion.f)) - pi0, scale);
+      claim.refutes("(4.2) at the configuration", model, initial_momentum_left(at_time(chart, t), inverse(motion.f)) - pi0, scale);
     }
   // In fifty digits: in double the smallest errors would be next to rounding.
   if (claim.fits_orders_in_digits())
@@ -693,12 +694,12 @@ STATEMENT(eq_4_5, "the square of group and dual-algebra dynamics") {
   claim.convention("Sigma takes f_{k,k-1} to f_{k+1,k} by (3.11); of the two the later one is the first factor of the product that Definition 4.1.1 holds fixed. Either sign of the Legendre map will do.");
   over_groups(square_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
-    auto const f = draw_places<S>(draw, group, 2);
+    auto const f = draw_configurations<S>(draw, group, 2);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
-    auto const down = [&](Place<S> const& x) { return momentum_system_left(l, x).first; };
+    auto const down = [&](GroupElement<S> const& x) { return momentum_system_left(l, x).first; };
     auto const pi = down(f[0]);
     auto const scale = momenta_of(l, f);
-    // f[0] solves the first line for pi; Lambda carries pi by it. Condition: a place is inverted.
+    // f[0] solves the first line for pi; Lambda carries pi by it. Condition: a configuration is inverted.
     claim.zero("F l o Sigma = Lambda o F l", model, down(f[1]) - coadjoint(inverse(f[0]), pi), scale, 10);
 
     // Tangents. Of Sigma from the equation; of Lambda by moving pi and the f that solves for it.

@@ -1,6 +1,7 @@
 // Section 4.3, first part: the square of Legendre maps and quotient maps.
 //
-// A function of pairs sees only g0 g1^-1, found by elimination (sequences.hpp: lifted). Differentials are taken along matrices, with no translation of the library.
+// The functions of pairs depend on g0 g1^-1 only, found by elimination (sequences.hpp: lifted). Differentials
+// are taken along matrices, with no translation of the library.
 
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
@@ -31,7 +32,7 @@ Momentum<SpannedGroup, S> covector(SpannedGroup const& group, Value const& value
 }
 /// p = dL/dg0 as a form on matrices.
 template <class S, class L>
-S first_slope(L const& lagrangian, Place<S> const& g0, Place<S> const& g1, Matrix<S> const& change) {
+S first_slope(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1, Matrix<S> const& change) {
   return lagrangian(varied(g0, change), over<Dual<S>>(g1)).part[0];
 }
 
@@ -41,8 +42,8 @@ STATEMENT(thm_4_3_1, "the Legendre maps commute with the quotient maps") {
   claim.holds("With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta have the other sign in both. Regularity is not needed for the square, only for the maps in it to be local diffeomorphisms.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 3);
-    auto const f = relative_motions_right(Places<S>{g[0], g[1]}).front(), f_left = relative_motions_left(Places<S>{g[0], g[1]}).front();
+    auto const g = draw_configurations<S>(draw, group, 3);
+    auto const f = relative_motions_right(GroupElements<S>{g[0], g[1]}).front(), f_left = relative_motions_left(GroupElements<S>{g[0], g[1]}).front();
     // Right-invariant: along the top, then down; down, then along the bottom.
     auto const above = covector<S>(group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
     auto const below = covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); });
@@ -63,12 +64,12 @@ STATEMENT(eq_4_6, "the commuting square of Legendre and quotient maps") {
   claim.holds("For both Legendre maps, that of the momentum before the step and that of the momentum after it.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motions_right(g).front();
     claim.equal("before the step: D_1 above, R* below", model, D1(lifted(l), g[0], g[1]), right_differential(l, f), 10);
     claim.equal("after the step: D_2 above, -L* below", model, D2(lifted(l), g[0], g[1]), -left_differential(l, f), 10);
     claim.differs("D_2 above, R* below", model, D2(lifted(l), g[0], g[1]), right_differential(l, f));
-    // Both maps along the square are local diffeomorphisms together: their second derivatives differ by Ad. Condition: places are inverted.
+    // Both maps along the square are local diffeomorphisms together: their second derivatives differ by Ad. Condition: configurations are inverted.
     Matrix<S> const above = mixed_derivative(lifted(l), g[0], g[1]), below = right_second_differential(l, f);
     claim.zero("D_2 D_1 L = -(R* l')' Ad_f", model, Matrix<S>(above + below * Ad_matrix(f)), S(magnitude(below) * magnitude(Ad_matrix(f))), 10);
     claim.refutes("without Ad", model, Matrix<S>(above + below), S(magnitude(above) + magnitude(below)));
@@ -79,14 +80,15 @@ STATEMENT(eq_4_7, "the square in coordinates") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const quotient = g[0] * inverse(g[1]);
-    claim.equal("f, translated back by the later place", model, quotient * g[1], g[0]);
-    // p is a form on matrices at g0; mu is p after translation by g0 on the right; and that is what f sees.
+    claim.equal("f, translated back by the later configuration", model, quotient * g[1], g[0]);
+    // p is a form on matrices at g0; mu is p after translation by g0 on the right; and that is paired with
+    // the change of f.
     auto const p = [&](Matrix<S> const& change) { return first_slope(lifted(l), g[0], g[1], change); };
     auto const mu = covector<S>(group, [&](auto const& e) { return p(from_left(e, g[0])); });
     claim.equal("mu from p, and from f", model, mu, right_differential(l, quotient), 10);
-    claim.differs("f from the places in the other order", model, mu, right_differential(l, g[1] * inverse(g[0])));
+    claim.differs("f from the configurations in the other order", model, mu, right_differential(l, g[1] * inverse(g[0])));
     claim.differs("p translated on the left", model, covector<S>(group, [&](auto const& e) { return p(from_right(g[0], e)); }), mu);
   });
 }
@@ -98,7 +100,7 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const g = draw_places<S>(draw, group, 2);
+    auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motions_right(g).front();
     Matrix<S> const back = inverse(g[1]).value;
     auto const between = [&](Matrix<S> const& translation) {
@@ -133,7 +135,7 @@ STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant s
 // Section 4.3, second part: symplectic forms on the corners of the square, and the two constructions of a Poisson structure on the group.
 //
 // Physical momenta, mu = -D_1 L = -R* l', so that the Legendre map pulls the canonical form with {q, p} = 1 back to omega_L of (3.5).
-// A tangent vector of T*G at (g, mu) is (theta, delta mu), all carried to the identity on the right.
+// A tangent vector of T*G at (g, mu) is (theta, delta mu), all translated to the identity on the right.
 
 namespace {
 
@@ -142,30 +144,31 @@ using Change = PairChange<SpannedGroup, S>;
 /// A tangent vector of T*G.
 template <class S>
 struct Lift {
-  Velocity<SpannedGroup, S> place;
+  Velocity<SpannedGroup, S> configuration;
   Momentum<SpannedGroup, S> momentum;
 };
 /// The canonical form: minus the differential of <mu, theta>, with d theta(u, v) = [theta_u, theta_v] for theta = dg g^-1.
 template <class S>
 S canonical_form(Momentum<SpannedGroup, S> const& mu, Lift<S> const& u, Lift<S> const& v) {
-  return pair(v.momentum, u.place) - pair(u.momentum, v.place) - pair(mu, bracket(u.place, v.place));
+  return pair(v.momentum, u.configuration) - pair(u.momentum, v.configuration) - pair(mu, bracket(u.configuration, v.configuration));
 }
 /// The image of a tangent vector of pairs under (g0, g1) -> (g0, -D_1 L).
 template <class S, class L>
-Lift<S> pushed(L const& lagrangian, Place<S> const& g0, Place<S> const& g1, Change<S> const& w) {
+Lift<S> pushed(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1, Change<S> const& w) {
   auto const moved = D1(lagrangian, varied(g0, from_left(w.first, g0)), varied(g1, from_left(w.second, g1)));
   return {w.first, momentum(g0.group, Vector<S>(-rate(moved)))};
 }
-/// The lift of the leaf vector of eta to pairs that keeps the body momentum: g0 moves along eta, g1 so that f moves along the leaf.
+/// The lift of the leaf vector of eta to pairs that preserves the body momentum: g0 moves by eta, g1 so that
+/// f moves in the leaf.
 template <class S, class L>
-Change<S> kept(L const& l, Place<S> const& f, Velocity<SpannedGroup, S> const& eta) {
+Change<S> level_lift(L const& l, GroupElement<S> const& f, Velocity<SpannedGroup, S> const& eta) {
   return {eta, Ad(inverse(f), eta - leaf_vector(l, f, eta))};
 }
 /// A point of the leaves, with everything that the checks need.
 template <class S>
 struct Corner {
   MotionPolynomial<S> l;
-  Place<S> g0, g1, f;
+  GroupElement<S> g0, g1, f;
   Momentum<SpannedGroup, S> mu;
   Velocity<SpannedGroup, S> eta, zeta, u, v;
   double condition;  // l'' is inverted to find leaf vectors
@@ -173,7 +176,7 @@ struct Corner {
 template <class S>
 Corner<S> draw_corner(Draw& draw, SpannedGroup const& group) {
   auto const l = draw_reduced_lagrangian<S>(draw, group);
-  auto const g = draw_places<S>(draw, group, 2);
+  auto const g = draw_configurations<S>(draw, group, 2);
   auto const f = relative_motions_right(g).front();
   auto const eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
   Matrix<S> const a = right_second_differential(l, f);
@@ -201,14 +204,14 @@ STATEMENT(claim_4_3_tangent_square, "the tangent maps of the square commute") {
     Vector<S> const down = pushed(lifted(c.l), c.g0, c.g1, w).momentum.components;
     claim.zero("down and across, across and down", model, Vector<S>(across - down), S(magnitude(right_second_differential(c.l, c.f)) * (size_of(w.first) + size_of(w.second) * magnitude(Ad_matrix(c.f)))), 10);
     Vector<S> const other = -(right_second_differential(c.l, c.f) * (w.first - w.second).coordinates);
-    claim.differs("the later place not carried by Ad", model, other, down);
+    claim.differs("the later configuration not carried by Ad", model, other, down);
   });
 }
 
 STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections") {
   claim.corrected(R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak g^*\to T_g^*G)",
                   R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ \text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must keep the momentum of the symmetry, the body momentum; then g moves with mu.");
+                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve the momentum of the symmetry, the body momentum; then g moves with mu.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -216,10 +219,11 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
     auto const A = pushed(lifted(c.l), c.g0, c.g1, a), B = pushed(lifted(c.l), c.g0, c.g1, b);
     S const size = size_of(A.momentum) * size_of(b.first) + size_of(B.momentum) * size_of(a.first) + size_of(c.mu);
     claim.zero("the Legendre map above pulls the canonical form back to omega_L", model, S(canonical_form(c.mu, A, B) - discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)), S(size * Base<S>(group.dimension())), 30);
-    // Up the right side: vectors of the orbit, lifted with the body momentum kept, and lifted within the fibre.
+    // Up the right side: vectors of the orbit, lifted with constant body momentum, and lifted within the
+    // fibre.
     auto const w = [&](auto const& eta) { return -ad_star(eta, c.mu); };
     Lift<S> const up_eta{c.eta, w(c.eta)}, up_zeta{c.zeta, w(c.zeta)};
-    claim.zero("the lift that keeps the body momentum", model, S(canonical_form(c.mu, up_eta, up_zeta) - orbit_value(c)), scale_of(c), 10);
+    claim.zero("the lift that preserves the body momentum", model, S(canonical_form(c.mu, up_eta, up_zeta) - orbit_value(c)), scale_of(c), 10);
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     auto const fibre = several([&] {
       auto const x = draw.template velocity<S>(group), y = draw.template velocity<S>(group);
@@ -256,14 +260,14 @@ STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
 STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
   claim.corrected(R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
                   R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb L^{-1}T\sigma\,TF\ell\,v\bigr))",
-                  "With the lift that keeps the body momentum, as in (4.9). Lifted within a fibre, as printed, both sides on the right are zero.");
+                  "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as printed, both sides on the right are zero.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
-    auto const U = kept(c.l, c.f, c.eta), V = kept(c.l, c.f, c.zeta);
+    auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
     S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) * (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
     claim.zero("through the canonical form", model, S(canonical_form(c.mu, pushed(lifted(c.l), c.g0, c.g1, U), pushed(lifted(c.l), c.g0, c.g1, V)) - orbit_value(c)), magnified, c.condition);
     claim.zero("through omega_L", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
-    // As printed: g0 held, g1 such that f moves along the leaf.
+    // As printed: g0 held, g1 such that f moves in the leaf.
     auto const within_the_fibre = [&](auto const& eta) {
       Change<S> const w{velocity(group, Vector<S>(Vector<S>::Zero(group.dimension()))), Ad(inverse(c.f), -leaf_vector(c.l, c.f, eta))};
       return w;
@@ -279,17 +283,17 @@ STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
 STATEMENT(claim_4_3_reduced_form_lifts, "the form of a leaf on the images of invariant fields is omega_L on the fields") {
   claim.corrected(R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V \text{ with } u = T\pi_d U,\ v = T\pi_d V)",
                   R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a level of the momentum map of the symmetry})",
-                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ sees these: it is the differential of the momentum map on them. Tangent to its level they do no harm.");
+                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ contracted with a generator is the differential of its momentum, which vanishes on tangent vectors of a level only.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
-    auto const U = kept(c.l, c.f, c.eta), V = kept(c.l, c.f, c.zeta);
+    auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
     S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) * (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
     claim.zero("tangent to the level", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
-    // The level: the body momentum Ad*_{g0} mu does not move along U.
+    // The level: the body momentum Ad*_{g0} mu is constant along U.
     auto const moved_g0 = varied(c.g0, from_left(U.first, c.g0));
     auto const body = Ad_star(moved_g0, -D1(lifted(c.l), moved_g0, varied(c.g1, from_left(U.second, c.g1))));
-    claim.zero("the lift keeps the body momentum", model, rate(body), S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified), c.condition);
-    // As printed: any invariant lifts. Invariant is what moves both places by R(theta_0, theta_1); add generators of right multiplication.
+    claim.zero("the lift preserves the body momentum", model, rate(body), S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified), c.condition);
+    // As printed: any invariant lifts. Invariant is what moves both configurations by R(theta_0, theta_1); add generators of right multiplication.
     auto const gap = several([&] {
       auto const by = draw.template velocity<S>(group);
       Change<S> const W{U.first + Ad(c.g0, by), U.second + Ad(c.g1, by)};
@@ -331,22 +335,23 @@ STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-b
 }
 
 // ----
-// Section 4.3, third part: motions along the square: reconstruction, leaves that are kept, and steps of different lengths.
+// Section 4.3, third part: motions along the square: reconstruction, invariant leaves, and steps of different
+// lengths.
 //
 // Orders are fitted in double, against power series of equations written out by hand (top_in_any_group.hpp).
 
 namespace {
 
-/// Three relative motions, places that have them, and a reduced Lagrangian of which they are a motion.
+/// Three relative motions, configurations that have them, and a reduced Lagrangian of which they are a motion.
 template <class S>
 struct Motion {
-  Places<S> f, g;
+  GroupElements<S> f, g;
   MotionPolynomial<S> l;
 };
 template <class S>
 Motion<S> draw_motion(Draw& draw, SpannedGroup const& group) {
-  auto const f = draw_places<S>(draw, group, 3);
-  return {f, places_right(draw.template element<S>(group), f), with_motions_right(draw_reduced_lagrangian<S>(draw, group), f)};
+  auto const f = draw_configurations<S>(draw, group, 3);
+  return {f, configurations_right(draw.template element<S>(group), f), with_motions_right(draw_reduced_lagrangian<S>(draw, group), f)};
 }
 /// The Casimirs of the dual that are known in closed form: |mu|^2 for rotations; |p|^2 and <turn, p> for motions of space; for GL(2) traces of powers of the matrix of mu.
 template <class S>
@@ -366,12 +371,12 @@ Momentum<SpannedGroup, S> momentum_of(TopInAnyGroup<S> const& top, State<Spanned
 }  // namespace
 
 STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the image of the discrete Euler-Lagrange motion and approximates the Hamiltonian flow") {
-  claim.holds("With (3.14) for the places: the momenta alone do not tell them. The order is that of the discrete Lagrangian, here 2.");
+  claim.holds("With (3.14) for the configurations: the momenta alone do not tell them. The order is that of the discrete Lagrangian, here 2.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     for (int k = 0; k < 2; ++k)
-      claim.zero("the places are a discrete Euler-Lagrange motion", model, discrete_euler_lagrange(lifted(m.l), m.g[k], m.g[k + 1], m.g[k + 2]), momenta_of(m.l, m.f), 10);
-    // Carry the first momentum along, and compare it with the Legendre map of the places.
+      claim.zero("the configurations are a discrete Euler-Lagrange motion", model, discrete_euler_lagrange(lifted(m.l), m.g[k], m.g[k + 1], m.g[k + 2]), momenta_of(m.l, m.f), 10);
+    // Carry the first momentum along, and compare it with the Legendre map of the configurations.
     auto mu = momentum_before_right(m.l, m.f[0]);
     for (int k = 0; k < 3; ++k) {
       // Condition: the momentum has been carried k times.
@@ -388,38 +393,38 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
       auto const exact = top.flow(v, S(by_halves.duration)).first;
       auto const run = [&](int n, double h, bool forwards) {
         auto const l = natural_chart_lagrangian_right(reduced(top), h);
-        auto place = v.place;
+        auto configuration = v.configuration;
         auto mu = momentum_of(top, v);
         auto f = exp(S(-h) * v.velocity);
         for (int k = 0; k < n; ++k) {
           f = relative_motion_from_momentum_right(l, mu, f).value;
           mu = lie_poisson_update_right(f, mu);
-          place = reconstruct_right(place, forwards ? f : inverse(f));
+          configuration = reconstruct_right(configuration, forwards ? f : inverse(f));
         }
-        return std::max(magnitude((place.value - exact.place.value).eval()), size_of(mu - momentum_of(top, exact)));
+        return std::max(magnitude((configuration.value - exact.configuration.value).eval()), size_of(mu - momentum_of(top, exact)));
       };
-      claim.order("place and momentum against the Hamiltonian flow", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
+      claim.order("configuration and momentum against the Hamiltonian flow", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
       claim.refutes_order("reconstructed with f in place of its inverse", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
     }
 }
 
 STATEMENT(claim_4_3_reconstruction_image, "momenta lifted along the quotient map against the image of the unreduced motion") {
-  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the places come by (3.14), and then all momenta of the symmetry are kept.");
+  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the configurations come by (3.14), and then all momenta of the symmetry are conserved.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
-    auto const body = [&](Place<S> const& g, Momentum<SpannedGroup, S> const& mu) { return coadjoint(g, mu); };
+    auto const body = [&](GroupElement<S> const& g, Momentum<SpannedGroup, S> const& mu) { return coadjoint(g, mu); };
     auto g = m.g[0];
     auto const first = body(g, momentum_before_right(m.l, m.f[0]));
     for (int k = 0; k < 3; ++k) {
       auto const mu = momentum_before_right(m.l, m.f[k]);
-      claim.equal("places", model, g, m.g[k], 30);
+      claim.equal("configurations", model, g, m.g[k], 30);
       claim.equal("momentum of the symmetry along the lift", model, body(g, mu), first, 30);
       g = reconstruct_right(g, m.f[k]);
     }
-    // Controls: another place over the same momentum is on no motion with the first; the other side.
+    // Controls: another configuration over the same momentum is on no motion with the first; the other side.
     auto const elsewhere = m.g[1] * draw.template element<S>(group);
     auto const mu1 = momentum_before_right(m.l, m.f[1]);
-    claim.differs("another place over the same momentum", model, body(elsewhere, mu1), first);
+    claim.differs("another configuration over the same momentum", model, body(elsewhere, mu1), first);
     claim.differs("reconstructed with f in place of its inverse", model, body(m.f[0] * m.g[0], mu1), first);
   });
 }
@@ -438,14 +443,14 @@ STATEMENT(claim_4_3_invariant_leaves, "the reduced motion stays on the symplecti
         claim.refutes("Casimirs, pulled back along the Legendre map of another function", model,
                       Vector<S>(casimirs(momentum_before_right(other, m.f[k + 1])) - casimirs(momentum_before_right(other, m.f[k]))), S(size));
       }
-      // The tangent of a step takes vectors of the leaf to vectors of the leaf: the generator moves with the later place. Condition: l'' is inverted.
+      // The tangent of a step takes vectors of the leaf to vectors of the leaf: the generator moves with the later configuration. Condition: l'' is inverted.
       auto const eta = draw.template velocity<S>(group);
       auto const u = leaf_vector(m.l, m.f[k], eta);
       auto const carried = Ad(inverse(m.f[k]), eta - u);
       Matrix<S> const t = euler_poincare_tangent_right(m.l, m.f[k], m.f[k + 1]), a = right_second_differential(m.l, m.f[k + 1]);
       auto const after = leaf_vector(m.l, m.f[k + 1], carried);
       double const condition = to_double(row_norm(a) * row_norm(inverse_matrix(a)));
-      claim.zero("the tangent of a step keeps the leaves", model, Vector<S>(t * u.coordinates - after.coordinates), S(magnitude(t) * size_of(u) + size_of(after)), condition);
+      claim.zero("the tangent of a step preserves the leaves", model, Vector<S>(t * u.coordinates - after.coordinates), S(magnitude(t) * size_of(u) + size_of(after)), condition);
       claim.refutes("with the generator left as it was", model, Vector<S>(t * u.coordinates - leaf_vector(m.l, m.f[k + 1], eta).coordinates), S(size_of(after)), 1e-4);
     }
     // The leaf's tangent space is the image of the bracket: A P = Pi_+ A^-T.
@@ -474,7 +479,7 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
     // Steps of different lengths: the momentum handed over is that of the action.
     S const longer = ratio<S>(2, 7);
     auto const handed = [&](S const& first, S const& second) { return first * left_differential(average, m.f[0]) - second * right_differential(average, m.f[1]); };
-    claim.zero("steps h and h: what one leaves the next takes up", model, handed(h, h), momenta_of(m.l, m.f), 10);
+    claim.zero("steps h and h: the momentum at the end of one is that at the start of the next", model, handed(h, h), momenta_of(m.l, m.f), 10);
     claim.refutes("steps h and 2h, the same average", model, handed(h, longer), momenta_of(m.l, m.f));
   });
   if (claim.fits_orders())
@@ -490,7 +495,7 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
         for (int k = 0; k < n; ++k) {
           double const step = k % 2 == 0 ? 2 * h / 3 : 4 * h / 3;
           auto const l = natural_chart_lagrangian_right(reduced(top), step);
-          if (!with_factor && k > 0) mu = S(step / before) * mu;  // what D_2 of one average leaves is taken up by D_1 of the other
+          if (!with_factor && k > 0) mu = S(step / before) * mu;  // D_2 of one average matches D_1 of the other
           f = relative_motion_from_momentum_right(l, mu, k == 0 ? exp(S(-step) * v.velocity) : f).value;
           mu = lie_poisson_update_right(f, mu);
           before = step;

@@ -1,6 +1,6 @@
 // Section 5.0: the generalised rigid body, its inertia, its Lagrangian.
 //
-// The witness is a body of point masses, which knows nothing of Lambda.
+// The witness is a body of point masses, described without Lambda.
 #include "actio/rigid_body/inertia.hpp"
 #include "bodies.hpp"
 #include "statement.hpp"
@@ -42,7 +42,7 @@ STATEMENT(claim_5_0_inertia_operator, "symmetry and positivity of the generalise
     if (ordered_arithmetic<S>()) claim.fact("positive, one Lambda_i negative", model, lambda(0, 0) < S(0) && quarter_trace(lambda, xi) > S(0));
     // The metric: left translation carries the form, and does not change it.
     auto const k = draw_rotation<S>(draw, group), g = draw_rotation<S>(draw, group);
-    auto const metric = [&](Matrix<S> const& place, Matrix<S> const& rate) { return quarter_trace(lambda, Matrix<S>(place.transpose() * rate)); };
+    auto const metric = [&](Matrix<S> const& configuration, Matrix<S> const& rate) { return quarter_trace(lambda, Matrix<S>(configuration.transpose() * rate)); };
     claim.equal("the metric is left-invariant", model, metric(k * g, k * g * xi), quarter_trace(lambda, xi));
     // Controls: Lambda not symmetric; one sum negative; translation on the right.
     auto const bent = draw_matrix<S>(draw, n, n), j_bent = inertia_operator(bent, xi);
@@ -133,8 +133,8 @@ STATEMENT(eq_5_1, "rigid body Lagrangian as kinetic energy") {
 STATEMENT(claim_5_0_pairing, "pairing used in the rigid body Lagrangian") {
   claim.corrected(R"(\langle\cdot,\cdot\rangle \text{ is the pairing between the Lie group and its dual})",
                   R"(\langle\cdot,\cdot\rangle \text{ is the pairing between the Lie algebra and its dual})",
-                  "A group has no dual. Between elements of the group the same trace is constant and sees no motion. Which pairing of skew matrices it is, "
-                  "print does not say: by $\\mathrm{Tr}(A^TB)$ the factor of (5.1) is right and $\\partial l/\\partial\\xi = \\tfrac12J\\xi$; by half of that "
+                  "A group has no dual. Between elements of the group the same trace is constant and does not depend on the motion. Which pairing of skew matrices it is, "
+                  "the thesis does not say: by $\\mathrm{Tr}(A^TB)$ the factor of (5.1) is right and $\\partial l/\\partial\\xi = \\tfrac12J\\xi$; by half of that "
                   "$\\partial l/\\partial\\xi = J\\xi$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size(), d = group.dimension();

@@ -53,13 +53,13 @@ template <class S>
 S matrix_pairing(Algebra<S> const& xi, Matrix<S> const& j, Algebra<S> const& eta) {
   return 2 * xi.coordinates.dot(j * eta.coordinates);
 }
-/// A Lagrangian that shows the place at which it is evaluated.
+/// A Lagrangian that shows the configuration at which it is evaluated.
 template <class S>
-struct PlaceFunction {
+struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
   T operator()(State<SpannedGroup, T> const& state) const {
-    return contract(w, state.place.value);
+    return contract(w, state.configuration.value);
   }
 };
 /// A matrix applied to a momentum, and its dual.
@@ -71,19 +71,19 @@ Vector<S> dual_of(Matrix<S> const& m, Vector<S> const& mu) {
 }  // namespace
 
 STATEMENT(claim_5_1_base_point, "base point of the chart discretisation, left-invariant case") {
-  claim.holds("The principal root: the place half-way. Left translation has it right where (3.24) has not.");
+  claim.holds("The principal root: the configuration half-way. Left translation has it right where (3.24) has not.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g0 = draw_near(draw, g1), k = draw.template element<S>(group);
     S const h = step_length<S>();
-    auto const base_point = [](Place<S> const& x, Place<S> const& y) { return y * exp(log(inverse(y) * x) / S(2)); };
+    auto const base_point = [](GroupElement<S> const& x, GroupElement<S> const& y) { return y * exp(log(inverse(y) * x) / S(2)); };
     auto const q = base_point(g0, g1);
     claim.equal("(g_k+1^-1 q)^2 = g_k+1^-1 g_k", model, inverse(g1) * q * inverse(g1) * q, inverse(g1) * g0);
     claim.equal("chart by left translation at g_k+1, half of the chart of g_k", model, natural_chart_left(g1, q), natural_chart_left(g1, g0) / S(2));
     claim.equal("as far from g_k as from g_k+1", model, natural_chart_left(g0, q), -natural_chart_left(g1, q));
-    claim.equal("the same with the two places exchanged", model, base_point(g1, g0), q);
-    claim.equal("moves along on the left", model, base_point(k * g0, k * g1), k * q);
-    PlaceFunction<S> const place{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
-    claim.zero("the place at which the library evaluates L", model, S(discretize_left(place, h, at_second)(g0, g1) - h * contract(place.w, q.value)),
+    claim.equal("the same with the two configurations exchanged", model, base_point(g1, g0), q);
+    claim.equal("equivariant under left translations", model, base_point(k * g0, k * g1), k * q);
+    ConfigurationFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
+    claim.zero("the configuration at which the library evaluates L", model, S(discretize_left(configuration, h, at_second)(g0, g1) - h * contract(configuration.w, q.value)),
                size_of(q));
     if (!exact_arithmetic<S>()) {
       Matrix<S> const quotient = (inverse(g1) * g0).value;
@@ -98,7 +98,7 @@ STATEMENT(claim_5_1_base_point, "base point of the chart discretisation, left-in
 
 STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisation, left-invariant case") {
   claim.corrected(R"(\zeta_{k+1k} = \frac1h\log(g_{k+1}^{-1}g_k))", R"(\zeta_{k+1k} = -\frac1h\log(g_{k+1}^{-1}g_k) = \frac1h\log(g_k^{-1}g_{k+1}))",
-                  "The printed one leads from the later place to the earlier. The kinetic energy is even and does not see it; (5.4) goes with the printed "
+                  "The printed one leads from the later configuration to the earlier. The kinetic energy is even and does not depend on it; (5.4) goes with the printed "
                   "sign.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), g1 = draw_near(draw, g0), k = draw.template element<S>(group);
@@ -165,9 +165,9 @@ STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm"
     auto const g1 = draw.template element<S>(group), g0 = draw_near(draw, g1), k = draw.template element<S>(group);
     S const h = step_length<S>();
     auto const j = draw_inertia<S>(draw, group);
-    auto const l = [&](Place<S> const& f, long factor) { return S(matrix_pairing<S>(log(f), j, log(f)) / (S(factor) * h * h)); };
+    auto const l = [&](GroupElement<S> const& f, long factor) { return S(matrix_pairing<S>(log(f), j, log(f)) / (S(factor) * h * h)); };
     // f from g1 f = g0, by elimination.
-    Place<S> const f{group, solve_linear(g1.value, g0.value, "g1 f = g0")}, other{group, (g0 * inverse(g1)).value};
+    GroupElement<S> const f{group, solve_linear(g1.value, g0.value, "g1 f = g0")}, other{group, (g0 * inverse(g1)).value};
     S const full = discretize_left(left_invariant(KineticEnergy<S>{j}), h, at_second)(k * g0, k * g1) / h;
     claim.equal("L(k g_k, k g_k+1) = <log f, J log f>/(4 h^2)", model, full, l(f, 4));
     claim.equal("the library's is h times it", model, S(natural_chart_lagrangian_left(KineticEnergy<S>{j}, h)(f) / h), l(f, 4));
@@ -188,7 +188,7 @@ STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm"
 
 STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity") {
   claim.convention("With $\\chi$ as (3.26) prints it, $\\chi(\\mathrm{ad})\\,\\mathrm{iex}(-\\mathrm{ad}) = 1$, which is the one that left translation needs, "
-                   "and $\\zeta$ as printed, from the later place to the earlier. With $\\chi$ the inverse of iex "
+                   "and $\\zeta$ as printed, from the later configuration to the earlier. With $\\chi$ the inverse of iex "
                    "the factor $\\mathrm{Ad}^*$ is one too many; with $\\zeta$ the velocity all three signs turn, and as printed the equation would run back in time.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     S const h = step_length<S>();
@@ -198,9 +198,9 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
     Algebra<S> const x0 = h * z0, x1 = h * z1;
     auto const iex_of = [](Algebra<S> const& x) { return Matrix<S>(iex(ad_matrix(x))); };
     auto const inverse_of_iex = [&](Algebra<S> const& x) { return Matrix<S>(inverse_matrix(iex_of(x))); };
-    auto const carried = [&](Place<S> const& by) { return Vector<S>(Ad_star(by, momentum(group, Vector<S>(j * z0.coordinates))).components); };
+    auto const carried = [&](GroupElement<S> const& by) { return Vector<S>(Ad_star(by, momentum(group, Vector<S>(j * z0.coordinates))).components); };
     // The right side of (5.4) before J^-1, for any sign of the three arguments; chi with (3.26): the inverse of iex of the opposite argument.
-    auto const right_side = [&](S const& in_iex, S const& in_chi, Place<S> const& by) {
+    auto const right_side = [&](S const& in_iex, S const& in_chi, GroupElement<S> const& by) {
       return dual_of(iex_of(in_iex * x1), dual_of(inverse_of_iex(in_chi * x0), carried(by)));
     };
     S const minus(-1), plus(1);
@@ -210,10 +210,10 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
     auto const residual = euler_poincare_left(natural_chart_lagrangian_left(l, h), exp(x0), exp(x1));
     Vector<S> const expected = dual_of(iex_of(minus * x1), Vector<S>(residual.components));
     S const scale = S(magnitude(j)) * (S(size_of(z0)) + S(size_of(z1)));
-    claim.zero("(5.4), chi(ad) iex(-ad) = 1: what is left is what is left of (3.11)", model, Vector<S>(left_side - right_side(minus, minus, back) - expected),
+    claim.zero("(5.4), chi(ad) iex(-ad) = 1: its residual is that of (3.11)", model, Vector<S>(left_side - right_side(minus, minus, back) - expected),
                scale, 10);  // iex is inverted
     claim.zero("chi iex = 1, without Ad*", model, Vector<S>(left_side - right_side(minus, plus, none) - expected), scale, 10);
-    // Controls: chi the inverse of iex with Ad* as printed; Ad* of the other place; Ad* left out; iex of the other sign; the same with zeta the velocity.
+    // Controls: chi the inverse of iex with Ad* as printed; Ad* of the other configuration; Ad* left out; iex of the other sign; the same with zeta the velocity.
     claim.refutes("chi iex = 1, with Ad*", model, Vector<S>(left_side - right_side(minus, plus, back) - expected), scale);
     claim.refutes("Ad* of exp(+h zeta)", model, Vector<S>(left_side - right_side(minus, minus, on) - expected), scale);
     claim.refutes("Ad* left out", model, Vector<S>(left_side - right_side(minus, minus, none) - expected), scale);
@@ -231,7 +231,7 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
       auto const j = draw_inertia<S>(draw, group);
       auto const x0 = draw.template velocity<S>(group, ratio<S>(1, 2));
       auto const x1 = step_algebra_euler_poincare_left(KineticEnergy<S>{j}, h, x0).value;
-      auto const solved = [&](Algebra<S> const& at, Place<S> const& by) {
+      auto const solved = [&](Algebra<S> const& at, GroupElement<S> const& by) {
         Vector<S> const mu = dual_of(Matrix<S>(inverse_matrix(iex(ad_matrix(-x0)))),
                                      Vector<S>(Ad_star(by, momentum(group, Vector<S>(j * x0.coordinates))).components));
         return Vector<S>(solve_linear(j, dual_of(Matrix<S>(iex(ad_matrix(-at))), mu)) / h);

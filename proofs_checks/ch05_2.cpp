@@ -47,14 +47,14 @@ template <class S>
 S other_side(Matrix<S> const& lambda, Matrix<S> const& x, Matrix<S> const& y) {
   return trace_of(x, Matrix<S>(lambda * y));
 }
-/// The curve's place and its body velocity at t.
+/// The curve's configuration and its body velocity at t.
 template <class Curve, class S>
 std::pair<Matrix<S>, Matrix<S>> place_and_body_velocity(Curve const& curve, S const& t) {
   Dual<S> time(t);
   time.part[0] = S(1);
-  auto const moving_place = curve(time);
-  Matrix<S> const g = matrix_values(moving_place.value);
-  return {g, g.transpose() * matrix_rates(moving_place.value)};
+  auto const moving_element = curve(time);
+  Matrix<S> const g = matrix_values(moving_element.value);
+  return {g, g.transpose() * matrix_rates(moving_element.value)};
 }
 
 }  // namespace
@@ -83,7 +83,7 @@ STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
     auto const g0 = draw_rotation<S>(draw, group), g1 = draw_rotation<S>(draw, group), k = draw_rotation<S>(draw, group);
     Matrix<S> const d = difference_at_end(g0, g1, h);
     claim.equal("D + D^T = h D^T D", model, Matrix<S>(d + d.transpose()), Matrix<S>(d.transpose() * d * h));
-    claim.equal("as the body sees it: the same for k g_k, k g_k+1", model, difference_at_end(Matrix<S>(k * g0), Matrix<S>(k * g1), h), d);
+    claim.equal("in the body frame: the same for k g_k, k g_k+1", model, difference_at_end(Matrix<S>(k * g0), Matrix<S>(k * g1), h), d);
     // A product of matrices that starts at 1: the derivative of D h at a step of no length is the velocity.
     auto const xi = draw_skew<S>(draw, group);
     Matrix<Dual<S>> const along = g0.template cast<Dual<S>>(), next = varying(g0, Matrix<S>(g0 * xi));
@@ -117,7 +117,7 @@ STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
 }
 
 STATEMENT(claim_5_2_discrete_trace_lagrangian, "discrete Lagrangian obtained from the difference approximation") {
-  claim.holds("The constant left out is $\\mathrm{Tr}\\,\\Lambda/h^2$. The library's carries the factor $h$ and keeps the constant.");
+  claim.holds("The constant left out is $\\mathrm{Tr}\\,\\Lambda/h^2$. The library's has the factor $h$ and the constant.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     S const h = step<S>();
@@ -194,7 +194,7 @@ STATEMENT(claim_5_2_moser_veselov_multiple, "discrete Lagrangian compared with t
     // Controls: the sign, the factor, the other side.
     claim.refutes("1/h^2 times theirs", model, S(change + multiple * (theirs(x, y) - theirs(a, b))), scale);
     claim.refutes("-1/(2 h^2) times theirs", model, S(change - multiple * (theirs(x, y) - theirs(a, b)) / 2), scale);
-    claim.refutes("theirs with the transpose in the first place", model, S(change - multiple * (other_side(lambda, x, y) - other_side(lambda, a, b))), scale);
+    claim.refutes("theirs with the transpose in the first factor", model, S(change - multiple * (other_side(lambda, x, y) - other_side(lambda, a, b))), scale);
   });
 }
 
@@ -227,7 +227,8 @@ STATEMENT(claim_5_2_reduced_trace_lagrangian, "reduced discrete Lagrangian as a 
 // ----
 // Section 5.2, second part: attitudes held on the group by multipliers, the equation of motion with them and without.
 //
-// Off the motions every equation here is an identity between what is left of it and what is left of another; motions are by design (bodies.hpp).
+// Off the motions every equation here is an identity between its residual and that of another; motions are
+// constructed (bodies.hpp).
 
 namespace {
 
@@ -243,7 +244,7 @@ template <class S>
 Matrix<Dual<S>> fixed(Matrix<S> const& m) {
   return m.template cast<Dual<S>>();
 }
-/// How the constrained action of three places changes with the middle one: dual numbers on (5.6), the definition.
+/// How the constrained action of three configurations changes with the middle one: dual numbers on (5.6), the definition.
 template <class S>
 S slope_of_action(Matrix<S> const& lambda, Matrix<S> const& before, Matrix<S> const& at, Matrix<S> const& after, Matrix<S> const& multiplier,
                   Matrix<S> const& change) {
@@ -262,7 +263,7 @@ template <class S>
 S slope_of_trace(Matrix<S> const& lambda, Matrix<S> const& v) {
   return Matrix<S>(v * lambda).trace();
 }
-/// Size of the terms of the equations at a place.
+/// Size of the terms of the equations at a configuration.
 template <class S>
 S pull_of(Matrix<S> const& lambda) {
   return S(magnitude(lambda)) * static_cast<int>(lambda.rows());
@@ -299,11 +300,11 @@ STATEMENT(claim_5_2_skew_multiplier, "skew part of the matrix multiplier") {
 }
 
 STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
-  claim.holds("For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the places varied over all matrices, are those of the "
-              "unconstrained sum varied over the group; each has one symmetric multiplier at each place, $\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
+  claim.holds("For the scaled Lagrangian, without the factor $-1/h^2$. Its stationary sequences, the configurations varied over all matrices, are those of the "
+              "unconstrained sum varied over the group; each has one symmetric multiplier at each configuration, $\\lambda_k = (g_{k+1}+g_{k-1})\\Lambda g_k^T$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
-    // Off the group: the gradient, in all entries, of a sum over four places.
+    // Off the group: the gradient, in all entries, of a sum over four configurations.
     auto const lambda = draw_second_moments<S>(draw, n);
     auto const any = [&] { return draw_matrix<S>(draw, n, n); };
     std::vector<Matrix<S>> const g = {any(), any(), any(), any()};
@@ -327,11 +328,12 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
     for (auto& m : doubled) m *= S(2);
     std::swap(shifted[1], shifted[2]);
     claim.refutes("the constraint without its factor 1/2", model, S(slope - terms(doubled)), scale, 1e-5);
-    claim.refutes("multipliers of the wrong places", model, S(slope - terms(shifted)), scale, 1e-5);
+    claim.refutes("multipliers of the wrong configurations", model, S(slope - terms(shifted)), scale, 1e-5);
 
-    // On the group: what is left of the equations of the unconstrained sum is the skew half of the would-be multiplier.
-    auto const place = [&] { return draw.template element<S>(group); };
-    auto const g0 = place(), g1 = place(), g2 = place();
+    // On the group: the residual of the equations of the unconstrained sum is the skew half of the would-be
+    // multiplier.
+    auto const configuration = [&] { return draw.template element<S>(group); };
+    auto const g0 = configuration(), g1 = configuration(), g2 = configuration();
     Matrix<S> const pull = (g2.value + g0.value) * lambda * g1.value.transpose();
     claim.zero("on the group: the discrete Euler-Lagrange equations", model,
                Vector<S>(discrete_euler_lagrange(ScaledTrace<S>{lambda}, g0, g1, g2).components - components(group, pull)), pull_of(lambda));
@@ -343,21 +345,21 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
     // Along a motion.
     auto const m = draw_body_motion<S>(draw, group);
     Matrix<S> const multiplier = spatial_multiplier(m.lambda, m.before, m.at, m.after);
-    // Condition: Lambda comes from normal equations, refined until what is left is rounding of their terms.
+    // Condition: Lambda comes from normal equations, refined until the residual is rounding of their terms.
     claim.zero("along a motion: stationary among all matrices", model, constrained_stationarity(m.lambda, m.before, m.at, m.after, multiplier),
                pull_of(m.lambda), 10);
     claim.zero("and on the constraint", model, orthogonality(m.at), S(1));
     claim.refutes("the multiplier with the other sign", model, constrained_stationarity(m.lambda, m.before, m.at, m.after, Matrix<S>(-multiplier)),
                   pull_of(m.lambda));
     Matrix<S> const exchanged = spatial_multiplier(m.lambda, m.at, m.before, m.after);
-    claim.refutes("two places exchanged", model, constrained_stationarity(m.lambda, m.at, m.before, m.after, exchanged), pull_of(m.lambda));
+    claim.refutes("two configurations exchanged", model, constrained_stationarity(m.lambda, m.at, m.before, m.after, exchanged), pull_of(m.lambda));
     claim.template refuses<OutsideDomain>("Lambda not symmetric", model, [&] { constrained_action(any(), g, multipliers); });
   });
 }
 
 STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elements") {
   claim.corrected(R"(\bar\lambda_k = g^T\lambda_k g \text{ for all } g \in G)", R"(\bar\lambda_k = g_k^T\lambda_k g_k)",
-                  "With one element, the place itself: the multiplier as the body sees it. All conjugates of $\\lambda_k$ are symmetric, but only this one "
+                  "With one element, the configuration itself: the multiplier in the body frame. All conjugates of $\\lambda_k$ are symmetric, but only this one "
                   "is in the reduced equation, and they are all the same only where $\\lambda_k$ is a multiple of the identity. "
                   "Left multiplication takes the constraint to its conjugate and $\\lambda_k$ with it; $\\bar\\lambda_k$ stays.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
@@ -376,12 +378,12 @@ STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elemen
     Matrix<S> const moved = spatial_multiplier(m.lambda, Matrix<S>(k * m.before), Matrix<S>(k * m.at), Matrix<S>(k * m.after));
     claim.zero("g_k^T lambda_k g_k is the multiplier of the reduced equation", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body),
                pull_of(m.lambda), 10);
-    claim.zero("all places multiplied by k: lambda goes to k lambda k^T", model, Matrix<S>(moved - k * lambda_k * k.transpose()), pull_of(m.lambda), 10);
+    claim.zero("all configurations multiplied by k: lambda goes to k lambda k^T", model, Matrix<S>(moved - k * lambda_k * k.transpose()), pull_of(m.lambda), 10);
     claim.zero("and lambda-bar stays", model, Matrix<S>(body_multiplier(Matrix<S>(k * m.at), moved) - body), pull_of(m.lambda), 10);
     // Controls: other elements of the group, as printed; lambda itself.
     claim.refutes("g^T lambda_k g with another g, as printed", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body_multiplier(g, lambda_k)),
                   pull_of(m.lambda));
-    claim.refutes("with the place after", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body_multiplier(m.after, lambda_k)),
+    claim.refutes("with the configuration after", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, body_multiplier(m.after, lambda_k)),
                   pull_of(m.lambda));
     claim.refutes("lambda_k as it is", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, lambda_k), pull_of(m.lambda));
     claim.refutes("g_k lambda_k g_k^T", model, euler_poincare_with_multiplier(m.lambda, m.f10, m.f21, Matrix<S>(m.at * lambda_k * m.at.transpose())),
@@ -469,8 +471,8 @@ STATEMENT(claim_5_2_dep_with_multiplier, "reduced equation with the symmetric mu
     };
     S const scale = pull_of(lambda) + pull_of(multiplier);
     Matrix<S> const slopes = gradient(multiplier);
-    claim.zero("what is left is the slope of the action, entry by entry", model, Matrix<S>(slopes - left), scale);
-    claim.zero("carried to space: g_k+1 Lambda + g_k-1 Lambda - lambda_k g_k", model,
+    claim.zero("the residual is the derivative of the action, entry by entry", model, Matrix<S>(slopes - left), scale);
+    claim.zero("in the spatial frame: g_k+1 Lambda + g_k-1 Lambda - lambda_k g_k", model,
                Matrix<S>(g1 * left - constrained_stationarity(lambda, g0, g1, g2, multiplier)), scale);
     // Controls: sides of Lambda, signs, transposes.
     Matrix<S> const ft = f21.transpose(), f10t = f10.transpose();
@@ -499,7 +501,7 @@ STATEMENT(eq_5_7, "reduced algorithm on the rotation group without multiplier") 
     // Components are Tr(e_a^T M)/2 of the difference of the sides: it is skew, and (3.11) has one half of it.
     Vector<S> const reduced = euler_poincare_left(ScaledTrace<S>{lambda}, before, after).components;
     auto const in_basis = [&](Matrix<S> const& m) { return Vector<S>(components(group, m) / S(2)); };
-    claim.zero("what is left of (5.7) is what is left of (3.11)", model, Vector<S>(in_basis(sides(lambda, f10, f21)) - reduced), pull_of(lambda));
+    claim.zero("the residual of (5.7) is that of (3.11)", model, Vector<S>(in_basis(sides(lambda, f10, f21)) - reduced), pull_of(lambda));
     claim.zero("the library's, from the equation with a multiplier", model,
                Matrix<S>(euler_poincare_without_multiplier(lambda, f10, f21) - sides(lambda, f10, f21)), pull_of(lambda));
     // Controls: transposes, signs, the two steps.
@@ -521,7 +523,7 @@ STATEMENT(eq_5_7, "reduced algorithm on the rotation group without multiplier") 
       MoserVeselov<Dynamic, S> const scheme(inertia_from_lambda<Dynamic, S>(Vector<S>(lambda.diagonal())), h);
       SO<Dynamic> const& so = scheme.inertia().group;
       Vector<S> const left = scheme.residual({so, f10}, {so, f21}).components;
-      claim.zero("what is left by the scheme of the library, times h", model, Matrix<S>(so.hat(left) * h - sides(lambda, f10, f21)), pull_of(lambda));
+      claim.zero("the residual of the scheme of the library, times h", model, Matrix<S>(so.hat(left) * h - sides(lambda, f10, f21)), pull_of(lambda));
     }
   });
 }
@@ -572,7 +574,7 @@ STATEMENT(eq_5_8, "explicit momentum update on the dual of the rotation algebra"
       claim.zero("the library's update", model, gap(lie_poisson_update_left(motion.f[k], pi), next), S(1), designed);
       // Controls: as printed; the relative motion of the step to come.
       claim.differs("Ad without star, as printed", model, adjoint(inverse(motion.f[k]), as_matrix(pi)), as_matrix(next));
-      claim.differs("carried along by the next relative motion", model, turned(motion.f[k + 1], as_matrix(pi)), as_matrix(next));
+      claim.differs("transported by the next relative motion", model, turned(motion.f[k + 1], as_matrix(pi)), as_matrix(next));
     }
   });
 }
@@ -662,7 +664,8 @@ STATEMENT(thm_5_2_1, "reduced algorithms compared with the Moser-Veselov equatio
   claim.corrected(first_line, first_line_right,
                   "Equivalent to (5.9) with $\\omega_k$ in its first line, at any two relative motions and in any dimension. To (5.9) as printed it is not: that has other motions.");
   over_bodies(claim, [&](int n, auto const& model) {
-    // Off motions too: what is left of the first line, with the second put in, is what is left of (5.7). So one holds exactly where the other does.
+    // Off motions too: the residual of the first line, with the second put in, is that of (5.7). So one holds
+    // exactly where the other does.
     auto const lambda = draw_inertia<S>(draw, n);
     auto const omega = draw_turn<S>(draw, n), next = draw_turn<S>(draw, n), previous = draw_turn<S>(draw, n);
     Matrix<S> const dep = before(lambda, next) - after(lambda, omega);
@@ -722,7 +725,8 @@ STATEMENT(claim_5_2_mv_identifications, "identification of variables between the
     auto const motion = draw_motion<S>(draw, n);
     auto const& g = motion.g;
     TraceLagrangian<S> const l{motion.lambda};
-    // Pi_k belongs to g_k: what the step with f_{k+1,k} takes up. M_k is the second line of (5.9).
+    // Pi_k belongs to g_k: the momentum at the start of the step with f_{k+1,k}. M_k is the second line of
+    // (5.9).
     auto const pi = [&](int k) { return left_differential(l, relative_motion_left(g[k], g[k + 1])); };
     auto const m0 = spatial(motion.lambda, g[0], g[1]);
     auto const pi0 = Ad_star(inverse(g[0]), pi(0));
@@ -750,8 +754,8 @@ STATEMENT(claim_5_2_spatial_momentum, "discrete spatial angular momentum along t
     for (int k = 1; k <= 3; ++k) {
       claim.zero("constant along a motion", model, gap(m(k), m(1)), S(1), designed);
       claim.zero("by attitudes", model, gap(spatial(motion.lambda, g[k - 1], g[k]), m(k)), S(1), designed);
-      claim.zero("the momentum that the step takes up, by differentiation", model, gap(as_matrix(legendre_source(L, g[k - 1], g[k])), m(k)), S(1), designed);
-      claim.zero("and the one that it leaves behind", model, gap(as_matrix(legendre_target(L, g[k - 1], g[k])), m(k)), S(1), designed);
+      claim.zero("the momentum at the start of the step, by differentiation", model, gap(as_matrix(legendre_source(L, g[k - 1], g[k])), m(k)), S(1), designed);
+      claim.zero("and the one at its end", model, gap(as_matrix(legendre_target(L, g[k - 1], g[k])), m(k)), S(1), designed);
     }
     claim.differs("the body momentum is not constant", model, motion.body(2), motion.body(1));
     claim.differs("no motion", model, spatial(motion.lambda, g[2], draw_turn<S>(draw, n)), m(1));
@@ -808,7 +812,8 @@ STATEMENT(claim_5_2_dep_on_group, "spaces on which the two formulations evolve")
       MoserVeselov<Dynamic, S> const scheme(inertia_from_lambda<Dynamic, S>(lambda.diagonal()), h);
       auto pi = draw.template momentum<S>(Turns{n});
       auto f = scheme.relative_motion(pi).value;
-      // The solver leaves 16 epsilon of the largest angle, a part of the step, which the momentum sees divided by h; four steps add up.
+      // The solver leaves 16 epsilon of the largest angle, a part of the step, which is divided by h in the
+      // momentum; four steps add up.
       double const solved = 16;
       for (int k = 0; k < 4; ++k) {
         claim.zero("M_k to omega_k: second line", model, Matrix<S>(before(lambda, f) - h * as_matrix(pi)), S(1), solved);

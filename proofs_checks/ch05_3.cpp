@@ -1,6 +1,7 @@
 // Section 5.3, first part: Casimirs on the dual of the rotation algebra and on the group.
 //
-// Momenta are those of the scaled Lagrangian Tr(f Lambda): h times the physical ones. SO(4) and SO(5) have two Casimirs, and what print says of SO(3) is tried on them too.
+// Momenta are those of the scaled Lagrangian Tr(f Lambda): h times the physical ones. SO(4) and SO(5) have
+// two Casimirs, and what the thesis says of SO(3) is tried on them too.
 
 #include "actio/reduction/discrete_poisson.hpp"
 #include "actio/rigid_body/algebra_poisson.hpp"
@@ -116,15 +117,15 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
     claim.zero("pull-back of |y|^2 at the beginning of the step", model, S(casimirs_before(l, f)[0] - (squares - c)), squares);
     claim.zero("pull-back of |y|^2 at its end", model, S(casimirs_after(l, f)[0] - (squares - c)), squares);
     claim.zero("every Casimir, by both Legendre maps", model, Vector<S>(casimirs_before(l, f) - casimirs_after(l, f)), S(1));
-    // A function on the group that is kept by every motion.
+    // A function on the group that every motion conserves.
     auto const motion = draw_motion<S>(draw, n);
-    auto const kept = [&](int k) { return trace_casimir(motion.lambda, motion.f[k]); };
-    claim.zero("kept by a motion", model, gap(kept(1), kept(0)), S(1), designed);
-    claim.zero("kept by a motion, second step", model, gap(kept(2), kept(0)), S(1), designed);
+    auto const casimir = [&](int k) { return trace_casimir(motion.lambda, motion.f[k]); };
+    claim.zero("conserved by a motion", model, gap(casimir(1), casimir(0)), S(1), designed);
+    claim.zero("conserved by a motion, second step", model, gap(casimir(2), casimir(0)), S(1), designed);
     // Controls: neighbours of the formula.
     S const ff = (f.value * f.value * lambda * lambda).trace();
     claim.refutes("Tr(f f Lambda Lambda) in its place", model, S(casimirs_before(l, f)[0] - (squares - ff)), squares);
-    claim.differs("Tr(f) is not kept", model, S(motion.f[1].value.trace()), S(motion.f[0].value.trace()));
+    claim.differs("Tr(f) is not conserved", model, S(motion.f[1].value.trace()), S(motion.f[0].value.trace()));
   });
 }
 
@@ -180,7 +181,8 @@ STATEMENT(claim_5_3_casimir_property, "bracket of the group Casimir with other f
 }
 
 // ----
-// Section 5.3, second part: what the discrete motion keeps on the group, and the Poisson structure on the rotation algebra.
+// Section 5.3, second part: what the discrete motion conserves on the group, and the Poisson structure on the
+// rotation algebra.
 //
 // Velocities and momenta in the coordinates of so(n), where J is the diagonal matrix of the moments of the planes.
 
@@ -277,7 +279,7 @@ STATEMENT(claim_5_3_algebra_legendre, "Legendre map from the rotation algebra to
 
 STATEMENT(claim_5_3_algebra_casimir, "Casimir on the rotation algebra through an induced metric") {
   claim.corrected(R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual induced by } J)", R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual that } \mathrm{Ad}^* \text{ keeps, } -\tfrac12\mathrm{Tr}(\mu^2))",
-                  "In the metric that J induces on the dual the right side is $\\langle J\\xi, J^{-1}J\\xi\\rangle$, twice the energy: kept by the motion of the body, but no Casimir unless the moments are equal. The formula in coordinates that follows has the right metric.");
+                  "In the metric that J induces on the dual the right side is $\\langle J\\xi, J^{-1}J\\xi\\rangle$, twice the energy: conserved by the motion of the body, but no Casimir unless the moments are equal. The formula in coordinates that follows has the right metric.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, n));

@@ -1,4 +1,4 @@
-// Models for the checks of natural charts: groups whose exponential every scalar can take, base points, moving places.
+// Models for the checks of natural charts: groups whose exponential every scalar can take, base points, moving configurations.
 #pragma once
 
 #include "actio/reduction/natural_chart.hpp"
@@ -7,7 +7,7 @@
 namespace actio::checks {
 
 template <class S>
-using Place = Element<SpannedGroup, S>;
+using GroupElement = Element<SpannedGroup, S>;
 template <class S>
 using Algebra = Velocity<SpannedGroup, S>;
 
@@ -46,28 +46,29 @@ std::vector<SpannedGroup> const& chart_groups() {
 }
 /// An element of a size such that products of three stay inside the chart; over the rationals the chart has no end.
 template <class S>
-Place<S> draw_small(Draw& draw, SpannedGroup const& group) {
+GroupElement<S> draw_small(Draw& draw, SpannedGroup const& group) {
   return draw.template element<S>(group, exact_arithmetic<S>() ? S(1) : ratio<S>(2, 5));
 }
-/// A place not far from g.
+/// A configuration not far from g.
 template <class S>
-Place<S> draw_near(Draw& draw, Place<S> const& g) {
+GroupElement<S> draw_near(Draw& draw, GroupElement<S> const& g) {
   return draw_small<S>(draw, g.group) * g;
 }
 
-/// An arbitrary base point that moves along on the right: c g2. It is on no geodesic from g1 to g2.
+/// An arbitrary base point that is equivariant under right translations: c g2. It is on no geodesic from g1
+/// to g2.
 template <class S>
-auto beside_right(Place<S> c) {
+auto beside_right(GroupElement<S> c) {
   return [c](auto const&, auto const& g2) { return like(g2, c) * g2; };
 }
-/// An arbitrary base point that moves along on the left: g2 c.
+/// An arbitrary base point that is equivariant under left translations: g2 c.
 template <class S>
-auto beside_left(Place<S> c) {
+auto beside_left(GroupElement<S> c) {
   return [c](auto const&, auto const& g2) { return g2 * like(g2, c); };
 }
-/// A base point that stays where it is, wherever the places are.
+/// A base point that stays where it is, wherever the configurations are.
 template <class S>
-auto staying_at(Place<S> c) {
+auto staying_at(GroupElement<S> c) {
   return [c](auto const&, auto const& g2) { return like(g2, c); };
 }
 
@@ -90,9 +91,9 @@ inline std::vector<SpannedGroup> const& order_groups() {
 template <class S>
 struct Curve {
   Algebra<S> a, b, c;
-  Place<S> g0;
+  GroupElement<S> g0;
   template <class T>
-  Place<T> operator()(T const& t) const {
+  GroupElement<T> operator()(T const& t) const {
     return exp(t * over<T>(a)) * exp(t * t * over<T>(b)) * exp(t * t * t * over<T>(c)) * over<T>(g0);
   }
 };
@@ -125,7 +126,7 @@ Algebra<Dual<S>> moving(Algebra<S> const& eta, Algebra<S> const& zeta) {
 }
 /// \f$e^{\epsilon\xi}\f$: the identity, moving off along \f$\xi\f$. Cayley's transform agrees with exp to this order.
 template <class S>
-Place<Dual<S>> moving_along(Algebra<S> const& xi) {
+GroupElement<Dual<S>> moving_along(Algebra<S> const& xi) {
   return retract(moving(S(0) * xi, xi));
 }
 template <class S>
@@ -140,17 +141,17 @@ Matrix<S> rate_part(Matrix<Dual<S>> const& m) {
   for (Index i = 0; i < m.size(); ++i) v(i) = m(i).part[0];
   return v;
 }
-/// Where a moving place is, and its \f$\dot g g^{-1}\f$, as matrices say: no formula for the differential of exp or log enters.
+/// Where a moving configuration is, and its \f$\dot g g^{-1}\f$, as matrices say: no formula for the differential of exp or log enters.
 template <class S>
-State<SpannedGroup, S> state_of(Place<Dual<S>> const& moving_place) {
-  auto const& group = moving_place.group;
-  Place<S> const g{group, value_part<S>(moving_place.value)};
-  Matrix<S> const velocity = rate_part<S>(moving_place.value) * inverse_matrix(g.value);
+State<SpannedGroup, S> state_of(GroupElement<Dual<S>> const& moving_element) {
+  auto const& group = moving_element.group;
+  GroupElement<S> const g{group, value_part<S>(moving_element.value)};
+  Matrix<S> const velocity = rate_part<S>(moving_element.value) * inverse_matrix(g.value);
   return {g, {group, group.vee(velocity)}};
 }
 /// \f$(\psi_g^{-1})_*\f$ at \f$\eta\f$, of \f$\zeta\f$: (3.20) to the letter, the push-forward by dual numbers.
 template <class S>
-State<SpannedGroup, S> push_forward(Place<S> const& g, Algebra<S> const& eta, Algebra<S> const& zeta) {
+State<SpannedGroup, S> push_forward(GroupElement<S> const& g, Algebra<S> const& eta, Algebra<S> const& zeta) {
   return state_of(exp(moving(eta, zeta)) * over<Dual<S>>(g));
 }
 

@@ -13,8 +13,8 @@ template <class S>
 auto chart_right(Element<SpannedGroup, S> const& h) {
   return [h](auto const& q) {
     using T = typename std::decay_t<decltype(q)>::Scalar;
-    Matrix<T> const turn = cayley(h.group.hat(q)), place = h.value.template cast<T>();
-    return Element<SpannedGroup, T>{h.group, turn * place};
+    Matrix<T> const turn = cayley(h.group.hat(q)), configuration = h.value.template cast<T>();
+    return Element<SpannedGroup, T>{h.group, turn * configuration};
   };
 }
 /// The chart r -> k cayley(r).
@@ -22,8 +22,8 @@ template <class S>
 auto chart_left(Element<SpannedGroup, S> const& k) {
   return [k](auto const& r) {
     using T = typename std::decay_t<decltype(r)>::Scalar;
-    Matrix<T> const turn = cayley(k.group.hat(r)), place = k.value.template cast<T>();
-    return Element<SpannedGroup, T>{k.group, place * turn};
+    Matrix<T> const turn = cayley(k.group.hat(r)), configuration = k.value.template cast<T>();
+    return Element<SpannedGroup, T>{k.group, configuration * turn};
   };
 }
 /// The coordinates of an element in `chart_left(k)`.
@@ -64,16 +64,16 @@ Matrix<T> matrix_values(Matrix<Dual<T>> const& x) {
 template <class Chart, class T>
 State<SpannedGroup, T> state_in(Chart const& chart, Vector<T> const& q, Vector<T> const& v) {
   auto const g = chart(moving(q, v));
-  Matrix<T> const place = matrix_values(g.value), xi = matrix_rates(g.value) * inverse_matrix(place);
-  return {{g.group, place}, {g.group, g.group.vee(xi)}};
+  Matrix<T> const configuration = matrix_values(g.value), xi = matrix_rates(g.value) * inverse_matrix(configuration);
+  return {{g.group, configuration}, {g.group, g.group.vee(xi)}};
 }
 /// xi' of the curve with coordinates (q, v, a).
 template <class Chart, class T>
 Velocity<SpannedGroup, T> acceleration_in(Chart const& chart, Vector<T> const& q, Vector<T> const& v, Vector<T> const& a) {
   auto const state = state_in(chart, moving(q, v), moving(v, a));
-  return {state.place.group, rates(state.velocity.coordinates)};
+  return {state.configuration.group, rates(state.velocity.coordinates)};
 }
-/// Columns: how the element moves when a coordinate does, carried to the identity on the right.
+/// Columns: how the element moves when a coordinate does, translated to the identity on the right.
 template <class Chart, class T>
 Matrix<T> frame(Chart const& chart, Vector<T> const& q) {
   int const n = static_cast<int>(q.size());

@@ -61,7 +61,7 @@ struct Record {
 };
 
 /// Numbers a quantity is made of: a scalar, a matrix, a velocity, a momentum, an element.
-template <Field S>
+template <Scalar S>
 Base<S> size_of(S const& x) {
   return magnitude(x);
 }
@@ -69,19 +69,19 @@ template <MatrixLike M>
 auto size_of(M const& m) {
   return magnitude(m);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Base<S> size_of(Velocity<G, S> const& x) {
   return magnitude(x.coordinates);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Base<S> size_of(Momentum<G, S> const& x) {
   return magnitude(x.components);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Base<S> size_of(Element<G, S> const& x) {
   return magnitude(x.value);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> operator-(Element<G, S> const& a, Element<G, S> const& b) {
   return {a.group, a.value - b.value};
 }
@@ -122,7 +122,7 @@ class AnyClaim {
   void corrected(std::string_view printed, std::string_view right, std::string_view note);
   /// Fixes scope only, nothing to compute.
   void scope(std::string_view note);
-  /// The slip may be the scan's: text recognition loses stars, inverses and signs.
+  /// The slip may be the scan's: text recognition drops stars, inverses and signs.
   void maybe_scan();
 
   // Evidence that is no residual.
@@ -134,7 +134,7 @@ class AnyClaim {
   void refutes_order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double claimed);
   /// A fact that is no residual: true or the check fails. For controls that are refusals, say so with `refuses`.
   void fact(std::string_view what, std::string_view model, bool truth);
-  /// Control: the call throws `E`, which it does not with the hypothesis kept.
+  /// Control: the call throws `E`, which it does not under the hypothesis.
   template <class E, class Call>
   void refuses(std::string_view what, std::string_view model, Call const& call) {
     try {
@@ -205,7 +205,7 @@ class Claim : public AnyClaim {
  private:
   template <class L, class R>
   static auto difference(L const& left, R const& right) {
-    if constexpr (Field<L>)
+    if constexpr (Scalar<L>)
       return S(left - right);
     else if constexpr (requires { left.eval(); })
       return (left - right).eval();

@@ -31,7 +31,7 @@ struct ExactMotions {
     return q;
   }
   template <class T>
-  Element<SpannedGroup, T> place(Vector<T> const& q) const {
+  Element<SpannedGroup, T> configuration(Vector<T> const& q) const {
     Matrix<T> m = Matrix<T>::Identity(group.matrix_size(), group.matrix_size());
     for (std::size_t i = 0; i < entries.size(); ++i) m(entries[i].first, entries[i].second) = q[i];
     return {group, m};
@@ -50,11 +50,11 @@ struct ExactMotions {
   }
   /// The chart of straight coordinates.
   auto chart() const {
-    return [self = *this](auto const& u) { return self.place(self.bent(u)); };
+    return [self = *this](auto const& u) { return self.configuration(self.bent(u)); };
   }
   /// The chart of entries.
   auto entry_chart() const {
-    return [self = *this](auto const& q) { return self.place(q); };
+    return [self = *this](auto const& q) { return self.configuration(q); };
   }
 
   // The Lagrangian: in straight coordinates, in entries, on TG.
@@ -72,7 +72,7 @@ struct ExactMotions {
   }
   template <class T>
   T operator()(State<SpannedGroup, T> const& state) const {
-    Matrix<T> const g = state.place.value, rate = group.hat(state.velocity.coordinates) * g;
+    Matrix<T> const g = state.configuration.value, rate = group.hat(state.velocity.coordinates) * g;
     return in_entries(read(g), read(rate));
   }
 
@@ -81,7 +81,7 @@ struct ExactMotions {
   /// (u, u') of a state.
   template <class T>
   std::pair<Vector<T>, Vector<T>> straight_state(State<SpannedGroup, T> const& state) const {
-    Matrix<T> const g = state.place.value, rate = group.hat(state.velocity.coordinates) * g;
+    Matrix<T> const g = state.configuration.value, rate = group.hat(state.velocity.coordinates) * g;
     auto const u = straight(moving(read(g), read(rate)));
     return {values(u), rates(u)};
   }
@@ -98,10 +98,10 @@ struct ExactMotions {
     return [self = *this, u = u, v = v](auto const& t) {
       using T = std::decay_t<decltype(t)>;
       Vector<T> const x = u.template cast<T>() + v.template cast<T>() * t + self.fall.template cast<T>() * (t * t / 2);
-      return self.place(self.bent(x));
+      return self.configuration(self.bent(x));
     };
   }
-  /// The generator of u -> u + e d, carried to the identity on the right.
+  /// The generator of u -> u + e d, translated to the identity on the right.
   auto shift(Vector<S> const& d) const {
     return [self = *this, d](auto const& g) {
       using T = typename std::decay_t<decltype(g)>::Scalar;
@@ -166,7 +166,7 @@ auto draw_polynomial_curve(Draw& draw, ExactMotions<S> const& m) {
   Vector<S> const q1 = draw_vector<S>(draw, n) * ratio<S>(1, 4), q2 = draw_vector<S>(draw, n) * ratio<S>(1, 4);
   return [=](auto const& t) {
     using T = std::decay_t<decltype(t)>;
-    return m.place(Vector<T>(q0.template cast<T>() + (q1.template cast<T>() + q2.template cast<T>() * t) * t));
+    return m.configuration(Vector<T>(q0.template cast<T>() + (q1.template cast<T>() + q2.template cast<T>() * t) * t));
   };
 }
 /// Directions of the entries, a polynomial in t, with zeros at a and b where `fixed`.
@@ -184,7 +184,7 @@ template <class S, class Curve, class Direction>
 auto shifted(ExactMotions<S> const& m, Curve const& curve, Direction const& direction) {
   return [=](auto const& epsilon, auto const& t) {
     using T = std::decay_t<decltype(t)>;
-    return m.place(Vector<T>(m.read(Matrix<T>(curve(t).value)) + direction(t) * epsilon));
+    return m.configuration(Vector<T>(m.read(Matrix<T>(curve(t).value)) + direction(t) * epsilon));
   };
 }
 

@@ -85,7 +85,8 @@ Matrix<S> as_matrix(BodyMomentum<S> const& mu) {
   return mu.group.hat(mu.components);
 }
 
-/// \f$\ell(f) = \mathrm{Tr}(f\Lambda)\f$, scaled as in print: the physical one is -1/h of it, up to a constant.
+/// \f$\ell(f) = \mathrm{Tr}(f\Lambda)\f$, scaled as in the thesis: the physical one is -1/h of it, up to a
+/// constant.
 template <class S>
 struct TraceLagrangian {
   Matrix<S> lambda;
@@ -99,8 +100,9 @@ struct TraceLagrangian {
     return sum;
   }
 };
-/// Another discrete Lagrangian of the same body, by Cayley's chart in place of the logarithm: \f$\ell(f) = \tfrac12\xi^TA\xi\f$ with \f$f = \mathrm{cay}(\xi)\f$. A control: it keeps
-/// the Casimirs of its own bracket and nothing else.
+/// Another discrete Lagrangian of the same body, by Cayley's chart in place of the logarithm:
+/// \f$\ell(f) = \tfrac12\xi^TA\xi\f$ with \f$f = \mathrm{cay}(\xi)\f$. A control: it preserves the Casimirs
+/// of its own bracket and nothing else.
 template <class S>
 struct ChartLagrangian {
   Matrix<S> a;

@@ -1,4 +1,4 @@
-// Groupoids for the checks of section 4.1: pairs of places, groups and their opposites, a group with a vector it carries, a gauge groupoid; and functions on their arrows.
+// Groupoids for the checks of section 4.1: pairs of configurations, groups and their opposites, a group with a vector it carries, a gauge groupoid; and functions on their arrows.
 #pragma once
 
 #include "actio/groupoid/action_groupoid.hpp"

@@ -33,7 +33,7 @@ struct Refinement {
 /// Half a unit of time in 32, 64, ..., 1024 steps: for second order.
 inline Refinement const by_halves{0.5, {32, 64, 128, 256, 512, 1024}};
 
-/// The velocity \f$\dot gg^{-1}\f$ as a Lagrangian sees it, no matter where.
+/// The velocity \f$\dot gg^{-1}\f$ in a Lagrangian, at any configuration.
 template <class L>
 auto reduced(L const& lagrangian) {
   return [lagrangian](auto const& xi) {

@@ -3,7 +3,7 @@
 // All groups are one type (SpannedGroup), so a check is compiled once and runs over all of them. All functions are polynomials
 // in the entries of matrices, so every check that needs no root runs over a prime field and the rationals, where its residual must be exactly zero.
 //
-// A check that needs a discrete motion does not solve for one: it draws the places, and changes the Lagrangian by terms linear in new
+// A check that needs a discrete motion does not solve for one: it draws the configurations, and changes the Lagrangian by terms linear in new
 // coefficients until they are a motion of it (`with_motion_*`). That works at every scalar, and no solver is on trial.
 #pragma once
 
@@ -78,7 +78,7 @@ struct GroupPolynomial {
     return sum + first * first * first * T(kappa) + first * second * second * T(lambda);
   }
 };
-/// A function on pairs: a polynomial in both places, invariant under nothing: \f$\tfrac12\sum_k\langle W_k, g_1-g_0\rangle^2 + \langle A, g_0\rangle\langle B, g_1\rangle + \langle C, g_1\rangle\langle D, g_1\rangle^2 + \sum_a c_a\langle\Phi_a, g_0\rangle\langle\Psi_a, g_1\rangle\f$.
+/// A function on pairs: a polynomial in both configurations, invariant under nothing: \f$\tfrac12\sum_k\langle W_k, g_1-g_0\rangle^2 + \langle A, g_0\rangle\langle B, g_1\rangle + \langle C, g_1\rangle\langle D, g_1\rangle^2 + \sum_a c_a\langle\Phi_a, g_0\rangle\langle\Psi_a, g_1\rangle\f$.
 template <class S>
 struct PairPolynomial {
   std::vector<Matrix<S>> squares;
@@ -137,7 +137,7 @@ struct StatePolynomial {
 
   template <class T>
   T operator()(State<SpannedGroup, T> const& state) const {
-    Matrix<T> const g = state.place.value;
+    Matrix<T> const g = state.configuration.value;
     T along(0);
     for (Index i = 0; i < v.size(); ++i) along += state.velocity.coordinates[i] * T(v[i]);
     T const well = contract(w, g);
@@ -158,7 +158,7 @@ template <class S>
 Vector<S> draw_vector(Draw& draw, int n) {
   return draw_matrix<S>(draw, n, 1);
 }
-/// Rows that see every direction of the algebra: the basis itself, bent a little, and one more.
+/// Rows that span the dual of the algebra: the basis itself, bent a little, and one more.
 template <class S>
 std::vector<Matrix<S>> draw_squares(Draw& draw, SpannedGroup const& group) {
   int const n = group.matrix_size();

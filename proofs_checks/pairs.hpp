@@ -1,4 +1,4 @@
-// What the checks of section 3.1 share: sequences of places and their variations, tangent vectors to G x G, the exterior derivative of a
+// What the checks of section 3.1 share: sequences of configurations and their variations, tangent vectors to G x G, the exterior derivative of a
 // one-form there, and Lagrangians of which a given sequence is a motion.
 #pragma once
 
@@ -19,17 +19,17 @@ std::vector<SpannedGroup> groups_for_motions(int largest = 4) {
 }
 
 template <class S>
-using Place = Element<SpannedGroup, S>;
+using GroupElement = Element<SpannedGroup, S>;
 template <class S>
-using Places = std::vector<Place<S>>;
+using GroupElements = std::vector<GroupElement<S>>;
 template <class S>
 using Variations = std::vector<Velocity<SpannedGroup, S>>;
 template <class S>
 using Change = PairChange<SpannedGroup, S>;
 
 template <class S>
-Places<S> draw_places(Draw& draw, SpannedGroup const& group, int count, std::type_identity_t<S> const& size = S(1)) {
-  Places<S> g;
+GroupElements<S> draw_configurations(Draw& draw, SpannedGroup const& group, int count, std::type_identity_t<S> const& size = S(1)) {
+  GroupElements<S> g;
   for (int k = 0; k < count; ++k) g.push_back(draw.template element<S>(group, size));
   return g;
 }
@@ -62,14 +62,14 @@ Velocity<SpannedGroup, S> rest(SpannedGroup const& group) {
 
 /// \f$(1 + \epsilon\vartheta)\,g\f$, written entry by entry.
 template <class S>
-Place<Dual<S>> nudged(Place<S> const& g, Velocity<SpannedGroup, S> const& theta) {
-  Place<Dual<S>> moved = over<Dual<S>>(g);
+GroupElement<Dual<S>> nudged(GroupElement<S> const& g, Velocity<SpannedGroup, S> const& theta) {
+  GroupElement<Dual<S>> moved = over<Dual<S>>(g);
   Matrix<S> const rate = g.group.hat(theta.coordinates) * g.value;
   for (Index i = 0; i < rate.rows(); ++i)
     for (Index j = 0; j < rate.cols(); ++j) moved.value(i, j).part[0] = rate(i, j);
   return moved;
 }
-/// The covector that sees nothing.
+/// The covector zero.
 template <class S>
 Momentum<SpannedGroup, S> zero_momentum(SpannedGroup const& group) {
   return {group, Vector<S>::Zero(group.dimension())};
@@ -83,36 +83,36 @@ auto sum_over_pairs(Lagrangian const& L, Sequence const& g, int first, int last)
   return sum;
 }
 
-/// The place and the velocity of a curve at the instant at which its parameter is a dual number.
+/// The configuration and the velocity of a curve at the instant at which its parameter is a dual number.
 template <class S>
-State<SpannedGroup, S> state_of(Place<Dual<S>> const& q) {
+State<SpannedGroup, S> state_of(GroupElement<Dual<S>> const& q) {
   int const n = q.group.matrix_size();
-  Matrix<S> place(n, n), change(n, n);
+  Matrix<S> configuration(n, n), change(n, n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) place(i, j) = q.value(i, j).value, change(i, j) = q.value(i, j).part[0];
-  Place<S> const g{q.group, place};
+    for (int j = 0; j < n; ++j) configuration(i, j) = q.value(i, j).value, change(i, j) = q.value(i, j).part[0];
+  GroupElement<S> const g{q.group, configuration};
   return {g, {q.group, q.group.vee(Matrix<S>(change * inverse(g).value))}};
 }
 
-/// A discretization that knows no origin: Cayley's chart at the place itself. Place half-way, velocity c/h with retract(c) = g1 g0^-1.
+/// A discretization that knows no origin: Cayley's chart at the configuration itself. Configuration half-way, velocity c/h with retract(c) = g1 g0^-1.
 template <class Lagrangian, class S>
-auto discretize_at_the_place(Lagrangian L, S h) {
+auto discretize_at_the_configuration(Lagrangian L, S h) {
   return [=](auto const& g0, auto const& g1) {
     using T = typename std::decay_t<decltype(g0)>::Scalar;
     Velocity<SpannedGroup, T> const c{g0.group, g0.group.vee(inverse_cayley((g1 * inverse(g0)).value))};
     return L(State<SpannedGroup, T>{retract(c / T(2)) * g0, c / T(h)}) * T(h);
   };
 }
-/// How a function of a sequence of places changes along variations of them.
+/// How a function of a sequence of configurations changes along variations of them.
 template <class S, class F>
-S rate(Places<S> const& g, Variations<S> const& theta, F const& f) {
-  Places<Dual<S>> moved;
+S rate(GroupElements<S> const& g, Variations<S> const& theta, F const& f) {
+  GroupElements<Dual<S>> moved;
   for (std::size_t k = 0; k < g.size(); ++k) moved.push_back(nudged(g[k], theta[k]));
   return f(moved).part[0];
 }
-/// The differential of a function of a sequence of places: its components at every place, one after the other.
+/// The differential of a function of a sequence of configurations: its components at every configuration, one after the other.
 template <class S, class F>
-Vector<S> differential(Places<S> const& g, F const& f) {
+Vector<S> differential(GroupElements<S> const& g, F const& f) {
   int const d = g[0].group.dimension(), count = static_cast<int>(g.size());
   Vector<S> all(d * count);
   for (int k = 0; k < count; ++k)
@@ -138,7 +138,7 @@ double condition_of(Matrix<S> const& m) {
 }
 /// By how much the tangent of the flow into (g1, g2) magnifies rounding: the condition of the linear system that it solves.
 template <class S, class Lagrangian>
-double flow_condition(Lagrangian const& L, Place<S> const& g1, Place<S> const& g2) {
+double flow_condition(Lagrangian const& L, GroupElement<S> const& g1, GroupElement<S> const& g2) {
   return condition_of<S>(mixed_derivative(L, g1, g2));
 }
 /// The coordinates of the rates of change of a covector over dual numbers.
@@ -149,27 +149,27 @@ Vector<S> rates(Momentum<SpannedGroup, Dual<S>> const& mu) {
   return v;
 }
 
-/// One slot of the surface \f$(s,t)\mapsto\mathrm{retract}(s\,a + t\,b)\,g\f$ along t = 0: the place, and the velocity across, both with their rate in s.
+/// One slot of the surface \f$(s,t)\mapsto\mathrm{retract}(s\,a + t\,b)\,g\f$ along t = 0: the configuration, and the velocity across, both with their rate in s.
 template <class S>
-std::pair<Place<Dual<S>>, Velocity<SpannedGroup, Dual<S>>> along_and_across(Place<S> const& g, Velocity<SpannedGroup, S> const& a,
+std::pair<GroupElement<Dual<S>>, Velocity<SpannedGroup, Dual<S>>> along_and_across(GroupElement<S> const& g, Velocity<SpannedGroup, S> const& a,
                                                                            Velocity<SpannedGroup, S> const& b) {
   using D = Dual<S>;
   using DD = Dual<D>;
   int const n = g.group.dimension(), size = g.group.matrix_size();
   Vector<DD> v = Vector<DD>::Zero(n);
   for (int i = 0; i < n; ++i) v[i].value.part[0] = a.coordinates[i], v[i].part[0] = D(b.coordinates[i]);
-  Place<DD> const moved = retract(Velocity<SpannedGroup, DD>{g.group, v}) * over<DD>(g);
-  Place<D> place = over<D>(g);
+  GroupElement<DD> const moved = retract(Velocity<SpannedGroup, DD>{g.group, v}) * over<DD>(g);
+  GroupElement<D> configuration = over<D>(g);
   Matrix<D> across(size, size);
   for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) place.value(i, j) = moved.value(i, j).value, across(i, j) = moved.value(i, j).part[0];
-  return {place, {g.group, g.group.vee(Matrix<D>(across * inverse(place).value))}};
+    for (int j = 0; j < size; ++j) configuration.value(i, j) = moved.value(i, j).value, across(i, j) = moved.value(i, j).part[0];
+  return {configuration, {g.group, g.group.vee(Matrix<D>(across * inverse(configuration).value))}};
 }
 /// The exterior derivative of a one-form on G x G at (g0, g1), on two tangent vectors: \f$d\alpha(a, b) = \partial_s\,\alpha(\partial_t) - \partial_t\,\alpha(\partial_s)\f$ on a surface
 /// with these tangents. Needs no commutator of fields, so no convention about brackets enters.
 /// @param form  (g0, g1, change) -> number, at every scalar
 template <class S, class Form>
-S exterior_derivative(Form const& form, Place<S> const& g0, Place<S> const& g1, Change<S> const& a, Change<S> const& b) {
+S exterior_derivative(Form const& form, GroupElement<S> const& g0, GroupElement<S> const& g1, Change<S> const& a, Change<S> const& b) {
   auto const half = [&](Change<S> const& u, Change<S> const& v) {
     auto const [p0, across0] = along_and_across(g0, u.first, v.first);
     auto const [p1, across1] = along_and_across(g1, u.second, v.second);
@@ -178,13 +178,14 @@ S exterior_derivative(Form const& form, Place<S> const& g0, Place<S> const& g1, 
   return half(a, b) - half(b, a);
 }
 
-/// A Lagrangian with terms added, linear in new coefficients, until `wrap` of it satisfies (3.2) at every place of `g` between its ends.
+/// A Lagrangian with terms added, linear in new coefficients, until `wrap` of it satisfies (3.2) at every configuration of `g` between its ends.
 ///
 /// @param l     a PairPolynomial (wrap: \ref as_it_is) or a GroupPolynomial (wrap: lift to pairs)
 template <class S, class Polynomial, class Wrap>
-Polynomial with_motion_along(Polynomial l, Places<S> const& g, Draw& draw, Wrap const& wrap) {
+Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw, Wrap const& wrap) {
   int const d = g[0].group.dimension(), n = g[0].group.matrix_size(), inner = static_cast<int>(g.size()) - 2;
-  // Over the rationals as many terms as equations. Where numbers are rounded twice as many and the least of their coefficients, which keeps them small.
+  // Over the rationals as many terms as equations. Where numbers are rounded twice as many and the least of
+  // their coefficients, so that they are small.
   int const terms = (exact_arithmetic<S>() ? 1 : 2) * d * inner;
   l.phi.clear(), l.psi.clear();
   for (int k = 0; k < 2 * d * inner; ++k) l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
@@ -206,7 +207,7 @@ Polynomial with_motion_along(Polynomial l, Places<S> const& g, Draw& draw, Wrap 
   if (exact_arithmetic<S>()) {
     l.correction = -solve_linear(columns, left, "with_motion_along");
   } else {
-    // The normal equations square the condition: twice again on what is left.
+    // The normal equations square the condition: twice again for the residual.
     Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
     for (int pass = 0; pass < 3; ++pass) l.correction -= transposed * solve_linear(square, equations(l), "with_motion_along");
   }
@@ -225,15 +226,15 @@ AlgebraPolynomial<S> draw_regular_algebra_polynomial(Draw& draw, SpannedGroup co
 }
 /// A general Lagrangian on pairs of which the sequence is a motion.
 template <class S>
-PairPolynomial<S> draw_with_motion(Draw& draw, Places<S> const& g) {
+PairPolynomial<S> draw_with_motion(Draw& draw, GroupElements<S> const& g) {
   return with_motion_along(draw_pair_polynomial<S>(draw, g[0].group), g, draw, as_it_is);
 }
 template <class S>
-auto draw_right_invariant_with_motion(Draw& draw, Places<S> const& g) {
+auto draw_right_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
   return lift_right(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, from_right));
 }
 template <class S>
-auto draw_left_invariant_with_motion(Draw& draw, Places<S> const& g) {
+auto draw_left_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
   return lift_left(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, from_left));
 }
 

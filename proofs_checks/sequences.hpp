@@ -1,4 +1,4 @@
-// Sequences of places and of relative motions, their variations, and motions of more than one step: for the checks of section 3.2.
+// Sequences of configurations and of relative motions, their variations, and motions of more than one step: for the checks of section 3.2.
 #pragma once
 
 #include <utility>
@@ -10,9 +10,9 @@
 namespace actio::checks {
 
 template <class S>
-using Place = Element<SpannedGroup, S>;
+using GroupElement = Element<SpannedGroup, S>;
 template <class S>
-using Places = std::vector<Place<S>>;
+using GroupElements = std::vector<GroupElement<S>>;
 
 /// Groups for checks of several steps: over the rationals four of them, since numbers grow long with each step.
 template <class S>
@@ -30,14 +30,14 @@ std::vector<SpannedGroup> const& groups_for_squares() {
   return numbers_grow() ? short_ones : all;
 }
 
-/// `count` places, or relative motions, at random.
+/// `count` configurations, or relative motions, at random.
 template <class S>
-Places<S> draw_places(Draw& draw, SpannedGroup const& group, int count, S const& size = ratio<S>(1, 2)) {
-  Places<S> places;
-  for (int k = 0; k < count; ++k) places.push_back(draw.element<S>(group, size));
-  return places;
+GroupElements<S> draw_configurations(Draw& draw, SpannedGroup const& group, int count, S const& size = ratio<S>(1, 2)) {
+  GroupElements<S> configurations;
+  for (int k = 0; k < count; ++k) configurations.push_back(draw.element<S>(group, size));
+  return configurations;
 }
-/// One velocity for each place: how it varies, \f$\vartheta_k = \delta g_k g_k^{-1}\f$ or \f$g_k^{-1}\delta g_k\f$. Nothing varies at the ends.
+/// One velocity for each configuration: how it varies, \f$\vartheta_k = \delta g_k g_k^{-1}\f$ or \f$g_k^{-1}\delta g_k\f$. Nothing varies at the ends.
 template <class S>
 std::vector<Velocity<SpannedGroup, S>> draw_variations(Draw& draw, SpannedGroup const& group, int count) {
   std::vector<Velocity<SpannedGroup, S>> theta;
@@ -47,7 +47,7 @@ std::vector<Velocity<SpannedGroup, S>> draw_variations(Draw& draw, SpannedGroup 
 
 /// The curve \f$g + \epsilon\,\delta g\f$, to first order; `change` is a matrix.
 template <class S>
-Place<Dual<S>> varied(Place<S> const& g, Matrix<S> const& change) {
+GroupElement<Dual<S>> varied(GroupElement<S> const& g, Matrix<S> const& change) {
   Matrix<Dual<S>> value = g.value.template cast<Dual<S>>();
   for (Index i = 0; i < value.rows(); ++i)
     for (Index j = 0; j < value.cols(); ++j) value(i, j).part[0] = change(i, j);
@@ -59,16 +59,16 @@ Matrix<S> matrix_of(Velocity<SpannedGroup, S> const& theta) {
   return theta.group.hat(theta.coordinates);
 }
 template <class S>
-Matrix<S> from_left(Velocity<SpannedGroup, S> const& theta, Place<S> const& g) {
+Matrix<S> from_left(Velocity<SpannedGroup, S> const& theta, GroupElement<S> const& g) {
   return matrix_of(theta) * g.value;
 }
 template <class S>
-Matrix<S> from_right(Place<S> const& g, Velocity<SpannedGroup, S> const& theta) {
+Matrix<S> from_right(GroupElement<S> const& g, Velocity<SpannedGroup, S> const& theta) {
   return g.value * matrix_of(theta);
 }
 /// What \f$\epsilon\f$ multiplies.
 template <class S>
-Matrix<S> rate(Place<Dual<S>> const& g) {
+Matrix<S> rate(GroupElement<Dual<S>> const& g) {
   Matrix<S> m(g.value.rows(), g.value.cols());
   for (Index i = 0; i < m.rows(); ++i)
     for (Index j = 0; j < m.cols(); ++j) m(i, j) = g.value(i, j).part[0];
@@ -76,14 +76,14 @@ Matrix<S> rate(Place<Dual<S>> const& g) {
 }
 /// \f$l'(f)\cdot v\f$ for a tangent vector given as a matrix: the definition, with no translation in it.
 template <class S, class F>
-S slope(F const& l, Place<S> const& f, Matrix<S> const& v) {
+S slope(F const& l, GroupElement<S> const& f, Matrix<S> const& v) {
   return l(varied(f, v)).part[0];
 }
 
-/// The relative motions of a sequence of places, \f$g_kg_{k+1}^{-1}\f$, each found from \f$f\,g_{k+1} = g_k\f$ by elimination.
+/// The relative motions of a sequence of configurations, \f$g_kg_{k+1}^{-1}\f$, each found from \f$f\,g_{k+1} = g_k\f$ by elimination.
 template <class S>
-Places<S> relative_motions_right(Places<S> const& g) {
-  Places<S> f;
+GroupElements<S> relative_motions_right(GroupElements<S> const& g) {
+  GroupElements<S> f;
   for (std::size_t k = 0; k + 1 < g.size(); ++k) {
     Matrix<S> const transposed = solve_linear(g[k + 1].value.transpose().eval(), g[k].value.transpose().eval(), "f g1 = g0");
     f.push_back({g[k].group, transposed.transpose()});
@@ -92,21 +92,21 @@ Places<S> relative_motions_right(Places<S> const& g) {
 }
 /// \f$g_{k+1}^{-1}g_k\f$, found from \f$g_{k+1}f = g_k\f$.
 template <class S>
-Places<S> relative_motions_left(Places<S> const& g) {
-  Places<S> f;
+GroupElements<S> relative_motions_left(GroupElements<S> const& g) {
+  GroupElements<S> f;
   for (std::size_t k = 0; k + 1 < g.size(); ++k) f.push_back({g[k].group, solve_linear(g[k + 1].value, g[k].value, "g1 f = g0")});
   return f;
 }
-/// Places from the first one and the relative motions, by \f$f\,g_{k+1} = g_k\f$ or \f$g_{k+1}f = g_k\f$.
+/// Configurations from the first one and the relative motions, by \f$f\,g_{k+1} = g_k\f$ or \f$g_{k+1}f = g_k\f$.
 template <class S>
-Places<S> places_right(Place<S> const& g0, Places<S> const& f) {
-  Places<S> g{g0};
+GroupElements<S> configurations_right(GroupElement<S> const& g0, GroupElements<S> const& f) {
+  GroupElements<S> g{g0};
   for (auto const& step : f) g.push_back({g0.group, solve_linear(step.value, g.back().value, "f g1 = g0")});
   return g;
 }
 template <class S>
-Places<S> places_left(Place<S> const& g0, Places<S> const& f) {
-  Places<S> g{g0};
+GroupElements<S> configurations_left(GroupElement<S> const& g0, GroupElements<S> const& f) {
+  GroupElements<S> g{g0};
   for (auto const& step : f) {
     Matrix<S> const transposed = solve_linear(step.value.transpose().eval(), g.back().value.transpose().eval(), "g1 f = g0");
     g.push_back({g0.group, transposed.transpose()});
@@ -114,16 +114,17 @@ Places<S> places_left(Place<S> const& g0, Places<S> const& f) {
   return g;
 }
 
-/// A function of pairs that sees only \f$g_0g_1^{-1}\f$, or only \f$g_1^{-1}g_0\f$, found by elimination: not through the library's quotient. One type for both sides:
-/// such functions are differentiated twice and thrice, and each type would be compiled on its own.
+/// A function of pairs that depends on \f$g_0g_1^{-1}\f$ only, or on \f$g_1^{-1}g_0\f$ only, found by
+/// elimination: not through the library's quotient. One type for both sides: such functions are
+/// differentiated twice and thrice, and each type would be compiled on its own.
 template <class F>
 struct Lifted {
   enum class Side { right, left };
   F l;
   Side side;
   template <class T>
-  T operator()(Place<T> const& g0, Place<T> const& g1) const {
-    Places<T> const g{g0, g1};
+  T operator()(GroupElement<T> const& g0, GroupElement<T> const& g1) const {
+    GroupElements<T> const g{g0, g1};
     return l((side == Side::right ? relative_motions_right(g) : relative_motions_left(g)).front());
   }
 };
@@ -137,7 +138,7 @@ Lifted<F> lifted_left(F const& l) {
 }
 /// \f$\mathrm{Ad}^*_g\mu\f$ written out: the coefficients of \f$g e_a g^{-1}\f$ in the basis, by Gram's system, weighted with mu.
 template <class S>
-Momentum<SpannedGroup, S> coadjoint(Place<S> const& g, Momentum<SpannedGroup, S> const& mu) {
+Momentum<SpannedGroup, S> coadjoint(GroupElement<S> const& g, Momentum<SpannedGroup, S> const& mu) {
   int const d = g.group.dimension();
   Matrix<S> gram(d, d), products(d, d);
   auto const basis = [&](int a) { return matrix_of(basis_velocity<S>(g.group, a)); };
@@ -147,11 +148,12 @@ Momentum<SpannedGroup, S> coadjoint(Place<S> const& g, Momentum<SpannedGroup, S>
   }
   return momentum(g.group, Vector<S>(solve_linear(gram, products).transpose() * mu.components));
 }
-/// Whether the basis of the algebra is orthonormal for a metric that Ad keeps: there a lost star does not show.
+/// Whether the basis of the algebra is orthonormal for an Ad-invariant metric: there a missing star makes no
+/// difference.
 inline bool has_invariant_metric(std::string const& model) { return model == "SO(3)" || model == "SO(4)" || model == "SU(2)"; }
 /// A sum of reduced Lagrangians over a sequence.
 template <class F, class S>
-S reduced_sum(F const& l, Places<S> const& f) {
+S reduced_sum(F const& l, GroupElements<S> const& f) {
   S sum(0);
   for (auto const& step : f) sum += l(step);
   return sum;
@@ -161,7 +163,7 @@ S reduced_sum(F const& l, Places<S> const& f) {
 template <class Call>
 auto several(Call const& call) {
   using Value = std::decay_t<decltype(call())>;
-  if constexpr (Field<Value>) {
+  if constexpr (Scalar<Value>) {
     Vector<Value> values(5);
     for (int i = 0; i < 5; ++i) values[i] = call();
     return values;
@@ -183,7 +185,7 @@ Vector<S> column(Velocity<SpannedGroup, S> const& xi) {
 }
 /// Matrices below each other.
 template <class S>
-Matrix<S> stacked(std::vector<Place<S>> const& parts) {
+Matrix<S> stacked(std::vector<GroupElement<S>> const& parts) {
   int const n = parts.front().group.matrix_size();
   Matrix<S> all(n * static_cast<int>(parts.size()), n);
   for (std::size_t k = 0; k < parts.size(); ++k) all.middleRows(static_cast<int>(k) * n, n) = parts[k].value;
@@ -205,9 +207,10 @@ Vector<S> stacked(std::vector<Momentum<SpannedGroup, S>> const& parts) {
   return all;
 }
 
-/// What is left of (3.10), written with matrices, at every inner place of a sequence of relative motions.
+/// The residual of (3.10), written with matrices, at every inner configuration of a sequence of relative
+/// motions.
 template <class F, class S>
-Vector<S> reduced_residual_right(F const& l, Places<S> const& f) {
+Vector<S> reduced_residual_right(F const& l, GroupElements<S> const& f) {
   auto const& group = f.front().group;
   int const d = group.dimension();
   Vector<S> all(d * (static_cast<int>(f.size()) - 1));
@@ -220,7 +223,7 @@ Vector<S> reduced_residual_right(F const& l, Places<S> const& f) {
 }
 /// The same for (3.11).
 template <class F, class S>
-Vector<S> reduced_residual_left(F const& l, Places<S> const& f) {
+Vector<S> reduced_residual_left(F const& l, GroupElements<S> const& f) {
   auto const& group = f.front().group;
   int const d = group.dimension();
   Vector<S> all(d * (static_cast<int>(f.size()) - 1));
@@ -233,7 +236,7 @@ Vector<S> reduced_residual_left(F const& l, Places<S> const& f) {
 }
 /// Size of the momenta along a sequence.
 template <class F, class S>
-Base<S> momenta_of(F const& l, Places<S> const& f) {
+Base<S> momenta_of(F const& l, GroupElements<S> const& f) {
   Base<S> size(0);
   for (auto const& step : f) size += size_of(right_differential(l, step)) + size_of(left_differential(l, step));
   return size;
@@ -244,11 +247,11 @@ Base<S> momenta_of(F const& l, Places<S> const& f) {
 template <class S>
 struct MotionPolynomial {
   GroupPolynomial<S> l;
-  Places<S> f;
+  GroupElements<S> f;
   std::vector<Matrix<S>> c;
 
   template <class T>
-  T operator()(Place<T> const& at) const {
+  T operator()(GroupElement<T> const& at) const {
     T sum = l(at);
     for (std::size_t k = 0; k < c.size(); ++k) {
       T bump = contract(c[k], Matrix<T>(at.value - f[k].value.template cast<T>()));
@@ -274,7 +277,7 @@ MotionPolynomial<S> draw_reduced_lagrangian(Draw& draw, SpannedGroup const& grou
 /// Makes `f` one motion of a Lagrangian near `l`: `residual(l, k)` is the equation that joins f[k-1] and f[k], `tangent(k, a)` the direction at f[k] along which its a-th
 /// component takes the differential. One step after the other, the differential at f[k] is changed until the equation holds.
 template <class S, class Residual, class Tangent>
-MotionPolynomial<S> solved_for(MotionPolynomial<S> const& l, Places<S> const& f, Residual const& residual, Tangent const& tangent) {
+MotionPolynomial<S> solved_for(MotionPolynomial<S> const& l, GroupElements<S> const& f, Residual const& residual, Tangent const& tangent) {
   int const n = f.front().group.matrix_size(), d = f.front().group.dimension();
   MotionPolynomial<S> made{l.l, f, std::vector<Matrix<S>>(f.size(), Matrix<S>::Zero(n, n))};
   for (int k = 1; k < static_cast<int>(f.size()); ++k) {
@@ -289,15 +292,15 @@ MotionPolynomial<S> solved_for(MotionPolynomial<S> const& l, Places<S> const& f,
 }
 /// A reduced Lagrangian that has the given relative motions as one motion, right- or left-invariant.
 template <class S>
-MotionPolynomial<S> with_motions_right(MotionPolynomial<S> const& l, Places<S> const& f) {
+MotionPolynomial<S> with_motions_right(MotionPolynomial<S> const& l, GroupElements<S> const& f) {
   return solved_for(
-      l, f, [&](auto const& k, int i) { return reduced_residual_right(k, Places<S>{f[i - 1], f[i]}); },
+      l, f, [&](auto const& k, int i) { return reduced_residual_right(k, GroupElements<S>{f[i - 1], f[i]}); },
       [&](int i, int a) { return from_left(basis_velocity<S>(f[i].group, a), f[i]); });
 }
 template <class S>
-MotionPolynomial<S> with_motions_left(MotionPolynomial<S> const& l, Places<S> const& f) {
+MotionPolynomial<S> with_motions_left(MotionPolynomial<S> const& l, GroupElements<S> const& f) {
   return solved_for(
-      l, f, [&](auto const& k, int i) { return reduced_residual_left(k, Places<S>{f[i - 1], f[i]}); },
+      l, f, [&](auto const& k, int i) { return reduced_residual_left(k, GroupElements<S>{f[i - 1], f[i]}); },
       [&](int i, int a) { return from_right(f[i], basis_velocity<S>(f[i].group, a)); });
 }
 

@@ -22,7 +22,7 @@ struct TopInAnyGroup {
   T operator()(State<SpannedGroup, T> const& v) const {
     Vector<T> const xi = v.velocity.coordinates;
     Vector<T> const p = a.template cast<T>() * xi / T(2) + b.template cast<T>();
-    return p.dot(xi) - contract(w, Matrix<T>(v.place.value));
+    return p.dot(xi) - contract(w, Matrix<T>(v.configuration.value));
   }
   /// The rates of (entries of g, xi, action): g' = xi g, mu' = -ad*_xi mu - dV, S' = L.
   template <class T>
@@ -48,7 +48,7 @@ struct TopInAnyGroup {
   std::pair<State<SpannedGroup, T>, T> flow(State<SpannedGroup, T> const& v, S const& t) const {
     int const n = group.matrix_size(), d = group.dimension();
     Vector<T> y = Vector<T>::Zero(n * n + d + 1);
-    for (int i = 0; i < n * n; ++i) y[i] = v.place.value(i % n, i / n);
+    for (int i = 0; i < n * n; ++i) y[i] = v.configuration.value(i % n, i / n);
     y.segment(n * n, d) = v.velocity.coordinates;
     y = taylor_reference<T>([this](auto const& z) { return (*this)(z); }, y, T(t));
     Matrix<T> g(n, n);

@@ -1,4 +1,5 @@
-// The implicit midpoint rule, with the attitude by Cayley's map: keeps energy, amount and spatial momentum.
+// The implicit midpoint rule, with the attitude by Cayley's map: conserves energy, amount and spatial
+// momentum.
 //
 //     M' - M = h m x w,   m = (M + M')/2,   w = m/I;        M' is M turned by Cay(-h w), the attitude is turned by Cay(h w).
 #pragma once

@@ -1,7 +1,7 @@
 // Boost.odeint: the Fehlberg pair of orders 7 and 8 and the Dormand-Prince pair of orders 4 and 5, in steps of one length and with step control.
 #pragma once
 
-// The compiler sees copies of steppers whose memory nobody has written to yet, which is as it should be.
+// The compiler warns of copies of steppers whose memory is not yet initialized, which is as it should be.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"

@@ -18,28 +18,28 @@ inline Seven seven(actio::FreeState const& s) {
   return {M[0], M[1], M[2], q[0], q[1], q[2], q[3]};
 }
 
-/// Half turns of one flight, written down as they are.
-inline std::unique_ptr<Stepper> half_turns(actio::FreeBody const& body, actio::Flight<double> const& flight) {
-  using Place = actio::BodyPlace<double>;
+/// Half turns with the same parameters, without compensation.
+inline std::unique_ptr<Stepper> half_turns(actio::FreeBody const& body, actio::StepParameters<double> const& parameters) {
+  using State = actio::FrameState<double>;
   return stepper(
-      body.start(), [turn = actio::HalfTurn<double>(flight)](Place & p) __attribute__((always_inline)) { turn.step(p); },
-      [body](Place const& p) { return seven(body.state(p)); });
+      body.start(), [turn = actio::HalfTurn<double>(parameters)](State & p) __attribute__((always_inline)) { turn.step(p); },
+      [body](State const& p) { return seven(body.state(p)); });
 }
 
 inline Method exact_half_turns() {
   return {"exact half turns", [](Task const& task, double h) {
             auto const body = free_body(task);
-            return half_turns(body, body.flight(h));
+            return half_turns(body, body.step_parameters(h));
           }};
 }
 /// The momentum alone.
 inline Method exact_momentum() {
   return {"exact half turns, momentum alone", [](Task const& task, double h) {
-            using Place = actio::BodyPlace<double>;
+            using State = actio::FrameState<double>;
             auto const body = free_body(task);
             return stepper(
-                body.start(), [turn = actio::HalfTurn<double>(body.flight(h))](Place & p) __attribute__((always_inline)) { turn.step(p.direction); },
-                [body](Place const& p) { return seven(body.state(p)); });
+                body.start(), [turn = actio::HalfTurn<double>(body.step_parameters(h))](State & p) __attribute__((always_inline)) { turn.step(p.direction); },
+                [body](State const& p) { return seven(body.state(p)); });
           }};
 }
 /// As `FreeSteps` goes: compensated, and set back on the orbit now and then.
@@ -60,7 +60,7 @@ inline Method exact_compensated() {
 inline Method moser_veselov_once(int order) {
   return {"Moser-Veselov, order " + std::to_string(order) + ", twist once", [order](Task const& task, double h) {
             auto const body = free_body(task);
-            return half_turns(body, body.moser_veselov_flight(h, order));
+            return half_turns(body, body.moser_veselov_parameters(h, order));
           }};
 }
 
@@ -72,17 +72,17 @@ class TwistEachStep {
     for (int i = 0; i < 3; ++i) J_[i] = 1 / task.I[i];
     amount_ = body.amount();
   }
-  [[gnu::always_inline]] void operator()(actio::BodyPlace<double>& place) const {
-    auto const& u = place.direction;
+  [[gnu::always_inline]] void operator()(actio::FrameState<double>& state) const {
+    auto const& u = state.direction;
     double s = 1, d = 0;
     double const energy = J_[0] * u[0] * u[0] + J_[1] * u[1] * u[1] + J_[2] * u[2] * u[2];
     if (modified_) polynomials_.at(amount_ * amount_, amount_ * amount_ * energy, half_ * half_, s, d);
     double const t = half_ * amount_;
     actio::Three<double> const j{t * (s * J_[0] + d), t * (s * J_[1] + d), t * (s * J_[2] + d)};
     bool found = false;
-    auto const flight = actio::moser_veselov_flight<double>(j, u, found);
+    auto const parameters = actio::moser_veselov_parameters<double>(j, u, found);
     if (!found) throw std::runtime_error("Moser-Veselov: the step is too long");
-    actio::HalfTurn<double>(flight).step(place);
+    actio::HalfTurn<double>(parameters).step(state);
   }
 
  private:
@@ -96,7 +96,7 @@ inline Method moser_veselov_each_step(int order) {
             // The moments of this task are in ascending order, so the axes of the steps are those of the body.
             auto const body = free_body(task);
             return stepper(body.start(), TwistEachStep(body, task, h, order),
-                           [body](actio::BodyPlace<double> const& p) { return seven(body.state(p)); });
+                           [body](actio::FrameState<double> const& p) { return seven(body.state(p)); });
           }};
 }
 

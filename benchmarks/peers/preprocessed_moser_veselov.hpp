@@ -4,9 +4,10 @@
 //
 //     (h/2) M = q0 I q + q x I q,
 //
-// is solved for the unit quaternion (q0, q) of the step by fixed-point iteration, the quaternion being kept at unit length. The polynomials have the
-// degrees 1, 2, 3, 4 in C and H for the orders 4, 6, 8, 10; their coefficients, which depend on the body alone, are worked out
-// here in 50 digits, once, outside of the time that is measured.
+// is solved for the unit quaternion (q0, q) of the step by fixed-point iteration, the quaternion being
+// normalized. The polynomials have the degrees 1, 2, 3, 4 in C and H for the orders 4, 6, 8, 10; their
+// coefficients, which depend on the body alone, are worked out here in 50 digits, once, outside of the time
+// that is measured.
 #pragma once
 
 #include <stdexcept>

@@ -65,7 +65,8 @@ std::array<Exact, count> witness(Task const& task, double time) {
   return out;
 }
 
-/// The same by `taylor_reference` of the library, which knows nothing of this body and takes its time: for short times, to see that both agree.
+/// The same by `taylor_reference` of the library, which is independent of this body and slower: for short
+/// times, to see that both agree.
 inline Exact witness_by_library(Task const& task, double time) {
   using actio::dec50;
   Eigen::Matrix<dec50, 7, 1> y;

@@ -10,18 +10,18 @@
 // Explicit Euler: the whole step with the velocity and acceleration of its beginning.
 template <class G, class S, class Acceleration>
 actio::State<G, S> explicit_euler(Acceleration const& acceleration, actio::State<G, S> const& v, double h) {
-  return {actio::exp(S(h) * v.velocity) * v.place, v.velocity + S(h) * acceleration(v)};
+  return {actio::exp(S(h) * v.velocity) * v.configuration, v.velocity + S(h) * acceleration(v)};
 }
 // The classical Runge-Kutta method, on matrices: with short steps as good as the flow itself.
 template <class G, class S, class Acceleration>
 actio::State<G, S> runge_kutta(Acceleration const& acceleration, actio::State<G, S> const& v, double h) {
   actio::State<G, S> sum = v, stage = v;
   for (int i = 0; i < 4; ++i) {
-    actio::Storage<G, S> const place = v.place.group.hat(stage.velocity.coordinates) * stage.place.value;
+    actio::Storage<G, S> const configuration = v.configuration.group.hat(stage.velocity.coordinates) * stage.configuration.value;
     auto const rate = acceleration(stage);
     S const share(h * (i == 0 || i == 3 ? 1 : 2) / 6), next(i == 2 ? h : h / 2);
-    sum.place.value += place * share, sum.velocity = sum.velocity + share * rate;
-    stage.place.value = v.place.value + place * next, stage.velocity = v.velocity + next * rate;
+    sum.configuration.value += configuration * share, sum.velocity = sum.velocity + share * rate;
+    stage.configuration.value = v.configuration.value + configuration * next, stage.velocity = v.velocity + next * rate;
   }
   return sum;
 }

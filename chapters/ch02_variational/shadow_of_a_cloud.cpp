@@ -16,13 +16,13 @@
 using namespace actio;
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a cloud of nearby states changes its shape and keeps its area; under explicit Euler it grows");
+  book::Program program(argc, argv, "a cloud of nearby states changes its shape and preserves its area; under explicit Euler it grows");
 
   // 1. A pendulum on SO(2), length and gravity 1, its angle counted from below. The cloud is a disc in the plane of angle
   //    and momentum: a rim, whose states carry its tangent, and in it a sunflower's seeds, the same on every machine.
   auto const pendulum = [](auto const& v) {
     auto const& xi = v.velocity.coordinates[0];
-    return xi * xi / 2.0 + v.place.value(0, 0);  // the cosine of the angle
+    return xi * xi / 2.0 + v.configuration.value(0, 0);  // the cosine of the angle
   };
   auto const swing = [&](auto const& v) { return lagrange_acceleration(pendulum, v); };
   auto const at = [](Dual<double> const& r, Dual<double> const& s) {
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
   std::vector<double> angle, above, below;
   for (double q = -3.3; q < 3.3; q += 0.02)
     angle.push_back(q), above.push_back(2 * std::abs(std::cos(q / 2))), below.push_back(-above.back());
-  double kept = 0, grown = 0;
+  double preserved = 0, grown = 0;
   for (bool const flow : {true, false}) {
     auto plot = book::Plot("angle, radians", "momentum").size(700, 450).x_range(-3.3, 3.3).y_range(-2.2, 2.2);
     plot.curve(angle, above, "between swinging and going over", {.colour = 6, .width = 1, .dashed = true});
@@ -51,26 +51,26 @@ int main(int argc, char** argv) {
       for (int step = 0; epoch > 0 && step * h < apart - h / 2; ++step)
         for (auto& v : cloud) v = flow ? runge_kutta(swing, v, h) : explicit_euler(swing, v, h);
       std::vector<double> q, p;
-      for (auto const& v : cloud) q.push_back(log(value_of(v.place)).coordinates[0]), p.push_back(v.velocity.coordinates[0].value);
+      for (auto const& v : cloud) q.push_back(log(value_of(v.configuration)).coordinates[0]), p.push_back(v.velocity.coordinates[0].value);
       plot.dots(std::span(q).subspan(edge), std::span(p).subspan(edge), "", {.colour = epoch + 1, .radius = 1.2});
       q[edge] = q[0], p[edge] = p[0];
       plot.curve(std::span(q).first(edge + 1), std::span(p).first(edge + 1), "time " + book::number(epoch * apart), {.colour = epoch + 1});
       double const change = std::abs(shadows(pendulum, rim(cloud)) / area - 1);
-      (flow ? kept : grown) = std::max(flow ? kept : grown, change);
+      (flow ? preserved : grown) = std::max(flow ? preserved : grown, change);
     }
     program.picture(flow ? "flow" : "euler", plot.svg(),
                     flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is sheared and bent; "
-                           "but every state keeps the room that it had, and the area is the same all the time."
-                         : "The same cloud under explicit Euler with steps of 0.2. It takes up more and more room, and part of it has "
+                           "but the flow preserves the area, which is the same all the time."
+                         : "The same cloud under explicit Euler with steps of 0.2. Its area grows, and part of it has "
                            "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
   }
-  program.figure("kept", kept, "largest change of the area, relative");
+  program.figure("kept", preserved, "largest change of the area, relative");
   program.figure("grown", grown, "the same under explicit Euler");
 
   // 3. What must be so. Runge-Kutta is of order 4.
   double const h = 0.005;
-  program.claim(kept < std::pow(h, 4), "the area of the cloud stays as it is");
+  program.claim(preserved < std::pow(h, 4), "the area of the cloud stays as it is");
   program.claim(grown > 0.4, "under explicit Euler it grows by more than two fifths");
-  program.headline("area of a cloud kept to " + book::number(kept, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", kept);
+  program.headline("area of a cloud preserved to " + book::number(preserved, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", preserved);
   return program.finish();
 }

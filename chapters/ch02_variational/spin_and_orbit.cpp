@@ -19,7 +19,8 @@ using namespace actio;
 using Matrix3d = actio::Matrix<double, 3, 3>;
 using Vector3d = actio::Vector<double, 3>;
 
-// A motion on the reduced road: where the book is and how it turns, as it feels it. Linear, so that Runge-Kutta can add.
+// A motion on the reduced road: where the book is and how it turns, in the body frame. Linear, so that
+// Runge-Kutta can add.
 struct Motion {
   Matrix3d R;
   Vector3d Omega;
@@ -53,21 +54,21 @@ auto body(Vector3d const& w) { return velocity(SO<3>{}, w); }
 auto Pi_of(Motion const& m) { return gradient(l, body(m.Omega)); }
 auto mu_of(Motion const& m) { return Ad_star(inverse(Element<SO<3>, double>{{}, m.R}), Pi_of(m)); }
 
-// 3. Three equations of motion: Euler-Poincaré in the algebra with R carried along; the same with the sign of
-//    right-invariant systems, as a control; and Euler-Lagrange on TG, which knows nothing of a symmetry.
+// 3. Three equations of motion: Euler-Poincaré in the algebra with R reconstructed; the same with the sign of
+//    right-invariant systems, as a control; and Euler-Lagrange on TG, which uses no symmetry.
 Motion reduced(Motion const& m) {
   return {m.R * SO<3>::hat(m.Omega), euler_poincare_acceleration_left(l, body(m.Omega)).coordinates};
 }
 Motion wrong_side(Motion const& m) {
   return {m.R * SO<3>::hat(m.Omega), euler_poincare_acceleration_right(l, body(m.Omega)).coordinates};
 }
-Motion unreduced(Motion const& m) {  // here the velocity is carried to the right, as TG has it
+Motion unreduced(Motion const& m) {  // here the velocity is translated to the identity on the right, as on TG
   State<SO<3>, double> const state{{{}, m.R}, body(m.Omega)};
   return {SO<3>::hat(m.Omega) * m.R, lagrange_acceleration(L, state).coordinates};
 }
 
 // 4. Throw the book with one and the same amount of momentum along many directions, and follow the momentum in the book.
-//    What should be kept, and by how much it is lost at worst, over all throws.
+//    What should be conserved, and its largest change over all throws.
 struct Lost {
   double orbit = 0, energy = 0, space = 0;
 };
@@ -137,7 +138,7 @@ Flip throw_about_middle_axis() {
   return flip;
 }
 
-// The components of the momentum in that throw over time, as the book and as space see them.
+// The components of the momentum in that throw over time, in the body frame and in the spatial frame.
 void show_flip(book::Program& program, Flip const& flip) {
   auto plot = book::Plot("time, s", "component / amount of momentum").size(660, 320).y_range(-1.15, 1.15);
   char const* const names[] = {"book, 1", "book, 2", "book, 3"};
@@ -152,14 +153,15 @@ void show_flip(book::Program& program, Flip const& flip) {
   program.figure("wrong_side", flip.wrong_space, "change of the spatial momentum with the sign of right-invariant systems");
 }
 
-// 7. What must be so. A step loses about (h Omega)^5/120, and all of them may add up; a hundredth off the unstable axis
-//    the place on the curve is a hundred times as sensitive.
+// 7. What must be so. A step has an error of about (h Omega)^5/120, and all of them may add up; a hundredth
+// off the unstable axis
+//    the point on the curve is a hundred times as sensitive.
 void claim_what_must_be_so(book::Program& program, Lost const& off, Flip const& flip) {
   double const allowed = duration / h * std::pow(h * p / I[0], 5) / 120;
   program.claim(off.orbit < allowed && off.energy < allowed, "the momentum stays on its sphere and on its level of the energy");
   program.claim(off.space < allowed, "the spatial momentum is constant");
-  program.claim(flip.apart < 100 * allowed, "Euler-Poincaré with the attitude carried along is the motion of Euler-Lagrange");
-  program.claim(flip.wrong_space > 0.5, "the sign of the other side loses the spatial momentum");
+  program.claim(flip.apart < 100 * allowed, "Euler-Poincaré with the attitude reconstructed is the motion of Euler-Lagrange");
+  program.claim(flip.wrong_space > 0.5, "with the sign of the other side the spatial momentum is not conserved");
   program.claim(flip.lowest < -0.9 * p, "thrown about the middle axis the book turns over");
 }
 
@@ -173,7 +175,7 @@ int main(int argc, char** argv) {
   draw_separatrix(sphere);
   program.picture(
       "orbit", sphere.svg(),
-      "The momentum of a thrown book, as the book sees it: sixteen throws with the same amount of momentum, so all on one sphere, the "
+      "The momentum of a thrown book in the body frame: sixteen throws with the same amount of momentum, so all on one sphere, the "
       "coadjoint orbit. Each follows a level of the energy. Round the height and through the pages the curves close about the axis; "
       "about the middle axis, where the great circles cross, nothing stays near.");
   program.figure("orbit", off.orbit, "largest distance from the sphere, relative");
@@ -184,6 +186,6 @@ int main(int argc, char** argv) {
   show_flip(program, flip);
 
   claim_what_must_be_so(program, off, flip);
-  program.headline("spatial momentum kept to " + book::number(off.space, 2) + ", the wrong side loses it", off.space);
+  program.headline("spatial momentum conserved to " + book::number(off.space, 2) + ", not with the sign of the other side", off.space);
   return program.finish();
 }

@@ -1,4 +1,4 @@
-// Three shadows: what is kept where there are more coordinates than one.
+// Three shadows: what is conserved where there are more coordinates than one.
 //
 // What is shown. A flat body adrift in still water has three coordinates and three momenta, and a thin sheet of its states casts three shadows, one in the
 // plane of each pair: each of them changes, their sum does not. The sum is the integral of the Lagrange one-form round the rim, and that it stays is
@@ -27,12 +27,12 @@ int main(int argc, char** argv) {
     return (0.5 * v[0] * v[0] + v[1] * v[1] + 3.0 * v[2] * v[2]) / 2.0;
   };
   auto const body = left_invariant(l);
-  auto const glide = [&](auto const& v) { return Ad(v.place, euler_poincare_acceleration_left(l, body_velocity(v))); };
+  auto const glide = [&](auto const& v) { return Ad(v.configuration, euler_poincare_acceleration_left(l, body_velocity(v))); };
   auto const adrift = closed_curve(32, [](auto const& s) {
     using S = std::decay_t<decltype(s)>;
     auto const c = cos(s), d = sin(s);
-    Coordinates<SE<2>, S> const place(0.15 * c, 0.15 * d, 0.2 * c), speed(0.6 + 0.15 * d, 1.0 + 0.1 * c, 0.3 - 0.1 * d);
-    auto const g = exp(velocity(SE<2>{}, place));
+    Coordinates<SE<2>, S> const configuration(0.15 * c, 0.15 * d, 0.2 * c), speed(0.6 + 0.15 * d, 1.0 + 0.1 * c, 0.3 - 0.1 * d);
+    auto const g = exp(velocity(SE<2>{}, configuration));
     return State<SE<2>, S>{g, Ad(g, velocity(SE<2>{}, speed))};
   });
 
@@ -41,8 +41,8 @@ int main(int argc, char** argv) {
     double sum = 0;
     for (auto const& v : curve) {
       auto const mu = legendre(body, value_of(v)).components;
-      auto const x = v.place.value(0, 2), y = v.place.value(1, 2);
-      double const turn = change_of(v).place.coordinates[0];
+      auto const x = v.configuration.value(0, 2), y = v.configuration.value(1, 2);
+      double const turn = change_of(v).configuration.coordinates[0];
       sum += which == 0 ? (mu[0] - x.value * mu[2] + y.value * mu[1]) * turn : which == 1 ? mu[1] * x.part[0] : mu[2] * y.part[0];
     }
     return sum;
@@ -79,6 +79,6 @@ int main(int argc, char** argv) {
   program.claim(body_kept < std::pow(5 * h, 4), "the sum of the shadows stays as it is");
   program.claim(body_split < std::pow(5 * h, 4), "the integral of the one-form is the sum of the shadows");
   program.claim(most - least > std::abs(sum_before), "a single shadow changes by more than the sum");
-  program.headline("sum of three shadows kept to " + book::number(body_kept, 2), body_kept);
+  program.headline("sum of three shadows conserved to " + book::number(body_kept, 2), body_kept);
   return program.finish();
 }

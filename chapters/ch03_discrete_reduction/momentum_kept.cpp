@@ -1,9 +1,9 @@
-// Momentum kept: a heavy body on a ball joint, symmetric about the vertical and about nothing else.
+// Momentum conserved: a heavy body on a ball joint, symmetric about the vertical and about nothing else.
 //
 // What is shown. Gravity singles out the vertical, so of all turns of space only those about it are symmetries, and the
 // discrete Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum about the vertical stays what it is,
 // to rounding (discrete Noether, 3.8), at a step so long that the energy is off by a per cent; and the energy, which no
-// theorem keeps, does not run away. Runge-Kutta keeps neither.
+// theorem conserves, does not run away. Runge-Kutta conserves neither.
 // Read first. The section "What a symmetry conserves" of chapter 3.
 //
 //   g        attitude in SO(3), body to space         L       Lagrangian on TG, J
@@ -29,13 +29,13 @@ template <class Lagrangian>
 Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
   Moving sum = v, stage = v;
   for (int i = 0; i < 4; ++i) {
-    Matrix3d const turning = SO<3>::hat(stage.velocity.coordinates) * stage.place.value;
+    Matrix3d const turning = SO<3>::hat(stage.velocity.coordinates) * stage.configuration.value;
     auto const acceleration = lagrange_acceleration(L, stage);
     double const share = h * (i == 0 || i == 3 ? 1 : 2) / 6, next = i == 2 ? h : h / 2;
-    sum.place.value += share * turning, sum.velocity = sum.velocity + share * acceleration;
-    stage.place.value = v.place.value + next * turning, stage.velocity = v.velocity + next * acceleration;
+    sum.configuration.value += share * turning, sum.velocity = sum.velocity + share * acceleration;
+    stage.configuration.value = v.configuration.value + next * turning, stage.velocity = v.velocity + next * acceleration;
   }
-  sum.place = restore(sum.place);
+  sum.configuration = restore(sum.configuration);
   return sum;
 }
 
@@ -44,11 +44,12 @@ double const mass = 0.6, length = 0.4, width = 0.2, thickness = 0.01, gravity = 
 Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass * (length * length / 3 + width * width / 12),
                  mass * (width * width + thickness * thickness) / 12);
 
-// 2. Its Lagrangian on TG: what turns, as the body feels it, less the weight times the height of the middle of the board.
+// 2. Its Lagrangian on TG: the energy of rotation, in the body frame, less the weight times the height of the
+// middle of the board.
 auto const L = [](auto const& v) {
   auto const Omega = body_velocity(v).coordinates;
   return (Omega[0] * Omega[0] * I[0] + Omega[1] * Omega[1] * I[1] + Omega[2] * Omega[2] * I[2]) / 2.0 -
-         v.place.value(2, 2) * (mass * gravity * length / 2);
+         v.configuration.value(2, 2) * (mass * gravity * length / 2);
 };
 double const h = 0.03;
 int const steps = 10000;
@@ -72,14 +73,14 @@ double energy_above_rest(Moving const& v) {
 // What is written down on the way: the largest errors of the momentum so far, the errors of the energy in per cent, and where
 // the long axis points.
 struct Record {
-  std::vector<double> time, kept, lost, energy_kept, energy_lost;
+  std::vector<double> time, discrete, classical, energy_discrete, energy_classical;
   std::vector<Vector3d> trace;
   double discrete_J = 0, classical_J = 0, level_J = 0;
 };
 
 // 4. The first step leaves with the momentum of the start.
 Attitude first_step(Moving const& start) {
-  Attitude const g0 = start.place;
+  Attitude const g0 = start.configuration;
   auto const mu0 = legendre(L, start);
   return solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
 }
@@ -88,7 +89,7 @@ Attitude first_step(Moving const& start) {
 Record follow(Moving const& start) {
   double const J = noether_momentum(L, start, about_vertical), E = energy_above_rest(start);
   auto const energy_error = [&](Moving const& v) { return energy_above_rest(v) / E - 1; };
-  Attitude before = start.place, now = first_step(start);
+  Attitude before = start.configuration, now = first_step(start);
   Moving classical = runge_kutta(L, start, h);
 
   Record r;
@@ -100,8 +101,8 @@ Record follow(Moving const& start) {
     r.discrete_J = std::max(r.discrete_J, std::abs(discrete_momentum(action, before, now, about_vertical) / J - 1));
     r.classical_J = std::max(r.classical_J, std::abs(noether_momentum(L, classical, about_vertical) / J - 1));
     r.level_J = std::max(r.level_J, std::abs(discrete_momentum(action, before, now, about_level) / J));
-    r.time.push_back(k * h), r.kept.push_back(r.discrete_J), r.lost.push_back(r.classical_J);
-    r.energy_kept.push_back(100 * energy_error(arrived)), r.energy_lost.push_back(100 * energy_error(classical));
+    r.time.push_back(k * h), r.discrete.push_back(r.discrete_J), r.classical.push_back(r.classical_J);
+    r.energy_discrete.push_back(100 * energy_error(arrived)), r.energy_classical.push_back(100 * energy_error(classical));
     if (k < 650) r.trace.push_back(now.value.col(2));
 
     Attitude const next = step_euler_lagrange(action, before, now).value;
@@ -118,8 +119,8 @@ void draw(book::Program& program, Record const& r) {
                   "about the vertical, and it is that of another motion: this is the symmetry, and there is no other.");
   program.picture("energy",
                   book::Plot("time, s", "error of the energy, %")
-                      .curve(r.time, r.energy_lost, "Runge-Kutta", {.colour = 2})
-                      .curve(r.time, r.energy_kept, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
+                      .curve(r.time, r.energy_classical, "Runge-Kutta", {.colour = 2})
+                      .curve(r.time, r.energy_discrete, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
                       .svg(),
                   "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes with the swing and does not "
                   "add up; that of Runge-Kutta only grows: the method drives the board.");
@@ -127,8 +128,8 @@ void draw(book::Program& program, Record const& r) {
                   book::Plot("time, s", "largest error so far, relative")
                       .log_y()
                       .size(660, 300)
-                      .curve(r.time, r.lost, "Runge-Kutta", {.colour = 2})
-                      .curve(r.time, r.kept, "discrete Euler-Lagrange", {.colour = 1})
+                      .curve(r.time, r.classical, "Runge-Kutta", {.colour = 2})
+                      .curve(r.time, r.discrete, "discrete Euler-Lagrange", {.colour = 1})
                       .svg(),
                   "The momentum about the vertical over the same steps: rounding on one side, a drift on the other.");
 }
@@ -142,9 +143,9 @@ std::vector<double> tabulate_quarters(book::Program& program, Record const& r) {
       auto const part = std::span(errors).subspan(quarter * steps / 4, steps / 4);
       return std::max(std::ranges::max(part), -std::ranges::min(part));
     };
-    worst.push_back(largest(r.energy_kept));
+    worst.push_back(largest(r.energy_discrete));
     rows.push_back({book::text(quarter * steps / 4 * h, " to ", (quarter + 1) * steps / 4 * h), book::number(worst.back(), 2),
-                    book::number(largest(r.energy_lost), 2)});
+                    book::number(largest(r.energy_classical), 2)});
   }
   program.table("energy", {"seconds", "discrete", "Runge-Kutta"}, rows,
                 "Largest error of the energy in each quarter of the time, in per cent.");
@@ -155,20 +156,20 @@ std::vector<double> tabulate_quarters(book::Program& program, Record const& r) {
 void check(book::Program& program, Record const& r, std::vector<double> const& worst) {
   program.figure("kept", r.discrete_J, "change of the momentum about the vertical, relative");
   program.figure("lost", r.classical_J, "the same by Runge-Kutta");
-  program.figure("level", r.level_J, "change of the momentum about a level axis, which no symmetry keeps, over the vertical one");
-  program.claim(r.discrete_J < steps * 0x1p-52, "the momentum about the vertical is kept to rounding");
+  program.figure("level", r.level_J, "change of the momentum about a level axis, which no symmetry conserves, over the vertical one");
+  program.claim(r.discrete_J < steps * 0x1p-52, "the momentum about the vertical is conserved to rounding");
   program.claim(r.level_J > 1, "that about a level axis is not");
-  program.claim(r.classical_J > 0.01, "Runge-Kutta loses it");
+  program.claim(r.classical_J > 0.01, "Runge-Kutta does not conserve it");
   program.claim(worst[3] < 1.5 * worst[0] && worst[3] < 3, "the error of the energy does not grow, and stays below 3 per cent");
-  program.claim(r.energy_lost.back() > 5 * worst[3], "that of Runge-Kutta does");
+  program.claim(r.energy_classical.back() > 5 * worst[3], "that of Runge-Kutta does");
   program.headline(
-      "vertical momentum kept to " + book::number(r.discrete_J, 2) + "; Runge-Kutta loses " + book::number(100 * r.classical_J, 2) + " % of it",
+      "vertical momentum conserved to " + book::number(r.discrete_J, 2) + "; Runge-Kutta changes it by " + book::number(100 * r.classical_J, 2) + " %",
       r.discrete_J);
 }
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a board hung by one end and thrown round: what its one symmetry keeps, and what happens to the energy");
+                        "a board hung by one end and thrown round: what its one symmetry conserves, and what happens to the energy");
   Record const r = follow(throw_round());
   draw(program, r);
   check(program, r, tabulate_quarters(program, r));

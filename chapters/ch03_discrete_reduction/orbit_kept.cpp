@@ -1,8 +1,9 @@
-// On its coadjoint orbit: what a submarine keeps whatever its energy, over ten thousand steps.
+// On its coadjoint orbit: the Casimir functions of a submarine, over ten thousand steps.
 //
-// What is shown. The momenta of turning and gliding, Pi and P, change all the time as the submarine feels them; |P|^2 and Pi . P do not, because they belong to the
-// coadjoint orbit. The discrete Lie-Poisson update (3.18) carries the momentum along its orbit, whatever the step. Runge-Kutta, which solves Kirchhoff's equations with
-// the same step and more accurately at first, leaves it.
+// What is shown. The momenta of turning and gliding, Pi and P, change all the time in the body frame; |P|^2
+// and Pi . P do not, because they belong to the coadjoint orbit. The discrete Lie-Poisson update (3.18)
+// carries the momentum along its orbit, whatever the step. Runge-Kutta, which solves Kirchhoff's equations
+// with the same step and more accurately at first, leaves it.
 // Read first. The section "Momentum, carried along" of chapter 3, and two_roads_on_se3.
 //
 //   Pi, P    body momenta of turning and of gliding        f     relative motion g1^-1 g0
@@ -53,13 +54,13 @@ int main(int argc, char** argv) {
   auto plot = book::Plot("time, s", "largest error so far, relative").log_y();
   char const* const names[] = {"|P|², discrete Lie-Poisson", "Π·P, discrete Lie-Poisson", "|P|², Runge-Kutta", "Π·P, Runge-Kutta"};
   for (int i = 0; i < 4; ++i) plot.curve(time, curves[i], names[i], {.colour = i / 2 + 1, .dashed = i % 2 == 1});
-  program.picture("casimirs", plot.svg(), "What the coadjoint orbit keeps, over 10 000 steps of 0.2 s.");
+  program.picture("casimirs", plot.svg(), "The Casimir functions of the coadjoint orbit, over 10 000 steps of 0.2 s.");
 
   // 4. What must be so: a rounding error or two a step, which add up at worst.
-  program.claim(discrete.maxCoeff() < 2 * steps * 0x1p-52, "the discrete Lie-Poisson algorithm keeps both to rounding");
+  program.claim(discrete.maxCoeff() < 2 * steps * 0x1p-52, "the discrete Lie-Poisson algorithm conserves both to rounding");
   program.claim(classical.minCoeff() > 1e-4, "Runge-Kutta does not");
   program.figure("kept", discrete.maxCoeff(), "change of |P|^2 and Pi . P under the discrete Lie-Poisson algorithm, relative");
   program.figure("lost", classical.maxCoeff(), "the same under Runge-Kutta");
-  program.headline("|P|² and Π·P kept to " + book::number(discrete.maxCoeff(), 2) + "; Runge-Kutta changes them by " + book::number(100 * classical.maxCoeff(), 2) + " %", discrete.maxCoeff());
+  program.headline("|P|² and Π·P conserved to " + book::number(discrete.maxCoeff(), 2) + "; Runge-Kutta changes them by " + book::number(100 * classical.maxCoeff(), 2) + " %", discrete.maxCoeff());
   return program.finish();
 }

@@ -1,6 +1,7 @@
 // A submarine in still water: an ellipsoid whose inertia the water has a share in, and its motion by Kirchhoff's equations.
 //
-// The water that is pushed aside makes a body heavier sideways than ahead. Coordinates of the algebra of SE(3): turning, then gliding, as the body feels them.
+// The water that is pushed aside makes a body heavier sideways than ahead. Coordinates of the algebra of
+// SE(3): turning, then gliding, in the body frame.
 #pragma once
 
 #include <cmath>
@@ -45,7 +46,7 @@ struct Submarine {
   }
 };
 
-// What Runge-Kutta steps: a place, and how fast it changes as the submarine feels it.
+// What Runge-Kutta steps: a configuration, and its velocity in the body frame.
 struct Motion {
   actio::Matrix<double, 4, 4> g = actio::Matrix<double, 4, 4>::Identity();
   Vector6d xi;

@@ -1,13 +1,13 @@
-// Two roads on SE(3): a submarine in still water, stepped with its place and without it.
+// Two roads on SE(3): a submarine in still water, stepped with its configuration and without it.
 //
 // What is shown. The water takes part in the motion of a body: pushed aside it weighs more than pushed ahead, and so the
 // submarine tumbles without any force. Its energy does not care where it is (Kirchhoff's equations). One road solves the
-// discrete Euler-Lagrange equations (3.2) for places; the other solves (3.11) for relative motions and puts the places
-// together afterwards (3.15). They lead to the same places, and the second is shorter.
+// discrete Euler-Lagrange equations (3.2) for configurations; the other solves (3.11) for relative motions and puts the configurations
+// together afterwards (3.15). They lead to the same configurations, and the second is shorter.
 // Read first. The sections "From pairs to relative motions" and "Nothing is lost" of chapter 3.
 //
-//   g        place in SE(3), body to space            l     Lagrangian on the algebra, J; reduced discrete Lagrangian, J s
-//   f        relative motion g1^-1 g0                 L     discrete Lagrangian on pairs of places, l(g1^-1 g0)
+//   g        configuration in SE(3), body to space            l     Lagrangian on the algebra, J; reduced discrete Lagrangian, J s
+//   f        relative motion g1^-1 g0                 L     discrete Lagrangian on pairs of configurations, l(g1^-1 g0)
 //   xi       turning and gliding                      h     step, s
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/discrete_forms.hpp"
@@ -19,15 +19,15 @@
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
-using Place = Element<SE<3>, double>;
+using Configuration = Element<SE<3>, double>;
 
 SE<3> const space;
 Submarine const energy;
 double const h = 0.2;
 int const steps = 240;
-Place const g0 = identity<double>(space);
+Configuration const g0 = identity<double>(space);
 
-// 1. The submarine (submarine.hpp) is its own Lagrangian; the discrete one comes from a natural chart (3.25), and the same is a function of two places.
+// 1. The submarine (submarine.hpp) is its own Lagrangian; the discrete one comes from a natural chart (3.25), and the same is a function of two configurations.
 auto weigh_and_discretise(book::Program& program) {
   auto const inertia = energy.inertia;
   program.say("the water makes it ", inertia[3] / energy.mass, ", ", inertia[4] / energy.mass, ", ", inertia[5] / energy.mass, " times as heavy, axis by axis");
@@ -35,17 +35,17 @@ auto weigh_and_discretise(book::Program& program) {
   return std::pair{l, lift_left(l)};
 }
 
-// 2. Cast off. The first relative motion takes up this momentum.
+// 2. Cast off. The first step starts with this momentum.
 template <class Reduced>
-Place first_relative_motion(Reduced const& l, double h) {
+Configuration first_relative_motion(Reduced const& l, double h) {
   Vector6d const xi = energy.cast_off;
   auto const cast_off = gradient(energy, velocity(space, xi));
   return relative_motion_from_momentum_left(l, cast_off, exp(velocity(space, Vector6d(-h * xi)))).value;
 }
 
-// What the two roads lead to: the places, the times they took, and how far they are apart, relative.
+// What the two roads lead to: the configurations, the times they took, and how far they are apart, relative.
 struct Roads {
-  std::vector<Place> reduced, unreduced;
+  std::vector<Configuration> reduced, unreduced;
   double reduced_time, unreduced_time, apart;
 };
 
@@ -53,7 +53,7 @@ struct Roads {
 template <class Reduced, class Unreduced>
 Roads take_both_roads(Reduced const& l, Unreduced const& L) {
   auto const f0 = first_relative_motion(l, h);
-  std::vector<Place> reduced{g0, reconstruct_left(g0, f0)}, unreduced = reduced;
+  std::vector<Configuration> reduced{g0, reconstruct_left(g0, f0)}, unreduced = reduced;
   double const reduced_time = book::seconds_of([&] {
     auto f = f0;
     for (int k = 1; k < steps; ++k) {
@@ -69,7 +69,7 @@ Roads take_both_roads(Reduced const& l, Unreduced const& L) {
   return {reduced, unreduced, reduced_time, unreduced_time, apart};
 }
 
-// The section of the submarine across its axis i, at the place g.
+// The section of the submarine across its axis i, at the configuration g.
 std::vector<Vector3d> section_across(int i, Matrix<double, 4, 4> const& g) {
   std::vector<Vector3d> section;
   for (int degree = 0; degree <= 360; degree += 5) {
@@ -123,25 +123,25 @@ double measure_the_order(book::Program& program) {
     orders.push_back({book::number(until / n), book::number(miss)});
   }
   double const order = book::exponent(lengths, misses);
-  program.table("order", {"step, s", "miss, m"}, orders, "Distance of the place after eight seconds from that of the Kirchhoff equations.");
+  program.table("order", {"step, s", "miss, m"}, orders, "Distance of the configuration after eight seconds from that of the Kirchhoff equations.");
   return order;
 }
 
-// 6. What must be so. Rounding of the momentum, 16 times a step, moves the place by its square in the number of steps.
+// 6. What must be so. Rounding of the momentum, 16 times a step, moves the configuration by its square in the number of steps.
 void claim_what_must_be_so(book::Program& program, Roads const& roads, double order) {
   double const epsilon = 0x1p-52;
   program.claim(std::abs(lamb(energy.half_axes).sum() - 2) < 1e3 * epsilon, "Lamb's integrals add up to 2");
-  program.claim(roads.apart < 16.0 * steps * steps * epsilon, "both roads lead to the same places");
+  program.claim(roads.apart < 16.0 * steps * steps * epsilon, "both roads lead to the same configurations");
   program.claim(std::abs(order - 2) < 0.05, "the order is 2");
   program.figure("apart", roads.apart, "distance of the two roads, relative");
   program.figure("cost", roads.unreduced_time / roads.reduced_time, book::number(roads.unreduced_time / roads.reduced_time, 2),
                  "time of the unreduced road over that of the reduced one");
   program.figure("order", order, book::number(order, 3), "order of the reduced steps, fitted");
-  program.headline("both roads end in the same place, to " + book::number(roads.apart, 2), roads.apart);
+  program.headline("both roads end in the same configuration, to " + book::number(roads.apart, 2), roads.apart);
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a submarine tumbles through still water: reduced and unreduced steps lead to the same places");
+  book::Program program(argc, argv, "a submarine tumbles through still water: reduced and unreduced steps lead to the same configurations");
   auto const [l, L] = weigh_and_discretise(program);
   Roads const roads = take_both_roads(l, L);
   draw_the_path(program, roads);

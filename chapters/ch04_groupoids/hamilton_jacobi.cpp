@@ -2,7 +2,7 @@
 //
 // What is shown. The Lie-Poisson Hamilton-Jacobi equation (4.1) of a free body is solved by a series in the step. Its first term is the discrete Lagrangian of the natural
 // chart; each further one is a polynomial in the mean velocity and raises the order of the integrator (4.2), (4.3) by two, at no further equation to solve. However few terms are
-// kept, the momentum stays on its sphere.
+// preserved, the momentum stays on its sphere.
 // Read first. The section "The Hamilton-Jacobi route" of chapter 4.
 //
 //   I      principal moments, kg m^2                      S     generating function, J s

@@ -5,7 +5,7 @@
 // for ever: the length of the momentum never changes. The second rests on an idea, that the field of a spinning body is a sum of three turns about
 // fixed axes, and carries each of them out exactly. Read first. judging_integrators.
 //
-//   Pi     momentum as the body feels it, J s       h      step, s
+//   Pi     momentum in the body frame, J s          h      step, s
 //   I      principal moments of inertia, kg m^2
 #include "actio/groups/rotations.hpp"
 #include "actio/instruments/leaf_defect.hpp"
@@ -63,8 +63,8 @@ int main(int argc, char** argv) {
   program.table("verdicts", {"map", "Poisson", "leaf", "way back"}, {row("back on the sphere", first), row("three turns", second)},
                 "Defects of one step of 0.2 s.");
 
-  // 4. What it comes to: where each of them is after a while. Both have order 2. The true motion goes round one closed curve; the first map loses
-  // energy and winds away from it.
+  // 4. What it comes to: where each of them is after a while. Both have order 2. The true motion goes round
+  // one closed curve; the first map dissipates energy and winds away from it.
   auto const energy = [](auto const& x) { return x.components.cwiseAbs2().cwiseQuotient(Vector3d(4, 6, 8)).sum(); };
   auto sphere = book::Sphere(35, 25).axes({"1", "2", "3"});
   double lost[2] = {0, 0}, worst[2] = {0, 0};
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
   program.claim(first.leaf < rounding && second.leaf < rounding, "both maps stay on the coadjoint orbit");
   program.claim(second.poisson < rounding && second.back < rounding, "the three turns are Poisson and go back the way they came");
   program.claim(first.poisson > rounding && first.back > rounding, "the map that is put back on the sphere does neither");
-  program.claim(std::abs(lost[0]) > 10 * worst[1], "it loses energy, more than ten times what that of the three turns goes up and down by");
+  program.claim(std::abs(lost[0]) > 10 * worst[1], "it dissipates energy, more than ten times what that of the three turns goes up and down by");
   program.headline("on the sphere to " + book::number(first.leaf, 1) + " and not Poisson by " + book::number(first.poisson, 2),
                    first.poisson);
   return program.finish();

@@ -1,12 +1,13 @@
-// Judging integrators: seven ways to step a spinning body, and what each of them keeps.
+// Judging integrators: seven ways to step a spinning body, and what each of them preserves.
 //
 // What is shown. A map is handed to five instruments, which differentiate it with dual numbers and compare what it carries along with what it should
-// have kept: the symplectic form on T*SO(3), the bracket on so(3)*, the coadjoint orbit, the momentum in space, the way back. Three of the maps stay
-// on their orbit to rounding and are still not Poisson: to conserve the orbit is not enough. What comes from a discrete Lagrangian, or from exact
-// flows, is Poisson. Read first. The section "Judging maps" of chapter 4.
+// have preserved: the symplectic form on T*SO(3), the bracket on so(3)*, the coadjoint orbit, the momentum in
+// space, the way back. Three of the maps stay on their orbit to rounding and are still not Poisson: to
+// conserve the orbit is not enough. What comes from a discrete Lagrangian, or from exact flows, is Poisson.
+// Read first. The section "Judging maps" of chapter 4.
 //
-//   Pi     momentum as the body feels it       h      step, s
-//   p      costate: attitude and momentum in space     defects   0 for what is kept, at most 1 where nothing cancels
+//   Pi     momentum in the body frame          h      step, s
+//   p      costate: attitude and momentum in space     defects   0 for what is preserved, at most 1 where nothing cancels
 #include "witness/draw.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/instruments/leaf_defect.hpp"
@@ -26,7 +27,7 @@ constexpr CotangentBundle cotangent_bundle;
 constexpr double h = 0.2;
 
 struct Trial {
-  rivals::FreeBody<SO<3>> body;
+  rivals::DiagonalBody<SO<3>> body;
   std::vector<rivals::Rival<SO<3>>> contestants;
   std::vector<Momentum<SO<3>, double>> momenta;
   std::vector<Costate<SO<3>, double>> costates;
@@ -37,7 +38,7 @@ struct Defects {
 
 // 1. On SO(3): a body with moments 2, 3, 4 kg m^2, and eight momenta of up to 5 J s, each with an attitude.
 Trial eight_motions() {
-  rivals::FreeBody<SO<3>> const body{Vector<double, 3>(2, 3, 4)};
+  rivals::DiagonalBody<SO<3>> const body{Vector<double, 3>(2, 3, 4)};
   Trial trial{body, rivals::on_rotations(body), {}, {}};
   Draw draw(4);
   for (int i = 0; i < 8; ++i) {
@@ -65,14 +66,14 @@ Defects worst_defects(Trial const& trial, rivals::Rival<SO<3>> const& rival) {
           .back = worst(trial.momenta, [&](auto const& x) { return self_adjointness_defect(body_momenta, rival.on_momenta, h, x); })};
 }
 
-// What each map must keep, and what it must not.
+// What each map must preserve, and what it must not.
 void claim_what_it_keeps(book::Program& program, std::string const& name, Defects const& d) {
   bool const classical = name == "Runge-Kutta 4",
              keeps_bracket = name == "Strang splitting" || name == "natural chart" || name == "Moser-Veselov";
   program.claim(keeps_bracket ? d.poisson < rounding && d.symplectic < rounding : d.poisson > rounding && d.symplectic > rounding,
                 name + (keeps_bracket ? " is Poisson" : " is not Poisson"));
   program.claim(classical ? std::min({d.leaf, d.orbit, d.in_space}) > rounding : std::max({d.leaf, d.orbit, d.in_space}) < rounding,
-                name + (classical ? " leaves the orbit" : " keeps the orbit and the momentum in space"));
+                name + (classical ? " leaves the orbit" : " preserves the orbit and conserves the momentum in space"));
   program.claim((name == "Runge-Kutta 4" || name == "Lie-Euler" || name == "Munthe-Kaas 4") == (d.back > rounding),
                 name + ": whether it goes back the way it came");
   program.claim(std::abs(d.order - std::round(d.order)) < 0.15, name + " has the order " + book::number(std::round(d.order)));
@@ -87,7 +88,7 @@ std::pair<std::string, double> judge_all(book::Program& program, Trial const& tr
     rows.push_back({rival.name, book::number(d.order, 2), shown(d.symplectic), shown(d.poisson), shown(d.leaf), shown(d.in_space), shown(d.back)});
     claim_what_it_keeps(program, rival.name, d);
     if (rival.name == "implicit midpoint")
-      headline = {"implicit midpoint keeps the orbit to " + book::number(d.orbit, 1) + " and misses the bracket by " + book::number(d.poisson, 2), d.poisson};
+      headline = {"implicit midpoint preserves the orbit to " + book::number(d.orbit, 1) + " and misses the bracket by " + book::number(d.poisson, 2), d.poisson};
   }
   program.table(
       "rotations", {"map", "order", "symplectic", "Poisson", "leaf", "momentum", "way back"}, rows,
@@ -120,7 +121,7 @@ void let_the_step_grow(book::Program& program, Trial const& trial) {
     program.claim(power > least - 0.2, trial.contestants[i].name + ": the Poisson defect falls at least as fast as the error of a step");
   }
   program.picture("keeping", chart.svg(),
-                  "Each map at steps of 0.025, 0.05, 0.1, 0.2 and 0.4 s, the largest on top. On the left they keep their orbit, at the "
+                  "Each map at steps of 0.025, 0.05, 0.1, 0.2 and 0.4 s, the largest on top. On the left they preserve their orbit, at the "
                   "bottom the bracket. Being on the left does not take a map "
                   "to the bottom: there are the maps that come from a discrete Lagrangian or from exact flows.");
   program.picture("growth", growth.svg(),
@@ -129,7 +130,7 @@ void let_the_step_grow(book::Program& program, Trial const& trial) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "seven maps that step a spinning body, judged by what they keep");
+  book::Program program(argc, argv, "seven maps that step a spinning body, judged by what they preserve");
   auto const trial = eight_motions();
   auto const headline = judge_all(program, trial);
   let_the_step_grow(program, trial);

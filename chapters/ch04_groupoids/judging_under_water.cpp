@@ -1,10 +1,11 @@
 // Judging under water: the same instruments on SE(3), where an orbit is harder to see.
 //
 // What is shown. A body that turns and glides in an ideal fluid has momenta Pi and P (Kirchhoff); its coadjoint orbits have four dimensions in a
-// space of six, and what they keep is |P|^2 and Pi . P. Whether a map stays on its orbit is asked in three ways, two of which know nothing of these
-// functions, and they agree. Again three maps keep the orbit and are not Poisson. Read first. judging_integrators.
+// space of six, and their Casimir functions are |P|^2 and Pi . P. Whether a map stays on its orbit is asked
+// in three ways, two of which do not use these functions, and they agree. Again three maps preserve the orbit
+// and are not Poisson. Read first. judging_integrators.
 //
-//   Pi, P   momenta of turning and of gliding, as the body feels them        h      step, s
+//   Pi, P   momenta of turning and of gliding, in the body frame          h      step, s
 #include "witness/draw.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/instruments/leaf_defect.hpp"
@@ -17,12 +18,12 @@ using rivals::rounding, rivals::shown, rivals::worst;
 using Vector6d = Matrix<double, 6, 1>;
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "six maps that step a body under water, judged by what they keep");
+  book::Program program(argc, argv, "six maps that step a body under water, judged by what they preserve");
   double const h = 0.2;
   constexpr LiePoissonMinus body_momenta;
 
   // 1. A body under water, whose momenta of turning and gliding have two Casimir functions.
-  rivals::FreeBody<SE<3>> const diver{Vector6d{{0.4, 1.5, 1.6, 10, 16, 17}}};
+  rivals::DiagonalBody<SE<3>> const diver{Vector6d{{0.4, 1.5, 1.6, 10, 16, 17}}};
   Draw draw(4);
   std::vector<Momentum<SE<3>, double>> dives;
   for (int i = 0; i < 8; ++i) dives.push_back({{}, Vector6d(diver.inertia.cwiseProduct(draw.velocity<double>(SE<3>{}).coordinates))});
@@ -45,15 +46,15 @@ int main(int argc, char** argv) {
     program.claim(keeps_bracket ? poisson < rounding : poisson > rounding,
                   name + " on SE(3)" + (keeps_bracket ? " is Poisson" : " is not Poisson"));
     program.claim((std::max({leaf, casimirs, orbit}) > rounding) == (name == "Runge-Kutta 4"),
-                  name + " on SE(3): whether it keeps the orbit, asked in three ways");
+                  name + " on SE(3): whether it preserves the orbit, asked in three ways");
     if (name == "implicit midpoint")
       headline = {
-          "implicit midpoint keeps the orbit to " + book::number(orbit, 1) + " and misses the bracket by " + book::number(poisson, 2),
+          "implicit midpoint preserves the orbit to " + book::number(orbit, 1) + " and misses the bracket by " + book::number(poisson, 2),
           poisson};
   }
   program.table("under_water", {"map", "order", "Poisson", "leaf", "Casimirs", "orbit", "way back"}, under_water,
                 "Defects of one step of 0.2 s on SE(3), for a body that glides and turns under water, at their worst over eight motions. "
-                "Three ways to ask whether it keeps its coadjoint orbit: by the direction of the step, by the Casimir functions "
+                "Three ways to ask whether it preserves its coadjoint orbit: by the direction of the step, by the Casimir functions "
                 "|P|² and Π·P, by the distance from the orbit.");
   program.headline(headline.first, headline.second);
   return program.finish();

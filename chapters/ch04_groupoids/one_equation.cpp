@@ -1,9 +1,10 @@
 // One equation, four systems: the Lagrange equations on a groupoid, as one template.
 //
-// What is shown. A pendulum that swings in all directions and a top under gravity, each solved twice by the same function `step_lagrange`: on pairs of places, which is
-// discrete Euler-Lagrange, and on the groupoid that its symmetry leaves: pairs of heights with a turn between them, rotations with the vertical as the top sees it. The
-// two roads agree to rounding; the second knows nothing of where the system points, and its equations are fewer or simpler.
-// Read first. The section "Mechanics on a groupoid" of chapter 4.
+// What is shown. A pendulum that swings in all directions and a top under gravity, each solved twice by the same function `step_lagrange`: on pairs of configurations, which is
+// discrete Euler-Lagrange, and on the groupoid that its symmetry leaves: pairs of heights with a turn between
+// them, rotations with the vertical in the body frame. The two roads agree to rounding; the second does not
+// use the attitude, and its equations are fewer or simpler. Read first. The section "Mechanics on a groupoid"
+// of chapter 4.
 //
 //   theta, phi   angle from the downward vertical, azimuth      R, gamma   attitude of the top, the vertical in its body
 //   h            step, s; every Lagrangian is an action, J s
@@ -20,7 +21,7 @@ using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 double const h = 0.02, gravity = 9.81;
 
-// The pendulum, 1 kg on 1 m: the chord between two places, and the mean of two heights. Only the turn between the azimuths counts.
+// The pendulum, 1 kg on 1 m: the chord between two configurations, and the mean of two heights. Only the turn between the azimuths counts.
 template <class S>
 S pendulum(S const& theta0, S const& theta1, S const& cos_turn) {
   using std::cos, std::sin;
@@ -41,13 +42,13 @@ int main(int argc, char** argv) {
   int const steps = 1500;
 
   // 1. The pendulum on pairs of (theta, phi), and on the gauge groupoid (theta0, theta1, turn).
-  PairGroupoid<Translations<2>> const all_places;
+  PairGroupoid<Translations<2>> const all_pairs;
   GaugeGroupoid<SO<2>> const heights{{}, 1};
   auto const on_pairs = [](auto const& g) {
     using std::cos;
     return pendulum(g.first.value[0], g.second.value[0], cos(g.second.value[1] - g.first.value[1]));
   };
-  auto const on_heights = [](auto const& g) { return pendulum(g.from[0], g.to[0], g.turn.value(0, 0)); };
+  auto const on_heights = [](auto const& g) { return pendulum(g.from[0], g.to[0], g.element.value(0, 0)); };
   using TwoAngles = Element<Translations<2>, double>;
   Arrow<PairGroupoid<Translations<2>>, double> pair{TwoAngles{{}, {1.2, 0.0}}, TwoAngles{{}, {1.2, 0.035}}};
   auto const turn = [](double angle) { return exp(velocity(SO<2>{}, Matrix<double, 1, 1>(angle))); };
@@ -56,9 +57,9 @@ int main(int argc, char** argv) {
   double const spin = legendre_at_target(heights, on_heights, arrow).components[1];
   std::vector<Vector3d> path;
   for (int k = 0; k < steps; ++k) {
-    pair = step_lagrange(all_places, on_pairs, pair, {pair.second, pair.second * inverse(pair.first) * pair.second}).value;
-    arrow = step_lagrange(heights, on_heights, arrow, {arrow.to, 2 * arrow.to - arrow.from, arrow.turn}).value;
-    azimuth += log(arrow.turn).coordinates[0];
+    pair = step_lagrange(all_pairs, on_pairs, pair, {pair.second, pair.second * inverse(pair.first) * pair.second}).value;
+    arrow = step_lagrange(heights, on_heights, arrow, {arrow.to, 2 * arrow.to - arrow.from, arrow.element}).value;
+    azimuth += log(arrow.element).coordinates[0];
     double const theta = arrow.to[0];
     path.push_back({std::sin(theta) * std::cos(azimuth), std::sin(theta) * std::sin(azimuth), -std::cos(theta)});
     apart = std::max(apart, std::abs(theta - pair.second.value[0]) + std::abs(azimuth + 0.035 - pair.second.value[1]));
@@ -76,34 +77,35 @@ int main(int argc, char** argv) {
   };
   auto const on_turns = [&](auto const& g) {
     using S = typename std::decay_t<decltype(g)>::Scalar;
-    return top<S>(g.turn.value, g.vector, Matrix<S, Dynamic, 1>(g.turn.value.transpose() * g.vector));
+    return top<S>(g.element.value, g.vector, Matrix<S, Dynamic, 1>(g.element.value.transpose() * g.vector));
   };
   auto const tilted = exp(velocity(SO<3>{}, Vector3d(0.6, 0, 0))), first = exp(velocity(SO<3>{}, Vector3d(0, 0, 18 * h)));
-  Arrow<PairGroupoid<SO<3>>, double> places{tilted, tilted * first};
+  Arrow<PairGroupoid<SO<3>>, double> configurations{tilted, tilted * first};
   Arrow<ActionGroupoid<SO<3>>, double> turning{first, seen(tilted)};
   double top_apart = 0, vertical_kept = 0;
   auto const vertical = [&] { return legendre_at_target(with_vertical, on_turns, turning).components.dot(with_vertical.target(turning).value); };
   double const start = vertical();
   std::vector<Vector3d> axis;
   for (int k = 0; k < steps; ++k) {
-    places = step_lagrange(attitudes, on_attitudes, places, {places.second, places.second * inverse(places.first) * places.second}).value;
-    turning = step_lagrange(with_vertical, on_turns, turning, {turning.turn, with_vertical.target(turning).value}).value;
-    turning.turn = restore(turning.turn), places.second = restore(places.second);
-    axis.push_back(places.second.value.col(2));
-    top_apart = std::max(top_apart, (seen(places.second) - with_vertical.target(turning).value).norm());
+    configurations = step_lagrange(attitudes, on_attitudes, configurations, {configurations.second, configurations.second * inverse(configurations.first) * configurations.second}).value;
+    turning = step_lagrange(with_vertical, on_turns, turning, {turning.element, with_vertical.target(turning).value}).value;
+    turning.element = restore(turning.element), configurations.second = restore(configurations.second);
+    axis.push_back(configurations.second.value.col(2));
+    top_apart = std::max(top_apart, (seen(configurations.second) - with_vertical.target(turning).value).norm());
     vertical_kept = std::max(vertical_kept, std::abs(vertical() / start - 1));
   }
-  program.picture("top", book::Sphere(20, 25).curve(axis, "axis of the top", {.colour = 2}).svg(), "The axis of the top; its groupoid has rotations, and the vertical as the body sees it.");
+  program.picture("top", book::Sphere(20, 25).curve(axis, "axis of the top", {.colour = 2}).svg(), "The axis of the top; its groupoid has rotations, and the vertical in the body frame.");
 
-  // 3. What must be so: two roads with rounding errors of their own, a thousand steps long; a momentum that each step keeps.
-  program.table("groupoids", {"system", "groupoid", "base", "fibre", "apart from pairs", "momentum kept to"},
+  // 3. What must be so: two roads with rounding errors of their own, a thousand steps long; a momentum that
+  // each step conserves.
+  program.table("groupoids", {"system", "groupoid", "base", "fibre", "apart from pairs", "momentum conserved to"},
                 {{"pendulum", "heights and turns", "1", "2", book::number(apart, 2), book::number(momentum_kept, 2)},
                  {"top", "turns and the vertical", "3", "3", book::number(top_apart, 2), book::number(vertical_kept, 2)}},
                 "Two systems on the groupoids that their symmetry leaves; dimensions of base and fibre.");
   double const rounding = 0x1p-52 * steps;
   program.claim(apart < 1000 * rounding, "the pendulum goes the same way on both groupoids");
   program.claim(top_apart < 1000 * rounding, "and the top");
-  program.claim(momentum_kept < 20 * rounding, "the pendulum keeps its vertical momentum to rounding");
+  program.claim(momentum_kept < 20 * rounding, "the pendulum conserves its vertical momentum to rounding");
   program.claim(vertical_kept < 20 * rounding, "and so does the top");
   program.figure("apart", std::max(apart, top_apart), "distance of the two roads");
   program.figure("kept", std::max(momentum_kept, vertical_kept), "change of the vertical momentum, relative");

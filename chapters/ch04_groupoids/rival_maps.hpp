@@ -1,8 +1,10 @@
 // Maps under judgement: ways to step a free body on a group, our own among them.
 //
-// The body is left-invariant with a diagonal inertia: its momentum, as it feels it, changes by Pi' = ad*_Omega Pi with Omega = Pi/I, on SO(3) by
-// Euler's equations. A rival is a family (h, Pi) -> Pi, written at every scalar. Most of them find a motion k of one step first: the place moves from
-// g to g k and the momentum from Pi to Ad*_k Pi. The same k makes a family (h, p) -> p on T*G, where a costate has the spatial momentum.
+// The body is left-invariant with a diagonal inertia: its momentum, in the body frame, changes by Pi' =
+// ad*_Omega Pi with Omega = Pi/I, on SO(3) by Euler's equations. A rival is a family (h, Pi) -> Pi, written
+// at every scalar. Most of them find a motion k of one step first: the configuration moves from g to g k and
+// the momentum from Pi to Ad*_k Pi. The same k makes a family (h, p) -> p on T*G, where a costate has the
+// spatial momentum.
 #pragma once
 
 #include <functional>
@@ -20,14 +22,14 @@ using namespace actio;
 
 // A body on G and its inertia: kg m^2 of turning, kg of gliding.
 template <Group G>
-struct FreeBody {
+struct DiagonalBody {
   Coordinates<G, double> inertia;
 
-  template <Field S>
+  template <Scalar S>
   Velocity<G, S> velocity(Momentum<G, S> const& pi) const {
     return {pi.group, pi.components.cwiseQuotient(inertia.template cast<S>())};
   }
-  template <Field S>
+  template <Scalar S>
   Momentum<G, S> rate(Momentum<G, S> const& pi) const {
     return ad_star(velocity(pi), pi);
   }
@@ -42,7 +44,7 @@ X runge_kutta_4(Rate const& rate, S const& h, X const& x) {
 
 // The implicit midpoint rule: the new momentum solves Pi1 = Pi0 + h rate((Pi0 + Pi1)/2).
 template <Group G>
-auto midpoint(FreeBody<G> body) {
+auto midpoint(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> const& pi) {
     using Line = Translations<G::dim>;
     auto const residual = [&](auto const& y, auto const& p) {
@@ -59,13 +61,13 @@ auto midpoint(FreeBody<G> body) {
 
 // Lie and Euler: the velocity as it is at the start.
 template <Group G>
-auto lie_euler(FreeBody<G> body) {
+auto lie_euler(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> const& pi) { return exp(h * body.velocity(pi)); };
 }
 
 // Runge-Kutta-Munthe-Kaas, order 4: classical Runge-Kutta for u with k = exp(u), u' = Omega + [u, Omega]/2 + [u, [u, Omega]]/12.
 template <Group G>
-auto munthe_kaas(FreeBody<G> body) {
+auto munthe_kaas(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> const& pi) {
     auto const rate = [&](Velocity<G, S> const& u) {
       auto const omega = body.velocity(Ad_star(exp(u), pi)), twist = bracket(u, omega);
@@ -78,7 +80,7 @@ auto munthe_kaas(FreeBody<G> body) {
 // Strang's splitting: the flow of each Pi_a^2/(2 I_a) is a turn (or a shift) at constant speed; half a step of each forwards, half a step of each
 // backwards.
 template <Group G>
-auto strang_splitting(FreeBody<G> body) {
+auto strang_splitting(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> pi) {
     auto k = identity<S>(pi.group);
     int const n = pi.group.dimension();
@@ -91,9 +93,10 @@ auto strang_splitting(FreeBody<G> body) {
   };
 }
 
-// A discrete Lagrangian l(h, f): the relative motion f takes up the momentum, -L*_f l'(f) = Pi (3.18), and k is its inverse.
+// A discrete Lagrangian l(h, f): the relative motion f starts with the momentum, -L*_f l'(f) = Pi (3.18), and
+// k is its inverse.
 template <Group G, class Lagrangian>
-auto discrete_lagrangian(FreeBody<G> body, Lagrangian l) {
+auto discrete_lagrangian(DiagonalBody<G> body, Lagrangian l) {
   return [body, l]<class S>(S const& h, Momentum<G, S> const& pi) {
     auto const residual = [&](auto const& f, auto const& p) {
       auto const& [step, momentum] = p;
@@ -104,7 +107,7 @@ auto discrete_lagrangian(FreeBody<G> body, Lagrangian l) {
 }
 // The kinetic energy in a natural chart (3.25): <I log f, log f>/2h.
 template <Group G>
-auto natural_chart(FreeBody<G> body) {
+auto natural_chart(DiagonalBody<G> body) {
   return [body](auto const& h, auto const& f) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
     auto const eta = log(f).coordinates;
@@ -131,43 +134,43 @@ auto on_momenta(Motion motion) {
 }
 template <class Motion>
 auto on_costates(Motion motion) {
-  return [motion](auto const& h, auto const& p) { return std::decay_t<decltype(p)>{p.place * motion(h, body_momentum(p)), p.momentum}; };
+  return [motion](auto const& h, auto const& p) { return std::decay_t<decltype(p)>{p.configuration * motion(h, body_momentum(p)), p.momentum}; };
 }
 
-// Classical Runge-Kutta, which knows no motion: on momenta, and on attitudes with momenta as matrices of numbers; the attitude is brought back on the
-// group.
+// Classical Runge-Kutta, with no element of the group for a step: on momenta, and on attitudes with momenta
+// as matrices of numbers; the attitude is brought back on the group.
 template <Group G>
-auto classical(FreeBody<G> body) {
+auto classical(DiagonalBody<G> body) {
   return [body](auto const& h, auto const& pi) { return runge_kutta_4([&](auto const& m) { return body.rate(m); }, h, pi); };
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct Numbers {
   Storage<G, S> g;
   Momentum<G, S> pi;
   Numbers operator+(Numbers const& b) const { return {g + b.g, pi + b.pi}; }
 };
-template <Group G, Field S>
+template <Group G, Scalar S>
 Numbers<G, S> operator*(std::type_identity_t<S> const& s, Numbers<G, S> const& a) {
   return {a.g * s, s * a.pi};
 }
 template <Group G>
-auto classical_on_costates(FreeBody<G> body) {
+auto classical_on_costates(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Costate<G, S> const& p) {
     auto const rate = [&](Numbers<G, S> const& x) {
       return Numbers<G, S>{x.g * x.pi.group.hat(body.velocity(x.pi).coordinates), body.rate(x.pi)};
     };
-    auto const end = runge_kutta_4(rate, h, Numbers<G, S>{p.place.value, body_momentum(p)});
-    auto const place = restore(Element<G, S>{p.place.group, end.g});
-    return Costate<G, S>{place, Ad_star(inverse(place), end.pi)};
+    auto const end = runge_kutta_4(rate, h, Numbers<G, S>{p.configuration.value, body_momentum(p)});
+    auto const configuration = restore(Element<G, S>{p.configuration.group, end.g});
+    return Costate<G, S>{configuration, Ad_star(inverse(configuration), end.pi)};
   };
 }
 // The midpoint rule on attitudes too: g1 = g0 + h (g0 + g1)/2 Omega at the middle, which on SO(3) is a Cayley transform.
 template <Group G>
-auto midpoint_on_costates(FreeBody<G> body) {
+auto midpoint_on_costates(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Costate<G, S> const& p) {
     auto const pi = body_momentum(p), after = midpoint(body)(h, pi);
-    auto const place = p.place * retract(h * body.velocity((pi + after) / S(2)));
-    return Costate<G, S>{place, Ad_star(inverse(place), after)};
+    auto const configuration = p.configuration * retract(h * body.velocity((pi + after) / S(2)));
+    return Costate<G, S>{configuration, Ad_star(inverse(configuration), after)};
   };
 }
 
@@ -196,7 +199,7 @@ struct Rival {
 };
 
 // Everybody on SO(3), with the attitude; and on any other group, by momenta alone.
-inline std::vector<Rival<SO<3>>> on_rotations(FreeBody<SO<3>> const& b) {
+inline std::vector<Rival<SO<3>>> on_rotations(DiagonalBody<SO<3>> const& b) {
   auto const from = [](std::string name, auto const& motion) {
     return Rival<SO<3>>{std::move(name), on_momenta(motion), on_costates(motion)};
   };
@@ -209,7 +212,7 @@ inline std::vector<Rival<SO<3>>> on_rotations(FreeBody<SO<3>> const& b) {
           from("Moser-Veselov", discrete_lagrangian(b, moser_veselov(b)))};
 }
 template <class G>
-std::vector<std::pair<std::string, Family<Momentum, G>>> on_any_group(FreeBody<G> const& b) {
+std::vector<std::pair<std::string, Family<Momentum, G>>> on_any_group(DiagonalBody<G> const& b) {
   return {{"Runge-Kutta 4", classical(b)},
           {"implicit midpoint", midpoint(b)},
           {"Lie-Euler", on_momenta(lie_euler(b))},

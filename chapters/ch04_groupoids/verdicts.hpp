@@ -24,7 +24,7 @@ double worst(Points const& points, Defect const& defect) {
 
 // The order of a family: its distance from the flow after two seconds, for finer and finer steps.
 template <class G>
-double order(FreeBody<G> const& body, Family<Momentum, G> const& family, Momentum<G, double> const& start) {
+double order(DiagonalBody<G> const& body, Family<Momentum, G> const& family, Momentum<G, double> const& start) {
   auto const rate = [&](double, auto const& y) { return Coordinates<G, double>(body.rate(momentum(start.group, y)).components); };
   auto const exact = reference_solution(rate, start.components, 0, 2);
   std::vector<double> steps, errors;

@@ -1,9 +1,10 @@
 // Work and precision: what higher order costs, and from which accuracy on it pays.
 //
 // What is shown. A step of order 2 on momenta is made into steps of orders 4 and 6 in two ways: by composition, several steps of which some go
-// backwards, and by Galerkin paths, polynomials in the natural chart. Both keep the coadjoint orbit and the bracket as the step of order 2 does. Each
-// is run on three groups; its error, against power series, is set against how often the Lagrangian was evaluated.
-// Read first. The sections "Momentum, carried along" of chapter 3 and "Higher order" of chapter 4.
+// backwards, and by Galerkin paths, polynomials in the natural chart. Both preserve the coadjoint orbit and
+// the bracket as the step of order 2 does. Each is run on three groups; its error, against power series, is
+// set against how often the Lagrangian was evaluated. Read first. The sections "Momentum, carried along" of
+// chapter 3 and "Higher order" of chapter 4.
 //
 //   l        Lagrangian on the algebra              Pi    body momentum
 //   I, b     inertia; momentum of a wheel inside    h     step

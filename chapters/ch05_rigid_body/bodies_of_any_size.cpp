@@ -1,4 +1,5 @@
-// From a water molecule to the space station, and to bodies that turn in four, five and eight dimensions: what the Moser-Veselov scheme keeps.
+// From a water molecule to the space station, and to bodies that turn in four, five and eight dimensions:
+// what the Moser-Veselov scheme conserves.
 //
 // What is shown. Moments of inertia from 1e-47 to 1e8 kg m^2, a planar body whose Lambda has a zero on its diagonal, and bodies on SO(n): over many
 // steps the Casimir |M|^2 and the momentum in space change by rounding alone, and like a random walk. For each body the longest step is
@@ -16,7 +17,7 @@
 
 using namespace actio;
 
-struct Kept {
+struct Drift {
   double casimir = 0, spatial = 0, energy = 0, growth = 0, longest = 0;
   bool refused = false;
   std::vector<double> steps, drift;
@@ -24,17 +25,17 @@ struct Kept {
 
 // The largest changes over `count` steps of a tenth of a radian, and how they grow.
 template <int n>
-Kept keep(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long count) {
-  Kept kept;
+Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long count) {
+  Drift found;
   double const h = 0.1 / xi.coordinates.norm();
   MoserVeselov<n> const scheme(inertia, h);
   auto body = release(inertia, identity<double>(inertia.group), xi);
   double const longest = scheme.longest_step(body.body_momentum);
-  kept.longest = longest * xi.coordinates.norm();
+  found.longest = longest * xi.coordinates.norm();
   try {
     MoserVeselov<n>(inertia, 1.001 * longest).relative_motion(body.body_momentum);
   } catch (StepTooLong const& refusal) {
-    kept.refused = std::abs(refusal.largest_step / longest - 1) < 1e-9;
+    found.refused = std::abs(refusal.largest_step / longest - 1) < 1e-9;
   }
   MoserVeselov<n>(inertia, 0.999 * longest).relative_motion(body.body_momentum);  // throws where there is none
 
@@ -45,29 +46,29 @@ Kept keep(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long cou
   for (long k = 1, next = 100; k <= count; ++k) {
     advance(scheme, body);
     if (k % 100 && k != next) continue;
-    kept.casimir = std::max(kept.casimir, std::abs((body.body_momentum.components / size).squaredNorm() - 1));
+    found.casimir = std::max(found.casimir, std::abs((body.body_momentum.components / size).squaredNorm() - 1));
     walked = std::max(walked, (body.spatial_momentum() - start).components.norm() / size);
-    kept.energy = std::max(kept.energy, std::abs(kinetic_energy(inertia, body.body_momentum) / energy - 1));
-    if (k == next) kept.steps.push_back(k), kept.drift.push_back(walked), next = next * 5 / 4;
+    found.energy = std::max(found.energy, std::abs(kinetic_energy(inertia, body.body_momentum) / energy - 1));
+    if (k == next) found.steps.push_back(k), found.drift.push_back(walked), next = next * 5 / 4;
   }
-  kept.spatial = walked;
+  found.spatial = walked;
 
-  for (double& d : kept.drift) d = std::max(d, 1e-17);
-  kept.growth = book::exponent(kept.steps, kept.drift);
-  return kept;
+  for (double& d : found.drift) d = std::max(d, 1e-17);
+  found.growth = book::exponent(found.steps, found.drift);
+  return found;
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum kept to rounding");
+  book::Program program(argc, argv, "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum conserved to rounding");
   std::vector<book::Program::Row> rows;
   double casimir = 0, spatial = 0;
   bool refused = true;
   auto plot = book::Plot("steps", "change of the momentum in space, relative").log_x().log_y().size(660, 340);
-  auto const add = [&](std::string const& name, std::string const& moments, long count, Kept const& kept, bool drawn) {
-    rows.push_back({name, moments, book::number(static_cast<double>(count), 1), book::number(kept.casimir, 2), book::number(kept.spatial, 2), book::number(kept.energy, 2),
-                    book::number(kept.growth, 2), book::number(kept.longest, 6)});
-    casimir = std::max(casimir, kept.casimir), spatial = std::max(spatial, kept.spatial), refused = refused && kept.refused;
-    if (drawn) plot.curve(kept.steps, kept.drift, name);
+  auto const add = [&](std::string const& name, std::string const& moments, long count, Drift const& found, bool drawn) {
+    rows.push_back({name, moments, book::number(static_cast<double>(count), 1), book::number(found.casimir, 2), book::number(found.spatial, 2), book::number(found.energy, 2),
+                    book::number(found.growth, 2), book::number(found.longest, 6)});
+    casimir = std::max(casimir, found.casimir), spatial = std::max(spatial, found.spatial), refused = refused && found.refused;
+    if (drawn) plot.curve(found.steps, found.drift, name);
   };
 
   // 1. The bodies of the catalogue.
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
     auto const I = body.principal.inertia.moments;
     std::string const unit = body.unit == "ratio" ? "(ratio)" : "kg m²";
     long const count = 100000;
-    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count, keep(body.principal.inertia, body.principal_spin(), count),
+    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count, drift_of(body.principal.inertia, body.principal_spin(), count),
         body.name == "water" || body.name == "iss");
   }
 
@@ -90,10 +91,10 @@ int main(int argc, char** argv) {
     for (auto& x : xi) x = uniform(random) - 1.25;
     auto const inertia = inertia_from_lambda<Dynamic, double>(lambda);
     long const count = 40000;
-    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count, keep(inertia, velocity(inertia.group, xi), count), true);
+    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count, drift_of(inertia, velocity(inertia.group, xi), count), true);
   }
 
-  // 3. What they kept.
+  // 3. What they conserved.
   program.table("kept", {"body", "moments", "steps", "Casimir", "momentum in space", "energy", "growth", "longest step, rad"}, rows,
                 "Largest relative changes with steps of 0.1 rad; the exponent with which the change of the momentum in space grows; and the longest step there is a solution for.");
   std::vector<double> const walk_steps{100, 100000}, walk{1e-15, 1e-15 * std::sqrt(1000.0)};
@@ -105,6 +106,6 @@ int main(int argc, char** argv) {
   // 4. What must be so: a random walk of 1e5 roundings is below 1e-13; a hundred times that.
   program.claim(casimir < 1e-11 && spatial < 1e-11, "Casimir and momentum in space stay within 1e-11");
   program.claim(refused, "a thousandth beyond the longest step every body is refused, with that step");
-  program.headline("Casimir kept to " + book::number(casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)", casimir);
+  program.headline("Casimir conserved to " + book::number(casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)", casimir);
   return program.finish();
 }

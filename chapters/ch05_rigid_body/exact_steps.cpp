@@ -38,7 +38,7 @@ double apart(FreeState const& a, FreeState const& b) {
   return std::max((a.body_momentum - b.body_momentum).components.norm() / b.body_momentum.components.norm(), turned);
 }
 
-// What is left of f^T Lambda - Lambda f = h M, over h M, with these moments.
+// The residual of f^T Lambda - Lambda f = h M, over h M, with these moments.
 double residual(Vector3d const& I, Element<SO<3>, double> const& f, Momentum<SO<3>, double> const& M, double h) {
   Inertia<3, double> const inertia{SO<3>{}, Vector3d(I[1] + I[2] - I[0], I[2] + I[0] - I[1], I[0] + I[1] - I[2]) / 2, I};
   return (MoserVeselov<3>(inertia, h).momentum_before(f) - M).components.norm() / M.components.norm();
@@ -55,7 +55,7 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
   double worst = 0, least = 1;
   for (double const angle : {0.1, 0.5, 1.0, 2.0, 3.0}) {
     double const h = angle / spin;
-    Three<double> const j = inertia_of(body.flight(h));  // axes as the steps name them: for ascending moments those of the body
+    Three<double> const j = inertia_of(body.step_parameters(h));  // axes as the steps name them: for ascending moments those of the body
     Vector3d const modified = (h * body.amount() / 2) * Vector3d(1 / j[0], 1 / j[1], 1 / j[2]);
     Element<SO<3>, double> const f{SO<3>{}, matrix_of(true_state(brick, h).attitude).transpose()};
     Momentum<SO<3>, double> const M = body_momentum(brick.principal.inertia, brick.principal_spin());
@@ -65,7 +65,7 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
                     book::number(without, 2)});
   }
   program.table("equation", {"step, rad", "I1", "I2", "I3", "residual", "with its own moments"}, rows,
-                "The modified moments of the brick over its own, and what is left of the equation of Moser and Veselov along the true motion, over the momentum.");
+                "The modified moments of the brick over its own, and the residual of the equation of Moser and Veselov along the true motion, over the momentum.");
   program.figure("residual", worst, "largest residual of the equation, in units of the round-off of its terms");
   program.claim(worst < 20, "the true motion satisfies the equation with modified moments, to rounding");
   program.claim(least > 1e-3, "with the body's own moments it does not, by the square of the step");
@@ -76,7 +76,7 @@ void show_order(book::Program& program, book::Plot& plot, FreeBody const& body, 
   std::vector<double> steps, errors;
   for (long count = order < 6 ? 800 : 400; count <= 12800 && steps.size() < 5; count *= 2) {
     double const h = duration / static_cast<double>(count);
-    FreeSteps motion(body, h, body.moser_veselov_flight(h, order));
+    FreeSteps motion(body, h, body.moser_veselov_parameters(h, order));
     motion.advance(count);
     double const error = apart(motion.state(), end);
     if (error < 1e-12) break;

@@ -1,8 +1,9 @@
 // A T-handle turning about its middle axis turns over, again and again: the Moser-Veselov scheme against a closed form and against Runge-Kutta.
 //
 // What is shown. The time between two flips comes out right to second order in the step. At a coarse step, half a radian, the scheme is 8 % off in
-// that time, and stays so: momentum and energy are kept to rounding for ever. The classical Runge-Kutta method of order 4 with the same step starts out
-// better and then loses momentum and energy a little every step: its T-handle runs down. Given the same running time instead of the same step it loses
+// that time, and stays so: momentum and energy are conserved to rounding for ever. The classical Runge-Kutta
+// method of order 4 with the same step starts out better and then dissipates momentum and energy a little
+// every step: its T-handle runs down. Given the same running time instead of the same step it dissipates
 // little, but still steadily.
 // Read first. The section "Chords instead of arcs" of chapter 5.
 //
@@ -167,16 +168,17 @@ double time_between_flips(Run const& run, bool late) {
   return f.size() < 42 ? INFINITY : late ? (f.back() - f[f.size() - 21]) / 20 : (f[20] - f[0]) / 20;
 }
 
-// 5. What they kept, and the time between flips at the start and at the end, each a mean over twenty of them.
+// 5. What they conserved, and the time between flips at the start and at the end, each a mean over twenty of
+// them.
 void show_what_was_kept(book::Program& program, Runs const& runs, double flip) {
-  std::vector<book::Program::Row> kept;
+  std::vector<book::Program::Row> conserved;
   auto drift = book::Plot("time, s", "largest change of the energy so far, relative").log_y().size(660, 320).y_range(1e-16, 10);
   for (auto const* run : {&runs.ours, &runs.same_step, &runs.same_cost}) {
-    kept.push_back({run->name, book::number(run->step), book::number(run->energy_drift), book::number(run->casimir_drift), book::number(run->spatial_drift),
+    conserved.push_back({run->name, book::number(run->step), book::number(run->energy_drift), book::number(run->casimir_drift), book::number(run->spatial_drift),
                     book::number(time_between_flips(*run, false)) + " to " + book::number(time_between_flips(*run, true))});
     drift.curve(run->time, run->energy_lost, run->name);
   }
-  program.table("kept", {"method", "step, s", "energy", "amount of momentum", "momentum in space", "time between flips, s"}, kept,
+  program.table("kept", {"method", "step, s", "energy", "amount of momentum", "momentum in space", "time between flips, s"}, conserved,
                 "Largest relative changes over 5000 s, about 2000 flips, and the time between flips at the start and at the end. Exact: " +
                     book::number(flip) + " s.");
   program.picture("drift", drift.svg(), "What the methods do to the energy. Runge-Kutta takes it away, a little every step and always in the same direction.");
@@ -189,10 +191,10 @@ void claim_what_must_be(book::Program& program, Runs const& runs, double order) 
   program.claim(ours.energy_drift < 1e-11 && ours.casimir_drift < 1e-11 && ours.spatial_drift < 1e-11,
                 "energy, Casimir and spatial momentum stay within 1e-11");
   program.claim(std::abs(order - 2) < 0.05, "the time between flips is right to second order in the step");
-  program.claim(same_step.energy_drift > 0.1 && same_step.spatial_drift > 0.3, "Runge-Kutta with the same step loses a tenth of the energy and more");
+  program.claim(same_step.energy_drift > 0.1 && same_step.spatial_drift > 0.3, "Runge-Kutta with the same step dissipates a tenth of the energy and more");
   program.claim(std::abs(time_between_flips(ours, true) / time_between_flips(ours, false) - 1) < 0.01,
                 "the T-handle turns over at the end as often as at the start");
-  program.headline("energy kept to " + book::number(ours.energy_drift, 2) + " over 2000 flips; Runge-Kutta loses " +
+  program.headline("energy conserved to " + book::number(ours.energy_drift, 2) + " over 2000 flips; Runge-Kutta dissipates " +
                        book::number(100 * same_step.energy_drift, 2) + " %",
                    ours.energy_drift);
 }

@@ -1,9 +1,10 @@
 // Polhodes of two tumbling asteroids: the exact curve of the body momentum, and the steps of the Moser-Veselov scheme on it.
 //
-// What is shown. The momentum runs where a sphere (its amount) and an ellipsoid (the energy) meet. The scheme keeps both, so its steps lie on the exact
-// curve to rounding, at every step length; what the step length costs is the time at which they get there, to second order. The spin of Apophis in the
-// catalogue is the one that has the two periods of its light curves; the scheme gives them back, to second order.
-// Read first. middle_axis_flip.
+// What is shown. The momentum runs where a sphere (its amount) and an ellipsoid (the energy) meet. The scheme
+// conserves both, so its steps lie on the exact curve to rounding, at every step length; what the step length
+// costs is the time at which they get there, to second order. The spin of Apophis in the catalogue is the one
+// that has the two periods of its light curves; the scheme gives them back, to second order. Read first.
+// middle_axis_flip.
 //
 //   I      principal moments (only their ratios are known), ascending      h      step, in the body's unit of time
 //   M      body momentum, e = M/|M|                                        P_rot  period of M, once round its curve
@@ -87,7 +88,7 @@ int main(int argc, char** argv) {
       advance(scheme, motion);
     }
     sphere.curve(exact, "sphere and ellipsoid: the exact curve", {.colour = 6, .width = 1.4}).dots(dots, "steps of the scheme", {.colour = 2, .radius = 3.2});
-    program.picture(name, sphere.svg(), body.title + ": the direction of its momentum as it sees it, 48 steps of " + book::number(h) + " " + body.time + ".");
+    program.picture(name, sphere.svg(), body.title + ": the direction of its momentum in the body frame, 48 steps of " + book::number(h) + " " + body.time + ".");
   }
   program.figure("distance", farthest, "largest distance from the exact curve among every tenth of 100000 steps, the sphere having radius 1");
 

@@ -16,19 +16,19 @@
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
-using Place = Element<SO<3>, double>;
+using Rotation = Element<SO<3>, double>;
 
-// Largest distance between attitudes on the two roads over `count` steps. The unreduced road solves (3.2) for `lifted`, a function of two places.
+// Largest distance between attitudes on the two roads over `count` steps. The unreduced road solves (3.2) for `lifted`, a function of two configurations.
 template <class Scheme>
 double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int count, std::vector<double>& history) {
   auto const lifted = lift_left(scheme.lagrangian());
   auto const f10 = scheme.relative_motion(body_momentum(scheme.inertia(), spin)).value;
-  Place const start = identity<double>(SO<3>{});
-  Place a0 = start, a1 = reconstruct_left(start, f10);  // unreduced: a pair of places
-  Place b1 = a1, f = f10;                               // reduced: a relative motion, and the place it leads to
+  Rotation const start = identity<double>(SO<3>{});
+  Rotation a0 = start, a1 = reconstruct_left(start, f10);  // unreduced: a pair of configurations
+  Rotation b1 = a1, f = f10;                               // reduced: a relative motion, and the configuration it leads to
   double largest = 0;
   for (int k = 0; k < count; ++k) {
-    Place const a2 = step_euler_lagrange(lifted, a0, a1).value;
+    Rotation const a2 = step_euler_lagrange(lifted, a0, a1).value;
     a0 = a1, a1 = a2;
     f = scheme.step_euler_poincare(f).value;
     b1 = restore(reconstruct_left(b1, f));
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
   program.figure("apart_mv", mv, "Moser-Veselov: the same");
   auto roads = book::Plot("time, s", "distance of the two roads so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
   roads.curve(time, history_chart, "natural charts").curve(time, history_mv, "Moser-Veselov");
-  program.picture("roads", roads.svg(), "The attitude from pairs of places and from relative motions with reconstruction: what lies between them is rounding.");
+  program.picture("roads", roads.svg(), "The attitude from pairs of configurations and from relative motions with reconstruction: what lies between them is rounding.");
 
   // 3. The truth at 30 s, by the Prince-Dormand method of the GNU Scientific Library.
   Vector3d const I = brick.principal.inertia.moments;

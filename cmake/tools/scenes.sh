@@ -37,7 +37,7 @@ for module in "$build"/python/actio/_actio.*.so; do
   done
 done
 
-# What is left of scenes that are no more.
+# Output of scenes that no longer exist.
 for stamp in "$reports"/*.stamp; do
   name=$(basename "$stamp" .stamp)
   [[ -f data/scenes/$name.toml ]] || rm -rf "${reports:?}/$name" "$reports/$name".{stamp,txt,log}

@@ -82,7 +82,8 @@ inline std::uint64_t spell = 1;
 
 /// The arithmetic in force; at the start of a program that of the machine's double.
 inline Arithmetic const& current_arithmetic() { return detail::arithmetic_in_force; }
-/// A number that no other spell of an arithmetic has: tables of numbers are kept as long as it stays the same.
+/// A number that no other spell of an arithmetic has: tables of numbers are valid as long as it stays the
+/// same.
 inline std::uint64_t current_spell() { return detail::spell; }
 
 /// Puts an arithmetic in force for as long as this object lives; the former one returns after it.

@@ -30,7 +30,7 @@ struct Draw {
   }
 
   /// A number in (-1, 1). One whose arithmetic is chosen at run time may have a set of its own to draw from: `Number::drawn`.
-  template <Field S>
+  template <Scalar S>
   S number() {
     if constexpr (ChosenAtRunTime<Base<S>>)
       return S(Base<S>::drawn(*this));
@@ -39,7 +39,7 @@ struct Draw {
   }
 
   /// n numbers in (-1, 1).
-  template <Field S, class V = Matrix<S, Dynamic, 1>>
+  template <Scalar S, class V = Matrix<S, Dynamic, 1>>
   V vector(int n) {
     V v(n);
     for (int i = 0; i < n; ++i) v[i] = number<S>();
@@ -47,17 +47,17 @@ struct Draw {
   }
 
   /// A velocity whose coordinates lie within `size` of zero.
-  template <Field S, Group G>
+  template <Scalar S, Group G>
   Velocity<G, S> velocity(G const& group, std::type_identity_t<S> const& size = S(1)) {
     return {group, vector<S, Coordinates<G, S>>(group.dimension()) * size};
   }
   /// A momentum whose components lie within `size` of zero.
-  template <Field S, Group G>
+  template <Scalar S, Group G>
   Momentum<G, S> momentum(G const& group, std::type_identity_t<S> const& size = S(1)) {
     return {group, vector<S, Coordinates<G, S>>(group.dimension()) * size};
   }
   /// The retraction of a velocity of that size: with the default, inside the chart of every group of the library.
-  template <Field S, Group G>
+  template <Scalar S, Group G>
   Element<G, S> element(G const& group, std::type_identity_t<S> const& size = ratio<S>(1, 2)) {
     return retract(velocity<S>(group, size));
   }

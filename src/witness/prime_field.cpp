@@ -16,7 +16,7 @@ std::uint64_t power(std::uint64_t a, std::uint64_t e, std::uint64_t p) {
 }
 
 std::uint64_t inverse(std::uint64_t a, std::uint64_t p) {
-  // Of x a + y p = r only x is kept, with r falling to the greatest common divisor 1.
+  // Of x a + y p = r only x is stored, with r falling to the greatest common divisor 1.
   std::int64_t r = static_cast<std::int64_t>(p), next = static_cast<std::int64_t>(a), x = 0, next_x = 1;
   while (next != 0) {
     std::int64_t const q = r / next;

@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(without_gravity_it_is_the_free_body_about_the_fixed_point) 
   BodyScene const free{"kind = 'rigid_body'\ninertia = [0.76, 1.16, 0.9]", top.initial, "", top.run, top.quantities};
   auto const found = command::run(top);
   BOOST_TEST(found.outcome.status == 0, found.outcome.err);
-  BOOST_TEST(contains(found.summary, "no gravity: free motion, exact flights"));
+  BOOST_TEST(contains(found.summary, "no gravity: free motion, exact flow"));
   BOOST_TEST(apart(last(found), last(command::run(free))) <= 64 * eps * 6);
   // Gravity next to nothing takes the road of kicks, and tells the same.
   auto little = top;
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(without_gravity_it_is_the_free_body_about_the_fixed_point) 
   // So does a top held at its centre of mass.
   lever.system = "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.76, 1.16, 0.9]\ncentre_of_mass = [0, 0, 0]\ngravity = [0, 0, -9]";
   auto const held = command::run(lever);
-  BOOST_TEST(contains(held.summary, "no gravity: free motion, exact flights"));
+  BOOST_TEST(contains(held.summary, "no gravity: free motion, exact flow"));
   BOOST_TEST(apart(last(found), last(held)) <= 64 * eps * 6);
 }
 

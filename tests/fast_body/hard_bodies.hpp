@@ -59,9 +59,9 @@ inline FreePath<double> path_of(FreeState const& s) {
   return {{m[0], m[1], m[2]}, {q[0], q[1], q[2], q[3]}};
 }
 
-/// The library's exact flight in the numbers of S, from a start that is the same real numbers in all of them.
+/// The library's exact flow in the numbers of S, from a start that is the same real numbers in all of them.
 template <class S>
-FreePath<S> flown(FreeProblem const& p) {
+FreePath<S> exact_path(FreeProblem const& p) {
   using std::sqrt;
   int first = 0;
   while ((p.moments[(first + 1) % 3] - p.moments[first % 3]) * (p.moments[(first + 2) % 3] - p.moments[(first + 1) % 3]) < 0) ++first;
@@ -70,11 +70,11 @@ FreePath<S> flown(FreeProblem const& p) {
   for (int i = 0; i < 3; ++i) I[i] = S(p.moments[(i + first) % 3]), u[i] = S(p.momentum[(i + first) % 3]), square += u[i] * u[i];
   S const amount = sqrt(square);
   for (S& x : u) x /= amount;
-  BodyPlace<S> place{u, {S(1), S(0), S(0), S(0)}};
-  HalfTurn<S>(exact_flight<S>(InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(place);
+  FrameState<S> state{u, {S(1), S(0), S(0), S(0)}};
+  HalfTurn<S>(exact_flow<S>(InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(state);
   FreePath<S> path;
-  path.attitude[0] = place.attitude[0];
-  for (int i = 0; i < 3; ++i) path.momentum[(i + first) % 3] = amount * place.direction[i], path.attitude[1 + (i + first) % 3] = place.attitude[1 + i];
+  path.attitude[0] = state.attitude[0];
+  for (int i = 0; i < 3; ++i) path.momentum[(i + first) % 3] = amount * state.direction[i], path.attitude[1 + (i + first) % 3] = state.attitude[1 + i];
   return path;
 }
 
@@ -99,8 +99,8 @@ inline double condition(FreeProblem const& p, FreePath<long double> const& answe
 
 /// The error of at(t) over (epsilon + what one unit in the last place of each number of the question does).
 ///
-/// The series in 19 digits are quick, but next to the middle axis they too lose a component that starts below 1e-19: where they find more than `enough`, 45
-/// digits decide.
+/// The series in 19 digits are quick, but next to the middle axis they too miss a component that starts below
+/// 1e-19: where they find more than `enough`, 45 digits decide.
 inline double units_off(FreeProblem const& p, FreePath<long double> const& answer, double enough) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   auto const found = path_of(p.body().at(p.time));
@@ -111,17 +111,17 @@ inline double units_off(FreeProblem const& p, FreePath<long double> const& answe
   return apart(truth, found, p.amount()).larger() / (eps + condition(p, truth, slow));
 }
 
-/// What a motion should keep: relative changes of |M|^2, of the energy, of the momentum in space, and of the length of the quaternion; in 34 digits, which
-/// the compiler has.
-struct Kept {
+/// What a motion should conserve: relative changes of |M|^2, of the energy, of the momentum in space, and of
+/// the length of the quaternion; in 34 digits, which the compiler has.
+struct ConservationErrors {
   double casimir, energy, spatial, length;
 };
-inline Kept kept(Three<double> const& moments, PlaceWithCarry<double> const& now, BodyPlace<double> const& start) {
+inline ConservationErrors conservation_errors(Three<double> const& moments, CompensatedState<double> const& now, FrameState<double> const& start) {
   using Quad = __float128;
   Three<Quad> u, from;
   Four<Quad> q;
-  for (int i = 0; i < 3; ++i) u[i] = Quad(now.place.direction[i]) + now.carry.direction[i], from[i] = start.direction[i];
-  for (int i = 0; i < 4; ++i) q[i] = Quad(now.place.attitude[i]) + now.carry.attitude[i];
+  for (int i = 0; i < 3; ++i) u[i] = Quad(now.state.direction[i]) + now.compensation.direction[i], from[i] = start.direction[i];
+  for (int i = 0; i < 4; ++i) q[i] = Quad(now.state.attitude[i]) + now.compensation.attitude[i];
   Quad energy = 0, before = 0, length = 0;
   for (int i = 0; i < 3; ++i) energy += u[i] * u[i] / moments[i], before += from[i] * from[i] / moments[i];
   for (int i = 0; i < 4; ++i) length += q[i] * q[i];
@@ -132,10 +132,10 @@ inline Kept kept(Three<double> const& moments, PlaceWithCarry<double> const& now
           std::abs(static_cast<double>(length - 1))};
 }
 /// The same of what a motion gives away, from the attitude 1.
-inline Kept kept(FreeSteps const& motion, Three<double> const& moments) {
+inline ConservationErrors conservation_errors(FreeSteps const& motion, Three<double> const& moments) {
   auto const now = path_of(motion.state()), start = path_of(motion.body().at(0));
   double const L = motion.body().amount();
-  return kept(moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
+  return conservation_errors(moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
               {{start.momentum[0] / L, start.momentum[1] / L, start.momentum[2] / L}, start.attitude});
 }
 

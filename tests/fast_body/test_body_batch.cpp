@@ -90,10 +90,10 @@ BOOST_AUTO_TEST_CASE(each_body_moves_as_it_does_alone_and_exactly) {
       BOOST_TEST(batch.time() == steps * h);
       auto const alone = farthest(batch, cast, [&](std::size_t i) {
         FreeBody const body(cast.inertias[i], cast.momenta[i], cast.attitudes[i]);
-        HalfTurn<double> const turn(body.flight(h));
-        auto place = body.start();
-        for (int k = 0; k < steps; ++k) turn.step(place);
-        return body.state(place);
+        HalfTurn<double> const turn(body.step_parameters(h));
+        auto state = body.start();
+        for (int k = 0; k < steps; ++k) turn.step(state);
+        return body.state(state);
       });
       auto const exact = farthest(batch, cast, [&](std::size_t i) { return FreeBody(cast.inertias[i], cast.momenta[i], cast.attitudes[i]).at(steps * h); });
       BOOST_TEST_MESSAGE("bodies in lanes (" << name_of(machine) << "), h = " << h << ": from the loop over one body " << alone.momentum << ", "
@@ -122,18 +122,18 @@ BOOST_AUTO_TEST_CASE(long_steps_stay_on_the_orbit) {
   BodyBatch batch(cast.inertias, cast.momenta, cast.attitudes, 1);
   long const steps = 300;
   batch.step(steps);
-  double kept = 0, control = 0;
+  double error = 0, control = 0;
   for (std::size_t i = 0; i < batch.size(); ++i) {
     double const before = kinetic_energy(cast.inertias[i], cast.momenta[i]);
-    kept = std::max(kept, std::abs(kinetic_energy(cast.inertias[i], batch.momentum(i)) / before - 1));
+    error = std::max(error, std::abs(kinetic_energy(cast.inertias[i], batch.momentum(i)) / before - 1));
     FreeBody const body(cast.inertias[i], cast.momenta[i], cast.attitudes[i]);
-    HalfTurn<double> const turn(body.flight(1));
+    HalfTurn<double> const turn(body.step_parameters(1));
     auto u = body.start().direction;
     for (long k = 0; k < steps; ++k) turn.step(u);
     control = std::max(control, std::abs(kinetic_energy(cast.inertias[i], body.state({u, {1, 0, 0, 0}}).body_momentum) / before - 1));
   }
-  BOOST_TEST_MESSAGE("long steps, 300 of them: energy off by " << kept << " at most; by " << control << " where the axis is not set right");
-  BOOST_TEST(kept <= 20 * eps * std::sqrt(static_cast<double>(steps)));
+  BOOST_TEST_MESSAGE("long steps, 300 of them: energy off by " << error << " at most; by " << control << " where the axis is not set right");
+  BOOST_TEST(error <= 20 * eps * std::sqrt(static_cast<double>(steps)));
   BOOST_TEST(control > 1e-3);
 }
 

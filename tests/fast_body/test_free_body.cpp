@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(whatever_the_body_momentum_and_energy_stay) {
           start += p.momentum[i] / body.amount() * (p.momentum[i] / p.moments[i]);
     }
     double const size = body.amount(), slack = (s.spatial_momentum().components - body.at(0).spatial_momentum().components).norm() / size;
-    // Of a component next to zero the rounding is one of the amount: the energy knows it by the largest 1/I.
+    // Of a component next to zero the rounding is one of the amount: in the energy it is multiplied by the
+    // largest 1/I.
     double const stiff = 1 / std::min({p.moments[0], p.moments[1], p.moments[2]});
     if (!(slack <= 32 * eps) || !(std::abs(momentum_of(s).norm() / size - 1) <= 16 * eps) ||
         !(std::abs(energy - start) <= 64 * eps * std::sqrt(stiff * start) + 64 * eps * eps * stiff))
@@ -89,7 +90,7 @@ BOOST_AUTO_TEST_CASE(whatever_the_body_momentum_and_energy_stay) {
   BOOST_TEST(missed == 0);
 }
 
-BOOST_AUTO_TEST_CASE(two_flights_are_one) {
+BOOST_AUTO_TEST_CASE(two_flows_compose_to_one) {
   testing::HardProblems problems(testing::seed + 1);
   int judged = 0;
   for (int repeat = 0; repeat < 2000; ++repeat) {
@@ -211,7 +212,8 @@ BOOST_AUTO_TEST_CASE(half_turns_half_periods_and_very_long_times) {
       auto const s = body.at(quarters * quarter);
       keeps_what_is_kept(body, s);
       if (quarters % 2) continue;
-      // Two components change their signs in half a period: M2, and the one that is not kept.
+      // Two components change their signs in half a period: M2, and the one whose axis the orbit does not
+      // enclose.
       Vector3d expected = quarters % 4 == 0 ? M : third ? Vector3d(-M[0], -M[1], M[2]) : Vector3d(M[0], -M[1], -M[2]);
       BOOST_TEST((momentum_of(s) - expected).norm() <= 64 * eps * quarters * quarter * M.norm() * std::max(1.0, 1 / std::sqrt(complement)));
       // Steps of that length: to and fro.
@@ -234,7 +236,7 @@ BOOST_AUTO_TEST_CASE(rest_and_next_to_rest) {
   FreeSteps motion(rest, 0.1);
   motion.advance(5000);
   BOOST_TEST((motion.state().attitude.value - q).norm() <= 2 * eps);
-  BOOST_CHECK_NO_THROW(rest.moser_veselov_flight(1e6, 2));
+  BOOST_CHECK_NO_THROW(rest.moser_veselov_parameters(1e6, 2));
   // Denormal momenta: with few digits, but a direction; and at the other end of the numbers.
   for (double const tiny : {5e-324, 1e-320, 1e-310, 1e-300}) {
     auto const body = body_of(I, Vector3d(tiny, -tiny, tiny));
@@ -257,8 +259,8 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
     BOOST_CHECK_THROW(body_of(I, M, {1, 0, bad, 0}), Error);
     auto const body = body_of(I, M);
     BOOST_CHECK_THROW(body.at(bad), NotFinite);
-    BOOST_CHECK_THROW(body.flight(bad), NotFinite);
-    BOOST_CHECK_THROW(body.moser_veselov_flight(bad, 2), NotFinite);
+    BOOST_CHECK_THROW(body.step_parameters(bad), NotFinite);
+    BOOST_CHECK_THROW(body.moser_veselov_parameters(bad, 2), NotFinite);
     BOOST_CHECK_THROW(FreeSteps(body, bad), NotFinite);
   }
   BOOST_CHECK_THROW(body_of(I, Vector3d(1e308, 1e308, 1.7e308)), NotFinite);
@@ -267,7 +269,7 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
   BOOST_CHECK_THROW(FreeSteps(body_of(I, M), 0.0), OutsideDomain);
   BOOST_CHECK_THROW(body_of(I, M, {1, 1, 0, 0}), OutsideDomain);
   BOOST_CHECK_THROW(body_of(I, M, {0, 0, 0, 0}), OutsideDomain);
-  for (int const order : {0, 1, 3, -2, 42}) BOOST_CHECK_THROW(body_of(I, M).moser_veselov_flight(0.1, order), OutsideDomain);
+  for (int const order : {0, 1, 3, -2, 42}) BOOST_CHECK_THROW(body_of(I, M).moser_veselov_parameters(0.1, order), OutsideDomain);
   // Water from its rotational constants: more inertia about one axis than about the other two together. The defect is named.
   try {
     body_of(Vector3d(0.604715, 1.161634, 1.815577), M);
@@ -280,15 +282,15 @@ BOOST_AUTO_TEST_CASE(input_that_has_no_answer_is_refused) {
   auto const water = inertia_from_lambda<3, double>(Vector3d(1.186248, 0.629329, -0.024614));
   FreeBody const body(water, {SO<3>{}, M});
   keeps_what_is_kept(body, body.at(12));
-  BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.01, 2));
+  BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.01, 2));
   try {
-    body.moser_veselov_flight(100, 2);
+    body.moser_veselov_parameters(100, 2);
     BOOST_ERROR("accepted a step beyond the longest");
   } catch (StepTooLong const& error) {
-    BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.999999 * error.largest_step, 2));
-    BOOST_CHECK_THROW(body.moser_veselov_flight(1.000001 * error.largest_step, 2), StepTooLong);
+    BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.999999 * error.largest_step, 2));
+    BOOST_CHECK_THROW(body.moser_veselov_parameters(1.000001 * error.largest_step, 2), StepTooLong);
   }
-  // An inertia that nobody has checked must not hang.
+  // An inertia that was not checked must not make it hang.
   BOOST_CHECK_THROW(FreeBody(Inertia<3>{{}, Vector3d(1, 1, 1), Vector3d(nan, 1, 1)}, {SO<3>{}, M}), NotFinite);
 }
 
@@ -298,15 +300,15 @@ BOOST_AUTO_TEST_CASE(schemes_of_every_order_refuse_steps_that_have_no_solution) 
     double h = 0.05;
     while (h < 100) {
       try {
-        auto const flight = body.moser_veselov_flight(h, order);
-        BOOST_TEST(is_finite(flight.cos_twist));
-        BOOST_TEST(std::abs(flight.cos_twist * flight.cos_twist + flight.sin_twist * flight.sin_twist - 1) <= 8 * eps);
+        auto const parameters = body.moser_veselov_parameters(h, order);
+        BOOST_TEST(is_finite(parameters.cos_twist));
+        BOOST_TEST(std::abs(parameters.cos_twist * parameters.cos_twist + parameters.sin_twist * parameters.sin_twist - 1) <= 8 * eps);
         h *= 1.5;
       } catch (StepTooLong const& error) {
         // What it offers does.
         BOOST_TEST(error.largest_step < h);
         BOOST_TEST(error.largest_step > 0);
-        BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.9999999 * error.largest_step, order));
+        BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.9999999 * error.largest_step, order));
         break;
       }
     }
@@ -341,7 +343,7 @@ BOOST_AUTO_TEST_CASE(steps_and_one_evaluation_agree) {
       motion.advance(0), motion.advance(-5);
       BOOST_TEST((motion.state().attitude.value == one.state().attitude.value));
       BOOST_TEST((alone.body_momentum() - motion.body_momentum()).components.norm() <= room);
-      // The attitude was left behind: it is not given away as if it were known.
+      // The attitude is unknown after steps without it: asking for it is refused.
       BOOST_CHECK_THROW(alone.state(), OutsideDomain);
       BOOST_CHECK_THROW(alone.advance(), OutsideDomain);
     }

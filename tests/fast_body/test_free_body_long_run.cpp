@@ -8,7 +8,7 @@
 using namespace actio;
 
 namespace {
-using testing::FreePath, testing::FreeProblem, testing::Kept, testing::kept;
+using testing::FreePath, testing::FreeProblem, testing::ConservationErrors, testing::conservation_errors;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// Four roundings of the answer, and four units in the last place of each number of the question.
@@ -16,14 +16,15 @@ constexpr double units = 8;
 
 using Quad = __float128;  // 34 digits, from the compiler
 
-void say(std::string const& what, Kept const& k) {
+void say(std::string const& what, ConservationErrors const& k) {
   BOOST_TEST_MESSAGE(what << ": Casimir " << k.casimir << ", energy " << k.energy << ", momentum in space " << k.spatial << ", length of the quaternion "
                           << k.length);
 }
 
-// Whether the moments that make a flight exact are those of a body for which the general solver has the solution: the flight is the smallest root.
+// Whether the moments that make a step exact are those of a body for which the general solver has the
+// solution: the step is the smallest root.
 bool general_road(Inertia<3> const& inertia, FreeBody const& body, double h, Inertia<3>& replaced) {
-  auto const j = inertia_of(body.flight(h));
+  auto const j = inertia_of(body.step_parameters(h));
   Eigen::Vector3d moments;
   int first = 0;
   while ((inertia.moments[(first + 1) % 3] - inertia.moments[first]) * (inertia.moments[(first + 2) % 3] - inertia.moments[(first + 1) % 3]) < 0) ++first;
@@ -71,7 +72,7 @@ BOOST_AUTO_TEST_CASE(ten_thousand_exact_steps_are_those_of_the_general_solver_wi
     ++count;
     auto const fast = body.at(h);
     auto const f = MoserVeselov<3>(replaced, h).relative_motion({SO<3>{}, pi}).value;
-    Eigen::Vector3d const after = MoserVeselov<3>::carry(f, {SO<3>{}, pi}).components;
+    Eigen::Vector3d const after = MoserVeselov<3>::transport(f, {SO<3>{}, pi}).components;
     Eigen::Matrix3d turned;
     for (int i = 0; i < 3; ++i) turned.col(i) = Eigen::Vector3d(SU2::Ad<double>(fast.attitude.value, Eigen::Vector3d(Eigen::Vector3d::Unit(i))));
     // Moments of the new body come with a rounding each, the equation is solved to 16 epsilon of the angle: over its slope at the root, which is above
@@ -113,8 +114,9 @@ BOOST_AUTO_TEST_CASE(a_thousand_seconds_of_hard_bodies_to_twelve_digits) {
 }
 
 BOOST_AUTO_TEST_CASE(steps_of_nasty_bodies_are_as_good_as_one_evaluation) {
-  // Next to the separatrix and next to steady turns, where what is added wrongly grows, or what is set back disturbs. The truth is the flight in 50 digits.
-  auto const truth_of = [](FreeProblem const& p) { return testing::flown<dec50>(p); };
+  // Next to the separatrix and next to steady turns, where what is added wrongly grows, or what is set back
+  // disturbs. The truth is the exact flow in 50 digits.
+  auto const truth_of = [](FreeProblem const& p) { return testing::exact_path<dec50>(p); };
   testing::HardProblems problems(testing::seed + 3);
   double worst = 0;
   for (int count = 0; count < 500;) {
@@ -141,27 +143,28 @@ BOOST_AUTO_TEST_CASE(a_million_steps_keep_everything) {
     Eigen::Vector3d const M(1.8, 0.4, -0.9);
     FreeBody const body(inertia_from_moments(0.6, 0.8, 1), {SO<3>{}, M});
     // Without the setting back.
-    CompensatedTurn<double> const turn(body.flight(h));
-    PlaceWithCarry<double> now{body.start(), {{}, {}}};
+    CompensatedHalfTurn<double> const turn(body.step_parameters(h));
+    CompensatedState<double> now{body.start(), {{}, {}}};
     for (long k = 0; k < 1000000; ++k) turn.step(now);
-    Kept const alone = kept(moments, now, body.start());
+    ConservationErrors const alone = conservation_errors(moments, now, body.start());
     say("1e6 compensated steps of " + std::to_string(h), alone);
     // A step is a map with coefficients rounded to eps/2, each missing the orbit by a part of its change, to the same side: the Casimir, which no coefficient
-    // can change, and the momentum in space keep what the sums keep; the energy loses at most a rounding of the change each step.
+    // can change, and the momentum in space have the errors of the sums; the energy changes by at most a
+    // rounding of the change each step.
     for (double const x : {alone.casimir, alone.energy}) BOOST_TEST(x <= 2e-14);
     BOOST_TEST(alone.spatial <= 5e-13);
     // With it.
     FreeSteps motion(body, h);
     motion.advance(1000000);
-    Kept const back = kept(motion, moments);
+    ConservationErrors const back = conservation_errors(motion, moments);
     say("1e6 steps of FreeSteps of " + std::to_string(h), back);
     for (double const x : {back.casimir, back.energy}) BOOST_TEST(x <= 2e-14);
     BOOST_TEST(back.spatial <= 5e-13);
     // Plain steps write the momentum as a rounded whole: visibly worse, or the rest would be for nothing.
-    HalfTurn<double> const plain(body.flight(h));
-    PlaceWithCarry<double> whole{body.start(), {{}, {}}};
-    for (long k = 0; k < 1000000; ++k) plain.step(whole.place);
-    Kept const rounded = kept(moments, whole, body.start());
+    HalfTurn<double> const plain(body.step_parameters(h));
+    CompensatedState<double> whole{body.start(), {{}, {}}};
+    for (long k = 0; k < 1000000; ++k) plain.step(whole.state);
+    ConservationErrors const rounded = conservation_errors(moments, whole, body.start());
     say("1e6 plain steps of " + std::to_string(h), rounded);
     BOOST_TEST(std::max(rounded.casimir, rounded.energy) > 10 * std::max(alone.casimir, alone.energy));
   }

@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "witness/draw.hpp"
-#include "actio/fast_body/space/compensated_turn.hpp"
+#include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "../rigid_body/random_bodies.hpp"
@@ -45,12 +45,12 @@ struct Beside {
 };
 Beside beside_the_general_solver(Inertia<3> const& inertia, Vector3d const& pi, double h) {
   FreeBody const body(inertia, {SO<3>{}, pi});
-  auto const flight = body.moser_veselov_flight(h, 2);
-  BodyPlace<double> place = body.start();
-  HalfTurn<double>(flight).step(place);
-  auto const fast = body.state(place);
+  auto const parameters = body.moser_veselov_parameters(h, 2);
+  FrameState<double> state = body.start();
+  HalfTurn<double>(parameters).step(state);
+  auto const fast = body.state(state);
   auto const f = MoserVeselov<3>(inertia, h).relative_motion({SO<3>{}, pi}).value;
-  Vector3d const after = MoserVeselov<3>::carry(f, {SO<3>{}, pi}).components;
+  Vector3d const after = MoserVeselov<3>::transport(f, {SO<3>{}, pi}).components;
   // The relative motion looks back.
   Eigen::Matrix3d turned;
   for (int i = 0; i < 3; ++i) turned.col(i) = Vector3d(SU2::Ad<double>(fast.attitude.value, Vector3d::Unit(i)));
@@ -62,7 +62,7 @@ Beside beside_the_general_solver(Inertia<3> const& inertia, Vector3d const& pi, 
     r += j[i] * pi[i] * pi[i] / (L * L);
     angle = std::max(angle, std::abs(h * pi[i] / inertia.moments[i]));
   }
-  double const slope = std::abs(TwistEquation<double>(j, r).slope(flight.sin_twist / flight.cos_twist));
+  double const slope = std::abs(TwistEquation<double>(j, r).slope(parameters.sin_twist / parameters.cos_twist));
   return {(fast.body_momentum.components - after).norm() / L, (turned - f.value.transpose()).norm(), 32 * eps * (1 + angle / std::min(1.0, slope))};
 }
 }  // namespace
@@ -98,18 +98,18 @@ BOOST_AUTO_TEST_CASE(the_half_turn_takes_the_momentum_before_to_that_after_exact
     rational const k = motion.kappa, sum = 1 + k * k;
     Three<rational> const delta = {sum * j[0] - k, sum * j[1] - k, sum * j[2] - k};
     // cos T = |p|/|y| is rational here.
-    Flight<rational> flight{delta, {delta[2] - delta[1], delta[0] - delta[2], delta[1] - delta[0]}, motion.amount, k * motion.amount, stretch_of(delta)};
+    StepParameters<rational> parameters{delta, {delta[2] - delta[1], delta[0] - delta[2], delta[1] - delta[0]}, motion.amount, k * motion.amount, stretch_of(delta)};
     Three<rational> u = motion.before;
-    HalfTurn<rational>(flight).step(u);
+    HalfTurn<rational>(parameters).step(u);
     BOOST_TEST((u == motion.after));
-    // The axis is the null vector of diag(delta) + [u]x, and the moments come back from the flight.
-    Three<rational> const v = HalfTurn<rational>(flight).axis(motion.before), side = cross_product(motion.before, v);
+    // The axis is the null vector of diag(delta) + [u]x, and the moments are recovered from the parameters.
+    Three<rational> const v = HalfTurn<rational>(parameters).axis(motion.before), side = cross_product(motion.before, v);
     for (int i = 0; i < 3; ++i) BOOST_TEST((delta[i] * v[i] + side[i] == 0));
-    BOOST_TEST((inertia_of(flight) == j));
+    BOOST_TEST((inertia_of(parameters) == j));
     // With the gaps the wrong way round it is another map.
-    for (auto& g : flight.gap) g = -g;
+    for (auto& g : parameters.gap) g = -g;
     u = motion.before;
-    HalfTurn<rational>(flight).step(u);
+    HalfTurn<rational>(parameters).step(u);
     BOOST_TEST((u != motion.after));
   }
 }
@@ -192,10 +192,10 @@ BOOST_AUTO_TEST_CASE(steps_beyond_the_largest_are_refused_and_the_largest_named)
     auto const pi = body_momentum(inertia, spin);
     FreeBody const body(inertia, pi);
     double const largest = largest_step(inertia, pi);
-    BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.999999 * largest, 2));
+    BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.999999 * largest, 2));
     for (double const part : {1.000001, -1.000001, 1.01, -2.0, 30.0, 1e6}) {
       try {
-        body.moser_veselov_flight(part * largest, 2);
+        body.moser_veselov_parameters(part * largest, 2);
         BOOST_ERROR("accepted a step beyond the longest: " << part);
       } catch (StepTooLong const& error) {
         BOOST_TEST(std::abs(error.largest_step / largest - 1) <= 1e-12);
@@ -207,8 +207,8 @@ BOOST_AUTO_TEST_CASE(steps_beyond_the_largest_are_refused_and_the_largest_named)
   for (int axis = 0; axis < 3; ++axis)
     for (double const side : {1.0, -1.0}) {
       FreeBody const body(inertia_from_moments(0.6, 0.8, 1), body_momentum(inertia_from_moments(0.6, 0.8, 1), side * basis_velocity<double>(SO<3>{}, axis)));
-      BOOST_CHECK_NO_THROW(body.moser_veselov_flight(0.999, 2));
-      BOOST_CHECK_THROW(body.moser_veselov_flight(1.001, 2), StepTooLong);
+      BOOST_CHECK_NO_THROW(body.moser_veselov_parameters(0.999, 2));
+      BOOST_CHECK_THROW(body.moser_veselov_parameters(1.001, 2), StepTooLong);
     }
 }
 
@@ -219,18 +219,18 @@ BOOST_AUTO_TEST_CASE(the_twist_is_the_same_all_along_the_orbit_and_steps_back_un
     auto const pi = body_momentum(inertia, spin);
     double const h = 0.7 * largest_step(inertia, pi);
     FreeBody const body(inertia, pi);
-    auto const first = body.moser_veselov_flight(h, 2);
+    auto const first = body.moser_veselov_parameters(h, 2);
     HalfTurn<double> const turn(first);
-    BodyPlace<double> place = body.start();
+    FrameState<double> state = body.start();
     for (int k = 0; k < 200; ++k) {
-      turn.step(place);
+      turn.step(state);
       // Built afresh from where the body is: energy and amount have seen a rounding a step.
-      auto const now = FreeBody(inertia, body.state(place).body_momentum).moser_veselov_flight(h, 2);
+      auto const now = FreeBody(inertia, body.state(state).body_momentum).moser_veselov_parameters(h, 2);
       BOOST_TEST(std::abs(now.sin_twist - first.sin_twist) <= 32 * (k + 1) * eps);
     }
-    HalfTurn<double> const back(body.moser_veselov_flight(-h, 2));
-    for (int k = 0; k < 200; ++k) back.step(place);
-    auto const end = body.state(place), start = body.state(body.start());
+    HalfTurn<double> const back(body.moser_veselov_parameters(-h, 2));
+    for (int k = 0; k < 200; ++k) back.step(state);
+    auto const end = body.state(state), start = body.state(body.start());
     BOOST_TEST((end.body_momentum - start.body_momentum).components.norm() <= 400 * 32 * eps * body.amount());
     BOOST_TEST((end.attitude.value - start.attitude.value).norm() <= 400 * 32 * eps);
   }
@@ -242,20 +242,20 @@ BOOST_AUTO_TEST_CASE(the_compensated_turn_is_the_same_step) {
     auto const [inertia, spin] = testing::random_body<3>(random);
     FreeBody const body(inertia, body_momentum(inertia, spin));
     for (double const h : {1e-12, 1e-3, 0.1, 1.0, 3.0, 30.0, -2.0}) {
-      auto const flight = body.flight(h);
-      BodyPlace<double> plain = body.start();
-      PlaceWithCarry<double> summed{plain, {{}, {}}}, alone = summed;
-      HalfTurn<double>(flight).step(plain);
-      CompensatedTurn<double>(flight).step(summed);
-      CompensatedTurn<double>(flight).step_momentum(alone);
+      auto const parameters = body.step_parameters(h);
+      FrameState<double> plain = body.start();
+      CompensatedState<double> summed{plain, {{}, {}}}, alone = summed;
+      HalfTurn<double>(parameters).step(plain);
+      CompensatedHalfTurn<double>(parameters).step(summed);
+      CompensatedHalfTurn<double>(parameters).step_momentum(alone);
       Three<double> u = body.start().direction;
-      HalfTurn<double>(flight).step(u);
+      HalfTurn<double>(parameters).step(u);
       for (int i = 0; i < 3; ++i) {
-        BOOST_TEST(std::abs(plain.direction[i] - summed.place.direction[i]) <= 16 * eps);
-        BOOST_TEST(alone.place.direction[i] == summed.place.direction[i]);
+        BOOST_TEST(std::abs(plain.direction[i] - summed.state.direction[i]) <= 16 * eps);
+        BOOST_TEST(alone.state.direction[i] == summed.state.direction[i]);
         BOOST_TEST(std::abs(u[i] - plain.direction[i]) <= 4 * eps);
       }
-      for (int i = 0; i < 4; ++i) BOOST_TEST(std::abs(plain.attitude[i] - summed.place.attitude[i]) <= 16 * eps);
+      for (int i = 0; i < 4; ++i) BOOST_TEST(std::abs(plain.attitude[i] - summed.state.attitude[i]) <= 16 * eps);
     }
   }
 }

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "witness/draw.hpp"
-#include "actio/fast_body/space/exact_flight.hpp"
+#include "actio/fast_body/space/exact_flow.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
 #include "../rigid_body/random_bodies.hpp"
 
@@ -74,12 +74,13 @@ BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
 }
 
 BOOST_AUTO_TEST_CASE(the_series_are_those_of_what_makes_the_step_exact) {
-  // s and d of an exact flight from the replaced moments themselves, by differences of two of them; 24 terms at t = 1/8.
+  // s and d of an exact step from the replaced moments themselves, by differences of two of them; 24 terms at
+  // t = 1/8.
   using S = dec50;
   for (bool const third : {false, true}) {
     Model<S> const model(third);
     S const t = ratio<S>(1, 8);
-    auto const j = inertia_of(exact_flight<S>(model.body, model.u, t));
+    auto const j = inertia_of(exact_flow<S>(model.body, model.u, t));
     S const s = (j[0] - j[2]) / (t * model.body.d13), d = j[1] - s * t * model.body.J[1];
     auto const series = modified_inertia<S>(model.body, model.u, t, 48);
     BOOST_TEST(to_double(magnitude(S(series.s - s))) <= 1e-30);
@@ -93,10 +94,10 @@ BOOST_AUTO_TEST_CASE(orders_two_to_ten_come_out) {
   using S = dec50;
   for (bool const third : {false, true}) {
     Model<S> const model(third);
-    BodyPlace<S> const start{model.u, {S(1), S(0), S(0), S(0)}};
+    FrameState<S> const start{model.u, {S(1), S(0), S(0), S(0)}};
     // Over the time 1, by 8 to 256 steps, against the exact motion in one.
-    BodyPlace<S> exact = start;
-    HalfTurn<S>(exact_flight<S>(model.body, model.u, ratio<S>(1, 2))).step(exact);
+    FrameState<S> exact = start;
+    HalfTurn<S>(exact_flow<S>(model.body, model.u, ratio<S>(1, 2))).step(exact);
     for (int order = 2; order <= 10; order += 2) {
       std::vector<double> steps, errors;
       for (int count = 8; count <= 256; count *= 2) {
@@ -105,13 +106,13 @@ BOOST_AUTO_TEST_CASE(orders_two_to_ten_come_out) {
         Three<S> j;
         for (int i = 0; i < 3; ++i) j[i] = modified.s * t * model.body.J[i] + modified.d;
         bool found = false;
-        HalfTurn<S> const turn(moser_veselov_flight<S>(j, model.u, found));
+        HalfTurn<S> const turn(moser_veselov_parameters<S>(j, model.u, found));
         BOOST_REQUIRE(found);
-        BodyPlace<S> place = start;
-        for (int k = 0; k < count; ++k) turn.step(place);
+        FrameState<S> state = start;
+        for (int k = 0; k < count; ++k) turn.step(state);
         S error(0);
-        for (int i = 0; i < 3; ++i) error += magnitude(S(place.direction[i] - exact.direction[i]));
-        for (int i = 0; i < 4; ++i) error += magnitude(S(place.attitude[i] - exact.attitude[i]));
+        for (int i = 0; i < 3; ++i) error += magnitude(S(state.direction[i] - exact.direction[i]));
+        for (int i = 0; i < 4; ++i) error += magnitude(S(state.attitude[i] - exact.attitude[i]));
         steps.push_back(1.0 / count), errors.push_back(to_double(error));
       }
       auto const fit = testing::fit_order(steps, errors);

@@ -63,7 +63,7 @@ void agrees_for_a_step(Scheme const& scheme, RotatingBody& body, double conditio
   farthest = std::max(farthest, apart / bound);
   BOOST_TEST(apart <= bound);
   // M1 = f M0 f^T moves by twice the change of f; so does, once, the attitude.
-  BOOST_TEST(difference(body.momentum(), general.carry(f, pi)) <= 2 * bound * size);
+  BOOST_TEST(difference(body.momentum(), general.transport(f, pi)) <= 2 * bound * size);
   BOOST_TEST(difference(body.attitude().value, general.reconstruct(g, f).value) <= 2 * bound);
 }
 

@@ -1,4 +1,5 @@
-// A million steps on SO(8) by squares: traces that are kept, momentum in space, attitude, and how their changes grow.
+// A million steps on SO(8) by squares: traces that are conserved, momentum in space, attitude, and how their
+// changes grow.
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
@@ -32,7 +33,7 @@ Matrix times(Matrix const& a, Matrix const& b, int n) {
   return c;
 }
 /// \f$\mathrm{Tr}M^2\f$, \f$\mathrm{Tr}M^4\f$, \f$\mathrm{Tr}M^2\Lambda^2\f$ and the energy: a function of the last two kinds for all n.
-std::array<Long, 4> kept(RotatingBody const& body, Inertia<n_> const& inertia) {
+std::array<Long, 4> conserved_traces(RotatingBody const& body, Inertia<n_> const& inertia) {
   int const n = body.size();
   Matrix const m = whole(body), m2 = times(m, m, n), m4 = times(m2, m2, n);
   std::array<Long, 4> sums{};
@@ -57,7 +58,7 @@ Drift drift_of(Sweeps sweeps, unsigned seed, double angle, long count) {
   Eigen::MatrixXd const xi = inertia.group.hat(spin.coordinates);
   FastMoserVeselov const scheme(inertia, angle / std::sqrt(largest_eigenvalue(xi.transpose() * xi)), sweeps);
   auto body = scheme.release(body_momentum(inertia, spin));
-  auto const start = kept(body, inertia);
+  auto const start = conserved_traces(body, inertia);
   auto const spatial = body.spatial_momentum();
   std::vector<double> steps, changes;
   double worst = 0, largest = 0, squares = 0;
@@ -65,7 +66,7 @@ Drift drift_of(Sweeps sweeps, unsigned seed, double angle, long count) {
     scheme.step_with_attitude(body);
     squares += body.squares();
     if (k % 1000 && k != next) continue;
-    auto const now = kept(body, inertia);
+    auto const now = conserved_traces(body, inertia);
     for (std::size_t a = 0; a < now.size(); ++a) worst = std::max(worst, static_cast<double>(std::abs(now[a] / start[a] - 1)));
     largest = std::max(largest, static_cast<double>(std::abs(now[0] / start[0] - 1)));
     if (k == next) steps.push_back(static_cast<double>(k)), changes.push_back(std::max(largest, 1e-19)), next = next * 3 / 2;

@@ -1,4 +1,5 @@
-// The natural-chart scheme by closed forms: against the general road, its orders, what it keeps, and where it ends.
+// The natural-chart scheme by closed forms: against the general road, its orders, what it conserves, and
+// where it ends.
 #include <boost/test/unit_test.hpp>
 
 #include <Eigen/Geometry>
@@ -88,7 +89,7 @@ BOOST_AUTO_TEST_CASE(amount_and_momentum_in_space_are_kept_to_rounding_over_many
     motion.advance(100000);
     auto const s = motion.state();
     double const size = start.components.norm();
-    // The sums are compensated: what is left is the rounding of the changes, a walk of 1e5 parts of epsilon.
+    // The sums are compensated: the error is the rounding of the changes, a walk of 1e5 parts of epsilon.
     double const room = 4 * eps * std::sqrt(1e5) * 0.1;
     BOOST_TEST(std::abs(s.body_momentum.components.norm() / size - 1) <= room);
     BOOST_TEST((s.spatial_momentum().components - start.components).norm() / size <= 2 * room);

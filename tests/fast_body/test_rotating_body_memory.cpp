@@ -1,4 +1,4 @@
-// A body on SO(n) that is saved between two steps and restored elsewhere goes on as if nothing had been.
+// A body on SO(n) that is saved between two steps and restored elsewhere continues bit for bit.
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"

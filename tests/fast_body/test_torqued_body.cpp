@@ -1,4 +1,4 @@
-// Kicks and exact flights: orders, what is conserved, and the lanes against one body at a time.
+// Splitting into kicks and exact drifts: orders, what is conserved, and the lanes against one body at a time.
 #include <boost/test/unit_test.hpp>
 
 #include <Eigen/Geometry>
@@ -24,7 +24,7 @@ struct Start {
   Attitude attitude{SU2{}, Vector4d(1, 0.2, 0.3, -0.4).normalized()};
 
   template <class Torque>
-  FreeState after(double duration, int steps, Torque const& torque, KickFlight const& method = strang_splitting()) const {
+  FreeState after(double duration, int steps, Torque const& torque, Splitting const& method = strang_splitting()) const {
     TorquedBody body(inertia, momentum, attitude, torque, duration / steps, method);
     body.step(steps);
     return body.state();
@@ -58,7 +58,7 @@ FreeState solved(Start const& start, double duration, double strength, double ra
   return {{SO<3>{}, end.head<3>()}, {SU2{}, end.tail<4>()}};
 }
 
-std::vector<KickFlight> methods() { return {strang_splitting(), composed_splitting("Suzuki", 4, suzuki<double>()), blanes_moan_splitting()}; }
+std::vector<Splitting> methods() { return {strang_splitting(), composed_splitting("Suzuki", 4, suzuki<double>()), blanes_moan_splitting()}; }
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(torqued_body)
@@ -110,8 +110,8 @@ BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step) {
     auto const turn = there.state();
     TorquedBody back(start.inertia, turn.body_momentum, turn.attitude, torque, -0.05, method, there.time());
     back.step(steps);
-    // Some twenty roundings a flight, which the motion may magnify by the angle turned.
-    double const room = 20 * eps * 2 * steps * static_cast<double>(method.flights.size());
+    // Some twenty roundings a drift, which the motion may magnify by the angle turned.
+    double const room = 20 * eps * 2 * steps * static_cast<double>(method.drifts.size());
     BOOST_TEST(apart(back.state(), {start.momentum, start.attitude}) <= room);
     BOOST_TEST(std::abs(back.time()) <= 1e-12);
   }
@@ -138,12 +138,12 @@ BOOST_AUTO_TEST_CASE(energy_stays_bounded_over_many_steps_and_the_momentum_along
     BOOST_TEST_MESSAGE(method.name << ", 1e5 steps: energy off by " << early << " in the first half, " << late
                                    << " in the second; momentum along the direction by " << lost);
     BOOST_TEST(late <= 1.2 * early);
-    BOOST_TEST(early > 1e-9);  // kept by no theorem
-    // The torque has no component along n. Kicks and flights keep it, to a walk of roundings.
-    BOOST_TEST(lost <= 100 * eps * std::sqrt(1e5 * static_cast<double>(method.flights.size())));
+    BOOST_TEST(early > 1e-9);  // conserved by no theorem
+    // The torque has no component along n. Kicks and drifts conserve it, to a random walk of roundings.
+    BOOST_TEST(lost <= 100 * eps * std::sqrt(1e5 * static_cast<double>(method.drifts.size())));
   }
   // A control: one kick too late, the first order and no longer its own inverse. It is symplectic too, but the energy is off by more.
-  TorquedBody lopsided(start.inertia, start.momentum, start.attitude, torque, 0.1, KickFlight{"lopsided", 1, {1, 0}, {1}});
+  TorquedBody lopsided(start.inertia, start.momentum, start.attitude, torque, 0.1, Splitting{"lopsided", 1, {1, 0}, {1}});
   TorquedBody strang(start.inertia, start.momentum, start.attitude, torque, 0.1);
   double one = 0, two = 0;
   for (int k = 0; k < 100; ++k) {
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(without_a_torque_the_motion_is_the_free_one_whatever_the_st
     Moment const momentum = body_momentum(inertia, spin);
     Attitude const attitude{SU2{}, Vector4d(1, 0.1, 0.2, 0.3).normalized()};
     auto const sphere = inertia_from_moments(0.7, 0.7, 0.7);
-    // Each of the three roads a flight may take, and the changes between them.
+    // Each of the three ways to compute a drift, and the changes between them.
     for (double const h : {0.01, 0.1, 0.2, 0.4, 1.0, 10.0, -0.3}) {
       int const steps = 20;
       TorquedBody none(inertia, momentum, attitude, [](Four<double> const&, double) { return Three<double>{0, 0, 0}; }, h);
@@ -180,9 +180,10 @@ BOOST_AUTO_TEST_CASE(a_long_body_keeps_the_difference_of_its_moments) {
   long_body.momentum.components = {1e-6, 0.3, 0.9};
   double const duration = 100;
   auto const none = [](Four<double> const&, double) { return Three<double>{0, 0, 0}; };
-  FreeState const flown = long_body.after(duration, 4000, none), free = FreeBody(long_body.inertia, long_body.momentum, long_body.attitude).at(duration);
-  // 4000 steps lose a few roundings each; the body turns about its long axis as fast as about the others, so that nothing magnifies them but the time.
-  BOOST_TEST(apart(flown, free) <= 4000 * 8 * eps);
+  FreeState const stepped = long_body.after(duration, 4000, none), free = FreeBody(long_body.inertia, long_body.momentum, long_body.attitude).at(duration);
+  // 4000 steps have a few roundings each; the body turns about its long axis as fast as about the others, so
+  // that nothing magnifies them but the time.
+  BOOST_TEST(apart(stepped, free) <= 4000 * 8 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_at_rest_begins_to_swing) {
@@ -246,8 +247,9 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_one_body_does) {
         most = std::max(most, apart(batch.state(i), alone.state()) / (1 + momenta[i].components.norm()));
       }
       BOOST_TEST_MESSAGE("torqued bodies in lanes (" << name_of(machine) << "), " << method.name << ": from one body alone " << most);
-      // Roundings differ where multiplications are fused: twenty a flight, magnified by the angle turned since, up to two a step here.
-      BOOST_TEST(most <= 20 * eps * steps * static_cast<double>(method.flights.size()) * (1 + steps * 0.1));
+      // Roundings differ where multiplications are fused: twenty a drift, magnified by the angle turned
+      // since, up to two a step here.
+      BOOST_TEST(most <= 20 * eps * steps * static_cast<double>(method.drifts.size()) * (1 + steps * 0.1));
     }
 }
 
@@ -272,7 +274,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, std::nan("")), NotFinite);
   BOOST_CHECK_THROW(TorquedBody(start.inertia, {SO<3>{}, Vector3d(1, NAN, 0)}, start.attitude, still, 0.1), NotFinite);
   BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, {SU2{}, Vector4d(0, 0, 0, 0)}, still, 0.1), OutsideDomain);
-  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.1, KickFlight{"none", 1, {1}, {}}), OutsideDomain);
+  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.1, Splitting{"none", 1, {1}, {}}), OutsideDomain);
   BOOST_CHECK_THROW(composed_splitting("half", 2, {0.5}), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient(start.inertia, -1, towards), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient(start.inertia, 1, Vector3d::Zero()), OutsideDomain);

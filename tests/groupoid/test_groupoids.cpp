@@ -32,7 +32,7 @@ auto const heavy = [](auto const& g) {
   using S = typename std::decay_t<decltype(g)>::Scalar;
   Vector<double, 3> const lambda(0.5, 0.8, 1.3);
   S sum(0);
-  for (int i = 0; i < 3; ++i) sum += (S(1) - g.turn.value(i, i)) * S(lambda[i] / 0.1);
+  for (int i = 0; i < 3; ++i) sum += (S(1) - g.element.value(i, i)) * S(lambda[i] / 0.1);
   return S(sum - g.vector[2] * S(0.05));
 };
 
@@ -75,7 +75,7 @@ BOOST_AUTO_TEST_CASE(a_step_solves_the_equation_and_the_generated_map_joins_its_
   auto const turn = exp(velocity(SO<3>{}, Vector<double, 3>(0.1, 0.25, -0.2)));
   Arrow<ActionGroupoid<SO<3>>, double> g{turn, column(draw, 3)};
   for (int k = 0; k < 50; ++k) {
-    Arrow<ActionGroupoid<SO<3>>, double> const guess{g.turn, gamma.target(g).value};
+    Arrow<ActionGroupoid<SO<3>>, double> const guess{g.element, gamma.target(g).value};
     auto const next = step_lagrange(gamma, heavy, g, guess);
     auto const scale = legendre_at_target(gamma, heavy, g).components.norm();
     BOOST_TEST(lagrange_equations(gamma, heavy, g, next.value).norm() <= 64 * eps * scale);
@@ -104,9 +104,9 @@ BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
   Draw draw(15);
   Arrow<ActionGroupoid<SO<3>>, double> const guess{identity<double>(SO<3>{}), column(draw, 3)};
   BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(1, std::nan(""), 0), guess), NotFinite);
-  // More momentum than any turn can take up: the trace Lagrangian is bounded.
+  // More momentum than any relative motion has: the trace Lagrangian is bounded.
   BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(0, 0, 1000), guess), Error);
-  auto const flat = [](auto const& g) { return g.turn.value(0, 0) * 0; };
+  auto const flat = [](auto const& g) { return g.element.value(0, 0) * 0; };
   BOOST_CHECK_THROW(arrow_with_source_covector(gamma, flat, Vector<double, 3>(1, 0, 0), guess), Singular);
 }
 

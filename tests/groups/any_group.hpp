@@ -63,7 +63,7 @@ template <class S>
 using Second = Dual<Dual<S, 1>, 1>;
 
 /// Any group at the scalars S, First<S> and Second<S>.
-template <Field S>
+template <Scalar S>
 struct AnyGroup {
   static constexpr int dim = Dynamic;
   template <class T>

@@ -35,7 +35,7 @@ struct Edge {
   double condition = 1;
 };
 
-template <Field S>
+template <Scalar S>
 class Laws {
   using G = AnyGroup<S>;
 
@@ -70,16 +70,16 @@ class Laws {
 
   Velocity<G, S> velocity(S const& size) { return draw.velocity<S>(group, size); }
   Element<G, S> element(S const& size) { return draw.element<S>(group, size); }
-  template <Field T>
+  template <Scalar T>
   static Element<G, T> near_one(Velocity<G, T> const& v) {
     return {v.group, primitive::near_identity(v.group, v.coordinates)};
   }
   /// The size of a matrix that multiplies, at least 1.
-  template <Field T>
+  template <Scalar T>
   static double size(Element<G, T> const& g) {
     return std::max(1.0, to_double(magnitude(g.value)) * static_cast<double>(g.value.rows()));
   }
-  template <Field T>
+  template <Scalar T>
   static double size(Velocity<G, T> const& v) {
     return to_double(magnitude(v.coordinates));
   }
@@ -127,7 +127,7 @@ class Laws {
     S const c = draw.number<S>();
     auto const linear = bracket(xi + c * zeta, eta) - bracket(xi, eta) - c * bracket(zeta, eta);
     vanishes("bracket is linear", linear.coordinates, (size(xi) + size(zeta)) * size(eta) * group.dimension(), 8);
-    vanishes("Ad keeps brackets", (Ad(g, bracket(xi, eta)) - bracket(Ad(g, xi), Ad(g, eta))).coordinates,
+    vanishes("Ad preserves brackets", (Ad(g, bracket(xi, eta)) - bracket(Ad(g, xi), Ad(g, eta))).coordinates,
              conditioned * conditioned * group.dimension(), 32);
 
     vanishes("<Ad*_g mu, xi> = <mu, Ad_g xi>", pair(Ad_star(g, mu), xi) - pair(mu, Ad(g, xi)), conditioned * group.dimension(), 16);
@@ -228,7 +228,7 @@ class Laws {
 };
 
 /// All laws of `group` over the scalar S, the worst finding for each. A primitive that throws where it should not breaks a law as well.
-template <Field S>
+template <Scalar S>
 std::vector<Finding> check_any(AnyGroup<S> const& group, std::uint64_t seed, std::vector<Edge<S>> const& edges) {
   Laws<S> laws(group, seed);
   try {
@@ -238,7 +238,7 @@ std::vector<Finding> check_any(AnyGroup<S> const& group, std::uint64_t seed, std
   }
   return std::move(laws.findings);
 }
-template <Field S, Group G>
+template <Scalar S, Group G>
 std::vector<Finding> check(G const& group, std::uint64_t seed, std::vector<Edge<S>> const& edges = {}) {
   return check_any<S>(AnyGroup<S>(group), seed, edges);
 }

@@ -22,9 +22,9 @@ SpannedGroup from_span(std::string const& name, G const& group, Retraction choic
   return SpannedGroup(name, basis, choice);
 }
 
-/// Near the edge of the chart of the logarithm of general matrices, which takes square roots: each loses what the eigenvalue -1 is near. Whole multiples of
-/// the first basis vectors, seen from another frame.
-template <Field S, Group G>
+/// Near the edge of the chart of the logarithm of general matrices, which takes square roots: each cancels as
+/// the eigenvalue comes near to -1. Whole multiples of the first basis vectors, seen from another frame.
+template <Scalar S, Group G>
 std::vector<Edge<S>> edge(G const& group, std::initializer_list<int> multiples) {
   if constexpr (Real<S>) {
     if (exact_arithmetic<S>()) return {};
@@ -39,7 +39,7 @@ std::vector<Edge<S>> edge(G const& group, std::initializer_list<int> multiples) 
 }
 
 /// U(n), SU(n), SL(n), Sp(2n, R).
-template <Field S>
+template <Scalar S>
 void laws_of_families() {
   hold<S>("U(1)", U<>(1), edge<S>(U<>(1), {3}));
   hold<S>("U(2)", U<>(2), edge<S>(U<>(2), {3, -1}));
@@ -54,7 +54,7 @@ void laws_of_families() {
 }
 
 /// SL(3) x (U(1) x Sp(2)), SL(2) |x R^2 and SL(3) |x R^3, and SL(3), SU(3) and SU(2) from their spans.
-template <Field S>
+template <Scalar S>
 void laws_of_products_and_spans() {
   hold<S>("SL(3) x (U(1) x Sp(2))", DirectProduct{SL<>(3), DirectProduct{U<>(1), Sp<>(2)}});
   hold<S>("SL(2) |x R^2", SemidirectProduct{SL<>(2)});

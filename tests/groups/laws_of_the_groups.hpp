@@ -32,7 +32,7 @@ void in_each_arithmetic(Run const& run) {
   }
 }
 
-template <Field S, Group G>
+template <Scalar S, Group G>
 void hold(std::string const& name, G const& group, std::vector<Edge<S>> const& edges = {}) {
   Finding worst;
   for (Finding const& f : check<S>(group, seed, edges)) {
@@ -69,7 +69,7 @@ inline SpannedGroup spanned_motions() {
 }
 
 /// R^3, SO(2), SE(2).
-template <Field S>
+template <Scalar S>
 void laws_in_the_plane() {
   std::vector<Edge<S>> translations, turns, motions;
   if (!exact_arithmetic<S>()) {
@@ -85,14 +85,15 @@ void laws_in_the_plane() {
 }
 
 /// SO(3), SU(2), SE(3).
-template <Field S>
+template <Scalar S>
 void laws_in_space() {
   std::vector<Edge<S>> rotations, quaternions, motions;
   if (!exact_arithmetic<S>()) {
     S const a = nearly_pi<S>();
     rotations.push_back({turning(a)});
     rotations.push_back({Coordinates<SO<3>, S>(S(0), a, S(0))});
-    // Next to -1 every direction leads back to 1: the axis, a vector of length 10^-8, keeps its digits relative to 1.
+    // Next to -1 every direction leads back to 1: the axis, a vector of length 10^-8, has its digits relative
+    // to 1.
     quaternions.push_back({turning(S(2) * a), 1e8});
     Coordinates<SE<3>, S> v;
     v << turning(a), S(1), ratio<S>(2, 3), ratio<S>(-1, 3);
@@ -104,14 +105,15 @@ void laws_in_space() {
 }
 
 /// Heisenberg, Aff(1), SL(2), GL(2).
-template <Field S>
+template <Scalar S>
 void laws_of_small_matrices() {
   std::vector<Edge<S>> heisenberg, affine, special, general;
   if (!exact_arithmetic<S>()) {
     heisenberg.push_back({coordinates<Heisenberg, S>(S(10), {5, -9, 20})});
     affine.push_back({coordinates<Aff1, S>(S(3), {0, 5})});
     affine.push_back({coordinates<Aff1, S>(S(-3), {0, 5})});
-    // Turns by 3: the logarithm of general matrices takes square roots, and each loses what the eigenvalue -1 is near.
+    // Turns by 3: the logarithm of general matrices takes square roots, and each cancels as the eigenvalue
+    // comes near to -1.
     special.push_back({coordinates<SL2, S>(S(0), {0, 21, -21}), 100});
     general.push_back({coordinates<GL<2>, S>(S(0), {1, 21, -21, 1}), 100});
   }
@@ -122,7 +124,7 @@ void laws_of_small_matrices() {
 }
 
 /// One angle next to pi, another 1, in planes that are not those of the coordinates.
-template <Field S, Group G>
+template <Scalar S, Group G>
 std::vector<Edge<S>> nearly_half_a_turn(G const& group) {
   if constexpr (Real<S>) {
     if (exact_arithmetic<S>()) return {};
@@ -136,18 +138,18 @@ std::vector<Edge<S>> nearly_half_a_turn(G const& group) {
   }
 }
 /// SO(4), GL(3).
-template <Field S>
+template <Scalar S>
 void laws_of_larger_matrices() {
   hold<S>("SO(4)", SO<4>{}, nearly_half_a_turn<S>(SO<4>{}));
   hold<S>("GL(3)", GL<3>{});
 }
 /// SO(5), by itself because its logarithm takes long to compile.
-template <Field S>
+template <Scalar S>
 void laws_in_five_dimensions() {
   hold<S>("SO(5)", SO<5>{}, nearly_half_a_turn<S>(SO<5>{}));
 }
 /// SE(3) from its span.
-template <Field S>
+template <Scalar S>
 void laws_of_a_span() {
   hold<S>("SE(3) from its span", spanned_motions());
 }

@@ -97,7 +97,7 @@ std::map<std::string, Fault> const planted = {
     {"inverse is inverse", Fault::inverse},
     {"Ad(gh) = Ad(g) Ad(h)", Fault::Ad_side},
     {"Ad_g xi is g xi g^-1", Fault::Ad_side},
-    {"Ad keeps brackets", Fault::Ad_scale},
+    {"Ad preserves brackets", Fault::Ad_scale},
     {"bracket is antisymmetric", Fault::bracket_symmetric},
     {"bracket satisfies Jacobi's identity", Fault::bracket_jacobi},
     {"bracket is linear", Fault::bracket_curved},

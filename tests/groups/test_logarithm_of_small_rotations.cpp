@@ -1,4 +1,4 @@
-// The logarithm keeps relative accuracy down to angles of 1e-40: against 50 digits.
+// The logarithm is relatively accurate down to angles of 1e-40: against 50 digits.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/rotations.hpp"

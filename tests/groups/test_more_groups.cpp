@@ -24,7 +24,8 @@ BOOST_AUTO_TEST_CASE(a_span_finds_its_retraction) {
   // The choice can be made by hand, where it does no harm.
   BOOST_TEST((from_span("SO(3)", SO<3>{}, Retraction::elementary).retraction() == Retraction::elementary));
   BOOST_CHECK_EXCEPTION(from_span("SL(3)", SL<>(3), Retraction::cayley), OutsideDomain, [](OutsideDomain const& e) { return e.measured > e.bound; });
-  // diag(1, 1, -2) spans a group of its own, of which its cube knows nothing: no rational map from these powers leads into it.
+  // diag(1, 1, -2) spans a group of its own, whose algebra does not contain its cube: no rational map from
+  // these powers leads into it.
   WholeMatrix weights = WholeMatrix::Zero(3, 3);
   weights.diagonal() << 1, 1, -2;
   BOOST_CHECK_EXCEPTION(SpannedGroup("weights", {weights}), OutsideDomain, [](OutsideDomain const& e) { return e.measured == 1 && e.bound == 0; });

@@ -18,7 +18,7 @@ using Vector3d = actio::Vector<double, 3>;
 namespace {
 
 LiePoissonMinus const body_momenta;
-FreeBody<SO<3>> const body{Vector3d(1, 2, 4)};
+DiagonalBody<SO<3>> const body{Vector3d(1, 2, 4)};
 auto const pi = momentum(SO<3>{}, Vector3d(0.75, -1.25, 0.5));
 
 // A point of T*R^2.
@@ -30,7 +30,7 @@ auto kick(Matrix<double, 2, 2> const& k) {
   return [k](auto const& x) {
     auto y = x;
     for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) y.momentum.components[i] += x.place.value[j] * k(i, j);
+      for (int j = 0; j < 2; ++j) y.momentum.components[i] += x.configuration.value[j] * k(i, j);
     return y;
   };
 }
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(a_linear_canonical_map_has_no_defect) {
 BOOST_AUTO_TEST_CASE(a_force_with_a_curl_has_the_defect_of_its_curl) {
   Matrix<double, 2, 2> k;
   k << 2, -1, 0.5, 3;
-  // The sizes: 1 for places, |p| for momenta. Omega has four entries |p|, the defect two entries K_12 - K_21.
+  // The sizes: 1 for configurations, |p| for momenta. Omega has four entries |p|, the defect two entries K_12 - K_21.
   double const p = q_and_p.momentum.components.norm(), curl = 1.5;
   double const expected = std::sqrt(2 * curl * curl) / (2 * p + std::sqrt(4 * p * p + 2 * curl * curl));
   BOOST_TEST(std::abs(symplectic_defect(CotangentBundle{}, kick(k), q_and_p) - expected) < 8 * eps);
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(a_force_with_a_curl_has_the_defect_of_its_curl) {
 BOOST_AUTO_TEST_CASE(a_scaling_by_an_eighth_has_the_defect_it_must_have) {
   double const e = 0.125;
   // Canonical: (1 + e) against 1. On the dual of an algebra: (1 + e)^2 against 1 + e.
-  auto const scaled = [](auto const& x) { return std::decay_t<decltype(x)>{x.place, larger(x.momentum)}; };
+  auto const scaled = [](auto const& x) { return std::decay_t<decltype(x)>{x.configuration, larger(x.momentum)}; };
   BOOST_TEST(std::abs(symplectic_defect(CotangentBundle{}, scaled, q_and_p) - e / (2 + e)) < 4 * eps);
   BOOST_TEST(std::abs(poisson_defect(body_momenta, larger, pi) - e / (2 + e)) < 4 * eps);
   BOOST_TEST(std::abs(orbit_defect(larger, pi) - e) < 4 * eps);
@@ -77,8 +77,8 @@ BOOST_AUTO_TEST_CASE(a_scaling_by_an_eighth_has_the_defect_it_must_have) {
 }
 
 BOOST_AUTO_TEST_CASE(the_midpoint_rule_has_the_poisson_defect_of_its_determinant) {
-  // It keeps every sphere, so that A B A^T = det A B; and det A = (1 + c + d)/(1 + c - d) with the second and third invariants of the vector field at
-  // the middle.
+  // It preserves every sphere, so that A B A^T = det A B; and det A = (1 + c + d)/(1 + c - d) with the second
+  // and third invariants of the vector field at the middle.
   for (double const h : {0.5, 0.25, 0.125}) {
     auto const map = [h](auto const& mu) { return implicit_midpoint(body, typename std::decay_t<decltype(mu)>::Scalar(h), mu); };
     Vector3d const m = (pi.components + map(pi).components) / 2, I = body.inertia;
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_turned_momentum_has_the_defect_of_the_turn) {
   double const angle = 0.4;
   Costate<SO<3>, double> const x{exp(velocity(SO<3>{}, Vector3d(0.1, 0.7, -0.3))), pi};
   auto const map = [&](auto const& y) {
-    return std::decay_t<decltype(y)>{y.place,
+    return std::decay_t<decltype(y)>{y.configuration,
                                      {y.momentum.group, exp(velocity(SO<3>{}, Vector3d(0, 0, angle))).value * y.momentum.components}};
   };
   auto const about = [](int axis) { return left_translation(basis_velocity<double>(SO<3>{}, axis)); };
@@ -160,10 +160,11 @@ BOOST_AUTO_TEST_CASE(a_coadjoint_action_is_exact_over_the_rationals) {
   auto const mu = draw.momentum<rational>(space);
   auto const action = [&](auto const& at) { return Ad_star(like(at, g), at); };
   BOOST_TEST(magnitude(poisson_residual(LiePoissonPlus{}, action, mu)) == 0);
-  // Lifted to the cotangent bundle; and with an element that depends on the momentum, which keeps orbits and not the bracket.
+  // Lifted to the cotangent bundle; and with an element that depends on the momentum, which preserves orbits
+  // and not the bracket.
   Costate<SE<3>, rational> const x{draw.element<rational>(space), mu};
   auto const lifted = [&](auto const& p) {
-    return std::decay_t<decltype(p)>{like(p.place, g) * p.place, Ad_star(inverse(like(p.momentum, g)), p.momentum)};
+    return std::decay_t<decltype(p)>{like(p.configuration, g) * p.configuration, Ad_star(inverse(like(p.momentum, g)), p.momentum)};
   };
   BOOST_TEST(magnitude(symplectic_residual(CotangentBundle{}, lifted, x)) == 0);
   BOOST_TEST(magnitude(poisson_residual(CotangentBundle{}, lifted, x)) == 0);

@@ -12,7 +12,7 @@ using namespace actio::testing;
 
 namespace {
 
-FreeBody<SO<3>> const body{Vector<double, 3>(1, 2, 4)};
+DiagonalBody<SO<3>> const body{Vector<double, 3>(1, 2, 4)};
 dec50 const h = ratio<dec50>(1, 5), eps50 = epsilon<dec50>();
 Momentum<SO<3>, dec50> const pi{{}, {ratio<dec50>(3, 7), ratio<dec50>(-5, 3), ratio<dec50>(2, 3)}};
 

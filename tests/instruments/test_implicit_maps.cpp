@@ -1,4 +1,5 @@
-// Maps that solve an equation: their tangents against that of the equation, and the brackets that reduced discrete Lagrangians keep.
+// Maps that solve an equation: their tangents against that of the equation, and the brackets that reduced
+// discrete Lagrangians preserve.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/motions.hpp"
@@ -13,7 +14,7 @@ using Vector6d = Matrix<double, 6, 1>;
 namespace {
 
 constexpr double h = 0.25;
-FreeBody<SE<3>> const submarine{Vector6d{{2, 5, 6, 1, 3, 4}}};
+DiagonalBody<SE<3>> const submarine{Vector6d{{2, 5, 6, 1, 3, 4}}};
 // Not even in the velocity: with terms that are linear in it, and one that couples turning to gliding.
 struct Twisted {
   double twist;

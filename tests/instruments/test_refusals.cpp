@@ -42,9 +42,9 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_no_number_is_refused) {
     BOOST_CHECK_THROW(self_adjointness_defect(momenta, wait, 0.1, broken), NotFinite);
     BOOST_CHECK_THROW(self_adjointness_defect(momenta, wait, bad, fine), NotFinite);
     BOOST_CHECK_THROW(reversibility_defect(momenta, stay, broken, stay), NotFinite);
-    BOOST_CHECK_THROW(symplectic_defect(CotangentBundle{}, stay, Costate<SO<3>, double>{costate.place, broken}), NotFinite);
+    BOOST_CHECK_THROW(symplectic_defect(CotangentBundle{}, stay, Costate<SO<3>, double>{costate.configuration, broken}), NotFinite);
     auto twisted = costate;
-    twisted.place.value(1, 2) = bad;
+    twisted.configuration.value(1, 2) = bad;
     BOOST_CHECK_THROW(symplectic_defect(CotangentBundle{}, stay, twisted), NotFinite);
     BOOST_CHECK_THROW(momentum_defect(CotangentBundle{}, stay, twisted, left_translation(basis_velocity<double>(SO<3>{}, 0))), NotFinite);
     BOOST_CHECK_THROW(momentum_defect(CotangentBundle{}, stay, costate, left_translation(velocity(SO<3>{}, Vector3d(0, bad, 0)))),

@@ -21,26 +21,27 @@ BOOST_AUTO_TEST_CASE(metres_and_kibimetres_give_the_same_defects) {
   Vector6d const where{{0.3, 0.2, -0.5, 1.0, -2.0, 0.5}}, ahead{{0.1, -0.2, 0.15, 0.4, 0.1, 0.3}};
   std::vector<double> before;
   for (double const unit : {1.0, 1024.0, 0x1p-30}) {
-    Vector6d momentum_unit, inertia_unit, place_unit;
+    Vector6d momentum_unit, inertia_unit, configuration_unit;
     momentum_unit << unit * unit * Vector3d::Ones(), unit * Vector3d::Ones();
     inertia_unit << unit * unit * Vector3d::Ones(), Vector3d::Ones();
-    place_unit << Vector3d::Ones(), unit * Vector3d::Ones();
-    FreeBody<SE<3>> const submarine{Vector6d(inertia.cwiseProduct(inertia_unit))};
+    configuration_unit << Vector3d::Ones(), unit * Vector3d::Ones();
+    DiagonalBody<SE<3>> const submarine{Vector6d(inertia.cwiseProduct(inertia_unit))};
     auto const at = momentum(space, Vector6d(m.cwiseProduct(momentum_unit)));
     auto const family = [&](auto const& h, auto const& mu) { return runge_kutta(submarine, h, mu); };
     auto const map = [&](auto const& mu) { return family(typename std::decay_t<decltype(mu)>::Scalar(0.25), mu); };
     auto const glide_square = [](auto const& mu) { return mu.components.template tail<3>().squaredNorm(); };
     auto const product = [](auto const& mu) { return mu.components.template head<3>().dot(mu.components.template tail<3>()); };
-    // On T*SE(3): the place moves on as fast as it does at first. On SE(3) x SE(3): the motion goes on as it did.
-    auto const g0 = exp(velocity(space, Vector6d(where.cwiseProduct(place_unit)))),
-               g1 = g0 * exp(velocity(space, Vector6d(ahead.cwiseProduct(place_unit))));
+    // On T*SE(3): the configuration moves on as fast as it does at first. On SE(3) x SE(3): the last relative
+    // motion is repeated.
+    auto const g0 = exp(velocity(space, Vector6d(where.cwiseProduct(configuration_unit)))),
+               g1 = g0 * exp(velocity(space, Vector6d(ahead.cwiseProduct(configuration_unit))));
     auto const on_bundle = [&](auto const& p) {
-      auto const body_momentum = Ad_star(p.place, p.momentum);
+      auto const body_momentum = Ad_star(p.configuration, p.momentum);
       using S = typename std::decay_t<decltype(p)>::Scalar;
-      return std::decay_t<decltype(p)>{p.place * exp(ratio<S>(1, 4) * submarine.velocity(body_momentum)), p.momentum};
+      return std::decay_t<decltype(p)>{p.configuration * exp(ratio<S>(1, 4) * submarine.velocity(body_momentum)), p.momentum};
     };
     auto const on_pairs = [](auto const& x) { return std::decay_t<decltype(x)>{x.second, x.second * inverse(x.first) * x.second}; };
-    PairsOfPlaces const pairs{lift_left(chart_lagrangian(submarine, 1.0))};
+    PairsOfConfigurations const pairs{lift_left(chart_lagrangian(submarine, 1.0))};
     std::vector<double> const now = {poisson_defect(LiePoissonMinus{}, map, at),
                                      orbit_defect(map, at),
                                      leaf_defect(LiePoissonMinus{}, family, 0.25, at),

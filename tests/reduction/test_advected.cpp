@@ -56,7 +56,8 @@ constexpr auto on_rows = [](auto const& g, auto const& a) {
   return A(inverse(g).value.transpose() * a);
 };
 
-/// Kinetic energy of a body without any symmetry of its own, through the natural chart, and a potential that sees the vector, by the trapezoidal rule.
+/// Kinetic energy of a body without any symmetry of its own, through the natural chart, and a potential that
+/// depends on the vector, by the trapezoidal rule.
 struct BodyInField {
   Matrix<double> inertia;
   Vector<double> slope;
@@ -120,7 +121,7 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
           BOOST_TEST((before + Ad_star(g0, D1(L, g0, g1))).components.isZero(0));
           BOOST_TEST((after - Ad_star(g1, D2(L, g0, g1))).components.isZero(0));
           BOOST_TEST((after - advected_lie_poisson_update_left(l, f10, a0, before, act)).components.isZero(0));
-          // Controls: a vector that is not carried along, and a momentum that the vector has no share in.
+          // Controls: a vector that is not advected, and a momentum without the term of the vector.
           BOOST_TEST(!(reduced - (advected_momentum_after_left(l, f10, a0) - advected_momentum_before_left(l, f21, a0, act)).components).isZero(0));
           BOOST_TEST(!(after - Ad_star(inverse(f10), before)).components.isZero(0));
         }
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(what_fixes_the_vector_has_the_same_momentum_at_both_ends_of
       BOOST_TEST(left == stabiliser_momentum(advected_momentum_after_left(l, f, a0), Ad(f, zeta), a1));
       auto const right = stabiliser_momentum(advected_momentum_before_right(l, f, a0), zeta, a0);
       BOOST_TEST(right == stabiliser_momentum(advected_momentum_after_right(l, f, a0), Ad(inverse(f), zeta), b1));
-      // Controls: carried along the wrong way, and a generator that moves the vector.
+      // Controls: transported by the inverse, and a generator that moves the vector.
       BOOST_TEST(left != pair(advected_momentum_after_left(l, f, a0), Ad(inverse(f), zeta)));
       auto const other = draw.velocity<rational>(group);
       BOOST_TEST(pair(advected_momentum_before_left(l, f, a0), other) != pair(advected_momentum_after_left(l, f, a0), Ad(f, other)));
@@ -198,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exac
     }
 }
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places) {
+BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations) {
   Draw draw(13);
   double const h = 0.05;
   int const steps = 20;
@@ -206,24 +207,24 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places) {
       auto const l = random_body(draw, group, h);
       Column<double> const c = draw.vector<double>(group.matrix_size());
       auto const L = lift_advected_left(l, c);
-      auto before = draw.element<double>(group), place = before * exp(h * draw.velocity<double>(group)), reduced = place;
-      auto f = relative_motion_left(before, place);
+      auto before = draw.element<double>(group), configuration = before * exp(h * draw.velocity<double>(group)), reduced = configuration;
+      auto f = relative_motion_left(before, configuration);
       Column<double> a = inverse(before).value * c;
       for (int k = 0; k < steps; ++k) {
-        auto const full = step_euler_lagrange(L, before, place);
+        auto const full = step_euler_lagrange(L, before, configuration);
         auto const half = step_advected_euler_poincare_left(l, f, a);
         BOOST_TEST(half.report.evaluations <= 4);
-        before = place, place = full.value;
+        before = configuration, configuration = full.value;
         a = advect_left(f, a), f = half.value, reduced = reconstruct_left(reduced, f);
       }
-      // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a place of this size magnifies that a few times.
+      // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a configuration of this size magnifies that a few times.
       double const bound = 4 * 16 * eps / h * steps;
-      BOOST_TEST(magnitude((place.value - reduced.value).eval()) <= bound * magnitude(place.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
       BOOST_TEST(magnitude((inverse(before).value * c - a).eval()) <= bound * magnitude(a));
     }
 }
 
-BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_from_the_right) {
+BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations_from_the_right) {
   Draw draw(14);
   double const h = 0.05;
   int const steps = 10;
@@ -231,17 +232,17 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_from_the_right) {
       auto const l = random_body(draw, group, h);
       Column<double> const c = draw.vector<double>(group.matrix_size());
       auto const L = lift_advected_right(l, c);
-      auto before = draw.element<double>(group), place = exp(h * draw.velocity<double>(group)) * before, reduced = place;
-      auto f = relative_motion_right(before, place);
+      auto before = draw.element<double>(group), configuration = exp(h * draw.velocity<double>(group)) * before, reduced = configuration;
+      auto f = relative_motion_right(before, configuration);
       Column<double> a = before.value * c;
       for (int k = 0; k < steps; ++k) {
-        auto const next = step_euler_lagrange(L, before, place).value;
+        auto const next = step_euler_lagrange(L, before, configuration).value;
         auto const half = step_advected_euler_poincare_right(l, f, a).value;
-        before = place, place = next;
+        before = configuration, configuration = next;
         a = advect_right(f, a), f = half, reduced = reconstruct_right(reduced, f);
       }
       double const bound = 4 * 16 * eps / h * steps;
-      BOOST_TEST(magnitude((place.value - reduced.value).eval()) <= bound * magnitude(place.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
     }
 }
 

@@ -1,4 +1,4 @@
-// Compositions: what each substep keeps, what the base step must be, and what is refused.
+// Compositions: what each substep preserves, what the base step must be, and what is refused.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/composition.hpp"
@@ -95,16 +95,16 @@ BOOST_AUTO_TEST_CASE(every_composition_keeps_orbit_momentum_and_bracket) {
     double const h = 0.1;
     int const steps = 20;
     auto g = identity<double>(group);
-    auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_place<-1>(g, done.relative_motion); });
+    auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_configuration<-1>(g, done.relative_motion); });
     double const moved = magnitude((end.momentum - start.momentum).components) / magnitude(start.momentum.components),
-                 kept = magnitude((kept_momentum<-1>(g, end.momentum) - start.momentum).components) / magnitude(start.momentum.components);
+                 momentum_error = magnitude((conserved_momentum<-1>(g, end.momentum) - start.momentum).components) / magnitude(start.momentum.components);
     auto const whole = [&](auto const& m) { return step(MomentumState{m, like(m, start.velocity)}, h).state.momentum; };
-    // The step with the relative motion taken the wrong way round: it keeps every orbit too.
+    // The step with the relative motion taken the wrong way round: it preserves every orbit too.
     auto const wrong = [&](auto const& m) { return Ad_star(step(MomentumState{m, like(m, start.velocity)}, h).relative_motion, m); };
     BOOST_TEST_CONTEXT(group.name()) {
-      // Ad of a place multiplies a few roundings a substep by its own size, at most that of its square in matrices.
+      // Ad of a configuration multiplies a few roundings a substep by its own size, at most that of its square in matrices.
       double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
-      BOOST_TEST(kept < 16 * 9 * steps * eps * size);
+      BOOST_TEST(momentum_error < 16 * 9 * steps * eps * size);
       BOOST_TEST(moved > 1e-2);
       // Derivatives of relative motions are found to 16 eps in units of motion, 16 eps/h in those of velocity, nine times a step; a few such terms add up.
       BOOST_TEST(bracket_defect(whole, start.momentum) < 4 * 9 * 16 * eps / h);

@@ -1,4 +1,5 @@
-// Galerkin steps: the differential of the action, what is kept exactly, the natural chart as the case of degree one, and what is refused.
+// Galerkin steps: the differential of the action, what is preserved exactly, the natural chart as the case of
+// degree one, and what is refused.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/galerkin.hpp"
@@ -47,19 +48,19 @@ void keeps_orbit_momentum_and_bracket(SpannedGroup const& group, int s) {
   double const h = 0.1;
   int const steps = 20;
   auto g = identity<double>(group);
-  auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_place<side>(g, done.relative_motion); });
+  auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_configuration<side>(g, done.relative_motion); });
   double const moved = magnitude((end.momentum - start.momentum).components) / magnitude(start.momentum.components),
-               kept = magnitude((kept_momentum<side>(g, end.momentum) - start.momentum).components) / magnitude(start.momentum.components);
+               momentum_error = magnitude((conserved_momentum<side>(g, end.momentum) - start.momentum).components) / magnitude(start.momentum.components);
   auto const whole = [&](auto const& m) { return step(MomentumState{m, like(m, start.velocity)}, h).state.momentum; };
-  // The relative motion taken the wrong way round: it keeps every orbit too.
+  // The relative motion taken the wrong way round: it preserves every orbit too.
   auto const wrong = [&](auto const& m) {
     auto const f = step(MomentumState{m, like(m, start.velocity)}, h).relative_motion;
     return side > 0 ? Ad_star(inverse(f), m) : Ad_star(f, m);
   };
   BOOST_TEST_CONTEXT(group.name() << (side > 0 ? " right" : " left") << " s = " << s) {
-    // Ad of a place multiplies a few roundings a step by its own size, at most that of its square in matrices.
+    // Ad of a configuration multiplies a few roundings a step by its own size, at most that of its square in matrices.
     double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
-    BOOST_TEST(kept < 16 * steps * eps * size);
+    BOOST_TEST(momentum_error < 16 * steps * eps * size);
     BOOST_TEST(moved > 1e-2);
     // Derivatives of relative motions are found to 16 eps in units of motion, 16 eps/h in those of velocity; a few such terms add up.
     BOOST_TEST(bracket_defect(whole, start.momentum) < 4 * 16 * eps / h);
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(every_degree_keeps_orbit_momentum_and_bracket) {
 }
 
 BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step_up_to_the_order_of_the_method) {
-  // The chart is that of the earlier place, so a step of degree 2 is not its own adjoint; degree 1, a one-parameter subgroup, is.
+  // The chart is that of the earlier configuration, so a step of degree 2 is not its own adjoint; degree 1, a one-parameter subgroup, is.
   Draw draw(5);
   auto const& group = four_groups()[3];
   UnevenLagrangian<double> const l(draw, group);
@@ -126,7 +127,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   }
   for (double const far : {30.0, 1e3, 1e6, 1e300}) BOOST_CHECK_THROW(step(start, far), Error);
   BOOST_CHECK_THROW(galerkin<-1>(l, 0), OutsideDomain);
-  // A Lagrangian that is blind to a direction, and one that is no number.
+  // A Lagrangian that does not depend on a direction, and one that is no number.
   auto const blind = [](auto const& xi) { return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1]; };
   BOOST_CHECK_THROW(galerkin_step_left<double>(blind, 2)(start, 0.1), Singular);
   auto const broken = [nan](auto const& xi) { return xi.coordinates[0] * nan; };

@@ -18,7 +18,7 @@ namespace {
 
 double const eps = epsilon<double>();
 using G = SL<3>;
-using Place = Element<G, double>;
+using Configuration = Element<G, double>;
 using Square = actio::Matrix<double, 3, 3>;
 
 template <class T>
@@ -52,18 +52,18 @@ Square elliptic() {
 Velocity<G, double> as_velocity(Square const& m) { return velocity(G{}, G{}.vee(m)); }
 
 /// \f$e^{tM^T}e^{t(M-M^T)}\f$: the geodesic from 1 with velocity M of the metric \f$\mathrm{tr}(\xi^T\xi)\f$ carried around by left multiplication.
-Place geodesic(Square const& m, double t) { return exp(t * as_velocity(m.transpose())) * exp(t * as_velocity(m - m.transpose())); }
+Configuration geodesic(Square const& m, double t) { return exp(t * as_velocity(m.transpose())) * exp(t * as_velocity(m - m.transpose())); }
 
 struct Deviation {
-  double miss;       ///< of the last place from the geodesic
+  double miss;       ///< of the last configuration from the geodesic
   double drift;      ///< of the momentum in space, relative to it
-  double condition;  ///< by how much Ad of a place magnifies rounding
+  double condition;  ///< by how much Ad of a configuration magnifies rounding
 };
 /// Steps by l, from 1 with the velocity that the geodesic begins with.
 template <class L>
 Deviation steps_by(L const& l, double h, int steps) {
   Square const m = elliptic();
-  Place g = identity<double>(G{});
+  Configuration g = identity<double>(G{});
   // The first step leaves with the momentum of the velocity M: of the matrices tr(M^T xi).
   Momentum<G, double> pi{G{}, Coordinates<G, double>(8)};
   for (int a = 0; a < 8; ++a) pi.components[a] = (m.transpose() * G{}.hat(Coordinates<G, double>(Coordinates<G, double>::Unit(a)))).trace();
@@ -82,7 +82,8 @@ Deviation steps_by(L const& l, double h, int steps) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(steps_follow_the_geodesics_of_a_left_invariant_metric_to_second_order) {
-  // The closed form knows nothing of the steps: were it not the limit, the ratio would tend to 1. It is 2^2 up to a term h^2 |M|^2, here 0.02 or 0.006 of it.
+  // The closed form is independent of the steps: were it not the limit, the ratio would tend to 1. It is 2^2
+  // up to a term h^2 |M|^2, here 0.02 or 0.006 of it.
   double const coarse = steps_by(carried_around(0.02), 0.02, 50).miss, fine = steps_by(carried_around(0.01), 0.01, 100).miss;
   BOOST_TEST(std::abs(coarse / fine - 4) < 0.1);
   // The natural chart needs the logarithm of the group as well.
@@ -107,7 +108,7 @@ BOOST_AUTO_TEST_CASE(momentum_in_space_is_kept_over_ten_thousand_steps) {
 
 namespace {
 
-/// \f$\ddot A = \lambda A^{-T}\f$ with the multiplier that keeps the determinant.
+/// \f$\ddot A = \lambda A^{-T}\f$ with the multiplier that preserves the determinant.
 actio::Vector<double> ellipsoid_rate(double, actio::Vector<double> const& state) {
   Square const a = as_matrix<3, 3>(state.data()), rate = as_matrix<3, 3>(state.data() + 9), inverse = inverse_matrix(a);
   Square const velocity = inverse * rate, force = inverse.transpose() * ((velocity * velocity).trace() / inverse.squaredNorm());
@@ -118,10 +119,10 @@ actio::Vector<double> ellipsoid_rate(double, actio::Vector<double> const& state)
 
 Square const start_velocity = (Square() << 0.1, -0.4, 0.3, 0.5, 0.2, -0.2, -0.1, 0.4, -0.3).finished();
 
-/// The second place: where the action of the first step leaves with the momentum of the velocity.
-Place second_place(double h) {
+/// The second configuration: where the action of the first step leaves with the momentum of the velocity.
+Configuration second_configuration(double h) {
   auto const L = ellipsoid(h);
-  Place const start = identity<double>(G{});
+  Configuration const start = identity<double>(G{});
   Momentum<G, double> mu{G{}, Coordinates<G, double>(8)};
   for (int a = 0; a < 8; ++a) mu.components[a] = (start_velocity.transpose() * G{}.hat(Coordinates<G, double>(Coordinates<G, double>::Unit(a)))).trace();
   auto const residual = [&](auto const& g) { return D1(L, like(g, start), g) + like(g, mu); };
@@ -137,12 +138,12 @@ BOOST_AUTO_TEST_CASE(the_ellipsoid_of_Dirichlet_moves_as_its_equations_say) {
   std::vector<double> miss;
   for (int const steps : {50, 100}) {
     double const h = 1.0 / steps;
-    Place before = identity<double>(G{}), place = second_place(h);
+    Configuration before = identity<double>(G{}), configuration = second_configuration(h);
     for (int k = 1; k < steps; ++k) {
-      auto const next = step_euler_lagrange(ellipsoid(h), before, place).value;
-      before = place, place = next;
+      auto const next = step_euler_lagrange(ellipsoid(h), before, configuration).value;
+      before = configuration, configuration = next;
     }
-    miss.push_back((place.value - as_matrix<3, 3>(exact.data())).cwiseAbs().maxCoeff());
+    miss.push_back((configuration.value - as_matrix<3, 3>(exact.data())).cwiseAbs().maxCoeff());
   }
   BOOST_TEST(std::abs(miss[0] / miss[1] - 4) < 0.1);
 }
@@ -151,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_ellipsoid_keeps_angular_momentum_and_circulation_over_t
   double const h = 1e-3;
   int const steps = 10000;
   auto const L = ellipsoid(h);
-  Place before = identity<double>(G{}), place = second_place(h);
+  Configuration before = identity<double>(G{}), configuration = second_configuration(h);
   Square turn = Square::Zero();
   turn(0, 1) = -1, turn(1, 0) = 1;
   auto const zeta = as_velocity(turn);
@@ -161,21 +162,21 @@ BOOST_AUTO_TEST_CASE(the_ellipsoid_keeps_angular_momentum_and_circulation_over_t
   // A velocity that is no rotation is no symmetry.
   auto const stretch = [&](auto const& g) { return like(g, as_velocity(actio::Vector<double, 3>(1, -1, 0).asDiagonal())); };
   auto const all = [&] {
-    return actio::Vector<double, 3>(discrete_momentum(L, before, place, in_space), discrete_momentum(L, before, place, of_labels),
-                           discrete_momentum(L, before, place, stretch));
+    return actio::Vector<double, 3>(discrete_momentum(L, before, configuration, in_space), discrete_momentum(L, before, configuration, of_labels),
+                           discrete_momentum(L, before, configuration, stretch));
   };
   actio::Vector<double, 3> const start = all();
   actio::Vector<double, 3> drift = actio::Vector<double, 3>::Zero();
   for (int k = 1; k < steps; ++k) {
-    auto const next = step_euler_lagrange(L, before, place).value;
-    before = place, place = next;
+    auto const next = step_euler_lagrange(L, before, configuration).value;
+    before = configuration, configuration = next;
     drift = drift.cwiseMax((all() - start).cwiseAbs());
   }
   // Rows of the derivative are of the size |A|^2/h; the rest as for the momentum in space above.
-  double const bound = 100 * 16 * eps / h * place.value.squaredNorm();
+  double const bound = 100 * 16 * eps / h * configuration.value.squaredNorm();
   BOOST_TEST_MESSAGE("drift " << drift.transpose() << ", bound " << bound);
   BOOST_TEST(drift[0] < bound);
   BOOST_TEST(drift[1] < bound);
   BOOST_TEST(drift[2] > 0.1);
-  BOOST_TEST(std::abs(determinant_by_elimination(place.value) - 1) < 64 * eps * place.value.squaredNorm());
+  BOOST_TEST(std::abs(determinant_by_elimination(configuration.value) - 1) < 64 * eps * configuration.value.squaredNorm());
 }

@@ -63,25 +63,25 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_on_seven_groups) {
     auto const l = natural_chart_lagrangian_right(KineticEnergy(draw, group.dimension()), h);
     auto const L = lift_right(l);
     auto const start = draw.element<double>(group);
-    auto before = start, place = exp(h * draw.velocity<double>(group)) * start, reduced = place;
-    auto f = relative_motion_right(before, place);
+    auto before = start, configuration = exp(h * draw.velocity<double>(group)) * start, reduced = configuration;
+    auto f = relative_motion_right(before, configuration);
     // Right multiplication is the symmetry, so it is the momentum in the body that stays.
-    auto const in_body = [&] { return Ad_star(place, D2(L, before, place)); };
+    auto const in_body = [&] { return Ad_star(configuration, D2(L, before, configuration)); };
     auto const at_start = in_body();
     for (int k = 0; k < steps; ++k) {
-      auto const full = step_euler_lagrange(L, before, place);
+      auto const full = step_euler_lagrange(L, before, configuration);
       auto const half = step_euler_poincare_right(l, f);
       BOOST_TEST_CONTEXT(group.name() << ", step " << k) {
         BOOST_TEST(full.report.evaluations <= 4);
         BOOST_TEST(half.report.evaluations <= 4);
       }
-      before = place, place = full.value;
+      before = configuration, configuration = full.value;
       f = half.value, reduced = reconstruct_right(reduced, f);
     }
-    // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a place of this size magnifies that a few times.
+    // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a configuration of this size magnifies that a few times.
     double const bound = 4 * 16 * eps / h * steps;
     BOOST_TEST_CONTEXT(group.name()) {
-      BOOST_TEST(magnitude((place.value - reduced.value).eval()) <= bound * magnitude(place.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
       BOOST_TEST(magnitude((in_body() - at_start).components) <= bound * magnitude(at_start.components));
     }
   }

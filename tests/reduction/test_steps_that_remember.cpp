@@ -1,5 +1,5 @@
-// Steppers that keep what they have found out about their equation, against Newton's iteration from scratch:
-// the same motions to rounding, what is conserved, the order, and the same refusals.
+// Steppers that reuse the derivative of their equation and extrapolate its solutions, against Newton's
+// iteration from scratch: the same motions to rounding, what is conserved, the order, and the same refusals.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/linear_groups.hpp"
@@ -48,7 +48,7 @@ double condition(M const& derivative) {
   return worst;
 }
 
-/// Two solvers stop within 16 eps of a row each, and the momentum carried along is off by that of the step
+/// Two solvers stop within 16 eps of a row each, and the momentum is off by that of the step
 /// before: four times that with what Ad adds.
 template <int side, class G>
 void the_same_relative_motions(double size, double h, int steps) {
@@ -82,7 +82,7 @@ void momentum_in_space_stays(double size, double h, int steps) {
   EulerPoincareStepsLeft motion(l, exp(-h * velocity_at_start<G>(size)));
   auto g = identity<double>(G{});
   auto const in_space = [&] { return Ad_star(inverse(g), motion.momentum()).components; };
-  // Π after a step belongs to the place it leads to.
+  // Π after a step belongs to the configuration it leads to.
   auto const before = in_space();
   double worst = 0, extent = 1;
   for (int k = 0; k < steps; ++k) {
@@ -90,7 +90,7 @@ void momentum_in_space_stays(double size, double h, int steps) {
     extent = std::max(extent, largest(g.value) * largest(inverse(g).value));
     worst = std::max(worst, largest((in_space() - before).eval()) / largest(before));
   }
-  // A few roundings a step, in place and momentum, magnified by Ad.
+  // A few roundings a step, in configuration and momentum, magnified by Ad.
   BOOST_TEST(worst < 16 * steps * eps * extent);
   BOOST_TEST(largest((motion.momentum().components - before).eval()) > 1e-2 * largest(before));
 }
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_unreduced_equations_from_scratch) {
   EulerLagrangeSteps motion(weighed, g0, g1);
   double worst = 0;
   for (int k = 0; k < 100; ++k) {
-    auto const reference = step_euler_lagrange(weighed, motion.before(), motion.place()).value;
+    auto const reference = step_euler_lagrange(weighed, motion.before(), motion.configuration()).value;
     worst = std::max(worst, largest((motion.advance().value - reference.value).eval()));
   }
   // Moments between 1 and 1.6, joined by a product of inertia: the condition is below 3.

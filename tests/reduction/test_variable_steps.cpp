@@ -1,4 +1,5 @@
-// Steps of different lengths after each other: what physical momenta keep, and what is lost where a discrete Lagrangian is divided by its step.
+// Steps of different lengths after each other: what is conserved with physical momenta, and what is not where
+// a discrete Lagrangian is divided by its step.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/composition.hpp"
@@ -78,9 +79,9 @@ BOOST_AUTO_TEST_CASE(the_momentum_of_the_symmetry_is_kept_whatever_the_lengths) 
       auto g = identity<double>(group);
       double worst = 0;
       take_steps(step, run.start, lengths, [&](auto const& done, double) {
-        g = next_place<-1>(g, done.relative_motion);
+        g = next_configuration<-1>(g, done.relative_motion);
         double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
-        auto const change = kept_momentum<-1>(g, done.state.momentum) - run.start.momentum;
+        auto const change = conserved_momentum<-1>(g, done.state.momentum) - run.start.momentum;
         worst = std::max(worst, magnitude(change.components) / magnitude(run.start.momentum.components) / size);
       });
       return worst;
@@ -115,14 +116,15 @@ BOOST_AUTO_TEST_CASE(divided_by_the_step_equal_steps_are_right_and_others_are_no
   for (auto const& group : four_groups()) {
     auto const run = run_on(group, 0.5);
     BOOST_TEST_CONTEXT(group.name()) {
-      // Equal steps: the same motion. Unequal ones: each step goes on with the momentum times h_{k+1}/h_k, and no refinement helps.
+      // Equal steps: the same motion. Unequal ones: each step starts with the momentum times h_{k+1}/h_k, and
+      // no refinement helps.
       std::vector<double> const equal(64, 0.5 / 64);
       BOOST_TEST(error_divided(run, equal) < 2 * error_of_run<-1>(natural_chart_step_left(run.l), run.start, equal, run.truth));
       for (int const count : {32, 64, 128, 256}) {
         BOOST_TEST(error_divided(run, irregular(count, 0.5)) > 0.01);
         BOOST_TEST(error_of_run<-1>(natural_chart_step_left(run.l), run.start, irregular(count, 0.5), run.truth) < 0.01);
       }
-      // Yet it keeps the bracket that belongs to its momenta: structure alone does not make a flow right.
+      // Yet it preserves the bracket that belongs to its momenta: structure alone does not make a flow right.
       auto const after = [&](auto const& m) {
         return take_steps(divided_by_the_step_left(run.l), MomentumState{m, like(m, run.start.velocity)}, std::vector<double>{0.02, 0.01}).momentum;
       };

@@ -1,4 +1,5 @@
-// A Lagrangian that knows forwards from backwards, its flow written out by hand with commutators of matrices, and what is measured against it.
+// A Lagrangian that is not even in the velocity, its flow written out by hand with commutators of matrices,
+// and what is measured against it.
 #pragma once
 
 #include <string>
@@ -101,7 +102,7 @@ struct FlowByHand {
     for (int i = 0; i < d; ++i) rate[n * n + i] = acceleration[i] - bent[i] * share;
     return rate;
   }
-  /// Place and momentum after a time, from the identity with velocity xi.
+  /// Configuration and momentum after a time, from the identity with velocity xi.
   std::pair<Matrix<S>, Vector<S>> after(Vector<S> const& xi, S const& time) const {
     int const n = l.group.matrix_size(), d = l.group.dimension();
     Vector<S> y = Vector<S>::Zero(n * n + d);
@@ -114,32 +115,32 @@ struct FlowByHand {
   }
 };
 
-/// The next place of a run; side as in \ref FlowByHand.
+/// The next configuration of a run; side as in \ref FlowByHand.
 template <int side, class S>
-Element<SpannedGroup, S> next_place(Element<SpannedGroup, S> const& g, Element<SpannedGroup, S> const& f) {
+Element<SpannedGroup, S> next_configuration(Element<SpannedGroup, S> const& g, Element<SpannedGroup, S> const& f) {
   if constexpr (side > 0)
     return reconstruct_right(g, f);
   else
     return reconstruct_left(g, f);
 }
-/// The momentum that a symmetry keeps, from the one that moves.
+/// The momentum that the symmetry conserves, from the one that changes.
 template <int side, class S>
-Momentum<SpannedGroup, S> kept_momentum(Element<SpannedGroup, S> const& g, Momentum<SpannedGroup, S> const& m) {
+Momentum<SpannedGroup, S> conserved_momentum(Element<SpannedGroup, S> const& g, Momentum<SpannedGroup, S> const& m) {
   if constexpr (side > 0)
     return Ad_star(g, m);
   else
     return Ad_star(inverse(g), m);
 }
 
-/// Largest relative error of place and momentum at the end of a run from the identity.
+/// Largest relative error of configuration and momentum at the end of a run from the identity.
 template <int side, class S, class Step>
 double error_of_run(Step const& step, MomentumState<SpannedGroup, S> const& start, std::vector<S> const& lengths,
                     std::pair<Matrix<S>, Vector<S>> const& truth) {
   auto g = identity<S>(start.momentum.group);
-  auto const end = take_steps(step, start, lengths, [&](auto const& done, auto const&) { g = restore(next_place<side>(g, done.relative_motion)); });
-  S const place = magnitude((g.value - truth.first).eval()) / magnitude(truth.first);
+  auto const end = take_steps(step, start, lengths, [&](auto const& done, auto const&) { g = restore(next_configuration<side>(g, done.relative_motion)); });
+  S const configuration = magnitude((g.value - truth.first).eval()) / magnitude(truth.first);
   S const momentum = magnitude((end.momentum.components - truth.second).eval()) / magnitude(truth.second);
-  return to_double(place > momentum ? place : momentum);
+  return to_double(configuration > momentum ? configuration : momentum);
 }
 
 /// Order of a method: the slope of the least squares line through the logarithms of (number of steps, error), and the largest distance of a point

@@ -1,4 +1,5 @@
-// What the scheme of Moser and Veselov keeps: Casimirs of every size, the isospectral integrals along its steps, and input that has no answer.
+// What the scheme of Moser and Veselov conserves: Casimirs of every size, the isospectral integrals along its
+// steps, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
 #include "witness/draw.hpp"

@@ -1,4 +1,5 @@
-// The heavy top: the scheme against the general road and against the equations of Euler and Poisson, what it keeps, and refusals.
+// The heavy top: the scheme against the general road and against the equations of Euler and Poisson, what it
+// conserves, and refusals.
 #include <boost/test/unit_test.hpp>
 
 #include <complex>
@@ -45,11 +46,11 @@ struct Action {
     return arcs ? natural_chart_lagrangian(top, h)(f, gamma) : trace_lagrangian(top, h)(f, gamma);
   }
 };
-/// The relative motion that takes up the momentum of a state, by the general road.
+/// The relative motion of the step that starts with the momentum of a state, by the general road.
 Element<SO<3>, double> relative_motion(Action const& l, HeavyTopState<double> const& s) {
   return advected_relative_motion_left(l, s.momentum, s.vector, exp(-l.h * body_velocity(l.top.inertia, s.momentum))).value;
 }
-/// A step of the general road: relative motion from momentum, momentum left behind, vertical carried along.
+/// A step of the general road: relative motion from momentum, momentum at the end, vertical transported.
 HeavyTopState<double> step_by_duals(Action const& l, HeavyTopState<double> const& s) {
   auto const f = relative_motion(l, s);
   return {advected_momentum_after_left(l, f, s.vector), advect_left(f, s.vector)};
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_natural_chart_lagrangian_is_that_of_chapter_three) {
   // h L at the middle of the arc, (3.20), of the Lagrangian on TSO(3), at pairs of attitudes that follow no motion.
   double const h = 0.1;
   auto const on_tangents = [&](auto const& v) {
-    return kinetic_energy(crooked.inertia, Ad(inverse(v.place), v.velocity)) - crooked.lever().dot(v.place.value.transpose() * crooked.vertical());
+    return kinetic_energy(crooked.inertia, Ad(inverse(v.configuration), v.velocity)) - crooked.lever().dot(v.configuration.value.transpose() * crooked.vertical());
   };
   auto const full = discretize_left(on_tangents, h, at_second);
   auto const reduced = lift_advected_left(natural_chart_lagrangian(crooked, h), crooked.vertical());

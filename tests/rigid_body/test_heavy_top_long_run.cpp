@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_symmetric_top_keeps_both_casimirs_and_the_momentum_about_
   length.judge("symmetric top, length of the vertical");
   axis.judge("symmetric top, momentum about its axis");
   BOOST_TEST_MESSAGE("energy off by at most " << lost);
-  BOOST_TEST(lost > 1e-6);  // kept by no theorem
+  BOOST_TEST(lost > 1e-6);  // conserved by no theorem
 }
 
 BOOST_AUTO_TEST_CASE(a_top_without_symmetry_keeps_both_casimirs_and_its_attitude_the_vertical) {

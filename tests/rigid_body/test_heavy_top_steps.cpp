@@ -1,4 +1,5 @@
-// The heavy top stepped by a solver that remembers, against Newton's iteration from scratch; and what the motion keeps.
+// The heavy top stepped by a solver that remembers, against Newton's iteration from scratch; and what the
+// motion conserves.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/advected_steps.hpp"

@@ -34,9 +34,32 @@ void three_forms_agree(double angle) {
     g0 = g1, g1 = g2, f = next, pi = next_pi;
   }
 }
+
+// The printed line (5.8) and the sum of small changes that the steps use.
+template <int n, class S>
+void increment_is_the_printed_line(double angle) {
+  std::mt19937 random(testing::seed);
+  auto const [inertia, spin] = testing::random_body<n>(random);
+  Momentum<SO<n>, S> const pi{{}, body_momentum(inertia, spin).components.template cast<S>()};
+  Velocity<SO<n>, S> const turn{{}, spin.coordinates.template cast<S>() * S(angle / spin.coordinates.norm())};
+  auto const f = exp(turn);
+  auto const printed = MoserVeselov<n, S>::transport(f, pi), by_increment = MoserVeselov<n, S>::transport_by_increment(f, pi);
+  // Two products of n by n matrices each, of entries at most 1 but for M: 2n roundings in either.
+  BOOST_TEST(magnitude((printed - by_increment).components) <= 4 * n * epsilon<S>() * magnitude(pi.components));
+  // Neither is the identity: a turn of this size moves the momentum.
+  BOOST_TEST(magnitude((printed - pi).components) > 1e-3 * angle * magnitude(pi.components));
+}
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(moser_veselov)
+
+BOOST_AUTO_TEST_CASE(the_increment_of_a_step_is_that_of_the_printed_line) {
+  for (double const angle : {0.01, 0.3, 2.0}) {
+    increment_is_the_printed_line<3, double>(angle);
+    increment_is_the_printed_line<4, double>(angle);
+    increment_is_the_printed_line<3, dec50>(angle);
+  }
+}
 
 BOOST_AUTO_TEST_CASE(the_three_forms_are_one_motion) {
   for (double const angle : {0.01, 0.3, 0.8}) {
@@ -55,7 +78,7 @@ BOOST_AUTO_TEST_CASE(its_momentum_is_that_of_the_general_road) {
   double const scale = 64 * eps * magnitude(pi.components) / scheme.step();
   BOOST_TEST(magnitude((momentum_before_left(scheme.lagrangian(), f) - pi).components) <= scale);
   BOOST_TEST(magnitude((-right_differential(scheme.lagrangian(), f) - scheme.momentum_after(f)).components) <= scale);
-  BOOST_TEST(magnitude((scheme.momentum_after(f) - scheme.carry(f, pi)).components) <= scale);
+  BOOST_TEST(magnitude((scheme.momentum_after(f) - scheme.transport(f, pi)).components) <= scale);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# mpi_sweep.sh ACTIO ACTIO_MPI MPIRUN: a sweep on two ranks leaves what the same sweep leaves on one machine, and a rank that dies leaves nobody waiting.
+# mpi_sweep.sh ACTIO ACTIO_MPI MPIRUN: a sweep on two ranks writes what the same sweep writes on one machine, and where a rank dies the others end.
 set -euo pipefail
 actio=$1 actio_mpi=$2 mpirun=$3
 folder=$(mktemp -d)
@@ -46,7 +46,7 @@ two=0
 ranks apophis.toml --over method.stp=1,2,3 --out none >none.err 2>&1 || two=$?
 if ! [[ $two == 2 && ! -e none ]] || ! grep -q "did you mean 'step'?" none.err; then
   cat none.err
-  fail "a key that nobody knows ended with status $two"
+  fail "an unknown key ended with status $two"
 fi
 
 # One member at a time and two at a time on each rank, more ranks than members.
@@ -73,7 +73,7 @@ killed() { # FOLDER rank|mpirun
 }
 killed one_rank_less rank
 
-# A sweep that was interrupted goes on, on ranks and on one machine, to the same table.
+# A sweep that was interrupted is resumed, on ranks and on one machine, to the same table.
 long=(apophis.toml --over "run.until=10,1000000,15,1200000" --set run.every=5)
 "$actio" sweep "${long[@]}" --out unbroken --quiet
 for how in ranks alone; do
@@ -83,4 +83,4 @@ for how in ranks alone; do
 done
 killed no_mpirun mpirun
 
-echo "Six members are the same on one machine and on two ranks; a sweep that loses a rank or mpirun ends."
+echo "Six members are the same on one machine and on two ranks; a sweep whose rank or mpirun dies ends."

@@ -1,8 +1,9 @@
 // The free body at length: a hundred million steps, ten thousand nasty bodies against 50 digits, and the bodies that break codes beside other methods.
 //
-// Nothing is taken on trust from the code under test: power series in the time judge it, and the exact flight in 50 digits only after these series have
-// judged that. What an answer may be off by is said by the question: the same truth is computed again with each number of the question moved by one unit in
-// its last place.
+// Nothing is taken on trust from the code under test: power series in the time judge it, and the exact flow
+// in 50 digits only after these series have judged that. What an answer may be off by is said by the
+// question: the same truth is computed again with each number of the question moved by one unit in its last
+// place.
 #include <chrono>
 
 #include "../fast_body/hard_bodies.hpp"
@@ -10,7 +11,7 @@
 #include "book/program.hpp"
 
 using namespace actio;
-using testing::FreePath, testing::FreeProblem, testing::Kept, testing::kept;
+using testing::FreePath, testing::FreeProblem, testing::ConservationErrors, testing::conservation_errors;
 
 namespace {
 constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -37,7 +38,7 @@ void drift(book::Program& program) {
                         {"round axis 3, h = 0.1", {0.6, 0.8, 1}, {0.3, -0.4, 0.9}, 0.1, 100'000'000},
                         {"planar, h = 0.1", {0.6, 0.8, 1.4}, {0.7, 0.4, -0.6}, 0.1, 100'000'000}}) {
     FreeBody const body(inertia_from_moments(c.moments[0], c.moments[1], c.moments[2]), {SO<3>{}, c.momentum});
-    auto const add = [&](char const* method, Kept const& k, double seconds) {
+    auto const add = [&](char const* method, ConservationErrors const& k, double seconds) {
       rows.push_back({c.name, method, book::number(k.casimir, 2), book::number(k.energy, 2), book::number(k.spatial, 2),
                       book::number(1e9 * seconds / static_cast<double>(c.steps), 2)});
       program.say(c.name, ", ", method, ": Casimir ", k.casimir, ", energy ", k.energy, ", momentum in space ", k.spatial);
@@ -47,22 +48,22 @@ void drift(book::Program& program) {
       run();
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    auto const flight = body.flight(c.h);
-    PlaceWithCarry<double> plain{body.start(), {{}, {}}}, summed = plain;
-    HalfTurn<double> const turn(flight);
+    auto const parameters = body.step_parameters(c.h);
+    CompensatedState<double> plain{body.start(), {{}, {}}}, summed = plain;
+    HalfTurn<double> const turn(parameters);
     double seconds = timed([&] {
-      for (long k = 0; k < c.steps; ++k) turn.step(plain.place);
+      for (long k = 0; k < c.steps; ++k) turn.step(plain.state);
     });
-    add("plain", kept(c.moments, plain, body.start()), seconds);
-    CompensatedTurn<double> const compensated(flight);
+    add("plain", conservation_errors(c.moments, plain, body.start()), seconds);
+    CompensatedHalfTurn<double> const compensated(parameters);
     seconds = timed([&] {
       for (long k = 0; k < c.steps; ++k) compensated.step(summed);
     });
-    Kept const alone = kept(c.moments, summed, body.start());
+    ConservationErrors const alone = conservation_errors(c.moments, summed, body.start());
     add("compensated", alone, seconds);
     FreeSteps motion(body, c.h);
     seconds = timed([&] { motion.advance(c.steps); });
-    Kept const back = kept(motion, c.moments);
+    ConservationErrors const back = conservation_errors(motion, c.moments);
     add("compensated, set back", back, seconds);
     casimir = std::max(casimir, back.casimir), energy = std::max(energy, back.energy), spatial = std::max(spatial, back.spatial);
     alone_casimir = std::max({alone_casimir, alone.casimir, alone.energy}), alone_spatial = std::max(alone_spatial, alone.spatial);
@@ -74,9 +75,9 @@ void drift(book::Program& program) {
   program.figure("spatial", spatial, "of the momentum in space");
   program.figure("casimir_alone", alone_casimir, "of Casimir and energy without the setting back");
   program.figure("spatial_alone", alone_spatial, "of the momentum in space without it");
-  program.claim(casimir <= 2e-14 && energy <= 2e-14, "1e8 steps keep Casimir and energy within 2e-14");
-  program.claim(spatial <= 5e-13, "1e8 steps keep the momentum in space within 5e-13");
-  program.headline("1e8 steps: Casimir kept to " + book::number(casimir, 2) + ", momentum in space to " + book::number(spatial, 2),
+  program.claim(casimir <= 2e-14 && energy <= 2e-14, "1e8 steps conserve Casimir and energy within 2e-14");
+  program.claim(spatial <= 5e-13, "1e8 steps conserve the momentum in space within 5e-13");
+  program.headline("1e8 steps: Casimir conserved to " + book::number(casimir, 2) + ", momentum in space to " + book::number(spatial, 2),
                    std::max(casimir, spatial));
 }
 
@@ -101,7 +102,7 @@ void against_series(book::Program& program) {
                  "of each number of the question does)");
   program.say("angles up to ", angle, "; ", skipped, " left out whose fastest component starts near zero");
   program.claim(worst <= units, "at(t) is right to eight units in the last place of the question, for ten thousand nasty bodies");
-  // The same in 50 digits, of the flight in 50 digits: this makes that flight a witness for what follows.
+  // The same in 50 digits, of the exact flow in 50 digits: this makes that flow a witness for what follows.
   double const last = to_double(epsilon<dec50>());
   for (int count = 0; count < 150;) {
     FreeProblem const p = problems.next(10);
@@ -110,15 +111,15 @@ void against_series(book::Program& program) {
     if (probe.expansions() > 120) continue;
     ++count;
     auto const truth = testing::witness_of<dec50>(p, 53);
-    sharp = std::max(sharp, testing::apart(truth, testing::flown<dec50>(p), p.amount()).larger() / (last * (1 + testing::condition(p, rough) / eps)));
+    sharp = std::max(sharp, testing::apart(truth, testing::exact_path<dec50>(p), p.amount()).larger() / (last * (1 + testing::condition(p, rough) / eps)));
   }
-  program.figure("sharp_units", sharp, "150 nasty bodies, flight in 50 digits against series in 50 digits, in the same units");
-  program.claim(sharp <= 2 * units, "the flight in 50 digits is right to its last places");
+  program.figure("sharp_units", sharp, "150 nasty bodies, exact flow in 50 digits against series in 50 digits, in the same units");
+  program.claim(sharp <= 2 * units, "the exact flow in 50 digits is right to its last places");
 }
 
-/// at(t) and steps over long times, judged by the exact flight in 50 digits.
+/// at(t) and steps over long times, judged by the exact flow in 50 digits.
 void against_fifty_digits(book::Program& program) {
-  auto const truth_of = [](FreeProblem const& p) { return testing::flown<dec50>(p); };
+  auto const truth_of = [](FreeProblem const& p) { return testing::exact_path<dec50>(p); };
   testing::HardProblems problems(seed + 1);
   std::vector<double> once, many, leaps;
   for (int count = 0; count < 10000; ++count) {
@@ -146,7 +147,7 @@ void against_fifty_digits(book::Program& program) {
   };
   std::vector<book::Program::Row> const rows = {add("at(t)", once), add("4096 steps", many), add("4096 long steps past the separatrix", leaps)};
   program.table("fifty", {"", "bodies", "half of them within", "99 of 100", "all"}, rows,
-                "Errors over (eps + what one unit in the last place of each number of the question does), angles up to 1e6; truth: the flight in 50 digits.");
+                "Errors over (eps + what one unit in the last place of each number of the question does), angles up to 1e6; truth: the exact flow in 50 digits.");
   program.figure("once_units", once.back(), "at(t), largest");
   program.figure("steps_units", many.back(), "4096 steps, largest");
   program.claim(once.back() <= units, "at(t) is right to eight units in the last place of the question, for angles up to a million");
@@ -186,20 +187,20 @@ void hard_bodies(book::Program& program) {
     };
     FreeSteps ours(body, h);
     auto const stepped = after(ours), once = testing::apart(truth, testing::path_of(body.at(c.time)), L);
-    BodyPlace<double> place = body.start();
-    HalfTurn<double> const plain(body.flight(h));
-    for (long k = 0; k < c.steps; ++k) plain.step(place);
+    FrameState<double> state = body.start();
+    HalfTurn<double> const plain(body.step_parameters(h));
+    for (long k = 0; k < c.steps; ++k) plain.step(state);
     auto const scheme = [&](int order) -> std::string {
       try {
-        FreeSteps motion(body, h, body.moser_veselov_flight(h, order));
+        FreeSteps motion(body, h, body.moser_veselov_parameters(h, order));
         return both(after(motion));
       } catch (StepTooLong const&) {
         return "none";
       }
     };
-    double const open = testing::condition(p, testing::flown<dec50>(p), [](FreeProblem const& q) { return testing::flown<dec50>(q); });
+    double const open = testing::condition(p, testing::exact_path<dec50>(p), [](FreeProblem const& q) { return testing::exact_path<dec50>(q); });
     rows.push_back({c.name, book::number(c.time), book::number(open, 2), both(stepped), both(once),
-                    both(testing::apart(truth, testing::path_of(body.state(place)), L)), scheme(2), scheme(10)});
+                    both(testing::apart(truth, testing::path_of(body.state(state)), L)), scheme(2), scheme(10)});
     program.say(c.name, ": steps ", both(stepped), ", at(t) ", both(once));
     if (c.judged) worst = std::max({worst, stepped.larger(), once.larger()});
     program.claim(once.larger() <= units * (eps + open), c.name + ": at(t) is as good as the question");

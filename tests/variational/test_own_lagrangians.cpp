@@ -31,9 +31,9 @@ BOOST_AUTO_TEST_CASE(a_readers_own_lagrangian_on_se3_needs_no_derivatives) {
   // A ball of mass 3 on a spring, in a wind that turns it: kinetic energy less the energy of the spring, plus a term linear in the velocity.
   auto const L = [](auto const& v) {
     auto const body = body_velocity(v).coordinates;
-    auto const place = v.place.value.template topRightCorner<3, 1>();
+    auto const configuration = v.configuration.value.template topRightCorner<3, 1>();
     auto const turning = body.template head<3>(), sliding = body.template tail<3>();
-    return turning.dot(turning) + sliding.dot(sliding) * 3 / 2 - place.dot(place) * 5 / 2 + body[0] * place[2];
+    return turning.dot(turning) + sliding.dot(sliding) * 3 / 2 - configuration.dot(configuration) * 5 / 2 + body[0] * configuration[2];
   };
   Matrix<double, 6, 1> motion;
   motion << 0.1, 0.2, -0.3, 1.0, 0.5, -0.25;
@@ -42,10 +42,10 @@ BOOST_AUTO_TEST_CASE(a_readers_own_lagrangian_on_se3_needs_no_derivatives) {
   BOOST_TEST(euler_lagrange(L, v, acceleration).components.norm() < 100 * eps);
   // Energy stays: its rate along the vector field.
   BOOST_TEST(std::abs(energy(L, moved(v, lagrange_vector_field(L, v))).part[0]) < 100 * eps);
-  // The equation of the spring, in the frame of space: the force on the mass is -5 times the place, and what the wind adds.
-  Vector<double, 3> const x = v.place.value.topRightCorner<3, 1>(), w = motion.head<3>(), u = motion.tail<3>() + w.cross(x);
+  // The equation of the spring, in the frame of space: the force on the mass is -5 times the configuration, and what the wind adds.
+  Vector<double, 3> const x = v.configuration.value.topRightCorner<3, 1>(), w = motion.head<3>(), u = motion.tail<3>() + w.cross(x);
   Vector<double, 3> const accelerated = acceleration.coordinates.tail<3>() + acceleration.coordinates.head<3>().cross(x) + w.cross(u);
-  Vector<double, 3> const wind(0, 0, (v.place.value.topLeftCorner<3, 3>().transpose() * w)[0]);
+  Vector<double, 3> const wind(0, 0, (v.configuration.value.topLeftCorner<3, 3>().transpose() * w)[0]);
   BOOST_TEST((3 * accelerated + 5 * x - wind).norm() < 200 * eps);
 }
 
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(quaternions_and_matrices_give_the_same_motion) {
     auto const body = body_velocity(v);
     Matrix<typename std::decay_t<decltype(v)>::Scalar, 3, 1> up;
     up << 0, 0, 1;
-    auto const height = Ad(inverse(v.place), decltype(body){body.group, up}).coordinates[0];
+    auto const height = Ad(inverse(v.configuration), decltype(body){body.group, up}).coordinates[0];
     return spinning_body(body) - height * 3;
   };
   auto const turn = Vector<double, 3>(0.5, 0.2, -0.9);

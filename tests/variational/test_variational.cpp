@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE(the_full_equations_move_the_body_as_the_reduced_ones) {
 }
 
 BOOST_AUTO_TEST_CASE(the_pendulum_falls_as_it_should) {
-  auto const pendulum = [](auto const& v) { return v.velocity.coordinates[0] * v.velocity.coordinates[0] / 2 + v.place.value(0, 0) * 9; };
+  auto const pendulum = [](auto const& v) { return v.velocity.coordinates[0] * v.velocity.coordinates[0] / 2 + v.configuration.value(0, 0) * 9; };
   Matrix<double, 1, 1> const angle(0.4), rate(-1.5);
   State<SO<2>, double> const v{exp(velocity(SO<2>{}, angle)), velocity(SO<2>{}, rate)};
   BOOST_TEST(std::abs(lagrange_acceleration(pendulum, v).coordinates[0] + 9 * std::sin(0.4)) < 20 * eps);

@@ -1,4 +1,4 @@
-// Lanes: several numbers that go through the same arithmetic at once.
+// SIMD lanes: several numbers in one register, on which an instruction does the same arithmetic at once.
 //
 // The vectors are those of the compiler (GNU extension), so the source is the same for every width of registers: a Pack of four doubles is one register of
 // AVX2, or two of SSE2. Kernels are function objects whose call is always inlined; `run_on` compiles each twice, for the plain machine and for AVX2 with
@@ -20,7 +20,7 @@
 
 namespace actio {
 
-/// n doubles, side by side; n a power of two.
+/// n doubles in the lanes of one SIMD register; n a power of two.
 template <int n>
 struct Pack {
   /// What the compiler calls n doubles.

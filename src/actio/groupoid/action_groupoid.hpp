@@ -1,22 +1,23 @@
-// An action groupoid: a group together with what it carries along. Its arrows are (g, a), from a to g^-1 a.
+// An action groupoid: a group together with vectors it acts on. Its arrows are (g, a), from a to g^-1 a.
 //
-// A system whose symmetry is broken by a vector, such as gravity as a top sees it, lives here: g = g0^-1 g1 is how the top turns in a step, a = g0^-1 a0 is the vector in
-// the body before it. The Lagrange equations of this groupoid are the discrete Euler-Poincare equations with an advected quantity.
+// A system whose symmetry is broken by a vector, such as gravity in the frame of a top, is a system on it: g
+// = g0^-1 g1 is how the top turns in a step, a = g0^-1 a0 is the vector in the body before it. The Lagrange
+// equations of this groupoid are the discrete Euler-Poincare equations with an advected quantity.
 #pragma once
 
 #include "actio/groupoid/groupoid.hpp"
 
 namespace actio {
 
-/// A group element and the vector it finds.
-template <Group G, Field S>
+/// A group element and the vector at its source.
+template <Group G, Scalar S>
 struct ActionArrow {
   using Scalar = S;
-  Element<G, S> turn;                          ///< g
+  Element<G, S> element;                          ///< g
   Matrix<S, Dynamic, 1> vector;  ///< a
 };
 /// A vector, as a point of the base.
-template <Field S>
+template <Scalar S>
 struct CarriedVector {
   using Scalar = S;
   Matrix<S, Dynamic, 1> value;  ///< its components
@@ -40,11 +41,11 @@ struct ActionGroupoid {
   template <class S>
   static CarriedVector<S> source(ActionArrow<G, S> const& g) { return {g.vector}; }
   template <class S>
-  static CarriedVector<S> target(ActionArrow<G, S> const& g) { return {Column<S>(actio::inverse(g.turn).value * g.vector)}; }
+  static CarriedVector<S> target(ActionArrow<G, S> const& g) { return {Column<S>(actio::inverse(g.element).value * g.vector)}; }
   template <class S>
-  static ActionArrow<G, S> compose(ActionArrow<G, S> const& g, ActionArrow<G, S> const& h) { return {g.turn * h.turn, g.vector}; }
+  static ActionArrow<G, S> compose(ActionArrow<G, S> const& g, ActionArrow<G, S> const& h) { return {g.element * h.element, g.vector}; }
   template <class S>
-  static ActionArrow<G, S> inverse(ActionArrow<G, S> const& g) { return {actio::inverse(g.turn), target(g).value}; }
+  static ActionArrow<G, S> inverse(ActionArrow<G, S> const& g) { return {actio::inverse(g.element), target(g).value}; }
   template <class S>
   ActionArrow<G, S> unit(CarriedVector<S> const& x) const { return {identity<S>(group), x.value}; }
   template <class S>
@@ -54,19 +55,19 @@ struct ActionGroupoid {
   template <Real S>
   ActionArrow<G, S> leave(CarriedVector<S> const& x, Coordinates<G, S> const& v) const { return {exp(Velocity<G, S>{group, v}), x.value}; }
   template <class T, class S>
-  static ActionArrow<G, T> over(ActionArrow<G, S> const& g) { return {actio::over<T>(g.turn), g.vector.template cast<T>()}; }
+  static ActionArrow<G, T> over(ActionArrow<G, S> const& g) { return {actio::over<T>(g.element), g.vector.template cast<T>()}; }
 
   template <class S>
   static Column<S> entries(ActionArrow<G, S> const& g) {
-    Column<S> all(g.turn.value.size() + g.vector.size());
-    for (Index i = 0; i < g.turn.value.size(); ++i) all[i] = g.turn.value(i);
+    Column<S> all(g.element.value.size() + g.vector.size());
+    for (Index i = 0; i < g.element.value.size(); ++i) all[i] = g.element.value(i);
     all.tail(g.vector.size()) = g.vector;
     return all;
   }
   template <class S>
   ActionArrow<G, S> moved(ActionArrow<G, S> const& g, Column<S> const& w) const {
     Coordinates<G, S> const v = w.tail(dimension());
-    return {Element<G, S>{group, primitive::near_identity(group, v)} * g.turn, g.vector + w.head(base_dimension())};
+    return {Element<G, S>{group, primitive::near_identity(group, v)} * g.element, g.vector + w.head(base_dimension())};
   }
   template <class S>
   static Column<S> base_rate(CarriedVector<Dual<S>> const& x) {

@@ -1,8 +1,8 @@
-// The generating function of a free motion: the action between two places, as a function of their relative motion and of the time.
+// The generating function of a free motion: the action between two configurations, as a function of their relative motion and of the time.
 //
 // A free system has a quadratic Lagrangian on the algebra, l(xi) = <A xi, xi>/2 + <b, xi>; with b = 0 it is a rigid body, a body in an ideal fluid, or their like in any
 // group. Its motion is a power series in the time whose coefficients follow from each other; the generating function is the action along the motion that joins the
-// places, found by shooting with the initial momentum. Where l is invariant under Ad nothing has to be solved: then S(g, t) = t l(-log(g)/t), the discrete Lagrangian of the natural chart.
+// configurations, found by shooting with the initial momentum. Where l is invariant under Ad nothing has to be solved: then S(g, t) = t l(-log(g)/t), the discrete Lagrangian of the natural chart.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 namespace actio {
 
 /// The Lagrangian \f$l(\xi) = \tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle\f$ with its Hamiltonian \f$h(\mu) = \tfrac12\langle\mu-b, A^{-1}(\mu-b)\rangle\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct QuadraticLagrangian {
   using Matrix = actio::Matrix<S, G::dim, G::dim>;  ///< as many rows as the algebra has dimensions
   [[no_unique_address]] G group;
@@ -36,48 +36,49 @@ struct QuadraticLagrangian {
   QuadraticLagrangian(G g, Matrix inertia) : QuadraticLagrangian(g, std::move(inertia), Coordinates<G, S>::Zero(g.dimension())) {}
 
   /// l, energy
-  template <Field T>
+  template <Scalar T>
   T operator()(Velocity<G, T> const& xi) const {
     Coordinates<G, T> const p = a.template cast<T>() * xi.coordinates / T(2) + b.template cast<T>();
     return p.dot(xi.coordinates);
   }
   /// h, energy
-  template <Field T>
+  template <Scalar T>
   T operator()(Momentum<G, T> const& mu) const {
     Coordinates<G, T> const p = mu.components - b.template cast<T>();
     return p.dot(inverse_a.template cast<T>() * p) / T(2);
   }
   /// \f$\partial l/\partial\xi = A\xi + b\f$
-  template <Field T>
+  template <Scalar T>
   Momentum<G, T> momentum_of(Velocity<G, T> const& xi) const {
     return {xi.group, a.template cast<T>() * xi.coordinates + b.template cast<T>()};
   }
   /// \f$\partial h/\partial\mu\f$
-  template <Field T>
+  template <Scalar T>
   Velocity<G, T> velocity_of(Momentum<G, T> const& mu) const {
     return {mu.group, inverse_a.template cast<T>() * (mu.components - b.template cast<T>())};
   }
 };
 
-/// The power series in the time of a left-invariant free motion that leaves with a body momentum: coefficients of \f$t^k\f$.
+/// The power series in the time of a left-invariant free motion with a given initial body momentum:
+/// coefficients of \f$t^k\f$.
 ///
 /// \f$\dot\Pi = \mathrm{ad}^*_\xi\Pi\f$ with \f$\xi = \partial h/\partial\Pi\f$; \f$\dot f = -\xi f\f$ for the relative motion \f$f = g(t)^{-1}g_0\f$;
 /// \f$\dot S = \langle\Pi,\xi\rangle - h\f$. Over any field.
-template <MatrixGroup G, Field T>
+template <MatrixGroup G, Scalar T>
 struct FreeMotionSeries {
   std::vector<Storage<G, T>> f;          ///< relative motion
   std::vector<Coordinates<G, T>> pi;     ///< body momentum
   std::vector<T> action;                 ///< energy x time
 
-  /// The series up to \f$t^0\f$; \ref extend goes on.
-  template <Field S>
+  /// The series up to \f$t^0\f$; \ref extend adds the powers after it.
+  template <Scalar S>
   FreeMotionSeries(QuadraticLagrangian<G, S> const& l, Momentum<G, T> const& pi0) : energy(l(pi0)) {
     f.push_back(primitive::identity<T>(l.group));
     pi.push_back(pi0.components);
     action.push_back(T(0));
   }
   /// One power more.
-  template <Field S>
+  template <Scalar S>
   void extend(QuadraticLagrangian<G, S> const& l) {
     int const k = static_cast<int>(pi.size()) - 1;
     Velocity<G, T> xi{l.group, l.inverse_a.template cast<T>() * (k == 0 ? Coordinates<G, T>(pi[0] - l.b.template cast<T>()) : pi[k])};
@@ -85,15 +86,15 @@ struct FreeMotionSeries {
     hat_of_xi.push_back(l.group.hat(xi.coordinates));
     velocities.push_back(xi.coordinates);
     Coordinates<G, T> next = Coordinates<G, T>::Zero(l.group.dimension());
-    Storage<G, T> place = f[0] * T(0);
+    Storage<G, T> motion = f[0] * T(0);
     T power = k == 0 ? T(-energy) : T(0);
     for (int i = 0; i <= k; ++i) {
       next += ad_star_of_xi[i] * pi[k - i];
-      place -= hat_of_xi[i] * f[k - i];
+      motion -= hat_of_xi[i] * f[k - i];
       power += velocities[i].dot(pi[k - i]);
     }
     T const by(k + 1);
-    pi.push_back(next / by), f.push_back(place / by), action.push_back(power / by);
+    pi.push_back(next / by), f.push_back(motion / by), action.push_back(power / by);
   }
 
  private:
@@ -103,20 +104,21 @@ struct FreeMotionSeries {
   std::vector<Coordinates<G, T>> velocities;
 };
 
-/// What a left-invariant free motion has done by the time t.
-template <Group G, Field T>
+/// A left-invariant free motion at the time t: relative motion, body momentum and action.
+template <Group G, Scalar T>
 struct FreeMotion {
   Element<G, T> f;    ///< relative motion \f$g(t)^{-1}g_0\f$
   Momentum<G, T> pi;  ///< body momentum at time t
   T action;           ///< \f$\int l\,dt\f$
 };
-/// The left-invariant free motion that leaves with body momentum `pi0`, by power series whose remainder is below rounding.
+/// The left-invariant free motion with initial body momentum `pi0`, by power series whose remainder is below
+/// rounding.
 ///
 /// @param t  time, of either sign
 /// @throws NotFinite     where momentum or time is no number
 /// @throws NotConverged  where a series of 4 terms a digit would need steps shorter than \f$2^{-12}t\f$
 /// Accuracy: a few epsilon for each of its steps.
-template <MatrixGroup G, Field S, Real T>
+template <MatrixGroup G, Scalar S, Real T>
 FreeMotion<G, T> free_motion_left(QuadraticLagrangian<G, S> const& l, Momentum<G, T> const& pi0, std::type_identity_t<T> const& t, int halvings_left = 12) {
   require_finite(pi0.components, "free_motion_left: momentum");
   if (!is_finite(t)) throw NotFinite("free_motion_left: time");
@@ -148,7 +150,7 @@ FreeMotion<G, T> free_motion_left(QuadraticLagrangian<G, S> const& l, Momentum<G
 /// The reduced generating function \f$S_L(g, t)\f$ of a left-invariant free system: the action along the motion with \f$g = g(t)^{-1}g_0\f$.
 ///
 /// It solves (4.1). Callable at every real scalar and at dual numbers over it, near the identity, where one motion is nearest.
-template <MatrixGroup G, Field S>
+template <MatrixGroup G, Scalar S>
 struct ExactGeneratingFunction {
   QuadraticLagrangian<G, S> l;  ///< of the free system
 
@@ -207,7 +209,7 @@ struct ExactGeneratingFunction {
   }
 };
 /// From its Lagrangian alone.
-template <MatrixGroup G, Field S>
+template <MatrixGroup G, Scalar S>
 ExactGeneratingFunction(QuadraticLagrangian<G, S>) -> ExactGeneratingFunction<G, S>;
 
 }  // namespace actio

@@ -14,7 +14,7 @@
 namespace actio {
 
 /// A polynomial in the coordinates of a velocity: coefficients by their powers.
-template <Field S>
+template <Scalar S>
 struct Polynomial {
   using Powers = std::vector<int>;  ///< of each coordinate
   std::map<Powers, S> terms;        ///< coefficients that are not zero
@@ -22,8 +22,8 @@ struct Polynomial {
   /// Adds c times a monomial.
   void add(Powers const& powers, S const& c) {
     if (c == S(0)) return;
-    auto const [at, fresh] = terms.try_emplace(powers, c);
-    if (!fresh && (at->second += c) == S(0)) terms.erase(at);
+    auto const [term, fresh] = terms.try_emplace(powers, c);
+    if (!fresh && (term->second += c) == S(0)) terms.erase(term);
   }
   /// Adds q.
   Polynomial& operator+=(Polynomial const& q) {
@@ -82,13 +82,13 @@ struct Polynomial {
 };
 
 /// A truncated solution of (4.1): \f$S(g, t) = t\sum_k t^k\sigma_k(w)\f$, \f$w = -\log(g)/t\f$. Made by \ref generating_series.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct GeneratingSeries {
   [[no_unique_address]] G group;
   std::vector<Polynomial<S>> sigma;  ///< energy x time^-k
 
   /// \f$\sum_k t^k\sigma_k(w)\f$, energy
-  template <Field T>
+  template <Scalar T>
   T mean_lagrangian(Velocity<G, T> const& w, T const& t) const {
     T sum(0);
     for (auto k = sigma.size(); k-- > 0;) sum = sum * t + sigma[k].at(w.coordinates);
@@ -104,7 +104,7 @@ struct GeneratingSeries {
 
 namespace detail {
 /// \f$\mathrm{ad}^*_w p\f$ of a covector whose components are polynomials in w.
-template <Group G, Field S>
+template <Group G, Scalar S>
 std::vector<Polynomial<S>> ad_star_of_variable(G const& group, std::vector<Polynomial<S>> const& p) {
   int const n = group.dimension();
   std::vector<Polynomial<S>> result(n);
@@ -116,7 +116,7 @@ std::vector<Polynomial<S>> ad_star_of_variable(G const& group, std::vector<Polyn
   return result;
 }
 /// The coefficients of \f$\chi(-x) = x/(1-e^{-x})\f$ up to \f$x^{order}\f$: 1, 1/2, 1/12, 0, -1/720, ...
-template <Field S>
+template <Scalar S>
 std::vector<S> chi_coefficients(int order) {
   // chi(x) iex(x) = 1, power by power.
   std::vector<S> chi(order + 1), iex(order + 1, S(1));
@@ -136,7 +136,7 @@ std::vector<S> chi_coefficients(int order) {
 /// @param order  0 or more; the last term has as many monomials as there are of degree `order` + 2: 28 on SO(3) and 462 on SE(3) for order 4. It is computed once, for every step
 /// @throws OutsideDomain  where the order is negative
 /// Over any field; exact over the rationals.
-template <Group G, Field S>
+template <Group G, Scalar S>
 GeneratingSeries<G, S> generating_series(QuadraticLagrangian<G, S> const& l, int order) {
   if (order < 0) throw OutsideDomain("generating_series", "the order must not be negative", order, 0);
   using Covector = std::vector<Polynomial<S>>;

@@ -6,7 +6,7 @@
 namespace actio {
 
 /// The point.
-template <Field S>
+template <Scalar S>
 struct SinglePoint {
   using Scalar = S;
 };

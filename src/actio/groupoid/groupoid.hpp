@@ -1,7 +1,7 @@
 // Lie groupoids: arrows between points, composed where one ends and the next begins.
 //
 // An arrow g leads from alpha(g), its source, to beta(g), its target; gh is defined where beta(g) = alpha(h). What is infinitely near the unit of a point x
-// and leaves from x is a vector of the algebroid over x. Pairs of places and groups are groupoids, and so are two things in between (action_groupoid.hpp, gauge_groupoid.hpp);
+// and leaves from x is a vector of the algebroid over x. Pairs of configurations and groups are groupoids, and so are two things in between (action_groupoid.hpp, gauge_groupoid.hpp);
 // mechanics on all of them is one equation (lagrange_equations.hpp).
 #pragma once
 
@@ -45,13 +45,14 @@ concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<
 };
 
 /// A point of the dual of the algebroid: a covector on the fibre over a point of the base.
-template <class Gamma, Field S>
+template <class Gamma, Scalar S>
 struct DualPoint {
   Point<Gamma, S> base;        ///< where
   Fibre<Gamma, S> components;  ///< of the covector
 };
 
-/// A step can be taken from any point in any direction: `leave(x, v)` is an arrow from x, the unit for v = 0, near_unit(x, v) to first order.
+/// A step can start at any point in any direction: `leave(x, v)` is an arrow from x, the unit for v = 0,
+/// near_unit(x, v) to first order.
 template <class Gamma>
 concept ExponentialGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Point<Gamma, double> const& x, Fibre<Gamma, double> const& v) {
   { gamma.leave(x, v) } -> std::convertible_to<Arrow<Gamma, double>>;

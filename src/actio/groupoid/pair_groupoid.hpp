@@ -1,4 +1,4 @@
-// The pair groupoid G x G: the arrows are pairs of places, (g0, g1)(g1, g2) = (g0, g2). Its algebroid is TG.
+// The pair groupoid G x G: the arrows are pairs of configurations, (g0, g1)(g1, g2) = (g0, g2). Its algebroid is TG.
 #pragma once
 
 #include "actio/groups/group.hpp"
@@ -7,15 +7,16 @@
 
 namespace actio {
 
-/// A pair of places: the arrow from the first to the second.
-template <Group G, Field S>
+/// A pair of configurations: the arrow from the first to the second.
+template <Group G, Scalar S>
 struct PairArrow {
   using Scalar = S;
   Element<G, S> first;   ///< from here
   Element<G, S> second;  ///< to here
 };
 
-/// \f$G\times G\f$ over G. A vector of its algebroid at g is a tangent vector, carried to the identity on the right: \f$\vartheta = \delta g\,g^{-1}\f$ of the target.
+/// \f$G\times G\f$ over G. A vector of its algebroid at g is a tangent vector, translated to the identity on
+/// the right: \f$\vartheta = \delta g\,g^{-1}\f$ of the target.
 ///
 /// \implements{claim_4_1_groupoids}
 template <Group G>

@@ -16,7 +16,7 @@ namespace actio {
 /// \f[ P = A^{-1}\,\Pi_+(R_f^*\ell')\,A^{-T}, \qquad A\vartheta = \delta(R_f^*\ell') \f]
 /// \implements{claim_4_1_poisson_on_group}
 /// @throws Singular  where l is not regular at f: the structure is local
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto legendre_bivector_right(F const& l, Element<G, S> const& f) {
   // [claim_4_1_poisson_on_group]
   auto const back = inverse_matrix(right_second_differential(l, f), "Poisson structure on the group: l''");
@@ -25,7 +25,7 @@ auto legendre_bivector_right(F const& l, Element<G, S> const& f) {
 }
 /// The same by pull-back along \f$f\mapsto L_f^*\ell'(f)\f$. It is equal to \ref legendre_bivector_right : the one map follows the other by a Poisson map.
 /// @throws Singular  where l is not regular at f
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto legendre_bivector_left(F const& l, Element<G, S> const& f) {
   auto const back = inverse_matrix(left_second_differential(l, f), "Poisson structure on the group: l''");
   return (back * lie_poisson_tensor_plus(left_differential(l, f)) * back.transpose()).eval();
@@ -33,7 +33,7 @@ auto legendre_bivector_left(F const& l, Element<G, S> const& f) {
 
 /// A tangent vector of the leaf through f, \f$\delta f\,f^{-1}\f$: the one along which \f$\mu = -R_f^*\ell'(f)\f$ moves by \f$-\mathrm{ad}^*_\eta\mu\f$, as a motion with the velocity \f$\eta\f$ moves it.
 /// @throws Singular  where l is not regular at f
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Velocity<G, S> leaf_vector(F const& l, Element<G, S> const& f, Velocity<G, S> const& eta) {
   auto const rate = ad_star(eta, -right_differential(l, f)).components;
   return {f.group, solve_linear(right_second_differential(l, f), rate, "leaf_vector: l''")};
@@ -43,7 +43,7 @@ Velocity<G, S> leaf_vector(F const& l, Element<G, S> const& f, Velocity<G, S> co
 ///
 /// \implements{eq_4_10}
 /// @throws OutsideDomain  where a vector is not tangent to the leaf
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 S leaf_form(F const& l, Element<G, S> const& f, Velocity<G, S> const& u, Velocity<G, S> const& v) {
   auto const image = [&, a = right_second_differential(l, f)](Velocity<G, S> const& w) { return Momentum<G, S>{f.group, -(a * w.coordinates)}; };
   // [eq_4_10]

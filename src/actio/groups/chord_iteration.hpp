@@ -1,9 +1,9 @@
-// The chord iteration on a group: Newton's iteration with a derivative that is kept from one equation to the
-// next.
+// The chord iteration on a group: Newton's iteration with a derivative that is reused from one equation to
+// the next.
 //
 // The equations of successive steps of an integrator differ little, and so do the derivatives of their
 // residuals. One of them, inverted once, serves many steps; each iteration corrects it along its own
-// direction by Broyden's formula, which takes a few products. What is left to evaluate is the residual
+// direction by Broyden's formula, which takes a few products. All that is evaluated is the residual
 // itself, with first-order dual numbers in place of second-order ones. Where the iteration contracts too
 // slowly the derivative is evaluated anew, and where it fails Newton's iteration (solve.hpp) has
 // the last word: on the solution, and on what is thrown where there is none.
@@ -18,8 +18,8 @@ namespace actio {
 /// Solves one equation residual(f) = 0 on G after another, each near the last in its derivative.
 ///
 /// The solution is that of \ref solve_on_group to rounding, and is judged as there: each component of the
-/// residual within 16 epsilon of its row of the derivative, the kept one here. One object serves one thread;
-/// copies are independent.
+/// residual within 16 epsilon of its row of the derivative, here the stored one. One object serves one
+/// thread; copies are independent.
 ///
 /// Over plain numbers: infinitesimals need derivatives at the solution (solve.hpp).
 template <ExponentialGroup G, Real S>
@@ -116,7 +116,7 @@ class ChordIteration {
     ++report_.evaluations;
     return residual(f).components;
   }
-  /// The residual with its derivative, whose inverse is kept.
+  /// The residual with its derivative, whose inverse is stored.
   template <class Residual>
   Coordinates<G, S> evaluate_derivative(Residual const& residual, Element<G, S> const& f) {
     int const n = f.group.dimension();

@@ -1,7 +1,7 @@
 // G x H of two matrix groups: pairs of elements, as block diagonal matrices.
 //
-// Every operation is done block by block with the operations of the factors, so that their structure, accuracy and refusals are kept. A factor may be a
-// product itself.
+// Every operation is done block by block with the operations of the factors, so that their structure,
+// accuracy and refusals are those of the factors. A factor may be a product itself.
 #pragma once
 
 #include <utility>
@@ -120,13 +120,13 @@ struct DirectProduct {
 };
 
 /// The pair (g, h) as an element of the product.
-template <MatrixGroup G, MatrixGroup H, Field S>
+template <MatrixGroup G, MatrixGroup H, Scalar S>
 Element<DirectProduct<G, H>, S> element_of_product(Element<G, S> const& g, Element<H, S> const& h) {
   DirectProduct<G, H> const group{g.group, h.group};
   return {group, group.template blocks<S>(g.value, h.value)};
 }
 /// The pair (g, h) that an element of the product is.
-template <MatrixGroup G, MatrixGroup H, Field S>
+template <MatrixGroup G, MatrixGroup H, Scalar S>
 std::pair<Element<G, S>, Element<H, S>> factors(Element<DirectProduct<G, H>, S> const& gh) {
   return {{gh.group.first, gh.group.template upper<S>(gh.value)}, {gh.group.second, gh.group.template lower<S>(gh.value)}};
 }

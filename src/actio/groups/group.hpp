@@ -47,7 +47,7 @@ concept ExponentialGroup = MatrixGroup<G> || (PrimitiveGroup<G> && requires(G co
 });
 
 /// g in G.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct Element {
   using GroupType = G;
   using Scalar = S;
@@ -56,7 +56,7 @@ struct Element {
 };
 
 /// xi in the algebra of G, by its coordinates; 1/time where it is a velocity.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct Velocity {
   using GroupType = G;
   using Scalar = S;
@@ -65,7 +65,7 @@ struct Velocity {
 };
 
 /// mu in the dual of the algebra of G, by its components in the dual basis; energy x time.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct Momentum {
   using GroupType = G;
   using Scalar = S;
@@ -75,7 +75,7 @@ struct Momentum {
 
 // Making elements, velocities and momenta of a group.
 
-template <Field S, Group G>
+template <Scalar S, Group G>
 Element<G, S> identity(G const& group) {
   return {group, primitive::identity<S>(group)};
 }
@@ -88,7 +88,7 @@ auto momentum(G const& group, V const& components) {
   return Momentum<G, typename V::Scalar>{group, components};
 }
 /// The a-th basis vector of the algebra.
-template <Field S, Group G>
+template <Scalar S, Group G>
 Velocity<G, S> basis_velocity(G const& group, int a) {
   Velocity<G, S> e{group, Coordinates<G, S>::Zero(group.dimension())};
   e.coordinates[a] = S(1);
@@ -97,30 +97,30 @@ Velocity<G, S> basis_velocity(G const& group, int a) {
 
 // Linear operations, each inside its own space.
 
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> operator+(Velocity<G, S> const& a, Velocity<G, S> const& b) { return {a.group, a.coordinates + b.coordinates}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> operator-(Velocity<G, S> const& a, Velocity<G, S> const& b) { return {a.group, a.coordinates - b.coordinates}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> operator-(Velocity<G, S> const& a) { return {a.group, -a.coordinates}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> operator*(std::type_identity_t<S> const& s, Velocity<G, S> const& a) { return {a.group, a.coordinates * s}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> operator/(Velocity<G, S> const& a, std::type_identity_t<S> const& s) { return {a.group, a.coordinates / s}; }
 
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> operator+(Momentum<G, S> const& a, Momentum<G, S> const& b) { return {a.group, a.components + b.components}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> operator-(Momentum<G, S> const& a, Momentum<G, S> const& b) { return {a.group, a.components - b.components}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> operator-(Momentum<G, S> const& a) { return {a.group, -a.components}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> operator*(std::type_identity_t<S> const& s, Momentum<G, S> const& a) { return {a.group, a.components * s}; }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> operator/(Momentum<G, S> const& a, std::type_identity_t<S> const& s) { return {a.group, a.components / s}; }
 
 /// \f$\langle\mu, \xi\rangle\f$: the only thing that joins the algebra and its dual.
-template <Group G, Field S>
+template <Group G, Scalar S>
 S pair(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
   S sum(0);
   for (Index a = 0; a < mu.components.size(); ++a) sum += mu.components[a] * xi.coordinates[a];
@@ -129,54 +129,54 @@ S pair(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
 
 // The group.
 
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> operator*(Element<G, S> const& g, Element<G, S> const& h) {
   return {g.group, primitive::compose(g.group, g.value, h.value)};
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> inverse(Element<G, S> const& g) {
   return {g.group, primitive::inverse(g.group, g.value)};
 }
 
 /// \f$\mathrm{Ad}_g\,\xi = g\,\xi\,g^{-1}\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> Ad(Element<G, S> const& g, Velocity<G, S> const& xi) {
   return {g.group, primitive::Ad(g.group, g.value, xi.coordinates)};
 }
 /// The matrix of \f$\mathrm{Ad}_g\f$ in the basis of the algebra.
-template <Group G, Field S>
+template <Group G, Scalar S>
 auto Ad_matrix(Element<G, S> const& g) {
   return primitive::Ad_matrix<S>(g.group, g.value);
 }
 /// \f$\langle\mathrm{Ad}^*_g\,\mu, \xi\rangle = \langle\mu, \mathrm{Ad}_g\,\xi\rangle\f$: the dual map, with no inverse in it.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> Ad_star(Element<G, S> const& g, Momentum<G, S> const& mu) {
   return {g.group, primitive::Ad_star(g.group, g.value, mu.components)};
 }
 /// \f$[\xi, \eta]\f$, the commutator.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> bracket(Velocity<G, S> const& xi, Velocity<G, S> const& eta) {
   return {xi.group, primitive::bracket(xi.group, xi.coordinates, eta.coordinates)};
 }
 /// \f$\mathrm{ad}_\xi\,\eta = [\xi, \eta]\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> ad(Velocity<G, S> const& xi, Velocity<G, S> const& eta) {
   return bracket(xi, eta);
 }
 /// The matrix of \f$\mathrm{ad}_\xi\f$ in the basis of the algebra.
-template <Group G, Field S>
+template <Group G, Scalar S>
 auto ad_matrix(Velocity<G, S> const& xi) {
   return primitive::ad_matrix(xi.group, xi.coordinates);
 }
 /// \f$\langle\mathrm{ad}^*_\xi\,\mu, \eta\rangle = \langle\mu, [\xi, \eta]\rangle\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> ad_star(Velocity<G, S> const& xi, Momentum<G, S> const& mu) {
   return {xi.group, ad_matrix(xi).transpose() * mu.components};
 }
 
 /// From the algebra to the group over any field; agrees with \ref exp to second order.
 /// @throws Singular  where the retraction is not defined (Cayley's: an eigenvalue 2)
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> retract(Velocity<G, S> const& xi) {
   require_finite(xi.coordinates, "retract");
   Element<G, S> const g{xi.group, primitive::retract(xi.group, xi.coordinates)};
@@ -208,15 +208,15 @@ Element<G, S> restore(Element<G, S> const& g) {
 
 // The same element, velocity or momentum over a larger scalar T, where it is a constant.
 
-template <Field T, Group G, Field S>
+template <Scalar T, Group G, Scalar S>
 Element<G, T> over(Element<G, S> const& g) {
   return {g.group, g.value.template cast<T>()};
 }
-template <Field T, Group G, Field S>
+template <Scalar T, Group G, Scalar S>
 Velocity<G, T> over(Velocity<G, S> const& xi) {
   return {xi.group, xi.coordinates.template cast<T>()};
 }
-template <Field T, Group G, Field S>
+template <Scalar T, Group G, Scalar S>
 Momentum<G, T> over(Momentum<G, S> const& mu) {
   return {mu.group, mu.components.template cast<T>()};
 }

@@ -1,8 +1,9 @@
 // Logarithms of rotations: angles from sine and cosine, rotation vectors through unit quaternions.
 //
-// The vector part of the quaternion keeps the axis to rounding at every angle, so the logarithm is as good next to pi as it is next to
-// zero; rotations of 4-space are pairs of quaternions, those of larger spaces fall apart into turns of planes. At pi itself the rotation vector
-// has no sign: the natural chart (3.19) ends there and the functions refuse.
+// The vector part of the quaternion has the axis to rounding at every angle, so the logarithm is as good next
+// to pi as it is next to zero; rotations of 4-space are pairs of quaternions, those of larger spaces fall
+// apart into turns of planes. At pi itself the rotation vector has no sign: the natural chart (3.19) ends
+// there and the functions refuse.
 #pragma once
 
 #include <cmath>
@@ -228,8 +229,9 @@ actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
     Matrix const a = matrix_logarithm(Matrix(r));
     return (a - a.transpose()) / S(2);
   }
-  // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, which keeps the iteration from splitting hairs: it neglects
-  // what is small beside the diagonal, and the cosines of r may be zero.
+  // The Schur vectors of r + 4 are those of r. Its diagonal lies between 3 and 5, so that the iteration does
+  // not resolve what is below rounding: it neglects what is small beside the diagonal, and the cosines of r
+  // may be zero.
   auto const [u, t] = schur_form(Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols())));
   int const size = static_cast<int>(r.rows());
   Base<S> const edge = Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon

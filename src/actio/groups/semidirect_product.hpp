@@ -1,6 +1,7 @@
 // G |x R^n: a group G of n by n matrices together with the translations of the space it acts on, x -> A x + t, as matrices ((A, t), (0, 1)).
 //
-// SO(n) |x R^n is SE(n); GL(n) |x R^n is the affine group. Every operation on A is that of G, so its structure, accuracy and refusals are kept.
+// SO(n) |x R^n is SE(n); GL(n) |x R^n is the affine group. Every operation on A is that of G, so its
+// structure, accuracy and refusals are the same.
 #pragma once
 
 #include "actio/groups/group.hpp"

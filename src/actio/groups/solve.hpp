@@ -40,7 +40,7 @@ double relative_residual(V const& value, M const& derivative) {
 /// By how much a velocity turns or stretches: \f$\sqrt{|\mathrm{tr}(\mathrm{ad}_\xi^2)|}/2\f$, about the angle in SO(3) and SE(3).
 ///
 /// No translation has any, so it does not depend on the unit of length; nor has any velocity of a nilpotent group, whose exponential is a polynomial.
-template <Group G, Field S>
+template <Group G, Scalar S>
 double turning_size(Velocity<G, S> const& xi) {
   auto const ad = ad_matrix(xi);
   double trace = 0;

@@ -4,8 +4,9 @@
 // retraction from Cayley's transform, exp, log and restore from matrices.
 // One type for all such groups: code for it is compiled once, which is how the theorem checks run over many groups.
 //
-// Cayley's transform keeps SO(n), SE(n), U(n), Sp(2n) and GL(n), but not SL(n) and SU(n) for n > 2. Those have retractions made of the transforms of single
-// basis matrices. Which of the two serves is found out when the group is made (odd_powers.hpp).
+// Cayley's transform maps into SO(n), SE(n), U(n), Sp(2n) and GL(n), but not SL(n) and SU(n) for n > 2. Those
+// have retractions made of the transforms of single basis matrices. Which of the two serves is found out when
+// the group is made (odd_power_closure.hpp).
 #pragma once
 
 #include <algorithm>
@@ -16,13 +17,13 @@
 #include <vector>
 
 #include "actio/groups/algebra_logarithm.hpp"
-#include "actio/groups/odd_powers.hpp"
+#include "actio/groups/odd_power_closure.hpp"
 
 namespace actio {
 
 /// What the retraction of a group given by its basis is made of.
 enum class Retraction {
-  automatic,  ///< Cayley's transform where it keeps the group, elementary factors elsewhere
+  automatic,  ///< Cayley's transform where it maps into the group, elementary factors elsewhere
   cayley,     ///< Cayley's transform
   elementary  ///< those of single basis matrices: forward and then backward through the basis, each by half
 };
@@ -95,8 +96,9 @@ struct SpannedGroup {
     }
     return forward * backward;
   }
-  /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis; where Cayley's transform does not keep the group, also where the principal
-  ///                        logarithm is not in the algebra. Where it does, that of an element always is, and a matrix that is no element is projected
+  /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis; where Cayley's transform does
+  ///   not map into the group, also where the principal logarithm is not in the algebra. Where it does, that
+  ///   of an element always is, and a matrix that is no element is projected
   template <Real S>
   actio::Matrix<S, Dynamic, 1> log(actio::Matrix<S, Dynamic, Dynamic> const& a) const {
     if (exact_arithmetic<S>()) return vee(nilpotent_logarithm(a));
@@ -105,7 +107,8 @@ struct SpannedGroup {
     else
       return data->retraction == Retraction::cayley ? vee(matrix_logarithm(a)) : logarithm_in_algebra<SpannedGroup, S>(*this, a);
   }
-  /// Back on the group by way of the algebra: through Cayley's transform where that keeps the group, else through the logarithm.
+  /// Back on the group by way of the algebra: through Cayley's transform where that maps into the group, else
+  /// through the logarithm.
   ///
   /// Where there is no way, next to an eigenvalue -1 or where the principal logarithm leaves the algebra, the element is returned as it is.
   /// @throws OutsideDomain  where it is not even near the group
@@ -201,7 +204,7 @@ struct SpannedGroup {
   }
 
   static void choose_retraction(Data& d, Retraction choice) {
-    OddPowers const odd_powers{d.basis, d.entries, d.projection, d.denominator};
+    OddPowerClosure const odd_powers{d.basis, d.entries, d.projection, d.denominator};
     bool const cayley_keeps = choice != Retraction::elementary && odd_powers.of_all_elements();
     if (choice == Retraction::cayley && !cayley_keeps)
       throw OutsideDomain("SpannedGroup", "for Cayley's transform cubes of elements of the algebra must be in the algebra; broken conditions", 1, 0);

@@ -1,7 +1,7 @@
 // SL(n): real matrices of determinant 1.
 //
 // Cayley's transform of a traceless matrix has determinant 1 for n = 2 only. Beyond, one entry of a diagonal matrix on either side makes up for it: that
-// keeps the retraction a rational map, and symmetric.
+// makes the retraction a rational map, and symmetric.
 #pragma once
 
 #include "actio/groups/algebra_logarithm.hpp"

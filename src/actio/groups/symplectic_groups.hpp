@@ -1,4 +1,4 @@
-// Sp(2n, R): real matrices that keep the symplectic form, A^T J A = J with J = ((0, 1), (-1, 0)).
+// Sp(2n, R): real matrices that preserve the symplectic form, A^T J A = J with J = ((0, 1), (-1, 0)).
 #pragma once
 
 #include "actio/groups/algebra_logarithm.hpp"

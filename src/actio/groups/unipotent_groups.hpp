@@ -5,52 +5,66 @@
 
 namespace actio {
 
-/// \f$\mathbb R^n\f$ under addition. The abelian case: it sees no side and no star.
+namespace detail {
+/// The dimension of \f$\mathbb R^n\f$, known to the compiler.
 template <int n>
-struct Translations {
-  static constexpr int dim = n;
+struct VectorSpaceDimension {
   static constexpr int dimension() { return n; }
+};
+/// The same, chosen at run time.
+template <>
+struct VectorSpaceDimension<Dynamic> {
+  int size;  ///< the dimension
+  int dimension() const { return size; }
+};
+}  // namespace detail
+
+/// \f$\mathbb R^n\f$ under addition, n known to the compiler, or `Dynamic`: `Translations<Dynamic>{n}`. The abelian
+/// case: Ad is the identity, the bracket vanishes, left and right translations agree.
+template <int n>
+struct Translations : detail::VectorSpaceDimension<n> {
+  static constexpr int dim = n;
   template <class S>
   using Value = Matrix<S, n, 1>;
 
   template <class S>
-  static Value<S> identity() {
-    return Value<S>::Zero();
+  Value<S> identity() const {
+    return Value<S>::Zero(this->dimension());
   }
-  template <class S>
-  static Value<S> compose(Value<S> const& a, Value<S> const& b) {
+  template <class V>
+  static V compose(V const& a, V const& b) {
     return a + b;
   }
-  template <class S>
-  static Value<S> inverse(Value<S> const& a) {
+  template <class V>
+  static V inverse(V const& a) {
     return -a;
   }
-  template <class S>
-  static Value<S> Ad(Value<S> const&, Value<S> const& v) {
+  template <class V>
+  static V Ad(V const&, V const& v) {
     return v;
   }
-  template <class S>
-  static Value<S> bracket(Value<S> const&, Value<S> const&) {
-    return Value<S>::Zero();
+  template <class V>
+  static V bracket(V const& v, V const&) {
+    return V::Zero(v.size());
   }
-  template <class S>
-  static Value<S> retract(Value<S> const& v) {
+  template <class V>
+  static V retract(V const& v) {
     return v;
   }
-  template <class S>
-  static Value<S> near_identity(Value<S> const& v) {
+  template <class V>
+  static V near_identity(V const& v) {
     return v;
   }
-  template <class S>
-  static Value<S> exp(Value<S> const& v) {
+  template <class V>
+  static V exp(V const& v) {
     return v;
   }
-  template <class S>
-  static Value<S> log(Value<S> const& a) {
+  template <class V>
+  static V log(V const& a) {
     return a;
   }
-  template <class S>
-  static Value<S> restore(Value<S> const& a) {
+  template <class V>
+  static V restore(V const& a) {
     return a;
   }
 };

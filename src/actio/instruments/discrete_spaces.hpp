@@ -1,4 +1,4 @@
-// The spaces that a discrete Lagrangian makes: pairs of places with its two-form, relative motions with its bracket.
+// The spaces that a discrete Lagrangian makes: pairs of configurations with its two-form, relative motions with its bracket.
 //
 // Sizes come from the second derivatives of the Lagrangian: a shift has the size that makes the action change as a turn by 1 does.
 #pragma once
@@ -10,7 +10,7 @@
 namespace actio {
 
 namespace detail {
-/// Sizes of the changes of a place that go with a matrix of second derivatives: where a change in the components of one unit, by the size, makes the
+/// Sizes of the changes of a configuration that go with a matrix of second derivatives: where a change in the components of one unit, by the size, makes the
 /// action change by one unit. Turns, which have no unit, have the size 1.
 template <Group G, class M>
 auto sizes_from_hessian(G const& group, M const& hessian) {
@@ -38,11 +38,11 @@ auto sizes_from_hessian(G const& group, M const& hessian) {
 
 /// G x G with the two-form (3.5) of a discrete Lagrangian; coordinates \f$(\vartheta_0, \vartheta_1)\f$.
 template <class L>
-struct PairsOfPlaces {
+struct PairsOfConfigurations {
   L lagrangian;  ///< energy x time
 
   /// Of the space.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static int dimension(PairArrow<G, S> const& x) {
     return 2 * x.first.group.dimension();
   }
@@ -53,62 +53,62 @@ struct PairsOfPlaces {
     return detail::stacked(one, one);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static PairArrow<G, Moved<S>> moved(PairArrow<G, S> const& x, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_place(x.first, sizes, 0, first), detail::moved_place(x.second, sizes, x.first.group.dimension(), first)};
+    return {detail::moved_element(x.first, sizes, 0, first), detail::moved_element(x.second, sizes, x.first.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto change(PairArrow<G, S> const& x) {
-    return detail::stacked(detail::change_of_place(x.first), detail::change_of_place(x.second));
+    return detail::stacked(detail::change_of_element(x.first), detail::change_of_element(x.second));
   }
   /// The coordinates that lead from the first point to the second.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto difference(PairArrow<G, S> const& x, PairArrow<G, S> const& y) {
-    return detail::stacked(detail::difference_of_places(x.first, y.first), detail::difference_of_places(x.second, y.second));
+    return detail::stacked(detail::difference_of_elements(x.first, y.first), detail::difference_of_elements(x.second, y.second));
   }
   /// @throws Singular  where L is not regular
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   detail::AnyMatrix<S> bivector(PairArrow<G, S> const& x) const {
     return discrete_bivector(lagrangian, x.first, x.second);
   }
   /// The matrix of the two-form.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   detail::AnyMatrix<S> two_form(PairArrow<G, S> const& x) const {
     return discrete_two_form_matrix(lagrangian, x.first, x.second);
   }
-  /// Where the momentum of a symmetry is read: the place and the momentum with which the step arrives.
-  template <Group G, Field S>
+  /// Where the momentum of a symmetry is read: the configuration and the momentum with which the step arrives.
+  template <Group G, Scalar S>
   Costate<G, S> costate(PairArrow<G, S> const& x) const {
     return {x.second, D2(lagrangian, x.first, x.second)};
   }
 };
 /// The space of a discrete Lagrangian.
 template <class L>
-PairsOfPlaces(L) -> PairsOfPlaces<L>;
+PairsOfConfigurations(L) -> PairsOfConfigurations<L>;
 
 namespace detail {
 /// What the two sides of a bracket on G have in common.
 struct RelativeMotions {
   /// Of the space.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static int dimension(Element<G, S> const& f) {
     return f.group.dimension();
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto moved(Element<G, S> const& f, AnyVector<S> const& sizes, int first) {
-    return moved_place(f, sizes, 0, first);
+    return moved_element(f, sizes, 0, first);
   }
   /// The coordinates of the infinitesimals.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto change(Element<G, S> const& f) {
-    return change_of_place(f);
+    return change_of_element(f);
   }
   /// The coordinates that lead from the first point to the second.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static AnyVector<S> difference(Element<G, S> const& f, Element<G, S> const& k) {
-    return difference_of_places(f, k);
+    return difference_of_elements(f, k);
   }
 };
 }  // namespace detail
@@ -126,7 +126,7 @@ struct RelativeMotionsRight : detail::RelativeMotions {
     return detail::sizes_from_hessian(f.group, right_second_differential(l, f));
   }
   /// @throws Singular  where l is not regular
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   detail::AnyMatrix<S> bivector(Element<G, S> const& f) const {
     return reduced_bivector_right(l, f);
   }
@@ -144,7 +144,7 @@ struct RelativeMotionsLeft : detail::RelativeMotions {
     return detail::sizes_from_hessian(f.group, right_second_differential(l, f));
   }
   /// @throws Singular  where l is not regular
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   detail::AnyMatrix<S> bivector(Element<G, S> const& f) const {
     return reduced_bivector_left(l, f);
   }

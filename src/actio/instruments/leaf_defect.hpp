@@ -58,15 +58,15 @@ Split<S> split_by_columns(AnyMatrix<S> q, AnyVector<S> const& w) {
 /// whole of it.
 ///
 /// The derivative is taken with a dual number for h; the tangent space is the range of the bivector: on the dual of an algebra all
-/// \f$\mathrm{ad}^*_\eta\mu\f$. From 0 to 1. No Casimir function is needed, and none is missed. A family that starts with the identity keeps the leaf
-/// of x exactly if the defect vanishes at all steps up to h.
+/// \f$\mathrm{ad}^*_\eta\mu\f$. From 0 to 1. No Casimir function is needed, and none is missed. A family that
+/// starts with the identity preserves the leaf of x exactly if the defect vanishes at all steps up to h.
 /// @param space   any space of spaces.hpp
 /// @param family  (h, point) -> point, at every scalar, both at the same
 /// @param h       step, time; not zero
 /// @throws NotFinite, OutsideDomain  where the step, the point, its image or the derivative is no number, or has the wrong size; where the step is
 ///         zero
-/// Accuracy: a family that keeps leaves gets a few epsilon times the ratio of the largest singular value of the bivector to the smallest that is not
-/// zero;
+/// Accuracy: a family that preserves leaves gets a few epsilon times the ratio of the largest singular value
+/// of the bivector to the smallest that is not zero;
 /// 0 where at the rate found the image would move, in the time h, by no more than rounding (64 epsilon of itself).
 template <class Point, SpaceOf<Point> Space, class Family>
 typename Point::Scalar leaf_defect(Space const& space, Family const& family, typename Point::Scalar const& h, Point const& x) {
@@ -148,7 +148,8 @@ S orbit_defect(Map const& map, Momentum<G, S> const& mu) {
 /// @param map       point -> point, at plain numbers
 /// @param casimirs  each point -> scalar, at every scalar
 /// @throws NotFinite, OutsideDomain  where the point, its image or a Casimir function is no number, or a size is wrong
-/// Accuracy: a map that keeps them gets a few epsilon. Where a differential vanishes, relative to the function itself.
+/// Accuracy: a map that conserves them gets a few epsilon. Where a differential vanishes, relative to the
+/// function itself.
 template <class Point, SpaceOf<Point> Space, class Map, class... Casimirs>
 typename Point::Scalar casimir_defect(Space const& space, Map const& map, Point const& x, Casimirs const&... casimirs) {
   using S = typename Point::Scalar;

@@ -7,7 +7,7 @@ namespace actio {
 
 namespace detail {
 /// The sum over the units of the components of |momentum| |velocity|: the size of the terms of a pairing.
-template <Group G, Field S>
+template <Group G, Scalar S>
 S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
   auto const classes = unit_classes(mu.group);
   S sum(0);
@@ -26,9 +26,10 @@ S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
 ///
 /// \f[ \frac{|J(\Phi(x)) - J(x)|}{\max_{x, \Phi(x)}\sum|\mu||\vartheta|}, \f]
 /// the sum over the components that share a unit: turns and shifts.
-/// @param space      `CotangentBundle`, or `PairsOfPlaces`, where \f$\mu = D_2L\f$ and \f$g = g_1\f$
+/// @param space      `CotangentBundle`, or `PairsOfConfigurations`, where \f$\mu = D_2L\f$ and \f$g = g_1\f$
 /// @param map        point -> point, at plain numbers
-/// @param generator  Element -> Velocity: the generator of the symmetry on G, carried to the identity on the right (variational/momentum_map.hpp)
+/// @param generator  Element -> Velocity: the generator of the symmetry on G, translated to the identity on
+///   the right (variational/momentum_map.hpp)
 /// @throws NotFinite, OutsideDomain  where the point, its image or the generator is no number, or has the wrong size
 /// Accuracy: a map that conserves J gets about an epsilon for each rounding of a step, of the order of ten; 0 where the momentum vanishes at both
 /// ends.
@@ -39,9 +40,9 @@ typename Point::Scalar momentum_defect(Space const& space, Map const& map, Point
   Point const image = map(x);
   require_image(space, x, image, "momentum defect: image");
   auto const before = space.costate(x), after = space.costate(image);
-  auto const theta = generator(before.place), theta_after = generator(after.place);
-  detail::require_coordinates(theta.coordinates, before.place.group.dimension(), "momentum defect: generator");
-  detail::require_coordinates(theta_after.coordinates, before.place.group.dimension(), "momentum defect: generator");
+  auto const theta = generator(before.configuration), theta_after = generator(after.configuration);
+  detail::require_coordinates(theta.coordinates, before.configuration.group.dimension(), "momentum defect: generator");
+  detail::require_coordinates(theta_after.coordinates, before.configuration.group.dimension(), "momentum defect: generator");
   S const size = detail::size_of_pairing(before.momentum, theta), size_after = detail::size_of_pairing(after.momentum, theta_after);
   S const largest = size_after > size ? size_after : size;
   // [momentum_defect]

@@ -12,12 +12,13 @@ namespace actio {
 template <class Point, SpaceOf<Point> Space, class Map>
 auto poisson_residual(Space const& space, Map const& map, Point const& x) {
   using S = typename Point::Scalar;
-  auto const at = tangent_of_map(space, map, x);
-  auto const carried = detail::congruent<S>(at.tangent, detail::over_sizes<S>(space.bivector(x), at.sizes));
-  return detail::AnyMatrix<S>(carried - detail::over_sizes<S>(space.bivector(at.image), at.sizes));
+  auto const linearized = tangent_of_map(space, map, x);
+  auto const pushed_forward = detail::congruent<S>(linearized.tangent, detail::over_sizes<S>(space.bivector(x), linearized.sizes));
+  return detail::AnyMatrix<S>(pushed_forward - detail::over_sizes<S>(space.bivector(linearized.image), linearized.sizes));
 }
 
-/// The Poisson defect of a map at a point: from 0 for a map that keeps the bracket there to 1 where nothing cancels.
+/// The Poisson defect of a map at a point: from 0 for a map that preserves the bracket there to 1 where
+/// nothing cancels.
 ///
 /// \f[ \frac{|A\,B(x)\,A^T - B(\Phi(x))|}{|A\,B(x)\,A^T| + |B(\Phi(x))|}, \qquad A = T_x\Phi, \f]
 /// lengths being the root of the sum of squares in coordinates divided by the sizes of the space, so that units do not matter. It is 0 where both
@@ -30,11 +31,11 @@ auto poisson_residual(Space const& space, Map const& map, Point const& x) {
 template <class Point, SpaceOf<Point> Space, class Map>
 typename Point::Scalar poisson_defect(Space const& space, Map const& map, Point const& x) {
   using S = typename Point::Scalar;
-  auto const at = tangent_of_map(space, map, x);
-  auto const before = detail::over_sizes<S>(space.bivector(x), at.sizes), after = detail::over_sizes<S>(space.bivector(at.image), at.sizes);
+  auto const linearized = tangent_of_map(space, map, x);
+  auto const before = detail::over_sizes<S>(space.bivector(x), linearized.sizes), after = detail::over_sizes<S>(space.bivector(linearized.image), linearized.sizes);
   // [poisson_defect]
-  auto const carried = detail::congruent<S>(at.tangent, before);
-  return detail::relative_difference<S>(carried, after);
+  auto const pushed_forward = detail::congruent<S>(linearized.tangent, before);
+  return detail::relative_difference<S>(pushed_forward, after);
   // [poisson_defect]
 }
 

@@ -33,10 +33,10 @@ typename Point::Scalar self_adjointness_defect(Space const& space, Family const&
   if (!is_finite(h)) throw NotFinite("self-adjointness defect: step");
   if (h == S(0)) throw OutsideDomain("self-adjointness defect", "the step must differ from zero", 0, 0);
   require_point(x, "self-adjointness defect: point");
-  Point const there = family(h, x);
-  require_image(space, x, there, "self-adjointness defect: image");
+  Point const image = family(h, x);
+  require_image(space, x, image, "self-adjointness defect: image");
   // [self_adjointness_defect]
-  Point const back = family(S(-h), there);
+  Point const back = family(S(-h), image);
   return detail::distance_in_sizes(space, x, back, "self-adjointness defect: image of the way back");
   // [self_adjointness_defect]
 }
@@ -56,10 +56,10 @@ typename Point::Scalar reversibility_defect(Space const& space, Map const& map, 
   if (twice > allowed)
     throw OutsideDomain("reversibility defect", "an involution is needed; twice the reversal leads away by", to_double(twice),
                         to_double(allowed));
-  Point const there = map(x);
-  require_image(space, x, there, "reversibility defect: image");
+  Point const image = map(x);
+  require_image(space, x, image, "reversibility defect: image");
   // [reversibility_defect]
-  Point const back = reversal(Point(map(Point(reversal(there)))));
+  Point const back = reversal(Point(map(Point(reversal(image)))));
   return detail::distance_in_sizes(space, x, back, "reversibility defect: image of the way back");
   // [reversibility_defect]
 }

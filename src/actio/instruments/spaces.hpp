@@ -1,11 +1,12 @@
-// The spaces that a map may be judged on: how their points move to first order, and the bracket that a good map keeps.
+// The spaces that a map may be judged on: how their points move to first order, and the bracket that a
+// Poisson map preserves.
 //
 //   LiePoissonPlus, LiePoissonMinus                  g*      Momentum    momenta of right- and of left-invariant systems
-//   CotangentBundle                                  T*G     Costate     spatial momentum, carried to the identity on the right
-//   PairsOfPlaces<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
+//   CotangentBundle                                  T*G     Costate     spatial momentum, translated to the identity on the right
+//   PairsOfConfigurations<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
 //   RelativeMotionsRight<l>, RelativeMotionsLeft<l>  G       Element     the bracket of a reduced discrete Lagrangian    (discrete_spaces.hpp)
 //
-// A tangent vector is written in coordinates: the change of a momentum by its components, that of a place as theta = dg g^-1. The sizes of a space at
+// A tangent vector is written in coordinates: the change of a momentum by its components, that of a configuration as theta = dg g^-1. The sizes of a space at
 // a point are one positive number for each coordinate, in its unit: what is computed in coordinates divided by them does not depend on the units of
 // mass, length and time. A point is moved by its sizes, so that what solves an equation at dual numbers meets numbers of one scale.
 #pragma once
@@ -43,21 +44,21 @@ void seed(V& v, AnyVector<S> const& sizes, int offset, int first) {
   for (int a = 0; a < batch; ++a)
     if (int const i = first + a - offset; i >= 0 && i < v.size()) v[i].part[a] = sizes[first + a];
 }
-template <Group G, Field S>
-Element<G, Moved<S>> moved_place(Element<G, S> const& g, AnyVector<S> const& sizes, int offset, int first) {
+template <Group G, Scalar S>
+Element<G, Moved<S>> moved_element(Element<G, S> const& g, AnyVector<S> const& sizes, int offset, int first) {
   Coordinates<G, Moved<S>> v = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
   seed(v, sizes, offset, first);
   return Element<G, Moved<S>>{g.group, primitive::near_identity(g.group, v)} * over<Moved<S>>(g);
 }
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, Moved<S>> moved_momentum(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int offset, int first) {
   Momentum<G, Moved<S>> moved = over<Moved<S>>(mu);
   seed(moved.components, sizes, offset, first);
   return moved;
 }
 /// \f$\delta g\,g^{-1}\f$ of the infinitesimals of g.
-template <Group G, Field S>
-Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
+template <Group G, Scalar S>
+Coordinates<G, Moved<S>> change_of_element(Element<G, Moved<S>> const& g) {
   auto const back = inverse(value_of(g));
   if constexpr (MatrixGroup<G>) {
     Coordinates<G, Moved<S>> change = Coordinates<G, Moved<S>>::Zero(g.group.dimension());
@@ -71,8 +72,8 @@ Coordinates<G, Moved<S>> change_of_place(Element<G, Moved<S>> const& g) {
     return log(g * over<Moved<S>>(back)).coordinates;
   }
 }
-template <Group G, Field S>
-Coordinates<G, S> difference_of_places(Element<G, S> const& g, Element<G, S> const& k) {
+template <Group G, Scalar S>
+Coordinates<G, S> difference_of_elements(Element<G, S> const& g, Element<G, S> const& k) {
   return log(k * inverse(g)).coordinates;
 }
 /// One column on top of another.
@@ -86,7 +87,7 @@ auto stacked(V const& v, W const& w) {
 /// What the two signs of the bracket on the dual of an algebra have in common.
 struct DualOfAlgebra {
   /// Of the space.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static int dimension(Momentum<G, S> const& mu) {
     return mu.group.dimension();
   }
@@ -96,17 +97,17 @@ struct DualOfAlgebra {
     return sizes_by_unit(mu);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto moved(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int first) {
     return moved_momentum(mu, sizes, 0, first);
   }
   /// The coordinates of the infinitesimals.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto change(Momentum<G, S> const& mu) {
     return mu.components;
   }
   /// The coordinates that lead from the first point to the second.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static AnyVector<S> difference(Momentum<G, S> const& mu, Momentum<G, S> const& nu) {
     return nu.components - mu.components;
   }
@@ -117,7 +118,7 @@ struct DualOfAlgebra {
 /// The dual of an algebra with the plus bracket: spatial momenta of right-invariant systems.
 struct LiePoissonPlus : detail::DualOfAlgebra {
   /// The matrix of the bracket.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) {
     return lie_poisson_tensor_plus(mu);
   }
@@ -125,7 +126,7 @@ struct LiePoissonPlus : detail::DualOfAlgebra {
 /// The dual of an algebra with the minus bracket: body momenta of left-invariant systems.
 struct LiePoissonMinus : detail::DualOfAlgebra {
   /// The matrix of the bracket.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) {
     return -lie_poisson_tensor_plus(mu);
   }
@@ -137,41 +138,41 @@ struct LiePoissonMinus : detail::DualOfAlgebra {
 /// turns, it is the user's unit of length.
 struct CotangentBundle {
   /// Of the space.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static int dimension(Costate<G, S> const& p) {
-    return 2 * p.place.group.dimension();
+    return 2 * p.configuration.group.dimension();
   }
   /// A positive number for each coordinate, in its unit.
   template <Group G, Plain S>
   static detail::AnyVector<S> sizes(Costate<G, S> const& p) {
     auto const momenta = sizes_by_unit(p.momentum);
-    auto const classes = unit_classes(p.place.group);
-    detail::AnyVector<S> places = detail::AnyVector<S>::Constant(momenta.size(), S(1));
+    auto const classes = unit_classes(p.configuration.group);
+    detail::AnyVector<S> configurations = detail::AnyVector<S>::Constant(momenta.size(), S(1));
     S turns(0);
     for (Index a = 0; a < momenta.size(); ++a)
       if (!classes.has_length[classes.of[a]]) turns = momenta[a];
-    for (Index a = 0; a < momenta.size() && turns > S(0); ++a) places[a] = turns / momenta[a];
-    return detail::stacked(places, momenta);
+    for (Index a = 0; a < momenta.size() && turns > S(0); ++a) configurations[a] = turns / momenta[a];
+    return detail::stacked(configurations, momenta);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static Costate<G, Moved<S>> moved(Costate<G, S> const& p, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_place(p.place, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.place.group.dimension(), first)};
+    return {detail::moved_element(p.configuration, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.configuration.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto change(Costate<G, S> const& p) {
-    return detail::stacked(detail::change_of_place(p.place), p.momentum.components);
+    return detail::stacked(detail::change_of_element(p.configuration), p.momentum.components);
   }
   /// The coordinates that lead from the first point to the second.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static auto difference(Costate<G, S> const& p, Costate<G, S> const& q) {
-    return detail::stacked(detail::difference_of_places(p.place, q.place), (q.momentum - p.momentum).components);
+    return detail::stacked(detail::difference_of_elements(p.configuration, q.configuration), (q.momentum - p.momentum).components);
   }
   /// \f$\{F, H\} = \langle\partial_gF, H_\mu\rangle - \langle\partial_gH, F_\mu\rangle + \langle\mu, [F_\mu, H_\mu]\rangle\f$ as a matrix.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Costate<G, S> const& p) {
-    int const n = p.place.group.dimension();
+    int const n = p.configuration.group.dimension();
     detail::AnyMatrix<S> b = detail::AnyMatrix<S>::Zero(2 * n, 2 * n);
     for (int a = 0; a < n; ++a) b(a, n + a) = S(1), b(n + a, a) = S(-1);
     b.bottomRightCorner(n, n) = lie_poisson_tensor_plus(p.momentum);
@@ -179,16 +180,16 @@ struct CotangentBundle {
   }
   /// \f$\omega(w_1, w_2) = \langle\delta\mu_2, \vartheta_1\rangle - \langle\delta\mu_1, \vartheta_2\rangle - \langle\mu, [\vartheta_1,
   /// \vartheta_2]\rangle\f$ as a matrix.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static detail::AnyMatrix<S> two_form(Costate<G, S> const& p) {
-    int const n = p.place.group.dimension();
+    int const n = p.configuration.group.dimension();
     detail::AnyMatrix<S> omega = detail::AnyMatrix<S>::Zero(2 * n, 2 * n);
     for (int a = 0; a < n; ++a) omega(a, n + a) = S(1), omega(n + a, a) = S(-1);
     omega.topLeftCorner(n, n) = -lie_poisson_tensor_plus(p.momentum);
     return omega;
   }
   /// Where the momentum of a symmetry is read.
-  template <Group G, Field S>
+  template <Group G, Scalar S>
   static Costate<G, S> costate(Costate<G, S> const& p) {
     return p;
   }

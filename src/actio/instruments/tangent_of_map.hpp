@@ -1,4 +1,4 @@
-// The tangent of a map that somebody wrote down: by evaluating it on points moved infinitely little.
+// The tangent of a map given as code: by evaluating it on points moved infinitely little.
 //
 // A map is a callable from a point to a point of the same space, written at every scalar: it is called at plain numbers and at dual numbers over
 // them. A constant of it, such as its step, is a plain number or made from one. A map that solves an equation on the way is differentiated through

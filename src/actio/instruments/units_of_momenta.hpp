@@ -1,8 +1,9 @@
 // Units of the components of a momentum, read off the algebra.
 //
-// A momentum of turning and one of gliding are measured in different units, and a number that adds them up must know how large each is. The brackets
-// tell which components share a unit: a change of units multiplies the basis vector e_a by c_a and leaves [e_a, e_b] = sum_c C^c_ab e_c as it is, so
-// that c_a c_b = c_c wherever C^c_ab is not zero. Components that no such change tells apart have one unit. For SO(n) there is one class, for SE(n)
+// A momentum of turning and one of gliding are measured in different units, and a norm of both needs the size
+// of each. The brackets tell which components share a unit: a change of units multiplies the basis vector e_a
+// by c_a and leaves [e_a, e_b] = sum_c C^c_ab e_c as it is, so that c_a c_b = c_c wherever C^c_ab is not
+// zero. Components that no such change tells apart have one unit. For SO(n) there is one class, for SE(n)
 // there are two, the turns and the shifts.
 #pragma once
 

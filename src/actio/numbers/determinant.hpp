@@ -9,7 +9,7 @@
 namespace actio {
 
 /// x + i y over any field, a dual number or a fraction included.
-template <Field S>
+template <Scalar S>
 struct Complex {
   S re;  ///< the real part
   S im;  ///< the imaginary part

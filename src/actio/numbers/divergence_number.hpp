@@ -1,8 +1,8 @@
 // Numbers that carry a divergence: of a map, one evaluation gives the sums over mu of its second derivatives along delta_mu and epsilon_a^mu, for all a.
 //
 // They are polynomials in infinitesimals delta_mu and epsilon_a^mu whose products all vanish but delta_mu epsilon_a^mu = tau_a, the same for each mu. So of the
-// second derivatives no more is kept than the N sums that a divergence is made of: for m = 4 and N = 3 there are 20 numbers, where dual numbers of dual numbers
-// need four evaluations with 8.
+// second derivatives no more is stored than the N sums that a divergence is made of: for m = 4 and N = 3
+// there are 20 numbers, where dual numbers of dual numbers need four evaluations with 8.
 #pragma once
 
 #include <array>

@@ -17,8 +17,8 @@ namespace actio {
 template <class Vector>
 class Extrapolation {
  public:
-  /// Differences that are kept, of as many terms of the sequence.
-  static constexpr int kept = 12;
+  /// Differences that are stored, of as many terms of the sequence.
+  static constexpr int most_differences = 12;
 
   /// Appends a term.
   void push(Vector term) {
@@ -27,7 +27,7 @@ class Extrapolation {
       difference_[d] = term;
       term = difference;
     }
-    if (count_ < kept) difference_[count_++] = term;
+    if (count_ < most_differences) difference_[count_++] = term;
   }
   /// The term that comes next, as far as it can be told: \f$\sum_{d}\nabla^dx\f$. Not before there is a term.
   Vector next() const {
@@ -47,7 +47,7 @@ class Extrapolation {
   void clear() { count_ = 0; }
 
  private:
-  std::array<Vector, kept> difference_;
+  std::array<Vector, most_differences> difference_;
   int count_ = 0;
 };
 

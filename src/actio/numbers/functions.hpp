@@ -104,7 +104,7 @@ S stumpff(S const& x) {
     S const angle = sqrt(x);
     return sin(angle) / angle;
   } else {
-    // c_{k-2} = 1/(k-2)! - x c_k; for x >= 1 the difference loses less than two digits.
+    // c_{k-2} = 1/(k-2)! - x c_k; for x >= 1 less than two digits cancel in the difference.
     return (S(1) / Base<S>(factorial(K - 2)) - stumpff<K - 2>(x)) / x;
   }
 }

@@ -2,7 +2,7 @@
 //
 // A formula is written once and evaluated in double, in 50 or 100 decimal digits, over the rationals (where it needs no
 // root and no transcendental function), and in each of these extended by infinitesimals (dual.hpp) or by powers of the
-// time (taylor.hpp). `Field` asks for the four operations; `Real` asks for roots and transcendental functions as well.
+// time (taylor.hpp). `Scalar` asks for the four operations; `Real` asks for roots and transcendental functions as well.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -47,7 +47,7 @@ concept Plain = std::is_arithmetic_v<S> || boost::multiprecision::is_number<S>::
 
 /// Numbers that add, subtract, multiply and divide exactly or to rounding.
 template <class S>
-concept Field = requires(S const& a, S const& b) {
+concept Scalar = requires(S const& a, S const& b) {
   { a + b } -> std::convertible_to<S>;
   { a - b } -> std::convertible_to<S>;
   { a* b } -> std::convertible_to<S>;
@@ -89,7 +89,7 @@ constexpr int decimal_digits() {
 ///
 /// A scalar whose arithmetic is chosen at run time counts as one; where that has no roots, they refuse (NotInThisField).
 template <class S>
-concept Real = Field<S> && !is_exact<S>;
+concept Real = Scalar<S> && !is_exact<S>;
 
 /// Spacing of the numbers next to 1: \f$2^{-52}\f$ in double, about \f$10^{-50}\f$ and \f$10^{-100}\f$, and 0 over the rationals.
 template <class S>

@@ -1,5 +1,5 @@
-// The real Schur form over numbers that are not double, by Eigen's QR iteration: whoever takes logarithms of rotations in five and more dimensions
-// in many digits includes this; nobody else waits for it to compile.
+// The real Schur form over numbers that are not double, by Eigen's QR iteration: a unit that takes logarithms
+// of rotations in five and more dimensions in many digits includes this; no other unit has to compile it.
 #pragma once
 
 #include <boost/multiprecision/eigen.hpp>

@@ -52,14 +52,14 @@ struct Taylor {
 
   Taylor& operator+=(Taylor const& y) {
     agree(y);
-    if (stored() < kept(y.stored())) coefficients.resize(kept(y.stored()), S(0));
-    for (int k = 0; k < kept(y.stored()); ++k) coefficients[k] += y.coefficients[k];
+    if (stored() < stored_of(y.stored())) coefficients.resize(stored_of(y.stored()), S(0));
+    for (int k = 0; k < stored_of(y.stored()); ++k) coefficients[k] += y.coefficients[k];
     return *this;
   }
   Taylor& operator-=(Taylor const& y) {
     agree(y);
-    if (stored() < kept(y.stored())) coefficients.resize(kept(y.stored()), S(0));
-    for (int k = 0; k < kept(y.stored()); ++k) coefficients[k] -= y.coefficients[k];
+    if (stored() < stored_of(y.stored())) coefficients.resize(stored_of(y.stored()), S(0));
+    for (int k = 0; k < stored_of(y.stored()); ++k) coefficients[k] -= y.coefficients[k];
     return *this;
   }
   Taylor& operator*=(Taylor const& y) { return *this = *this * y; }
@@ -104,16 +104,16 @@ struct Taylor {
   static Taylor blank(Taylor const& x, Taylor const& y, int wanted) {
     Taylor z;
     z.order = std::min(x.order, y.order);
-    z.coefficients.assign(z.kept(wanted), S(0));
+    z.coefficients.assign(z.stored_of(wanted), S(0));
     return z;
   }
   /// How many of `wanted` coefficients are known.
-  int kept(int wanted) const { return order == all ? std::min(wanted, 1) : std::min(wanted, order + 1); }
+  int stored_of(int wanted) const { return order == all ? std::min(wanted, 1) : std::min(wanted, order + 1); }
 
  private:
   void agree(Taylor const& y) {
     order = std::min(order, y.order);
-    if (stored() > kept(stored())) coefficients.resize(kept(stored()));
+    if (stored() > stored_of(stored())) coefficients.resize(stored_of(stored()));
   }
 };
 

@@ -1,14 +1,17 @@
-// Discrete Euler-Poincare equations with an advected vector: the symmetry is broken by a vector that is carried along.
+// Discrete Euler-Poincare equations with an advected vector: the symmetry is broken by a vector that the
+// motion transports.
 //
-// A heavy top is not free to be turned as a whole: the vertical is fixed in space. Let G act linearly, and let the Lagrangian on G x G know a vector
-// c that is fixed in space. What is left of the symmetry is the subgroup that fixes c (the case that remark 3.1.3 sets aside). The whole of G reduces
-// all the same once the vector is carried along as the system sees it. Left-invariant, with f = g1^-1 g0 and a = g^-1 c, and right-invariant, with
-// f = g0 g1^-1 and a = g c:
+// The Lagrangian of a heavy top is not invariant under all rotations: the vertical is fixed in space. Let G
+// act linearly, and let the Lagrangian on G x G depend on a vector c that is fixed in space. The symmetry
+// group is the subgroup that fixes c (the case that remark 3.1.3 sets aside). The whole of G reduces all the
+// same once the vector is an advected variable of the reduced system. Left-invariant, with f = g1^-1 g0 and a
+// = g^-1 c, and right-invariant, with f = g0 g1^-1 and a = g c:
 //
 //     L(g0, g1) = l(g1^-1 g0, g0^-1 c),   a1 = f a0          L(g0, g1) = l(g0 g1^-1, g0 c),   a1 = f^-1 a0.
 //
 // l(f, a) is a callable at every scalar, given the vector before the step. The pair of momentum and vector moves on a coadjoint orbit of the
-// semidirect product of G with the covectors. Momenta are physical, as everywhere; a momentum left behind by a step is taken up by the next.
+// semidirect product of G with the covectors. Momenta are physical, as everywhere: the momentum at the end of
+// a step is that at the start of the next.
 #pragma once
 
 #include <cmath>
@@ -30,7 +33,7 @@ concept ActsOn = Group<G> && requires(A const& act, Element<G, S> const& g, Matr
 struct MatrixAction {
   /// The product of the matrix and the column.
   /// @throws OutsideDomain  where the column has not as many numbers as the matrix has columns
-  template <MatrixGroup G, Field S, int m>
+  template <MatrixGroup G, Scalar S, int m>
   Matrix<S, m, 1> operator()(Element<G, S> const& g, Matrix<S, m, 1> const& a) const {
     if (a.size() != g.value.cols())
       throw OutsideDomain("MatrixAction", "a vector with a number for each column of the matrix is needed; numbers", static_cast<double>(a.size()),
@@ -40,7 +43,7 @@ struct MatrixAction {
 };
 
 /// What a system with an advected vector is stepped in: an element of the dual of the algebra of the semidirect product.
-template <Group G, Field S, int m>
+template <Group G, Scalar S, int m>
 struct AdvectedState {
   Momentum<G, S> momentum;        ///< of the body for a left-invariant system, in space for a right-invariant one; energy x time
   Matrix<S, m, 1> vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
@@ -58,13 +61,13 @@ auto holding(F const& l, Matrix<S, m, 1> const& a) {
 }  // namespace detail
 
 /// \f$a_1 = f\,a_0\f$: the vector after a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Matrix<S, m, 1> advect_left(Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return act(f, a);
 }
 /// \f$a_1 = f^{-1}a_0\f$: the vector after a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return act(inverse(f), a);
@@ -77,7 +80,7 @@ Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, A
 /// @return     covector at the identity
 /// @throws NotFinite  where l or its derivative is no number
 /// Exact up to rounding.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   auto const moved_vector = [&](auto const& g) {
@@ -90,32 +93,34 @@ Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<
 // The momenta at both ends of a step.
 
 /// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a left-invariant step begins.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return advected_differential(l, f, a, act) - left_differential(detail::holding(l, a), f);
 }
 /// \f$\Pi_1 = -R_f^*\ell'(f, a_0)\f$: the body momentum with which it ends.
-template <Group G, Field S, int m, class F>
+template <Group G, Scalar S, int m, class F>
 Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -right_differential(detail::holding(l, a), f);
 }
 /// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a right-invariant step begins.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
   return -right_differential(detail::holding(l, a), f) - advected_differential(l, f, a, act);
 }
 /// \f$\mu_1 = -L_f^*\ell'(f, a_0)\f$: the spatial momentum with which it ends.
-template <Group G, Field S, int m, class F>
+template <Group G, Scalar S, int m, class F>
 Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -left_differential(detail::holding(l, a), f);
 }
 
 // The equations.
 
-/// What is left of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along motions, and only there.
+/// The residual of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along
+/// motions, and only there.
 ///
 /// \f[ L^*_{f_{21}}\ell'(f_{21}, a_1) - A_{a_1}^*\,\partial_a\ell(f_{21}, a_1) - R^*_{f_{10}}\ell'(f_{10}, a_0), \qquad a_1 = f_{10}\,a_0 \f]
-/// It is \f$\mathrm{Ad}^*_{g_1}\f$ of what is left of the discrete Euler-Lagrange equations of \ref lift_advected_left at \f$(g_0, g_1, g_2)\f$.
+/// It is \f$\mathrm{Ad}^*_{g_1}\f$ of the residual of the discrete Euler-Lagrange equations of
+/// \ref lift_advected_left at \f$(g_0, g_1, g_2)\f$.
 ///
 /// \implements{rem_3_1_3}
 /// @param l    reduced discrete Lagrangian (f, a) -> energy x time, a the vector before the step
@@ -124,7 +129,7 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 /// @param f21  relative motion \f$g_2^{-1}g_1\f$ over the step after
 /// @return     covector at the identity
 /// Exact up to rounding.
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Element<G, S> const& f21,
                                             Act const& act = {}) {
   auto const a1 = advect_left(f10, a0, act);
@@ -137,12 +142,13 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
 /// The same, right-invariant.
 ///
 /// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01}, a_0), \qquad a_1 = f_{01}^{-1}a_0 \f]
-/// It is what is left of the discrete Euler-Lagrange equations of \ref lift_advected_right at \f$(g_0, g_1, g_2)\f$.
+/// It is the residual of the discrete Euler-Lagrange equations of \ref lift_advected_right at
+/// \f$(g_0, g_1, g_2)\f$.
 ///
 /// @param f01  relative motion \f$g_0g_1^{-1}\f$ over the step before
 /// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
 /// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Element<G, S> const& f12,
                                              Act const& act = {}) {
   auto const a1 = advect_right(f01, a0, act);
@@ -150,7 +156,8 @@ Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f0
   return right_differential(l1, f12) + advected_differential(l, f12, a1, act) - left_differential(l0, f01);
 }
 
-/// The relative motion that takes up a body momentum where the vector is a: solves \f$\Pi_0(f, a) = \Pi\f$ near `start`, left-invariant.
+/// The relative motion with a given body momentum at the start of the step, where the vector is a: solves
+/// \f$\Pi_0(f, a) = \Pi\f$ near `start`, left-invariant.
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 /// @throws NotFinite               where momentum or vector is no number
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
@@ -181,16 +188,18 @@ Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> 
       start);
 }
 
-/// The next relative motion, left-invariant: solves \ref advected_euler_poincare_left for `f21`, starting from "the motion goes on as it did". The
-/// vector goes on with \ref advect_left.
+/// The next relative motion, left-invariant: solves \ref advected_euler_poincare_left for `f21`; the initial
+/// guess repeats the last relative motion. The next vector is given by \ref advect_left.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
 Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Act const& act = {}) {
-  // Hold the momentum left behind, and look for the motion that takes it up where the vector has come to be.
+  // The momentum at the end of the step before is given: solve for the motion that starts with it, at the
+  // advected vector.
   return advected_relative_motion_left(l, advected_momentum_after_left(l, f10, a0), advect_left(f10, a0, act), f10, act);
 }
-/// The next relative motion, right-invariant: solves \ref advected_euler_poincare_right for `f12`. The vector goes on with \ref advect_right.
+/// The next relative motion, right-invariant: solves \ref advected_euler_poincare_right for `f12`. The next
+/// vector is given by \ref advect_right.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
@@ -198,23 +207,24 @@ Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, 
   return advected_relative_motion_right(l, advected_momentum_after_right(l, f01, a0), advect_right(f01, a0, act), f01, act);
 }
 
-/// \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\bigl(\Pi_0 - A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the body momentum carried along, left-invariant. Without a
-/// vector it is (3.18).
+/// \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\bigl(\Pi_0 - A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the body momentum
+/// after the step, left-invariant. Without a vector it is (3.18).
 ///
-/// Together with \f$a_1 = f\,a_0\f$ this is the coadjoint action \f$\mathrm{Ad}^*_{k^{-1}}\f$ of \f$k = f\cdot(1, \partial_a\ell)\f$, a shift by a
-/// covector and then a turn, in the semidirect product of G with the covectors. Its Casimirs stay: for \f$SE(3) = SO(3)\ltimes\mathbb R^3\f$ they
-/// are \f$|a|^2\f$ and \f$\langle\Pi, a\rangle\f$.
-/// @param f  the relative motion that takes up \f$\Pi_0\f$
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+/// Together with \f$a_1 = f\,a_0\f$ this is the coadjoint action \f$\mathrm{Ad}^*_{k^{-1}}\f$ of
+/// \f$k = f\cdot(1, \partial_a\ell)\f$, a translation by a covector followed by a rotation, in the semidirect
+/// product of G with the covectors. Its Casimirs are conserved: for \f$SE(3) = SO(3)\ltimes\mathbb R^3\f$
+/// they are \f$|a|^2\f$ and \f$\langle\Pi, a\rangle\f$.
+/// @param f  the relative motion of the step that starts with \f$\Pi_0\f$
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& pi,
                                                 Act const& act = {}) {
   // [advected_lie_poisson]
   return Ad_star(inverse(f), pi - advected_differential(l, f, a, act));
   // [advected_lie_poisson]
 }
-/// \f$\mu_1 = \mathrm{Ad}^*_f\bigl(\mu_0 + A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the spatial momentum carried along, right-invariant. Without a
-/// vector it is (3.17).
-template <Group G, Field S, int m, class F, class Act = MatrixAction>
+/// \f$\mu_1 = \mathrm{Ad}^*_f\bigl(\mu_0 + A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the spatial momentum after
+/// the step, right-invariant. Without a vector it is (3.17).
+template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
 Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& mu,
                                                  Act const& act = {}) {
   return Ad_star(f, mu + advected_differential(l, f, a, act));
@@ -240,10 +250,10 @@ auto lift_advected_right(F l, Matrix<S, m, 1> const& c, Act act = {}) {
   };
 }
 
-// What is left of the symmetry, and what it conserves.
+// The remaining symmetry, and what it conserves.
 
 /// \f$\zeta\,a = \frac{d}{d\epsilon}e^{\epsilon\zeta}a\f$: how an element of the algebra moves a vector.
-template <Group G, Field S, int m, class Act = MatrixAction>
+template <Group G, Scalar S, int m, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
 Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
   Matrix<S, m, 1> rate = Matrix<S, m, 1>::Zero(a.size());
@@ -255,16 +265,16 @@ Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, A
   return rate;
 }
 
-/// \f$\langle\Pi, \zeta\rangle\f$ with \f$\zeta a = 0\f$: the momentum of a symmetry that is left, where the system sees the vector a. The same at
-/// both ends of every step.
+/// \f$\langle\Pi, \zeta\rangle\f$ with \f$\zeta a = 0\f$: the momentum of the remaining symmetry, the
+/// stabilizer of the vector a. The same at both ends of every step.
 ///
-/// The generator is carried along as the vector is: \f$\zeta_1 = \mathrm{Ad}_f\,\zeta_0\f$ for a left-invariant system,
-/// \f$\mathrm{Ad}_{f^{-1}}\zeta_0\f$ for a right-invariant one.
+/// The generator is transported as the vector is: \f$\zeta_1 = \mathrm{Ad}_f\,\zeta_0\f$ for a left-invariant
+/// system, \f$\mathrm{Ad}_{f^{-1}}\zeta_0\f$ for a right-invariant one.
 /// For SO(3) on 3-space \f$\zeta = a\f$, which makes it \f$\langle\Pi, a\rangle\f$, the momentum about the vertical.
 /// @throws OutsideDomain  where \f$\zeta a\f$ is not zero, so that nothing is conserved: its size over that of \f$\zeta\f$ times a, and the bound.
-///                        Over the rationals it must be 0; elsewhere half of the digits are enough, since rounding may have carried generator and
-///                        vector along for long.
-template <Group G, Field S, int m, class Act = MatrixAction>
+///                        Over the rationals it must be 0; elsewhere half of the digits are enough, since rounding may have moved generator and
+///                        vector for long.
+template <Group G, Scalar S, int m, class Act = MatrixAction>
 S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
   auto const size = magnitude(zeta.coordinates) * magnitude(a);
   double const measured = size > Base<S>(0) ? to_double(Base<S>(magnitude(moved_by(zeta, a, act)) / size)) : 0.0;

@@ -10,8 +10,8 @@ namespace actio {
 /// step after step.
 ///
 /// Relative motions and vectors are those of \ref step_advected_euler_poincare_left and \ref advect_left to
-/// rounding, in a fraction of the time. Momentum and vector are carried along by \ref
-/// advected_lie_poisson_update_left, so their coadjoint orbit is kept to rounding.
+/// rounding, in a fraction of the time. Momentum and vector are updated by \ref
+/// advected_lie_poisson_update_left, so their coadjoint orbit is preserved to rounding.
 /// @tparam F  reduced discrete Lagrangian (f, a) -> energy x time, a the vector before the step
 template <class F, ExponentialGroup G, Real S, int m, class Act = MatrixAction>
 class AdvectedStepsLeft {
@@ -31,7 +31,7 @@ class AdvectedStepsLeft {
     require_finite(a0, "AdvectedStepsLeft: vector");
   }
 
-  /// Takes a step: solves \f$\Pi_0(f, a) = \Pi\f$ and carries momentum and vector along.
+  /// Takes a step: solves \f$\Pi_0(f, a) = \Pi\f$ and updates momentum and vector.
   /// @return the next relative motion
   /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
   /// the motion stays where it was
@@ -83,7 +83,7 @@ class AdvectedStepsRight {
     require_finite(a0, "AdvectedStepsRight: vector");
   }
 
-  /// Takes a step: solves \f$\mu_0(f, a) = \mu\f$ and carries momentum and vector along.
+  /// Takes a step: solves \f$\mu_0(f, a) = \mu\f$ and updates momentum and vector.
   /// @return the next relative motion
   /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular;
   /// the motion stays where it was

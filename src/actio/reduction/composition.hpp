@@ -1,8 +1,9 @@
 // Compositions: several steps, some of them backwards, that make one step of higher order.
 //
 // The base step must be self-adjoint: a step by -h undoes one by h. Then its error has even powers of h only, and substeps gamma_1 h, ..., gamma_n h
-// in a palindromic pattern cancel them one after another. Each substep is a step of the discrete Lie-Poisson algorithm, so the whole keeps what each
-// keeps: the coadjoint orbit, the bracket, the momentum of the symmetry.
+// in a palindromic pattern cancel them one after another. Each substep is a step of the discrete Lie-Poisson
+// algorithm, so the composition preserves what each preserves: the coadjoint orbit, the bracket, the momentum
+// of the symmetry.
 #pragma once
 
 #include <vector>
@@ -11,15 +12,15 @@
 
 namespace actio {
 
-/// What is left of the conditions for order 6 on the fractions of a symmetric composition of a self-adjoint step of order 2; the first two are those
-/// for order 4.
+/// The residual of the conditions for order 6 on the fractions of a symmetric composition of a self-adjoint
+/// step of order 2; the first two are those for order 4.
 ///
 /// \f[ \sum_k\gamma_k - 1,\qquad \sum_k\gamma_k^3,\qquad \sum_k\gamma_k^5,\qquad \sum_k\gamma_k^3\,m_k^2,
 ///    \qquad m_k = \gamma_1+\dots+\gamma_{k-1}+\tfrac12\gamma_k \f]
 /// The step is \f$\exp(hA_1 + h^3A_3 + h^5A_5 + \dots)\f$. In the product of its substeps \f$A_3\f$ and \f$A_5\f$ occur with the sums of cubes and of
 /// fifth powers, and \f$[A_1,[A_1,A_3]]\f$ with the cubes weighted by the square of the time \f$m_k\f$ in the middle of the substep.
 /// Exact up to rounding.
-template <Field S>
+template <Scalar S>
 Matrix<S, 4, 1> composition_conditions(std::vector<S> const& gamma) {
   Matrix<S, 4, 1> left(S(-1), S(0), S(0), S(0));
   S reached(0);
@@ -40,13 +41,30 @@ std::vector<S> triple_jump() {
   S const outer = S(1) / (S(2) - S(exp(S(log(S(2)) / S(3)))));
   return {outer, S(1) - outer - outer, outer};
 }
-/// Order 4 in five stages (Suzuki): \f$\gamma_1 = \gamma_2 = \gamma_4 = \gamma_5 = 1/(4-\sqrt[3]4)\f$ and \f$\gamma_3 = 1 - 4\gamma_1\f$. No substep
-/// is longer than 0.66 of the step.
+/// Order 2, 4, 6 or 8 by Suzuki's fractals, in 1, 5, 25 or 125 stages: \f$s, s, 1-4s, s, s\f$ with
+/// \f$s = 1/(4-4^{1/(p+1)})\f$ takes order p to p + 2. Steps back in time are shorter than those of the triple jump.
+/// @param order  2, 4, 6 or 8
+/// @throws OutsideDomain  for another
+template <Real S>
+std::vector<S> symmetric_composition(int order) {
+  if (order < 2 || order > 8 || order % 2)
+    throw OutsideDomain("symmetric composition", "the order must be 2, 4, 6 or 8", order, order < 2 ? 2 : 8);
+  using std::pow;
+  std::vector<S> fractions{S(1)};
+  for (int p = 2; p < order; p += 2) {
+    S const outer = S(1) / (S(4) - S(pow(S(4), S(S(1) / S(p + 1))))), inner = S(1) - S(4) * outer;
+    std::vector<S> composed;
+    for (S const& s : {outer, outer, inner, outer, outer})
+      for (S const& f : fractions) composed.push_back(s * f);
+    fractions = std::move(composed);
+  }
+  return fractions;
+}
+/// Order 4 in five stages (Suzuki): \f$\gamma_1 = \gamma_2 = \gamma_4 = \gamma_5 = 1/(4-\sqrt[3]4)\f$ and
+/// \f$\gamma_3 = 1 - 4\gamma_1\f$. No substep is longer than 0.66 of the step.
 template <Real S>
 std::vector<S> suzuki() {
-  using std::exp, std::log;
-  S const outer = S(1) / (S(4) - S(exp(S(log(S(4)) / S(3)))));
-  return {outer, outer, S(1) - S(4) * outer, outer, outer};
+  return symmetric_composition<S>(4);
 }
 /// Order 6 in nine stages (Kahan and Li): \f$\gamma_1, \dots, \gamma_5\f$ and back.
 ///
@@ -57,25 +75,15 @@ template <Real S>
 std::vector<S> kahan_li() {
   S const shift(10000000000000L);  // 10^13
   S const first = (S(3921614440073L) + S(1413927925056L) / shift) / shift;
-  using D = Dual<S, 4>;
   Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550), S(0.798543990934829));
-  std::vector<D> gamma(9, D(first));
+  auto const there_and_back = [&first]<class T>(Matrix<T, 4, 1> const& g) {
+    return std::vector<T>{T(first), g[0], g[1], g[2], g[3], g[2], g[1], g[0], T(first)};
+  };
   for (double digits = 10; digits < 3 * decimal_digits<S>(); digits *= 2) {
-    for (int k = 0; k < 4; ++k) {
-      D moved(rest[k]);
-      moved.part[k] = S(1);
-      gamma[k + 1] = gamma[7 - k] = moved;
-    }
-    auto const left = composition_conditions(gamma);
-    Matrix<S, 4, 4> slope;
-    Matrix<S, 4, 1> value;
-    for (int i = 0; i < 4; ++i) {
-      value[i] = left[i].value;
-      for (int k = 0; k < 4; ++k) slope(i, k) = left[i].part[k];
-    }
+    auto const [value, slope] = derivative([&](auto const& g) { return composition_conditions(there_and_back(g)); }, rest);
     rest -= solve_linear(slope, value, "kahan_li");
   }
-  return {first, rest[0], rest[1], rest[2], rest[3], rest[2], rest[1], rest[0], first};
+  return there_and_back(rest);
 }
 
 namespace detail {
@@ -92,7 +100,7 @@ std::vector<S> fractions_of_a_step(std::vector<S> fractions) {
   return fractions;
 }
 /// Substeps one after another; `joined` is the relative motion over two of them, the earlier one first.
-template <class Step, class S, Group G, Field T, class Joined>
+template <class Step, class S, Group G, Scalar T, class Joined>
 MomentumStep<G, T> take_substeps(std::vector<Step> const& steps, std::vector<S> const& fractions,
                                  MomentumState<G, T> const& from, S const& h, Joined const& joined) {
   auto whole = steps[0](from, S(fractions[0] * h));
@@ -116,7 +124,7 @@ struct ComposedRight {
       : fractions(detail::fractions_of_a_step(std::move(fractions_of))), steps(fractions.size(), step_of) {}
 
   /// A step of length h from a state.
-  template <Group G, Field T>
+  template <Group G, Scalar T>
   MomentumStep<G, T> operator()(MomentumState<G, T> const& from, std::type_identity_t<S> const& h) const {
     return detail::take_substeps(steps, fractions, from, h,
                                  [](auto const& before, auto const& after) { return before * after; });
@@ -134,7 +142,7 @@ struct ComposedLeft {
       : fractions(detail::fractions_of_a_step(std::move(fractions_of))), steps(fractions.size(), step_of) {}
 
   /// A step of length h from a state.
-  template <Group G, Field T>
+  template <Group G, Scalar T>
   MomentumStep<G, T> operator()(MomentumState<G, T> const& from, std::type_identity_t<S> const& h) const {
     return detail::take_substeps(steps, fractions, from, h,
                                  [](auto const& before, auto const& after) { return after * before; });

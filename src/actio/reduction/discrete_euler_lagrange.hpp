@@ -2,7 +2,7 @@
 //
 // A discrete Lagrangian is any callable L(g0, g1), at every scalar. It is an action (energy x time), about the integral of the
 // continuous Lagrangian over the step, so that D2 is a momentum and steps may differ. The thesis divides by the step; no statement changes.
-// Differentials in either slot are carried to the identity on the right, variations being theta = dg g^-1.
+// Differentials in either slot are translated to the identity on the right, variations being theta = dg g^-1.
 #pragma once
 
 #include "actio/groups/solve.hpp"
@@ -10,52 +10,54 @@
 namespace actio {
 
 /// \f$D_1 L(g_0, g_1)\f$: the differential in the first slot, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}L(e^{\epsilon\vartheta}g_0, g_1)\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> D1(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return right_differential([&](auto const& g) { return lagrangian(g, like(g, g1)); }, g0);
 }
 
 /// \f$D_2 L(g_0, g_1)\f$: the differential in the second slot, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}L(g_0, e^{\epsilon\vartheta}g_1)\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> D2(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return right_differential([&](auto const& g) { return lagrangian(like(g, g0), g); }, g1);
 }
 
-/// What is left of the discrete Euler-Lagrange equations: zero along discrete motions, and only there.
+/// The residual of the discrete Euler-Lagrange equations: zero along discrete motions, and only there.
 ///
 /// \f[ D_2 L(g_0, g_1) + D_1 L(g_1, g_2) \f]
 ///
 /// \implements{eq_3_2}
 /// @param lagrangian  discrete Lagrangian, \f$G\times G\to\mathbb R\f$, energy x time
-/// @return            covector at the identity (carried from \f$g_1\f$ on the right)
+/// @return            covector at the identity (translated from \f$g_1\f$ on the right)
 /// Exact up to rounding.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> discrete_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, Element<G, S> const& g2) {
   // [eq_3_2]
   return D2(lagrangian, g0, g1) + D1(lagrangian, g1, g2);
   // [eq_3_2]
 }
 
-/// The next place: solves \ref discrete_euler_lagrange for \f$g_2\f$, starting from "the motion goes on as it did".
+/// The next configuration: solves \ref discrete_euler_lagrange for \f$g_2\f$; the initial guess repeats the
+/// last relative motion.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class L>
 Solved<Element<G, S>> step_euler_lagrange(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
-  // Hold the momentum that the step before leaves behind, and look for the place that takes it up.
-  auto const left_behind = D2(lagrangian, g0, g1);
+  // The momentum at the end of the step before is given: solve for the configuration whose step starts with
+  // it.
+  auto const end_momentum = D2(lagrangian, g0, g1);
   auto const start = g1 * inverse(g0) * g1;
   return solve_on_group(
-      [&](auto const& g2) { return like(g2, left_behind) + D1(lagrangian, like(g2, g1), g2); }, start);
+      [&](auto const& g2) { return like(g2, end_momentum) + D1(lagrangian, like(g2, g1), g2); }, start);
 }
 
-/// The discrete action of a sequence of places: \f$\sum_k L(g_k, g_{k+1})\f$ over every neighbouring pair of it.
+/// The discrete action of a sequence of configurations: \f$\sum_k L(g_k, g_{k+1})\f$ over every neighbouring pair of it.
 ///
 /// \implements{eq_3_1}
-template <class L, class Places>
-auto discrete_action(L const& lagrangian, Places const& places) {
+template <class L, class Configurations>
+auto discrete_action(L const& lagrangian, Configurations const& configurations) {
   // [eq_3_1]
-  auto sum = lagrangian(places[0], places[1]);
-  for (std::size_t k = 1; k + 1 < places.size(); ++k) sum += lagrangian(places[k], places[k + 1]);
+  auto sum = lagrangian(configurations[0], configurations[1]);
+  for (std::size_t k = 1; k + 1 < configurations.size(); ++k) sum += lagrangian(configurations[k], configurations[k + 1]);
   // [eq_3_1]
   return sum;
 }

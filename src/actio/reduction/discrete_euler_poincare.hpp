@@ -1,15 +1,17 @@
 // Discrete Euler-Poincare equations: the discrete motion of an invariant system, in relative motions alone.
 //
 // A discrete Lagrangian that does not change under right multiplication is a function l of f01 = g0 g1^-1; one that does not change under left
-// multiplication is a function of f10 = g1^-1 g0. Along a motion the momentum left behind equals the momentum taken up. The two sides have their own functions; neither is
-// obtained from the other by a flag.
+// multiplication is a function of f10 = g1^-1 g0. Along a motion the momentum at the end of a step equals
+// that at the start of the next. The two sides have their own functions; neither is obtained from the other
+// by a flag.
 #pragma once
 
 #include "actio/groups/solve.hpp"
 
 namespace actio {
 
-/// What is left of the discrete Euler-Poincare equations of a right-invariant system: zero along motions, and only there.
+/// The residual of the discrete Euler-Poincare equations of a right-invariant system: zero along motions, and
+/// only there.
 ///
 /// \f[ R^*_{f_{12}}\,\ell'(f_{12}) \;-\; L^*_{f_{01}}\,\ell'(f_{01}) \f]
 ///
@@ -19,14 +21,14 @@ namespace actio {
 /// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
 /// @return     covector at the identity
 /// Exact up to rounding.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> euler_poincare_right(F const& l, Element<G, S> const& f01, Element<G, S> const& f12) {
   // [eq_3_10]
   return right_differential(l, f12) - left_differential(l, f01);
   // [eq_3_10]
 }
 
-/// What is left of the discrete Euler-Poincare equations of a left-invariant system.
+/// The residual of the discrete Euler-Poincare equations of a left-invariant system.
 ///
 /// \f[ L^*_{f_{21}}\,\ell'(f_{21}) \;-\; R^*_{f_{10}}\,\ell'(f_{10}) \f]
 ///
@@ -34,21 +36,22 @@ Momentum<G, S> euler_poincare_right(F const& l, Element<G, S> const& f01, Elemen
 /// @param l    reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 /// @param f10  relative motion \f$g_1^{-1}g_0\f$ over the step before
 /// @param f21  relative motion \f$g_2^{-1}g_1\f$ over the step after
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> euler_poincare_left(F const& l, Element<G, S> const& f10, Element<G, S> const& f21) {
   // [eq_3_11]
   return left_differential(l, f21) - right_differential(l, f10);
   // [eq_3_11]
 }
 
-/// The next relative motion of a right-invariant system: solves \ref euler_poincare_right for `f12`, starting from "the motion goes on as it did".
+/// The next relative motion of a right-invariant system: solves \ref euler_poincare_right for `f12`; the
+/// initial guess repeats the last relative motion.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const& f01) {
-  // Hold the momentum left behind, and look for the motion that takes it up.
-  auto const left_behind = left_differential(l, f01);
-  return solve_on_group([&](auto const& f) { return right_differential(l, f) - like(f, left_behind); }, f01);
+  // The momentum at the end of the step before is given: solve for the motion that starts with it.
+  auto const end_momentum = -left_differential(l, f01);
+  return solve_on_group([&](auto const& f) { return right_differential(l, f) + like(f, end_momentum); }, f01);
 }
 
 /// The next relative motion of a left-invariant system: solves \ref euler_poincare_left for `f21`.
@@ -56,12 +59,12 @@ Solved<Element<G, S>> step_euler_poincare_right(F const& l, Element<G, S> const&
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> step_euler_poincare_left(F const& l, Element<G, S> const& f10) {
-  auto const left_behind = right_differential(l, f10);
-  return solve_on_group([&](auto const& f) { return left_differential(l, f) - like(f, left_behind); }, f10);
+  auto const end_momentum = -right_differential(l, f10);
+  return solve_on_group([&](auto const& f) { return left_differential(l, f) + like(f, end_momentum); }, f10);
 }
 
 /// How \f$R_f^*\ell'(f)\f$ changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto right_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
@@ -69,7 +72,7 @@ auto right_second_differential(F const& l, Element<G, S> const& f) {
   return m;
 }
 /// How \f$L_f^*\ell'(f)\f$ changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto left_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
@@ -80,13 +83,13 @@ auto left_second_differential(F const& l, Element<G, S> const& f) {
 /// The tangent of the right-invariant algorithm \f$f_{01}\mapsto f_{12}\f$, where the two satisfy (3.10): \f$\vartheta_{01}\mapsto\vartheta_{12}\f$,
 /// each being \f$\delta f\,f^{-1}\f$. From the equation, not from the solver: exact at every scalar.
 /// @throws Singular  where l is not regular at f12
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto euler_poincare_tangent_right(F const& l, Element<G, S> const& f01, Element<G, S> const& f12) {
   return solve_linear(right_second_differential(l, f12), left_second_differential(l, f01), "discrete Euler-Poincare: l''");
 }
 /// The tangent of the left-invariant algorithm \f$f_{10}\mapsto f_{21}\f$, where the two satisfy (3.11).
 /// @throws Singular  where l is not regular at f21
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto euler_poincare_tangent_left(F const& l, Element<G, S> const& f10, Element<G, S> const& f21) {
   return solve_linear(left_second_differential(l, f21), right_second_differential(l, f10), "discrete Euler-Poincare: l''");
 }

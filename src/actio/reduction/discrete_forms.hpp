@@ -8,19 +8,19 @@
 namespace actio {
 
 /// A tangent vector to G x G.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct PairChange {
   Velocity<G, S> first;   ///< \f$\delta g_0\,g_0^{-1}\f$
   Velocity<G, S> second;  ///< \f$\delta g_1\,g_1^{-1}\f$
 };
 
 /// \f$\theta^-_L(g_0, g_1)\cdot w = D_1 L\,\delta g_0\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 S discrete_one_form_minus(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, PairChange<G, S> const& w) {
   return pair(D1(lagrangian, g0, g1), w.first);
 }
 /// \f$\theta^+_L(g_0, g_1)\cdot w = D_2 L\,\delta g_1\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 S discrete_one_form_plus(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, PairChange<G, S> const& w) {
   return pair(D2(lagrangian, g0, g1), w.second);
 }
@@ -28,7 +28,7 @@ S discrete_one_form_plus(L const& lagrangian, Element<G, S> const& g0, Element<G
 /// \f$\partial_2 D_1 L\f$: how \f$D_1 L(g_0, g_1)\f$ changes when \f$g_1\f$ does. Row: component of D1; column: direction in which g1 moves.
 ///
 /// L is regular at (g0, g1) where this matrix has an inverse.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 auto mixed_derivative(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   int const n = g0.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
@@ -43,7 +43,7 @@ auto mixed_derivative(L const& lagrangian, Element<G, S> const& g0, Element<G, S
 ///
 /// In coordinates \f$\omega_L = \frac{\partial^2 L}{\partial g_0^i\,\partial g_1^j}\,dg_1^j\wedge dg_0^i\f$.
 /// \implements{eq_3_5}
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 S discrete_two_form(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, PairChange<G, S> const& w1,
                     PairChange<G, S> const& w2) {
   auto const m = mixed_derivative(lagrangian, g0, g1);
@@ -54,12 +54,12 @@ S discrete_two_form(L const& lagrangian, Element<G, S> const& g0, Element<G, S> 
 }
 
 /// The momentum with which the step leaves \f$g_0\f$: \f$-D_1 L(g_0, g_1)\f$, with its physical sign, spatial.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> legendre_source(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return -D1(lagrangian, g0, g1);
 }
 /// The momentum with which the step arrives at \f$g_1\f$: \f$D_2 L(g_0, g_1)\f$, spatial.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 Momentum<G, S> legendre_target(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return D2(lagrangian, g0, g1);
 }
@@ -68,7 +68,7 @@ Momentum<G, S> legendre_target(L const& lagrangian, Element<G, S> const& g0, Ele
 ///
 /// Differentiates the equation instead of the solver, so it is exact at every scalar, the rationals included.
 /// @throws Singular  where L is not regular at (g1, g2)
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 PairChange<G, S> discrete_flow_tangent(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1, Element<G, S> const& g2,
                                        PairChange<G, S> const& w) {
   // Move g0 and g1 along w, hold g2: how the equation changes.

@@ -1,7 +1,8 @@
-// The discrete Lie-Poisson algorithm: the momentum of an invariant system, carried along by relative motions.
+// The discrete Lie-Poisson algorithm: the momentum of an invariant system, transported by relative motions.
 //
-// Right-invariant systems carry the spatial momentum mu, left-invariant ones the body momentum Pi; the other one is constant. Momenta have their physical sign: the step
-// from g0 to g1 leaves with mu0 = -R*_f l'(f) and arrives with mu1 = -L*_f l'(f), f = g0 g1^-1.
+// The state of a right-invariant system is the spatial momentum mu, that of a left-invariant one the body
+// momentum Pi; the other one is constant. Momenta have their physical sign: the step from g0 to g1 starts
+// with mu0 = -R*_f l'(f) and ends with mu1 = -L*_f l'(f), f = g0 g1^-1.
 #pragma once
 
 #include "actio/reduction/discrete_euler_poincare.hpp"
@@ -9,12 +10,12 @@
 namespace actio {
 
 /// \f$\mu_0 = -R_f^*\ell'(f)\f$: the spatial momentum at the start of a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> momentum_before_right(F const& l, Element<G, S> const& f) {
   return -right_differential(l, f);
 }
 /// \f$\Pi_0 = -L_f^*\ell'(f)\f$: the body momentum at the start of a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) {
   return -left_differential(l, f);
 }
@@ -22,7 +23,7 @@ Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) {
 /// \f$\mu_{k+1} = \mathrm{Ad}^*_{f_{k,k+1}}\,\mu_k\f$, right-invariant.
 ///
 /// \implements{eq_3_17}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> lie_poisson_update_right(Element<G, S> const& f, Momentum<G, S> const& mu) {
   // [eq_3_17]
   return Ad_star(f, mu);
@@ -31,20 +32,22 @@ Momentum<G, S> lie_poisson_update_right(Element<G, S> const& f, Momentum<G, S> c
 /// \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\,\Pi_k\f$, left-invariant. The inverse is missing in print.
 ///
 /// \implements{eq_3_18}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> lie_poisson_update_left(Element<G, S> const& f, Momentum<G, S> const& pi) {
   // [eq_3_18]
   return Ad_star(inverse(f), pi);
   // [eq_3_18]
 }
 
-/// The relative motion that takes up a given spatial momentum: solves \f$-R_f^*\ell'(f) = \mu\f$ near `start`.
+/// The relative motion of the step that starts with a given spatial momentum: solves
+/// \f$-R_f^*\ell'(f) = \mu\f$ near `start`.
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> relative_motion_from_momentum_right(F const& l, Momentum<G, S> const& mu, Element<G, S> const& start) {
   return solve_on_group([&](auto const& f) { return right_differential(l, f) + like(f, mu); }, start);
 }
-/// The relative motion that takes up a given body momentum: solves \f$-L_f^*\ell'(f) = \Pi\f$ near `start`.
+/// The relative motion of the step that starts with a given body momentum: solves \f$-L_f^*\ell'(f) = \Pi\f$
+/// near `start`.
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 template <ExponentialGroup G, Real S, class F>
 Solved<Element<G, S>> relative_motion_from_momentum_left(F const& l, Momentum<G, S> const& pi, Element<G, S> const& start) {

@@ -7,7 +7,7 @@
 namespace actio {
 
 /// The matrix of \f$\omega_L\f$ at (g0, g1) on (theta0, theta1): \f$\omega_L(w_1, w_2) = w_1^T\,\Omega\,w_2\f$.
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 auto discrete_two_form_matrix(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   int const n = g0.group.dimension();
   auto const m = mixed_derivative(lagrangian, g0, g1);
@@ -22,7 +22,7 @@ auto discrete_two_form_matrix(L const& lagrangian, Element<G, S> const& g0, Elem
 /// From \f$X_F\lrcorner\omega_L = dF\f$ and \f$\{F, H\} = \omega_L(X_F, X_H)\f$; differentials on (theta0, theta1).
 /// \implements{eq_3_12}
 /// @throws Singular  where L is not regular at (g0, g1)
-template <Group G, Field S, class L>
+template <Group G, Scalar S, class L>
 auto discrete_bivector(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   auto const omega = discrete_two_form_matrix(lagrangian, g0, g1);
   // [eq_3_12]
@@ -35,7 +35,7 @@ auto discrete_bivector(L const& lagrangian, Element<G, S> const& g0, Element<G, 
 /// Functions on G are lifted by \f$f = g_0g_1^{-1}\f$; a lifted function changes by \f$R_f^*a'\f$ with \f$g_0\f$ and by \f$-L_f^*a' = -\mathrm{Ad}_f^*R_f^*a'\f$ with \f$g_1\f$.
 /// \implements{eq_3_13}
 /// @throws Singular  where l is not regular at f
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto reduced_bivector_right(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   auto const pi = discrete_bivector(lift_right(l), f, identity<S>(f.group));
@@ -49,7 +49,7 @@ auto reduced_bivector_right(F const& l, Element<G, S> const& f) {
 }
 
 /// The same for a left-invariant discrete Lagrangian, a function of \f$f = g_1^{-1}g_0\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 auto reduced_bivector_left(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   auto const pi = discrete_bivector(lift_left(l), f, identity<S>(f.group));

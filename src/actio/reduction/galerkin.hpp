@@ -1,12 +1,13 @@
-// Galerkin steps on a group: polynomial paths in the natural chart at the earlier place, Gauss quadrature, stationary action.
+// Galerkin steps on a group: polynomial paths in the natural chart at the earlier configuration, Gauss quadrature, stationary action.
 //
 // The path is g(t) = g0 exp(eta(t)) in a left-invariant system and exp(eta(t)) g0 in a right-invariant one. eta is a polynomial of degree s through
 // eta(0) = 0, xi_1, ..., xi_s at the times 0, h/s, ..., h. The action by Gauss's rule with s nodes is a function A(xi_1, ..., xi_s). It is stationary
-// in the places in between, and its differential in the last one is the momentum, read in the chart. So a step from a given momentum solves s dim G
-// equations; the momentum is carried along by Ad*, so the coadjoint orbit, the bracket and the momentum of the symmetry are kept exactly, and the
-// order is 2s.
+// in the configurations in between, and its differential in the last one is the momentum, read in the chart. So a step from a given momentum solves s dim G
+// equations; the momentum is transported by Ad*, so the coadjoint orbit, the bracket and the momentum of the
+// symmetry are preserved exactly, and the order is 2s.
 #pragma once
 
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/reduction/polynomial_path.hpp"
 
@@ -34,38 +35,8 @@ V iex_times(M const& w, V const& v) {
   throw OutsideDomain("galerkin", "a step must stay within the natural chart (3.19); size of ad", row_norm(w), 2 * M_PI);
 }
 
-/// Several vectors of the algebra, one after another, as a group under addition.
-struct Stack {
-  static constexpr int dim = Dynamic;
-  template <class S>
-  using Value = Matrix<S, Dynamic, 1>;
-  int size;
-
-  int dimension() const { return size; }
-  template <class S>
-  Value<S> identity() const { return Value<S>::Zero(size); }
-  template <class V>
-  static V compose(V const& a, V const& b) { return a + b; }
-  template <class V>
-  static V inverse(V const& a) { return -a; }
-  template <class V>
-  static V Ad(V const&, V const& v) { return v; }
-  template <class V>
-  static V bracket(V const& v, V const&) { return V::Zero(v.size()); }
-  template <class V>
-  static V retract(V const& v) { return v; }
-  template <class V>
-  static V near_identity(V const& v) { return v; }
-  template <class V>
-  static V exp(V const& v) { return v; }
-  template <class V>
-  static V log(V const& v) { return v; }
-  template <class V>
-  static V restore(V const& v) { return v; }
-};
-
 /// \f$\eta\f$ at the i-th node of the rule, and as its infinitesimal part the rate at which it changes with the fraction of the step.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& group, Matrix<S, Dynamic, 1> const& xi, int i) {
   int const n = group.dimension();
   Velocity<G, Dual<S>> eta{group, Coordinates<G, Dual<S>>::Zero(n)};
@@ -78,22 +49,22 @@ Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& 
 }
 
 /// \f$\mathrm{iex}(\pm\mathrm{ad}_\eta)\,\eta'\f$: what the path turns by over the step, at the rate it has where `eta` was taken. side: +1 right, -1 left.
-template <int side, Group G, Field S>
-Velocity<G, S> turn_of_path(Velocity<G, Dual<S>> const& eta) {
+template <int side, Group G, Scalar S>
+Velocity<G, S> velocity_of_path(Velocity<G, Dual<S>> const& eta) {
   int const n = eta.group.dimension();
-  Coordinates<G, S> at(n), rate(n);
-  for (int a = 0; a < n; ++a) at[a] = eta.coordinates[a].value * Base<S>(side), rate[a] = eta.coordinates[a].part[0];
-  return {eta.group, iex_times(ad_matrix(Velocity<G, S>{eta.group, at}), rate)};
+  Coordinates<G, S> signed_eta(n), rate(n);
+  for (int a = 0; a < n; ++a) signed_eta[a] = eta.coordinates[a].value * Base<S>(side), rate[a] = eta.coordinates[a].part[0];
+  return {eta.group, iex_times(ad_matrix(Velocity<G, S>{eta.group, signed_eta}), rate)};
 }
 
 /// The action of the path through \f$\xi_1, \dots, \xi_s\f$: \f$h\sum_i b_i\,l(\tfrac1h\,\mathrm{iex}(\pm\mathrm{ad}_{\eta_i})\,\eta_i')\f$.
-template <int side, Group G, Field S, class F>
+template <int side, Group G, Scalar S, class F>
 S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h, Matrix<S, Dynamic, 1> const& xi) {
   S sum(0);
   for (int i = 0; i < path.degree(); ++i) {
     auto const eta = path_at_node(path, group, xi, i);
     // [galerkin_action]
-    sum += l(turn_of_path<side>(eta) / S(h)) * (h * path.weights[i]);
+    sum += l(velocity_of_path<side>(eta) / S(h)) * (h * path.weights[i]);
     // [galerkin_action]
   }
   return sum;
@@ -105,15 +76,15 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
 /// With \f$p = \partial l/\partial\xi\f$ it is \f$\sum_i b_i\,(\lambda_\nu'(c_i)\,q_i + \lambda_\nu(c_i)\,\dot q_i)\f$, where
 /// \f$q = \mathrm{iex}(\pm\mathrm{ad}_\eta)^T p\f$ changes along the path while p changes at the rate \f$\mp\mathrm{ad}^*_\xi\,p\f$. One dual number
 /// carries both.
-template <int side, Group G, Field S, class F>
+template <int side, Group G, Scalar S, class F>
 Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
                                                           Matrix<S, Dynamic, 1> const& xi) {
   int const n = group.dimension(), s = path.degree();
   Matrix<S, Dynamic, 1> differential = Matrix<S, Dynamic, 1>::Zero(s * n);
   for (int i = 0; i < s; ++i) {
     auto const eta = path_at_node(path, group, xi, i);
-    auto const turn = turn_of_path<side>(eta);
-    auto const p = gradient(l, turn / S(h)), along = ad_star(turn, p);
+    auto const velocity = velocity_of_path<side>(eta);
+    auto const p = gradient(l, velocity / S(h)), along = ad_star(velocity, p);
     Coordinates<G, Dual<S>> moving(n);
     for (int a = 0; a < n; ++a) moving[a].value = p.components[a], moving[a].part[0] = side > 0 ? -along.components[a] : along.components[a];
     auto const q = iex_times(ad_matrix(side > 0 ? eta : -eta).transpose().eval(), moving);
@@ -128,7 +99,7 @@ Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> 
 
 /// The s dim G numbers that vanish for the path that leaves with a given momentum: the differential of the action, less the momentum read in the chart,
 /// \f$\mathrm{iex}(\mp\mathrm{ad}_{\xi_s})^T\mu_0\f$, in its last block.
-template <int side, Group G, Field S, class F>
+template <int side, Group G, Scalar S, class F>
 Matrix<S, Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path, Momentum<G, S> const& mu, Base<S> const& h,
                                                       Matrix<S, Dynamic, 1> const& xi) {
   int const n = mu.group.dimension();
@@ -152,15 +123,15 @@ struct GalerkinStep {
     require_steppable(from, h);
     auto const& mu = from.momentum;
     int const n = mu.group.dimension(), s = path.degree();
-    // Start from "the motion goes on as it did": a line in the chart.
-    Element<Stack, S> start{{s * n}, {}};
+    // The initial guess repeats the last step: a line in the chart.
+    Element<Translations<Dynamic>, S> start{{s * n}, {}};  // the nodes, one below the other
     start.value.resize(s * n);
     for (int nu = 0; nu < s; ++nu) start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
-    auto& solver = remembered.template solver<Stack>(from.velocity, h);
+    auto& solver = remembered.template solver<Translations<Dynamic>>(from.velocity, h);
     auto const xi = solver.solve(
         [&](auto const& x) {
           using R = typename std::decay_t<decltype(x)>::Scalar;
-          return Momentum<Stack, R>{x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
+          return Momentum<Translations<Dynamic>, R>{x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
         },
         start);
 
@@ -177,7 +148,7 @@ struct GalerkinStep {
       after = lie_poisson_update_right(f, mu);
     else
       after = lie_poisson_update_left(f, mu);
-    return {f, {after, turn_of_path<side>(end) / S(h)}, solver.report().evaluations};
+    return {f, {after, velocity_of_path<side>(end) / S(h)}, solver.report().evaluations};
   }
 };
 }  // namespace detail

@@ -1,9 +1,11 @@
 // Steps of the discrete Lie-Poisson algorithm as maps of the momentum, of any length, forwards or backwards.
 //
-// A discrete Lagrangian is an action, so its momenta are physical: what one step leaves behind the next takes up, whatever the lengths of the two. An
-// integrator on momenta is a callable (state, h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
-// (galerkin.hpp) without knowing of each other. The momentum is spatial in right-invariant systems, that of the body in left-invariant ones; places
-// are put together from the relative motions where they are asked for.
+// A discrete Lagrangian is an action, so its momenta are physical: the momentum at the end of a step is that
+// at the start of the next, whatever the lengths of the two. An integrator on momenta is a callable (state,
+// h) -> MomentumStep. Such steps follow each other, are composed (composition.hpp) and exchanged
+// (galerkin.hpp) independently of each other. The momentum is spatial in right-invariant systems, that of the
+// body in left-invariant ones; configurations are put together from the relative motions where they are asked
+// for.
 #pragma once
 
 #include <utility>
@@ -14,21 +16,21 @@
 
 namespace actio {
 
-/// What a run on momenta carries from step to step.
-template <Group G, Field S>
+/// The state of a run on momenta between two steps.
+template <Group G, Scalar S>
 struct MomentumState {
   Momentum<G, S> momentum;  ///< energy x time; spatial (right-invariant) or of the body (left-invariant)
   Velocity<G, S> velocity;  ///< 1/time; from where the next step looks for its relative motion, no part of the map of momenta
 };
 
 /// The state with velocity \f$\xi\f$ and momentum \f$\partial l/\partial\xi\f$.
-template <Group G, Field S, class F>
+template <Group G, Scalar S, class F>
 MomentumState<G, S> momentum_state(F const& l, Velocity<G, S> const& xi) {
   return {gradient(l, xi), xi};
 }
 
 /// What a step on momenta has done.
-template <Group G, Field S>
+template <Group G, Scalar S>
 struct MomentumStep {
   Element<G, S> relative_motion;  ///< f, for \ref reconstruct_right or \ref reconstruct_left
   MomentumState<G, S> state;      ///< at the end of the step
@@ -37,7 +39,7 @@ struct MomentumStep {
 
 namespace detail {
 /// A momentum that can be stepped.
-template <Group G, Field S>
+template <Group G, Scalar S>
 void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
   nonzero_step(h);
   require_finite(from.momentum.components, "momentum step: momentum");
@@ -45,7 +47,7 @@ void require_steppable(MomentumState<G, S> const& from, Base<S> const& h) {
 }
 }  // namespace detail
 
-/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and carries \f$\mu\f$ to
+/// The step of a right-invariant system: solves \f$-R_f^*\ell_h'(f) = \mu\f$ and transports \f$\mu\f$ to
 /// \f$\mathrm{Ad}^*_f\,\mu\f$ (3.17).
 ///
 /// \implements{claim_4_3_time_step_legendre}
@@ -73,8 +75,8 @@ struct LiePoissonStepRight {
     return {f, {lie_poisson_update_right(f, from.momentum), log(f) / S(-h)}, solver.report().evaluations};
   }
 };
-/// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and carries \f$\Pi\f$ to \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18).
-/// Otherwise as \ref LiePoissonStepRight.
+/// The step of a left-invariant system: solves \f$-L_f^*\ell_h'(f) = \Pi\f$ and transports \f$\Pi\f$ to
+/// \f$\mathrm{Ad}^*_{f^{-1}}\,\Pi\f$ (3.18). Otherwise as \ref LiePoissonStepRight.
 template <class Family>
 struct LiePoissonStepLeft {
   Family family;                                ///< h -> reduced discrete Lagrangian
@@ -112,7 +114,7 @@ auto natural_chart_step_left(F l) {
 /// @param lengths  h_1, h_2, ..., of either sign and as unequal as they may be
 /// @param visit    called with each step done and its length
 /// @throws         what the step throws, at the first length that it cannot take
-template <class Step, Group G, Field S, class Lengths, class Visit>
+template <class Step, Group G, Scalar S, class Lengths, class Visit>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Lengths const& lengths, Visit const& visit) {
   for (auto const& h : lengths) {
     auto done = step(state, h);
@@ -122,7 +124,7 @@ MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Leng
   return state;
 }
 /// Steps of prescribed lengths, with nothing asked on the way.
-template <class Step, Group G, Field S, class Lengths>
+template <class Step, Group G, Scalar S, class Lengths>
 MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> const& start, Lengths const& lengths) {
   return take_steps(step, start, lengths, [](auto const&, auto const&) {});
 }

@@ -1,12 +1,14 @@
 // Discretization by natural charts: a continuous Lagrangian becomes a discrete one through the exponential map (thesis, section 3.3).
 //
-// The chart at g is psi_g(k) = log(k g^-1) for right translation, phi_g(k) = log(g^-1 k) for left translation. Two places are averaged and
+// The chart at g is psi_g(k) = log(k g^-1) for right translation, phi_g(k) = log(g^-1 k) for left translation. Two configurations are averaged and
 // subtracted in it. A discrete Lagrangian is an action: the step times the Lagrangian.
 //
 // phi_g = Ad(g^-1) psi_g, so both charts at one g make the same discrete Lagrangian of the same L; each has its function because each reads off its own
-// velocity. A discrete Lagrangian inherits an invariance of L where the base point moves along: base(g1 k, g2 k) = base(g1, g2) k, or the same on the left.
+// velocity. A discrete Lagrangian inherits an invariance of L where the base point is equivariant: base(g1 k,
+// g2 k) = base(g1, g2) k, or the same on the left.
 #pragma once
 
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/groups/solve.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/variational/state.hpp"
@@ -31,7 +33,7 @@ S constant(T const& h) {
 ///
 /// \implements{eq_3_19}
 /// @throws OutsideDomain  where k is outside the chart
-template <ExponentialGroup G, Field S>
+template <ExponentialGroup G, Scalar S>
 Velocity<G, S> natural_chart_right(Element<G, S> const& g, Element<G, S> const& k) {
   // [eq_3_19]
   return log(k * inverse(g));
@@ -39,36 +41,36 @@ Velocity<G, S> natural_chart_right(Element<G, S> const& g, Element<G, S> const& 
 }
 /// \f$\phi_g(k) = \log(g^{-1}k)\f$, the natural chart at g by left translation.
 /// @throws OutsideDomain  where k is outside the chart
-template <ExponentialGroup G, Field S>
+template <ExponentialGroup G, Scalar S>
 Velocity<G, S> natural_chart_left(Element<G, S> const& g, Element<G, S> const& k) {
   return log(inverse(g) * k);
 }
 
-/// Average and difference of two places in a chart.
-template <Group G, Field S>
+/// Average and difference of two configurations in a chart.
+template <Group G, Scalar S>
 struct ChartMidpoint {
   Velocity<G, S> eta;   ///< \f$\eta\f$, the average
   Velocity<G, S> zeta;  ///< \f$\zeta\f$, the difference over the step, 1/time
 };
 /// \f$\eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2))\f$ and \f$\zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1))\f$ in the chart at g by right translation.
-template <ExponentialGroup G, Field S, class T>
+template <ExponentialGroup G, Scalar S, class T>
 ChartMidpoint<G, S> chart_midpoint_right(Element<G, S> const& g, Element<G, S> const& g1, Element<G, S> const& g2, T const& h) {
   auto const first = natural_chart_right(g, g1), second = natural_chart_right(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
 }
 /// The same in the chart by left translation.
-template <ExponentialGroup G, Field S, class T>
+template <ExponentialGroup G, Scalar S, class T>
 ChartMidpoint<G, S> chart_midpoint_left(Element<G, S> const& g, Element<G, S> const& g1, Element<G, S> const& g2, T const& h) {
   auto const first = natural_chart_left(g, g1), second = natural_chart_left(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
 }
 /// \f$\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$\dot q q^{-1}\f$ of \f$q = e^\eta g\f$ when \f$\eta\f$ changes at the rate \f$\zeta\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> fibre_element_right(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(m.eta)) * m.zeta.coordinates};
 }
 /// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$q^{-1}\dot q\f$ of \f$q = g\,e^\eta\f$ when \f$\eta\f$ changes at the rate \f$\zeta\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(-m.eta)) * m.zeta.coordinates};
 }
@@ -76,22 +78,23 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 /// \f$h\,L(q, \cdot)\f$ with average and difference taken in the natural chart at a base point (right translation).
 ///
 /// \f[ \eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2)),\quad \zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1)),\quad q = e^\eta g,\quad \xi = \mathrm{iex}(\mathrm{ad}_\eta)\,\zeta \f]
-/// \f$\xi\f$ is the velocity at q carried to the identity on the right, so that this is (3.20) with its push-forward carried out, (3.22).
+/// \f$\xi\f$ is the velocity at q translated to the identity on the right, so that this is (3.20) with its
+/// push-forward carried out, (3.22).
 ///
 /// \implements{eq_3_20}
 /// @param L     Lagrangian on TG
 /// @param h     step, time; not zero, negative to go back
 /// @param base  (g1, g2) -> g, the base point of the chart, for instance \ref at_second
 /// @return      (g1, g2) -> energy x time; order 2 in h
-/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a place is outside the chart at the base point
+/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a configuration is outside the chart at the base point
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_right(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
   return [=](auto const& g1, auto const& g2) {
-    using Place = std::decay_t<decltype(g1)>;
-    using G = typename Place::GroupType;
-    using S = typename Place::Scalar;
-    Place const g = base(g1, g2);
+    using Configuration = std::decay_t<decltype(g1)>;
+    using G = typename Configuration::GroupType;
+    using S = typename Configuration::Scalar;
+    Configuration const g = base(g1, g2);
     // [eq_3_22]
     auto const m = chart_midpoint_right(g, g1, g2, h);
     return L(State<G, S>{exp(m.eta) * g, fibre_element_right(m)}) * detail::constant<S>(h);
@@ -104,23 +107,24 @@ template <class Lagrangian, class T, class BasePoint>
 auto discretize_left(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
   return [=](auto const& g1, auto const& g2) {
-    using Place = std::decay_t<decltype(g1)>;
-    using G = typename Place::GroupType;
-    using S = typename Place::Scalar;
-    Place const g = base(g1, g2);
+    using Configuration = std::decay_t<decltype(g1)>;
+    using G = typename Configuration::GroupType;
+    using S = typename Configuration::Scalar;
+    Configuration const g = base(g1, g2);
     auto const m = chart_midpoint_left(g, g1, g2, h);
-    Place const q = g * exp(m.eta);
+    Configuration const q = g * exp(m.eta);
     return L(State<G, S>{q, Ad(q, fibre_element_left(m))}) * detail::constant<S>(h);
   };
 }
 
-/// Base points of the chart: the earlier place.
+/// Base points of the chart: the earlier configuration.
 inline constexpr auto at_first = [](auto const& g1, auto const&) { return g1; };
-/// Base points of the chart: the later place.
+/// Base points of the chart: the later configuration.
 inline constexpr auto at_second = [](auto const&, auto const& g2) { return g2; };
-/// Base points of the chart: a fixed fraction of the way from the earlier place to the later one along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
+/// Base points of the chart: a fixed fraction of the way from the earlier configuration to the later one along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
 ///
-/// Moves along with the places on either side. All of these make the same discrete Lagrangian: average and difference commute.
+/// Equivariant under translations on either side. All of these make the same discrete Lagrangian: average and
+/// difference commute.
 template <class T>
 auto at_fraction(T fraction) {
   return [fraction](auto const& g1, auto const& g2) {
@@ -131,7 +135,7 @@ auto at_fraction(T fraction) {
 
 /// The reduced discrete Lagrangian of a right-invariant system, chart at either end: \f$\ell(f) = h\,l(-\log(f)/h)\f$, \f$f = g_0g_1^{-1}\f$.
 ///
-/// The velocity points from g0 to g1 and f from g1 to g0: hence the sign, which print drops.
+/// The velocity points from g0 to g1 and f from g1 to g0: hence the sign, which the thesis drops.
 /// \implements{eq_3_25}
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 /// @param h  step, time; not zero, negative to go back
@@ -152,10 +156,12 @@ auto natural_chart_lagrangian_left(Reduced l, T h) {
   return natural_chart_lagrangian_right(l, h);
 }
 
-/// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that moves along on the right.
+/// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that is equivariant
+/// under right translations.
 ///
 /// \f[ \ell(f) = h\,l(\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta) \f]
-/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has carried the later place to the identity.
+/// with \f$\eta, \zeta\f$ of the pair \f$(f, e)\f$: multiplication on the right has translated the later
+/// configuration to the identity.
 ///
 /// \implements{cor_3_3_1, eq_3_23}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
@@ -173,7 +179,8 @@ auto natural_chart_lagrangian_right(Reduced l, T h, BasePoint base) {
     // [eq_3_23]
   };
 }
-/// The reduced discrete Lagrangian of a left-invariant system, chart at any base point that moves along on the left: \f$\ell(f) = h\,l(\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta)\f$.
+/// The reduced discrete Lagrangian of a left-invariant system, chart at any base point that is equivariant
+/// under left translations: \f$\ell(f) = h\,l(\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta)\f$.
 template <class Reduced, class T, class BasePoint>
 auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
   detail::nonzero_step(h);
@@ -187,25 +194,33 @@ auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
 
 // The algorithm on the algebra: relative motions by their logarithms xi = log f. The velocity of the step is -xi/h.
 
+/// \f$\mu\cdot A\f$: a covector composed with a linear map of the algebra.
+template <Group G, Scalar S, MatrixLike M>
+Momentum<G, S> composed(Momentum<G, S> const& mu, M const& a) {
+  return {mu.group, a.transpose() * mu.components};
+}
+
 /// \f$l'(-\xi/h)\cdot\chi(\pm\mathrm{ad}_\xi)\f$ as covectors: the momenta at the two ends of a step with relative motion \f$e^\xi\f$.
 ///
 /// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$, \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
 /// @param l  reduced Lagrangian, energy
 /// @param h  step, time; not zero, negative to go back
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> momentum_through_log_right(F const& l, T const& h, Velocity<G, S> const& xi) {
   return {xi.group, chi(ad_matrix(xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
 }
 /// \copydoc momentum_through_log_right
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> const& xi) {
   return {xi.group, chi(ad_matrix(-xi)).transpose() * gradient(l, -xi / detail::constant<S>(h)).components};
 }
 
-/// What is left of the implicit algorithm on the algebra, right-invariant: zero along the logarithms of the motions of \ref euler_poincare_right, and only there.
+/// The residual of the implicit algorithm on the algebra, right-invariant: zero along the logarithms of the
+/// motions of \ref euler_poincare_right, and only there.
 ///
 /// \f[ l'(-\xi_{12}/h)\cdot\chi(\mathrm{ad}_{\xi_{12}}) \;-\; l'(-\xi_{01}/h)\cdot\chi(\mathrm{ad}_{\xi_{01}})\cdot\exp(\mathrm{ad}_{\xi_{01}}), \qquad \chi\cdot\mathrm{iex} = 1 \f]
-/// The momenta that the step after takes up and the step before leaves behind: minus the residual (3.10) of \ref natural_chart_lagrangian_right.
+/// The momentum at the start of the step after, less that at the end of the step before: minus the residual
+/// (3.10) of \ref natural_chart_lagrangian_right.
 ///
 /// \implements{eq_3_26}
 /// @param l     reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
@@ -213,54 +228,35 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 /// @param xi01  logarithm of \f$f_{01} = g_0g_1^{-1}\f$
 /// @param xi12  logarithm of \f$f_{12} = g_1g_2^{-1}\f$
 /// Exact up to rounding.
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01, Velocity<G, S> const& xi12) {
   detail::nonzero_step(h);
+  auto const mu01 = gradient(l, -xi01 / detail::constant<S>(h)), mu12 = gradient(l, -xi12 / detail::constant<S>(h));
+  auto const ad01 = ad_matrix(xi01), ad12 = ad_matrix(xi12);
   // [eq_3_26]
-  return momentum_through_log_right(l, h, xi12) - momentum_through_log_left(l, h, xi01);
+  return composed(mu12, chi(ad12)) - composed(mu01, chi(ad01) * matrix_exponential(ad01));
   // [eq_3_26]
 }
-/// What is left of the implicit algorithm on the algebra, left-invariant: minus the residual (3.11) of \ref natural_chart_lagrangian_left.
+/// The residual of the implicit algorithm on the algebra, left-invariant: minus the residual (3.11) of
+/// \ref natural_chart_lagrangian_left.
 ///
 /// @param xi10  logarithm of \f$f_{10} = g_1^{-1}g_0\f$
 /// @param xi21  logarithm of \f$f_{21} = g_2^{-1}g_1\f$
-template <Group G, Field S, class F, class T>
+template <Group G, Scalar S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10, Velocity<G, S> const& xi21) {
   detail::nonzero_step(h);
   return momentum_through_log_left(l, h, xi21) - momentum_through_log_right(l, h, xi10);
 }
 
 namespace detail {
-/// The algebra of G as a group under addition, so that Newton's iteration on a group serves it too.
+/// The algebra of G as a group under addition, so that Newton's iteration on a group applies to it.
 template <Group G>
-struct Additive {
-  static constexpr int dim = G::dim;
-  template <class S>
-  using Value = Coordinates<G, S>;
-  [[no_unique_address]] G group;
-
-  int dimension() const { return group.dimension(); }
-  template <class S>
-  Value<S> identity() const { return Value<S>::Zero(dimension()); }
-  template <class V>
-  static V compose(V const& a, V const& b) { return a + b; }
-  template <class V>
-  static V inverse(V const& a) { return -a; }
-  template <class V>
-  static V Ad(V const&, V const& v) { return v; }
-  template <class V>
-  static V bracket(V const& v, V const&) { return V::Zero(v.size()); }
-  template <class V>
-  static V retract(V const& v) { return v; }
-  template <class V>
-  static V near_identity(V const& v) { return v; }
-  template <class V>
-  static V exp(V const& v) { return v; }
-  template <class V>
-  static V log(V const& v) { return v; }
-  template <class V>
-  static V restore(V const& v) { return v; }
-};
+Translations<G::dim> additive_group(G const& group) {
+  if constexpr (G::dim == Dynamic)
+    return {group.dimension()};
+  else
+    return {};
+}
 /// Solves residual(xi) = 0 in the algebra.
 template <Group G, Real S, class Residual>
 Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S> const& start) {
@@ -268,19 +264,20 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
     using R = typename std::decay_t<decltype(x)>::Scalar;
     return residual(Velocity<G, R>{start.group, x.value});
   };
-  auto solved = solve_on_group(on_coordinates, Element<Additive<G>, S>{{start.group}, start.coordinates});
+  auto solved = solve_on_group(on_coordinates, Element<Translations<G::dim>, S>{additive_group(start.group), start.coordinates});
   return {{start.group, solved.value.value}, std::move(solved.report)};
 }
 }  // namespace detail
 
-/// The next logarithm of a right-invariant system: solves \ref algebra_euler_poincare_right for `xi12`, starting from "the motion goes on as it did".
+/// The next logarithm of a right-invariant system: solves \ref algebra_euler_poincare_right for `xi12`; the
+/// initial guess repeats the last relative motion.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular, or for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01) {
   detail::nonzero_step(h);
-  auto const left_behind = momentum_through_log_left(l, h, xi01);
-  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, left_behind); }, xi01);
+  auto const end_momentum = momentum_through_log_left(l, h, xi01);
+  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, end_momentum); }, xi01);
 }
 /// The next logarithm of a left-invariant system: solves \ref algebra_euler_poincare_left for `xi21`.
 ///
@@ -288,8 +285,8 @@ Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h,
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10) {
   detail::nonzero_step(h);
-  auto const left_behind = momentum_through_log_right(l, h, xi10);
-  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, left_behind); }, xi10);
+  auto const end_momentum = momentum_through_log_right(l, h, xi10);
+  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, end_momentum); }, xi10);
 }
 
 }  // namespace actio

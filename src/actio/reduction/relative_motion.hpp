@@ -1,38 +1,39 @@
-// From pairs of places to relative motions: the quotient maps of the diagonal actions, and back.
+// From pairs of configurations to relative motions: the quotient maps of the diagonal actions, and back.
 //
-// Both quotients take the earlier place over the later one, so a relative motion is near 1 - h xi: it looks back.
+// Both quotients take the earlier configuration over the later one, so a relative motion is near 1 - h xi: it
+// leads backwards in time.
 #pragma once
 
 #include "actio/groups/group.hpp"
 
 namespace actio {
 
-/// \f$f_{01} = g_0\,g_1^{-1}\f$, what is left of a pair when right multiplication of both does not count.
+/// \f$f_{01} = g_0\,g_1^{-1}\f$, the class of a pair modulo right multiplication of both.
 ///
 /// \implements{eq_3_9}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> relative_motion_right(Element<G, S> const& g0, Element<G, S> const& g1) {
   // [eq_3_9]
   return g0 * inverse(g1);
   // [eq_3_9]
 }
-/// \f$f_{10} = g_1^{-1}g_0\f$, what is left of a pair when left multiplication of both does not count.
-template <Group G, Field S>
+/// \f$f_{10} = g_1^{-1}g_0\f$, the class of a pair modulo left multiplication of both.
+template <Group G, Scalar S>
 Element<G, S> relative_motion_left(Element<G, S> const& g0, Element<G, S> const& g1) {
   return inverse(g1) * g0;
 }
 
-/// \f$\delta f\,f^{-1} = \vartheta_0 - \mathrm{Ad}_f\,\vartheta_1\f$: how \f$f = g_0g_1^{-1}\f$ varies with its places, \f$\vartheta = \delta g\,g^{-1}\f$.
+/// \f$\delta f\,f^{-1} = \vartheta_0 - \mathrm{Ad}_f\,\vartheta_1\f$: how \f$f = g_0g_1^{-1}\f$ varies with its configurations, \f$\vartheta = \delta g\,g^{-1}\f$.
 ///
 /// \implements{claim_3_2_variation_of_f}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> relative_variation_right(Element<G, S> const& f, Velocity<G, S> const& theta0, Velocity<G, S> const& theta1) {
   // [claim_3_2_variation_of_f]
   return theta0 - Ad(f, theta1);
   // [claim_3_2_variation_of_f]
 }
-/// \f$f^{-1}\delta f = \vartheta_0 - \mathrm{Ad}_{f^{-1}}\,\vartheta_1\f$: how \f$f = g_1^{-1}g_0\f$ varies with its places, \f$\vartheta = g^{-1}\delta g\f$.
-template <Group G, Field S>
+/// \f$f^{-1}\delta f = \vartheta_0 - \mathrm{Ad}_{f^{-1}}\,\vartheta_1\f$: how \f$f = g_1^{-1}g_0\f$ varies with its configurations, \f$\vartheta = g^{-1}\delta g\f$.
+template <Group G, Scalar S>
 Velocity<G, S> relative_variation_left(Element<G, S> const& f, Velocity<G, S> const& theta0, Velocity<G, S> const& theta1) {
   return theta0 - Ad(inverse(f), theta1);
 }
@@ -50,19 +51,19 @@ auto lift_left(F l) {
   return [l](auto const& g0, auto const& g1) { return l(relative_motion_left(g0, g1)); };
 }
 
-/// Reconstruction (3.14): the place after \f$g_k\f$ when the relative motion is \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$.
+/// Reconstruction (3.14): the configuration after \f$g_k\f$ when the relative motion is \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$.
 ///
 /// \implements{eq_3_14}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> reconstruct_right(Element<G, S> const& gk, Element<G, S> const& f) {
   // [eq_3_14]
   return inverse(f) * gk;
   // [eq_3_14]
 }
-/// Reconstruction (3.15): the place after \f$g_k\f$ when the relative motion is \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
+/// Reconstruction (3.15): the configuration after \f$g_k\f$ when the relative motion is \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
 ///
 /// \implements{eq_3_15}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Element<G, S> reconstruct_left(Element<G, S> const& gk, Element<G, S> const& f) {
   // [eq_3_15]
   return gk * inverse(f);

@@ -13,7 +13,7 @@ namespace actio {
 namespace detail {
 
 /// Refuses moments that make no metric.
-template <Group G, Field S>
+template <Group G, Scalar S>
 void require_moments(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   if (moments.size() != xi.coordinates.size())
     throw OutsideDomain("Poisson structure of the algebra", "a moment of inertia for each coordinate is needed; moments", static_cast<double>(moments.size()),
@@ -28,7 +28,7 @@ void require_moments(Coordinates<G, S> const& moments, Velocity<G, S> const& xi)
 }  // namespace detail
 
 /// \f$J\xi\f$. \implements{claim_5_3_algebra_legendre}
-template <Group G, Field S>
+template <Group G, Scalar S>
 Momentum<G, S> algebra_legendre(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   detail::require_moments(moments, xi);
   // [claim_5_3_algebra_legendre]
@@ -38,7 +38,7 @@ Momentum<G, S> algebra_legendre(Coordinates<G, S> const& moments, Velocity<G, S>
 
 /// The matrix T of the bracket on the algebra at xi: \f$\{F, H\}(\xi) = -\langle J\xi, [J^{-1}F', J^{-1}H']\rangle = F'^{\,T}\,T\,H'\f$.
 /// @throws UnphysicalInertia  where a moment is not positive
-template <Group G, Field S>
+template <Group G, Scalar S>
 auto algebra_poisson_tensor(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   auto tensor = lie_poisson_tensor_plus(algebra_legendre(moments, xi));
   for (Index a = 0; a < tensor.rows(); ++a)
@@ -46,10 +46,11 @@ auto algebra_poisson_tensor(Coordinates<G, S> const& moments, Velocity<G, S> con
   return tensor;
 }
 
-/// \f$C(\xi) = |J\xi|^2\f$, in the metric that Ad keeps: a Casimir. Its level sets are the ellipsoids of \f$J^2\f$.
+/// \f$C(\xi) = |J\xi|^2\f$, in the Ad-invariant metric: a Casimir. Its level sets are the ellipsoids of
+/// \f$J^2\f$.
 ///
 /// \implements{claim_5_3_algebra_casimir, claim_5_3_algebra_casimir_coordinates}
-template <Group G, Field S>
+template <Group G, Scalar S>
 S algebra_casimir(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   auto const mu = algebra_legendre(moments, xi);
   // [claim_5_3_algebra_casimir]
@@ -58,7 +59,7 @@ S algebra_casimir(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
 }
 
 /// \f$\dot\xi = J^{-1}\,\mathrm{ad}^*_\xi\,J\xi\f$: the Euler-Poincare equations of the body, the flow of the energy in this bracket.
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> body_acceleration(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   return {xi.group, ad_star(xi, algebra_legendre(moments, xi)).components.cwiseQuotient(moments)};
 }
@@ -68,7 +69,7 @@ Velocity<G, S> body_acceleration(Coordinates<G, S> const& moments, Velocity<G, S
 ///
 /// \implements{claim_5_3_dynamic_orbits}
 /// @throws OutsideDomain  where there are not three coordinates
-template <Group G, Field S>
+template <Group G, Scalar S>
 Velocity<G, S> along_both_ellipsoids(Coordinates<G, S> const& moments, Velocity<G, S> const& xi) {
   if (xi.coordinates.size() != 3) throw OutsideDomain("along_both_ellipsoids", "three coordinates are needed; there are", static_cast<double>(xi.coordinates.size()), 3);
   Coordinates<G, S> const once = algebra_legendre(moments, xi).components, twice = moments.cwiseProduct(once);

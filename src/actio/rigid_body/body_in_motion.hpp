@@ -18,15 +18,15 @@ struct BodyInMotion {
   }
 };
 
-/// One step: relative motion from momentum, momentum carried along, attitude reconstructed.
+/// One step: relative motion from momentum, momentum transported, attitude reconstructed.
 template <int n, Real S>
 void advance(MoserVeselov<n, S> const& scheme, BodyInMotion<n, S>& body) {
   body.last = scheme.relative_motion(body.body_momentum, body.last).value;
-  body.body_momentum = scheme.carry(body.last, body.body_momentum);
+  body.body_momentum = scheme.transport_by_increment(body.last, body.body_momentum);
   body.attitude = scheme.reconstruct(body.attitude, body.last);
 }
 
-/// A body that is let go with attitude g and body velocity xi.
+/// A body that starts with attitude g and body velocity xi.
 template <int n, Real S>
 BodyInMotion<n, S> release(Inertia<n, S> const& inertia, Element<SO<n>, S> const& g, Velocity<SO<n>, S> const& xi) {
   return {g, body_momentum(inertia, xi), identity<S>(inertia.group)};

@@ -1,4 +1,4 @@
-// Casimir functions of so(n)*, and what they become on the group (thesis, section 5.3).
+// Casimir functions of so(n)*, and their pull-backs to the group (thesis, section 5.3).
 //
 // A skew matrix has floor(n/2) independent invariants under rotations: the coefficients of its characteristic polynomial, which has only every second
 // one, with the last replaced by its root, the Pfaffian, where n is even. The first is the squared length of the momentum. Every one of them is
@@ -66,7 +66,7 @@ typename M::Scalar pfaffian(M const& m) {
 }
 
 /// \f$C(\mu) = \mathrm{Tr}(\mu^2) = -2|\mu|^2\f$ on so(n)*: never positive. \implements{claim_5_3_dual_casimir}
-template <int n, Field S>
+template <int n, Scalar S>
 S trace_of_square(Momentum<SO<n>, S> const& mu) {
   auto const m = mu.group.hat(mu.components);
   // [claim_5_3_dual_casimir]
@@ -79,7 +79,7 @@ S trace_of_square(Momentum<SO<n>, S> const& mu) {
 /// \f[ \det(z - \mu) = z^n + C_1z^{n-2} + C_2z^{n-4} + \dots, \qquad C_1 = |\mu|^2, \f]
 /// for even n the last one being the Pfaffian, whose square is the last coefficient.
 /// @throws NotFinite  where the momentum is no number
-template <int n, Field S>
+template <int n, Scalar S>
 Matrix<S, Dynamic, 1> casimirs(Momentum<SO<n>, S> const& mu) {
   auto const m = mu.group.hat(mu.components);
   auto const c = characteristic_coefficients(m);
@@ -92,12 +92,12 @@ Matrix<S, Dynamic, 1> casimirs(Momentum<SO<n>, S> const& mu) {
 
 /// The Casimirs of the bracket on the group: those of so(n)* at the body momentum before the step, \f$\Pi_0 = -L_f^*\ell'(f)\f$.
 /// @param l  any left-invariant discrete Lagrangian, as a function of \f$f = g_1^{-1}g_0\f$; energy x time
-template <int n, Field S, class F>
+template <int n, Scalar S, class F>
 Matrix<S, Dynamic, 1> casimirs_before(F const& l, Element<SO<n>, S> const& f) {
   return casimirs(momentum_before_left(l, f));
 }
 /// The same functions through the other Legendre map, at the body momentum after the step, \f$\Pi_1 = -R_f^*\ell'(f)\f$.
-template <int n, Field S, class F>
+template <int n, Scalar S, class F>
 Matrix<S, Dynamic, 1> casimirs_after(F const& l, Element<SO<n>, S> const& f) {
   return casimirs(-right_differential(l, f));
 }
@@ -108,7 +108,7 @@ Matrix<S, Dynamic, 1> casimirs_after(F const& l, Element<SO<n>, S> const& f) {
 /// \implements{eq_5_10}
 /// @param lambda  \f$\Lambda\f$ as a symmetric matrix; mass x length^2
 /// @throws OutsideDomain, NotFinite  where it is not as large as f, or has an entry that is no number
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 S trace_casimir(L const& lambda, Element<SO<n>, S> const& f) {
   detail::require_inertia_matrix(lambda, f.value.rows(), "trace_casimir");
   Storage<SO<n>, S> const x = f.value * lambda.template cast<S>();

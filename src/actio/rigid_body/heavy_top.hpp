@@ -3,30 +3,12 @@
 
 #include <vector>
 
+#include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/heavy_top_lagrangians.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
 namespace actio {
 
-/// Weights of a symmetric composition of steps of second order that has the order asked for, by Suzuki's fractals: five steps for each two orders more.
-///
-/// \f$s, s, 1-4s, s, s\f$ with \f$s = 1/(4-4^{1/(p+1)})\f$ takes order p to p + 2. Steps back in time are shorter than those of the triple jump.
-/// @param order  2, 4, 6 or 8
-/// @throws OutsideDomain  for another
-template <Real S>
-std::vector<S> symmetric_composition(int order) {
-  if (order < 2 || order > 8 || order % 2) throw OutsideDomain("symmetric composition", "the order must be 2, 4, 6 or 8", order, order < 2 ? 2 : 8);
-  using std::pow;
-  std::vector<S> weights{S(1)};
-  for (int p = 2; p < order; p += 2) {
-    S const outer = S(1) / (S(4) - S(pow(S(4), S(S(1) / S(p + 1))))), inner = S(1) - S(4) * outer;
-    std::vector<S> composed;
-    for (S const& s : {outer, outer, inner, outer, outer})
-      for (S const& w : weights) composed.push_back(s * w);
-    weights = std::move(composed);
-  }
-  return weights;
-}
 /// The scheme of \ref trace_lagrangian, in closed form but for the relative motion: half of the impulse of gravity, a step of Moser and Veselov's,
 /// the other half.
 ///
@@ -36,7 +18,7 @@ std::vector<S> symmetric_composition(int order) {
 template <Real S = double>
 class HeavyTopScheme {
  public:
-  using Place = Element<SO<3>, S>;        ///< of the attitude (body to space), and of the relative motion
+  using Rotation = Element<SO<3>, S>;        ///< of the attitude (body to space), and of the relative motion
   using State = HeavyTopState<S>;         ///< momentum and vertical
   using Vector = actio::Matrix<S, 3, 1>;  ///< of 3-space
 
@@ -59,12 +41,13 @@ class HeavyTopScheme {
   /// @throws StepTooLong  where there is no solution, with a step that would do from there; the state stays what it was
   /// @throws NotFinite    where the state is no number
   void advance(State& state) const {
-    move(state, [](Place const&) {});
+    move(state, [](Rotation const&) {});
   }
-  /// The same, and the attitude with it. Attitude and vertical are carried along by the same relative motions, and stay consistent to rounding.
-  void advance(State& state, Place& attitude) const {
-    Place g = attitude;
-    move(state, [&](Place const& f) { g = MoserVeselov<3, S>::reconstruct(g, f); });
+  /// The same, and the attitude with it. Attitude and vertical are updated by the same relative motions, and
+  /// stay consistent to rounding.
+  void advance(State& state, Rotation& attitude) const {
+    Rotation g = attitude;
+    move(state, [&](Rotation const& f) { g = MoserVeselov<3, S>::reconstruct(g, f); });
     attitude = g;
   }
 
@@ -87,13 +70,13 @@ class HeavyTopScheme {
   }
 
   /// One step of second order. Momentum and vertical turn alike, and a short step changes them by a small sum instead of a rounded whole.
-  static Place pass(Stage const& stage, State& s) {
+  static Rotation pass(Stage const& stage, State& s) {
     auto const kick = [&] { s.momentum.components += cross(s.vector, stage.kick); };
     // [heavy_top_step]
     kick();
-    Place const f = stage.drift.relative_motion(s.momentum).value;
-    s.momentum = stage.drift.carry(f, s.momentum);
-    s.vector = stage.drift.carry(f, {f.group, s.vector}).components;
+    Rotation const f = stage.drift.relative_motion(s.momentum).value;
+    s.momentum = stage.drift.transport_by_increment(f, s.momentum);
+    s.vector = stage.drift.transport_by_increment(f, {f.group, s.vector}).components;
     kick();
     // [heavy_top_step]
     return f;

@@ -1,4 +1,5 @@
-// The heavy top: a rigid body held at a point, under gravity. Discrete mechanics with an advected vector, which is the vertical as the body sees it.
+// The heavy top: a rigid body held at a point, under gravity. Discrete mechanics with an advected vector,
+// which is the vertical in the body frame.
 //
 // The state is (Pi, Gamma): the body momentum about the fixed point, and the unit vector against gravity in the body frame, Gamma = g^T k. The
 // attitude g is not part of it. With the weight times the centre of mass, p = m |gravity| chi, the Lagrangian is l = <I Omega, Omega>/2 - <p, Gamma>,
@@ -16,7 +17,7 @@
 
 namespace actio {
 
-/// Body momentum, and the vertical (against gravity, a unit vector) as the body sees it.
+/// Body momentum, and the vertical (against gravity, a unit vector) in the body frame.
 template <Real S = double>
 using HeavyTopState = AdvectedState<SO<3>, S, 3>;
 
@@ -42,7 +43,8 @@ struct HeavyTop {
   Vector lever() const { return centre * S(mass * pull()); }
   /// \f$\langle p, \Gamma\rangle\f$: the potential energy, zero with the centre of mass as high as the fixed point.
   S potential(Vector const& gamma) const { return lever().dot(gamma); }
-  /// Kinetic and potential energy. No discrete motion keeps it exactly: its error is bounded, of second order in the step.
+  /// Kinetic and potential energy. No discrete motion conserves it exactly: its error is bounded, of second
+  /// order in the step.
   S energy(HeavyTopState<S> const& state) const { return kinetic_energy(inertia, state.momentum) + potential(state.vector); }
   /// The same top over another scalar.
   template <Real T>

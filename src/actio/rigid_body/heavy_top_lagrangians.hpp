@@ -22,7 +22,7 @@ auto trace_lagrangian(HeavyTop<S> const& top, S const& h) {
   };
 }
 /// Arcs: \f$\ell(f, \Gamma) = \tfrac1{2h}\langle I\log f, \log f\rangle - h\langle p, f^{1/2}\Gamma\rangle\f$, the Lagrangian in the natural chart,
-/// half way between the places.
+/// half way between the configurations.
 /// @param h  step, time; positive
 /// @throws OutsideDomain, NotFinite  where it is not positive, or no number
 template <Real S>

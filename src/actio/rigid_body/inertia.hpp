@@ -103,24 +103,24 @@ inline Inertia<3> inertia_from_moments(double i1, double i2, double i3) {
 }
 
 /// \f$J(\xi) = \Lambda\xi+\xi\Lambda\f$: the body momentum, energy x time.
-template <int n, Real S, Field T>
+template <int n, Real S, Scalar T>
 Momentum<SO<n>, T> body_momentum(Inertia<n, S> const& inertia, Velocity<SO<n>, T> const& xi) {
   return {xi.group, xi.coordinates.cwiseProduct(inertia.moments.template cast<T>())};
 }
 /// \f$J^{-1}(\mu)\f$: the body velocity, 1/time.
-template <int n, Real S, Field T>
+template <int n, Real S, Scalar T>
 Velocity<SO<n>, T> body_velocity(Inertia<n, S> const& inertia, Momentum<SO<n>, T> const& pi) {
   return {pi.group, pi.components.cwiseQuotient(inertia.moments.template cast<T>())};
 }
 /// \f$l(\xi) = \tfrac12\langle J\xi, \xi\rangle\f$: the kinetic energy. \implements{eq_5_1}
-template <int n, Real S, Field T>
+template <int n, Real S, Scalar T>
 T kinetic_energy(Inertia<n, S> const& inertia, Velocity<SO<n>, T> const& xi) {
   // [eq_5_1]
   return pair(body_momentum(inertia, xi), xi) / T(2);
   // [eq_5_1]
 }
 /// The kinetic energy of a body momentum: \f$\tfrac12\langle\mu, J^{-1}\mu\rangle\f$.
-template <int n, Real S, Field T>
+template <int n, Real S, Scalar T>
 T kinetic_energy(Inertia<n, S> const& inertia, Momentum<SO<n>, T> const& pi) {
   return pair(pi, body_velocity(inertia, pi)) / T(2);
 }

@@ -1,14 +1,18 @@
-// What the Moser-Veselov scheme keeps: a matrix polynomial that turns with the body, and the coefficients of its determinant (thesis, chapter 1 and section 5.2).
+// What the Moser-Veselov scheme conserves: a matrix polynomial evolves by similarity (isospectrally), so the
+// coefficients of its determinant are conserved (thesis, chapter 1 and section 5.2).
 //
 // With \f$X = f^T\Lambda\f$ for a relative motion f, h times the body momenta before the step and after it appear in
 //
 //     1 - lambda h M0 - lambda^2 Lambda^2 =   (1 + lambda X^T) (1 - lambda X),
 //     1 - lambda h M1 - lambda^2 Lambda^2 = f (1 - lambda X) (1 + lambda X^T) f^T.
 //
-// The same two factors, exchanged: so the two matrices are similar for every lambda, and all coefficients of \f$\det(\zeta - \lambda hM - \lambda^2\Lambda^2)\f$ are kept. Those without
-// \f$\Lambda^2\f$ are Casimirs, floor(n/2) of them. The others are in involution, and they are as many as half the dimension of a generic coadjoint orbit.
-// On the branch that grows out of the identity the two factors are told apart by their spectra, and the determinant of each is kept: so is the discrete Lagrangian Tr(f Lambda).
-// One variable too few loses some: \f$\det(1 - \lambda hM - \lambda^2\Lambda^2)\f$ has n-1 coefficients that depend on M, enough for n = 3 only.
+// The same two factors, exchanged: so the two matrices are similar for every lambda, and all coefficients of
+// \f$\det(\zeta - \lambda hM - \lambda^2\Lambda^2)\f$ are conserved. Those without \f$\Lambda^2\f$ are
+// Casimirs, floor(n/2) of them. The others are in involution, and they are as many as half the dimension of a
+// generic coadjoint orbit. On the branch that grows out of the identity the two factors are told apart by
+// their spectra, and the determinant of each is conserved: so is the discrete Lagrangian Tr(f Lambda). With
+// one variable fewer some are missing: \f$\det(1 - \lambda hM - \lambda^2\Lambda^2)\f$ has n-1 coefficients
+// that depend on M, enough for n = 3 only.
 #pragma once
 
 #include <vector>
@@ -32,7 +36,7 @@ auto lax_matrix(L const& inertia, M const& momentum, typename M::Scalar const& l
   return lax;
 }
 /// \f$1 - \lambda X\f$ with \f$X = f^T\Lambda\f$.
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_factor(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   detail::require_inertia_matrix(inertia, f.value.rows(), "lax_factor");
   Storage<SO<n>, S> factor = f.value.transpose() * inertia.template cast<S>() * S(-lambda);
@@ -40,14 +44,14 @@ Storage<SO<n>, S> lax_factor(L const& inertia, Element<SO<n>, S> const& f, S con
   return factor;
 }
 /// The Lax matrix of the momentum before the step with relative motion f, from its factors.
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_matrix_before(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   return lax_factor(inertia, f, S(-lambda)).transpose() * lax_factor(inertia, f, lambda);
 }
 /// The Lax matrix of the momentum after it: the factors exchanged, and turned by f.
 ///
 /// \implements{claim_1_0_moser_veselov_integrable}
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_matrix_after(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   // [claim_1_0_moser_veselov_integrable]
   return f.value * lax_factor(inertia, f, lambda) * lax_factor(inertia, f, S(-lambda)).transpose() * f.value.transpose();
@@ -74,7 +78,7 @@ inline std::vector<IsospectralDegree> isospectral_degrees(int n) {
 /// @param pi       a body momentum; the unit is free, since each integral is homogeneous in it
 /// @throws OutsideDomain  where the two are of different sizes
 /// @throws NotFinite      where an entry is no number
-template <MatrixLike L, int n, Field S>
+template <MatrixLike L, int n, Scalar S>
 Matrix<S, Dynamic, 1> isospectral_integrals(L const& inertia, Momentum<SO<n>, S> const& pi) {
   using Whole = Matrix<S, Dynamic, Dynamic>;
   Whole const m = pi.group.hat(pi.components);

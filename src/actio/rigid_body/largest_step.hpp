@@ -12,7 +12,8 @@ namespace detail {
 /// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ at \f$s = e^{t}\f$.
 inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> const& m, double t) {
   double const s = std::exp(t);
-  // Plain loops: this is no template, so whoever reads the header compiles it, and Eigen's product of matrices takes the compiler half a second.
+  // Plain loops: this is no template, so every unit that includes the header compiles it, and Eigen's product
+  // of matrices takes the compiler half a second.
   Index const n = lambda.size();
   Vector<double> w(n);
   for (Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
@@ -33,7 +34,7 @@ template <class F>
 double top_of_hump(F const& f, double a, double b) {
   double const ratio = (std::sqrt(5.0) - 1) / 2;
   double u = b - ratio * (b - a), v = a + ratio * (b - a), fu = f(u), fv = f(v);
-  // The top is flat: half the digits in the place give all digits in the value.
+  // The top is flat: half the digits in the argument give all digits in the value.
   while (b - a > 1e-8) {
     if (fu > fv)
       b = v, v = u, fv = fu, u = b - ratio * (b - a), fu = f(u);

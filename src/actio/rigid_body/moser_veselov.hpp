@@ -20,7 +20,7 @@ namespace actio {
 template <int n, Real S = double>
 class MoserVeselov {
  public:
-  using Place = Element<SO<n>, S>;         ///< of the attitude (body to space), and of the relative motion
+  using Rotation = Element<SO<n>, S>;         ///< of the attitude (body to space), and of the relative motion
   using BodyMomentum = Momentum<SO<n>, S>;
   using Matrix = Storage<SO<n>, S>;
 
@@ -47,12 +47,12 @@ class MoserVeselov {
   }
 
   /// Body momentum with which a step with relative motion f begins: \f$M_0 = (f^T\Lambda - \Lambda f)/h\f$.
-  BodyMomentum momentum_before(Place const& f) const {
+  BodyMomentum momentum_before(Rotation const& f) const {
     Matrix const p = inertia_.lambda.asDiagonal() * f.value;
     return {f.group, f.group.vee((p.transpose() - p).eval()) / step_};
   }
   /// Body momentum with which it ends: \f$M_1 = (\Lambda f^T - f\Lambda)/h\f$.
-  BodyMomentum momentum_after(Place const& f) const {
+  BodyMomentum momentum_after(Rotation const& f) const {
     Matrix const p = f.value * inertia_.lambda.asDiagonal();
     return {f.group, f.group.vee((p.transpose() - p).eval()) / step_};
   }
@@ -63,49 +63,54 @@ class MoserVeselov {
   /// Accuracy: residual in each plane within 4 epsilon times \f$|\Lambda_i|+|\Lambda_j|\f$ times the largest angle of the step; 16 times that where rounding prevents it.
   /// @throws NotFinite     where the momentum is no number
   /// @throws StepTooLong   where there is no solution, with the largest step that would do
-  Solved<Place> relative_motion(BodyMomentum const& pi) const { return relative_motion(pi, equation_.first_guess(scaled(pi))); }
+  Solved<Rotation> relative_motion(BodyMomentum const& pi) const { return relative_motion(pi, equation_.first_guess(scaled(pi))); }
 
   /// The same from a guess that is near, such as the relative motion of the step before.
   /// @throws OutsideDomain  where the guess is no rotation
-  Solved<Place> relative_motion(BodyMomentum const& pi, Place const& near) const {
+  Solved<Rotation> relative_motion(BodyMomentum const& pi, Rotation const& near) const {
     auto const goal = scaled(pi);
     // Newton moves by rotations: what begins as a reflection stays one.
     require_finite(near.value, "Moser-Veselov: relative motion");
     if (double const det = equation_.determinant(near); !(det > 0)) throw OutsideDomain("Moser-Veselov", "the relative motion to start from must be a rotation; its determinant", det, 1);
-    Solved<Place> found{near, {}};
+    Solved<Rotation> found{near, {}};
     if (equation_.newton(goal, found) && equation_.on_branch_of_identity(found.value)) return found;
     return continued(pi, goal);
   }
 
   /// DEP: the relative motion after `f10`. Solves \f$f_{21}^T\Lambda - \Lambda f_{21} = \Lambda f_{10}^T - f_{10}\Lambda\f$. \implements{eq_5_7}
   /// @throws StepTooLong  where there is no solution, with the largest step that would do for this momentum
-  Solved<Place> step_euler_poincare(Place const& f10) const {
+  Solved<Rotation> step_euler_poincare(Rotation const& f10) const {
     return relative_motion(momentum_after(f10), f10);
   }
 
   /// DLP: the body momentum after a step with relative motion f, \f$M_1 = f M_0 f^T\f$. \implements{eq_5_8}
-  static BodyMomentum carry(Place const& f, BodyMomentum const& pi) {
-    Matrix const m = pi.group.hat(pi.components), e = less_identity(f);
-    // f M f^T with f = 1 + e, so that a short step changes M by a small sum instead of a rounded whole.
-    Matrix const em = e * m;
+  static BodyMomentum transport(Rotation const& f, BodyMomentum const& pi) {
+    Matrix const M0 = pi.group.hat(pi.components);
     // [eq_5_8]
+    Matrix const M1 = f.value * M0 * f.value.transpose();
+    // [eq_5_8]
+    return {pi.group, pi.group.vee(M1)};
+  }
+  /// The same as \f$M_0 + eM_0 + M_0e^T + eM_0e^T\f$ with e = f - 1, which the steps use: a short step adds a small
+  /// change, so that the rounding of a step is that of the change and not of the whole.
+  static BodyMomentum transport_by_increment(Rotation const& f, BodyMomentum const& pi) {
+    Matrix const m = pi.group.hat(pi.components), e = less_identity(f), em = e * m;
     return {pi.group, pi.components + pi.group.vee((em + m * e.transpose() + em * e.transpose()).eval())};
-    // [eq_5_8]
   }
   /// The attitude after g and a step with relative motion f: \f$g_1 = g_0f^{-1}\f$.
-  static Place reconstruct(Place const& g, Place const& f) {
-    return restore(Place{g.group, g.value + g.value * less_identity(f).transpose()});
+  static Rotation reconstruct(Rotation const& g, Rotation const& f) {
+    return restore(Rotation{g.group, g.value + g.value * less_identity(f).transpose()});
   }
   /// DLP: the body momentum after `pi`, with the relative motion found from it.
-  BodyMomentum step_lie_poisson(BodyMomentum const& pi) const { return carry(relative_motion(pi).value, pi); }
+  BodyMomentum step_lie_poisson(BodyMomentum const& pi) const { return transport_by_increment(relative_motion(pi).value, pi); }
 
   /// DEL: the attitude after g0, g1. Only \f$g_1^Tg_0\f$ matters: \f$g_2 = g_1f_{21}^{-1}\f$. \implements{claim_5_2_reconstruction}
-  Place step_euler_lagrange(Place const& g0, Place const& g1) const {
+  Rotation step_euler_lagrange(Rotation const& g0, Rotation const& g1) const {
     return reconstruct_left(g1, step_euler_poincare(relative_motion_left(g0, g1)).value);
   }
 
-  /// What is left of the DEP equation (5.7), matrices in coordinates: zero along motions.
-  BodyMomentum residual(Place const& f10, Place const& f21) const {
+  /// The residual of the DEP equation (5.7), matrices in coordinates: zero along motions.
+  BodyMomentum residual(Rotation const& f10, Rotation const& f21) const {
     // [eq_5_7]
     return momentum_before(f21) - momentum_after(f10);
     // [eq_5_7]
@@ -117,7 +122,7 @@ class MoserVeselov {
  private:
   /// \f$e = f - 1\f$, with \f$1 + e\f$ orthogonal to the rounding of e. That of f, which next to 1 is larger, would pull at the Casimirs in every
   /// step in the same direction: a drift in proportion to the time.
-  static Matrix less_identity(Place const& f) {
+  static Matrix less_identity(Rotation const& f) {
     Matrix e = f.value;
     e.diagonal().array() -= S(1);
     Matrix const excess = e + e.transpose() + e.transpose() * e;
@@ -138,7 +143,7 @@ class MoserVeselov {
   }
 
   /// The relative motion along a growing step, or the reason why there is none.
-  Solved<Place> continued(BodyMomentum const& pi, Vector const& goal) const {
+  Solved<Rotation> continued(BodyMomentum const& pi, Vector const& goal) const {
     // Where a Lambda_i is negative there is no closed form for the longest step: go as far as the branch goes.
     bool const closed_form = !(inertia_.lambda.minCoeff() < S(0));
     double const h = std::abs(to_double(step_)), longest = closed_form ? longest_step(pi) : std::numeric_limits<double>::infinity();

@@ -14,21 +14,21 @@ namespace actio {
 template <int n, Real S>
 class MoserVeselovEquation {
  public:
-  using Place = Element<SO<n>, S>;          ///< of the relative motion
+  using Rotation = Element<SO<n>, S>;          ///< of the relative motion
   using Matrix = Storage<SO<n>, S>;
   using Vector = Coordinates<SO<n>, S>;     ///< of P
 
   MoserVeselovEquation(SO<n> group, actio::Matrix<S, n, 1> lambda, Vector moments) : group_(group), lambda_(std::move(lambda)), moments_(std::move(moments)) {}
 
   /// \f$f = 1 - h\xi\f$ and so on, with \f$J\xi = M\f$: right to second order in the step.
-  Place first_guess(Vector const& goal) const {
+  Rotation first_guess(Vector const& goal) const {
     Vector turn = -goal.cwiseQuotient(moments_);
     shorten(turn);
     return moved(actio::identity<S>(group_), turn);
   }
 
   /// Newton's method for the relative motion with momentum `goal`, from where `found` is.
-  bool newton(Vector const& goal, Solved<Place>& found) const {
+  bool newton(Vector const& goal, Solved<Rotation>& found) const {
     auto const& group = group_;
     Report& report = found.report;
     // Residuals in each plane in units of what a turn by 1 makes there: as angles. A rounding error in an entry of f off the diagonal is one of the largest
@@ -68,7 +68,7 @@ class MoserVeselovEquation {
 
   /// The solution for `goal` along a growing right side, as far as it goes.
   struct Continued {
-    Solved<Place> found;  ///< where the way ended
+    Solved<Rotation> found;  ///< where the way ended
     S reached;            ///< the part of the goal that has a solution; 1 where all is well
     Report last;          ///< of the iteration that failed
   };
@@ -78,7 +78,7 @@ class MoserVeselovEquation {
     S ahead(1);
     while (way.reached < S(1)) {
       S const next = way.reached + ahead < S(1) ? S(way.reached + ahead) : S(1);
-      Solved<Place> trial = way.found;
+      Solved<Rotation> trial = way.found;
       if (newton(Vector(goal * next), trial) && on_branch_of_identity(trial.value)) {
         way.found = trial, way.reached = next, ahead *= S(2);
       } else {
@@ -91,7 +91,7 @@ class MoserVeselovEquation {
   }
 
   /// Whether any two eigenvalues of \f$f^T\Lambda\f$ have a sum with positive real part.
-  bool on_branch_of_identity(Place const& f) const {
+  bool on_branch_of_identity(Rotation const& f) const {
     actio::Matrix<double, n, n> const x = (f.value.transpose() * lambda_.asDiagonal()).unaryExpr([](S const& v) { return to_double(v); });
     // A positive definite symmetric part settles it, and is cheap.
     if (positive_definite(x + x.transpose())) return true;
@@ -101,7 +101,7 @@ class MoserVeselovEquation {
   }
 
   /// The determinant, by elimination with row exchanges.
-  static double determinant(Place const& f) {
+  static double determinant(Rotation const& f) {
     actio::Matrix<double, n, n> a = f.value.unaryExpr([](S const& v) { return to_double(v); });
     double product = 1;
     for (Index k = 0; k < a.rows(); ++k) {
@@ -127,11 +127,11 @@ class MoserVeselovEquation {
   }
 
   /// \f$f\,(1 + \vartheta + \vartheta^2/2)\f$ brought back on the group.
-  static Place moved(Place const& f, Vector const& turn) {
+  static Rotation moved(Rotation const& f, Vector const& turn) {
     auto const theta = f.group.hat(turn);
     Matrix one_and = theta + theta * theta / S(2);
     one_and.diagonal().array() += S(1);
-    Place next{f.group, f.value * one_and};
+    Rotation next{f.group, f.value * one_and};
     // The excess of the series, of fourth order, is squared each time; the last time takes the rounding of the product away.
     for (double excess = std::pow(to_double(turn.squaredNorm()), 2) / 4; excess > 1e-8; excess *= excess) next = restore(next);
     return restore(next);

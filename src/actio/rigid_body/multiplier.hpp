@@ -1,10 +1,10 @@
 // The discrete rigid body among all matrices: a multiplier holds its attitudes on the group (thesis, section 5.2).
 //
-// Attitudes are n by n matrices g_k, free to be any, and the constraint g g^T = 1 enters the action with a symmetric matrix of multipliers for each place.
+// Attitudes are n by n matrices g_k, free to be any, and the constraint g g^T = 1 enters the action with a symmetric matrix of multipliers for each configuration.
 // The action is scaled: -h times that of moser_veselov.hpp, in mass x length^2, up to a constant. Lambda is symmetric, not necessarily diagonal: the body may be
 // described in any frame of its own.
 //
-// Varying place k over all matrices gives n^2 equations. Their symmetric half says what the multiplier is, their skew half is the equation of motion,
+// Varying configuration k over all matrices gives n^2 equations. Their symmetric half says what the multiplier is, their skew half is the equation of motion,
 //
 //     g_{k+1} Lambda + g_{k-1} Lambda = lambda_k g_k,        f_{k+1k}^T Lambda + f_{kk-1} Lambda = g_k^T lambda_k g_k,
 //
@@ -55,14 +55,15 @@ M orthogonality(M const& g) {
   return excess;
 }
 
-/// The constrained action sum, a function of all places and all multipliers.
+/// The constrained action sum, a function of all configurations and all multipliers.
 ///
 /// \f[ S = \sum_k\mathrm{Tr}(g_k\Lambda g_{k+1}^T) - \tfrac12\sum_k\mathrm{Tr}\bigl(\lambda_k\,(g_kg_k^T - 1)\bigr) \f]
 ///
 /// \implements{eq_5_6}
 /// @param lambda       \f$\Lambda\f$, symmetric; mass x length^2
-/// @param g            the places: any square matrices, at least two
-/// @param multipliers  \f$\lambda_k\f$, one for each place; mass x length^2. A skew part of them does not count
+/// @param g            the configurations: any square matrices, at least two
+/// @param multipliers  \f$\lambda_k\f$, one for each configuration; mass x length^2. A skew part of them has
+///   no effect
 /// @throws NotFinite      where an entry is no number
 /// @throws OutsideDomain  where sizes or numbers do not fit, or \f$\Lambda\f$ is not symmetric
 /// Exact up to rounding.
@@ -70,7 +71,7 @@ template <class M>
 typename M::Scalar constrained_action(M const& lambda, std::vector<M> const& g, std::vector<M> const& multipliers) {
   char const* const where = "constrained action";
   if (g.size() < 2 || multipliers.size() != g.size())
-    throw OutsideDomain(where, "two places or more, and a multiplier for each, are needed; multipliers and places", static_cast<double>(multipliers.size()),
+    throw OutsideDomain(where, "two configurations or more, and a multiplier for each, are needed; multipliers and configurations", static_cast<double>(multipliers.size()),
                         static_cast<double>(g.size()));
   detail::require_squares({&lambda}, lambda.rows(), where);
   detail::require_symmetric(lambda, "constrained action: Lambda");
@@ -84,22 +85,22 @@ typename M::Scalar constrained_action(M const& lambda, std::vector<M> const& g, 
   // [eq_5_6]
 }
 
-/// What is left at place k of the equations of the constrained action: \f$(g_{k+1} + g_{k-1})\Lambda - \lambda_kg_k\f$, zero along motions with their
-/// multiplier, and only there.
+/// The residual at configuration k of the equations of the constrained action:
+/// \f$(g_{k+1} + g_{k-1})\Lambda - \lambda_kg_k\f$, zero along motions with their multiplier, and only there.
 ///
 /// The gradient of \ref constrained_action in the entries of \f$g_k\f$, for a symmetric multiplier.
 /// @param lambda      \f$\Lambda\f$, symmetric; mass x length^2
 /// @param before      \f$g_{k-1}\f$
-/// @param at          \f$g_k\f$
+/// @param g           \f$g_k\f$
 /// @param after       \f$g_{k+1}\f$
 /// @param multiplier  \f$\lambda_k\f$, symmetric; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
-M constrained_stationarity(M const& lambda, M const& before, M const& at, M const& after, M const& multiplier) {
-  detail::require_squares({&lambda, &before, &at, &after, &multiplier}, lambda.rows(), "constrained stationarity");
+M constrained_stationarity(M const& lambda, M const& before, M const& g, M const& after, M const& multiplier) {
+  detail::require_squares({&lambda, &before, &g, &after, &multiplier}, lambda.rows(), "constrained stationarity");
   detail::require_symmetric(lambda, "constrained stationarity: Lambda");
   detail::require_symmetric(multiplier, "constrained stationarity: multiplier");
-  return (after + before) * lambda - multiplier * at;
+  return (after + before) * lambda - multiplier * g;
 }
 
 /// The multiplier at a rotation \f$g_k\f$ between its neighbours: the symmetric half of \f$(g_{k+1} + g_{k-1})\Lambda g_k^T\f$. Along a motion there is no
@@ -107,38 +108,40 @@ M constrained_stationarity(M const& lambda, M const& before, M const& at, M cons
 ///
 /// @param lambda  \f$\Lambda\f$, symmetric; mass x length^2
 /// @param before  \f$g_{k-1}\f$
-/// @param at      \f$g_k\f$, a rotation
+/// @param g       \f$g_k\f$, a rotation
 /// @param after   \f$g_{k+1}\f$
-/// @return        \f$\lambda_k\f$, as seen from space; mass x length^2
+/// @return        \f$\lambda_k\f$, in the spatial frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
-M spatial_multiplier(M const& lambda, M const& before, M const& at, M const& after) {
-  detail::require_squares({&lambda, &before, &at, &after}, lambda.rows(), "multiplier");
+M spatial_multiplier(M const& lambda, M const& before, M const& g, M const& after) {
+  detail::require_squares({&lambda, &before, &g, &after}, lambda.rows(), "multiplier");
   detail::require_symmetric(lambda, "multiplier: Lambda");
-  M const pull = (after + before) * lambda * at.transpose();
+  M const pull = (after + before) * lambda * g.transpose();
   return (pull + pull.transpose()) / typename M::Scalar(2);
 }
 
-/// The multiplier as the body sees it, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: what multiplication of all places on the left leaves as it is.
+/// The multiplier in the body frame, \f$\bar\lambda_k = g_k^T\lambda_kg_k\f$: it is invariant under left
+/// multiplication of all configurations.
 /// \implements{claim_5_2_conjugate_multiplier}
 ///
-/// @param at          \f$g_k\f$, a rotation
-/// @param multiplier  \f$\lambda_k\f$, as seen from space; mass x length^2
+/// @param g           \f$g_k\f$, a rotation
+/// @param multiplier  \f$\lambda_k\f$, in the spatial frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
-M body_multiplier(M const& at, M const& multiplier) {
-  detail::require_squares({&at, &multiplier}, at.rows(), "multiplier of the body");
+M body_multiplier(M const& g, M const& multiplier) {
+  detail::require_squares({&g, &multiplier}, g.rows(), "multiplier of the body");
   // [claim_5_2_conjugate_multiplier]
-  return at.transpose() * multiplier * at;
+  return g.transpose() * multiplier * g;
   // [claim_5_2_conjugate_multiplier]
 }
 
-/// What is left of the reduced equation with a multiplier: \f$f_{21}^T\Lambda + f_{10}\Lambda - \bar\lambda\f$. \implements{claim_5_2_dep_with_multiplier}
+/// The residual of the reduced equation with a multiplier:
+/// \f$f_{21}^T\Lambda + f_{10}\Lambda - \bar\lambda\f$. \implements{claim_5_2_dep_with_multiplier}
 ///
 /// @param lambda      \f$\Lambda\f$, symmetric; mass x length^2
 /// @param f10         relative motion \f$g_1^Tg_0\f$ over the step before
 /// @param f21         relative motion \f$g_2^Tg_1\f$ over the step after
-/// @param multiplier  \f$\bar\lambda\f$ at the place between, as the body sees it; mass x length^2
+/// @param multiplier  \f$\bar\lambda\f$ at the configuration between, in the body frame; mass x length^2
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
 M euler_poincare_with_multiplier(M const& lambda, M const& f10, M const& f21, M const& multiplier) {
@@ -149,8 +152,9 @@ M euler_poincare_with_multiplier(M const& lambda, M const& f10, M const& f21, M 
   // [claim_5_2_dep_with_multiplier]
 }
 
-/// What is left of it once the multiplier is gone, by subtracting the transpose: \f$f_{21}^T\Lambda - \Lambda f_{21} - (\Lambda f_{10}^T - f_{10}\Lambda)\f$, a
-/// skew matrix. \implements{eq_5_7}
+/// Its skew half, from which the multiplier is eliminated:
+/// \f$f_{21}^T\Lambda - \Lambda f_{21} - (\Lambda f_{10}^T - f_{10}\Lambda)\f$, a skew matrix.
+/// \implements{eq_5_7}
 ///
 /// For a diagonal \f$\Lambda\f$ it is h times the residual of the scheme in moser_veselov.hpp, which has it in coordinates.
 /// @param lambda  \f$\Lambda\f$, symmetric; mass x length^2

@@ -16,7 +16,7 @@ namespace actio {
 template <int n, Real S = double>
 class NaturalChartScheme {
  public:
-  using Place = Element<SO<n>, S>;         ///< of the attitude (body to space), and of the relative motion
+  using Rotation = Element<SO<n>, S>;         ///< of the attitude (body to space), and of the relative motion
   using BodyMomentum = Momentum<SO<n>, S>;
 
   /// @param inertia  of the body
@@ -39,28 +39,28 @@ class NaturalChartScheme {
   }
 
   /// Body momentum with which a step with relative motion f begins.
-  BodyMomentum momentum_before(Place const& f) const { return momentum_before_left(lagrangian(), f); }
+  BodyMomentum momentum_before(Rotation const& f) const { return momentum_before_left(lagrangian(), f); }
   /// Body momentum with which it ends.
-  BodyMomentum momentum_after(Place const& f) const { return -right_differential(lagrangian(), f); }
+  BodyMomentum momentum_after(Rotation const& f) const { return -right_differential(lagrangian(), f); }
 
   /// The relative motion of the step that begins with body momentum `pi`, near \f$e^{-hJ^{-1}\Pi}\f$.
   /// @throws NotConverged, Singular, OutsideDomain  where the step is too long: the chart ends at half a turn a step
-  Solved<Place> relative_motion(BodyMomentum const& pi) const {
+  Solved<Rotation> relative_motion(BodyMomentum const& pi) const {
     if (!is_finite(pi.components)) throw NotFinite("natural-chart scheme: body momentum");
-    Place const start = exp(S(-step_) * body_velocity(inertia_, pi));
+    Rotation const start = exp(S(-step_) * body_velocity(inertia_, pi));
     return relative_motion_from_momentum_left(lagrangian(), pi, start);
   }
 
   /// DEP: the relative motion after `f10`.
-  Solved<Place> step_euler_poincare(Place const& f10) const { return step_euler_poincare_left(lagrangian(), f10); }
+  Solved<Rotation> step_euler_poincare(Rotation const& f10) const { return step_euler_poincare_left(lagrangian(), f10); }
   /// DLP: the body momentum after `pi`.
   BodyMomentum step_lie_poisson(BodyMomentum const& pi) const { return lie_poisson_update_left(relative_motion(pi).value, pi); }
   /// DEL: the attitude after g0, g1, in its reduced form.
-  Place step_euler_lagrange(Place const& g0, Place const& g1) const {
+  Rotation step_euler_lagrange(Rotation const& g0, Rotation const& g1) const {
     return reconstruct_left(g1, step_euler_poincare(relative_motion_left(g0, g1)).value);
   }
   /// DEL on \f$SO(n)\times SO(n)\f$ itself, with nothing reduced: the state is a pair of attitudes, six numbers for n = 3, where the reduced form has three.
-  Solved<Place> step_unreduced(Place const& g0, Place const& g1) const { return actio::step_euler_lagrange(lift_left(lagrangian()), g0, g1); }
+  Solved<Rotation> step_unreduced(Rotation const& g0, Rotation const& g1) const { return actio::step_euler_lagrange(lift_left(lagrangian()), g0, g1); }
 
   /// The body momentum with which a step of constant body velocity zeta begins: \f$\chi(\mathrm{ad}^*_{h\zeta})\,J\zeta\f$, in closed form.
   ///

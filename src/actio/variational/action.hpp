@@ -11,7 +11,7 @@ namespace actio {
 /// Nodes and weights on (0, 1) that integrate polynomials up to a degree with rounding only, over the rationals with no error at all.
 ///
 /// The nodes are fractions next to those of Chebyshev, where interpolation is harmless.
-template <Field S>
+template <Scalar S>
 struct Quadrature {
   std::vector<S> nodes;    ///< inside (0, 1)
   std::vector<S> weights;  ///< they sum to 1
@@ -37,7 +37,7 @@ struct Quadrature {
   }
 
   /// The integral of f from a to b, at the scalar that f returns.
-  template <Field T, class F>
+  template <Scalar T, class F>
   auto operator()(F const& f, T const& a, T const& b) const {
     using Value = decltype(f(a));
     Value sum(S(0));
@@ -53,7 +53,7 @@ struct Quadrature {
 /// @param curve  time at any scalar -> Element at the same
 /// @param rule   exact where L along the curve is a polynomial of its degree
 /// @return energy x time
-template <Field S, class Lagrangian, class Curve>
+template <Scalar S, class Lagrangian, class Curve>
 S action(Lagrangian const& L, Curve const& curve, S const& a, S const& b, Quadrature<Base<S>> const& rule) {
   // [eq_2_1]
   return rule([&](S const& t) { return L(tangent(curve, t)); }, a, b);
@@ -64,7 +64,7 @@ S action(Lagrangian const& L, Curve const& curve, S const& a, S const& b, Quadra
 ///
 /// \implements{eq_2_2}
 /// @param family  (epsilon, time) at any scalar -> Element at the same
-template <Field S, class Lagrangian, class Family>
+template <Scalar S, class Lagrangian, class Family>
 S action_variation(Lagrangian const& L, Family const& family, S const& a, S const& b, Quadrature<Base<S>> const& rule) {
   // [eq_2_2]
   return rule([&](S const& t) { return L(varied_tangent(family, t)).part[0]; }, a, b);

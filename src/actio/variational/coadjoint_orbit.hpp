@@ -11,10 +11,10 @@ namespace actio {
 
 /// A velocity \f$\eta\f$ with \f$\mathrm{ad}^*_\eta\,\mu = w\f$: how the coadjoint action produces a tangent vector of an orbit.
 ///
-/// It is unique up to velocities that leave \f$\mu\f$ in its place.
+/// It is unique up to the isotropy algebra of \f$\mu\f$.
 /// @param w  tangent to the orbit at mu
-/// @throws OutsideDomain  where w is not tangent to the orbit: with the part of w that is left over, against rounding
-template <Group G, Field S>
+/// @throws OutsideDomain  where w is not tangent to the orbit: with the residual, against rounding
+template <Group G, Scalar S>
 Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w) {
   int const n = mu.group.dimension();
   Matrix<S, Dynamic, Dynamic> a(n, n);
@@ -22,7 +22,7 @@ Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w
   Matrix<S, Dynamic, 1> b = w.components;
   Base<S> const scale = magnitude(a), tiny = Base<S>(256 * n) * epsilon<S>();
 
-  // Eliminate with full pivoting until what is left of the matrix is rounding.
+  // Eliminate with full pivoting until the remaining block is at rounding.
   std::vector<int> column(n);
   for (int c = 0; c < n; ++c) column[c] = c;
   int rank = 0;
@@ -62,14 +62,14 @@ Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w
 ///
 /// \implements{claim_2_2_coadjoint_action_kk}
 /// @throws OutsideDomain  where a vector is not tangent to the orbit
-template <Group G, Field S>
+template <Group G, Scalar S>
 S kirillov_kostant_plus(Momentum<G, S> const& mu, Momentum<G, S> const& v, Momentum<G, S> const& w) {
   // [claim_2_2_coadjoint_action_kk]
   return pair(mu, bracket(orbit_generator(mu, v), orbit_generator(mu, w)));
   // [claim_2_2_coadjoint_action_kk]
 }
 /// \f$\omega_- = -\omega_+\f$, the form that belongs to the minus bracket.
-template <Group G, Field S>
+template <Group G, Scalar S>
 S kirillov_kostant_minus(Momentum<G, S> const& mu, Momentum<G, S> const& v, Momentum<G, S> const& w) {
   return -kirillov_kostant_plus(mu, v, w);
 }

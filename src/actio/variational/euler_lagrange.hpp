@@ -1,7 +1,8 @@
 // The Euler-Lagrange equations of a Lagrangian on TG, without coordinates.
 //
-// Carried to the identity on the right, the variation of a curve is theta = dg g^-1 and that of its velocity is theta' - [xi, theta]. What stands beside theta
-// after integration by parts is the Euler-Lagrange map; what is left at the ends is the Lagrange one-form.
+// Translated to the identity on the right, the variation of a curve is theta = dg g^-1 and that of its
+// velocity is theta' - [xi, theta]. The covector that is paired with theta after integration by parts is the
+// Euler-Lagrange map; the boundary term is the Lagrange one-form.
 #pragma once
 
 #include "actio/variational/legendre.hpp"
@@ -12,17 +13,18 @@ namespace actio {
 ///
 /// \f[ \partial_g L \;-\; \mathrm{ad}^*_\xi\,\mu \;-\; \frac{d\mu}{dt}, \qquad \mu = F L(g, \xi) \f]
 ///
-/// In a chart this is (2.4); here the base derivative and the momentum are carried to the identity on the right.
+/// In a chart this is (2.4); here the base derivative and the momentum are translated to the identity on the
+/// right.
 /// \implements{eq_2_4}
 /// @param L             Lagrangian on TG, energy
 /// @param v             state
 /// @param acceleration  \f$\dot\xi\f$, 1/time^2
 /// Exact up to rounding.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocity<G, S> const& acceleration) {
   // The rate of the momentum along the curve: the curve's own direction in TG is (xi, xi').
   auto const along = legendre(L, moved(v, {v.velocity, acceleration}));
-  Momentum<G, S> rate{v.place.group, Coordinates<G, S>(v.place.group.dimension())};
+  Momentum<G, S> rate{v.configuration.group, Coordinates<G, S>(v.configuration.group.dimension())};
   for (Index a = 0; a < rate.components.size(); ++a) rate.components[a] = along.components[a].part[0];
 
   auto const mu = legendre(L, v);
@@ -35,16 +37,16 @@ Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocit
 ///
 /// \implements{claim_2_1_lagrange_vector_field}
 /// @throws Singular  where L is not regular
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 Velocity<G, S> lagrange_acceleration(Lagrangian const& L, State<G, S> const& v) {
   // The equation is affine in the acceleration: residual at zero, and the fibre Hessian beside it.
-  Velocity<G, S> const none{v.place.group, Coordinates<G, S>::Zero(v.place.group.dimension())};
+  Velocity<G, S> const none{v.configuration.group, Coordinates<G, S>::Zero(v.configuration.group.dimension())};
   auto const force = euler_lagrange(L, v, none);
-  return {v.place.group, solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
+  return {v.configuration.group, solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
 }
 
 /// The Lagrange vector field \f$X_E\f$ as a tangent vector to TG at v.
-template <Group G, Field S, class Lagrangian>
+template <Group G, Scalar S, class Lagrangian>
 StateChange<G, S> lagrange_vector_field(Lagrangian const& L, State<G, S> const& v) {
   return {v.velocity, lagrange_acceleration(L, v)};
 }

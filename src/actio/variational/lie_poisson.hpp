@@ -11,14 +11,14 @@ namespace actio {
 /// \f$\{F, H\}_+(\mu) = \langle\mu, [\delta F/\delta\mu, \delta H/\delta\mu]\rangle\f$.
 ///
 /// \implements{thm_2_2_2}
-template <Group G, Field S, class F, class H>
+template <Group G, Scalar S, class F, class H>
 S lie_poisson_bracket_plus(F const& f, H const& h, Momentum<G, S> const& mu) {
   // [thm_2_2_2]
   return pair(mu, bracket(gradient(f, mu), gradient(h, mu)));
   // [thm_2_2_2]
 }
 /// \f$\{F, H\}_- = -\{F, H\}_+\f$.
-template <Group G, Field S, class F, class H>
+template <Group G, Scalar S, class F, class H>
 S lie_poisson_bracket_minus(F const& f, H const& h, Momentum<G, S> const& mu) {
   return -lie_poisson_bracket_plus(f, h, mu);
 }
@@ -26,20 +26,20 @@ S lie_poisson_bracket_minus(F const& f, H const& h, Momentum<G, S> const& mu) {
 /// \f$\dot\mu = -\mathrm{ad}^*_{\partial h/\partial\mu}\,\mu\f$: the Lie-Poisson equations of a right-invariant Hamiltonian.
 ///
 /// \implements{thm_2_2_3}
-template <Group G, Field S, class H>
+template <Group G, Scalar S, class H>
 Momentum<G, S> lie_poisson_rate_right(H const& h, Momentum<G, S> const& mu) {
   // [thm_2_2_3]
   return -ad_star(gradient(h, mu), mu);
   // [thm_2_2_3]
 }
 /// \f$\dot\mu = +\mathrm{ad}^*_{\partial h/\partial\mu}\,\mu\f$: the Lie-Poisson equations of a left-invariant Hamiltonian.
-template <Group G, Field S, class H>
+template <Group G, Scalar S, class H>
 Momentum<G, S> lie_poisson_rate_left(H const& h, Momentum<G, S> const& mu) {
   return ad_star(gradient(h, mu), mu);
 }
 
 /// The matrix of the plus bracket at mu: \f$\{\mu_a, \mu_b\}_+ = \langle\mu, [e_a, e_b]\rangle\f$.
-template <Group G, Field S>
+template <Group G, Scalar S>
 auto lie_poisson_tensor_plus(Momentum<G, S> const& mu) {
   int const n = mu.group.dimension();
   Matrix<S, G::dim, G::dim> tensor(n, n);

@@ -49,7 +49,7 @@ template <int B>
   if (i < last) product_blocks<1>(a + i * apart, apart, b, from, to, result, below);
 }
 
-/// \f$ee^T\f$, of which half is kept.
+/// \f$ee^T\f$, of which half is stored.
 template <int B>
 [[gnu::always_inline]] inline void square_of(Blocked<B> const& shape, double const* e, double* square) {
   int const all = shape.blocks(), columns = shape.n, depth = B ? 4 * B : 256, height = B ? B : 32;

@@ -32,10 +32,12 @@ typedef double FourLanes __attribute__((vector_size(32), may_alias));
 /// The sum of the four.
 [[gnu::always_inline]] inline double sum(FourLanes const& u) { return (u[0] + u[1]) + (u[2] + u[3]); }
 
-/// An n by n matrix in blocks of four by four, each kept column by column; rows and columns beyond n are zero.
+/// An n by n matrix in blocks of four by four, each stored column by column; rows and columns beyond n are
+/// zero.
 ///
 /// A full matrix has its blocks row by row of blocks, so that four rows lie together, as products read them. Of one that is symmetric or skew
-/// only the blocks on and below the diagonal are kept, column by column of blocks, as sweeps pass over them; those on the diagonal are whole.
+/// only the blocks on and below the diagonal are stored, column by column of blocks, as sweeps pass over
+/// them; those on the diagonal are whole.
 /// @tparam blocks_known  in a row; 0 where that is known only when the program runs
 template <int blocks_known>
 struct Blocked {
@@ -50,7 +52,7 @@ struct Blocked<0> {
   int blocks() const { return (n + 3) / 4; }
 };
 
-/// How many numbers a full matrix has, and one of which half is kept.
+/// How many numbers a full matrix has, and one of which half is stored.
 inline std::size_t full_size(Blocked<0> const& shape) {
   return 16 * static_cast<std::size_t>(shape.blocks()) * static_cast<std::size_t>(shape.blocks());
 }
@@ -62,7 +64,7 @@ template <int B>
 [[gnu::always_inline]] inline std::ptrdiff_t full_block(Blocked<B> const& shape, int i, int j) {
   return 16 * (static_cast<std::ptrdiff_t>(i) * shape.blocks() + j);
 }
-/// Where block (i, j), i >= j, of a matrix of which half is kept.
+/// Where block (i, j), i >= j, of a matrix of which half is stored.
 template <int B>
 [[gnu::always_inline]] inline std::ptrdiff_t half_block(Blocked<B> const& shape, int i, int j) {
   return 16 * (static_cast<std::ptrdiff_t>(j) * shape.blocks() - j * (j + 1) / 2 + i);

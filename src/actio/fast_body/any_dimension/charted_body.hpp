@@ -1,10 +1,11 @@
-// The state of a free body on SO(n) between two steps of the natural-chart scheme: momentum, attitude, and the turns of the last steps.
+// The state of a free body on SO(n) between two steps of the natural-chart scheme: momentum, attitude, and
+// the rotation vectors of the last steps.
 #pragma once
 
 #include <array>
 #include <span>
 
-#include "actio/fast_body/any_dimension/continuation.hpp"
+#include "actio/fast_body/any_dimension/least_squares_extrapolation.hpp"
 #include "actio/fast_body/any_dimension/matrix_algebra.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
@@ -14,7 +15,8 @@ class FastNaturalChart;
 
 /// A free body in n dimensions on its way. Made by `FastNaturalChart::release`, moved by its steps; copies are independent.
 ///
-/// Momentum and attitude are each kept as a rounded matrix and what rounding left over.
+/// Momentum and attitude are each a rounded matrix and the accumulated rounding errors (compensated
+/// summation).
 class ChartedBody {
  public:
   using Group = SO<Eigen::Dynamic>;  ///< n at run time
@@ -38,7 +40,7 @@ class ChartedBody {
   void remember(Memory& memory) {
     int size = shape_.n, continuation = static_cast<int>(continuation_);
     memory(size, continuation, latest_, past_, sweeps_, steps_, contraction_, step_);
-    bool const fits = size == shape_.n && 0 <= continuation && continuation < static_cast<int>(detail::all_continuations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
+    bool const fits = size == shape_.n && 0 <= continuation && continuation < static_cast<int>(detail::all_extrapolations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
     if (!fits) throw OutsideDomain("charted body", "a body of this size is to be restored; dimensions", size, shape_.n);
     continuation_ = static_cast<std::size_t>(continuation);
     for (int k = 0; k < first_turn_; ++k) remember_array(memory, array(k));
@@ -53,7 +55,7 @@ class ChartedBody {
   explicit ChartedBody(int n) : shape_(n), array_size_(detail::full_size(shape_)), numbers_(array_size_ * arrays) {}
   double* array(int k) { return numbers_.data() + array_size_ * static_cast<std::size_t>(k); }
   double const* array(int k) const { return numbers_.data() + array_size_ * static_cast<std::size_t>(k); }
-  /// The turn Z of the last step but k.
+  /// The rotation vector Z of the last step but k.
   double* past(int k) { return array(first_turn_ + (latest_ + k) % longest); }
 
   Eigen::MatrixXd whole(int k) const {
@@ -75,11 +77,11 @@ class ChartedBody {
   detail::Blocked<0> shape_;
   std::size_t array_size_;
   detail::Zeros numbers_;
-  int latest_ = 0, past_ = 0, sweeps_ = 0;  // where the last turn is, how many there are, and what the last one took
+  int latest_ = 0, past_ = 0, sweeps_ = 0;  // where the last rotation vector is, how many there are, and what the last one took
   long steps_ = 0;
   double contraction_ = 1;                  // of the sweeps of the last step
-  double step_ = 0;                         // under which the turns were made
-  std::size_t continuation_ = 0;            // the place of the one in use among all
+  double step_ = 0;                         // of the steps with these rotation vectors
+  std::size_t continuation_ = 0;            // the index of the one in use among all
 };
 
 }  // namespace actio

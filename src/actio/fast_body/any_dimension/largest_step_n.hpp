@@ -53,7 +53,7 @@ class SpinAgainstInertia {
       beside.push_back(left);
       basis.push_back(v / left);
     }
-    // A place to start from next time, with s nearby: one step nearer the top than before.
+    // A value to start from next time, with s nearby: one step nearer the top than before.
     start_ = minus_square(w, minus_square(w, basis.front())) + 1e-3 * found * found * basis.front();
     return s * std::sqrt(std::max(0.0, found));
   }

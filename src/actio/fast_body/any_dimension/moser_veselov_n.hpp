@@ -2,8 +2,9 @@
 //
 // The same scheme as in rigid_body/moser_veselov.hpp, which solves it by Newton in n(n-1)/2 unknowns. Here the unknown is the square of f - 1, and its
 // equation is a fixed point (relative_motion_sweeps.hpp). For short steps the polynomial through the last few squares leaves so little to be
-// done that one square settles a step; for longer ones sweeps go on until the defect is at rounding (stopping_rule.hpp). Where they do not
-// contract, the general solver takes over, or for large n an accelerated iteration; where there is no solution, the step is refused.
+// done that one square settles a step; for longer ones sweeps continue until the defect is at rounding
+// (stopping_rule.hpp). Where they do not contract, the general solver takes over, or for large n an
+// accelerated iteration; where there is no solution, the step is refused.
 //
 //   FastMoserVeselov const scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);
@@ -15,7 +16,7 @@
 #include "actio/fast_body/any_dimension/anderson.hpp"
 #include "actio/fast_body/any_dimension/largest_step_n.hpp"
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
-#include "actio/fast_body/any_dimension/sweeping_step.hpp"
+#include "actio/fast_body/any_dimension/fixed_point_step.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
 namespace actio {
@@ -24,7 +25,7 @@ namespace actio {
 class FastMoserVeselov {
  public:
   using Group = SO<Eigen::Dynamic>;      ///< n at run time
-  using Place = Element<Group, double>;  ///< of the attitude, and of the relative motion
+  using Rotation = Element<Group, double>;  ///< of the attitude, and of the relative motion
   using BodyMomentum = Momentum<Group, double>;
 
   /// @param inertia  of the body
@@ -53,7 +54,7 @@ class FastMoserVeselov {
 
   /// A body that is let go with attitude g and body momentum `pi`.
   /// @throws NotFinite, OutsideDomain  where an entry is no number, a size is not n, or g is no rotation
-  RotatingBody release(Place const& g, BodyMomentum const& pi) const {
+  RotatingBody release(Rotation const& g, BodyMomentum const& pi) const {
     detail::require_rotation(g.value, shape_.n, "Moser-Veselov: attitude");
     if (pi.components.size() != inertia_.moments.size())
       throw OutsideDomain("Moser-Veselov", "a momentum with a component for each moment of inertia is needed; components",
@@ -67,19 +68,19 @@ class FastMoserVeselov {
   /// The same with the attitude 1.
   RotatingBody release(BodyMomentum const& pi) const { return release(identity<double>(inertia_.group), pi); }
 
-  /// One step of the momentum alone; the attitude is left behind.
-  /// Accuracy: the relative motion is a rotation to \f$\epsilon|f-1|\f$ in the norm of Frobenius, and the momentum is carried by it to the rounding
-  /// of the square.
+  /// One step of the momentum alone; the attitude is not updated.
+  /// Accuracy: the relative motion is a rotation to \f$\epsilon|f-1|\f$ in the norm of Frobenius, and the
+  /// momentum is transported by it to the rounding of the square.
   /// @throws StepTooLong   where there is no solution, with the largest step that would do; the body is as it was
   /// @throws NotConverged  where there is one that could not be found; the body is as it was
-  void step(RotatingBody& body) const { carry(body, false); }
+  void step(RotatingBody& body) const { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
-  void step_with_attitude(RotatingBody& body) const { carry(body, true); }
+  void step_with_attitude(RotatingBody& body) const { advance(body, true); }
 
   /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme, from its square and the momentum; the identity before the
   /// first.
-  Place last_relative_motion(RotatingBody const& body) const {
-    Place f = identity<double>(inertia_.group);
+  Rotation last_relative_motion(RotatingBody const& body) const {
+    Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
     double const *const square = body.past(0), *const momentum = body.half(RotatingBody::momentum_);
     for (int j = 0; j < shape_.n; ++j)
@@ -110,11 +111,11 @@ class FastMoserVeselov {
     rule_.spread = std::max(rule_.spread, a * a + b * b);
   }
 
-  void carry(RotatingBody& body, bool with_attitude) const {
+  void advance(RotatingBody& body, bool with_attitude) const {
     using detail::Stage;
     if (body.size() != shape_.n)
       throw OutsideDomain("Moser-Veselov", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), shape_.n);
-    detail::SweepingStep const s{body, {lambda_.data(), inverse_.data()}, rule_};
+    detail::FixedPointStep const s{body, {lambda_.data(), inverse_.data()}, rule_};
     if (body.scheme_ == RotatingBody::next_scheme) body.scheme_ = id_;
     if (body.scheme_ != id_) carry_out_(s, Stage::prepare, shape_.n), body.scheme_ = id_;
     if (carry_out_(s, with_attitude ? Stage::step_with_attitude : Stage::step, shape_.n)) return;
@@ -130,7 +131,7 @@ class FastMoserVeselov {
   }
 
   /// The square of a long step, from the general solver, which follows the solution from the identity.
-  void by_newton(detail::SweepingStep const& s) const {
+  void by_newton(detail::FixedPointStep const& s) const {
     auto f = MoserVeselov<Eigen::Dynamic>(inertia_, step_).relative_motion(s.body.momentum()).value;
     for (int j = 0; j < shape_.n; ++j)
       for (int i = 0; i < shape_.n; ++i) s.motion()[detail::full_entry(shape_, i, j)] = f.value(i, j) - (i == j);
@@ -139,7 +140,7 @@ class FastMoserVeselov {
   }
 
   /// The same for large n: the fixed point from G = 0, with Anderson's acceleration.
-  void by_mixing(detail::SweepingStep const& s) const {
+  void by_mixing(detail::FixedPointStep const& s) const {
     std::vector<double> x(s.body.half_size_, 0.0), residual(x.size());
     std::vector<double> seen;
     Anderson anderson(8);
@@ -173,7 +174,7 @@ class FastMoserVeselov {
   }
 
   /// Whether any two eigenvalues of \f$f^T\Lambda\f$ have a sum with positive real part, f = 1 + e.
-  bool on_branch_of_identity(detail::SweepingStep const& s) const {
+  bool on_branch_of_identity(detail::FixedPointStep const& s) const {
     auto const f = [&](int i, int j) { return s.motion()[detail::full_entry(shape_, i, j)] + (i == j); };
     Eigen::MatrixXd x(shape_.n, shape_.n);
     if (!rule_.any_negative) {
@@ -199,7 +200,7 @@ class FastMoserVeselov {
   detail::Blocked<0> shape_;
   detail::Zeros lambda_, inverse_;  // Lambda/h and h/(Lambda_i + Lambda_j)
   detail::StoppingRule rule_{};
-  bool (*carry_out_)(detail::SweepingStep const&, detail::Stage, int);
+  bool (*carry_out_)(detail::FixedPointStep const&, detail::Stage, int);
   unsigned long id_ = next_id();
 };
 

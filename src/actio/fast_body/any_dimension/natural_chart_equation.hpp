@@ -1,7 +1,9 @@
-// The equation of a step of the natural-chart scheme on SO(n): which constant turn has the momentum P at its beginning (thesis, section 5.1).
+// The equation of a step of the natural-chart scheme on SO(n): which rotation with constant velocity has the
+// momentum P at its beginning (thesis, section 5.1).
 //
 // With Z = h zeta the momentum of the step is M0 = chi(ad*_Z) J zeta (momentum_of in rigid_body/natural_chart_scheme.hpp), chi(x) = x/(e^x - 1). What chi
-// divides by is a mean: J zeta is the mean of the momentum while the body turns from its place before the step to that after it. So
+// divides by is a mean: J zeta is the mean of the momentum while the body turns from its attitude before the
+// step to that after it. So
 //
 //     J Z = Q(Z),      Q(Z) = mean over s in [0,1] of e^{-sZ} P e^{sZ},      P = h M0,
 //
@@ -9,15 +11,16 @@
 //
 //     Z <- Z + J^{-1} (R + [Z,R]/2 + [Z,[Z,R]]/12),
 //
-// so that what is left of an error is J^{-1}[Lambda, .] of it times Z, however the moments differ. Long steps of small bodies are solved by Newton along a
-// growing step, from rest: what is found is the solution that grows out of the identity, until the derivative has no inverse or an angle is half a turn,
-// where the chart ends. For large n a step is taken where sweeps contract.
+// so that an iteration maps an error to J^{-1}[Lambda, .] of it times Z, however the moments differ. Long
+// steps of small bodies are solved by Newton along a growing step, from rest: what is found is the solution
+// that grows out of the identity, until the derivative has no inverse or an angle is half a turn, where the
+// chart ends. For large n a step is taken where sweeps contract.
 #pragma once
 
 #include <limits>
 #include <numbers>
 
-#include "actio/fast_body/any_dimension/constant_turn.hpp"
+#include "actio/fast_body/any_dimension/one_parameter_subgroup.hpp"
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
 #include "actio/rigid_body/inertia.hpp"
 
@@ -28,7 +31,7 @@ class NaturalChartEquation {
  public:
   /// @param moments  of the planes in the order of the coordinates, and the unit that they are to be divided by
   NaturalChartEquation(Inertia<Eigen::Dynamic> const& inertia, double unit, MatrixAlgebra const& algebra)
-      : algebra_(algebra), turn_(algebra), moments_(algebra.size()), inverse_(algebra.size()), error_(algebra.size()), room_(algebra.size()), change_(algebra.size()) {
+      : algebra_(algebra), subgroup_(algebra), moments_(algebra.size()), inverse_(algebra.size()), error_(algebra.size()), room_(algebra.size()), change_(algebra.size()) {
     over_planes(algebra.shape().n, [&](int a, int i, int j) {
       double const moment = inertia.moments[a] / unit;
       least_ = std::min(least_, moment);
@@ -36,13 +39,13 @@ class NaturalChartEquation {
     });
   }
 
-  ConstantTurn& turn() { return turn_; }
+  OneParameterSubgroup& subgroup() { return subgroup_; }
   /// How many sweeps the last solution took.
   int sweeps() const { return sweeps_; }
   /// By how much the last two sweeps made the change smaller.
   double contraction() const { return contraction_; }
 
-  /// Sweeps from a guess until what is left is lost in the rounding of Z.
+  /// Iterates from a guess until the change is below the rounding of Z.
   /// @param contraction  of sweeps, known from a step nearby; 1 where it is not
   /// @param slowest      the largest ratio of changes that counts as contraction
   /// @return whether they contract
@@ -75,7 +78,7 @@ class NaturalChartEquation {
   /// What a sweep adds to Z: zero at the solution, and there alone.
   double const* change(double const* p, double const* z) {
     double* const change = change_.data();
-    turn_.mean(z, p, error_.data());
+    subgroup_.mean(z, p, error_.data());
     std::copy(z, z + algebra_.size(), room_.data());
     algebra_.multiply_entries(moments_.data(), room_.data());
     algebra_.add(-1, room_.data(), error_.data());
@@ -91,9 +94,9 @@ class NaturalChartEquation {
     algebra_.multiply_entries(inverse_.data(), change);
     return change;
   }
-  /// Whether all angles of a turn are less than half a turn, where the chart ends.
+  /// Whether all angles of a rotation are less than pi, where the chart ends.
   bool in_chart(double const* z) {
-    if (algebra_.norm(z) / std::numbers::sqrt2 < std::numbers::pi || turn_.angle_bound(z) < std::numbers::pi) return true;
+    if (algebra_.norm(z) / std::numbers::sqrt2 < std::numbers::pi || subgroup_.angle_bound(z) < std::numbers::pi) return true;
     int const n = algebra_.shape().n;
     Eigen::MatrixXd matrix(n, n);
     for (int j = 0; j < n; ++j)
@@ -108,7 +111,7 @@ class NaturalChartEquation {
   static constexpr double too_large = 1e3;  // half a turn in each of hundreds of planes is less
 
   MatrixAlgebra algebra_;
-  ConstantTurn turn_;
+  OneParameterSubgroup subgroup_;
   Zeros moments_, inverse_, error_, room_, change_;
   double least_ = HUGE_VAL, contraction_ = 1;
   int sweeps_ = 0;

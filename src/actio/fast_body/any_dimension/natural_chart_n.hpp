@@ -3,7 +3,7 @@
 // The same scheme as in rigid_body/natural_chart_scheme.hpp, whose reduced discrete Lagrangian is l(f) = <J log f, log f>/2h: there by the general road, for a fixed n and
 // any scalar, here by products of matrices (natural_chart_equation.hpp). A step finds the turn Z = h zeta with the momentum M0 at its beginning; with
 // f = exp(-Z) the momentum after it is f M0 f^T, and the attitude g0 f^T. f is orthogonal to the rounding of f - 1, whatever is left in Z: so the spectrum of the
-// momentum is kept to rounding.
+// momentum is conserved to rounding.
 //
 //   FastNaturalChart scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);
@@ -11,7 +11,7 @@
 #pragma once
 
 #include "actio/fast_body/any_dimension/charted_body.hpp"
-#include "actio/fast_body/any_dimension/growing_turn.hpp"
+#include "actio/fast_body/any_dimension/step_continuation.hpp"
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
 #include "actio/fast_body/any_dimension/relative_motion_sweeps.hpp"
 
@@ -21,7 +21,7 @@ namespace actio {
 class FastNaturalChart {
  public:
   using Group = SO<Eigen::Dynamic>;      ///< n at run time
-  using Place = Element<Group, double>;  ///< of the attitude, and of the relative motion
+  using Rotation = Element<Group, double>;  ///< of the attitude, and of the relative motion
   using BodyMomentum = Momentum<Group, double>;
 
   /// @param inertia  of the body
@@ -45,7 +45,7 @@ class FastNaturalChart {
 
   /// A body that is let go with attitude g and body momentum `pi`.
   /// @throws NotFinite, OutsideDomain  where an entry is no number, a size is not n, or g is no rotation
-  ChartedBody release(Place const& g, BodyMomentum const& pi) const {
+  ChartedBody release(Rotation const& g, BodyMomentum const& pi) const {
     detail::require_rotation(g.value, inertia_.group.n, "natural chart: attitude");
     if (pi.components.size() != inertia_.moments.size())
       throw OutsideDomain("natural chart", "a momentum with a component for each moment of inertia is needed; components", static_cast<double>(pi.components.size()),
@@ -59,18 +59,19 @@ class FastNaturalChart {
   /// The same with the attitude 1.
   ChartedBody release(BodyMomentum const& pi) const { return release(identity<double>(inertia_.group), pi); }
 
-  /// One step of the momentum alone; the attitude is left behind. \implements{eq_5_4}
-  /// Accuracy: Z to its rounding where sweeps contract, and as well as the equation determines it elsewhere; the momentum is carried by f to the rounding of f - 1.
+  /// One step of the momentum alone; the attitude is not updated. \implements{eq_5_4}
+  /// Accuracy: Z to its rounding where sweeps contract, and as well as the equation determines it elsewhere;
+  /// the momentum is transported by f to the rounding of f - 1.
   /// @throws StepTooLong  where the branch of solutions that begins at rest ends before this step, or n is large and the solver ends there, with the largest step that would do; the body is as it was
-  void step(ChartedBody& body) { carry(body, false); }
+  void step(ChartedBody& body) { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
-  void step_with_attitude(ChartedBody& body) { carry(body, true); }
+  void step_with_attitude(ChartedBody& body) { advance(body, true); }
 
   /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme; the identity before the first.
-  Place last_relative_motion(ChartedBody& body) {
-    Place f = identity<double>(inertia_.group);
+  Rotation last_relative_motion(ChartedBody& body) {
+    Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
-    equation_.turn().relative_motion(body.past(0), e_.data());
+    equation_.subgroup().relative_motion(body.past(0), e_.data());
     for (int j = 0; j < body.size(); ++j)
       for (int i = 0; i < body.size(); ++i) f.value(i, j) += e_.data()[detail::full_entry(algebra_.shape(), i, j)];
     return f;
@@ -96,7 +97,7 @@ class FastNaturalChart {
     return std::ldexp(1.0, exponent);
   }
 
-  void carry(ChartedBody& body, bool with_attitude) {
+  void advance(ChartedBody& body, bool with_attitude) {
     if (body.size() != inertia_.group.n)
       throw OutsideDomain("natural chart", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), inertia_.group.n);
     if (body.step_ != step_) body.past_ = 0, body.contraction_ = 1, body.step_ = step_;
@@ -104,8 +105,8 @@ class FastNaturalChart {
     algebra_.scale(1 / unit_, p_.data()), algebra_.scale(step_, p_.data());
     if (!is_finite(algebra_.norm(p_.data()))) throw NotFinite("natural chart: step times body momentum over inertia");
     solve(body);
-    equation_.turn().relative_motion(z_.data(), e_.data());
-    carry_momentum(body);
+    equation_.subgroup().relative_motion(z_.data(), e_.data());
+    transport_momentum(body);
     if (with_attitude) {
       double* const attitude = body.array(ChartedBody::attitude_);
       algebra_.times_transposed(attitude, e_.data(), product_.data());
@@ -123,7 +124,7 @@ class FastNaturalChart {
     }
     body.contraction_ = 1, body.sweeps_ = 0;
     if (inertia_.group.n <= largest_for_newton) {
-      double const reached = detail::GrowingTurn(equation_, p_.data()).follow(z_.data());
+      double const reached = detail::StepContinuation(equation_, p_.data()).follow(z_.data());
       if (reached < 1) throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * reached * (1 - 1e-6));
     } else {
       by_sweeps_from_rest();
@@ -151,16 +152,16 @@ class FastNaturalChart {
     return equation_.by_sweeps(room_.data(), z_.data(), 1, slowest()) && equation_.in_chart(z_.data());
   }
 
-  /// What continues the turns of the past, or the first guess of all.
+  /// The extrapolation of the past rotation vectors, or the first guess of all.
   void guess(ChartedBody& body) {
     if (body.past_ == 0) return equation_.guess(p_.data(), z_.data());
-    detail::Weights const& w = detail::all_continuations()[body.continuation_];
+    detail::Weights const& w = detail::all_extrapolations()[body.continuation_];
     std::fill(z_.data(), z_.data() + algebra_.size(), 0.0);
     for (int k = 0; k < w.length; ++k) algebra_.add(w.weight[static_cast<std::size_t>(k)], body.past(k), z_.data());
   }
 
   /// \f$M_1 = fM_0f^T = M_0 + eM_0 + M_0e^T + eM_0e^T\f$.
-  void carry_momentum(ChartedBody& body) {
+  void transport_momentum(ChartedBody& body) {
     double *const m = body.array(ChartedBody::momentum_), *const e = e_.data(), *const em = room_.data(), *const eme = product_.data();
     // -e M0, and -e M0 e^T.
     algebra_.times_transposed(e, m, em);
@@ -170,20 +171,20 @@ class FastNaturalChart {
     detail::turn(algebra_.shape(), m, body.array(ChartedBody::momentum_rest_), em);
   }
 
-  /// The turn of this step becomes the latest of the past.
+  /// The rotation vector of this step becomes the latest of the past.
   void remember(ChartedBody& body) {
     body.latest_ = body.latest_ == 0 ? ChartedBody::longest - 1 : body.latest_ - 1;
     std::copy(z_.data(), z_.data() + algebra_.size(), body.past(0));
     ++body.steps_;
     bool const growing = body.past_ < ChartedBody::longest;
     if (growing) ++body.past_;
-    if (growing || body.steps_ % 256 == 0) choose_continuation(body);
+    if (growing || body.steps_ % 256 == 0) choose_extrapolation(body);
   }
   /// The shortest that would have made of the past twice what the best would have missed of the latest turn.
-  void choose_continuation(ChartedBody& body) {
+  void choose_extrapolation(ChartedBody& body) {
     std::vector<double> missed;
     double best = HUGE_VAL;
-    for (detail::Weights const& w : detail::all_continuations()) {
+    for (detail::Weights const& w : detail::all_extrapolations()) {
       if (w.length >= body.past_) break;
       std::copy(body.past(0), body.past(0) + algebra_.size(), room_.data());
       for (int k = 0; k < w.length; ++k) algebra_.add(-w.weight[static_cast<std::size_t>(k)], body.past(k + 1), room_.data());

@@ -10,18 +10,20 @@
 //
 //     e_ij = -G_ij/2 - h (M0_ij + (Lambda_j - Lambda_i) G_ij/2h) / (Lambda_i + Lambda_j),
 //
-// and G = e e^T is an equation for the symmetric matrix G alone. A sweep makes e of G, and a square makes G of e.
+// and G = e e^T is a fixed-point equation for the symmetric matrix G alone. A sweep computes e from G, and a
+// square G from e.
 //
 // No Lambda_i is divided by: one may be zero or negative. Nothing of first order in the step cancels: G is of second order, and so is what its
 // rounding does to M. And the constants may be rounded: f is normal, so that sum G_ij (mu_j - mu_i) (e - e^T)_ij = 0 for any mu, and as
 // M1 - M0 is c_ij G_ij and e - e^T is -a_ij (M0 + M1)_ij, with a_ij and c_ij as they are in the machine, the n-1 sums
-// sum (mu_j - mu_i) (a_ij/c_ij) M_ij^2 are kept as they would be by exact constants: among them what is near Tr M^2 and near the energy.
+// sum (mu_j - mu_i) (a_ij/c_ij) M_ij^2 are conserved as they would be with exact constants: among them what
+// is near Tr M^2 and near the energy.
 //
-// Matrices are in blocks: e is full, of G and M one half is kept.
+// Matrices are in blocks: e is full, of G and M one half is stored.
 #pragma once
 
 #include "actio/fast_body/any_dimension/blocked_matrix.hpp"
-#include "actio/fast_body/any_dimension/continuation.hpp"
+#include "actio/fast_body/any_dimension/least_squares_extrapolation.hpp"
 
 namespace actio::detail {
 
@@ -125,13 +127,13 @@ template <int B>
       }
 #pragma GCC unroll 4
       for (int c = 0; c < 4; ++c) {
-        std::ptrdiff_t const here = at + 4 * c;
+        std::ptrdiff_t const offset = at + 4 * c;
         FourLanes const slope = body.lambda[4 * j + c] - lambda;
         // [eq_5_8]
-        add_compensated(lanes(momentum + here), lanes(rest + here), slope * lanes(past[0] + here));
+        add_compensated(lanes(momentum + offset), lanes(rest + offset), slope * lanes(past[0] + offset));
         // [eq_5_8]
-        lanes(guess + here) = g[c];
-        relative_motion_entries(g[c], lanes(momentum + here), slope, lanes(body.inverse + here), lanes(to + 4 * c), mirror[c]);
+        lanes(guess + offset) = g[c];
+        relative_motion_entries(g[c], lanes(momentum + offset), slope, lanes(body.inverse + offset), lanes(to + 4 * c), mirror[c]);
       }
       write_mirror(shape, mirror, e, i, j);
     }

@@ -1,4 +1,5 @@
-// The state of a free body on SO(n) between two steps: momentum, attitude, and what the steps before have left for a guess at the next.
+// The state of a free body on SO(n) between two steps: momentum, attitude, and the data of earlier steps for
+// the initial guess of the next.
 #pragma once
 
 #include <array>
@@ -11,12 +12,13 @@ namespace actio {
 
 class FastMoserVeselov;
 namespace detail {
-struct SweepingStep;
+struct FixedPointStep;
 }
 
 /// A free body in n dimensions on its way. Made by `FastMoserVeselov::release`, moved by its steps; copies are independent.
 ///
-/// Momentum and attitude are each kept as a rounded matrix and what rounding left over, so that a million small steps add up as one sum.
+/// Momentum and attitude are each a rounded matrix and the accumulated rounding errors (compensated
+/// summation), so that a million small steps add up as one sum.
 class RotatingBody {
  public:
   using Group = SO<Eigen::Dynamic>;  ///< n at run time
@@ -32,7 +34,8 @@ class RotatingBody {
       for (int i = 0; i < size(); ++i) g(i, j) = full(attitude_)[detail::full_entry(shape_, i, j)];
     return {Group{size()}, g};
   }
-  /// The momentum in space, \f$gMg^T\f$ in coordinates: constant along the motion, unless the attitude was left behind.
+  /// The momentum in space, \f$gMg^T\f$ in coordinates: constant along the motion, unless steps were taken
+  /// without the attitude.
   Momentum<Group, double> spatial_momentum() const {
     auto const g = attitude();
     return {g.group, g.group.vee((g.value * g.group.hat(momentum().components) * g.value.transpose()).eval())};
@@ -49,16 +52,17 @@ class RotatingBody {
 
   /// Saves, or restores, all that the bits of the next step depend on, besides the scheme: `memory(numbers...)` takes each of them by reference.
   ///
-  /// It is restored into a body of the same size, and goes on under the next scheme that steps it, which must be the one it was saved under or its equal.
+  /// It is restored into a body of the same size, and continues under the next scheme that steps it, which
+  /// must be the one it was saved under or its equal.
   /// @throws OutsideDomain  where what is restored is no body of this size
   template <class Memory>
   void remember(Memory& memory) {
-    int size = shape_.n, continuation = continuation_ ? static_cast<int>(continuation_ - detail::all_continuations().data()) : -1;
+    int size = shape_.n, continuation = continuation_ ? static_cast<int>(continuation_ - detail::all_extrapolations().data()) : -1;
     unsigned long scheme = scheme_;
     memory(size, continuation, scheme, latest_, past_, sweeps_, expected_, steps_, chosen_, defect_, contraction_, solved_);
-    bool const fits = size == shape_.n && -1 <= continuation && continuation < static_cast<int>(detail::all_continuations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
+    bool const fits = size == shape_.n && -1 <= continuation && continuation < static_cast<int>(detail::all_extrapolations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
     if (!fits) throw OutsideDomain("rotating body", "a body of this size is to be restored; dimensions", size, shape_.n);
-    continuation_ = continuation < 0 ? nullptr : &detail::all_continuations()[static_cast<std::size_t>(continuation)];
+    continuation_ = continuation < 0 ? nullptr : &detail::all_extrapolations()[static_cast<std::size_t>(continuation)];
     // The number of a scheme means nothing in another process.
     if (scheme != scheme_) scheme_ = scheme ? next_scheme : 0;
     for (int const k : {motion_, attitude_, attitude_rest_}) remember_array(memory, full(k), full_size_);
@@ -67,7 +71,7 @@ class RotatingBody {
   }
 
  private:
-  friend struct detail::SweepingStep;
+  friend struct detail::FixedPointStep;
   friend class FastMoserVeselov;
 
   enum : int { motion_, attitude_, attitude_rest_, room_, full_arrays };  // e, g and what rounding left of it, room to work in
@@ -117,8 +121,8 @@ class RotatingBody {
   detail::Blocked<0> shape_;
   std::size_t full_size_, half_size_;
   detail::Zeros full_, halves_;
-  // Which array holds which square: the one being formed, the guess at it, and those of the past in a ring that goes on from the latest to the
-  // oldest.
+  // Which array holds which square: the one being formed, the guess at it, and those of the past in a ring
+  // that continues from the latest to the oldest.
   int formed_ = first_square_, guess_ = first_square_ + 1, latest_ = 0;
   std::array<int, longest> ring_{};
   detail::Weights const* continuation_ = nullptr;

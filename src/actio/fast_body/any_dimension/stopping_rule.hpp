@@ -12,7 +12,8 @@ namespace actio {
 /// How far a step on SO(n) goes in solving its equation.
 enum class Sweeps {
   to_rounding,  ///< until the relative motion is a rotation to the rounding of its entries: the fewest squares
-  /// Until what is left is lost in the rounding of the square, and once more, so that nothing pulls the same way in every step: for long runs.
+  /// Until the residual is below the rounding of the square, and once more, so that no error has the same
+  /// sign in every step: for long runs.
   beyond_rounding,
   /// Until half the digits of the square are right: for a run of order 2 whose own error is to be measured, and is larger.
   to_half_the_digits
@@ -25,9 +26,9 @@ namespace detail {
 /// e made of G has \f$ff^T - 1 = ee^T - G\f$: the change of the square is the defect of f. That of the next f is smaller, by at least
 /// \f$q = \sqrt2\,\sigma|e|\f$ in the norm of Frobenius, with \f$\sigma^2 = \max(\Lambda_i^2+\Lambda_j^2)/(\Lambda_i+\Lambda_j)^2\f$, which is at
 /// most 1 for
-/// \f$\Lambda\ge0\f$, and \f$|e|^2\le|ee^T|_F\f$. Where n is large the last inequality gives much away: once two changes have been seen, twice
-/// their ratio is taken if that is less. The defect allowed is half of \f$\epsilon|e|_F\f$, what the rounding of e makes of it, and of
-/// \f$\epsilon|e|_F^2\f$, that of its square.
+/// \f$\Lambda\ge0\f$, and \f$|e|^2\le|ee^T|_F\f$. Where n is large the last inequality gives much away: once
+/// two changes have been measured, twice their ratio is taken if that is less. The defect allowed is half of
+/// \f$\epsilon|e|_F\f$, what the rounding of e makes of it, and of \f$\epsilon|e|_F^2\f$, that of its square.
 ///
 /// All numbers here are squares of norms, so that few roots are taken.
 struct StoppingRule {
@@ -41,7 +42,8 @@ struct StoppingRule {
   /// The bound on \f$q^2\f$.
   double contraction(Defect const& d) const { return 2 * spread * std::sqrt(d.square); }
   static double allowed(Defect const& d) { return eps2 * d.trace * (1 + d.trace) / 4; }
-  /// The square of the defect after one more pass. Where the iteration does not contract for sure, only the defect seen counts.
+  /// The square of the defect after one more pass. Where the iteration does not contract for sure, only the
+  /// measured defect is used.
   static double next(double change, double q2) { return q2 < 0.25 ? q2 * change : change; }
 
   /// @param before  the change in the sweep before, infinite where there is none

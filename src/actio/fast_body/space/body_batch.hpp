@@ -1,7 +1,7 @@
 // Many free bodies, stepped exactly, several at once.
 //
 //     BodyBatch batch(inertias, momenta, attitudes, 0.01);
-//     for (auto const& bad : batch.refused()) std::cerr << bad.what() << '\n';   // the others fly
+//     for (auto const& bad : batch.refused()) std::cerr << bad.what() << '\n';   // the others are stepped
 //     batch.step(1000);
 //     auto const M = batch.momentum(7);
 //     auto const g = batch.attitude(7);
@@ -17,7 +17,7 @@
 
 namespace actio {
 
-/// A body of a batch that cannot be flown: which one, and why.
+/// A body of a batch that cannot be stepped: which one, and why.
 struct BodyRefused : Error {
   std::size_t index;  ///< of the body in the batch
   /// @param which  index of the body
@@ -45,7 +45,8 @@ inline Eigen::Vector4d frame_quaternion(Three<double> const& u, Three<double> co
 
 /// Free bodies in steps of one length, each step exact.
 ///
-/// A body that cannot be flown has its index and loses no other: its place stays empty, it is in \ref refused, and asking for its state throws.
+/// A body that cannot be stepped has an index of its own: its entry stays empty, it is in \ref refused, and
+/// asking for its state throws.
 ///
 /// Accuracy: each step is exact to a few roundings. Next to the separatrix a rounding grows as fast as the motion leaves the middle axis, and a batch does not go back to the orbit for it as
 /// `FreeSteps` does: a body that is let go within 1e-5 of that axis may be off by 1e-5 after a few turns over. The function `at` of a `FreeBody` has no such trouble.
@@ -78,12 +79,13 @@ class BodyBatch {
   }
 
   /// One more body, at its start now. @return its index
-  /// @throws BodyRefused  where it cannot be flown, with the index that it would have had; the batch is as before
+  /// @throws BodyRefused  where it cannot be stepped, with the index that it would have had; the batch is as
+  ///   before
   std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{})) {
     try {
       inertia_from_moments(inertia.moments);
       FreeBody const body(inertia, momentum, attitude);
-      put(body, body.flight(h_));
+      put(body, body.step_parameters(h_));
     } catch (BodyRefused const&) {
       throw;
     } catch (Error const& error) {
@@ -104,7 +106,8 @@ class BodyBatch {
   Machine machine() const { return machine_; }
 
   /// Momenta and attitudes, so many steps on.
-  /// @throws OutsideDomain  where count is negative, or after \ref step_momentum, which leaves the attitudes behind
+  /// @throws OutsideDomain  where count is negative, or after \ref step_momentum, after which the attitudes
+  ///   are unknown
   void step(long count = 1) {
     require_attitudes();
     run<true>(count);
@@ -182,32 +185,32 @@ class BodyBatch {
       }
     cold_.push_back({nullptr, {1, 0, 0, 0}, 0, steps_});
   }
-  void put(FreeBody const& body, Flight<double> const& flight) {
+  void put(FreeBody const& body, StepParameters<double> const& parameters) {
     Three<double> const& u = body.start().direction;
     // At right angles to u: the part of the axis that is farthest from it.
     int const far = std::abs(u[0]) <= std::abs(u[1]) && std::abs(u[0]) <= std::abs(u[2]) ? 0 : std::abs(u[1]) <= std::abs(u[2]) ? 1 : 2;
     Three<double> w{-u[far] * u[0], -u[far] * u[1], -u[far] * u[2]};
     w[far] += 1;
     w = normalized(w);
-    Three<double> const& stretch = flight.stretch;
-    if (!std::isfinite(dot(stretch, stretch) + dot(flight.gap, flight.gap))) throw NotFinite("free body: flight over a step");
+    Three<double> const& stretch = parameters.stretch;
+    if (!std::isfinite(dot(stretch, stretch) + dot(parameters.gap, parameters.gap))) throw NotFinite("free body: parameters of a step");
     leave_out();
     std::size_t const i = size() - 1;
     int const l = static_cast<int>(i % 4);
     detail::FreeLanes& lanes = lanes_[i / 4];
-    Three<double> const& d = flight.delta;
+    Three<double> const& d = parameters.delta;
     lanes.product.set(l, d[0] * d[1] * d[2]), lanes.newton.set(l, 1 / (1 + d[0] * d[1] + d[1] * d[2] + d[2] * d[0]));
     if (!std::isfinite(lanes.product[l]) || !std::isfinite(lanes.newton[l])) lanes.product.set(l, 0), lanes.newton.set(l, 0);
     for (int k = 0; k < 3; ++k) {
       lanes.u[k].set(l, u[k]), lanes.w[k].set(l, w[k]);
-      lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, flight.gap[k]), lanes.delta[k].set(l, d[k]);
+      lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, parameters.gap[k]), lanes.delta[k].set(l, d[k]);
       lanes.sum[k].set(l, d[(k + 1) % 3] + d[(k + 2) % 3]);
-      lanes.gentle = lanes.gentle && std::abs(flight.delta[k]) <= 1;
+      lanes.gentle = lanes.gentle && std::abs(parameters.delta[k]) <= 1;
     }
     auto const& q = body.start().attitude;
     cold_[i].body = std::make_shared<FreeBody const>(body);
     cold_[i].frame = SU2::compose<double>({q[0], q[1], q[2], q[3]}, frame(i));
-    cold_[i].twist = std::atan2(flight.sin_twist, flight.cos_twist);
+    cold_[i].twist = std::atan2(parameters.sin_twist, parameters.cos_twist);
   }
 
   template <bool attitude>

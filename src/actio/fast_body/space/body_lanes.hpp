@@ -1,13 +1,14 @@
-// Four free bodies side by side, and the loop that steps them.
+// Four free bodies in the lanes of a SIMD register (pack.hpp), and the loop that steps them.
 //
-// The half turn of half_turn.hpp carries more than the direction u of the momentum. Let w be a unit vector at right angles to u.
-// The half turn about v takes it to minus
+// The half turn of half_turn.hpp acts on more than the direction u of the momentum. Let w be a unit vector at
+// right angles to u. The half turn about v takes it to minus
 //
 //     w' = w - 2 (w.v)/(v.v) v,
 //
-// and what is left of the motion is a turn by 2T a step about the momentum, the same in all steps, and about an axis that stands still in space: by 2nT
-// after n steps, which nobody needs before the attitude is asked for. So a step carries six numbers, has one division and no root; the attitude
-// comes from u, w and nT when it is read.
+// and the motion is this followed by a rotation by 2T a step about the momentum, the same in all steps, and
+// about an axis that stands still in space: by 2nT after n steps, which is computed when the attitude is
+// asked for. So a step has six numbers, one division and no root; the attitude comes from u, w and nT when it
+// is read.
 //
 // The axis is the null vector of diag(delta) + [u]x, and there is one only on the orbit that the delta belong to. Once rounding has moved u beside it,
 // a long step with the formula for the null vector may double the distance, and the next one again. The eigenvector of the small eigenvalue mu, that is
@@ -19,7 +20,7 @@
 #include <utility>
 
 #include "actio/fast_body/pack.hpp"
-#include "actio/fast_body/space/short_flight.hpp"
+#include "actio/fast_body/space/short_flow.hpp"
 
 namespace actio::detail {
 

@@ -11,7 +11,8 @@
 //     e3 (1 + kappa^2)^2 - e2 kappa (1 + kappa^2) + e1 kappa^2 - kappa + r = 0,
 //
 // of the fourth degree, the smallest root being the one that grows out of the identity: since Tr(f Lambda) = Tr Lambda - 2 K, the four roots are the four ways to choose the
-// eigenvalues of f^T Lambda from the pairs that the momentum allows. The flight is delta_i = (1 + kappa^2) j_i - kappa, tan T = kappa.
+// eigenvalues of f^T Lambda from the pairs that the momentum allows. The parameters of the step are delta_i =
+// (1 + kappa^2) j_i - kappa, tan T = kappa.
 #pragma once
 
 #include "actio/fast_body/space/half_turn.hpp"
@@ -19,8 +20,8 @@
 
 namespace actio {
 
-/// The equation for \f$\kappa = \tan T\f$ of the explicit scheme: what is left of it, and the slope.
-template <Field S>
+/// The equation for \f$\kappa = \tan T\f$ of the explicit scheme: its residual, and the slope.
+template <Scalar S>
 class TwistEquation {
  public:
   /// @param j  \f$hL/(2I_i)\f$: half the step, as an angle about each axis at full momentum
@@ -72,8 +73,9 @@ class TwistFromMiddle {
     S const dx = twice * step_.j[1] - S(1), product = first * third + S(1);
     return (dx * product + x * ((dx + twice * step_.d12) * third + first * (dx - twice * step_.d23)) - twice * x * product / sum) / sum;
   }
-  /// The flight with this twist, with all digits of the delta_i: the difference that x is has lost some.
-  Flight<S> flight(S const& kappa) const {
+  /// The parameters of the step with this twist, with all digits of the delta_i: the difference that x is has
+  /// lost some.
+  StepParameters<S> parameters(S const& kappa) const {
     using std::sqrt;
     S const sum = S(1) + kappa * kappa, cosine = S(1) / S(sqrt(sum)), to_first = sum * step_.d12, to_third = sum * step_.d23;
     S x = sum * step_.j[1] - kappa;
@@ -91,9 +93,9 @@ class TwistFromMiddle {
   S beside_;
 };
 
-/// A flight from the numbers \f$j_i = hL/(2I_i)\f$ and the twist that goes with them.
+/// The parameters of a step from the numbers \f$j_i = hL/(2I_i)\f$ and the twist that goes with them.
 template <class S>
-Flight<S> flight_of(Three<S> const& j, S const& kappa) {
+StepParameters<S> parameters_of(Three<S> const& j, S const& kappa) {
   using std::sqrt;
   S const sum = S(1) + kappa * kappa, cosine = S(1) / S(sqrt(sum));
   Three<S> const delta{sum * j[0] - kappa, sum * j[1] - kappa, sum * j[2] - kappa};
@@ -139,15 +141,16 @@ Twist<S> solve_twist(Three<S> const& j, S const& r) {
   return smallest_root<S>(TwistEquation<S>(j, r), r);
 }
 
-/// The flight of the Moser-Veselov scheme; `found` tells whether there is one. A step back in time is one with all signs changed.
+/// The parameters of a step of the Moser-Veselov scheme; `found` tells whether there is one. A step back in
+/// time is one with all signs changed.
 template <Real S>
-Flight<S> moser_veselov_flight(HalfStep<S> const& step, Three<S> const& u, bool& found) {
+StepParameters<S> moser_veselov_parameters(HalfStep<S> const& step, Three<S> const& u, bool& found) {
   Three<S> const& j = step.j;
   S const r = j[0] * u[0] * u[0] + j[1] * u[1] * u[1] + j[2] * u[2] * u[2], sign = r < S(0) ? S(-1) : S(1);
   HalfStep<S> const forward{{sign * j[0], sign * j[1], sign * j[2]}, sign * step.d12, sign * step.d23};
   Twist<S> const twist = smallest_root<S>(TwistFromMiddle<S>(forward, u), sign * r);
   found = twist.found;
-  return TwistFromMiddle<S>(step, u).flight(sign * twist.kappa);
+  return TwistFromMiddle<S>(step, u).parameters(sign * twist.kappa);
 }
 
 }  // namespace actio

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "actio/groups/unit_quaternions.hpp"
-#include "actio/fast_body/space/exact_flight.hpp"
+#include "actio/fast_body/space/exact_flow.hpp"
 #include "actio/rigid_body/principal_inertia.hpp"
 #include "actio/rigid_body/largest_step.hpp"
 #include "actio/fast_body/space/middle_axis_frame.hpp"
@@ -66,42 +66,42 @@ class FreeBody {
   /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal moments sines and cosines.
   /// The quaternion is the one that the given one becomes as time goes on, its sign too.
   /// Accuracy: a few epsilon times the angle turned.
-  FreeState at(double t) const { return state(place_at(t)); }
+  FreeState at(double t) const { return state(frame_state_at(t)); }
   /// The momentum alone, to the same bits: nothing of the attitude is computed.
   Momentum<SO<3>, double> body_momentum_at(double t) const {
     Three<double> u = start_.direction;
     if (symmetry_ >= 0) return momentum_along(symmetric_motion(moments_, symmetry_, u, 2 * half(t)));
-    HalfTurn<double>(exact_flight_of_momentum<double>(moments_, u, half(t))).leap(u);
+    HalfTurn<double>(exact_flow_of_momentum<double>(moments_, u, half(t))).leap(u);
     return momentum_along(u);
   }
   /// The same, in the axes that the steps use.
-  BodyPlace<double> place_at(double t) const {
+  FrameState<double> frame_state_at(double t) const {
     if (symmetry_ >= 0) return symmetric_motion(moments_, symmetry_, start_, 2 * half(t));
-    BodyPlace<double> place = start_;
-    HalfTurn<double>(flight(t)).leap(place);
-    return place;
+    FrameState<double> state = start_;
+    HalfTurn<double>(step_parameters(t)).leap(state);
+    return state;
   }
 
-  /// The exact flight over a time t.
+  /// The parameters of the exact flow over a time t.
   /// @throws NotFinite  where t is no number, or the angle overflows
-  Flight<double> flight(double t) const { return exact_flight<double>(moments_, start_.direction, half(t)); }
+  StepParameters<double> step_parameters(double t) const { return exact_flow<double>(moments_, start_.direction, half(t)); }
 
-  /// The flight of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified moments of inertia, 4, 6, 8, ...
+  /// The parameters of a step of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified moments of inertia, 4, 6, 8, ...
   /// @throws OutsideDomain  where the order is odd or not positive
   /// @throws StepTooLong    where there is no solution, with the largest step that would do
-  Flight<double> moser_veselov_flight(double h, int order) const {
+  StepParameters<double> moser_veselov_parameters(double h, int order) const {
     if (order < 2 || order % 2 != 0 || order > 40) throw OutsideDomain("free body", "the order of the scheme must be 2, 4, ... 40", order, order < 2 ? 2 : 40);
     double const t = half(h);
     auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
     bool found = false;
-    Flight<double> const flight = actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
+    StepParameters<double> const parameters = actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
     // With modified moments there may be roots again beyond the longest step; they do not grow out of the identity.
     if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5) found = !(longest_step(h, order) < std::abs(h));
     if (!found) throw StepTooLong("Moser-Veselov of order " + std::to_string(order), std::abs(h), longest_step(h, order));
-    return flight;
+    return parameters;
   }
 
-  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No small change of the place grows faster.
+  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No perturbation grows faster.
   double pace() const { return std::sqrt(Orbit<double>(moments_, start_.direction).s1) * rate_; }
   /// Whether the orbit passes the middle axis closely: \f$k'^2\f$ about 1/100, or less.
   bool near_separatrix() const {
@@ -110,15 +110,15 @@ class FreeBody {
   }
 
   /// Where the body starts, in the axes that the steps use.
-  BodyPlace<double> const& start() const { return start_; }
+  FrameState<double> const& start() const { return start_; }
   /// The inverse moments in the axes that the steps use, in units of a power of two near that of the largest moment.
   InverseMoments<double> const& inverse_moments() const { return moments_; }
 
-  /// The state of a place that the steps have reached.
-  FreeState state(BodyPlace<double> const& place) const {
-    return {momentum_along(place.direction), {SU2{}, frame_.leave(place.attitude).normalized()}};
+  /// The momentum and attitude of a state in the axes of the steps.
+  FreeState state(FrameState<double> const& state) const {
+    return {momentum_along(state.direction), {SU2{}, frame_.leave(state.attitude).normalized()}};
   }
-  /// The body momentum in the direction of such a place.
+  /// The body momentum with such a direction.
   Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
 
  private:
@@ -136,7 +136,7 @@ class FreeBody {
       double const t = half(step);
       auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
       bool found = false;
-      actio::moser_veselov_flight<double>(half_step(moments_, modified, t), start_.direction, found);
+      actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
       return found;
     };
     if (!(rate_ > 0)) return std::abs(h);
@@ -157,7 +157,7 @@ class FreeBody {
   MiddleAxisFrame frame_;
   int symmetry_;
   double amount_, rate_;
-  BodyPlace<double> start_;
+  FrameState<double> start_;
   InverseMoments<double> moments_;
 };
 

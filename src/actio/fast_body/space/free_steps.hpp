@@ -4,7 +4,7 @@
 //     motion.advance(100000);
 #pragma once
 
-#include "actio/fast_body/space/compensated_turn.hpp"
+#include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 
 namespace actio {
@@ -12,37 +12,42 @@ namespace actio {
 /// A free body in steps of one length.
 ///
 /// The steps are compensated: what a step adds is summed with what the sums before have lost. The numbers of a step are rounded once and for all, so that each step misses the orbit by
-/// a part of a rounding, always to the same side; and next to the separatrix a miss grows as fast as the motion leaves the middle axis. So every 64 steps, or more often where they are long, the place is set back on its
-/// orbit, of which amount and energy are known, and the attitude is turned so that the momentum in space is what it was. That takes the error next to the separatrix down to what one rounding of the start makes.
-/// Steps of more than four radians there, of which one may pass by the middle axis more than once, are evaluated from the start, each as `at` of the body does it.
+/// a part of a rounding, always to the same side; and next to the separatrix a miss grows as fast as the
+/// motion leaves the middle axis. So every 64 steps, or more often where they are long, the state is
+/// projected back onto its orbit, of which amount and energy are known, and the attitude is turned so that
+/// the momentum in space is what it was. That takes the error next to the separatrix down to what one
+/// rounding of the start makes. Steps of more than four radians there, of which one may pass by the middle
+/// axis more than once, are evaluated from the start, each as `at` of the body does it.
 class FreeSteps {
  public:
   /// @param body  where it starts
   /// @param h     step, time, not zero; negative steps go back in time
   /// @throws NotFinite, OutsideDomain  where the step is no number, or zero
   FreeSteps(FreeBody body, double h) : FreeSteps(body, h, checked(body, h)) { leaps_ = body_.near_separatrix() && std::abs(h) * body_.pace() > 4; }
-  /// The same for a flight of another method, such as \ref FreeBody::moser_veselov_flight.
-  FreeSteps(FreeBody body, double h, Flight<double> const& flight)
-      : body_(std::move(body)), step_(h), turn_(flight), now_{body_.start(), {{}, {}}}, above_(above(body_)), energy_(energy(now_)), space_(in_space(now_)) {
-    // A flight is that of its orbit, and long steps beside it depart from it: where they are longer than a few radians each one must be set back. Next to the separatrix what was
-    // missed grows even between short steps.
+  /// The same for the parameters of another method, such as \ref FreeBody::moser_veselov_parameters.
+  FreeSteps(FreeBody body, double h, StepParameters<double> const& parameters)
+      : body_(std::move(body)), step_(h), turn_(parameters), now_{body_.start(), {{}, {}}}, above_(above(body_)), energy_(energy(now_)), space_(in_space(now_)) {
+    // Parameters belong to an orbit, and long steps beside it depart from it: where they are longer than a
+    // few radians each one must be set back. Next to the separatrix what was missed grows even between short
+    // steps.
     double const pace = std::abs(h) * body_.pace(), often = std::max(4 * pace * pace, body_.near_separatrix() ? 16 * pace : 0.0);
     block_ = often > 1 ? std::max(1L, static_cast<long>(64 / often)) : 64;
   }
 
   /// Steps with momentum and attitude. One call with 1000 and a thousand calls with 1 give the same digits.
-  /// @throws OutsideDomain  after \ref advance_momentum, which has left the attitude behind
+  /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown
   void advance(long count = 1) {
     require_attitude();
-    take(count, [turn = turn_](PlaceWithCarry<double>& place) __attribute__((always_inline)) { turn.step(place); }, [this] { restore_momentum(), restore_attitude(); });
+    take(count, [turn = turn_](CompensatedState<double>& state) __attribute__((always_inline)) { turn.step(state); }, [this] { restore_momentum(), restore_attitude(); });
   }
   /// Steps with the momentum alone. Nothing of the attitude is computed, which is then unknown.
   void advance_momentum(long count = 1) {
     if (count > 0) attitude_known_ = false;
-    take(count, [turn = turn_](PlaceWithCarry<double>& place) __attribute__((always_inline)) { turn.step_momentum(place); }, [this] { restore_momentum(); });
+    take(count, [turn = turn_](CompensatedState<double>& state) __attribute__((always_inline)) { turn.step_momentum(state); }, [this] { restore_momentum(); });
   }
 
-  /// Saves, or restores, what the next step depends on besides body, step and flight: `memory(numbers...)` takes each of them by reference.
+  /// Saves, or restores, what the next step depends on besides body, step and method: `memory(numbers...)`
+  /// takes each of them by reference.
   template <class Memory>
   void remember(Memory& memory) {
     memory(now_, taken_, since_, attitude_known_);
@@ -59,23 +64,23 @@ class FreeSteps {
   }
   /// The body momentum now.
   Momentum<SO<3>, double> body_momentum() const {
-    Three<double> seen = now_.place.direction;
-    for (int i = 0; i < 3; ++i) seen[i] += now_.carry.direction[i];
+    Three<double> seen = now_.state.direction;
+    for (int i = 0; i < 3; ++i) seen[i] += now_.compensation.direction[i];
     return body_.momentum_along(seen);
   }
 
  private:
-  static Flight<double> checked(FreeBody const& body, double h) {
+  static StepParameters<double> checked(FreeBody const& body, double h) {
     if (!is_finite(h)) throw NotFinite("free steps: step");
     if (h == 0) throw OutsideDomain("free steps", "the step must differ from zero", 0, 0);
-    return body.flight(h);
+    return body.step_parameters(h);
   }
 
   FreeState seen() const {
-    BodyPlace<double> place = now_.place;
-    for (int i = 0; i < 3; ++i) place.direction[i] += now_.carry.direction[i];
-    for (int i = 0; i < 4; ++i) place.attitude[i] += now_.carry.attitude[i];
-    return body_.state(place);
+    FrameState<double> state = now_.state;
+    for (int i = 0; i < 3; ++i) state.direction[i] += now_.compensation.direction[i];
+    for (int i = 0; i < 4; ++i) state.attitude[i] += now_.compensation.attitude[i];
+    return body_.state(state);
   }
   void require_attitude() const {
     if (!attitude_known_) throw OutsideDomain("free steps", "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
@@ -84,24 +89,24 @@ class FreeSteps {
   void take(long count, Step const& step, Restore const& restore) {
     taken_ += std::max(0L, count);
     if (leaps_ && count > 0) {
-      now_ = {body_.place_at(static_cast<double>(taken_) * step_), {{}, {}}};
+      now_ = {body_.frame_state_at(static_cast<double>(taken_) * step_), {{}, {}}};
       return;
     }
     while (count > 0) {
       long const now = std::min(count, block_ - since_);
-      // In a local variable, where the compiler may keep it in registers.
-      PlaceWithCarry<double> place = now_;
-      for (long k = 0; k < now; ++k) step(place);
-      now_ = place;
+      // In a local variable, so that the compiler can use registers.
+      CompensatedState<double> state = now_;
+      for (long k = 0; k < now; ++k) step(state);
+      now_ = state;
       count -= now, since_ += now;
       if (since_ == block_) restore(), since_ = 0;
     }
   }
 
   using Wide = long double;
-  Three<Wide> direction(PlaceWithCarry<double> const& p) const {
+  Three<Wide> direction(CompensatedState<double> const& p) const {
     Three<Wide> u;
-    for (int i = 0; i < 3; ++i) u[i] = Wide(p.place.direction[i]) + p.carry.direction[i];
+    for (int i = 0; i < 3; ++i) u[i] = Wide(p.state.direction[i]) + p.compensation.direction[i];
     return u;
   }
   /// \f$J_i-J_n\f$, with the axis n for which \f$2H-J_n\f$ is smallest.
@@ -114,7 +119,7 @@ class FreeSteps {
   }
   /// \f$2H-J_n\f$ for a momentum of length 1: what tells orbits apart next to the separatrix, next to a steady turn, and for bodies that are nearly symmetric, where the energy
   /// itself has no digits for it.
-  Wide energy(PlaceWithCarry<double> const& p) const {
+  Wide energy(CompensatedState<double> const& p) const {
     Three<Wide> const u = direction(p), w = gradient(u);
     return dot(u, w) / dot(u, u);
   }
@@ -132,16 +137,16 @@ class FreeSteps {
     Wide const alpha = parallel ? length / uu : (length * ww - lack * uw) / det, beta = parallel ? 0 : (lack * uu - length * uw) / det;
     Three<double> change;
     for (int i = 0; i < 3; ++i) change[i] = static_cast<double>(alpha * u[i] + beta * w[i]);
-    PlaceWithCarry<double>::add(now_.place.direction, now_.carry.direction, change);
+    CompensatedState<double>::add(now_.state.direction, now_.compensation.direction, change);
   }
 
-  Four<Wide> attitude(PlaceWithCarry<double> const& p) const {
+  Four<Wide> attitude(CompensatedState<double> const& p) const {
     Four<Wide> q;
-    for (int i = 0; i < 4; ++i) q[i] = Wide(p.place.attitude[i]) + p.carry.attitude[i];
+    for (int i = 0; i < 4; ++i) q[i] = Wide(p.state.attitude[i]) + p.compensation.attitude[i];
     return q;
   }
   /// The momentum in space, over its amount.
-  Three<Wide> in_space(PlaceWithCarry<double> const& p) const {
+  Three<Wide> in_space(CompensatedState<double> const& p) const {
     Three<Wide> const u = direction(p);
     Four<Wide> const q = attitude(p), turned = compose(compose(q, {0, u[0], u[1], u[2]}), {q[0], -q[1], -q[2], -q[3]});
     Wide const size = 1 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
@@ -155,13 +160,13 @@ class FreeSteps {
     Four<Wide> const turned = compose<Wide>({stretch, c[0] / 2, c[1] / 2, c[2] / 2}, q);
     Four<double> change;
     for (int i = 0; i < 4; ++i) change[i] = static_cast<double>(turned[i]);
-    PlaceWithCarry<double>::add(now_.place.attitude, now_.carry.attitude, change);
+    CompensatedState<double>::add(now_.state.attitude, now_.compensation.attitude, change);
   }
 
   FreeBody body_;
   double step_;
-  CompensatedTurn<double> turn_;
-  PlaceWithCarry<double> now_;
+  CompensatedHalfTurn<double> turn_;
+  CompensatedState<double> now_;
   Three<double> above_;
   Wide energy_;
   Three<Wide> space_;
@@ -169,7 +174,7 @@ class FreeSteps {
   long block_;      ///< steps between two restorations; each costs as much as a few steps
   long since_ = 0;  ///< steps since the last restoration
   long taken_ = 0;
-  bool leaps_ = false;  ///< whether each place is evaluated from the start instead
+  bool leaps_ = false;  ///< whether each state is evaluated from the start instead
 };
 
 }  // namespace actio

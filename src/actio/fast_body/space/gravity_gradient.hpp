@@ -1,6 +1,7 @@
 // The torque of gravity on a body that is small against its distance from the centre.
 //
-// The near side is pulled more than the far side. With n the unit vector to the centre as the body sees it, the torque and its potential are
+// The near side is pulled more than the far side. With n the unit vector to the centre in the body frame, the
+// torque and its potential are
 //
 //     tau = 3 mu/r^3 n x I n,        V = 3 mu/(2 r^3) n . I n.
 //

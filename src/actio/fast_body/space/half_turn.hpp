@@ -1,17 +1,19 @@
-// One step of a free body in three dimensions, as a half turn and a twist.
+// One step of a free body in three dimensions, as a half turn, which is a rotation by pi, and a rotation
+// about the momentum (a twist).
 //
 // Let u be the direction of the body momentum and L its amount. A step of the scheme of Moser and Veselov, of the same scheme with other moments of inertia, and
 // of the exact motion too, takes u to its mirror image under a half turn, about the null vector v of diag(delta) + [u]x:
 //
 //     v_i = (1 + delta_j delta_k) u_i + (delta_k - delta_j) u_j u_k,          u' = 2 (u.v)/(v.v) v - u,          (i, j, k) cyclic.
 //
-// The three numbers delta_i belong to the orbit and to the step length, not to the place on the orbit. The rotation of the body over the step is the half turn
-// followed by a turn about the momentum, which in space stands still: by an angle given by the twist T, again the same for all steps. As a unit quaternion,
+// The three numbers delta_i belong to the orbit and to the step length, not to the point of the orbit. The
+// rotation of the body over the step is the half turn followed by a turn about the momentum, which in space
+// stands still: by an angle given by the twist T, again the same for all steps. As a unit quaternion,
 //
 //     e = ( cos T (u.v),  (sin T + cos T delta_i) v_i ) / |v|,          q' = q e.
 //
 // So a step needs no iteration: one division for the momentum, one square root more for the attitude. Which delta and T make which method is told in
-// explicit_moser_veselov.hpp, modified_inertia.hpp and exact_flight.hpp.
+// explicit_moser_veselov.hpp, modified_inertia.hpp and exact_flow.hpp.
 #pragma once
 
 #include <array>
@@ -19,33 +21,35 @@
 
 namespace actio {
 
-/// Three numbers of any kind: double, many digits, or a bundle of lanes.
+/// Three numbers of any kind: double, many digits, or the lanes of a SIMD register.
 template <class T>
 using Three = std::array<T, 3>;
 /// A quaternion, scalar first.
 template <class T>
 using Four = std::array<T, 4>;
 
-/// What a free step of one length is on one orbit, in numbers without dimension.
+/// The parameters of a step of one length on one orbit of a free body, in numbers without dimension: those of
+/// the exact flow, or of the Moser-Veselov scheme.
 template <class T>
-struct Flight {
+struct StepParameters {
   Three<T> delta;  ///< \f$\delta_i = D_i/L\f$, of the axis of the half turn
   Three<T> gap;    ///< \f$\delta_k-\delta_j\f$, (i, j, k) cyclic: given apart, for a difference would lose its digits where moments are nearly equal
   T cos_twist;     ///< \f$\cos T\f$
   T sin_twist;     ///< \f$\sin T\f$
-  Three<T> stretch;  ///< \f$1+\delta_j\delta_k\f$: given apart, for the sum may be as small as the distance of a long flight to the middle axis
+  Three<T> stretch;  ///< \f$1+\delta_j\delta_k\f$: given apart, for the sum may be as small as the distance to the middle axis, for a long step
 };
 
-/// \f$1+\delta_j\delta_k\f$, where nothing cancels: for short flights.
+/// \f$1+\delta_j\delta_k\f$, where nothing cancels: for short steps.
 template <class T>
 Three<T> stretch_of(Three<T> const& delta) {
   return {delta[1] * delta[2] + 1, delta[2] * delta[0] + 1, delta[0] * delta[1] + 1};
 }
 
-/// Where a body is: direction of the body momentum, and attitude (body to space).
+/// The state of a body in the axes of the steps: direction of the body momentum, and attitude (body to
+/// space).
 template <class T>
-struct BodyPlace {
-  Three<T> direction;  ///< unit vector along the momentum as the body sees it
+struct FrameState {
+  Three<T> direction;  ///< unit vector along the momentum in the body frame
   Four<T> attitude;    ///< unit quaternion, scalar first
 };
 
@@ -82,24 +86,26 @@ template <class T>
           (p[0] * q[2] + q[0] * p[2]) + (p[3] * q[1] - p[1] * q[3]), (p[0] * q[3] + q[0] * p[3]) + (p[1] * q[2] - p[2] * q[1])};
 }
 
-/// A flight made ready for many steps: what does not change from step to step is worked out once.
+/// A map that takes many steps with the same parameters: what does not change from step to step is computed
+/// once.
 ///
-/// Off the orbit that the numbers belong to, rounding is carried on, no more, while steps are short. Long ones, where a \f$|\delta_i|\f$ exceeds 1, may magnify it in each step:
-/// many of them in a row are a matter for `FreeSteps` and `BodyBatch`, which go back to the orbit.
+/// Off the orbit that the numbers belong to, rounding is propagated and not magnified, while steps are short.
+/// Long ones, where a \f$|\delta_i|\f$ exceeds 1, may magnify it in each step: many of them in a row are
+/// taken by `FreeSteps` and `BodyBatch`, which project back onto the orbit.
 template <class T>
 class HalfTurn {
  public:
   HalfTurn() = default;
-  /// @param flight  of the orbit on which the steps will be
-  explicit HalfTurn(Flight<T> const& flight) : along_(flight.cos_twist), about_(flight.sin_twist) {
+  /// @param parameters  of the orbit on which the steps will be
+  explicit HalfTurn(StepParameters<T> const& parameters) : along_(parameters.cos_twist), about_(parameters.sin_twist) {
     for (int i = 0; i < 3; ++i) {
-      stretch_[i] = flight.stretch[i];
-      shear_[i] = flight.gap[i];
-      across_[i] = flight.cos_twist * flight.delta[i] + flight.sin_twist;
+      stretch_[i] = parameters.stretch[i];
+      shear_[i] = parameters.gap[i];
+      across_[i] = parameters.cos_twist * parameters.delta[i] + parameters.sin_twist;
     }
   }
 
-  /// The axis of the half turn that takes the direction u on, of any length.
+  /// The axis of the half turn that maps the direction u to the next, of any length.
   [[gnu::always_inline]] Three<T> axis(Three<T> const& u) const {
     return {stretch_[0] * u[0] + shear_[0] * (u[1] * u[2]), stretch_[1] * u[1] + shear_[1] * (u[2] * u[0]), stretch_[2] * u[2] + shear_[2] * (u[0] * u[1])};
   }
@@ -115,7 +121,7 @@ class HalfTurn {
   }
 
   /// Momentum and attitude.
-  [[gnu::always_inline]] void step(BodyPlace<T>& body) const {
+  [[gnu::always_inline]] void step(FrameState<T>& body) const {
     using std::sqrt;
     Three<T>& u = body.direction;
     // [half_turn_attitude]
@@ -129,8 +135,9 @@ class HalfTurn {
     // [half_turn_attitude]
   }
 
-  /// The same for one step of any length: with u x v in place of -delta_i v_i, whose digits go where a long flight begins or ends near the middle axis.
-  void leap(BodyPlace<T>& body) const {
+  /// The same for one step of any length: with u x v in place of -delta_i v_i, which cancels where a long
+  /// step begins or ends near the middle axis.
+  void leap(FrameState<T>& body) const {
     using std::sqrt;
     Three<T>& u = body.direction;
     Three<T> const v = axis(u);

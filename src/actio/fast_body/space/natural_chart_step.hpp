@@ -5,7 +5,8 @@
 //
 //     p = a y + v x y/2 + c (v.y) v,          c = (1 - a)/|v|^2,          a = (|v|/2) cot(|v|/2),
 //
-// p' = p turned back by v. What is left is to find v for a given p: Newton's method, with the derivative from the same closed forms. The general road is natural_chart_scheme.hpp.
+// p' = p turned back by v. It remains to find v for a given p: Newton's method, with the derivative from the
+// same closed forms. The general road is natural_chart_scheme.hpp.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +49,7 @@ class NaturalChartStep {
       : moments_(moments), gap_{moments[2] - moments[1], moments[0] - moments[2], moments[1] - moments[0]} {}
 
   /// What a rotation of the body over a step came to.
-  struct Turn {
+  struct StepRotation {
     Three<double> v;       ///< rotation vector, body frame
     double angle_squared;  ///< \f$|v|^2\f$
     bool found;            ///< whether v is less than half a turn, on the branch that grows out of the identity
@@ -58,12 +59,12 @@ class NaturalChartStep {
   Three<double> momentum(Three<double> const& v) const { return at(v).p; }
 
   /// The turn of the step that begins with p = h M, by Newton's method from a guess.
-  Turn turn(Three<double> const& p, Three<double> v) const {
+  StepRotation turn(Three<double> const& p, Three<double> v) const {
     double last = std::numeric_limits<double>::infinity();
     for (int iteration = 0; iteration < 12; ++iteration) {
-      Place const here = at(v);
-      if (!(here.s < half_turn_squared) || !(here.determinant > 0)) return {v, here.s, false};
-      Three<double> const change = here.solve(minus(p, here.p));
+      Linearization const l = at(v);
+      if (!(l.s < half_turn_squared) || !(l.determinant > 0)) return {v, l.s, false};
+      Three<double> const change = l.solve(minus(p, l.p));
       v = plus(v, change);
       double const moved = largest(change), size = largest(v);
       // The error after a move is its square, over a few tenths.
@@ -76,16 +77,16 @@ class NaturalChartStep {
   }
 
   /// The same from the identity, along the momenta between 0 and p: finds it wherever the branch leads there.
-  Turn followed(Three<double> const& p) const {
-    Turn here{{0, 0, 0}, 0, true};
+  StepRotation followed(Three<double> const& p) const {
+    StepRotation reached{{0, 0, 0}, 0, true};
     constexpr int pieces = 32;
     for (int k = 1; k <= pieces; ++k) {
       double const part = static_cast<double>(k) / pieces;
-      Three<double> const ahead = at(here.v).solve({p[0] / pieces, p[1] / pieces, p[2] / pieces});
-      here = turn({part * p[0], part * p[1], part * p[2]}, plus(here.v, ahead));
-      if (!here.found) break;
+      Three<double> const ahead = at(reached.v).solve({p[0] / pieces, p[1] / pieces, p[2] / pieces});
+      reached = turn({part * p[0], part * p[1], part * p[2]}, plus(reached.v, ahead));
+      if (!reached.found) break;
     }
-    return here;
+    return reached;
   }
 
   /// \f$I^{-1}p\f$, where a search begins.
@@ -95,7 +96,7 @@ class NaturalChartStep {
   static constexpr double half_turn_squared = 9.869604401089358;  // pi^2
 
   /// Momentum and slope at one v.
-  struct Place {
+  struct Linearization {
     Three<double> p;
     double s, determinant;
     std::array<Three<double>, 3> rows;      // of the derivative
@@ -108,24 +109,24 @@ class NaturalChartStep {
       return x;
     }
   };
-  Place at(Three<double> const& v) const {
-    Place here;
-    here.s = dot(v, v);
-    ChartFactors const f(here.s < half_turn_squared * 3 ? here.s : half_turn_squared * 3);
+  Linearization at(Three<double> const& v) const {
+    Linearization l;
+    l.s = dot(v, v);
+    ChartFactors const f(l.s < half_turn_squared * 3 ? l.s : half_turn_squared * 3);
     Three<double> const y{moments_[0] * v[0], moments_[1] * v[1], moments_[2] * v[2]};
     double const vy = dot(v, y), along = f.c * vy;
     for (int i = 0; i < 3; ++i) {
       int const j = (i + 1) % 3, k = (i + 2) % 3;
       // (v x y)_i = (I_k - I_j) v_j v_k: of a long body the difference would lose its digits.
-      here.p[i] = f.a * y[i] + 0.5 * gap_[i] * (v[j] * v[k]) + along * v[i];
+      l.p[i] = f.a * y[i] + 0.5 * gap_[i] * (v[j] * v[k]) + along * v[i];
       double const rate = 2 * (f.slope_a * y[i] + f.slope_c * vy * v[i]), across = 2 * f.c * v[i];
-      here.rows[i][i] = f.a * moments_[i] + along + rate * v[i] + across * y[i];
-      here.rows[i][j] = 0.5 * gap_[i] * v[k] + rate * v[j] + across * y[j];
-      here.rows[i][k] = 0.5 * gap_[i] * v[j] + rate * v[k] + across * y[k];
+      l.rows[i][i] = f.a * moments_[i] + along + rate * v[i] + across * y[i];
+      l.rows[i][j] = 0.5 * gap_[i] * v[k] + rate * v[j] + across * y[j];
+      l.rows[i][k] = 0.5 * gap_[i] * v[j] + rate * v[k] + across * y[k];
     }
-    for (int i = 0; i < 3; ++i) here.cofactors[i] = cross(here.rows[(i + 1) % 3], here.rows[(i + 2) % 3]);
-    here.determinant = dot(here.rows[0], here.cofactors[0]);
-    return here;
+    for (int i = 0; i < 3; ++i) l.cofactors[i] = cross(l.rows[(i + 1) % 3], l.rows[(i + 2) % 3]);
+    l.determinant = dot(l.rows[0], l.cofactors[0]);
+    return l;
   }
   static Three<double> cross(Three<double> const& a, Three<double> const& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "actio/fast_body/space/compensated_turn.hpp"
+#include "actio/fast_body/space/compensated_half_turn.hpp"
 #include "actio/fast_body/space/free_body.hpp"
 #include "actio/fast_body/space/natural_chart_step.hpp"
 
@@ -16,8 +16,9 @@ namespace actio {
 
 /// A free body in steps of one length, by the natural-chart scheme.
 ///
-/// The momentum in the body is turned back by what the attitude is turned by, so that its amount and the momentum in space are kept to rounding, whatever Newton's method has left. Both are summed with what the sums before
-/// have lost. Each search begins where the three before it point to.
+/// The momentum in the body is turned back by what the attitude is turned by, so that its amount and the
+/// momentum in space are conserved to rounding, whatever the residual of Newton's method. Both are summed
+/// with what the sums before have lost. Each search begins where the three before it point to.
 class NaturalChartSteps {
  public:
   /// @param inertia    of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
@@ -54,20 +55,20 @@ class NaturalChartSteps {
   /// Saves, or restores, what the next step depends on besides body and step: `memory(numbers...)` takes each of them by reference.
   template <class Memory>
   void remember(Memory& memory) {
-    memory(now_, carry_, taken_, attitude_known_, guesses_);
+    memory(now_, compensation_, taken_, attitude_known_, guesses_);
   }
 
   double step() const { return step_; }
   /// Momentum and attitude now.
-  /// @throws OutsideDomain  after \ref advance_momentum, which has left the attitude behind
+  /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown
   FreeState state() const {
     if (!attitude_known_) throw OutsideDomain("natural-chart steps", "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
-    auto const q = plus(now_.attitude, carry_.attitude);
+    auto const q = plus(now_.attitude, compensation_.attitude);
     return {body_momentum(), {SU2{}, axes_.leave(Eigen::Vector4d(q[0], q[1], q[2], q[3])).normalized()}};
   }
   /// The body momentum now, energy x time.
   Momentum<SO<3>, double> body_momentum() const {
-    auto const p = plus(now_.direction, carry_.direction);
+    auto const p = plus(now_.direction, compensation_.direction);
     return {SO<3>{}, axes_.leave(Eigen::Vector3d(Eigen::Vector3d(p[0], p[1], p[2]) * unit_))};
   }
 
@@ -95,7 +96,7 @@ class NaturalChartSteps {
     return plus(times(3, minus(v1, v2)), v3);
   }
   /// The relative motion of a turn: \f$e-1\f$, so that nothing is lost where it is small.
-  static Four<double> change_of(NaturalChartStep::Turn const& turn) {
+  static Four<double> change_of(NaturalChartStep::StepRotation const& turn) {
     double const half = std::sqrt(turn.angle_squared) / 2, ratio = half > 0 ? std::sin(half) / (2 * half) : 0.5;
     Three<double> const e = times(ratio, turn.v);
     return {-dot(e, e) / (1 + std::cos(half)), e[0], e[1], e[2]};
@@ -109,20 +110,20 @@ class NaturalChartSteps {
   template <bool with_attitude>
   void take(long count) {
     for (long n = 0; n < count; ++n) {
-      auto const now = now_, carry = carry_;
+      auto const now = now_, compensation = compensation_;
       before_ = guesses_;
       for (std::size_t k = 0; k < fractions_.size(); ++k) {
         Three<double> const p = times(fractions_[k] * step_, now_.direction);
         auto turn = scheme_.turn(p, guess(k, p));
         if (!turn.found) turn = scheme_.followed(p);
         if (!turn.found) {
-          now_ = now, carry_ = carry, guesses_ = before_;
+          now_ = now, compensation_ = compensation, guesses_ = before_;
           too_long();
         }
         guesses_[k] = {turn.v, guesses_[k].v1, guesses_[k].v2};
         Four<double> const change = change_of(turn);
-        if constexpr (with_attitude) PlaceWithCarry<double>::add(now_.attitude, carry_.attitude, compose(now_.attitude, change));
-        PlaceWithCarry<double>::add(now_.direction, carry_.direction, momentum_change(change, now_.direction));
+        if constexpr (with_attitude) CompensatedState<double>::add(now_.attitude, compensation_.attitude, compose(now_.attitude, change));
+        CompensatedState<double>::add(now_.direction, compensation_.direction, momentum_change(change, now_.direction));
       }
       ++taken_;
     }
@@ -155,7 +156,7 @@ class NaturalChartSteps {
   double unit_;
   NaturalChartStep scheme_;
   std::vector<double> fractions_;
-  BodyPlace<double> now_{}, carry_{};  ///< the momentum in units of inertia, and the attitude
+  FrameState<double> now_{}, compensation_{};  ///< the momentum in units of inertia, and the attitude
   std::vector<Guess> guesses_, before_;  ///< of each substep; before_ as they were when the step began
   long taken_ = 0;
   bool attitude_known_ = true;

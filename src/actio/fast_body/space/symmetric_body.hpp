@@ -8,7 +8,7 @@
 // A sphere has d = 0. No function but sine and cosine is needed.
 #pragma once
 
-#include "actio/fast_body/space/short_flight.hpp"
+#include "actio/fast_body/space/short_flow.hpp"
 
 namespace actio {
 
@@ -36,7 +36,7 @@ Three<T> symmetric_motion(InverseMoments<T> const& body, int axis, Three<T> cons
 
 /// Direction and attitude. The quaternion is continuous in the time.
 template <class T>
-BodyPlace<T> symmetric_motion(InverseMoments<T> const& body, int axis, BodyPlace<T> const& start, T const& t) {
+FrameState<T> symmetric_motion(InverseMoments<T> const& body, int axis, FrameState<T> const& start, T const& t) {
   using std::cos, std::sin;
   Three<T> const& u = start.direction;
   T const slow = t * body.J[1] / 2, turned = t * (axis == 2 ? -body.d23 : body.d12) * u[axis] / 2, c = cos(slow), s = sin(slow);

@@ -1,6 +1,7 @@
-// Many bodies under the torque of gravity, several at once: the steps of torqued_body.hpp in lanes.
+// Many bodies under the torque of gravity, several at once: the steps of torqued_body.hpp in the lanes of
+// SIMD registers.
 //
-// A lane whose flight is too long for the series of its neighbours is flown by itself, and put back.
+// A lane whose drift is too long for the series of its neighbours is computed by itself, and put back.
 #pragma once
 
 #include <algorithm>
@@ -39,16 +40,16 @@ void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) 
   for (std::size_t i = 0; i < n; ++i) x[i].set(l, y[i]);
 }
 
-/// The flight of each lane by itself.
-[[gnu::noinline, gnu::cold]] inline void fly_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p, Four<Pack<4>>& q) {
+/// The drift of each lane by itself.
+[[gnu::noinline, gnu::cold]] inline void drift_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p, Four<Pack<4>>& q) {
   for (int l = 0; l < 4; ++l) {
     InverseMoments<double> body;
     for (int i = 0; i < 3; ++i) body.J[i] = c.body.J[i][l];
     body.d12 = c.body.d12[l], body.d23 = c.body.d23[l], body.d13 = c.body.d13[l];
-    TorquedPlace place{lane_of(p, l), lane_of(q, l)};
+    TorquedState state{lane_of(p, l), lane_of(q, l)};
     int terms = 8;
-    place = fly(body, scaled(body, part), part, place, terms);
-    set_lane(p, l, place.p), set_lane(q, l, place.q);
+    state = drift(body, scaled(body, part), part, state, terms);
+    set_lane(p, l, state.p), set_lane(q, l, state.q);
   }
 }
 
@@ -57,7 +58,7 @@ template <bool orbits>
 struct TorquedLaneSteps {
   using Lanes = Pack<4>;
   TorquedLanes& lanes;
-  KickFlight const& method;
+  Splitting const& method;
   long from, count;
 
   /// The angle at the beginning, from the number of steps: what is multiplied up from there has no time to go astray.
@@ -92,7 +93,7 @@ struct TorquedLaneSteps {
   }
   /// Steps in a row. A kick between two rows is given by the first of them.
   [[gnu::always_inline]] void run(long steps, bool first, bool last) {
-    std::size_t const stages = method.flights.size();
+    std::size_t const stages = method.drifts.size();
     double const joined = method.kicks.front() + method.kicks.back();
     auto const& table = StepTable<5, Lanes>::get();
     Three<Lanes> p = lanes.p;
@@ -110,7 +111,7 @@ struct TorquedLaneSteps {
           // In copies, so that the others need not be in memory.
           Three<Lanes> apart_p = p;
           Four<Lanes> apart_q = q;
-          fly_apart(lanes, method.flights[k], apart_p, apart_q);
+          drift_apart(lanes, method.drifts[k], apart_p, apart_q);
           p = apart_p, q = apart_q;
         }
         if constexpr (orbits) turn(cosine, sine, rotation[2 * k], rotation[2 * k + 1]);
@@ -120,7 +121,7 @@ struct TorquedLaneSteps {
     lanes.p = p, lanes.q = q, lanes.cosine = cosine, lanes.sine = sine;
   }
 
-  std::vector<InverseMoments<Lanes>> const& parts;  ///< of the flights
+  std::vector<InverseMoments<Lanes>> const& parts;  ///< of the drifts
   std::vector<Lanes> rotation{};                    ///< cosine and sine of what the direction turns by in each of them
 };
 
@@ -128,25 +129,25 @@ struct TorquedLaneSteps {
 
 /// Bodies under the torque of gravity, in steps of one length.
 ///
-/// A body that cannot be flown has its index and loses no other: its place stays empty, it is in \ref refused, and asking for its state throws.
-/// So does one whose momentum becomes too large for a number, from then on.
+/// A body that cannot be stepped has an index of its own: its entry stays empty, it is in \ref refused, and
+/// asking for its state throws. So does one whose momentum becomes too large for a number, from then on.
 class TorquedBatch {
  public:
   /// An empty batch.
   /// @param h       step, time, not zero; negative steps go back in time
   /// @param method  as of \ref TorquedBody
   /// @throws NotFinite, OutsideDomain  where h is no number, or zero
-  explicit TorquedBatch(double h, KickFlight method = strang_splitting(), Machine machine = best_machine())
+  explicit TorquedBatch(double h, Splitting method = strang_splitting(), Machine machine = best_machine())
       : h_(h), method_(std::move(method)), machine_(machine) {
     if (!is_finite(h)) throw NotFinite("batch: step");
     if (h == 0) throw OutsideDomain("batch", "the step must differ from zero", 0, 0);
-    if (method_.flights.empty() || method_.kicks.size() != method_.flights.size() + 1)
-      throw OutsideDomain("batch", "one kick more than flights is needed; kicks", static_cast<double>(method_.kicks.size()),
-                          static_cast<double>(method_.flights.size() + 1));
+    if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
+      throw OutsideDomain("batch", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
+                          static_cast<double>(method_.drifts.size() + 1));
   }
   /// @throws OutsideDomain  where the lists are not of one length
   TorquedBatch(std::vector<Inertia<3>> const& inertias, std::vector<Momentum<SO<3>, double>> const& momenta, std::vector<Element<SU2, double>> const& attitudes,
-               std::vector<GravityGradient> const& torques, double h, KickFlight method = strang_splitting(), Machine machine = best_machine())
+               std::vector<GravityGradient> const& torques, double h, Splitting method = strang_splitting(), Machine machine = best_machine())
       : TorquedBatch(h, std::move(method), machine) {
     for (std::size_t const size : {momenta.size(), attitudes.size(), torques.size()})
       if (size != inertias.size())
@@ -161,18 +162,19 @@ class TorquedBatch {
   }
 
   /// One more body, from now on. @return its index
-  /// @throws BodyRefused  where it cannot be flown, with the index that it would have had; the batch is as before
+  /// @throws BodyRefused  where it cannot be stepped, with the index that it would have had; the batch is as
+  ///   before
   std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, GravityGradient const& torque) {
     try {
       detail::TorquedFrame const frame(inertia, h_);
-      auto const place = frame.enter(momentum, attitude);
+      auto const state = frame.enter(momentum, attitude);
       GravityGradient const turned = torque.in(frame.axes());
       Three<double> coefficients = turned.coefficients();
       for (double& c : coefficients) c *= frame.kick();
       if (!std::isfinite(dot(coefficients, coefficients) + dot(turned.towards, turned.towards) + dot(turned.ahead, turned.ahead) + turned.rate * h_))
         throw NotFinite("torqued body: torque");
       leave_out();
-      put(frame, place, turned, coefficients);
+      put(frame, state, turned, coefficients);
     } catch (Error const& error) {
       throw BodyRefused(size(), error.what());
     }
@@ -180,7 +182,7 @@ class TorquedBatch {
   }
 
   std::size_t size() const { return frames_.size(); }
-  /// The bodies that could not be taken, or not be kept.
+  /// The bodies that were refused at the start, or in the course of the motion.
   std::vector<BodyRefused> const& refused() const { return refused_; }
   /// h, time.
   double step_length() const { return h_; }
@@ -233,13 +235,13 @@ class TorquedBatch {
     for (std::size_t k = i; opens && k < i + 4; ++k) empty(k);
     frames_.resize(i + 1);
   }
-  void put(detail::TorquedFrame const& frame, detail::TorquedPlace const& place, GravityGradient const& torque, Three<double> const& coefficients) {
+  void put(detail::TorquedFrame const& frame, detail::TorquedState const& state, GravityGradient const& torque, Three<double> const& coefficients) {
     std::size_t const i = size() - 1;
     auto& lanes = lanes_[i / 4];
     int const l = static_cast<int>(i % 4);
     frames_[i] = std::make_shared<detail::TorquedFrame const>(frame);
     auto const& body = frame.body();
-    detail::set_lane(lanes.p, l, place.p), detail::set_lane(lanes.q, l, place.q), detail::set_lane(lanes.body.J, l, body.J);
+    detail::set_lane(lanes.p, l, state.p), detail::set_lane(lanes.q, l, state.q), detail::set_lane(lanes.body.J, l, body.J);
     lanes.body.d12.set(l, body.d12), lanes.body.d23.set(l, body.d23), lanes.body.d13.set(l, body.d13);
     detail::set_lane(lanes.coefficients, l, coefficients), detail::set_lane(lanes.towards, l, torque.towards), detail::set_lane(lanes.ahead, l, torque.ahead);
     lanes.rate.set(l, torque.rate * h_);
@@ -247,11 +249,11 @@ class TorquedBatch {
   }
   template <bool orbits>
   void run(detail::TorquedLanes& lanes, long count) {
-    parts_.resize(method_.flights.size());
-    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k] = detail::scaled<Lanes>(lanes.body, method_.flights[k]);
+    parts_.resize(method_.drifts.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k] = detail::scaled<Lanes>(lanes.body, method_.drifts[k]);
     detail::TorquedLaneSteps<orbits> steps{lanes, method_, steps_, count, parts_};
     if constexpr (orbits)
-      for (double const part : method_.flights) {
+      for (double const part : method_.drifts) {
         Lanes c, s;
         for (int l = 0; l < 4; ++l) c.set(l, std::cos(part * lanes.rate[l])), s.set(l, std::sin(part * lanes.rate[l]));
         steps.rotation.push_back(c), steps.rotation.push_back(s);
@@ -260,7 +262,7 @@ class TorquedBatch {
   }
 
   double h_;
-  KickFlight method_;
+  Splitting method_;
   Machine machine_;
   std::vector<detail::TorquedLanes> lanes_;
   std::vector<std::shared_ptr<detail::TorquedFrame const>> frames_;

@@ -1,29 +1,32 @@
-// A rigid body under a torque: kicks, and exact free flights in between.
+// A rigid body under a torque, by splitting: kicks, and drifts, which are the exact flow of the free body, in
+// between.
 //
 //     TorquedBody body(inertia, momentum, attitude, gravity_gradient(inertia, 3 * mu / (r * r * r), towards), 0.1);
 //     body.step(1000);
 //
-// After each kick the body is on another orbit, so a flight is set up anew each time: by the power series of short_step.hpp as long as it is short,
-// by elliptic functions otherwise. Free motion is exact whatever the step; the order is that of the kicks.
+// After each kick the body is on another orbit, so a drift is set up anew each time: by the power series of
+// short_step.hpp as long as it is short, by elliptic functions otherwise. Free motion is exact whatever the
+// step; the order is that of the kicks.
 #pragma once
 
 #include <type_traits>
 #include <utility>
 
 #include "actio/fast_body/space/gravity_gradient.hpp"
-#include "actio/fast_body/space/kick_flight.hpp"
+#include "actio/fast_body/space/splitting.hpp"
 #include "actio/fast_body/space/short_step.hpp"
 
 namespace actio {
 namespace detail {
 
-/// A body between kicks, in the axes that the flights use: p = hM/(2I), I the unit of inertia, and the attitude.
-struct TorquedPlace {
+/// A body between kicks, in the axes that the drifts use: p = hM/(2I), I the unit of inertia, and the
+/// attitude.
+struct TorquedState {
   Three<double> p;
   Four<double> q;
 };
 
-/// Which body it is, in numbers without dimension; and from its axes to those of the flights and back.
+/// Which body it is, in numbers without dimension; and from its axes to those of the drifts and back.
 class TorquedFrame {
  public:
   /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where there is no such body, or no such step
@@ -39,15 +42,15 @@ class TorquedFrame {
   /// What the torque is multiplied with for a kick of a whole step.
   double kick() const { return h_ / frame_.unit() * (h_ / 2); }
   /// @throws NotFinite, OutsideDomain  where a number is none, or the quaternion not near unit length
-  TorquedPlace enter(Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude) const {
+  TorquedState enter(Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude) const {
     if (!is_finite(momentum.components)) throw NotFinite("torqued body: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("torqued body: attitude");
-    TorquedPlace const place{frame_.enter(Eigen::Vector3d(momentum.components / frame_.unit() * (h_ / 2))), frame_.enter(restore(attitude).value)};
-    if (!is_finite(dot(place.p, place.p))) throw NotFinite("torqued body: step times momentum over inertia");
-    return place;
+    TorquedState const state{frame_.enter(Eigen::Vector3d(momentum.components / frame_.unit() * (h_ / 2))), frame_.enter(restore(attitude).value)};
+    if (!is_finite(dot(state.p, state.p))) throw NotFinite("torqued body: step times momentum over inertia");
+    return state;
   }
-  FreeState leave(TorquedPlace const& place) const {
-    return {{SO<3>{}, frame_.leave(place.p) / (h_ / 2) * frame_.unit()}, {SU2{}, frame_.leave(place.q).normalized()}};
+  FreeState leave(TorquedState const& state) const {
+    return {{SO<3>{}, frame_.leave(state.p) / (h_ / 2) * frame_.unit()}, {SU2{}, frame_.leave(state.q).normalized()}};
   }
 
  private:
@@ -65,35 +68,35 @@ template <class T>
   return part;
 }
 
-/// A flight over the part c of a step, of any length.
+/// A drift over the part c of a step, of any length.
 /// @throws NotFinite  where the momentum is no number
-[[gnu::noinline, gnu::cold]] inline TorquedPlace long_step(InverseMoments<double> const& body, double c, TorquedPlace place) {
-  double const size = std::max({std::abs(place.p[0]), std::abs(place.p[1]), std::abs(place.p[2])});
-  if (!std::isfinite(size) || !std::isfinite(dot(place.p, place.p))) throw NotFinite("torqued body: momentum, in the course of the motion");
-  if (size == 0) return place;
-  Three<double> u{place.p[0] / size, place.p[1] / size, place.p[2] / size};
+[[gnu::noinline, gnu::cold]] inline TorquedState long_step(InverseMoments<double> const& body, double c, TorquedState state) {
+  double const size = std::max({std::abs(state.p[0]), std::abs(state.p[1]), std::abs(state.p[2])});
+  if (!std::isfinite(size) || !std::isfinite(dot(state.p, state.p))) throw NotFinite("torqued body: momentum, in the course of the motion");
+  if (size == 0) return state;
+  Three<double> u{state.p[0] / size, state.p[1] / size, state.p[2] / size};
   double const length = std::sqrt(dot(u, u));
   for (double& x : u) x /= length;
-  BodyPlace<double> moved{u, place.q};
-  HalfTurn<double>(exact_flight<double>(body, u, c * (size * length))).step(moved);
-  place.q = moved.attitude;
-  for (int i = 0; i < 3; ++i) place.p[i] = size * length * moved.direction[i];
-  return place;
+  FrameState<double> moved{u, state.q};
+  HalfTurn<double>(exact_flow<double>(body, u, c * (size * length))).step(moved);
+  state.q = moved.attitude;
+  for (int i = 0; i < 3; ++i) state.p[i] = size * length * moved.direction[i];
+  return state;
 }
 
-/// A flight over the part c of a step; `terms` is 5 or 8, what the last one did with.
-[[gnu::always_inline]] inline TorquedPlace fly(InverseMoments<double> const& body, InverseMoments<double> const& part, double c, TorquedPlace const& place,
+/// A drift over the part c of a step; `terms` is 5 or 8, as many as the last one needed.
+[[gnu::always_inline]] inline TorquedState drift(InverseMoments<double> const& body, InverseMoments<double> const& part, double c, TorquedState const& state,
                                                int& terms) {
   if (terms == 5) {
-    TorquedPlace next = place;
+    TorquedState next = state;
     if (all_within<5>(short_step(StepTable<5, double>::get(), part, next.p, next.q))) [[likely]]
       return next;
   }
-  TorquedPlace next = place;
+  TorquedState next = state;
   auto const reach = short_step(StepTable<8, double>::get(), part, next.p, next.q);
   terms = reach.turn <= short_reach<5> / 2 && reach.twist <= short_twist<5> / 2 ? 5 : 8;
   if (all_within<8>(reach)) return next;
-  return long_step(body, c, place);
+  return long_step(body, c, state);
 }
 
 /// \f$|q|\to1\f$ without a root, for it is nearly so.
@@ -135,20 +138,20 @@ template <class Torque>
 struct TorquedSteps {
   InverseMoments<double> const& body;
   std::vector<InverseMoments<double>> const& parts;
-  KickFlight const& method;
+  Splitting const& method;
   Torque const& torque;
   double h, kick;
   long from, count;
-  TorquedPlace place;
+  TorquedState state;
   int terms;
 
-  [[gnu::always_inline]] void kick_by(double part, double time, TorquedPlace& at) const {
+  [[gnu::always_inline]] void kick_by(double part, double time, TorquedState& at) const {
     Three<double> const t = torque(at.q, time);
     double const c = part * kick;
     at.p = {at.p[0] + c * t[0], at.p[1] + c * t[1], at.p[2] + c * t[2]};
   }
   [[gnu::always_inline]] void operator()() {
-    TorquedPlace at = place;
+    TorquedState at = state;
     int order_of_series = terms;
     std::size_t const stages = parts.size();
     double const joined = method.kicks.front() + method.kicks.back();
@@ -156,15 +159,15 @@ struct TorquedSteps {
     for (long n = 0; n < count; ++n) {
       double reached = 0;
       for (std::size_t k = 0; k < stages; ++k) {
-        at = fly(body, parts[k], method.flights[k], at, order_of_series);
-        reached += method.flights[k];
+        at = drift(body, parts[k], method.drifts[k], at, order_of_series);
+        reached += method.drifts[k];
         bool const last = k + 1 == stages;
         double const time = last ? static_cast<double>(from + n + 1) * h : (static_cast<double>(from + n) + reached) * h;
         kick_by(last && n + 1 < count ? joined : method.kicks[k + 1], time, at);
       }
       if ((from + n) % 64 == 63) tidy(at.q);
     }
-    place = at, terms = order_of_series;
+    state = at, terms = order_of_series;
   }
 };
 
@@ -185,14 +188,14 @@ class TorquedBody {
   /// @param start     time at the start
   /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where a number is none, no body has such moments, or the quaternion is not near unit length
   TorquedBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, Torque const& torque, double h,
-              KickFlight method = strang_splitting(), double start = 0, Machine machine = best_machine())
+              Splitting method = strang_splitting(), double start = 0, Machine machine = best_machine())
       : frame_(inertia, h), torque_(detail::in_axes_of(frame_.axes(), torque)), method_(std::move(method)), start_(start), machine_(machine),
-        place_(frame_.enter(momentum, attitude)) {
+        state_(frame_.enter(momentum, attitude)) {
     if (!is_finite(start)) throw NotFinite("torqued body: time at the start");
-    if (method_.flights.empty() || method_.kicks.size() != method_.flights.size() + 1)
-      throw OutsideDomain("torqued body", "one kick more than flights is needed; kicks", static_cast<double>(method_.kicks.size()),
-                          static_cast<double>(method_.flights.size() + 1));
-    for (double const c : method_.flights) parts_.push_back(detail::scaled(frame_.body(), c));
+    if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
+      throw OutsideDomain("torqued body", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
+                          static_cast<double>(method_.drifts.size() + 1));
+    for (double const c : method_.drifts) parts_.push_back(detail::scaled(frame_.body(), c));
   }
 
   /// So many steps.
@@ -202,36 +205,36 @@ class TorquedBody {
     if (count < 0) throw OutsideDomain("torqued body", "the number of steps must not be negative", static_cast<double>(count), 0);
     if (count == 0) return;
     auto const shifted = [this](Four<double> const& q, double time) __attribute__((always_inline)) { return torque_(q, start_ + time); };
-    detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(), frame_.kick(), steps_, count, place_, terms_};
+    detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(), frame_.kick(), steps_, count, state_, terms_};
     run_on(machine_, steps);
-    if (!std::isfinite(dot(steps.place.p, steps.place.p))) throw NotFinite("torqued body: torque");
-    place_ = steps.place, terms_ = steps.terms, steps_ += count;
+    if (!std::isfinite(dot(steps.state.p, steps.state.p))) throw NotFinite("torqued body: torque");
+    state_ = steps.state, terms_ = steps.terms, steps_ += count;
   }
 
   /// Saves, or restores, what the next step depends on besides body, torque, step and method: `memory(numbers...)` takes each of them by reference.
   template <class Memory>
   void remember(Memory& memory) {
-    memory(place_, terms_, steps_);
+    memory(state_, terms_, steps_);
   }
 
   /// Momentum and attitude now.
-  FreeState state() const { return frame_.leave(place_); }
+  FreeState state() const { return frame_.leave(state_); }
   /// The time reached.
   double time() const { return start_ + static_cast<double>(steps_) * frame_.step(); }
   /// h, time.
   double step_length() const { return frame_.step(); }
-  /// How kicks and flights make up a step.
-  KickFlight const& method() const { return method_; }
+  /// How kicks and drifts make up a step.
+  Splitting const& method() const { return method_; }
 
  private:
   using TorqueInAxes = decltype(detail::in_axes_of(std::declval<MiddleAxisFrame const&>(), std::declval<Torque const&>()));
 
   detail::TorquedFrame frame_;
   TorqueInAxes torque_;
-  KickFlight method_;
+  Splitting method_;
   double start_;
   Machine machine_;
-  detail::TorquedPlace place_;
+  detail::TorquedState state_;
   std::vector<InverseMoments<double>> parts_;
   int terms_ = 5;
   long steps_ = 0;

@@ -1,16 +1,21 @@
 // The torque of a uniform field of gravity on a body that is held at a point.
 //
-// With the lever p = m |g| chi, weight times centre of mass, and n the direction of gravity as the body sees it, torque and potential are
+// With the lever p = m |g| chi, weight times centre of mass, and n the direction of gravity in the body
+// frame, torque and potential are
 //
 //     tau = p x n,        V = -p.n.
 //
-// A step of a torqued body, half a kick, a flight, half a kick, is that of a variational integrator. Its discrete Lagrangian is
+// A step of a torqued body, half a kick, a drift, half a kick, is that of a variational integrator. Its
+// discrete Lagrangian is
 //
 //     L_d(g0, g1) = S(g0, g1) - h/2 (V(g0) + V(g1)),
 //
-// S the action of the free motion from g0 to g1 in the time h, and the potential by the trapezoid. For -D1 S and D2 S are the momenta with which the flight begins and ends, so that
+// S the action of the free motion from g0 to g1 in the time h, and the potential by the trapezoid. For -D1 S
+// and D2 S are the momenta with which the drift begins and ends, so that
 // -D1 L_d and D2 L_d are these with half a kick more on either side: the discrete Euler-Lagrange equations match the momenta node by node. Compositions such as that of Blanes and Moan
-// are the same with more nodes. So the motion is symplectic, and what is symmetric is kept: V does not feel a turn about the vertical, and the momentum about the vertical stays.
+// are the same with more nodes. So the motion is symplectic, and the momentum map of the symmetry is
+// conserved: V is invariant under rotations about the vertical, so the momentum about the vertical is
+// constant.
 #pragma once
 
 #include "actio/fast_body/space/gravity_gradient.hpp"

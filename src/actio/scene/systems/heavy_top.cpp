@@ -32,7 +32,7 @@ std::vector<Parameter> parameters() {
 }
 
 std::vector<Method> methods() {
-  return {{"variational", {"4", "2"}, "Kicks of gravity and exact free flights: the action of the free motion and the trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).", ""}};
+  return {{"variational", {"4", "2"}, "Kicks of gravity and the exact flow of the free body: the action of the free motion and the trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).", ""}};
 }
 
 std::vector<Quantity> quantities() {
@@ -49,7 +49,7 @@ std::vector<Quantity> quantities() {
 
 using Top = TorquedBody<UniformGravity>;
 
-/// Steps of kicks and flights.
+/// Steps of kicks and drifts.
 class TopMotion : public TurningBody {
  public:
   TopMotion(StepsFrom<Top> from, FreeState const& start, double step) : from_(std::move(from)), top_(from_(start, step)), now_(top_.state()) {}
@@ -171,7 +171,7 @@ std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule
   return exact_motion(FreeBody(scene.top.inertia, scene.start.body_momentum, scene.start.attitude));
 }
 
-/// Steps three times as long cost a little less than a third of the run, since short and long flights take the same series.
+/// Steps three times as long cost a little less than a third of the run, since short and long drifts take the same series.
 Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
   if (scene.is_free()) return {nullptr, 0, 0, true, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, true, "left out by output.error_estimate"};
@@ -206,7 +206,7 @@ Simulation prepare(Request const& request) {
   simulation.step = scene.step;
   simulation.remarks = scene.remarks;
   if (scene.is_free()) {
-    simulation.shortcuts.push_back("no gravity: free motion, exact flights");
+    simulation.shortcuts.push_back("no gravity: free motion, exact flow");
     if (!simulation.quantities.needed("attitude")) {
       motion->leave_attitude_out();
       simulation.shortcuts.push_back("momentum only: no attitude is reconstructed");

@@ -78,7 +78,7 @@ std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule cons
     }
     auto const steps = [=](FreeState const& start, double h) {
       FreeBody const body(inertia, start.body_momentum, start.attitude);
-      return FreeSteps(body, h, body.moser_veselov_flight(h, order));
+      return FreeSteps(body, h, body.moser_veselov_parameters(h, order));
     };
     return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step);
   } catch (StepTooLong const& error) {

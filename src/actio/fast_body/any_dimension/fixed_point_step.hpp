@@ -1,4 +1,5 @@
-// A step of the Moser-Veselov scheme on SO(n) by sweeps, and the compiled copies of it.
+// A step of the Moser-Veselov scheme on SO(n) by fixed-point iteration (an iteration is a sweep over the
+// blocks of the matrices), and the compiled copies of it.
 #pragma once
 
 #include <utility>
@@ -10,7 +11,7 @@
 namespace actio::detail {
 
 /// The parts of a step of one body under one scheme.
-struct SweepingStep {
+struct FixedPointStep {
   RotatingBody& body;
   SweptInertia inertia;
   StoppingRule rule;
@@ -79,16 +80,16 @@ struct SweepingStep {
     bool const growing = body.past_ < RotatingBody::longest;
     if (growing) ++body.past_;
     bool const worse = body.squares() > body.expected_ && body.steps_ > body.chosen_ + 32;
-    if (growing || worse || body.steps_ > body.chosen_ + 1024) choose_continuation();
+    if (growing || worse || body.steps_ > body.chosen_ + 1024) choose_extrapolation();
   }
 
   /// The shortest continuation among those that save the most squares, judged by what it would have made of the latest.
-  void choose_continuation() const {
+  void choose_extrapolation() const {
     Defect const d = defect(body.shape_, past(0), past(0));
     double const q2 = std::min(rule.contraction(d), body.contraction_);
-    body.continuation_ = &all_continuations().front();
+    body.continuation_ = &all_extrapolations().front();
     body.chosen_ = body.steps_, body.expected_ = 99;
-    for (Weights const& w : all_continuations()) {
+    for (Weights const& w : all_extrapolations()) {
       if (w.length >= body.past_) break;
       int const count = rule.squares_needed(error_of(w), d, q2, w.amplification);
       if (count < body.expected_) body.expected_ = count, body.continuation_ = &w;
@@ -120,7 +121,7 @@ struct SweepingStep {
 enum class Stage { prepare, square, finish, finish_with_attitude, step, step_with_attitude };
 
 template <int B>
-[[gnu::always_inline]] inline bool carry_out(SweepingStep const& s, Stage stage, int n) {
+[[gnu::always_inline]] inline bool carry_out(FixedPointStep const& s, Stage stage, int n) {
   Blocked<B> const shape(n);
   if (stage == Stage::prepare) return s.prepare(shape), true;
   if (stage == Stage::square) return s.square_motion(shape), true;
@@ -129,16 +130,16 @@ template <int B>
   return true;
 }
 template <int B>
-ACTIO_FOR_AVX2 bool carry_out_avx2(SweepingStep const& s, Stage stage, int n) {
+ACTIO_FOR_AVX2 bool carry_out_avx2(FixedPointStep const& s, Stage stage, int n) {
   return carry_out<B>(s, stage, n);
 }
 template <int B>
-bool carry_out_plain(SweepingStep const& s, Stage stage, int n) {
+bool carry_out_plain(FixedPointStep const& s, Stage stage, int n) {
   return carry_out<B>(s, stage, n);
 }
 
 /// The copy for this size and machine.
-inline auto choose_step(int n, Machine machine) -> bool (*)(SweepingStep const&, Stage, int) {
+inline auto choose_step(int n, Machine machine) -> bool (*)(FixedPointStep const&, Stage, int) {
   bool const avx2 = machine == Machine::avx2;
   switch ((n + 3) / 4) {
     case 1:

@@ -34,7 +34,7 @@ S arctan_ratio(S const& e) {
 /// @param x,y,k2  \f$\mathrm{cn}^2u\f$, \f$\mathrm{dn}^2u\f$, \f$k^2\f$
 /// @param g  not negative
 template <Real S>
-S integral_of_third_kind(S const& s, S x, S y, S const& k2, S const& g) {
+S elliptic_integral_third_kind(S const& s, S x, S y, S const& k2, S const& g) {
   using std::pow, std::sqrt;
   S const square = s * s;
   if (square == S(0)) return S(0);
@@ -64,7 +64,7 @@ S integral_of_third_kind(S const& s, S x, S y, S const& k2, S const& g) {
 
 /// The same integral for k = 1, where sn is the hyperbolic tangent: \f$\frac1{1+g}\Big(u-\frac{1}{\sqrt g}\arctan(\sqrt g\,\tanh u)\Big)\f$. For u not small.
 template <Real S>
-S integral_of_third_kind_on_the_separatrix(S const& u, S const& tanh_u, S const& g) {
+S elliptic_integral_third_kind_on_separatrix(S const& u, S const& tanh_u, S const& g) {
   return (u - tanh_u * arctan_ratio<S>(g * tanh_u * tanh_u)) / (S(1) + g);
 }
 

@@ -1,4 +1,5 @@
-// What continues a sequence by one: polynomials through its last terms, or nearest to them.
+// Extrapolation of a sequence by one term: polynomials through its last terms, or nearest to them in least
+// squares.
 #pragma once
 
 #include <array>
@@ -20,16 +21,16 @@ struct Weights {
   double amplification = 0;  ///< the length of the vector of weights
 };
 
-/// By orthogonal polynomials on the m places, each made from the one before and freed of all before it.
-inline Weights continuing_weights(int p, int m) {
-  using Values = std::array<long double, Weights::longest + 1>;  // at the m places and, last, where the sequence goes on
+/// By orthogonal polynomials on the m nodes, each made from the one before and freed of all before it.
+inline Weights extrapolation_weights(int p, int m) {
+  using Values = std::array<long double, Weights::longest + 1>;  // at the m nodes and, last, at the next one
   std::vector<Values> basis;
   Weights result{p, m, {}, 0};
   for (int degree = 0; degree < p; ++degree) {
     Values v{};
     for (int a = 0; a <= m; ++a) {
-      long double const place = a < m ? (m - 1) / 2.0L - a : (m + 1) / 2.0L;
-      v[a] = degree ? place * basis.back()[a] : 1;
+      long double const node = a < m ? (m - 1) / 2.0L - a : (m + 1) / 2.0L;
+      v[a] = degree ? node * basis.back()[a] : 1;
     }
     for (int twice = 0; twice < 2; ++twice)
       for (Values const& b : basis) {
@@ -52,12 +53,12 @@ inline Weights continuing_weights(int p, int m) {
 }
 
 /// All that are worth trying, the shortest first: p up to 12, from p, p+2 and p+4 terms.
-inline std::vector<Weights> const& all_continuations() {
+inline std::vector<Weights> const& all_extrapolations() {
   static std::vector<Weights> const all = [] {
     std::vector<Weights> list;
     for (int m = 1; m <= Weights::longest; ++m)
       for (int p : {m, m - 2, m - 4})
-        if (p >= 1 && p <= 12) list.push_back(continuing_weights(p, m));
+        if (p >= 1 && p <= 12) list.push_back(extrapolation_weights(p, m));
     return list;
   }();
   return all;

@@ -1,4 +1,5 @@
-// Whether Cayley's transform keeps a group of matrices: a question about odd powers in its algebra.
+// Whether Cayley's transform maps an algebra of matrices into its group: whether the algebra is closed under
+// odd powers.
 //
 // Cayley's transform of A is the exponential of A + A^3/12 + ..., a series of odd powers, so it stays in the group where all odd powers of A are in the
 // algebra. If the cube of every element of the algebra is in the algebra, so are all odd powers, by polarization.
@@ -21,8 +22,8 @@ struct SpanEntry {
   long coefficient;  ///< the entry
 };
 
-/// Odd powers in the span of some matrices of whole numbers.
-struct OddPowers {
+/// Whether the span of some matrices of whole numbers is closed under odd powers.
+struct OddPowerClosure {
   using WholeMatrix = Matrix<int, Dynamic, Dynamic>;
 
   std::vector<WholeMatrix> const& basis;     ///< the matrices

@@ -1,4 +1,5 @@
-// The exact flight in double, 50 and 100 digits against power series in the time; its elliptic functions and integral against Boost.Math.
+// The exact flow in double, 50 and 100 digits against power series in the time; its elliptic functions and
+// integral against Boost.Math.
 #include <boost/test/unit_test.hpp>
 
 #include <boost/math/special_functions/ellint_3.hpp>
@@ -22,7 +23,7 @@ enum class Road { chosen, series, elliptic };
 
 // A problem in the numbers of S, from a start that is the same real number in all of them. The middle moment is the second.
 template <class S>
-Flight<S> fly(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
+StepParameters<S> parameters_on(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
   using std::sqrt;
   Three<S> I;
   S square(0);
@@ -32,16 +33,16 @@ Flight<S> fly(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
   InverseMoments<S> const body(I);
   Orbit<S> const orbit(body, u);
   S const t = S(p.time) / S(2) * amount;
-  return road == Road::chosen   ? exact_flight<S>(body, u, t)
-         : road == Road::series ? detail::flight_by_series<S>(body, orbit, t)
-                                : detail::flight_by_elliptic_functions<S>(body, u, orbit, t);
+  return road == Road::chosen   ? exact_flow<S>(body, u, t)
+         : road == Road::series ? detail::flow_by_series<S>(body, orbit, t)
+                                : detail::flow_by_elliptic_functions<S>(body, u, orbit, t);
 }
 template <class S>
 FreePath<S> arrive(FreeProblem const& p, Road road = Road::chosen) {
   S amount(0);
-  BodyPlace<S> place{{}, {S(1), S(0), S(0), S(0)}};
-  HalfTurn<S>(fly<S>(p, road, amount, place.direction)).leap(place);
-  return {{amount * place.direction[0], amount * place.direction[1], amount * place.direction[2]}, place.attitude};
+  FrameState<S> state{{}, {S(1), S(0), S(0), S(0)}};
+  HalfTurn<S>(parameters_on<S>(p, road, amount, state.direction)).leap(state);
+  return {{amount * state.direction[0], amount * state.direction[1], amount * state.direction[2]}, state.attitude};
 }
 /// \f$s_1t^2\f$, by which the road is chosen.
 double reach(FreeProblem const& p) {
@@ -92,11 +93,11 @@ void follows_the_unit(char const* name) {
       // 16 roundings, and of the phase as many for each radian; the witness has a few of its own for each of its steps.
       BOOST_TEST(error <= 16 * (1 + 2 * time));
     }
-  BOOST_TEST_MESSAGE("exact flight, " << name << ": errors up to " << worst << " units in the last place");
+  BOOST_TEST_MESSAGE("exact flow, " << name << ": errors up to " << worst << " units in the last place");
 }
 }  // namespace
 
-BOOST_AUTO_TEST_SUITE(exact_flight)
+BOOST_AUTO_TEST_SUITE(exact_flow)
 
 BOOST_AUTO_TEST_CASE(the_witness_is_the_reference_solution) {
   // The witness' own recurrences beside the general Taylor method, which is given Euler's equations and nothing else.
@@ -157,7 +158,7 @@ BOOST_AUTO_TEST_CASE(a_hundred_nasty_bodies_in_fifty_digits) {
     double const open = testing::condition(p, rough) / unit_of<double>();
     worst = std::max(worst, error_in_units<dec50>(p) / (1 + open));
   }
-  BOOST_TEST_MESSAGE("exact flight, 100 nasty bodies in 50 digits: at most " << worst << " (1 + condition) units in the last place");
+  BOOST_TEST_MESSAGE("exact flow, 100 nasty bodies in 50 digits: at most " << worst << " (1 + condition) units in the last place");
   BOOST_TEST(worst <= 16);
 }
 
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(the_elliptic_functions_are_those_of_boost) {
       double const lost = 1e-47 / complement;  // by k
       BOOST_TEST(to_double(magnitude(dec50(fine.sn - sn))) <= lost * (1 + std::abs(u)));
       BOOST_TEST(to_double(magnitude(dec50(fine.cn - cn))) <= lost * (1 + std::abs(u)));
-      // dn of Boost is cos/cos and loses its digits next to the quarter period; dn^2 = cn^2 + k'^2 sn^2 does not.
+      // dn of Boost is cos/cos and cancels next to the quarter period; dn^2 = cn^2 + k'^2 sn^2 does not.
       BOOST_TEST(to_double(magnitude(dec50(fine.dn - sqrt(dec50(cn * cn + dec50(complement) * sn * sn))))) <= lost * (1 + std::abs(u)));
     }
   }
@@ -221,16 +222,17 @@ BOOST_AUTO_TEST_CASE(the_integral_of_the_third_kind_is_that_of_boost) {
         JacobiFunctions<double> const f(complement);
         double const u = part * f.quarter_period();
         auto const [s, c, d] = f.at(u);
-        double const ours = integral_of_third_kind<double>(s, c * c, d * d, 1 - complement, g);
+        double const ours = elliptic_integral_third_kind<double>(s, c * c, d * d, 1 - complement, g);
         // R_J of the same arguments in 50 digits.
         dec50 const S = s, expected = S * S * S / 3 * boost::math::ellint_rj(dec50(dec50(c) * c), dec50(dec50(d) * d), dec50(1), dec50(1 + dec50(g) * s * s));
         BOOST_TEST(std::abs(ours / to_double(expected) - 1) <= 32 * unit_of<double>());
         dec50 const many =
-            integral_of_third_kind<dec50>(S, dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1 - dec50(complement)), dec50(g));
+            elliptic_integral_third_kind<dec50>(S, dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1 - dec50(complement)), dec50(g));
         dec50 const same =
             S * S * S / 3 * boost::math::ellint_rj(dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1), dec50(1 + dec50(g) * S * S));
         BOOST_TEST(to_double(magnitude(dec50(many / same - 1))) <= 64 * unit_of<dec50>());
-        // Legendre's form (F - Pi)/g, where the difference keeps its digits; next to k = 1 it has lost what 1 - k^2 sin^2 loses.
+        // Legendre's form (F - Pi)/g, where the difference does not cancel; next to k = 1 it has the error of
+        // 1 - k^2 sin^2.
         if (g >= 0.01 && part >= 0.1) {
           long double const k = std::sqrt(1 - static_cast<long double>(complement)),
                             phi = std::atan2(static_cast<long double>(s), static_cast<long double>(c));
@@ -242,7 +244,7 @@ BOOST_AUTO_TEST_CASE(the_integral_of_the_third_kind_is_that_of_boost) {
   for (double const g : {0.0, 1e-3, 1.0, 1e5})
     for (double const u : {1.0, 2.0, 5.0, 15.0}) {
       double const s = std::tanh(u), c = 1 / std::cosh(u);
-      double const closed = integral_of_third_kind_on_the_separatrix<double>(u, s, g), general = integral_of_third_kind<double>(s, c * c, c * c, 1.0, g);
+      double const closed = elliptic_integral_third_kind_on_separatrix<double>(u, s, g), general = elliptic_integral_third_kind<double>(s, c * c, c * c, 1.0, g);
       BOOST_TEST(std::abs(closed / general - 1) <= 32 * unit_of<double>());
     }
 }

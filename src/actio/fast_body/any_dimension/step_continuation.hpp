@@ -1,4 +1,5 @@
-// Long steps of the natural-chart scheme on SO(n): the solution is followed from rest, along a growing step.
+// Long steps of the natural-chart scheme on SO(n), by numerical continuation: the solution is followed from
+// rest, along a growing step.
 //
 // The equation J Z = Q(Z) depends on the step through P = h M0 alone, so a step that grows is a P that grows. Where n is small each piece of the way is solved by
 // Newton, with differences for the derivative, whose determinant must stay positive; it ends where the derivative has no inverse, or an angle reaches half a turn.
@@ -14,34 +15,34 @@
 
 namespace actio::detail {
 
-/// One turn that grows.
-class GrowingTurn {
+/// The continuation of one solution in the length of the step.
+class StepContinuation {
  public:
   /// @param p  h M0 of the whole step
-  GrowingTurn(NaturalChartEquation& equation, double const* p) : equation_(equation), algebra_(equation.algebra()), whole_(algebra_.size()), p_(algebra_.size()), z_(algebra_.size()) {
+  StepContinuation(NaturalChartEquation& equation, double const* p) : equation_(equation), algebra_(equation.algebra()), whole_(algebra_.size()), p_(algebra_.size()), z_(algebra_.size()) {
     std::copy(p, p + algebra_.size(), whole_.data());
   }
 
   /// Follows the solution as far as it goes.
   /// @return the part of the step that it reaches, 1 where it reaches all; z is the solution there
   double follow(double* z) {
-    std::vector<double> here(static_cast<std::size_t>(unknowns()), 0.0), before = here;
+    std::vector<double> now(static_cast<std::size_t>(unknowns()), 0.0), before = now;
     double reached = 0, previous = 0, first = first_part(), gap = first;
     while (reached < 1 && gap > smallest_gap * std::max(reached, first)) {
       double const part = std::min(1.0, reached + gap);
-      std::vector<double> next = here;
+      std::vector<double> next = now;
       // Along the secant; from rest along the velocity of the first guess.
       if (reached == 0) next = first_guess(part);
       else
-        for (std::size_t a = 0; a < next.size(); ++a) next[a] += (here[a] - before[a]) * ((part - reached) / (reached - previous));
+        for (std::size_t a = 0; a < next.size(); ++a) next[a] += (now[a] - before[a]) * ((part - reached) / (reached - previous));
       std::vector<double> const expected = next;
-      if (solve(part, next) && distance(next, expected) <= 0.3 * distance(next, here)) {
-        before = here, previous = reached, here = next, reached = part, gap *= 2;
+      if (solve(part, next) && distance(next, expected) <= 0.3 * distance(next, now)) {
+        before = now, previous = reached, now = next, reached = part, gap *= 2;
       } else {
         gap = (part - reached) / 2;
       }
     }
-    put(here, z);
+    put(now, z);
     return reached;
   }
 
@@ -111,18 +112,18 @@ class GrowingTurn {
   bool differentiate(std::vector<double> const& x) {
     int const n = unknowns();
     double const apart = 1e-7 * std::max(1.0, norm(x));
-    auto const here = change(x);
+    auto const at_x = change(x);
     derivative_.resize(n, n);
     for (int b = 0; b < n; ++b) {
       auto moved = x;
       moved[static_cast<std::size_t>(b)] += apart;
-      auto const there = change(moved);
-      for (int a = 0; a < n; ++a) derivative_(a, b) = (here[static_cast<std::size_t>(a)] - there[static_cast<std::size_t>(a)]) / apart;
+      auto const at_moved = change(moved);
+      for (int a = 0; a < n; ++a) derivative_(a, b) = (at_x[static_cast<std::size_t>(a)] - at_moved[static_cast<std::size_t>(a)]) / apart;
     }
     if (!derivative_.allFinite()) return false;
     order_.resize(static_cast<std::size_t>(n));
     gsl_permutation order{order_.size(), order_.data()};
-    // GSL sees rows where there are columns.
+    // GSL reads rows where there are columns.
     Eigen::MatrixXd const by_rows = derivative_.transpose();
     derivative_ = by_rows;
     auto view = as_gsl(derivative_);

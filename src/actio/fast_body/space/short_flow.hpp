@@ -5,7 +5,8 @@
 //
 //     delta_i = (m/m') (J_i (L^2 - m^2) - (2H - J2 m^2)) / L,        T = L J2 t + L (2H - J2 L^2) int_0^t ds/(L^2 - m(s)^2),        t = h/2,
 //
-// make the half turn of half_turn.hpp the exact motion over h, from every place on the orbit. With m^2 = a b z, a = J1 L^2 - 2H, b = 2H - J3 L^2,
+// make the half turn of half_turn.hpp the exact motion over h, from every point of the orbit. With m^2 = a b
+// z, a = J1 L^2 - 2H, b = 2H - J3 L^2,
 //
 //     z'' = 2 - 4 s1 z + 6 s2 z^2,      s1 = (J1 - J2) b + (J2 - J3) a,      s2 = (J1 - J2) (J2 - J3) a b,      z = t^2 - ...
 //
@@ -33,7 +34,8 @@ struct InverseMoments {
       : J{1 / I[0], 1 / I[1], 1 / I[2]}, d12((I[1] - I[0]) * J[0] * J[1]), d23((I[2] - I[1]) * J[1] * J[2]), d13(d12 + d23) {}
 };
 
-/// An orbit of the momentum: what a short flight has to know of it. The momentum has the length 1; one of length L runs through the same orbit L times as fast.
+/// An orbit of the momentum: the constants that the exact flow over a short time depends on. The momentum has
+/// the length 1; one of length L runs through the same orbit L times as fast.
 template <class T>
 struct Orbit {
   T a;       ///< \f$J_1-2H\f$
@@ -58,7 +60,8 @@ template <int terms, class T>
 struct ShortTable;
 }
 
-/// The three functions of a short flight, each divided by the first term of its series: power series in \f$X = s_1t^2\f$, \f$Y = s_2t^4\f$ and \f$W = abt^2\f$.
+/// The three functions of the exact flow over a short time, each divided by the first term of its series:
+/// power series in \f$X = s_1t^2\f$, \f$Y = s_2t^4\f$ and \f$W = abt^2\f$.
 ///
 /// Cut after `terms` terms in \f$t^2\f$; the first that is left out is of the relative size \f$(0.41\,X)^{terms}\f$ or less.
 template <class T>
@@ -138,7 +141,7 @@ ShortTable<terms, T> const& short_table() {
 /// x, x^2, x^4, x^8: enough for sixteen terms.
 template <class T>
 struct Powers {
-  T const& one;  // no copy: of lanes it would go through memory
+  T const& one;  // no copy: one of SIMD lanes would go through memory
   T two, four, eight;
   [[gnu::always_inline]] explicit Powers(T const& x) : one(x), two(x * x), four(two * two), eight(four * four) {}
 };
@@ -187,14 +190,14 @@ template <int terms>
 
 /// What the series give at one time: all that the exact step needs besides sines.
 template <class T>
-struct ShortFlight {
+struct ShortFlow {
   T lever;   ///< \f$m/m'\f$
   T square;  ///< \f$m^2\f$
   T twist;   ///< T
 
   /// @param t  half the step, times the amount of the momentum; \f$s_1t^2\f$ small against 1: see \ref ShortSeries for what `terms` leave out
   template <int terms>
-  [[gnu::always_inline]] static ShortFlight at(InverseMoments<T> const& body, Orbit<T> const& orbit, T const& t) {
+  [[gnu::always_inline]] static ShortFlow at(InverseMoments<T> const& body, Orbit<T> const& orbit, T const& t) {
     T const x = t * t, X = orbit.s1 * x, Y = orbit.s2 * (x * x), W = orbit.a * orbit.b * x;
     ShortSeries<T> s;
     if constexpr (of_doubles<T> && terms <= 12)
