@@ -359,8 +359,8 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
     z.Pi = other[4];
     for (int a = 0; a < 2; ++a)
       for (int mu = 0; mu < 2; ++mu) z.p(a, mu) = other[2 * a + mu];
-    auto const in_class = [&z]<class T, int D>(Matrix<T, D, 1> const&, Tangents<T, D, 2> const& V) -> T {
-      return actio::detail::affine_form<1, 2>(z.p.template cast<T>().eval(), T(z.Pi), V);
+    auto const in_class = [&z]<class T, int D>(Matrix<T, D, 1> const& at, Tangents<T, D, 2> const& V) -> T {
+      return actio::affine_form<1, 2>(z.p.template cast<T>().eval(), T(z.Pi), at, V);
     };
     auto const along = [&](int i) { return seen(ConstantField<S, 8>{Matrix<S, 8, 1>::Unit(i)}, in_class); };
     Matrix<S, 2, 2> read;
@@ -501,7 +501,7 @@ STATEMENT(eq_6_9, "Euler-Lagrange derivative in coordinates") {
   claim.holds("The wedge with $d^{n+1}x$ is contracted with the variation and pulled back.");
   over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
     OffShell<S, D::n, D::N> const m(draw);
-    Matrix<S, D::N, 1> const force = place_derivative(m.L, m.first());
+    Matrix<S, D::N, 1> const force = partial_y(m.L, m.first());
     auto const written_out = [&](bool points, bool places) { return Matrix<S, D::N, 1>(force - expanded_divergence(m.L, m.j, points, places)); };
     claim.zero("written out", model, Matrix<S, D::N, 1>(m.E - written_out(true, true)), S(magnitude(force) + magnitude(m.E)));
     claim.differs("without the mixed derivative in x", model, m.E, written_out(false, true));
@@ -583,7 +583,7 @@ STATEMENT(eq_6_12, "field Euler-Lagrange equations in total-derivative form") {
       auto const p = momenta(m.L, first_jet(m.phi, moved)), q = momenta(m.L, fixed);
       for (int a = 0; a < N; ++a) total[a] += p(a, mu).part[0], partial[a] += q(a, mu).part[0];
     }
-    auto const force = place_derivative(m.L, m.first());
+    auto const force = partial_y(m.L, m.first());
     S const scale = magnitude(force) + magnitude(m.E);
     claim.zero("derivatives of the momenta along the section", model, Column(m.E - (force - total)), scale);
     claim.refutes("derivatives at a fixed jet", model, Column(m.E - (force - partial)), scale);

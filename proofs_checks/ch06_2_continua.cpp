@@ -55,7 +55,7 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
     auto const dust = draw_medium<S, n>(draw, Kind::dust);
     auto const j = draw_second_jet<S, n>(draw);
     auto const E = (euler_lagrange(dust, j) / body_volume(dust, j)).eval();
-    claim.equal("the field equations of dust", model, (-inertia(dust, j)).eval(), E);
+    claim.equal("the field equations of dust", model, (-inertial_force(dust, j)).eval(), E);
     for (int a = 0; a < n; ++a)
       claim.differs("as printed, a given the value " + std::to_string(a + 1), model, raised(dust.g(j.y), E), (printed_acceleration(dust, j, a) * -S(dust.rho(j.particle()))).eval());
   });
@@ -116,10 +116,10 @@ STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
     auto const curved = draw_medium<S, n>(draw, Kind::any), flat = flattened(curved);
     auto const j = draw_second_jet<S, n>(draw);
     auto const left = [&](AnyContinuum<S, n> const& medium) { return (lowered(medium.g(j.y), j.acceleration()) * S(medium.rho(j.particle()))).eval(); };
-    auto const right = [&](AnyContinuum<S, n> const& medium) { return detail::two_point_rates([&](auto const& jet) { return detail::piola_kirchhoff(medium, jet); }, j).divergence; };
+    auto const right = [&](AnyContinuum<S, n> const& medium) { return two_point_rates([&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); }, j).divergence; };
     auto const E = [&](AnyContinuum<S, n> const& medium) { return (euler_lagrange(medium, j) / body_volume(medium, j)).eval(); };
     claim.equal("(6.15) and the field equations", model, (right(flat) - left(flat)).eval(), E(flat));
-    auto const outside = detail::two_point_rates([&](auto const& jet) { return detail::strain_derivative(flat, jet); }, j).divergence;
+    auto const outside = two_point_rates([&](auto const& jet) { return partial_F(flat, jet); }, j).divergence;
     claim.differs("the mass density outside the derivative", model, (outside * S(flat.rho(j.particle())) - left(flat)).eval(), E(flat));
     claim.differs("metrics that are not constant", model, (right(curved) - left(curved)).eval(), E(curved));
   });
@@ -135,10 +135,10 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
     using Column = actio::Matrix<S, n, 1>;
     auto const medium = draw_medium<S, n>(draw, Kind::any);
     auto const j = draw_second_jet<S, n>(draw);
-    auto const T = [&](auto const& jet) { return detail::piola_kirchhoff(medium, jet); };
+    auto const T = [&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); };
     AnyChart<S, n> field;
     for (auto& c : field.added) c = draw_cubic<S, n>(draw);
-    auto const [value, derivative] = detail::two_point_rates(T, j);
+    auto const [value, derivative] = two_point_rates(T, j);
     Column const DIV = two_point_divergence(medium.G, medium.g, j, T);
 
     // The vector T w of the body, whose divergence is that of its metric.
@@ -312,8 +312,8 @@ STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
     auto const j = draw_second_jet<S, n>(draw);
     // Both sides of the equation, their difference, and what it should be.
     auto const residual = [&](auto const& medium) {
-      auto const raised_stress = [&]<class T>(Jet<T, n, n> const& jet) { return raised(medium.g(jet.y), actio::Matrix<T, n, n>(detail::piola_kirchhoff(medium, jet))); };
-      return (detail::two_point_rates(raised_stress, j).divergence - j.acceleration() * S(medium.rho(j.particle()))).eval();
+      auto const raised_stress = [&]<class T>(Jet<T, n, n> const& jet) { return raised(medium.g(jet.y), actio::Matrix<T, n, n>(first_piola_kirchhoff_stress(medium, jet))); };
+      return (two_point_rates(raised_stress, j).divergence - j.acceleration() * S(medium.rho(j.particle()))).eval();
     };
     auto const E = [&](auto const& medium) { return raised(medium.g(j.y), actio::Matrix<S, n, 1>(euler_lagrange(medium, j) / body_volume(medium, j))); };
     auto const curved = draw_medium<S, n>(draw, Kind::solid), flat = flattened(curved);
@@ -428,7 +428,7 @@ STATEMENT(claim_6_2_barotropic_spatial_form, "the barotropic equation with spati
     for (int b = 0; b < n; ++b)
       for (int a = 0; a < n; ++a) moved(b, a) = jets.y[b].part[a];
     claim.equal("those are the particles there", model, moved, actio::Matrix<S, n, n>(actio::Matrix<S, n, n>::Identity()), n);
-    T const p = detail::pressure(fluid, jets);
+    T const p = material_pressure(fluid, jets);
     Column slope;
     for (int a = 0; a < n; ++a) slope[a] = p.part[a];
 
@@ -463,10 +463,10 @@ struct Expansion {
     actio::Matrix<S, n, n> const areas = area_transformation(at.G, at.g, at.F);
     auto const momentum = [&]<class T>(Jet<T, n, n> const& jet) {
       auto const here = fluid.G(jet.particle());
-      T const factor = -detail::pressure(fluid, jet) * actio::volume<T>(here);
+      T const factor = -material_pressure(fluid, jet) * actio::volume<T>(here);
       return (area_transformation(here, fluid.g(jet.y), jet.gradient()) * factor).eval();
     };
-    first = detail::two_point_rates(momentum, j).divergence / -body_volume(fluid, j);
+    first = two_point_rates(momentum, j).divergence / -body_volume(fluid, j);
     pressure = areas * pressure_slopes(fluid, j);
     Column of_root, of_square;
     for (int k = 0; k < n; ++k) {
@@ -505,8 +505,8 @@ STATEMENT(claim_6_2_barotropic_expansion_end, "the first and the last expression
     auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
     auto const j = draw_second_jet<S, D::n>(draw);
     Expansion<S, D::n> const lines(fluid, j);
-    auto const first = (inertia(fluid, j) + lines.first).eval();
-    auto const last = [&](S const& factor) { return (inertia(fluid, j) + lines.pressure + lines.metric * factor).eval(); };
+    auto const first = (inertial_force(fluid, j) + lines.first).eval();
+    auto const last = [&](S const& factor) { return (inertial_force(fluid, j) + lines.pressure + lines.metric * factor).eval(); };
     claim.equal("left side of (6.13)", model, first, last(S(1)));
     claim.equal("and with the right side", model, actio::Matrix<S, D::n, 1>(first - metric_force(fluid, j)), medium_equation(fluid, j));
     claim.differs("without the half", model, first, last(S(2)));
@@ -591,8 +591,8 @@ STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
     claim.equal("(6.13) and (6.12)", model, medium_equation(medium, j), E);
     claim.differs("the force with the other sign", model, (medium_equation(medium, j) + force * S(2)).eval(), E);
     auto const outside = [&](auto const& weight) {
-      auto const stress = [&](auto const& jet) { return (detail::strain_derivative(medium, jet) * weight(jet)).eval(); };
-      return Column(inertia(medium, j) - detail::two_point_rates(stress, j).divergence / weight(first) * S(medium.rho(j.particle())) - force);
+      auto const stress = [&](auto const& jet) { return (partial_F(medium, jet) * weight(jet)).eval(); };
+      return Column(inertial_force(medium, j) - two_point_rates(stress, j).divergence / weight(first) * S(medium.rho(j.particle())) - force);
     };
     claim.differs("the mass density outside the derivative", model, outside([&]<class T>(Jet<T, n, n> const& at) { return volume<T>(medium.G(at.particle())); }), E);
     claim.differs("without the volume of the body", model, outside([&]<class T>(Jet<T, n, n> const& at) { return T(medium.rho(at.particle())); }), E);
@@ -638,7 +638,7 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
     using Column = actio::Matrix<S, n, 1>;
     Jet<S, n, n> const& first = j;
     auto const at = point_of_medium(fluid, first);
-    Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j), mass = inertia(fluid, j);
+    Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j), mass = inertial_force(fluid, j);
     claim.equal("(6.18) and (6.12)", model, fluid_equation(fluid, j), E);
     claim.differs("as printed, with the only index contracted", model, (mass + Column::Constant((at.inverse * slope).sum() * at.J)).eval(), E);
     claim.differs("the inverse transposed", model, (mass + at.inverse * slope * at.J).eval(), E);
@@ -658,7 +658,7 @@ STATEMENT(eq_6_20, "the equation of motion with stresses, general stored energy"
     using Column = actio::Matrix<S, n, 1>;
     Jet<S, n, n> const& first = j;
     auto const at = point_of_medium(medium, first);
-    Column const E = field_equations(medium, j), balance = inertia(medium, j) - stress_divergence(medium, j);
+    Column const E = field_equations(medium, j), balance = inertial_force(medium, j) - stress_divergence(medium, j);
     claim.equal("(6.20) and (6.12)", model, stress_equation(medium, j), E);
     claim.differs("without the symbols of space", model, balance, E);
     auto const gamma = christoffel(medium.g, j.y);

@@ -57,8 +57,7 @@ struct Tilted {
 /// The derivative of a function on R^2.
 template <class S, class F>
 Numbers<S, 2> plane_derivative(F const& f, Numbers<S, 2> const& u) {
-  auto const value = f(detail::all_directions(u));
-  return {value.part[0], value.part[1]};
+  return derivative(f, u).gradient();
 }
 
 /// A graph, an inner product of the fibres, and a function h with \f$d\bar h = 0\f$ in q at a given point and for a given multiplier.

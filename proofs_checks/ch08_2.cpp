@@ -158,7 +158,7 @@ Variation<S> variation(L const& density, Phi const& phi, V const& field, Matrix<
   Variation<S> out{density(moved).part[0], S(0)};
   auto const jet = second_jet(phi, x);
   for (int mu = 0; mu < rows; ++mu) {
-    auto const p = detail::momentum_column(density, along(jet, mu), mu);
+    auto const p = partial_v(density, along(jet, mu), mu);
     for (int a = 0; a < j.y.size(); ++a) out.carried_away += p[a].part[0] * change.y[a] + p[a].value * change.v(a, mu);
   }
   return out;
@@ -246,7 +246,7 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
     }
     Matrix<S, n, n> const inverse = inverse_matrix(Matrix<S, n, n>(constraint.g(below.y)));
     auto const rates = metric_derivatives(constraint.g, below.y);
-    auto const places = place_derivative([&](auto const& jet) { return constraint(jet)[0]; }, below);
+    auto const places = partial_y([&](auto const& jet) { return constraint(jet)[0]; }, below);
     S const J = constraint.volume_ratio(below);
     for (int a = 0; a < n; ++a) {
       from_constraint[a] = lambda * places[a];
@@ -271,7 +271,7 @@ STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
       Matrix<S, n, 1> stress = Matrix<S, n, 1>::Zero();
       for (int k = 0; k < n; ++k) {
         auto const moved = along(j, k + 1);
-        auto const slope = detail::strain_derivative(medium, moved);
+        auto const slope = partial_F(medium, moved);
         Dual<S> const mass = medium.rho(moved.particle());
         for (int a = 0; a < n; ++a) stress[a] += (mass * slope(a, k)).part[0];
       }

@@ -61,16 +61,16 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
     // d(dP / rho): the pressure that would have to be the gradient's.
     auto const quotient = [&](auto const& event) {
       using T = ScalarOf<decltype(event)>;
-      auto const slope = P(detail::in_all_directions(Matrix<T, n + 1, 1>(event)));
+      auto const slope = derivative(P, Matrix<T, n + 1, 1>(event)).gradient();
       Matrix<T, n, 1> const particle = event.template tail<n>();
       Matrix<T, n, 1> covector;
-      for (int k = 0; k < n; ++k) covector[k] = slope.part[k + 1] / rho(particle);
+      for (int k = 0; k < n; ++k) covector[k] = slope[k + 1] / rho(particle);
       return covector;
     };
     auto const slope = first_jet(quotient, x).gradient();
-    auto const mass_rate = rho(detail::in_all_directions(j.particle()));
+    auto const mass_rate = derivative(rho, j.particle()).gradient();
     auto const dP = pressure_gradient(G, j);
-    claim.equal("curl of dP / rho", model, S((slope(0, 1) - slope(1, 0)) * mass * mass), S(dP[1] * mass_rate.part[0] - dP[0] * mass_rate.part[1]));
+    claim.equal("curl of dP / rho", model, S((slope(0, 1) - slope(1, 0)) * mass * mass), S(dP[1] * mass_rate[0] - dP[0] * mass_rate[1]));
     claim.refutes("that it vanishes", model, S(slope(0, 1) - slope(1, 0)), S(size_of(dP)));
   });
 }

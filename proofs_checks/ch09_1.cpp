@@ -540,7 +540,7 @@ struct FlowingFluid {
   /// The derivatives of the pressure of the barotropic fluid in the coordinates of the body.
   Matrix<S, n, 1> pressure_slope() const {
     Matrix<S, n, 1> slope;
-    for (int k = 0; k < n; ++k) slope[k] = detail::pressure(fluid, along(j, k + 1)).part[0];
+    for (int k = 0; k < n; ++k) slope[k] = material_pressure(fluid, along(j, k + 1)).part[0];
     return slope;
   }
   S J() const { return jacobian(fluid.G(j.particle()), fluid.g(j.y), j.gradient()); }
@@ -569,7 +569,7 @@ STATEMENT(claim_9_1_barotropic_current_space, "spatial components of the barotro
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
     S const kinetic = flow.rho * inner(flow.fluid.g(flow.j.y), flow.j.velocity(), flow.j.velocity()) / S(2);
-    S const energy = flow.rho * flow.fluid.W.w(flow.J()), push = detail::pressure(flow.fluid, first(flow.j)) * flow.J();
+    S const energy = flow.rho * flow.fluid.W.w(flow.J()), push = material_pressure(flow.fluid, first(flow.j)) * flow.J();
     Matrix<S, n, 1> const space = flow.current().template tail<n>();
     claim.equal("kinetic less stored energy less PJ", model, space, (flow.field * S((kinetic - energy - push) * flow.root)).eval(), 10);
     claim.differs("PJ left out", model, space, (flow.field * S((kinetic - energy) * flow.root)).eval());

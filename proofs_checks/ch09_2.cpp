@@ -84,7 +84,7 @@ STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
         auto const here = fluid.G(moved.particle());
         auto const there = fluid.g(moved.y);
         Matrix<Dual<S>, n, 1> const pulled = solve_linear(moved.gradient(), moved.velocity());
-        sum += (volume<Dual<S>>(here) * detail::pressure(fluid, moved) * jacobian(here, there, moved.gradient()) * pulled[k - 1]).part[0];
+        sum += (volume<Dual<S>>(here) * material_pressure(fluid, moved) * jacobian(here, there, moved.gradient()) * pulled[k - 1]).part[0];
       }
       return sum;
     };
@@ -105,7 +105,7 @@ STATEMENT(claim_9_2_elastic_energy, "energy continuity of standard elasticity") 
       S sum(0);
       for (int k = 1; k <= 2; ++k) {
         auto const moved = along(j, k);
-        sum += (volume<Dual<S>>(medium.G(moved.particle())) * detail::piola_kirchhoff(medium, moved).col(k - 1).dot(moved.velocity())).part[0];
+        sum += (volume<Dual<S>>(medium.G(moved.particle())) * first_piola_kirchhoff_stress(medium, moved).col(k - 1).dot(moved.velocity())).part[0];
       }
       return sum;
     };

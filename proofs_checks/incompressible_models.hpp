@@ -134,13 +134,12 @@ struct SolenoidalField {
   template <class V>
   auto operator()(V const& y) const {
     using T = ScalarOf<V>;
-    auto const moved = detail::in_all_directions(Matrix<T, n + 1, 1>(y));
     Matrix<T, n, 1> u = Matrix<T, n, 1>::Zero();
     for (int a = 0, k = 0; a < n; ++a)
       for (int b = 0; b < a; ++b, ++k) {
-        auto const value = psi[k](moved);
-        u[a] += value.part[b + 1];
-        u[b] -= value.part[a + 1];
+        auto const slope = derivative(psi[k], Matrix<T, n + 1, 1>(y)).gradient();
+        u[a] += slope[b + 1];
+        u[b] -= slope[a + 1];
       }
     Matrix<T, n, 1> const place = y.template tail<n>();
     return (u / volume<T>(g(place))).eval();

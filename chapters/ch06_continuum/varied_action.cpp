@@ -55,7 +55,7 @@ Terms terms(Phi const& phi, V const& field, int count) {
   };
   // The form as far as vertical variations fix it: p dy ^ d^2x_mu.
   auto const vertical_form = [&]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, 3> const& T) -> S {
-    return detail::affine_form<2, 2>(momenta(medium, jet_at<2, 2>(at)), S(0), T);
+    return affine_form<2, 2>(momenta(medium, jet_at<2, 2>(at)), S(0), at, T);
   };
   auto const through = [&](auto const& form) { return boundary_integral(pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form)), box, degree); };
   return {action_variation(medium, phi, field, box, degree), integral(inside, box.low, box.high, degree), through(cartan_form<2, 2>(medium)), through(vertical_form)};

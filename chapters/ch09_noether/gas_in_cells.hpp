@@ -84,8 +84,8 @@ inline double energy_in(Gas const& gas, Cloud const& phi, Cell const& cell) {
 // Its rate: the derivative of the energy density along the motion.
 inline double energy_rate(Gas const& gas, Cloud const& phi, Cell const& cell) {
   auto const rate = [&](Corner const& x) {
-    auto const moving = actio::along(actio::second_jet(phi, actio::Event<double, 2>(phi.t, x[0], x[1])), 0);
-    return -actio::detail::current_component(gas, actio::TimeTranslation{}, moving, 0).part[0];
+    auto const e = [&](auto const& jet) { return actio::energy_density(gas, jet); };
+    return actio::total_derivative(0, e, actio::second_jet(phi, actio::Event<double, 2>(phi.t, x[0], x[1])));
   };
   return actio::integral(rate, cell.low, cell.high, 23);
 }

@@ -111,6 +111,26 @@ BOOST_AUTO_TEST_CASE(the_symbols_of_the_sphere_are_the_known_ones) {
   BOOST_TEST(gamma[1](1, 1) == 0);
 }
 
+BOOST_AUTO_TEST_CASE(divergences_and_lie_derivatives_on_the_sphere_are_the_known_ones) {
+  Vector<double, 2> const y(0.7, 2.1);
+  double const s = std::sin(0.7), c = std::cos(0.7);
+  // Down the meridians with the velocity theta^2, and around the axis.
+  auto const down = [](auto const& z) { return std::remove_cvref_t<decltype(z)>(z[0] * z[0], 0 * z[1]); };
+  auto const around = [](auto const& z) { return std::remove_cvref_t<decltype(z)>(0 * z[0], 1 + 0 * z[1]); };
+  BOOST_TEST(std::abs(divergence(Sphere{}, down, y) - (2 * 0.7 + 0.49 * c / s)) < 8 * eps);
+  BOOST_TEST(divergence(Sphere{}, around, y) == 0);
+  BOOST_TEST(divergence(down, y) == 2 * 0.7);
+  Square<double, 2> const stretched = lie_derivative(Sphere{}, down, y);
+  BOOST_TEST(std::abs(stretched(0, 0) - 4 * 0.7) < 8 * eps);
+  BOOST_TEST(std::abs(stretched(1, 1) - 0.49 * 2 * s * c) < 8 * eps);
+  BOOST_TEST(stretched(0, 1) == 0);
+  BOOST_TEST(stretched(1, 0) == 0);
+  BOOST_TEST(magnitude(lie_derivative(Sphere{}, around, y)) == 0);
+  // Half of its trace is the divergence.
+  Square<double, 2> const g = Sphere{}(y);
+  BOOST_TEST(std::abs((stretched(0, 0) / g(0, 0) + stretched(1, 1) / g(1, 1)) / 2 - divergence(Sphere{}, down, y)) < 16 * eps);
+}
+
 namespace {
 
 /// \f$\lambda\,(\mathrm{tr}\,\epsilon)\,1 + 2\mu\,\epsilon\f$.
@@ -137,7 +157,7 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
     Square<Dual<S>, n> moved = one.template cast<Dual<S>>();
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < n; ++i) moved(a, i).part[0] = H(a, i);
-    auto const stress = detail::piola_kirchhoff(body, strained<Dual<S>, n>(moved));
+    auto const stress = first_piola_kirchhoff_stress(body, strained<Dual<S>, n>(moved));
     Square<S, n> rate;
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < n; ++i) rate(a, i) = stress(a, i).part[0];

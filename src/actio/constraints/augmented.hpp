@@ -70,8 +70,8 @@ struct AugmentedDensity {
   template <class S, int n, int M>
   void examine(Jet<S, n, M> const& jet) const {
     auto const j = configuration<M - components>(jet);
-    detail::examine(density, j);
-    detail::examine(constraint, j);
+    actio::examine(density, j);
+    actio::examine(constraint, j);
   }
 };
 /// The augmented density of a density and a constraint.

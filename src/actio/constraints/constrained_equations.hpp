@@ -8,39 +8,30 @@
 
 namespace actio {
 
-namespace detail {
-/// \f$\langle\lambda, \Phi\rangle\f$ with \f$\lambda\f$ held fixed, as a density.
-template <class T, class Phi>
-struct Paired {
-  Phi const& constraint;
-  Matrix<T, Phi::components, 1> lambda;
+/// The pairing \f$\langle\lambda(x), \Phi\rangle\f$ of a constraint with a given multiplier, as a density. Around the point of a jet of the multiplier
+/// it has the right first derivatives, and that is all that field equations there ask for.
+template <class R, int n, class Phi>
+struct PairedConstraint {
+  Phi const& constraint;              ///< \f$\Phi\f$
+  Jet<R, n, Phi::components> lambda;  ///< first jet of the multiplier
 
-  template <class S, int n, int N>
+  /// Its value at a jet.
+  template <class S, int N>
   S operator()(Jet<S, n, N> const& jet) const {
-    Matrix<S, Phi::components, 1> const value = constraint(jet);
-    S sum(0);
-    for (int i = 0; i < Phi::components; ++i) sum += value[i] * S(lambda[i]);
-    return sum;
+    Event<S, n> const away = jet.x - lambda.x.template cast<S>();
+    Matrix<S, Phi::components, 1> const multiplier = lambda.y.template cast<S>() + lambda.v.template cast<S>() * away, value = constraint(jet);
+    return multiplier.dot(value);
   }
 };
-}  // namespace detail
 
-/// What the multiplier contributes: \f$\langle\lambda, \partial\Phi/\partial y^a\rangle - D_\mu\langle\lambda, \partial\Phi/\partial v^a{}_\mu\rangle\f$. Minus this is the force of the constraint in (7.2).
+/// What the multiplier contributes: \f$\langle\lambda, \partial\Phi/\partial y^a\rangle - D_\mu\langle\lambda, \partial\Phi/\partial v^a{}_\mu\rangle\f$, the Euler-Lagrange
+/// derivative of the pairing. Minus this is the force of the constraint in (7.2).
 /// @param j       second jet of the section
 /// @param lambda  first jet of the multiplier at the same point, \ref first_jet
 template <class S, int n, int N, class Phi>
   requires ConstraintOver<Phi, S, n, N>
 Matrix<S, N, 1> reaction(Phi const& constraint, SecondJet<S, n, N> const& j, Jet<S, n, Phi::components> const& lambda) {
-  constexpr int k = Phi::components;
-  Matrix<S, N, 1> r = place_derivative(detail::Paired<S, Phi>{constraint, lambda.y}, static_cast<Jet<S, n, N> const&>(j));
-  for (int mu = 0; mu <= n; ++mu) {
-    // The total derivative meets lambda(x) as well.
-    Matrix<Dual<S>, k, 1> moved = lambda.y.template cast<Dual<S>>();
-    for (int i = 0; i < k; ++i) moved[i].part[0] = lambda.v(i, mu);
-    Matrix<Dual<S>, N, 1> const p = detail::momentum_column(detail::Paired<Dual<S>, Phi>{constraint, moved}, along(j, mu), mu);
-    for (int a = 0; a < N; ++a) r[a] -= p[a].part[0];
-  }
-  return r;
+  return euler_lagrange_by_terms(PairedConstraint<S, n, Phi>{constraint, lambda}, j);
 }
 
 /// The left side of the constrained field equations as the thesis has them (7.2).
@@ -56,12 +47,12 @@ template <class S, int n, int N, class L, class Phi>
 Matrix<S, N, 1> constrained_field_equations(L const& density, Phi const& constraint, SecondJet<S, n, N> const& j,
                                                    Jet<S, n, Phi::components> const& lambda) {
   auto const& jet = static_cast<Jet<S, n, N> const&>(j);
-  detail::examine(density, jet);
-  detail::examine(constraint, jet);
+  examine(density, jet);
+  examine(constraint, jet);
   // [eq_7_2]
-  Matrix<S, N, 1> const r = momentum_divergence(density, j) - place_derivative(density, jet) + reaction(constraint, j, lambda);
+  Matrix<S, N, 1> const r = momentum_divergence(density, j) - partial_y(density, jet) + reaction(constraint, j, lambda);
   // [eq_7_2]
-  detail::require_derivative(r, jet, "constrained_field_equations");
+  require_derivative(r, jet, "constrained_field_equations");
   return r;
 }
 

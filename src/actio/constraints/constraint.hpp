@@ -52,18 +52,16 @@ auto induced_constraint(Phi const& constraint, Section const& phi) {
 template <class S, int n, int N, class Phi>
   requires ConstraintOver<Phi, S, n, N>
 auto constraint_derivative(Phi const& constraint, Jet<S, n, N> const& jet) {
-  constexpr int k = Phi::components, directions = N * (n + 2);
-  using D = Dual<S, directions>;
-  Jet<D, n, N> moved = jet.template cast<D>();
-  for (int a = 0; a < N; ++a) {
-    moved.y[a].part[a] = S(1);
-    for (int mu = 0; mu <= n; ++mu) moved.v(a, mu).part[N * (mu + 1) + a] = S(1);
-  }
-  Matrix<D, k, 1> const value = constraint(moved);
-  Matrix<S, k, directions> rate;
-  for (int i = 0; i < k; ++i)
-    for (int c = 0; c < directions; ++c) rate(i, c) = value[i].part[c];
-  detail::require_derivative(rate, jet, "constraint_derivative");
+  constexpr int directions = N * (n + 2);
+  // A jet over the same x from y and v in one column.
+  auto const over_x = [&](auto const& fibre) {
+    using T = typename std::remove_cvref_t<decltype(fibre)>::Scalar;
+    Jet<T, n, N> moved{jet.x.template cast<T>(), fibre.template head<N>(), {}};
+    for (int mu = 0; mu <= n; ++mu) moved.v.col(mu) = fibre.template segment<N>(N * (mu + 1));
+    return Matrix<T, Phi::components, 1>(constraint(moved));
+  };
+  auto const rate = derivative(over_x, Matrix<S, directions, 1>(coordinates(jet).template tail<directions>())).matrix;
+  require_derivative(rate, jet, "constraint_derivative");
   return rate;
 }
 

@@ -10,16 +10,6 @@
 
 namespace actio {
 
-namespace detail {
-/// Dual numbers along all m directions at a point.
-template <class S, int m>
-Matrix<Dual<S, m>, m, 1> all_directions(Matrix<S, m, 1> const& q) {
-  Matrix<Dual<S, m>, m, 1> moved = q.template cast<Dual<S, m>>();
-  for (int i = 0; i < m; ++i) moved[i].part[i] = S(1);
-  return moved;
-}
-}  // namespace detail
-
 /// A function h on R^m under the constraint \f$\Psi = 0\f$ with values in the fibres of an inner product bundle.
 ///
 /// \implements{thm_7_1_1}
@@ -36,20 +26,13 @@ struct ConstrainedFunction {
   /// \f$dh\f$ at a point.
   template <class S, int m>
   Matrix<S, m, 1> differential(Matrix<S, m, 1> const& q) const {
-    auto const value = h(detail::all_directions(q));
-    Matrix<S, m, 1> d;
-    for (int i = 0; i < m; ++i) d[i] = value.part[i];
-    return d;
+    return derivative(h, q).gradient();
   }
 
   /// \f$D\Psi\f$ at a point: k rows, m columns.
   template <class S, int m>
   Matrix<S, k, m> constraint_derivative(Matrix<S, m, 1> const& q) const {
-    Matrix<Dual<S, m>, k, 1> const value = constraint(detail::all_directions(q));
-    Matrix<S, k, m> d;
-    for (int j = 0; j < k; ++j)
-      for (int i = 0; i < m; ++i) d(j, i) = value[j].part[i];
-    return d;
+    return derivative(constraint, q).matrix;
   }
 
   /// Refuses a point at which \f$D\Psi\f$ is not onto.
@@ -81,11 +64,10 @@ struct ConstrainedFunction {
   Matrix<S, m + k, 1> augmented_differential(Matrix<S, m, 1> const& q, Matrix<S, k, 1> const& lambda) const {
     Matrix<S, m + k, 1> both;
     both << q, lambda;
-    Matrix<Dual<S, m + k>, m + k, 1> const moved = detail::all_directions(both);
-    auto const value = augmented(Matrix<Dual<S, m + k>, m, 1>(moved.template head<m>()), Matrix<Dual<S, m + k>, k, 1>(moved.template tail<k>()));
-    Matrix<S, m + k, 1> d;
-    for (int i = 0; i < m + k; ++i) d[i] = value.part[i];
-    return d;
+    auto const augmented_at = [&]<class T>(Matrix<T, m + k, 1> const& at) -> T {
+      return augmented(Matrix<T, m, 1>(at.template head<m>()), Matrix<T, k, 1>(at.template tail<k>()));
+    };
+    return derivative(augmented_at, both).gradient();
   }
 
   /// The multiplier at a point: the \f$\lambda\f$ for which \f$\langle\lambda, D\Psi\rangle\f$ is closest to \f$dh\f$. At a critical point of the restriction they

@@ -101,11 +101,12 @@ struct Continuum {
     requires MediumOver<Continuum, S, n, N>
   S operator()(Jet<S, n, N> const& j) const {
     Matrix<S, n, 1> const x = j.particle();
-    auto const here = G(x);
-    auto const there = g(j.y);
-    Matrix<S, N, 1> const velocity = j.velocity();
+    auto const G = this->G(x);
+    auto const g = this->g(j.y);
+    Matrix<S, N, 1> const v = j.velocity();
+    auto const sqrt_det_G = volume<S>(G);
     // [eq_6_3]
-    return volume<S>(here) * rho(x) * (inner(there, velocity, velocity) / Base<S>(2) - W(x, here, there, j.gradient()));
+    return sqrt_det_G * rho(x) * (inner(g, v, v) / Base<S>(2) - W(x, G, g, j.gradient()));
     // [eq_6_3]
   }
 
@@ -114,15 +115,15 @@ struct Continuum {
   template <class S, int n, int N>
   void examine(Jet<S, n, N> const& j) const {
     Matrix<S, n, 1> const x = j.particle();
-    auto const here = G(x);
-    auto const there = g(j.y);
-    require_metric(here, x, "metric of the body");
-    require_metric(there, j.y, "metric of the space");
-    require_volume(here, x, "metric of the body");
+    auto const G = this->G(x);
+    auto const g = this->g(j.y);
+    require_metric(G, x, "metric of the body");
+    require_metric(g, j.y, "metric of the space");
+    require_volume(G, x, "metric of the body");
     S const mass = rho(x);
     if (ordered_arithmetic<S>() && !(base_value(mass) > Base<S>(0)))
       throw NotAMassDensity("mass density at x = " + detail::shown(x), "mass is positive", to_double(mass), 0);
-    if constexpr (requires { W.examine(x, here, there, j.gradient()); }) W.examine(x, here, there, j.gradient());
+    if constexpr (requires { W.examine(x, G, g, j.gradient()); }) W.examine(x, G, g, j.gradient());
   }
 };
 template <class BodyMetric, class SpaceMetric, class Mass, class Energy>

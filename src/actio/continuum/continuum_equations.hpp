@@ -8,10 +8,10 @@
 
 namespace actio {
 
-/// \f$\rho\,g_{ab}\,(D_g\dot\phi/Dt)^b\f$: mass times acceleration.
+/// \f$\rho\,g_{ab}\,(D_g\dot\phi/Dt)^b\f$: mass times acceleration, a covector of space per volume of the body.
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
-Matrix<S, N, 1> inertia(Medium const& medium, SecondJet<S, n, N> const& j) {
+Matrix<S, N, 1> inertial_force(Medium const& medium, SecondJet<S, n, N> const& j) {
   return lowered(medium.g(j.y), material_acceleration(medium.g, j)) * S(medium.rho(j.particle()));
 }
 
@@ -21,9 +21,9 @@ template <class Medium, class S, int n, int N>
 Matrix<S, N, 1> metric_force(Medium const& medium, Jet<S, n, N> const& j) {
   Matrix<S, N, 1> force = Matrix<S, N, 1>::Zero();
   if constexpr (!is_constant_metric<std::remove_cvref_t<decltype(medium.g)>>) {
-    auto const rates = metric_derivatives(medium.g, j.y);
-    Matrix<S, N, N> const by_metric = detail::metric_derivative(medium, j) * S(medium.rho(j.particle()));
-    for (int a = 0; a < N; ++a) force[a] = -by_metric.cwiseProduct(rates[a]).sum();
+    auto const dg = metric_derivatives(medium.g, j.y);
+    Matrix<S, N, N> const by_metric = partial_g(medium, j) * S(medium.rho(j.particle()));
+    for (int a = 0; a < N; ++a) force[a] = -by_metric.cwiseProduct(dg[a]).sum();
   }
   return force;
 }
@@ -37,15 +37,15 @@ template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
 Matrix<S, N, 1> medium_equation(Medium const& medium, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
-  detail::examine(medium, first);
+  examine(medium, first);
   auto const weighted = [&]<class T>(Jet<T, n, N> const& jet) {
     T const weight = medium.rho(jet.particle()) * volume<T>(medium.G(jet.particle()));
-    return (detail::strain_derivative(medium, jet) * weight).eval();
+    return partial_F(medium, jet) * weight;
   };
   // [eq_6_13]
-  Matrix<S, N, 1> const r = inertia(medium, j) - detail::two_point_rates(weighted, j).divergence / volume<S>(medium.G(j.particle())) - metric_force(medium, first);
+  Matrix<S, N, 1> const r = inertial_force(medium, j) - two_point_rates(weighted, j).divergence / volume<S>(medium.G(j.particle())) - metric_force(medium, first);
   // [eq_6_13]
-  detail::require_derivative(r, first, "medium_equation");
+  require_derivative(r, first, "medium_equation");
   return r;
 }
 
@@ -57,13 +57,13 @@ template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n> && FluidMedium<Medium>
 Matrix<S, n, 1> fluid_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
   Jet<S, n, n> const& first = j;
-  detail::examine(medium, first);
-  Matrix<S, n, 1> slope;
-  for (int k = 0; k < n; ++k) slope[k] = detail::pressure(medium, along(j, k + 1)).part[0];
+  examine(medium, first);
+  Matrix<S, n, 1> dP;
+  for (int k = 0; k < n; ++k) dP[k] = total_derivative(k + 1, [&](auto const& jet) { return material_pressure(medium, jet); }, j);
   // [eq_6_18]
-  Matrix<S, n, 1> const r = inertia(medium, j) + area_transformation(medium.G(j.particle()), medium.g(j.y), j.gradient()) * slope;
+  Matrix<S, n, 1> const r = inertial_force(medium, j) + area_transformation(medium.G(j.particle()), medium.g(j.y), j.gradient()) * dP;
   // [eq_6_18]
-  detail::require_derivative(r, first, "fluid_equation");
+  require_derivative(r, first, "fluid_equation");
   return r;
 }
 
@@ -73,9 +73,9 @@ template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
 Matrix<S, N, 1> stress_divergence(Medium const& medium, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
-  detail::examine(medium, first);
-  Matrix<S, N, 1> const r = two_point_divergence(medium.G, medium.g, j, [&](auto const& jet) { return detail::piola_kirchhoff(medium, jet); });
-  detail::require_derivative(r, first, "stress_divergence");
+  examine(medium, first);
+  Matrix<S, N, 1> const r = two_point_divergence(medium.G, medium.g, j, [&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); });
+  require_derivative(r, first, "stress_divergence");
   return r;
 }
 
@@ -87,13 +87,13 @@ template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n>
 Matrix<S, n, 1> stress_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
   Jet<S, n, n> const& first = j;
-  Matrix<S, n, 1> r = inertia(medium, j) - stress_divergence(medium, j);
+  Matrix<S, n, 1> r = inertial_force(medium, j) - stress_divergence(medium, j);
   if constexpr (!is_constant_metric<std::remove_cvref_t<decltype(medium.g)>>) {
-    auto const there = medium.g(j.y);
-    S const J = jacobian(medium.G(j.particle()), there, j.gradient());
+    auto const g = medium.g(j.y);
+    S const J = jacobian(medium.G(j.particle()), g, j.gradient());
     auto const gamma = christoffel(medium.g, j.y);
     // [eq_6_20]
-    Matrix<S, n, n> const excess = first_piola_kirchhoff_stress(medium, first) * j.gradient().transpose() - lowered(there, cauchy_stress(medium, first)) * J;
+    Matrix<S, n, n> const excess = first_piola_kirchhoff_stress(medium, first) * j.gradient().transpose() - lowered(g, cauchy_stress(medium, first)) * J;
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
         for (int c = 0; c < n; ++c) r[a] -= gamma[b](a, c) * excess(b, c);

@@ -162,11 +162,11 @@ Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJet<S, n,
 /// Accuracy: rounding.
 template <class S, int n, class R, class Energy>
 Matrix<S, n, 1> elastic_equation(Continuum<Euclidean<n>, Euclidean<n>, Homogeneous<R>, Energy> const& medium, SecondJet<S, n, n> const& j) {
-  detail::examine(medium, static_cast<Jet<S, n, n> const&>(j));
+  examine(medium, static_cast<Jet<S, n, n> const&>(j));
   Matrix<S, n, 1> r = detail::stress_divergence(medium.W, j);
 #pragma GCC unroll 3
   for (int a = 0; a < n; ++a) r[a] = (r[a] - j.w[0](a, 0)) * Base<S>(medium.rho.value);
-  detail::require_derivative(r, static_cast<Jet<S, n, n> const&>(j), "elastic_equation");
+  require_derivative(r, static_cast<Jet<S, n, n> const&>(j), "elastic_equation");
   return r;
 }
 

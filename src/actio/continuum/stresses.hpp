@@ -20,64 +20,37 @@ Kronecker<n> metric_over(Kronecker<n> g) {
   return g;
 }
 
-/// \f$\partial W/\partial F^a{}_i\f$, a row for each a.
-template <class Medium, class S, int n, int N>
-Matrix<S, N, n> strain_derivative(Medium const& medium, Jet<S, n, N> const& j) {
-  using D = Dual<S, N>;
-  Matrix<S, n, 1> const x = j.particle();
-  auto const here = metric_over<D>(medium.G(x));
-  auto const there = metric_over<D>(medium.g(j.y));
-  Matrix<D, n, 1> const at = x.template cast<D>();
-  Matrix<S, N, n> rate;
-  for (int i = 0; i < n; ++i) {
-    Matrix<D, N, n> F = j.gradient().template cast<D>();
-    for (int a = 0; a < N; ++a) F(a, i).part[a] = S(1);
-    D const energy = medium.W(at, here, there, F);
-    for (int a = 0; a < N; ++a) rate(a, i) = energy.part[a];
-  }
-  return rate;
-}
-
-/// The symmetric \f$\partial W/\partial g_{ab}\f$.
-template <class Medium, class S, int n, int N>
-Matrix<S, N, N> metric_derivative(Medium const& medium, Jet<S, n, N> const& j) {
-  using D = Dual<S, N>;
-  Matrix<S, n, 1> const x = j.particle();
-  auto const here = metric_over<D>(medium.G(x));
-  Matrix<D, N, N> const there = as_matrix<S>(medium.g(j.y)).template cast<D>();
-  Matrix<D, n, 1> const at = x.template cast<D>();
-  Matrix<D, N, n> const F = j.gradient().template cast<D>();
-  Matrix<S, N, N> rate;
-  for (int a = 0; a < N; ++a) {
-    // Half of the change goes to g_ab and half to g_ba.
-    Matrix<D, N, N> moved = there;
-    for (int b = 0; b < N; ++b) moved(a, b).part[b] += ratio<S>(1, 2), moved(b, a).part[b] += ratio<S>(1, 2);
-    D const energy = medium.W(at, here, moved, F);
-    for (int b = 0; b < N; ++b) rate(a, b) = energy.part[b];
-  }
-  return rate;
-}
-
-/// \f$\rho\,\partial W/\partial F^a{}_i\f$, of a medium that has been examined.
-template <class Medium, class S, int n, int N>
-Matrix<S, N, n> piola_kirchhoff(Medium const& medium, Jet<S, n, N> const& j) {
-  // [eq_6_19]
-  return strain_derivative(medium, j) * S(medium.rho(j.particle()));
-  // [eq_6_19]
-}
-
-/// \f$-\rho\,dW/dJ\f$, of a fluid that has been examined.
-template <class Medium, class S, int n>
-S pressure(Medium const& medium, Jet<S, n, n> const& j) {
-  Matrix<S, n, 1> const x = j.particle();
-  Dual<S> J = jacobian(medium.G(x), medium.g(j.y), j.gradient());
-  J.part[0] = S(1);
-  // [eq_6_16]
-  return -(S(medium.rho(x)) * medium.W.w(J).part[0]);
-  // [eq_6_16]
-}
-
 }  // namespace detail
+
+/// The derivatives \f$\partial W/\partial F^a{}_i\f$ of a medium's stored energy by the deformation gradient: a row for each a, a column for each i.
+///
+/// \ref first_piola_kirchhoff_stress is this times the mass density, and asks the medium first whether it is defined.
+template <class Medium, class S, int n, int N>
+  requires MediumOver<Medium, S, n, N>
+Matrix<S, N, n> partial_F(Medium const& medium, Jet<S, n, N> const& j) {
+  Matrix<S, n, 1> const x = j.particle();
+  auto const G = medium.G(x);
+  auto const g = medium.g(j.y);
+  auto const W = [&]<class T>(Matrix<T, N, n> const& F) -> T {
+    return medium.W(x.template cast<T>(), detail::metric_over<T>(G), detail::metric_over<T>(g), F);
+  };
+  return derivative(W, j.gradient()).gradient();
+}
+
+/// The symmetric derivatives \f$\partial W/\partial g_{ab}\f$ of a medium's stored energy by the metric of space.
+template <class Medium, class S, int n, int N>
+  requires MediumOver<Medium, S, n, N>
+Matrix<S, N, N> partial_g(Medium const& medium, Jet<S, n, N> const& j) {
+  Matrix<S, n, 1> const x = j.particle();
+  Matrix<S, N, n> const F = j.gradient();
+  auto const G = medium.G(x);
+  auto const W = [&]<class T>(Matrix<T, N, N> const& g) -> T {
+    return medium.W(x.template cast<T>(), detail::metric_over<T>(G), g, F.template cast<T>());
+  };
+  Matrix<S, N, N> const d = derivative(W, as_matrix<S>(medium.g(j.y))).gradient();
+  // Half of a change of the symmetric matrix goes to g_ab and half to g_ba.
+  return (d + d.transpose()) * ratio<S>(1, 2);
+}
 
 /// The first Piola-Kirchhoff stress \f$\mathcal P_a{}^i = \rho\,\partial W/\partial F^a{}_i\f$ (6.19): force per area of the body.
 ///
@@ -88,9 +61,11 @@ S pressure(Medium const& medium, Jet<S, n, n> const& j) {
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
 Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> const& j) {
-  detail::examine(medium, j);
-  Matrix<S, N, n> const stress = detail::piola_kirchhoff(medium, j);
-  detail::require_derivative(stress, j, "first_piola_kirchhoff_stress");
+  examine(medium, j);
+  // [eq_6_19]
+  Matrix<S, N, n> const stress = partial_F(medium, j) * S(medium.rho(j.particle()));
+  // [eq_6_19]
+  require_derivative(stress, j, "first_piola_kirchhoff_stress");
   return stress;
 }
 
@@ -103,16 +78,16 @@ Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> 
 template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n>
 Matrix<S, n, n> cauchy_stress(Medium const& medium, Jet<S, n, n> const& j) {
-  detail::examine(medium, j);
+  examine(medium, j);
   Matrix<S, n, 1> const x = j.particle();
-  auto const there = medium.g(j.y);
-  require_volume(there, j.y, "metric of the space");
-  S const J = jacobian(medium.G(x), there, j.gradient());
+  auto const g = medium.g(j.y);
+  require_volume(g, j.y, "metric of the space");
+  S const J = jacobian(medium.G(x), g, j.gradient());
   detail::require_orientation(J, x, "cauchy_stress");
   // [eq_6_14]
-  Matrix<S, n, n> const stress = detail::metric_derivative(medium, j) * S(S(2) * medium.rho(x) / J);
+  Matrix<S, n, n> const stress = partial_g(medium, j) * S(S(2) * medium.rho(x) / J);
   // [eq_6_14]
-  detail::require_derivative(stress, j, "cauchy_stress");
+  require_derivative(stress, j, "cauchy_stress");
   return stress;
 }
 
@@ -127,10 +102,14 @@ concept FluidMedium = is_barotropic<std::remove_cvref_t<decltype(std::declval<Me
 template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n> && FluidMedium<Medium>
 S material_pressure(Medium const& medium, Jet<S, n, n> const& j) {
-  detail::examine(medium, j);
-  S const pressure = detail::pressure(medium, j);
-  detail::require_derivative(Matrix<S, 1, 1>(pressure), j, "material_pressure");
-  return pressure;
+  examine(medium, j);
+  Matrix<S, n, 1> const x = j.particle();
+  auto const [W, dW_dJ] = derivative(medium.W.w, jacobian(medium.G(x), medium.g(j.y), j.gradient()));
+  // [eq_6_16]
+  S const P = -(S(medium.rho(x)) * dW_dJ);
+  // [eq_6_16]
+  require_derivative(Matrix<S, 1, 1>(P), j, "material_pressure");
+  return P;
 }
 
 /// \f$J\,(F^{-1})^i{}_a\f$, what carries areas of space to areas of the body: a row for each a, a column for each i, as a Piola-Kirchhoff stress has.

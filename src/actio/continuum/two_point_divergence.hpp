@@ -8,29 +8,26 @@
 
 namespace actio {
 
-namespace detail {
-
-/// A two-point tensor at a jet, and its total derivatives \f$D_iT_a{}^i\f$ with i summed.
+/// A two-point tensor at a jet, and the sum \f$D_iT_a{}^i\f$ of its total derivatives.
 template <class S, int n, int N>
 struct TwoPointRates {
-  Matrix<S, N, n> value;
-  Matrix<S, N, 1> divergence;
+  Matrix<S, N, n> value;       ///< \f$T_a{}^i\f$
+  Matrix<S, N, 1> divergence;  ///< \f$D_iT_a{}^i\f$, without Christoffel symbols
 };
+/// The value of a two-point tensor along a section and the sum \f$D_iT_a{}^i\f$ of its total derivatives.
+/// @param T  two-point tensor: a callable on first jets, over any scalar
+/// @param j  second jet of the section
 template <class S, int n, int N, class Tensor>
 TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const& j) {
   TwoPointRates<S, n, N> rates;
   rates.divergence.setZero();
   for (int i = 0; i < n; ++i) {
-    Matrix<Dual<S>, N, n> const moved = T(along(j, i + 1));
-    for (int a = 0; a < N; ++a) {
-      rates.value(a, i) = moved(a, i).value;
-      rates.divergence[a] += moved(a, i).part[0];
-    }
+    auto const [value, D_i] = along_section(i + 1, T, j);
+    rates.value.col(i) = value.col(i);
+    rates.divergence += D_i.col(i);
   }
   return rates;
 }
-
-}  // namespace detail
 
 /// The covariant divergence \f$T_a{}^i{}_{|i} = \partial_iT_a{}^i + T_a{}^j\,\Gamma^k_{jk} - T_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ along a section.
 ///
@@ -44,7 +41,7 @@ TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const
 /// Accuracy: exact but for the rounding of T and of the metrics.
 template <class BodyMetric, class SpaceMetric, class S, int n, int N, class Tensor>
 Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, N> const& j, Tensor const& T) {
-  auto const rates = detail::two_point_rates(T, j);
+  auto const rates = two_point_rates(T, j);
   Matrix<S, N, 1> sum = rates.divergence;
   // [claim_6_2_covariant_divergence]
   if constexpr (!is_constant_metric<BodyMetric>) {

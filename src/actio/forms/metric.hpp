@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 
+#include "actio/numbers/derivative.hpp"
 #include "actio/forms/forms.hpp"
 #include "actio/numbers/square_root.hpp"
 
@@ -199,22 +200,17 @@ void require_volume(Kronecker<n>, V const&, char const*) {}
 /// \f$\partial g_{ab}/\partial y^c\f$ for all c: `rates[c](a, b)`.
 template <class Metric, class S, int n>
 std::array<Matrix<S, n, n>, n> metric_derivatives(Metric const& g, Matrix<S, n, 1> const& y) {
-  using D = Dual<S, n>;
   std::array<Matrix<S, n, n>, n> rates;
   if constexpr (is_constant_metric<Metric>) {
     for (auto& rate : rates) rate.setZero();
   } else {
-    Matrix<D, n, 1> moved = y.template cast<D>();
-    for (int c = 0; c < n; ++c) moved[c].part[c] = S(1);
-    Matrix<D, n, n> const value = g(moved);
-    for (int c = 0; c < n; ++c)
-      for (int a = 0; a < n; ++a)
-        for (int b = 0; b < n; ++b) rates[c](a, b) = value(a, b).part[c];
+    auto const d = derivative(g, y);
+    for (int c = 0; c < n; ++c) rates[c] = d.partial(c);
   }
   return rates;
 }
 
-/// The Christoffel symbols \f$\gamma^c_{ab} = \tfrac12 g^{cd}(\partial_bg_{ad} + \partial_ag_{bd} - \partial_dg_{ab})\f$ at a point: `gamma[c](a, b)`.
+/// The Christoffel symbols \f$\gamma^c_{ab} = \tfrac12 g^{ce}(\partial_bg_{ae} + \partial_ag_{be} - \partial_eg_{ab})\f$ at a point: `gamma[c](a, b)`.
 ///
 /// \implements{claim_6_2_christoffel}
 /// @throws Singular  where g is
@@ -224,14 +220,15 @@ std::array<Matrix<S, n, n>, n> christoffel(Metric const& g, Matrix<S, n, 1> cons
   std::array<Matrix<S, n, n>, n> gamma;
   for (auto& m : gamma) m.setZero();
   if constexpr (!is_constant_metric<Metric>) {
-    auto const rates = metric_derivatives(g, y);
-    Matrix<S, n, n> const inverse = inverse_matrix(Matrix<S, n, n>(g(y)), "christoffel");
+    auto const d = derivative(g, y);
+    Matrix<S, n, n> const inverse = inverse_matrix(d.value, "christoffel");
+    auto const dg = [&d](int c, int a, int b) -> S const& { return d.matrix(a + n * b, c); };
     for (int c = 0; c < n; ++c)
       for (int a = 0; a < n; ++a)
         for (int b = 0; b < n; ++b)
-          for (int d = 0; d < n; ++d) {
+          for (int e = 0; e < n; ++e) {
             // [claim_6_2_christoffel]
-            gamma[c](a, b) += inverse(c, d) * (rates[b](a, d) + rates[a](b, d) - rates[d](a, b)) / S(2);
+            gamma[c](a, b) += inverse(c, e) * (dg(b, a, e) + dg(a, b, e) - dg(e, a, b)) / S(2);
             // [claim_6_2_christoffel]
           }
   }
@@ -247,6 +244,48 @@ Matrix<S, n, 1> connection(Metric const& g, Matrix<S, n, 1> const& y, Matrix<S, 
     for (int c = 0; c < n; ++c) sum[c] = inner(gamma[c], u, w);
   }
   return sum;
+}
+
+// ---- Derivatives of vector fields.
+
+/// The divergence \f$\frac1{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a vector field with respect to the volume of a metric.
+///
+/// @param g   metric, a callable on points
+/// @param u   vector field: a callable on points, over any scalar. It may depend on time as well: then points are (t, y), and the derivatives are
+///            those by y
+/// @param at  point, with as many coordinates as the field has components; or (t, y)
+/// Accuracy: exact but for the rounding of g and u.
+template <class Metric, class Field, class S, int rows>
+S divergence(Metric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
+  constexpr int n = std::remove_cvref_t<decltype(u(at))>::RowsAtCompileTime;
+  static_assert(n == rows || n == rows - 1, "a vector field has as many components as the space has dimensions");
+  auto const flux = [&]<class T>(Matrix<T, n, 1> const& y) -> Matrix<T, n, 1> {
+    Matrix<T, rows, 1> point = at.template cast<T>();
+    point.template tail<n>() = y;
+    return u(point) * volume<T>(g(y));
+  };
+  Matrix<S, n, 1> const y = at.template tail<n>();
+  return derivative(flux, y).matrix.trace() / volume<S>(g(y));
+}
+/// The divergence \f$\partial_\mu B^\mu\f$ with respect to the volume of the coordinates.
+/// @param B  a callable on points, over any scalar, with as many components as a point has coordinates
+template <class Field, class S, int rows>
+S divergence(Field const& B, Matrix<S, rows, 1> const& x) {
+  return divergence(Euclidean<rows>{}, B, x);
+}
+
+/// The Lie derivative \f$k^c\partial_cg_{ab} + g_{cb}\,\partial_ak^c + g_{ac}\,\partial_bk^c\f$ of a metric along a vector field: zero for
+/// Killing fields.
+///
+/// \implements{claim_9_0_isometries}
+/// @param k  vector field: a callable on points, over any scalar
+/// Accuracy: exact but for the rounding of g and k.
+template <class Metric, class Field, class S, int n>
+Matrix<S, n, n> lie_derivative(Metric const& g, Field const& k, Matrix<S, n, 1> const& y) {
+  auto const metric = [&g]<class T>(Matrix<T, n, 1> const& z) { return as_matrix<T>(g(z)); };
+  auto const [k_y, dk] = derivative(k, y);
+  auto const [g_y, dg] = derivative_along(metric, y, k_y);
+  return dg + dk.transpose() * g_y + g_y * dk;
 }
 
 }  // namespace actio

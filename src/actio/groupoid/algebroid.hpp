@@ -12,9 +12,7 @@ namespace detail {
 /// An infinitesimal v of one direction.
 template <class Gamma, class S>
 Fibre<Gamma, Dual<S>> infinitesimal_along(Gamma const& gamma, int a) {
-  Fibre<Gamma, Dual<S>> v = Fibre<Gamma, Dual<S>>::Zero(gamma.dimension());
-  v[a].part[0] = S(1);
-  return v;
+  return moved_along(Fibre<Gamma, S>(Fibre<Gamma, S>::Zero(gamma.dimension())), Fibre<Gamma, S>(Fibre<Gamma, S>::Unit(gamma.dimension(), a)));
 }
 /// g moved at its free end along the a-th direction of the algebroid.
 template <class Gamma, class A>

@@ -39,19 +39,13 @@ struct GeneratedMomenta {
 template <class F, class V>
 GeneratedMomenta<V> generated_momenta(F const& s, V const& q, V const& q0, typename V::Scalar const& t) {
   using S = typename V::Scalar;
-  using D = Dual<S>;
-  using Moving = Matrix<D, V::RowsAtCompileTime, 1>;
-  GeneratedMomenta<V> p{V(q.size()), V(q.size())};
-  Moving const still = q.template cast<D>(), still0 = q0.template cast<D>();
-  for (Index i = 0; i < q.size(); ++i) {
-    Moving moved = still, moved0 = still0;
-    moved[i].part[0] = moved0[i].part[0] = S(1);
-    // [claim_4_2_classical_hamilton_jacobi]
-    p.initial[i] = -s(still, moved0, D(t)).part[0];
-    p.final[i] = s(moved, still0, D(t)).part[0];
-    // [claim_4_2_classical_hamilton_jacobi]
-  }
-  return p;
+  constexpr int n = V::RowsAtCompileTime;
+  Matrix<S, n, 1> const at(q), at0(q0);
+  auto const by_start = [&]<class T>(Matrix<T, n, 1> const& x) -> T { return s(at.template cast<T>(), x, T(t)); };
+  auto const by_end = [&]<class T>(Matrix<T, n, 1> const& x) -> T { return s(x, at0.template cast<T>(), T(t)); };
+  // [claim_4_2_classical_hamilton_jacobi]
+  return {-derivative(by_start, at0).gradient(), derivative(by_end, at).gradient()};
+  // [claim_4_2_classical_hamilton_jacobi]
 }
 /// The residual of the Hamilton-Jacobi equation \f$\partial S/\partial t + H(q, \partial S/\partial q) = 0\f$
 /// on \f$\mathbb R^n\f$.
@@ -60,11 +54,8 @@ GeneratedMomenta<V> generated_momenta(F const& s, V const& q, V const& q0, typen
 /// @param h  Hamiltonian, (q, p) -> energy
 template <class F, class H, class V>
 typename V::Scalar hamilton_jacobi(F const& s, H const& h, V const& q, V const& q0, typename V::Scalar const& t) {
-  using D = Dual<typename V::Scalar>;
-  D time(t);
-  time.part[0] = typename V::Scalar(1);
-  auto const rate = s(q.template cast<D>().eval(), q0.template cast<D>().eval(), time).part[0];
-  return rate + h(q, generated_momenta(s, q, q0, t).final);
+  auto const in_time = [&]<class T>(T const& time) -> T { return s(q.template cast<T>().eval(), q0.template cast<T>().eval(), time); };
+  return derivative(in_time, t).rate + h(q, generated_momenta(s, q, q0, t).final);
 }
 
 // ---- On a group
@@ -78,9 +69,7 @@ auto at_time(F s, T t) {
 /// \f$\partial S/\partial t\f$ with the relative motion held.
 template <Group G, Scalar S, class F>
 S time_derivative(F const& s, Element<G, S> const& g, std::type_identity_t<S> const& t) {
-  Dual<S> time(t);
-  time.part[0] = S(1);
-  return s(over<Dual<S>>(g), time).part[0];
+  return derivative([&]<class T>(T const& time) -> T { return s(over<T>(g), time); }, t).rate;
 }
 
 /// The residual of the Lie-Poisson Hamilton-Jacobi equation of a left-invariant system.

@@ -13,16 +13,9 @@ namespace detail {
 /// Component a: the rate of `f(near_unit(x, v))` along the a-th direction of the algebroid over x.
 template <Groupoid Gamma, Scalar S, class F>
 Fibre<Gamma, S> fibre_differential(Gamma const& gamma, Point<Gamma, Moved<S>> const& x, F const& f, char const* where) {
-  int const n = gamma.dimension();
-  Fibre<Gamma, S> d(n);
-  over_batches(n, [&](int first) {
-    Fibre<Gamma, Moved<S>> v = Fibre<Gamma, Moved<S>>::Zero(n);
-    for (int a = 0; a < batch && first + a < n; ++a) v[first + a].part[a] = S(1);
-    Moved<S> const change = f(gamma.near_unit(x, v));
-    require_number<S>(change, where);
-    for (int a = 0; a < batch && first + a < n; ++a) d[first + a] = change.part[a];
-  });
-  return d;
+  auto const d = derivative([&](Fibre<Gamma, Moved<S>> const& v) { return f(gamma.near_unit(x, v)); }, Fibre<Gamma, S>(Fibre<Gamma, S>::Zero(gamma.dimension())));
+  require_number(d, where);
+  return d.gradient();
 }
 }  // namespace detail
 
@@ -85,26 +78,23 @@ Solved<A> arrow_with_source_covector(Gamma const& gamma, L const& l, Fibre<Gamma
   Solved<A> found{start, {}};
   Report& report = found.report;
   report.tolerance = 16 * to_double(epsilon<S>());
-  Matrix<S, Gamma::dim, Gamma::dim> derivative(n, n);
-  Fibre<Gamma, S> value(n);
+  Fibre<Gamma, S> const still = Fibre<Gamma, S>::Zero(n);
   for (int iteration = 0; iteration < limit; ++iteration) {
     // The residual on arrows moved infinitely little at their free end: value and derivative at once.
     auto const wide = gamma.template over<Moved<S>>(found.value);
-    over_batches(n, [&](int first) {
-      Fibre<Gamma, Moved<S>> v = Fibre<Gamma, Moved<S>>::Zero(n);
-      for (int a = 0; a < batch && first + a < n; ++a) v[first + a].part[a] = S(1);
-      auto const moved = legendre_at_source(gamma, l, gamma.compose(wide, gamma.near_unit(gamma.target(wide), v))).components;
-      store_parts(derivative, moved, first);
-      if (first == 0)
-        for (int i = 0; i < n; ++i) value[i] = moved[i].value - p[i];
-    });
+    auto const covector = [&](Fibre<Gamma, Moved<S>> const& v) -> Fibre<Gamma, Moved<S>> {
+      return legendre_at_source(gamma, l, gamma.compose(wide, gamma.near_unit(gamma.target(wide), v))).components;
+    };
+    auto const moved = derivative(covector, still);
+    Fibre<Gamma, S> const value = moved.value - p;
+    auto const& slope = moved.matrix;
     ++report.evaluations;
-    if (!is_finite(value) || !is_finite(derivative)) throw NotFinite("arrow_with_source_covector: residual or its derivative");
+    if (!is_finite(value) || !is_finite(slope)) throw NotFinite("arrow_with_source_covector: residual or its derivative");
     double const before = report.residuals.empty() ? HUGE_VAL : report.residuals.back();
-    double const size = relative_residual(value, derivative);
+    double const size = relative_residual(value, slope);
     report.residuals.push_back(size);
     bool const done = size <= report.tolerance || (size <= 64 * report.tolerance && size > before / 2);
-    Fibre<Gamma, S> update = solve_linear(derivative, Fibre<Gamma, S>(-value), "arrow_with_source_covector: derivative of the residual");
+    Fibre<Gamma, S> update = solve_linear(slope, Fibre<Gamma, S>(-value), "arrow_with_source_covector: derivative of the residual");
     if (S const length = magnitude(update); length > S(1)) update /= length;
     found.value = gamma.compose(found.value, gamma.leave(gamma.target(found.value), update));
     if (done) return found;

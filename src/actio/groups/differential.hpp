@@ -7,16 +7,10 @@
 #include <type_traits>
 #include <vector>
 
+#include "actio/numbers/derivative.hpp"
 #include "actio/groups/group.hpp"
 
 namespace actio {
-
-/// How many directions a dual number carries at once.
-inline constexpr int batch = 3;
-
-/// The scalar on which one differential of a function at `S` is evaluated.
-template <class S>
-using Moved = Dual<S, batch>;
 
 /// Whether infinitesimal motions are products of matrices, so that they can be written down entry by entry.
 template <class G, class S>
@@ -105,6 +99,13 @@ void require_number(Moved<S> const& change, char const* where) {
     if (!is_finite(change)) throw NotFinite(std::string(where) + ": value or derivative of the function");
 }
 
+/// A derivative that is handed out as plain numbers must be of such.
+template <class S, int R, int C>
+void require_number(Derivative<S, S, R, C> const& d, char const* where) {
+  if constexpr (Plain<S>)
+    if (!is_finite(d.value) || !is_finite(d.matrix)) throw NotFinite(std::string(where) + ": value or derivative of the function");
+}
+
 /// Calls `visit(first)` for the first direction of each batch.
 template <class Visit>
 void over_batches(int dimension, Visit const& visit) {
@@ -148,31 +149,17 @@ Momentum<G, S> left_differential(F const& l, Element<G, S> const& g) {
 /// \f$\partial l/\partial\xi\f$ of a function on the algebra: a covector.
 template <Group G, Scalar S, class F>
 Momentum<G, S> gradient(F const& l, Velocity<G, S> const& xi) {
-  int const n = xi.group.dimension();
-  Momentum<G, S> d{xi.group, Coordinates<G, S>(n)};
-  over_batches(n, [&](int first) {
-    Velocity<G, Moved<S>> moved = over<Moved<S>>(xi);
-    for (int a = 0; a < batch && first + a < n; ++a) moved.coordinates[first + a].part[a] = S(1);
-    Moved<S> const change = l(moved);
-    require_number<S>(change, "gradient");
-    for (int a = 0; a < batch && first + a < n; ++a) d.components[first + a] = change.part[a];
-  });
-  return d;
+  auto const d = derivative([&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T { return l(Velocity<G, T>{xi.group, moved}); }, xi.coordinates);
+  require_number(d, "gradient");
+  return {xi.group, d.gradient()};
 }
 
 /// \f$\partial h/\partial\mu\f$ of a function on the dual of the algebra: a velocity.
 template <Group G, Scalar S, class F>
 Velocity<G, S> gradient(F const& h, Momentum<G, S> const& mu) {
-  int const n = mu.group.dimension();
-  Velocity<G, S> d{mu.group, Coordinates<G, S>(n)};
-  over_batches(n, [&](int first) {
-    Momentum<G, Moved<S>> moved = over<Moved<S>>(mu);
-    for (int a = 0; a < batch && first + a < n; ++a) moved.components[first + a].part[a] = S(1);
-    Moved<S> const change = h(moved);
-    require_number<S>(change, "gradient");
-    for (int a = 0; a < batch && first + a < n; ++a) d.coordinates[first + a] = change.part[a];
-  });
-  return d;
+  auto const d = derivative([&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T { return h(Momentum<G, T>{mu.group, moved}); }, mu.components);
+  require_number(d, "gradient");
+  return {mu.group, d.gradient()};
 }
 
 /// The parts of a column of dual numbers along one batch, as columns of a matrix beginning at column `first`.

@@ -1,7 +1,7 @@
 // The Lie algebra of the volume preserving diffeomorphisms (section 8.3 of the thesis).
 #pragma once
 
-#include "actio/numbers/dual.hpp"
+#include "actio/numbers/derivative.hpp"
 
 namespace actio {
 
@@ -11,15 +11,7 @@ namespace actio {
 template <class X, class Y>
 auto jacobi_lie_bracket(X const& x, Y const& y) {
   return [x, y]<class S, int n>(Matrix<S, n, 1> const& at) {
-    auto const rate_along = [&at](auto const& field, Matrix<S, n, 1> const& direction) {
-      Matrix<Dual<S>, n, 1> moved = at.template cast<Dual<S>>();
-      for (int a = 0; a < n; ++a) moved[a].part[0] = direction[a];
-      Matrix<Dual<S>, n, 1> const value = field(moved);
-      Matrix<S, n, 1> rate;
-      for (int a = 0; a < n; ++a) rate[a] = value[a].part[0];
-      return rate;
-    };
-    return Matrix<S, n, 1>(rate_along(y, x(at)) - rate_along(x, y(at)));
+    return Matrix<S, n, 1>(derivative_along(y, at, x(at)).rate - derivative_along(x, at, y(at)).rate);
   };
 }
 

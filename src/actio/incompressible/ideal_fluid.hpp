@@ -10,13 +10,6 @@
 namespace actio {
 
 namespace detail {
-/// A place that moves along all coordinates of space, with its time.
-template <class S, int rows>
-Matrix<Dual<S, rows>, rows, 1> in_all_directions(Matrix<S, rows, 1> const& at) {
-  auto moved = at.template cast<Dual<S, rows>>().eval();
-  for (int i = 0; i < rows; ++i) moved[i].part[i] = S(1);
-  return moved;
-}
 /// The place of a point (t, y).
 template <class S, int rows>
 Matrix<S, rows - 1, 1> place_of(Matrix<S, rows, 1> const& at) {
@@ -62,26 +55,11 @@ Matrix<S, rows - 1, 1> self_advection(SpaceMetric const& g, Field const& u, Matr
   return d.slope * d.value;
 }
 
-/// The divergence \f$\frac{1}{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a field at a point (t, y).
-template <class SpaceMetric, class Field, class S, int rows>
-S divergence(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
-  constexpr int n = rows - 1;
-  auto const moved = detail::in_all_directions(at);
-  Dual<S, rows> const root = volume<Dual<S, rows>>(g(detail::place_of(moved)));
-  auto const flow = u(moved).eval();
-  S sum(0);
-  for (int a = 0; a < n; ++a) sum += (root * flow[a]).part[a + 1];
-  return sum / root.value;
-}
-
 /// The gradient \f$g^{ab}\partial_bp\f$ of a function at a point (t, y).
 template <class SpaceMetric, class Pressure, class S, int rows>
 Matrix<S, rows - 1, 1> gradient(SpaceMetric const& g, Pressure const& p, Matrix<S, rows, 1> const& at) {
-  constexpr int n = rows - 1;
-  auto const value = p(detail::in_all_directions(at));
-  Matrix<S, n, 1> rates;
-  for (int a = 0; a < n; ++a) rates[a] = value.part[a + 1];
-  return raised(g(detail::place_of(at)), rates);
+  auto const dp = derivative(p, at).gradient();
+  return raised(g(detail::place_of(at)), Matrix<S, rows - 1, 1>(dp.template tail<rows - 1>()));
 }
 
 /// \f$\Delta p = \mathrm{div}\,\mathrm{grad}\,p\f$.
@@ -106,12 +84,7 @@ S pressure_source(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const
 /// @param f  a callable on places, zero on the wall
 template <class SpaceMetric, class Field, class Wall, class S, int rows>
 S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Matrix<S, rows, 1> const& at) {
-  constexpr int n = rows - 1;
-  auto const along_wall = f(detail::in_all_directions(detail::place_of(at)));
-  auto const acceleration = eulerian_acceleration(g, u, at);
-  S sum(0);
-  for (int a = 0; a < n; ++a) sum -= along_wall.part[a] * acceleration[a];
-  return sum;
+  return -derivative(f, detail::place_of(at)).gradient().dot(eulerian_acceleration(g, u, at));
 }
 
 /// The Ricci tensor \f$R_{bd} = \partial_a\gamma^a_{bd} - \partial_d\gamma^a_{ba} + \gamma^a_{ae}\gamma^e_{bd} - \gamma^a_{de}\gamma^e_{ba}\f$ of a metric at a place.
@@ -121,12 +94,21 @@ template <class SpaceMetric, class S, int n>
 Matrix<S, n, n> ricci_tensor(SpaceMetric const& g, Matrix<S, n, 1> const& y) {
   Matrix<S, n, n> ricci = Matrix<S, n, n>::Zero();
   if constexpr (!is_constant_metric<SpaceMetric>) {
-    auto const moved = christoffel(g, detail::in_all_directions(y));
+    // In one column: gamma^a_bd at a n^2 + b + n d.
+    auto const symbols = [&g]<class T>(Matrix<T, n, 1> const& z) {
+      Matrix<T, n * n * n, 1> column;
+      auto const gamma = christoffel(g, z);
+      for (int a = 0; a < n; ++a) column.template segment<n * n>(a * n * n) = gamma[a].reshaped(n * n, 1);
+      return column;
+    };
+    auto const d = derivative(symbols, y);
+    auto const gamma = [&d](int a, int b, int c) -> S const& { return d.value[a * n * n + b + n * c]; };
+    auto const d_gamma = [&d](int e, int a, int b, int c) -> S const& { return d.matrix(a * n * n + b + n * c, e); };
     for (int b = 0; b < n; ++b)
       for (int d = 0; d < n; ++d)
         for (int a = 0; a < n; ++a) {
-          ricci(b, d) += moved[a](b, d).part[a] - moved[a](b, a).part[d];
-          for (int e = 0; e < n; ++e) ricci(b, d) += moved[a](a, e).value * moved[e](b, d).value - moved[a](d, e).value * moved[e](b, a).value;
+          ricci(b, d) += d_gamma(a, a, b, d) - d_gamma(d, a, b, a);
+          for (int e = 0; e < n; ++e) ricci(b, d) += gamma(a, a, e) * gamma(e, b, d) - gamma(a, d, e) * gamma(e, b, a);
         }
   }
   return ricci;

@@ -38,27 +38,27 @@ struct NoStoredEnergy {
 /// @throws Singular  where the deformation gradient has no inverse
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
 DualJet<S, n, M> incompressible_momenta(IncompressibleDensity<Medium, BodyMetric, SpaceMetric> const& density, Jet<S, n, M> const& extended) {
-  detail::examine(density, extended);
+  examine(density, extended);
   auto const& medium = density.density;
   auto const j = deformation(extended);
   Matrix<S, n, 1> const x = j.particle(), velocity = j.velocity();
   auto const G = medium.G(x);
   auto const g = medium.g(j.y);
-  S const rho = medium.rho(x), root = volume<S>(G), P = multiplier_pressure(medium.G, extended), J = density.constraint.volume_ratio(j);
-  Matrix<S, n, n> const W_v = detail::strain_derivative(medium, j), cofactor = area_transformation(G, g, j.gradient());
+  S const rho = medium.rho(x), sqrt_det_G = volume<S>(G), P = multiplier_pressure(medium.G, extended), J = density.constraint.volume_ratio(j);
+  Matrix<S, n, n> const W_v = partial_F(medium, j), cofactor = area_transformation(G, g, j.gradient());
   DualJet<S, n, M> z{extended.x, extended.y, S(0), Matrix<S, M, n + 1>::Zero()};
-  z.p.col(0).template head<n>() = lowered(g, velocity) * S(rho * root);
+  z.p.col(0).template head<n>() = lowered(g, velocity) * S(rho * sqrt_det_G);
   S work(0);
   for (int k = 0; k < n; ++k)
     for (int a = 0; a < n; ++a) {
       // [eq_8_4]
-      z.p(a, k + 1) = (P * cofactor(a, k) - rho * W_v(a, k)) * root;
+      z.p(a, k + 1) = (P * cofactor(a, k) - rho * W_v(a, k)) * sqrt_det_G;
       // [eq_8_4]
       work += W_v(a, k) * j.v(a, k + 1);
     }
   S const energy = medium.W(x, G, g, j.gradient());
   // [claim_8_2_affine_momentum]
-  z.Pi = (-rho * inner(g, velocity, velocity) / S(2) + rho * work - rho * energy - P * (J * S(n - 1) + S(1))) * root;
+  z.Pi = (-rho * inner(g, velocity, velocity) / S(2) + rho * work - rho * energy - P * (J * S(n - 1) + S(1))) * sqrt_det_G;
   // [claim_8_2_affine_momentum]
   return z;
 }

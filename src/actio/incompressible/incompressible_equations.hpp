@@ -38,7 +38,7 @@ Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n, n> co
 /// Accuracy: exact but for rounding.
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n, int M>
 Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, M> const& extended) {
-  detail::examine(density, static_cast<Jet<S, n, M> const&>(extended));
+  examine(density, static_cast<Jet<S, n, M> const&>(extended));
   auto const& medium = density.density;
   // [eq_8_7]
   return medium_equation(medium, deformation(extended)) + pressure_term(medium.G, medium.g, extended);
@@ -52,7 +52,7 @@ Matrix<S, n, 1> motion_residual(AugmentedDensity<Medium, VolumeConstraint<BodyMe
 /// @throws NotOrientationPreserving  where the body is turned inside out
 template <class Medium, class BodyMetric, class SpaceMetric, class S, int n>
 Matrix<S, n, 1> required_pressure_gradient(AugmentedDensity<Medium, VolumeConstraint<BodyMetric, SpaceMetric>> const& density, SecondJet<S, n, n> const& j) {
-  detail::examine(density.constraint, static_cast<Jet<S, n, n> const&>(j));
+  examine(density.constraint, static_cast<Jet<S, n, n> const&>(j));
   Matrix<S, n, 1> const force = medium_equation(density.density, j);
   return -(j.gradient().transpose() * force) / density.constraint.volume_ratio(j);
 }
@@ -86,7 +86,7 @@ Matrix<S, n, 1> elastic_residual(AugmentedDensity<Medium, VolumeConstraint<BodyM
   auto const& medium = density.density;
   auto const j = deformation(extended);
   // [claim_8_4_elasticity_components]
-  return inertia(medium, j) - stress_divergence(medium, j) + pressure_term(medium.G, medium.g, extended);
+  return inertial_force(medium, j) - stress_divergence(medium, j) + pressure_term(medium.G, medium.g, extended);
   // [claim_8_4_elasticity_components]
 }
 

@@ -34,9 +34,9 @@ Pressures<S> pressures(Medium const& fluid, Jet<S, n, M> const& extended) {
 template <FluidMedium Medium, class S, int n, int M>
 Matrix<S, n, 1> two_pressures_residual(Medium const& fluid, SecondJet<S, n, M> const& extended) {
   auto const j = deformation(extended);
-  Matrix<S, n, 1> slope;
-  for (int k = 0; k < n; ++k) slope[k] = pressures(fluid, along(extended, k + 1)).total().part[0];
-  return inertia(fluid, j) + area_transformation(fluid.G(j.particle()), fluid.g(j.y), j.gradient()) * slope;
+  Matrix<S, n, 1> dP;
+  for (int k = 0; k < n; ++k) dP[k] = total_derivative(k + 1, [&](auto const& jet) { return pressures(fluid, jet).total(); }, extended);
+  return inertial_force(fluid, j) + area_transformation(fluid.G(j.particle()), fluid.g(j.y), j.gradient()) * dP;
 }
 
 }  // namespace actio

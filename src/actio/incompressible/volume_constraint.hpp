@@ -89,7 +89,7 @@ S multiplier_pressure(BodyMetric const& G, Jet<S, n, M> const& j) {
 template <class BodyMetric, class S, int n, int M>
 Matrix<S, n, 1> pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
   Matrix<S, n, 1> rates;
-  for (int k = 0; k < n; ++k) rates[k] = multiplier_pressure(G, along(j, k + 1)).part[0];
+  for (int k = 0; k < n; ++k) rates[k] = total_derivative(k + 1, [&](auto const& jet) { return multiplier_pressure(G, jet); }, j);
   return rates;
 }
 

@@ -1,35 +1,45 @@
 // The canonical forms of the dual jet bundle and the Cartan form of a density (sections 6.1 and 6.2 of the thesis).
 //
-// With d^{n+1}x = dx^0 ^ dx^1 ^ ... ^ dx^n and d^n x_mu its contraction with d/dx^mu, the product dy^a ^ d^n x_mu is d^{n+1}x with dx^mu replaced by dy^a: on
-// tangent vectors both are determinants. Forms take coordinates as `coordinates(jet)` orders them: x, y, then the rest.
+// With d^{n+1}x = dx^0 ^ dx^1 ^ ... ^ dx^n and d^n x_mu its contraction with d/dx^mu, they are sums of products dy^a ^ d^n x_mu and of d^{n+1}x. Forms take
+// coordinates as `coordinates(jet)` orders them: x, y, then the rest.
 #pragma once
 
-#include "actio/forms/forms.hpp"
+#include "actio/forms/wedge.hpp"
 #include "actio/jets/density.hpp"
 
 namespace actio {
 
-namespace detail {
-
-/// \f$p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ on n + 1 vectors whose first n + 1 + N components are those of x and y.
-template <int n, int N, class S, int D>
-S affine_form(Matrix<S, N, n + 1> const& p, S const& Pi, Tangents<S, D, n + 1> const& V) {
-  Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
-  S sum = Pi * determinant(dx);
-  for (int mu = 0; mu <= n; ++mu) {
-    // The determinant is linear in the row: one for all a.
-    Matrix<S, n + 1, n + 1> replaced = dx;
-    for (int c = 0; c <= n; ++c) {
-      S entry(0);
-      for (int a = 0; a < N; ++a) entry += p(a, mu) * V(n + 1 + a, c);
-      replaced(mu, c) = entry;
-    }
-    sum += determinant(replaced);
-  }
-  return sum;
+/// The volume form \f$d^{n+1}x = dx^0\wedge\dots\wedge dx^n\f$ of space-time, on a bundle whose first coordinates are those of space-time.
+template <int n>
+auto volume_form() {
+  return []<class S, int D>(Matrix<S, D, 1> const&, Tangents<S, D, n + 1> const& V) -> S {
+    return determinant(Matrix<S, n + 1, n + 1>(V.template topRows<n + 1>()));
+  };
 }
 
-}  // namespace detail
+/// The n-form \f$d^nx_\mu = \frac{\partial}{\partial x^\mu}\lrcorner\,d^{n+1}x\f$.
+template <int n>
+auto volume_form(int mu) {
+  auto const d_mu = [mu]<class S, int D>(Matrix<S, D, 1> const&) { return Matrix<S, D, 1>(Matrix<S, D, 1>::Unit(mu)); };
+  return contract(d_mu, volume_form<n>());
+}
+
+/// The form \f$p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ of momenta at a point, on n + 1 tangent vectors there.
+///
+/// \implements{eq_6_10}
+/// @param p, Pi  momenta, a row for each a, and the affine component
+/// @param at     point of a bundle whose first coordinates are x and y
+template <int n, int N, class S, int D>
+S affine_form(Matrix<S, N, n + 1> const& p, S const& Pi, Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) {
+  auto const p_dy = [&p](int mu) {
+    return [&p, mu](auto const&, auto const& v) -> S { return p.col(mu).dot(v.template block<N, 1>(n + 1, 0)); };
+  };
+  // [eq_6_10]
+  S Theta = Pi * volume_form<n>()(at, V);
+  for (int mu = 0; mu <= n; ++mu) Theta += wedge(p_dy(mu), volume_form<n>(mu))(at, V);
+  // [eq_6_10]
+  return Theta;
+}
 
 /// The canonical (n+1)-form \f$\Theta = p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ of the dual jet bundle.
 ///
@@ -39,7 +49,7 @@ auto canonical_form() {
   return []<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
     // [claim_6_1_canonical_forms]
     auto const z = dual_jet_at<n, N>(at);
-    return detail::affine_form<n, N>(z.p, z.Pi, V);
+    return affine_form<n, N>(z.p, z.Pi, at, V);
     // [claim_6_1_canonical_forms]
   };
 }
@@ -62,10 +72,8 @@ auto cartan_form(L const& density) {
   return [density]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
     static_assert(D == Jet<S, n, N>::dimension, "the Cartan form takes coordinates of the first jet bundle");
     // The dual bundle has the same x and y, and they are all that the vectors meet there.
-    // [eq_6_10]
     auto const z = legendre(density, jet_at<n, N>(at));
-    return detail::affine_form<n, N>(z.p, z.Pi, V);
-    // [eq_6_10]
+    return affine_form<n, N>(z.p, z.Pi, at, V);
   };
 }
 

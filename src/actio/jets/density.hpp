@@ -22,7 +22,6 @@ struct NoDerivative : NotFinite {
 };
 
 namespace detail {
-
 /// Coordinates for a message.
 template <MatrixLike V>
 std::string shown(V const& v) {
@@ -30,33 +29,70 @@ std::string shown(V const& v) {
   for (Index i = 0; i < v.size(); ++i) text += (i ? ", " : "") + show(to_double(v(i)));
   return text + ")";
 }
+}  // namespace detail
 
-/// Asks the density whether it is defined at a jet.
+/// Asks a density, a constraint or a medium whether it is defined at a jet: its member `examine(jet)`, where it has one, refuses.
+///
+/// Over plain numbers alone: over dual numbers a jet is one of those around a jet that has been asked about.
 template <class L, class S, int n, int N>
 void examine(L const& density, Jet<S, n, N> const& jet) {
-  if constexpr (requires { density.examine(jet); }) density.examine(jet);
+  if constexpr (Plain<S>)
+    if constexpr (requires { density.examine(jet); }) density.examine(jet);
 }
 
+/// Refuses a derivative at a jet that is not finite.
+/// @param where  who asks, for the message
+/// @throws NoDerivative  with the place
 template <MatrixLike M, class S, int n, int N>
 void require_derivative(M const& derivative, Jet<S, n, N> const& jet, char const* where) {
   if constexpr (!is_exact<S>)
     if (!is_finite(derivative))
-      throw NoDerivative(std::string(where) + " at x = " + shown(jet.x) + ", y = " + shown(jet.y) + ": the density has no derivative there");
+      throw NoDerivative(std::string(where) + " at x = " + detail::shown(jet.x) + ", y = " + detail::shown(jet.y) + ": the density has no derivative there");
 }
 
-/// \f$\partial L/\partial v^a{}_\mu\f$ for all a and one \f$\mu\f$.
+/// The partial derivatives \f$\partial L/\partial x^\mu\f$ of a density at a jet, with y and v held: not the \ref total_derivative.
 template <class S, int n, int N, class L>
-Matrix<S, N, 1> momentum_column(L const& density, Jet<S, n, N> const& jet, int mu) {
-  using D = Dual<S, N>;
-  Jet<D, n, N> moved = jet.template cast<D>();
-  for (int a = 0; a < N; ++a) moved.v(a, mu).part[a] = S(1);
-  D const value = density(moved);
-  Matrix<S, N, 1> p;
-  for (int a = 0; a < N; ++a) p[a] = value.part[a];
-  return p;
+  requires DensityOver<L, S, n, N>
+Event<S, n> partial_x(L const& density, Jet<S, n, N> const& jet) {
+  auto const at_point = [&]<class T>(Event<T, n> const& x) -> T {
+    return density(Jet<T, n, N>{x, jet.y.template cast<T>(), jet.v.template cast<T>()});
+  };
+  return derivative(at_point, jet.x).gradient();
 }
 
-}  // namespace detail
+/// The partial derivatives \f$\partial L/\partial y^a\f$ of a density at a jet, by the place.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Matrix<S, N, 1> partial_y(L const& density, Jet<S, n, N> const& jet) {
+  auto const at_place = [&]<class T>(Matrix<T, N, 1> const& y) -> T {
+    return density(Jet<T, n, N>{jet.x.template cast<T>(), y, jet.v.template cast<T>()});
+  };
+  return derivative(at_place, jet.y).gradient();
+}
+
+/// The partial derivatives \f$\partial L/\partial v^a{}_\mu\f$ of a density at a jet, by the velocities: a row for each a, a column for each \f$\mu\f$.
+///
+/// \ref momenta is the same and asks the density first whether it is defined.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Matrix<S, N, n + 1> partial_v(L const& density, Jet<S, n, N> const& jet) {
+  auto const at_velocities = [&]<class T>(Matrix<T, N, n + 1> const& v) -> T {
+    return density(Jet<T, n, N>{jet.x.template cast<T>(), jet.y.template cast<T>(), v});
+  };
+  return derivative(at_velocities, jet.v).gradient();
+}
+
+/// The partial derivatives \f$\partial L/\partial v^a{}_\mu\f$ for one \f$\mu\f$ and all a: a column of \ref momenta.
+template <class S, int n, int N, class L>
+  requires DensityOver<L, S, n, N>
+Matrix<S, N, 1> partial_v(L const& density, Jet<S, n, N> const& jet, int mu) {
+  auto const at_velocity = [&]<class T>(Matrix<T, N, 1> const& v_mu) -> T {
+    auto moved = jet.template cast<T>();
+    moved.v.col(mu) = v_mu;
+    return density(moved);
+  };
+  return derivative(at_velocity, Matrix<S, N, 1>(jet.v.col(mu))).gradient();
+}
 
 /// The momenta \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$ at a jet: a row for each a, a column for each \f$\mu\f$ (6.4).
 ///
@@ -66,26 +102,12 @@ Matrix<S, N, 1> momentum_column(L const& density, Jet<S, n, N> const& jet, int m
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
-  detail::examine(density, jet);
-  Matrix<S, N, n + 1> p;
+  examine(density, jet);
   // [eq_6_4]
-  for (int mu = 0; mu <= n; ++mu) p.col(mu) = detail::momentum_column(density, jet, mu);
+  Matrix<S, N, n + 1> const p = partial_v(density, jet);
   // [eq_6_4]
-  detail::require_derivative(p, jet, "momenta");
+  require_derivative(p, jet, "momenta");
   return p;
-}
-
-/// \f$\partial L/\partial y^a\f$ at a jet.
-template <class S, int n, int N, class L>
-  requires DensityOver<L, S, n, N>
-Matrix<S, N, 1> place_derivative(L const& density, Jet<S, n, N> const& jet) {
-  using D = Dual<S, N>;
-  Jet<D, n, N> moved = jet.template cast<D>();
-  for (int a = 0; a < N; ++a) moved.y[a].part[a] = S(1);
-  D const value = density(moved);
-  Matrix<S, N, 1> rate;
-  for (int a = 0; a < N; ++a) rate[a] = value.part[a];
-  return rate;
 }
 
 /// A point of the dual jet bundle \f$J^1Y^*\f$: the affine map \f$v \mapsto (\Pi + p_a{}^\mu v^a{}_\mu)\,d^{n+1}x\f$ on the jets over (x, y).
@@ -128,9 +150,9 @@ DualJet<S, n, N> legendre(L const& density, Jet<S, n, N> const& jet) {
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 S energy_density(L const& density, Jet<S, n, N> const& jet) {
-  detail::examine(density, jet);
-  Matrix<S, N, 1> const p0 = detail::momentum_column(density, jet, 0);
-  detail::require_derivative(p0, jet, "energy_density");
+  examine(density, jet);
+  Matrix<S, N, 1> const p0 = partial_v(density, jet, 0);
+  require_derivative(p0, jet, "energy_density");
   // [eq_6_5]
   return p0.dot(jet.velocity()) - density(jet);
   // [eq_6_5]

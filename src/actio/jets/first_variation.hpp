@@ -5,6 +5,7 @@
 // A variation that is not vertical has n + 1 + N components, \f$V^\mu\f$ first; what the field equations see of it is its vertical part.
 #pragma once
 
+#include "actio/forms/metric.hpp"
 #include "actio/jets/field_equations.hpp"
 
 namespace actio {
@@ -52,19 +53,19 @@ Event<S, n> boundary_current(L const& density, Jet<S, n, N> const& j, Variation<
   return B;
 }
 
-/// The jets of \f$\phi + \epsilon V\f$ to first order in \f$\epsilon\f$.
+/// The first jet of \f$\phi + \epsilon V\f$ to first order in \f$\epsilon\f$.
+/// @param j  first jet of the section, @param V  first jet of the vertical variation, as of a section
+template <class S, int n, int N>
+Jet<Dual<S>, n, N> varied(Jet<S, n, N> const& j, Jet<S, n, N> const& V) {
+  return {j.x.template cast<Dual<S>>(), moved_along(j.y, V.y), moved_along(j.v, V.v)};
+}
+/// The second jet of \f$\phi + \epsilon V\f$ to first order in \f$\epsilon\f$.
 /// @param j  second jet of the section, @param V  second jet of the vertical variation, as of a section
 template <class S, int n, int N>
 SecondJet<Dual<S>, n, N> varied(SecondJet<S, n, N> const& j, SecondJet<S, n, N> const& V) {
   SecondJet<Dual<S>, n, N> moved;
-  moved.x = j.x.template cast<Dual<S>>();
-  for (int a = 0; a < N; ++a) {
-    moved.y[a].value = j.y[a], moved.y[a].part[0] = V.y[a];
-    for (int mu = 0; mu <= n; ++mu) {
-      moved.v(a, mu).value = j.v(a, mu), moved.v(a, mu).part[0] = V.v(a, mu);
-      for (int nu = 0; nu <= n; ++nu) moved.w[mu](a, nu).value = j.w[mu](a, nu), moved.w[mu](a, nu).part[0] = V.w[mu](a, nu);
-    }
-  }
+  static_cast<Jet<Dual<S>, n, N>&>(moved) = varied(static_cast<Jet<S, n, N> const&>(j), static_cast<Jet<S, n, N> const&>(V));
+  for (int mu = 0; mu <= n; ++mu) moved.w[mu] = moved_along(j.w[mu], V.w[mu]);
   return moved;
 }
 
@@ -77,7 +78,8 @@ SecondJet<Dual<S>, n, N> varied(SecondJet<S, n, N> const& j, SecondJet<S, n, N> 
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> const& j, SecondJet<S, n, N> const& V) {
-  return detail::rates<S, N, 1>(euler_lagrange(density, varied(j, V)));
+  examine(density, static_cast<Jet<S, n, N> const&>(j));
+  return rate(euler_lagrange(density, varied(j, V)));
 }
 
 /// The current \f$\omega^\mu = \delta_Vp_a{}^\mu\,W^a - \delta_Wp_a{}^\mu\,V^a\f$ of two vertical variations:
@@ -93,32 +95,12 @@ Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> c
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Event<S, n> multisymplectic_current(L const& density, Jet<S, n, N> const& j, Jet<S, n, N> const& V, Jet<S, n, N> const& W) {
-  auto const moved_momenta = [&](Jet<S, n, N> const& by) {
-    auto moved = j.template cast<Dual<S>>();
-    for (int a = 0; a < N; ++a) {
-      moved.y[a].part[0] = by.y[a];
-      for (int mu = 0; mu <= n; ++mu) moved.v(a, mu).part[0] = by.v(a, mu);
-    }
-    return detail::rates<S, N, n + 1>(momenta(density, moved));
-  };
-  auto const of_V = moved_momenta(V), of_W = moved_momenta(W);
+  examine(density, j);
+  auto const delta_p = [&](Jet<S, n, N> const& by) { return rate(momenta(density, varied(j, by))); };
   // [eq_6_11]
-  Event<S, n> const current = of_V.transpose() * W.y - of_W.transpose() * V.y;
+  Event<S, n> const current = delta_p(V).transpose() * W.y - delta_p(W).transpose() * V.y;
   // [eq_6_11]
   return current;
-}
-
-/// The divergence \f$\partial_\mu B^\mu\f$ of a field on space-time.
-/// @param B  a callable from points of space-time, over any scalar, to n + 1 components
-template <class S, int rows, class Field>
-S divergence(Field const& B, Matrix<S, rows, 1> const& x) {
-  using D = Dual<S, rows>;
-  Matrix<D, rows, 1> moved = x.template cast<D>();
-  for (int mu = 0; mu < rows; ++mu) moved[mu].part[mu] = S(1);
-  Matrix<D, rows, 1> const value = B(moved);
-  S sum(0);
-  for (int mu = 0; mu < rows; ++mu) sum += value[mu].part[mu];
-  return sum;
 }
 
 }  // namespace actio

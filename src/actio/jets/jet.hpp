@@ -7,6 +7,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "actio/numbers/derivative.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"
 
@@ -77,18 +78,10 @@ template <class S, int rows, class Phi>
 auto first_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0, "a section returns a place with as many coordinates as the fibre has dimensions, known when it is compiled");
-  using D = Dual<S, rows>;
-  Event<D, n> moved = x.template cast<D>();
-  for (int mu = 0; mu <= n; ++mu) moved[mu].part[mu] = S(1);
-  Matrix<D, N, 1> const place = phi(moved);
-  Jet<S, n, N> jet{x, {}, {}};
-  for (int a = 0; a < N; ++a) {
-    jet.y[a] = place[a].value;
-    // [claim_6_1_jet_bundle]
-    for (int mu = 0; mu <= n; ++mu) jet.v(a, mu) = place[a].part[mu];
-    // [claim_6_1_jet_bundle]
-  }
-  return jet;
+  auto const d = derivative(phi, x);
+  // [claim_6_1_jet_bundle]
+  return Jet<S, n, N>{x, d.value, d.matrix};
+  // [claim_6_1_jet_bundle]
 }
 
 /// The second jet \f$j^2\phi(x)\f$ of a section: \ref first_jet and \f$\partial_\mu\partial_\nu\phi^a(x)\f$, from one evaluation on truncated polynomials.
@@ -115,16 +108,26 @@ auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
 
 /// The first jets of a section on the way from x along \f$x^\mu\f$, to first order: \f$(x + \epsilon\,\partial_\mu,\ y + \epsilon\,v_\mu,\ v + \epsilon\,w_\mu)\f$.
 ///
-/// What a function of jets is along a section, differentiated in \f$x^\mu\f$, is its value here: the total derivative \f$D_\mu\f$.
+/// What a function of jets is along a section, differentiated in \f$x^\mu\f$, is its value here: \ref total_derivative.
 template <class S, int n, int N>
 Jet<Dual<S>, n, N> along(SecondJet<S, n, N> const& j, int mu) {
-  Jet<Dual<S>, n, N> moved = static_cast<Jet<S, n, N> const&>(j).template cast<Dual<S>>();
-  moved.x[mu].part[0] = S(1);
-  for (int a = 0; a < N; ++a) {
-    moved.y[a].part[0] = j.v(a, mu);
-    for (int nu = 0; nu <= n; ++nu) moved.v(a, nu).part[0] = j.w[mu](a, nu);
-  }
-  return moved;
+  return {moved_along(j.x, Event<S, n>::Unit(mu)), moved_along(j.y, Matrix<S, N, 1>(j.v.col(mu))), moved_along(j.v, j.w[mu])};
+}
+
+/// A function of first jets along a section: its value and its \ref total_derivative in \f$x^\mu\f$, from one evaluation.
+template <class F, class S, int n, int N>
+auto along_section(int mu, F const& f, SecondJet<S, n, N> const& j) {
+  return detail::value_and_rate<Dual<S>>(f(along(j, mu)));
+}
+
+/// The total derivative \f$D_\mu f\f$ of a function of first jets along a section: \f$\frac{\partial}{\partial x^\mu}f(j^1\phi(x))\f$.
+/// @param f  a callable on first jets, over any scalar; its values are numbers, vectors or matrices
+/// @param j  second jet of the section
+/// @return   a number, a vector or a matrix, as f
+/// Accuracy: exact but for the rounding of f.
+template <class F, class S, int n, int N>
+auto total_derivative(int mu, F const& f, SecondJet<S, n, N> const& j) {
+  return along_section(mu, f, j).rate;
 }
 
 /// The coordinates of a jet in one column: \f$x^\mu\f$, then \f$y^a\f$, then \f$v^a{}_\mu\f$ with \f$\mu\f$ slowest. Forms on the jet bundle take these.

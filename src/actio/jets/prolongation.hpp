@@ -22,25 +22,20 @@ Matrix<S, n + 1 + N, 1> point_of(Jet<S, n, N> const& j) {
 template <int n, int N, class Xi>
 auto prolonged(Xi const& xi) {
   return [xi]<class S, int D>(Matrix<S, D, 1> const& at) {
-    using T = Dual<S, n + 1>;
     auto const j = jet_at<n, N>(at);
-    Matrix<T, n + 1 + N, 1> moved = point_of(j).template cast<T>();
-    for (int mu = 0; mu <= n; ++mu) {
-      moved[mu].part[mu] = S(1);
-      for (int b = 0; b < N; ++b) moved[n + 1 + b].part[mu] = j.v(b, mu);
-    }
-    Matrix<T, n + 1 + N, 1> const rate = xi(moved);
-    Jet<S, n, N> lifted;
-    for (int mu = 0; mu <= n; ++mu) lifted.x[mu] = rate[mu].value;
-    for (int a = 0; a < N; ++a) {
-      lifted.y[a] = rate[n + 1 + a].value;
-      for (int mu = 0; mu <= n; ++mu) {
-        // [eq_9_3]
-        lifted.v(a, mu) = rate[n + 1 + a].part[mu];
-        for (int nu = 0; nu <= n; ++nu) lifted.v(a, mu) -= j.v(a, nu) * rate[nu].part[mu];
-        // [eq_9_3]
-      }
-    }
+    // xi along the jet: D_mu xi is its derivative in the direction (e_mu, v_mu) of Y.
+    auto const point = point_of(j);
+    auto const xi_along = [&]<class T>(Event<T, n> const& s) -> Matrix<T, n + 1 + N, 1> {
+      Matrix<T, n + 1 + N, 1> moved = point.template cast<T>();
+      moved.template head<n + 1>() += s;
+      moved.template tail<N>() += j.v.template cast<T>() * s;
+      return xi(moved);
+    };
+    auto const [value, D_xi] = derivative(xi_along, Event<S, n>(Event<S, n>::Zero()));
+    Jet<S, n, N> lifted{value.template head<n + 1>(), value.template tail<N>(), {}};
+    // [eq_9_3]
+    lifted.v = D_xi.template bottomRows<N>() - j.v * D_xi.template topRows<n + 1>();
+    // [eq_9_3]
     return coordinates(lifted);
   };
 }

@@ -28,25 +28,14 @@ struct TiltedJet {
 template <class S, int rows, class Map>
 auto tilted_jet(Map const& map, Matrix<S, rows, 1> const& u) {
   constexpr int n = rows - 1;
-  using D = Dual<S, rows>;
-  Event<D, n> moved = u.template cast<D>();
-  for (int mu = 0; mu <= n; ++mu) moved[mu].part[mu] = S(1);
-  auto const image = map(moved).eval();
+  auto const [image, D_map] = derivative(map, u);
   constexpr int N = std::remove_cvref_t<decltype(image)>::RowsAtCompileTime - rows;
-  TiltedJet<S, n, N> tilted;
-  Matrix<S, rows, rows> DX;
-  Matrix<S, N, rows> DY;
-  for (int mu = 0; mu <= n; ++mu) {
-    for (int nu = 0; nu <= n; ++nu) DX(nu, mu) = image[nu].part[mu];
-    for (int a = 0; a < N; ++a) DY(a, mu) = image[rows + a].part[mu];
-    tilted.jet.x[mu] = image[mu].value;
-  }
-  for (int a = 0; a < N; ++a) tilted.jet.y[a] = image[rows + a].value;
-  tilted.stretch = determinant(DX);
+  Matrix<S, rows, rows> const DX = D_map.template topRows<rows>();
+  TiltedJet<S, n, N> tilted{{image.template head<rows>(), image.template tail<N>(), {}}, determinant(DX)};
   if (!(base_value(tilted.stretch) > Base<S>(0)))
     throw NotAnEmbedding("tilted_jet at u = " + detail::shown(u), "a tilted section covers an embedding that keeps the orientation; determinant",
                          to_double(tilted.stretch), 0);
-  tilted.jet.v = DY * inverse_matrix(DX, "tilted_jet");
+  tilted.jet.v = D_map.template bottomRows<N>() * inverse_matrix(DX, "tilted_jet");
   return tilted;
 }
 
@@ -69,19 +58,17 @@ S tilted_action(L const& density, Map const& map, Box<S, n> const& box, int degr
 template <class S, int rows, class L, class Phi, class Field>
 S density_variation(L const& density, Phi const& phi, Field const& V, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
-  auto const flowed = [&]<class T>(Matrix<T, rows, 1> const& u) {
-    Variation<T, n, N> point;
-    point.template head<rows>() = u;
-    point.template tail<N>() = phi(u);
-    Variation<T, n, N> const velocity = V(point);
-    Dual<S> epsilon(S(0));
-    epsilon.part[0] = S(1);
-    for (int i = 0; i < n + 1 + N; ++i) point[i] += velocity[i] * T(epsilon);
-    return point;
+  examine(density, first_jet(phi, x));
+  auto const varied = [&]<class E>(E const& epsilon) -> E {
+    auto const flowed = [&]<class T>(Matrix<T, rows, 1> const& u) -> Variation<T, n, N> {
+      Variation<T, n, N> point;
+      point << u, phi(u);
+      return point + V(point) * T(epsilon);
+    };
+    auto const tilted = tilted_jet(flowed, x.template cast<E>());
+    return density(tilted.jet) * tilted.stretch;
   };
-  detail::examine(density, first_jet(phi, x));
-  auto const tilted = tilted_jet(flowed, Matrix<Dual<S>, rows, 1>(x.template cast<Dual<S>>()));
-  return S((density(tilted.jet) * tilted.stretch).part[0]);
+  return derivative(varied, S(0)).rate;
 }
 
 /// The derivative \f$dS(\phi)\cdot V\f$ of the action on a box along any variation, the horizontal ones included: the box moves with it.

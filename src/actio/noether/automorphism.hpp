@@ -58,28 +58,14 @@ struct AutomorphismTangent {
   Matrix<S, N, N> fibre;             ///< \f$\partial\eta_Y^a/\partial y^b\f$
 };
 
-/// The tangent map of an automorphism at (x, y), from one evaluation on dual numbers.
+/// The tangent map of an automorphism at (x, y).
 template <int n, int N, class Eta, class S>
 AutomorphismTangent<S, n, N> tangent(Eta const& eta, Event<S, n> const& x, Matrix<S, N, 1> const& y) {
-  using T = Dual<S, n + 1 + N>;
-  Matrix<T, n + 1 + N, 1> point;
-  for (int i = 0; i < n + 1 + N; ++i) {
-    point[i] = T(i <= n ? x[i] : y[i - n - 1]);
-    point[i].part[i] = S(1);
-  }
-  Event<T, n> const to = eta.base(Event<T, n>(point.template head<n + 1>()));
-  Matrix<T, N, 1> const place = eta.fibre(point);
-  AutomorphismTangent<S, n, N> d;
-  for (int mu = 0; mu <= n; ++mu) {
-    d.x[mu] = to[mu].value;
-    for (int nu = 0; nu <= n; ++nu) d.base(mu, nu) = to[mu].part[nu];
-  }
-  for (int a = 0; a < N; ++a) {
-    d.y[a] = place[a].value;
-    for (int nu = 0; nu <= n; ++nu) d.along(a, nu) = place[a].part[nu];
-    for (int b = 0; b < N; ++b) d.fibre(a, b) = place[a].part[n + 1 + b];
-  }
-  return d;
+  Matrix<S, n + 1 + N, 1> point;
+  point << x, y;
+  auto const on_X = derivative(eta.base, x);
+  auto const on_Y = derivative(eta.fibre, point);
+  return {on_X.value, on_Y.value, on_X.matrix, on_Y.matrix.template leftCols<n + 1>(), on_Y.matrix.template rightCols<N>()};
 }
 
 namespace detail {

@@ -29,15 +29,11 @@ S circulation(Phi const& phi, SpaceMetric const& g, Loop const& loop, S const& t
   S sum(0);
   S const step = S(2) * std::numbers::pi_v<double> / S(points);
   for (int i = 0; i < points; ++i) {
-    Dual<S> angle(S(step * S(i)));
-    angle.part[0] = S(1);
-    auto const place = loop(angle).eval();
+    auto const [place, tangent] = derivative(loop, S(step * S(i)));
     constexpr int n = std::remove_cvref_t<decltype(place)>::RowsAtCompileTime;
     Event<S, n> x;
-    x[0] = t;
-    for (int k = 0; k < n; ++k) x[1 + k] = place[k].value;
-    auto const u = material_velocity_form(g, first_jet(phi, x));
-    for (int k = 0; k < n; ++k) sum += u[k] * place[k].part[0] * step;
+    x << t, place;
+    sum += material_velocity_form(g, first_jet(phi, x)).dot(tangent) * step;
   }
   return sum;
 }
@@ -46,10 +42,7 @@ S circulation(Phi const& phi, SpaceMetric const& g, Loop const& loop, S const& t
 template <class SpaceMetric, class S, int n, int N>
 Matrix<S, n, n> material_vorticity(SpaceMetric const& g, SecondJet<S, n, N> const& j) {
   Matrix<S, n, n> slope;
-  for (int i = 0; i < n; ++i) {
-    auto const u = material_velocity_form(g, along(j, i + 1));
-    for (int k = 0; k < n; ++k) slope(i, k) = u[k].part[0];
-  }
+  for (int i = 0; i < n; ++i) slope.row(i) = total_derivative(i + 1, [&g](auto const& jet) { return material_velocity_form(g, jet); }, j).transpose();
   return slope - slope.transpose();
 }
 

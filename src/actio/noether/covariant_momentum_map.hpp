@@ -23,30 +23,31 @@ auto covariant_momentum_map(L const& density, Xi const& xi) {
   // [eq_9_7]
 }
 
-namespace detail {
-
-/// One component of the Noether current, without asking the density whether it is defined.
+/// One component of the Noether current \f$(j^1\phi)^*J_L(\xi) = J^\mu\,d^nx_\mu\f$: \f$J^\mu = L\,\xi^\mu + p_a{}^\mu\,(\xi^a - v^a{}_\nu\xi^\nu)\f$.
+///
+/// \implements{thm_9_1_1}
+/// @param j  first jet of the section
+/// @throws NoDerivative  where the density has none; and what the density refuses
 template <class L, class Xi, class S, int n, int N>
-S current_component(L const& density, Xi const& xi, Jet<S, n, N> const& j, int mu) {
+S noether_current(L const& density, Xi const& xi, Jet<S, n, N> const& j, int mu) {
+  examine(density, j);
   Variation<S, n, N> const V = xi(point_of(j));
   // [thm_9_1_1]
-  return density(j) * V[mu] + momentum_column(density, j, mu).dot(vertical_part(j, V));
+  S const J = density(j) * V[mu] + partial_v(density, j, mu).dot(vertical_part(j, V));
   // [thm_9_1_1]
+  require_derivative(Matrix<S, 1, 1>(J), j, "noether_current");
+  return J;
 }
 
-}  // namespace detail
-
-/// The components of the Noether current \f$(j^1\phi)^*J_L(\xi) = J^\mu\,d^nx_\mu\f$, \f$J^\mu = (L\,\delta^\mu_\nu - p_a{}^\mu v^a{}_\nu)\,\xi^\nu + p_a{}^\mu\xi^a\f$.
+/// The components of the Noether current, \f$J^\mu = (L\,\delta^\mu_\nu - p_a{}^\mu v^a{}_\nu)\,\xi^\nu + p_a{}^\mu\xi^a\f$, time first.
 ///
 /// \implements{thm_9_1_1}
 /// @param j  first jet of the section
 /// @throws NoDerivative  where the density has none; and what the density refuses
 template <class L, class Xi, class S, int n, int N>
 Event<S, n> noether_current(L const& density, Xi const& xi, Jet<S, n, N> const& j) {
-  detail::examine(density, j);
   Event<S, n> current;
-  for (int mu = 0; mu <= n; ++mu) current[mu] = detail::current_component(density, xi, j, mu);
-  detail::require_derivative(current, j, "noether_current");
+  for (int mu = 0; mu <= n; ++mu) current[mu] = noether_current(density, xi, j, mu);
   return current;
 }
 

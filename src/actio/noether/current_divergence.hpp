@@ -17,10 +17,10 @@ namespace actio {
 /// Accuracy: exact but for the rounding of L and xi.
 template <class L, class Xi, class S, int n, int N>
 S current_divergence(L const& density, Xi const& xi, SecondJet<S, n, N> const& j) {
-  detail::examine(density, static_cast<Jet<S, n, N> const&>(j));
+  examine(density, static_cast<Jet<S, n, N> const&>(j));
   S sum(0);
   // [eq_9_5]
-  for (int mu = 0; mu <= n; ++mu) sum += detail::current_component(density, xi, along(j, mu), mu).part[0];
+  for (int mu = 0; mu <= n; ++mu) sum += total_derivative(mu, [&](auto const& z) { return noether_current(density, xi, z, mu); }, j);
   // [eq_9_5]
   return sum;
 }

@@ -4,6 +4,7 @@
 // so that defects are per unit of d^{n+1}x at the jet that is given.
 #pragma once
 
+#include "actio/forms/metric.hpp"
 #include "actio/noether/automorphism.hpp"
 
 namespace actio {
@@ -31,7 +32,7 @@ PulledBackDensity(L, Eta) -> PulledBackDensity<L, Eta>;
 /// @throws Singular  where the automorphism has no inverse; and what the density refuses
 template <class L, class Eta, class S, int n, int N>
 S equivariance_defect(L const& density, Eta const& eta, Jet<S, n, N> const& j) {
-  detail::examine(density, j);
+  examine(density, j);
   // [claim_9_1_equivariance]
   return PulledBackDensity{density, eta}(j) - density(j);
   // [claim_9_1_equivariance]
@@ -44,21 +45,17 @@ S equivariance_defect(L const& density, Eta const& eta, Jet<S, n, N> const& j) {
 /// Accuracy: exact but for the rounding of L and xi.
 template <class L, class Xi, class S, int n, int N>
 S equivariance_rate(L const& density, Xi const& xi, Jet<S, n, N> const& j) {
-  detail::examine(density, j);
-  using T = Dual<S>;
+  examine(density, j);
   auto const at = coordinates(j);
-  auto const lift = prolonged<n, N>(xi)(at);
-  auto moved = at.template cast<T>().eval();
-  for (int i = 0; i < moved.size(); ++i) moved[i].part[0] = lift[i];
-  T const value = density(jet_at<n, N>(moved));
-  // The divergence of the part of the field on space-time.
-  using E = Dual<S, n + 1>;
-  Matrix<E, n + 1 + N, 1> point = point_of(j).template cast<E>();
-  for (int mu = 0; mu <= n; ++mu) point[mu].part[mu] = S(1);
-  Matrix<E, n + 1 + N, 1> const rate = xi(point);
-  S divergence(0);
-  for (int mu = 0; mu <= n; ++mu) divergence += rate[mu].part[mu];
-  return value.part[0] + value.value * divergence;
+  auto const on_coordinates = [&](auto const& moved) { return density(jet_at<n, N>(moved)); };
+  auto const [value, rate] = derivative_along(on_coordinates, at, prolonged<n, N>(xi)(at));
+  // The part of the field on space-time, which does not depend on y.
+  auto const xi_X = [&]<class T>(Event<T, n> const& x) -> Event<T, n> {
+    Matrix<T, n + 1 + N, 1> point;
+    point << x, j.y.template cast<T>();
+    return xi(point).template head<n + 1>();
+  };
+  return rate + value * divergence(xi_X, j.x);
 }
 
 }  // namespace actio

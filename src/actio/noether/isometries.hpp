@@ -14,24 +14,6 @@ struct NotKilling : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
-/// The Lie derivative \f$k^c\partial_cg_{ab} + g_{cb}\,\partial_ak^c + g_{ac}\,\partial_bk^c\f$ of a metric along a field: zero for Killing fields.
-///
-/// \implements{claim_9_0_isometries}
-template <class Metric, class Field, class S, int N>
-Matrix<S, N, N> lie_derivative(Metric const& g, Field const& k, Matrix<S, N, 1> const& y) {
-  using T = Dual<S, N>;
-  Matrix<T, N, 1> moved = y.template cast<T>();
-  for (int c = 0; c < N; ++c) moved[c].part[c] = S(1);
-  Matrix<T, N, 1> const field = k(moved);
-  Matrix<T, N, N> const metric = as_matrix<T>(g(moved));
-  Matrix<S, N, N> rate = Matrix<S, N, N>::Zero();
-  for (int a = 0; a < N; ++a)
-    for (int b = 0; b < N; ++b)
-      for (int c = 0; c < N; ++c)
-        rate(a, b) += field[c].value * metric(a, b).part[c] + metric(c, b).value * field[c].part[a] + metric(a, c).value * field[c].part[b];
-  return rate;
-}
-
 /// Refuses a field that is not Killing at a point.
 /// @param rate  what the Lie derivative is compared with: the metric's size times the rates of the field
 /// @throws NotKilling  with the largest entry of the Lie derivative over `rate`

@@ -27,35 +27,18 @@ struct RelabellingField {
   template <class S, int n>
   Matrix<S, n, 1> operator()(Matrix<S, n, 1> const& x) const {
     static_assert(n == 2 || n == 3, "potentials are written out for bodies of two and three dimensions");
-    using T = Dual<S, n>;
-    Matrix<T, n, 1> moved = x.template cast<T>();
-    for (int i = 0; i < n; ++i) moved[i].part[i] = S(1);
-    auto const potential = A(moved).eval();
-    S const density = volume<S>(G(x));
+    auto const dA = derivative(A, x).matrix;
     Matrix<S, n, 1> xi;
     if constexpr (n == 2)
-      xi << potential[0].part[1], -potential[0].part[0];
+      xi << dA(0, 1), -dA(0, 0);
     else
-      for (int i = 0; i < 3; ++i) xi[i] = potential[(i + 2) % 3].part[(i + 1) % 3] - potential[(i + 1) % 3].part[(i + 2) % 3];
-    return xi / density;
+      for (int i = 0; i < 3; ++i) xi[i] = dA((i + 2) % 3, (i + 1) % 3) - dA((i + 1) % 3, (i + 2) % 3);
+    return xi / volume<S>(G(x));
   }
 };
 /// The field of a potential on a body with this metric.
 template <class Metric, class Potential>
 RelabellingField(Metric, Potential) -> RelabellingField<Metric, Potential>;
-
-/// The divergence \f$\frac1{\sqrt{\det G}}\,\partial_k(\sqrt{\det G}\,\xi^k)\f$ of a field on the body.
-template <class Metric, class Xi, class S, int n>
-S divergence(Metric const& G, Xi const& xi, Matrix<S, n, 1> const& x) {
-  using T = Dual<S, n>;
-  Matrix<T, n, 1> moved = x.template cast<T>();
-  for (int i = 0; i < n; ++i) moved[i].part[i] = S(1);
-  Matrix<T, n, 1> const field = xi(moved);
-  T const density = volume<T>(G(moved));
-  S sum(0);
-  for (int i = 0; i < n; ++i) sum += (density * field[i]).part[i];
-  return sum / density.value;
-}
 
 /// Refuses a field whose divergence at a point is more than rounding.
 /// @param rate  what the divergence is compared with: the size of the derivatives of the field, 1/time
@@ -106,18 +89,10 @@ struct DensityRelabelling {
   auto operator()(V const& point) const {
     using T = typename V::Scalar;
     constexpr int n = V::RowsAtCompileTime - 1 - N;
-    using D = Dual<T, n>;
-    Matrix<D, n, 1> moved;
-    for (int i = 0; i < n; ++i) {
-      moved[i] = D(point[1 + i]);
-      moved[i].part[i] = T(1);
-    }
-    Matrix<D, n, 1> const field = xi(moved);
+    auto const [field, d_xi] = derivative(xi, Matrix<T, n, 1>(point.template segment<n>(1)));
     Matrix<T, n + 1 + N, 1> rate = Matrix<T, n + 1 + N, 1>::Zero();
-    for (int i = 0; i < n; ++i) {
-      rate[1 + i] = field[i].value;
-      rate[n + N] -= point[n + N] * field[i].part[i];
-    }
+    rate.template segment<n>(1) = field;
+    rate[n + N] = -point[n + N] * d_xi.trace();
     return rate;
   }
 };
@@ -127,18 +102,6 @@ DensityRelabelling<N, Xi> density_relabelling_field(Xi const& xi) {
   return {xi};
 }
 
-namespace detail {
-/// The current of a fluid whose spatial components are `head` \f$\sqrt{\det G}\,\xi^k\f$.
-template <class G, class g, class S, int n>
-Event<S, n> fluid_current(G const& body, g const& space, S const& rho, S const& head, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
-  S const density = volume<S>(body);
-  Event<S, n> current;
-  current[0] = -inner(space, j.velocity(), Matrix<S, n, 1>(j.gradient() * xi)) * rho * density;
-  current.template tail<n>() = xi * S(head * density);
-  return current;
-}
-}  // namespace detail
-
 /// The relabelling current of a barotropic fluid, written out (9.8): \f$\bigl(\tfrac12\rho\,g_{ab}\dot\phi^a\dot\phi^b - \rho W - PJ\bigr)\sqrt{\det G}\,\xi^k\,d^nx_k - g_{ab}\dot\phi^b\phi^a{}_{,k}\,\rho\sqrt{\det G}\,\xi^k\,d^nx_0\f$.
 ///
 /// \implements{eq_9_8,claim_9_1_barotropic_current_space,claim_9_1_barotropic_current_time}
@@ -146,18 +109,19 @@ Event<S, n> fluid_current(G const& body, g const& space, S const& rho, S const& 
 /// @return    components of the current, time first
 template <class BodyMetric, class SpaceMetric, class Mass, class Law, class S, int n>
 Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Mass, Barotropic<Law>> const& fluid, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
-  detail::examine(fluid, j);
+  examine(fluid, j);
   auto const G = fluid.G(j.particle());
   auto const g = fluid.g(j.y);
-  S const rho = fluid.rho(j.particle());
-  Dual<S> J(jacobian(G, g, j.gradient()));
-  J.part[0] = S(1);
-  Dual<S> const W = fluid.W.w(J);
-  S const P = -rho * W.part[0];
+  S const rho = fluid.rho(j.particle()), J = jacobian(G, g, j.gradient()), sqrt_det_G = volume<S>(G);
+  auto const [W, dW_dJ] = derivative(fluid.W.w, J);
+  S const P = -rho * dW_dJ;
+  Matrix<S, n, 1> const v = j.velocity(), F_xi = j.gradient() * xi;
+  Event<S, n> current;
   // [eq_9_8]
-  S const head = rho * inner(g, j.velocity(), j.velocity()) / S(2) - rho * W.value - P * J.value;
+  current.template tail<n>() = xi * S((rho * inner(g, v, v) / S(2) - rho * W - P * J) * sqrt_det_G);
+  current[0] = -inner(g, v, F_xi) * rho * sqrt_det_G;
   // [eq_9_8]
-  return detail::fluid_current(G, g, rho, head, xi, j);
+  return current;
 }
 
 /// The relabelling current of an ideal incompressible fluid, written out (9.9), with the constant stored energy put to zero.
@@ -168,10 +132,14 @@ Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Ma
 /// @param j     first jet of the placement alone, without the multiplier
 template <class G, class g, class S, int n>
 Event<S, n> incompressible_relabelling_current(G const& body, g const& space, S const& rho, S const& P, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
+  S const sqrt_det_G = volume<S>(body);
+  Matrix<S, n, 1> const v = j.velocity(), F_xi = j.gradient() * xi;
+  Event<S, n> current;
   // [eq_9_9]
-  S const head = rho * inner(space, j.velocity(), j.velocity()) / S(2) - P;
+  current.template tail<n>() = xi * S((rho * inner(space, v, v) / S(2) - P) * sqrt_det_G);
+  current[0] = -inner(space, v, F_xi) * rho * sqrt_det_G;
   // [eq_9_9]
-  return detail::fluid_current(body, space, rho, head, xi, j);
+  return current;
 }
 
 }  // namespace actio

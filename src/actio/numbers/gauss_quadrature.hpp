@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "actio/numbers/dual.hpp"
+#include "actio/numbers/derivative.hpp"
 #include "actio/numbers/errors.hpp"
 
 namespace actio {
@@ -45,10 +45,8 @@ GaussRule<S> gauss_quadrature(int s) {
     S x(-std::cos(M_PI * (i + 0.75) / (s + 0.5)));
     S slope(0);
     for (double digits = 2; digits < 3 * decimal_digits<S>(); digits *= 2) {
-      Dual<S> moved(x);
-      moved.part[0] = S(1);
-      auto const p = legendre_polynomial(s, moved);
-      slope = p.part[0];
+      auto const p = derivative([s](auto const& y) { return legendre_polynomial(s, y); }, x);
+      slope = p.rate;
       x -= p.value / slope;
     }
     rule.nodes[i] = (S(1) + x) / S(2);

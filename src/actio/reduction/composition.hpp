@@ -75,25 +75,15 @@ template <Real S>
 std::vector<S> kahan_li() {
   S const shift(10000000000000L);  // 10^13
   S const first = (S(3921614440073L) + S(1413927925056L) / shift) / shift;
-  using D = Dual<S, 4>;
   Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550), S(0.798543990934829));
-  std::vector<D> gamma(9, D(first));
+  auto const there_and_back = [&first]<class T>(Matrix<T, 4, 1> const& g) {
+    return std::vector<T>{T(first), g[0], g[1], g[2], g[3], g[2], g[1], g[0], T(first)};
+  };
   for (double digits = 10; digits < 3 * decimal_digits<S>(); digits *= 2) {
-    for (int k = 0; k < 4; ++k) {
-      D moved(rest[k]);
-      moved.part[k] = S(1);
-      gamma[k + 1] = gamma[7 - k] = moved;
-    }
-    auto const left = composition_conditions(gamma);
-    Matrix<S, 4, 4> slope;
-    Matrix<S, 4, 1> value;
-    for (int i = 0; i < 4; ++i) {
-      value[i] = left[i].value;
-      for (int k = 0; k < 4; ++k) slope(i, k) = left[i].part[k];
-    }
+    auto const [value, slope] = derivative([&](auto const& g) { return composition_conditions(there_and_back(g)); }, rest);
     rest -= solve_linear(slope, value, "kahan_li");
   }
-  return {first, rest[0], rest[1], rest[2], rest[3], rest[2], rest[1], rest[0], first};
+  return there_and_back(rest);
 }
 
 namespace detail {

@@ -25,9 +25,9 @@ struct PolynomialPath {
     for (int nu = 0; nu < s; ++nu) {
       for (int i = 0; i < s; ++i) {
         auto const x = basis(nu, rule.nodes[i]);
-        value(i, nu) = x.value, slope(i, nu) = x.part[0];
+        value(i, nu) = x.value, slope(i, nu) = x.rate;
       }
-      final_slope[nu] = basis(nu, S(1)).part[0];
+      final_slope[nu] = basis(nu, S(1)).rate;
     }
   }
   /// The degree s, which is the number of nodes too.
@@ -39,13 +39,16 @@ struct PolynomialPath {
     return s;
   }
   /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s nodes.
-  Dual<S> basis(int nu, S const& time) const {
+  ValueAndRate<S> basis(int nu, S const& time) const {
     int const s = static_cast<int>(final_slope.size());
-    Dual<S> x(time), product(S(1));
-    x.part[0] = S(1);
-    for (int m = 0; m <= s; ++m)
-      if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
-    return product;
+    return derivative(
+        [&]<class T>(T const& x) {
+          T product(S(1));
+          for (int m = 0; m <= s; ++m)
+            if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
+          return product;
+        },
+        time);
   }
 };
 

@@ -49,9 +49,7 @@ StateChange<G, S> change_of(State<G, Dual<S>> const& v) {
 /// The tangent \f$(g, \dot g g^{-1})\f$ of a curve, a point of TG.
 template <Scalar S, class Curve>
 auto tangent(Curve const& curve, S const& t) {
-  Dual<S> time(t);
-  time.part[0] = S(1);
-  auto const g = curve(time);
+  auto const g = curve(variable(t));
   auto const configuration = value_of(g);
   return State<typename std::decay_t<decltype(configuration)>::GroupType, S>{configuration, rate_right(g)};
 }
@@ -61,16 +59,13 @@ auto tangent(Curve const& curve, S const& t) {
 /// \implements{claim_2_1_second_order_set}
 template <Scalar S, class Curve>
 auto second_tangent(Curve const& curve, S const& t) {
-  Dual<S> time(t);
-  time.part[0] = S(1);
-  return change_of(tangent(curve, time));
+  return change_of(tangent(curve, variable(t)));
 }
 
 /// The tangents of a family of curves at time t, moved infinitely little by epsilon.
 template <Scalar S, class Family>
 auto varied_tangent(Family const& family, S const& t) {
-  Dual<S> epsilon(S(0));
-  epsilon.part[0] = S(1);
+  Dual<S> const epsilon = variable(S(0));
   return tangent([&](auto const& s) { return family(std::decay_t<decltype(s)>(epsilon), s); }, Dual<S>(t));
 }
 /// \f$\hat\delta g(t)\f$: the variation of a curve lifted to TG, taken at the same time t as the variation itself.

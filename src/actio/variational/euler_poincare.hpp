@@ -50,14 +50,10 @@ Momentum<G, S> euler_poincare_left(F const& l, Velocity<G, S> const& xi, Velocit
 /// The matrix \f$\partial^2 l/\partial\xi\,\partial\xi\f$ of a reduced Lagrangian.
 template <Group G, Scalar S, class F>
 auto hessian(F const& l, Velocity<G, S> const& xi) {
-  int const n = xi.group.dimension();
-  Matrix<S, G::dim, G::dim> h(n, n);
-  over_batches(n, [&](int first) {
-    Velocity<G, Moved<S>> moved = over<Moved<S>>(xi);
-    for (int a = 0; a < batch && first + a < n; ++a) moved.coordinates[first + a].part[a] = S(1);
-    store_parts(h, gradient(l, moved).components, first);
-  });
-  return h;
+  auto const momentum = [&]<class T>(Matrix<T, G::dim, 1> const& moved) -> Matrix<T, G::dim, 1> {
+    return gradient(l, Velocity<G, T>{xi.group, moved}).components;
+  };
+  return derivative(momentum, xi.coordinates).matrix;
 }
 
 /// \f$\dot\xi\f$ of a right-invariant system.

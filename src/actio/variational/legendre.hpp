@@ -40,14 +40,12 @@ S energy(Lagrangian const& L, State<G, S> const& v) {
 /// The matrix \f$\partial^2 L/\partial\xi\,\partial\xi\f$: L is regular where it has an inverse.
 template <Group G, Scalar S, class Lagrangian>
 auto fibre_hessian(Lagrangian const& L, State<G, S> const& v) {
-  int const n = v.configuration.group.dimension();
-  Matrix<S, G::dim, G::dim> hessian(n, n);
-  over_batches(n, [&](int first) {
-    State<G, Moved<S>> moved = over<Moved<S>>(v);
-    for (int a = 0; a < batch && first + a < n; ++a) moved.velocity.coordinates[first + a].part[a] = S(1);
-    store_parts(hessian, legendre(L, moved).components, first);
-  });
-  return hessian;
+  auto const momentum = [&]<class T>(Matrix<T, G::dim, 1> const& velocity) -> Matrix<T, G::dim, 1> {
+    State<G, T> moved = over<T>(v);
+    moved.velocity.coordinates = velocity;
+    return legendre(L, moved).components;
+  };
+  return derivative(momentum, v.velocity.coordinates).matrix;
 }
 
 }  // namespace actio

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# planted_errors.sh ROOT: each error that `./run mutate` plants finds its place: the text to be replaced stands exactly once in its file, within
+# one line, and what takes its place is something else. Whether the checks catch the errors is for `./run mutate` to say.
+set -euo pipefail
+cd "$1"
+
+misplaced() { # LIST
+  local file from to executables description count
+  while IFS=$'\t' read -r file from to executables description; do
+    [[ -n $file && $file != '#'* ]] || continue
+    [[ -n $description ]] || { echo "a line of fewer than five columns: $file $from"; continue; }
+    [[ -f $file ]] || { echo "$file: no such file"; continue; }
+    count=$(grep -oF -- "$from" "$file" | wc -l)
+    [[ $count == 1 ]] || echo "$file: found $count times: $from"
+    [[ $from != "$to" ]] || echo "$file: nothing changes: $from"
+  done <"$1"
+}
+
+found=$(misplaced proofs_checks/mutate/mutations.tsv)
+[[ -z $found ]] || { printf 'Errors that cannot be planted:\n%s\n' "$found"; exit 1; }
+
+# A list with a line of each kind that is refused.
+list=$(mktemp)
+trap 'rm -f "$list"' EXIT
+printf '%s\tpragma once\tx\tt\td\n' src/actio/numbers/nowhere.hpp >"$list"
+printf '%s\tno such text\tx\tt\td\n%s\t#pragma once\t#pragma once\tt\td\n%s\tx\n' src/actio/numbers/dual.hpp{,,} >>"$list"
+[[ $(misplaced "$list" | wc -l) == 4 ]] || { misplaced "$list"; echo "of four lines that are not valid some pass"; exit 1; }
+echo "$(grep -cvE '^(#|\s*$)' proofs_checks/mutate/mutations.tsv) errors can be planted, each at its place"
