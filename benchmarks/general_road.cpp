@@ -12,7 +12,7 @@
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/euler_poincare_steps.hpp"
 #include "actio/reduction/galerkin.hpp"
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "benchmark.hpp"
@@ -64,9 +64,9 @@ Road euler_poincare(std::string const& name) {
 }
 Road brick() {
   Body const body = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
-  NaturalChartScheme<3> const scheme(body.inertia, h / body.spin.coordinates.norm());
+  NaturalChartScheme<3> const scheme(body.principal.inertia, h / body.principal_spin().coordinates.norm());
   return euler_poincare("SO(3)", scheme.lagrangian(),
-                        scheme.relative_motion(body_momentum(body.inertia, body.spin)).value);
+                        scheme.relative_motion(body_momentum(body.principal.inertia, body.principal_spin())).value);
 }
 Road heavy_top() {
   auto const known = kovalevskaya_top<double>();

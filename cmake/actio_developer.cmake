@@ -65,9 +65,9 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
     target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
   endforeach()
   file(GLOB_RECURSE own CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/actio/*.hpp")
-  # Not the catalogue, which needs definitions that not every test has; nor natural charts and steppers, which few units take; nor the heavy top
+  # Not the catalogue, which few tests read; nor natural charts and steppers, which few units take; nor the heavy top
   # and the bodies that are moved fast: functions there that are no templates would be compiled
   # in every unit; nor Part II, which few units need.
-  list(FILTER own EXCLUDE REGEX "body_catalogue|schur_form_in_digits|natural_chart|momentum_step|_steps|remembered_solutions|composition|galerkin|heavy_top|numbers/(second_order|square_root|divergence|number_row)|/(fast_body|scene|forms|jets|continuum|constraints|incompressible|noether)/")
+  list(FILTER own EXCLUDE REGEX "bodies/|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps|remembered_solutions|composition|galerkin|heavy_top|numbers/(second_order|square_root|divergence|number_row)|/(fast_body|scene|forms|jets|continuum|constraints|incompressible|noether)/")
   target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp> ${own})
 endif()

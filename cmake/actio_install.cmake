@@ -3,7 +3,8 @@ include(CMakePackageConfigHelpers)
 set(actio_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/actio)
 
 install(TARGETS actio ${ACTIO_MODULES} EXPORT actio_targets)
-install(DIRECTORY src/actio DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "scene" EXCLUDE)
+install(DIRECTORY src/actio DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
+        PATTERN "scene" EXCLUDE PATTERN "bodies" EXCLUDE)
 install(EXPORT actio_targets NAMESPACE actio:: DESTINATION ${actio_config_dir})
 
 write_basic_package_version_file(actioConfigVersion.cmake COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)

@@ -10,7 +10,7 @@
 //   m   momentum in space         growth    exponent a in: change ~ steps^a (1/2 is a random walk)
 #include <random>
 
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
@@ -73,10 +73,10 @@ int main(int argc, char** argv) {
 
   // 1. The bodies of the catalogue.
   for (Body const& body : read_bodies(ACTIO_DATA "/bodies.toml")) {
-    auto const I = body.inertia.moments;
-    std::string const unit = body.ratio ? "(ratio)" : "kg m²";
+    auto const I = body.principal.inertia.moments;
+    std::string const unit = body.unit == "ratio" ? "(ratio)" : "kg m²";
     long const count = 100000;
-    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count, drift_of(body.inertia, body.spin, count),
+    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count, drift_of(body.principal.inertia, body.principal_spin(), count),
         body.name == "water" || body.name == "iss");
   }
 

@@ -10,7 +10,7 @@
 //   g, q   attitude, matrix and quaternion    h          step
 #include <Eigen/Geometry>
 
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "witness/euler_series.hpp"
 #include "actio/fast_body/space/free_steps.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
@@ -25,11 +25,11 @@ using Vector3d = actio::Vector<double, 3>;
 FreeState true_state(Body const& body, double t) {
   auto const fifty = [](auto const& v) { return v.template cast<dec50>().eval(); };
   auto const plain = [](auto const& v) { return v.unaryExpr([](dec50 const& x) { return to_double(x); }).eval(); };
-  Vector3d const I = body.inertia.moments, M = I.cwiseProduct(body.spin.coordinates);
+  Vector3d const I = body.principal.inertia.moments, M = I.cwiseProduct(body.principal_spin().coordinates);
   auto const end = euler_series<dec50>(fifty(I), {fifty(M), fifty(Vector<double, 4>::UnitX().eval())}, dec50(t));
   return {{SO<3>{}, plain(end.momentum)}, {SU2{}, plain(end.attitude)}};
 }
-FreeBody released(Body const& body) { return {body.inertia, body_momentum(body.inertia, body.spin)}; }
+FreeBody released(Body const& body) { return {body.principal.inertia, body_momentum(body.principal.inertia, body.principal_spin())}; }
 Matrix<double, 3, 3> matrix_of(Element<SU2, double> const& q) { return Eigen::Quaterniond(q.value[0], q.value[1], q.value[2], q.value[3]).toRotationMatrix(); }
 
 // The larger difference: of momenta over their amount, of quaternions up to their sign.
@@ -49,8 +49,8 @@ double const eps = std::numeric_limits<double>::epsilon();
 // 1. The equation of the scheme along the true motion of the brick.
 void equation_along_the_motion(book::Program& program, Body const& brick) {
   FreeBody const body = released(brick);
-  Vector3d const I = brick.inertia.moments;
-  double const spin = brick.spin.coordinates.norm();
+  Vector3d const I = brick.principal.inertia.moments;
+  double const spin = brick.principal_spin().coordinates.norm();
   std::vector<book::Program::Row> rows;
   double worst = 0, least = 1;
   for (double const angle : {0.1, 0.5, 1.0, 2.0, 3.0}) {
@@ -58,7 +58,7 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
     Three<double> const j = inertia_of(body.step_parameters(h));  // axes as the steps name them: for ascending moments those of the body
     Vector3d const modified = (h * body.amount() / 2) * Vector3d(1 / j[0], 1 / j[1], 1 / j[2]);
     Element<SO<3>, double> const f{SO<3>{}, matrix_of(true_state(brick, h).attitude).transpose()};
-    Momentum<SO<3>, double> const M = body_momentum(brick.inertia, brick.spin);
+    Momentum<SO<3>, double> const M = body_momentum(brick.principal.inertia, brick.principal_spin());
     double const with = residual(modified, f, M, h), without = residual(I, f, M, h);
     worst = std::max(worst, with / (eps * modified.cwiseAbs().maxCoeff() / I.maxCoeff() / angle)), least = std::min(least, without / (angle * angle));
     rows.push_back({book::number(angle), book::number(modified[0] / I[0], 6), book::number(modified[1] / I[1], 6), book::number(modified[2] / I[2], 6), book::number(with, 2),
@@ -90,7 +90,7 @@ void show_order(book::Program& program, book::Plot& plot, FreeBody const& body, 
 // 2. Orders: two hundred radians of the brick at finer and finer steps. Returns the largest error of the exact ones.
 double orders(book::Program& program, Body const& brick) {
   FreeBody const body = released(brick);
-  double const spin = brick.spin.coordinates.norm(), duration = 200 / spin;
+  double const spin = brick.principal_spin().coordinates.norm(), duration = 200 / spin;
   FreeState const end = true_state(brick, duration);
   auto plot = book::Plot("step, rad", "error after 200 rad").log_x().log_y();
   for (int order = 2; order <= 10; order += 2) show_order(program, plot, body, spin, duration, end, order);
@@ -113,7 +113,7 @@ void flips(book::Program& program, Body const& handle) {
   FreeBody const thrown = released(handle);
   auto plot = book::Plot("time, s", "body velocity about the middle axis, rad/s").size(660, 300);
   std::vector<double> time, velocity, dot_time, dot_velocity;
-  auto const middle = [&](FreeState const& s) { return s.body_momentum.components[1] / handle.inertia.moments[1]; };
+  auto const middle = [&](FreeState const& s) { return s.body_momentum.components[1] / handle.principal.inertia.moments[1]; };
   for (double t = 0; t <= 20; t += 0.01) time.push_back(t), velocity.push_back(middle(thrown.at(t)));
   FreeSteps coarse(thrown, 0.3);
   for (double t = 0; t <= 20; t += 0.3) dot_time.push_back(t), dot_velocity.push_back(middle(coarse.state())), coarse.advance();

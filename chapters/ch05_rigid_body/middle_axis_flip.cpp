@@ -14,7 +14,7 @@
 
 #include <Eigen/Geometry>
 
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
@@ -50,7 +50,7 @@ double flip_time(Vector3d I, Vector3d omega) {
 
 // 1. The body: two cylinders, its moments computed from their sizes. Returns the time between two flips.
 double present_handle(book::Program& program, Body const& handle) {
-  Vector3d const I = handle.inertia.moments, omega = handle.spin.coordinates;
+  Vector3d const I = handle.principal.inertia.moments, omega = handle.principal_spin().coordinates;
   program.say("moments of inertia, kg m^2: ", I[0], ", ", I[1], ", ", I[2], "; turning about the middle one at ", omega[1], " rad/s");
   double const flip = flip_time(I, omega);
   program.figure("flip", flip, book::number(flip, 9) + " s", "time between two flips, closed form (elliptic integral)");
@@ -62,12 +62,12 @@ double refine_steps(book::Program& program, Body const& handle, double flip) {
   std::vector<double> steps, errors;
   std::vector<book::Program::Row> rows;
   for (double h = 0.02; h > 0.0011; h /= 2) {
-    MoserVeselov<3> const scheme(handle.inertia, h);
-    auto body = release(handle.inertia, identity<double>(SO<3>{}), handle.spin);
+    MoserVeselov<3> const scheme(handle.principal.inertia, h);
+    auto body = release(handle.principal.inertia, identity<double>(SO<3>{}), handle.principal_spin());
     std::vector<double> crossings;
-    for (double t = 0, before = handle.spin.coordinates[1]; crossings.size() < 11; t += h) {
+    for (double t = 0, before = handle.principal_spin().coordinates[1]; crossings.size() < 11; t += h) {
       advance(scheme, body);
-      double const after = body_velocity(handle.inertia, body.body_momentum).coordinates[1];
+      double const after = body_velocity(handle.principal.inertia, body.body_momentum).coordinates[1];
       if (before * after < 0) crossings.push_back(t + h * before / (before - after));
       before = after;
     }
@@ -85,13 +85,13 @@ double refine_steps(book::Program& program, Body const& handle, double flip) {
 // 3. The first twenty seconds.
 void draw_first_flips(book::Program& program, Body const& handle) {
   double const h = 0.02;
-  MoserVeselov<3> const scheme(handle.inertia, h);
-  auto body = release(handle.inertia, identity<double>(SO<3>{}), handle.spin);
+  MoserVeselov<3> const scheme(handle.principal.inertia, h);
+  auto body = release(handle.principal.inertia, identity<double>(SO<3>{}), handle.principal_spin());
   std::vector<double> time;
   std::array<std::vector<double>, 3> component;
   for (double t = 0; t < 20; t += h) {
     time.push_back(t);
-    for (int i = 0; i < 3; ++i) component[i].push_back(body.body_momentum.components[i] / handle.inertia.moments[i]);
+    for (int i = 0; i < 3; ++i) component[i].push_back(body.body_momentum.components[i] / handle.principal.inertia.moments[i]);
     advance(scheme, body);
   }
   auto flips = book::Plot("time, s", "body velocity, rad/s").size(660, 320);
@@ -111,8 +111,8 @@ constexpr double coarse = 0.05, duration = 5000;  // of the long runs, s: the co
 
 // Any method over the whole duration: next makes a step, momentum_of and spatial_of read the two momenta off its state.
 Run follow(Body const& handle, std::string const& name, double step, auto state, auto const& next, auto const& momentum_of, auto const& spatial_of) {
-  Vector3d const I = handle.inertia.moments, omega = handle.spin.coordinates;
-  double const energy = kinetic_energy(handle.inertia, handle.spin), amount = I.cwiseProduct(omega).norm();
+  Vector3d const I = handle.principal.inertia.moments, omega = handle.principal_spin().coordinates;
+  double const energy = kinetic_energy(handle.principal.inertia, handle.principal_spin()), amount = I.cwiseProduct(omega).norm();
   Run run{name, {}, {}, {}, step};
   Vector3d const start = spatial_of(state);
   long const count = std::lround(duration / step), every = count / 400;
@@ -124,7 +124,7 @@ Run follow(Body const& handle, std::string const& name, double step, auto state,
       if (before * M[1] < 0) run.flips.push_back(k * step);
       before = M[1];
       if (k % every) continue;
-      run.energy_drift = std::max(run.energy_drift, std::abs(kinetic_energy(handle.inertia, momentum(SO<3>{}, M)) / energy - 1));
+      run.energy_drift = std::max(run.energy_drift, std::abs(kinetic_energy(handle.principal.inertia, momentum(SO<3>{}, M)) / energy - 1));
       run.casimir_drift = std::max(run.casimir_drift, std::abs(M.squaredNorm() / (amount * amount) - 1));
       run.spatial_drift = std::max(run.spatial_drift, (spatial_of(state) - start).norm() / amount);
       run.time.push_back(k * step), run.energy_lost.push_back(std::max(run.energy_drift, 1e-16));
@@ -136,14 +136,14 @@ Run follow(Body const& handle, std::string const& name, double step, auto state,
 // The scheme, and Runge-Kutta with any step, followed so.
 Run follow_moser_veselov(Body const& handle) {
   using State = BodyInMotion<3>;
-  MoserVeselov<3> const scheme(handle.inertia, coarse);
-  return follow(handle, "Moser-Veselov", coarse, release(handle.inertia, identity<double>(SO<3>{}), handle.spin),
+  MoserVeselov<3> const scheme(handle.principal.inertia, coarse);
+  return follow(handle, "Moser-Veselov", coarse, release(handle.principal.inertia, identity<double>(SO<3>{}), handle.principal_spin()),
                 [&](State s) { return advance(scheme, s), s; }, [](State const& s) { return Vector3d(s.body_momentum.components); },
                 [](State const& s) { return Vector3d(s.spatial_momentum().components); });
 }
 
 Run follow_runge_kutta(Body const& handle, std::string const& name, double step) {
-  Vector3d const I = handle.inertia.moments, omega = handle.spin.coordinates;
+  Vector3d const I = handle.principal.inertia.moments, omega = handle.principal_spin().coordinates;
   Vector7 start;
   start << I.cwiseProduct(omega), 1, 0, 0, 0;
   return follow(handle, name, step, start, [&](Vector7 const& y) { return runge_kutta(I, y, step); }, [](Vector7 const& y) { return Vector3d(y.head<3>()); },

@@ -11,7 +11,7 @@
 //   g      attitude, body to space                                         P_prec mean period of the long axis about the momentum in space
 #include <Eigen/Geometry>
 
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
@@ -35,8 +35,8 @@ Vector3d onto_polhode(Vector3d e, Vector3d const& e0, Vector3d const& D) {
 
 // Both periods of a body whose momentum runs round the short axis, over `turns` times round: from the angle of M and from that of the long axis about m.
 std::pair<double, double> periods(Body const& body, double h, int turns) {
-  MoserVeselov<3> const scheme(body.inertia, h);
-  auto motion = release(body.inertia, identity<double>(SO<3>{}), body.spin);
+  MoserVeselov<3> const scheme(body.principal.inertia, h);
+  auto motion = release(body.principal.inertia, identity<double>(SO<3>{}), body.principal_spin());
   // Space seen along the momentum.
   Vector3d const axis = Vector3d(motion.spatial_momentum().components).normalized(), across = Eigen::Vector3d(axis).unitOrthogonal(), third = cross(axis, across);
   auto const round_axis = [](Vector3d const& M) { return std::atan2(M[1], M[0]); };
@@ -64,8 +64,8 @@ int main(int argc, char** argv) {
     Body const body = read_body(ACTIO_DATA "/bodies.toml", name);
     double const h = name[0] == 'a' ? 2.0 : 0.15;
     auto sphere = book::Sphere(name[0] == 'a' ? 50 : 25, 20).axes({"long", "middle", "short"});
-    Vector3d const D = body.inertia.moments.cwiseInverse() * body.inertia.moments[2];
-    Vector3d const M0 = body_momentum(body.inertia, body.spin).components, e0 = M0.normalized();
+    Vector3d const D = body.principal.inertia.moments.cwiseInverse() * body.principal.inertia.moments[2];
+    Vector3d const M0 = body_momentum(body.principal.inertia, body.principal_spin()).components, e0 = M0.normalized();
 
     // The exact curve: follow the flow by small steps along M x omega and come back on the curve.
     std::vector<Vector3d> exact{e0};
@@ -78,8 +78,8 @@ int main(int argc, char** argv) {
     }
     exact.push_back(e0);
 
-    MoserVeselov<3> const scheme(body.inertia, h);
-    auto motion = release(body.inertia, identity<double>(SO<3>{}), body.spin);
+    MoserVeselov<3> const scheme(body.principal.inertia, h);
+    auto motion = release(body.principal.inertia, identity<double>(SO<3>{}), body.principal_spin());
     std::vector<Vector3d> dots;
     for (int k = 0; k < 100000; ++k) {
       Vector3d const e = motion.body_momentum.components / M0.norm();

@@ -8,7 +8,7 @@
 //   g      attitude, body to space                h     step, s
 //   f      relative motion g1^-1 g0               p, q, r  body rates, degrees per second
 #include "witness/reference_solution.hpp"
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "book/measure.hpp"
@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
   for (int k = 1; k <= count; ++k) time.push_back(k * h);
 
   // 2. Reconstruction against the unreduced run.
-  double const chart = apart(NaturalChartScheme<3>(brick.inertia, h), brick.spin, count, history_chart);
-  double const mv = apart(MoserVeselov<3>(brick.inertia, h), brick.spin, count, history_mv);
+  double const chart = apart(NaturalChartScheme<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_chart);
+  double const mv = apart(MoserVeselov<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_mv);
   program.figure("apart_chart", chart, "natural charts: the two roads apart after 30 s, largest entry of the attitude");
   program.figure("apart_mv", mv, "Moser-Veselov: the same");
   auto roads = book::Plot("time, s", "distance of the two roads so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
@@ -70,9 +70,9 @@ int main(int argc, char** argv) {
   program.picture("roads", roads.svg(), "The attitude from pairs of configurations and from relative motions with reconstruction: what lies between them is rounding.");
 
   // 3. The truth at 30 s, by the Prince-Dormand method of the GNU Scientific Library.
-  Vector3d const I = brick.inertia.moments;
+  Vector3d const I = brick.principal.inertia.moments;
   auto const euler = [&](double, Vector3d const& w) { return Vector3d(cross(I.cwiseProduct(w), w).cwiseQuotient(I)); };
-  Vector3d const truth = reference_solution(euler, Vector3d(brick.spin.coordinates), 0, 30) * (180 / M_PI);
+  Vector3d const truth = reference_solution(euler, Vector3d(brick.principal_spin().coordinates), 0, 30) * (180 / M_PI);
   Vector3d const nasa(12.61842377, -17.3974441, 31.11960301);
 
   // 4. Both schemes at five steps and more.
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
     return book::Program::Row{name, book::number(w[0], 10), book::number(w[1], 10), book::number(w[2], 10), error};
   };
   for (double step : {0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625}) {
-    Vector3d const a = rates_after(NaturalChartScheme<3>(brick.inertia, step), brick.spin, 30), b = rates_after(MoserVeselov<3>(brick.inertia, step), brick.spin, 30);
+    Vector3d const a = rates_after(NaturalChartScheme<3>(brick.principal.inertia, step), brick.principal_spin(), 30), b = rates_after(MoserVeselov<3>(brick.principal.inertia, step), brick.principal_spin(), 30);
     steps.push_back(step), errors_chart.push_back((a - truth).norm()), errors_mv.push_back((b - truth).norm());
     if (step == 0.2 || step == 0.00625) {
       rows.push_back(row("natural charts, h = " + book::number(step), a, book::number(errors_chart.back())));

@@ -88,7 +88,8 @@ function addShapes(place, space) {
 function tellWhatIsMissing() {
   const asked = (name) => run.quantities.some((q) => q.name === name);
   if (run.body && !asked("attitude")) return 'Add "attitude" to the quantities of [output] to see the body turn.';
-  if (run.scene.kind === "rigid_body_n" && !asked("momentum")) return 'Add "momentum" to the quantities of [output] to see it go from plane to plane.';
+  const planes = run.scene.planes;
+  if (planes && !asked(planes)) return `Add "${planes}" to the quantities of [output] to see it go from plane to plane.`;
   return "";
 }
 function say(...texts) {
@@ -104,7 +105,7 @@ function withoutStages() {
   say(missing);
 }
 function raisePlanes() {
-  const momentum = run.scene.kind === "rigid_body_n" && run.times && run.quantities.find((q) => q.name === "momentum" && q.components.length > 0);
+  const momentum = run.scene.planes && run.times && run.quantities.find((q) => q.name === run.scene.planes && q.components.length > 0);
   if (!momentum || !(view.whole[1] > view.whole[0]) || run.times.rows < 2) return withoutStages();
   byId("motion").hidden = false;
   for (const id of ["space", "sphere"]) byId(id).hidden = true;

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -20,12 +21,19 @@ using namespace scene;
 
 namespace {
 
-LibraryBody const& body_named(std::string const& name) {
-  LibraryBody const* const body = find_body(name);
+Body const& body_named(std::string const& name) {
+  Body const* const body = find_body(name);
   if (!body)
     throw SceneError({"actio new"}, fmt::format("unknown body '{}'{} (actio list bodies)", shown(name),
                                                 did_you_mean(name, names_of_bodies())));
   return *body;
+}
+
+/// The first system with that key.
+System const& system_that_takes(std::string const& key) {
+  return *std::ranges::find_if(systems(), [&](System const& system) {
+    return std::ranges::find(system.parameters, key, &Parameter::key) != system.parameters.end();
+  });
 }
 
 /// The scene that a name and a body stand for: a system, otherwise a scene that the program carries,
@@ -37,7 +45,7 @@ std::string scene_of(std::string const& name, std::string const& body) {
     throw SceneError({"actio new"},
                      "--body belongs to a system, as in actio new rigid_body --body " + shown(body));
   if (NamedScene const* const carried = find_scene(name)) return std::string(carried->text);
-  if (LibraryBody const* const of = find_body(name)) return scene_template(*find_system("rigid_body"), of);
+  if (Body const* const of = find_body(name)) return scene_template(system_that_takes("system.body"), of);
   std::vector<std::string> known;
   for (auto const* const list : {"systems", "scenes", "bodies"})
     for (auto const& one : names_in(list)) known.push_back(one);

@@ -47,15 +47,15 @@ class Account {
 
 std::string in_toml(Eigen::Vector3d const& v) { return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]); }
 
-std::string about(LibraryBody const& body) {
+std::string about(Body const& body) {
   Account account(body.name, "a body: " + body.title);
-  account.tell("moments", in_toml(body.inertia.moments) + (body.unit == "ratio" ? ", of which only the ratios are known" : " " + body.unit));
-  if (!body.axes.isIdentity(0)) {
+  account.tell("moments", in_toml(body.principal.inertia.moments) + (body.unit == "ratio" ? ", of which only the ratios are known" : " " + body.unit));
+  if (!body.principal.axes.isIdentity(0)) {
     account.tell("axes", "of these moments, in the frame of the catalogue, which is that of a scene with this body:");
-    for (int k = 0; k < 3; ++k) account.tell("", in_toml(body.axes.col(k)));
+    for (int k = 0; k < 3; ++k) account.tell("", in_toml(body.principal.axes.col(k)));
   }
   account.tell("unit of time", body.time);
-  account.tell("spin", in_toml(body.spin) + " rad/" + body.time);
+  account.tell("spin", in_toml(body.spin.coordinates) + " rad/" + body.time);
   Units const units = units_of(body);
   account.tell("units", fmt::format("of a scene with this body: angular velocity {}, momentum {}, energy {}",
                                     units.in("1/time"), units.in("energy x time"), units.in("energy")));
@@ -64,7 +64,7 @@ std::string about(LibraryBody const& body) {
   account.tell("new scene", fmt::format("actio new rigid_body --body {0} --out {0}.toml", body.name));
   if (find_scene(body.name))
     account.tell("its scene", fmt::format("actio run {}, which comes with actio", body.name));
-  account.scene(fmt::format("[system]\nkind = \"rigid_body\"\nbody = \"{}\"\n[initial]\nangular_velocity = {}   # rad/{}\n", body.name, in_toml(body.spin), body.time));
+  account.scene(fmt::format("[system]\nkind = \"rigid_body\"\nbody = \"{}\"\n[initial]\nangular_velocity = {}   # rad/{}\n", body.name, in_toml(body.spin.coordinates), body.time));
   return account.text();
 }
 

@@ -27,8 +27,8 @@ py::list bodies() {
   for (auto const& body : scene::library_bodies()) {
     py::dict one;
     one["name"] = body.name, one["title"] = body.title;
-    one["moments"] = numbers(body.inertia.moments), one["unit"] = body.unit;
-    one["axes"] = rows(body.axes), one["spin"] = numbers(body.spin), one["time"] = body.time;
+    one["moments"] = numbers(body.principal.inertia.moments), one["unit"] = body.unit;
+    one["axes"] = rows(body.principal.axes), one["spin"] = numbers(body.spin.coordinates), one["time"] = body.time;
     one["source"] = body.source, one["derived"] = body.derived;
     out.append(one);
   }

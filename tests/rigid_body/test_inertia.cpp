@@ -2,7 +2,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/forms/forms.hpp"
-#include "actio/rigid_body/inertia.hpp"
+#include "actio/rigid_body/principal_inertia.hpp"
 #include "random_bodies.hpp"
 
 using namespace actio;

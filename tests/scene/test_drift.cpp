@@ -6,7 +6,7 @@
 #include "actio/scene/drift.hpp"
 
 using actio::Error;
-using actio::scene::Drift, actio::scene::Memory;
+using actio::scene::Drift, actio::scene::CheckpointStream;
 
 namespace {
 
@@ -60,9 +60,9 @@ BOOST_AUTO_TEST_CASE(it_goes_on_where_it_was) {
   for (std::size_t cut = 0; cut <= rows.size(); ++cut) {
     Drift first({{"q", 0, 3}}), second({{"q", 0, 3}});
     for (std::size_t k = 0; k < cut; ++k) first.see(rows[k]);
-    Memory saved;
+    CheckpointStream saved;
     first.remember(saved);
-    Memory restored(saved.bytes());
+    CheckpointStream restored(saved.bytes());
     second.remember(restored);
     restored.end();
     for (std::size_t k = cut; k < rows.size(); ++k) second.see(rows[k]);
@@ -72,16 +72,16 @@ BOOST_AUTO_TEST_CASE(it_goes_on_where_it_was) {
 
 BOOST_AUTO_TEST_SUITE_END()
 
-BOOST_AUTO_TEST_SUITE(memory)
+BOOST_AUTO_TEST_SUITE(checkpoint_stream)
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_read_back_and_nothing_is_left) {
-  Memory memory;
+  CheckpointStream stream;
   double x = 0.1;
   std::vector<double> list(1000, 0.3), none;
-  memory(x, list, none);
+  stream(x, list, none);
   double y = 0;
   std::vector<double> again, empty;
-  Memory back(memory.bytes());
+  CheckpointStream back(stream.bytes());
   back(y, again);
   BOOST_CHECK_THROW(back.end(), Error);
   back(empty);
@@ -90,23 +90,23 @@ BOOST_AUTO_TEST_CASE(what_is_written_is_read_back_and_nothing_is_left) {
 }
 
 BOOST_AUTO_TEST_CASE(it_is_not_trusted) {
-  Memory memory;
+  CheckpointStream stream;
   std::vector<double> list(3, 0.3);
-  memory(list);
-  for (std::size_t size = 0; size < memory.bytes().size(); ++size) {
+  stream(list);
+  for (std::size_t size = 0; size < stream.bytes().size(); ++size) {
     std::vector<double> back;
-    Memory cut(memory.bytes().substr(0, size));
+    CheckpointStream cut(stream.bytes().substr(0, size));
     BOOST_CHECK_THROW(cut(back), Error);
   }
   // A list of another size; lists that would be longer than memory, and so long that their bytes have no number.
   std::vector<double> other(4);
-  Memory whole(memory.bytes());
+  CheckpointStream whole(stream.bytes());
   BOOST_CHECK_THROW(whole(other), Error);
   for (std::size_t claimed : {std::size_t{4}, std::size_t{1} << 40, std::size_t{1} << 61, ~std::size_t{0}}) {
-    std::string bytes = memory.bytes();
+    std::string bytes = stream.bytes();
     std::memcpy(bytes.data(), &claimed, sizeof claimed);
     std::vector<double> back;
-    Memory lying(bytes);
+    CheckpointStream lying(bytes);
     BOOST_CHECK_THROW(lying(back), Error);
   }
 }

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "actio/scene/envelope.hpp"
-#include "actio/scene/excerpt.hpp"
+#include "actio/scene/key_frames.hpp"
 
-using actio::scene::Envelope, actio::scene::Excerpt;
+using actio::scene::Envelope, actio::scene::KeyFrames;
 
 BOOST_AUTO_TEST_SUITE(overview)
 
@@ -48,18 +48,18 @@ BOOST_AUTO_TEST_CASE(pieces_follow_one_another_and_hold_equally_many_rows) {
 
 BOOST_AUTO_TEST_CASE(an_excerpt_holds_every_row_of_a_stride_as_long_as_neighbours_are_near) {
   for (double const most : {1e9, 7.0, 1.0, 0.5}) {
-    Excerpt excerpt([most](auto const& a, auto const& b) { return b[0] - a[0] <= most; });
-    for (int i = 0; i < 50'000; ++i) excerpt.add(std::vector<double>{static_cast<double>(i)});
-    auto const& rows = excerpt.rows();
-    BOOST_TEST(rows.size() <= Excerpt::most_rows);
-    BOOST_TEST(2 * rows.size() >= Excerpt::most_rows);
+    KeyFrames key_frames([most](auto const& a, auto const& b) { return b[0] - a[0] <= most; });
+    for (int i = 0; i < 50'000; ++i) key_frames.add(std::vector<double>{static_cast<double>(i)});
+    auto const& rows = key_frames.rows();
+    BOOST_TEST(rows.size() <= KeyFrames::most_rows);
+    BOOST_TEST(2 * rows.size() >= KeyFrames::most_rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       BOOST_TEST_REQUIRE(rows[i].size() == 1u);
-      if (rows[i][0] != static_cast<double>(i) * static_cast<double>(excerpt.stride())) BOOST_ERROR("row " << i << " of the excerpt is row " << rows[i][0]);
+      if (rows[i][0] != static_cast<double>(i) * static_cast<double>(key_frames.stride())) BOOST_ERROR("row " << i << " of the key frames is row " << rows[i][0]);
     }
     // Strides are powers of two: of seven, four is the longest that is near enough.
-    BOOST_TEST(excerpt.stride() == (most > 1e3 ? 32 : most > 4 ? 4 : 1));
-    BOOST_TEST(excerpt.beginning_only() == (most < 1e3));
+    BOOST_TEST(key_frames.stride() == (most > 1e3 ? 32 : most > 4 ? 4 : 1));
+    BOOST_TEST(key_frames.beginning_only() == (most < 1e3));
   }
 }
 

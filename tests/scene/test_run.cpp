@@ -34,7 +34,7 @@ struct Counter : Motion {
       ++steps;
     }
   }
-  void remember(Memory& memory) override { memory(steps); }
+  void remember(CheckpointStream& stream) override { stream(steps); }
 };
 
 /// Twenty thousand steps of the counter, a row every 250.

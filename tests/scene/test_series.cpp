@@ -67,7 +67,7 @@ struct SlowSeries : Series {
   }
   void flush() override {}
   void sync() override {}
-  void remember(Memory& memory) override { memory(*rows); }
+  void remember(CheckpointStream& stream) override { stream(*rows); }
 };
 
 }  // namespace
@@ -125,18 +125,18 @@ BOOST_AUTO_TEST_CASE(every_number_reads_back_as_it_was) {
 BOOST_AUTO_TEST_CASE(a_table_is_cut_back_to_what_it_remembers_and_goes_on) {
   for (std::string const format : {"csv", "hdf5"}) {
     Folder const folder;
-    Memory memory;
+    CheckpointStream stream;
     {
       auto const series = open_series(folder / "", format, head(), false);
       add_rows(*series, 0, 1234);
       series->sync();
-      series->remember(memory);
+      series->remember(stream);
       add_rows(*series, 1234, 9000);
     }
     BOOST_TEST(rows_in(folder / "", format).size() == 9000u);
     {
       auto const series = open_series(folder / "", format, head(), true);
-      Memory back(memory.bytes());
+      CheckpointStream back(stream.bytes());
       series->remember(back);
       series->flush();
       BOOST_TEST(rows_in(folder / "", format, true).size() == 1234u);
@@ -151,15 +151,15 @@ BOOST_AUTO_TEST_CASE(a_table_is_cut_back_to_what_it_remembers_and_goes_on) {
 BOOST_AUTO_TEST_CASE(a_table_that_lost_rows_since_is_refused) {
   for (std::string const format : {"csv", "hdf5"}) {
     Folder const folder;
-    Memory memory, few;
-    for (auto [to, into] : {std::pair{500L, &memory}, std::pair{100L, &few}}) {
+    CheckpointStream stream, few;
+    for (auto [to, into] : {std::pair{500L, &stream}, std::pair{100L, &few}}) {
       auto const series = open_series(folder / "", format, head(), false);
       add_rows(*series, 0, to);
       series->sync();
       series->remember(*into);
     }
     auto const series = open_series(folder / "", format, head(), true);
-    Memory back(memory.bytes());
+    CheckpointStream back(stream.bytes());
     BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) { return std::string(error.what()).ends_with("; it was cut since"); });
   }
 }
@@ -179,8 +179,8 @@ BOOST_AUTO_TEST_CASE(a_device_without_room_is_said_and_every_later_call_says_so_
   add_rows(*series, 0, 10);
   BOOST_CHECK_THROW(series->flush(), FileError);
   BOOST_CHECK_THROW(series->sync(), FileError);
-  Memory memory;
-  BOOST_CHECK_THROW(series->remember(memory), FileError);
+  CheckpointStream stream;
+  BOOST_CHECK_THROW(series->remember(stream), FileError);
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_is_no_table_is_refused) {
@@ -246,10 +246,10 @@ BOOST_AUTO_TEST_CASE(what_a_killed_writer_leaves_is_a_beginning_and_can_be_gone_
           add_rows(*series, k, k + 700);
           if (k % 2100 == 0) series->flush();
           if (k % 9100 == 0) {
-            Memory memory;
+            CheckpointStream stream;
             series->sync();
-            series->remember(memory);
-            if (::write(remembered[1], memory.bytes().data(), memory.bytes().size()) < 0) ::_exit(1);
+            series->remember(stream);
+            if (::write(remembered[1], stream.bytes().data(), stream.bytes().size()) < 0) ::_exit(1);
           }
         }
       }
@@ -272,8 +272,8 @@ BOOST_AUTO_TEST_CASE(what_a_killed_writer_leaves_is_a_beginning_and_can_be_gone_
       std::uint64_t kept = 0;
       {
         auto const series = open_series(folder / "", format, head(), true);
-        Memory memory(last);
-        series->remember(memory);
+        CheckpointStream stream(last);
+        series->remember(stream);
         if (format == "hdf5") std::memcpy(&kept, last.data(), 8);
         else kept = rows_in(folder / "", format).size();
         add_rows(*series, static_cast<long>(kept), static_cast<long>(kept) + 5000);

@@ -4,7 +4,7 @@
 // ten times beyond them. Minutes, not seconds: `./run stress`.
 #include <random>
 
-#include "actio/rigid_body/body_catalogue.hpp"
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/body_in_motion.hpp"
 #include "book/measure.hpp"
 #include "book/program.hpp"
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     worst = std::max({worst, kept.casimir / walk, kept.spatial / walk, kept.energy / walk});
     program.say(name, ": Casimir ", book::number(kept.casimir, 2), ", momentum in space ", book::number(kept.spatial, 2), ", growth ", book::number(kept.growth, 2));
   };
-  for (Body const& body : read_bodies(ACTIO_DATA "/bodies.toml")) add(body.title, 10'000'000, keep(body.inertia, body.spin, 10'000'000));
+  for (Body const& body : read_bodies(ACTIO_DATA "/bodies.toml")) add(body.title, 10'000'000, keep(body.principal.inertia, body.principal_spin(), 10'000'000));
 
   unsigned const seed = 20;
   program.say("random bodies on SO(n) from seed ", seed);

@@ -13,7 +13,7 @@
 
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/advected.hpp"
-#include "actio/rigid_body/inertia.hpp"
+#include "actio/rigid_body/principal_inertia.hpp"
 
 namespace actio {
 

@@ -18,8 +18,8 @@
 
 namespace actio {
 
-/// Inertia of a rigid body on SO(n), n fixed or `Dynamic`. Made by \ref inertia_from_lambda, \ref inertia_from_moments or \ref principal_inertia,
-/// which check it.
+/// Inertia of a rigid body on SO(n), n fixed or `Dynamic`. Made by \ref inertia_from_lambda, \ref inertia_from_moments or, from a tensor,
+/// \ref principal_inertia, which check it.
 template <int n, Real S = double>
 struct Inertia {
   [[no_unique_address]] SO<n> group;     ///< the rotations of the space the body lives in
@@ -100,32 +100,6 @@ Inertia<3, S> inertia_from_moments(Matrix<S, 3, 1> const& moments) {
 /// The same from three numbers.
 inline Inertia<3> inertia_from_moments(double i1, double i2, double i3) {
   return inertia_from_moments<double>(Eigen::Vector3d(i1, i2, i3));
-}
-
-/// An inertia and the frame in which it is diagonal.
-struct PrincipalInertia {
-  Inertia<3> inertia;     ///< moments in ascending order
-  Eigen::Matrix3d axes;   ///< principal axes as columns, in the frame the tensor was given in; a rotation
-};
-
-/// Principal moments and axes of a full tensor of inertia.
-///
-/// @param tensor  3 by 3, symmetric, mass x length^2 (products of inertia with the sign they have in the tensor)
-/// @throws NotFinite          where an entry is no number
-/// @throws OutsideDomain      where the tensor is not symmetric up to rounding
-/// @throws UnphysicalInertia  where it is not positive definite or breaks the triangle inequality
-inline PrincipalInertia principal_inertia(Eigen::Matrix3d const& tensor) {
-  if (!is_finite(tensor)) throw NotFinite("inertia: tensor");
-  double const scale = magnitude(tensor);
-  double const skew = scale > 0 ? magnitude((tensor - tensor.transpose()).eval()) / scale : 0.0;
-  if (skew > inertia_tolerance<double>())
-    throw OutsideDomain("inertia", "a tensor of inertia is symmetric; largest difference across the diagonal, in units of the largest entry", skew,
-                        inertia_tolerance<double>());
-  if (scale == 0) return {inertia_from_moments(0, 0, 0), tensor};  // refused there
-  SymmetricEigen const found = symmetric_eigen(tensor / scale);
-  Eigen::Matrix3d axes = found.vectors;
-  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
-  return {inertia_from_moments<double>(found.values * scale), axes};
 }
 
 /// \f$J(\xi) = \Lambda\xi+\xi\Lambda\f$: the body momentum, energy x time.

@@ -33,7 +33,7 @@ class BackgroundSeries : public Series {
   }
   void flush() override { drained().flush(); }
   void sync() override { drained().sync(); }
-  void remember(Memory& memory) override { drained().remember(memory); }
+  void remember(CheckpointStream& stream) override { drained().remember(stream); }
 
  private:
   static constexpr std::size_t enough = 1 << 12;  // numbers in a block: a fraction of a millisecond to write
@@ -55,7 +55,7 @@ class BackgroundSeries : public Series {
   void rethrow() {
     if (error_) std::rethrow_exception(error_);
   }
-  /// The table, which the writer has finished with: it holds every row so far, and nobody else uses it until the next `add`.
+  /// The table, which the writer has finished with: it holds every row so far, and no other thread uses it until the next `add`.
   Series& drained() {
     std::unique_lock lock(mutex_);
     hand_over(lock);

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "actio/scene/scene.hpp"
-
-#include <Eigen/Core>
+#include "actio/bodies/body.hpp"
 
 namespace actio::scene {
 
@@ -19,19 +18,18 @@ struct BodyShape {
     Eigen::Vector3d at,  ///< its centre, from the centre of mass
         along;           ///< the axis of the cylinder, a unit vector
   };
-  Eigen::Vector3d moments;      ///< principal, about the centre of mass
-  Eigen::Matrix3d axes;         ///< principal axes as columns
-  std::vector<Part> parts;      ///< of a body of the catalogue that is made of such
   /// A body with a fixed point, in a uniform field.
   struct Top {
     double mass;                     ///< of the body
     Eigen::Vector3d centre_of_mass;  ///< from the fixed point
     Eigen::Vector3d gravity;         ///< in space
   };
-  std::optional<Top> top;       ///< of a body with a fixed point
+  PrincipalInertia inertia;     ///< about the centre of mass
+  std::vector<Part> parts = {}; ///< of a body of the catalogue that is made of such
+  std::optional<Top> top = {};  ///< of a body with a fixed point
 };
 
-/// The body that turns in a scene; none where none does.
-std::optional<BodyShape> body_shape(Scene const& scene);
+/// What a body of the catalogue is made of: cylinders as they are, point masses as balls.
+std::vector<BodyShape::Part> parts_of(Body const& body);
 
 }  // namespace actio::scene

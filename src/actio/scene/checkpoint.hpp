@@ -22,7 +22,7 @@ void write_checkpoint(std::string const& path, std::string const& scene, std::st
 std::string read_checkpoint(std::string const& path, std::string const& scene);
 
 /// Writes a file whole or not at all, and sees to it that it is on the disk.
-/// @param durable  without it, only that it is there for other programs: whoever writes many small files lets the disk catch up with all of them at once
+/// @param durable  without it, only that it is there for other programs: a process that writes many small files lets the disk catch up with all of them at once
 /// @throws FileError
 void write_whole_file(std::string const& path, std::string_view content, bool durable = true);
 

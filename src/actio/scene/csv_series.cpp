@@ -59,10 +59,10 @@ class CsvSeries : public Series {
     flush();
     if (::fdatasync(file_) != 0 && errno != EINVAL) fail("cannot be written", errno);
   }
-  void remember(Memory& memory) override {
+  void remember(CheckpointStream& stream) override {
     rethrow();
-    memory(size_);
-    if (!memory.reading()) return;
+    stream(size_);
+    if (!stream.reading()) return;
     off_t const found = ::lseek(file_, 0, SEEK_END);
     if (size_ < 0 || found < size_) fail("has " + std::to_string(found) + " bytes, where the checkpoint needs " + std::to_string(size_) + "; it was cut since", 0);
     if (::ftruncate(file_, size_) != 0) fail("cannot be cut back", errno);

@@ -5,7 +5,7 @@
 // where Q(0) = 0.
 #pragma once
 
-#include "actio/scene/memory.hpp"
+#include "actio/scene/checkpoint_stream.hpp"
 #include "actio/scene/quantity.hpp"
 
 namespace actio::scene {
@@ -35,7 +35,7 @@ class Drift {
   /// The largest of all; zero where nothing is conserved.
   double worst() const;
   /// Saves, or restores, the start and what was seen since.
-  void remember(Memory& memory) { memory(started_, start_, seen_); }
+  void remember(CheckpointStream& stream) { stream(started_, start_, seen_); }
 
  private:
   struct Seen {

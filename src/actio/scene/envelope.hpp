@@ -1,4 +1,4 @@
-// A curve of any length in bounded memory: pieces of equally many rows, and of each its first, lowest, highest and last point.
+// The envelope of a curve of any length, in bounded memory (min-max decimation): pieces of equally many rows, and of each its first, lowest, highest and last point.
 //
 // Pieces join in pairs when there are too many of them, so no length need be known beforehand, and no peak is lost.
 #pragma once

@@ -73,9 +73,9 @@ std::string ErrorEstimate::how() const {
   return companion_.how;
 }
 
-void ErrorEstimate::remember(Memory& memory) {
-  memory(made_, largest_, seen_, lost_);
-  if (companion_.motion) companion_.motion->remember(memory);
+void ErrorEstimate::remember(CheckpointStream& stream) {
+  stream(made_, largest_, seen_, lost_);
+  if (companion_.motion) companion_.motion->remember(stream);
 }
 
 }  // namespace actio::scene

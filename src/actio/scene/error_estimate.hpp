@@ -11,7 +11,7 @@
 // What rounding adds is of the order of the rounding unit times the root of the number of steps, and that is added to the estimate.
 #pragma once
 
-#include "actio/scene/memory.hpp"
+#include "actio/scene/checkpoint_stream.hpp"
 #include "actio/scene/simulation.hpp"
 
 namespace actio::scene {
@@ -42,7 +42,7 @@ class ErrorEstimate {
   std::string how() const;
 
   /// Saves, or restores, the companion and what was seen.
-  void remember(Memory& memory);
+  void remember(CheckpointStream& stream);
 
  private:
   void compare(double factor, long steps);

@@ -16,7 +16,7 @@
 // Room for numbers is taken in sixteens of bytes, so that a chunk can be given a length of four bytes more or
 // less, and with it other properties, where it is.
 //
-// There are no locks on the file: whoever writes has the folder for himself, and readers are welcome.
+// There are no locks on the file: the writer has the folder for itself, and others may read.
 #pragma once
 
 #include <cstdint>

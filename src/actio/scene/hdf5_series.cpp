@@ -2,7 +2,7 @@
 // checksum on every chunk of numbers.
 //
 // A chunk that is written once is there, with its checksum, before anything tells of it. The last chunk is
-// not: it grows. To write it anew in its place with a new checksum would not do, since whoever looks in
+// not: it grows. To write it anew in its place with a new checksum would not do, since a reader that looks in
 // between, or after a kill in between, finds a checksum that is not that of the numbers, and cannot read the
 // chunk at all. So as long as it grows it is said to have no checksum, a thing that HDF5 knows of each chunk,
 // but it has room for one. Its first rows stay as they are while others are put behind them, and rows are
@@ -113,12 +113,12 @@ class Hdf5Series : public Series {
     if (::fdatasync(descriptor(h5)) != 0 && errno != EINVAL)
       fail(path_ + ": cannot be written: " + std::strerror(errno));
   }
-  void remember(Memory& memory) override {
+  void remember(CheckpointStream& stream) override {
     rethrow();
     std::vector<std::uint32_t> sums;
     for (auto const& set : sets_) sums.push_back(hdf5::fletcher32(set.bytes()));
-    memory(rows_, sums);
-    if (!memory.reading()) return;
+    stream(rows_, sums);
+    if (!stream.reading()) return;
     read_back(sums);
     Session const h5;
     unseal(h5);
@@ -292,7 +292,7 @@ class Hdf5Series : public Series {
         set.extent[0] = rows_;
         check(h5, h5->H5Dset_extent(set.id, set.extent.data()), "cannot be written");
       }
-      // What is there from before it was cut back stays, for whoever is about to read it.
+      // What is there from before it was cut back stays, for a reader that is about to read it.
       chunk_.assign(growing(set), 0);
       if (set.behind) get(h5, set, begin);
       // A chunk that was full has the rows that this one will have.

@@ -9,7 +9,7 @@ class MemorySeries : public Series {
   void add(std::span<double const> row) override { table_.insert(table_.end(), row.begin(), row.end()); }
   void flush() override {}
   void sync() override {}
-  void remember(Memory& memory) override { memory(table_); }
+  void remember(CheckpointStream& stream) override { stream(table_); }
 
  private:
   std::vector<double>& table_;

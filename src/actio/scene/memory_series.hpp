@@ -1,4 +1,4 @@
-// A table in memory: for whoever goes on with the numbers in the same process.
+// A table in memory: for a caller that uses the numbers in the same process.
 #pragma once
 
 #include "actio/scene/series.hpp"

@@ -58,13 +58,8 @@ std::vector<Overview::Drawn> drawn_quantities(Scene const& scene) {
   return out;
 }
 
-/// The quantities that a body in space is played from.
-bool of_motion(Quantity const& q) {
-  return q.kind == Quantity::Kind::quaternion || (q.kind == Quantity::Kind::vector && (q.name == "body_momentum" || q.name == "angular_velocity" || q.name == "spatial_momentum"));
-}
-
 /// Two rows are near where no direction in them has turned by more than thirty degrees.
-Excerpt::Near near(std::vector<Direction> directions) {
+KeyFrames::Near near(std::vector<Direction> directions) {
   return [directions = std::move(directions)](std::vector<double> const& a, std::vector<double> const& b) {
     for (auto const& d : directions) {
       double dot = 0;
@@ -101,14 +96,15 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
   std::vector<Direction> directions;
   std::vector<std::string> motion, columns{"t"};
   for (auto const& name : scene.simulation.quantities.columns()) columns.push_back(name);
-  std::vector<std::size_t> moving{0};  // columns that are in the excerpt
+  std::vector<std::size_t> moving{0};  // columns that are in the key frames
   for (auto const& drawn : quantities) {
-    if (!of_motion(drawn.quantity)) continue;
-    if (drawn.quantity.name != "spatial_momentum") directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
+    bool const direction = drawn.quantity.shown == Quantity::Shown::as_direction;
+    if (!direction && drawn.quantity.shown != Quantity::Shown::beside_motion) continue;
+    if (direction) directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
     for (std::size_t i = 0; i < drawn.size; ++i) moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
   }
 
-  Overview out{std::move(quantities), {}, std::move(motion), Excerpt(near(std::move(directions))), 0};
+  Overview out{std::move(quantities), {}, std::move(motion), KeyFrames(near(std::move(directions))), 0};
   auto const conserved = scene.simulation.quantities.conserved();
   for (auto const& c : conserved) out.drifts.push_back({c.name, {}, 0});
   auto const units = drift_units(folder);
@@ -131,7 +127,7 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
       else out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
     }
     for (std::size_t i = 0; i < moving.size(); ++i) moved[i] = row[moving[i]];
-    if (!out.motion.empty()) out.excerpt.add(moved);
+    if (!out.motion.empty()) out.key_frames.add(moved);
     if (out.rows % 1024 == 0) progress.show(reader->fraction());
   }
   return out;

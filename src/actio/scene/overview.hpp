@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "actio/scene/envelope.hpp"
-#include "actio/scene/excerpt.hpp"
+#include "actio/scene/key_frames.hpp"
 #include "actio/scene/scene.hpp"
 
 namespace actio::scene {
@@ -30,8 +30,8 @@ struct Overview {
 
   std::vector<Drawn> quantities;        ///< that were asked for, in that order
   std::vector<Drifting> drifts;         ///< of what is conserved
-  std::vector<std::string> motion;      ///< columns of `excerpt` after the time
-  Excerpt excerpt;                      ///< rows to play the run from
+  std::vector<std::string> motion;      ///< columns of `key_frames` after the time
+  KeyFrames key_frames;                 ///< rows to play the run from
   long rows = 0;                        ///< of the run
 
   /// The quantity of that name; null where it was not asked for.

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <limits>
 
-#include "actio/scene/body_shape.hpp"
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/drift.hpp"
 #include "actio/scene/own_files.hpp"
@@ -19,7 +18,7 @@
 namespace actio::scene {
 namespace {
 
-/// A picture with its title on a sheet of its own colour, light or dark as whoever looks at it prefers; in a page, as the page says.
+/// A picture with its title on a sheet of its own colour, light or dark as the browser prefers; in a page, as the page says.
 std::string standing_alone(std::string const& title, double width, std::string const& picture) {
   std::string const opening = "height=\"";
   double const height = std::stod(picture.substr(picture.find(opening) + opening.size())) + 32;
@@ -111,7 +110,7 @@ std::string drift_picture(Scene const& scene, Overview::Drifting const& drifting
 std::string polhode_picture(Scene const& scene, Overview const& overview) {
   std::size_t const at = 1 + static_cast<std::size_t>(std::ranges::find(overview.motion, "body_momentum_x") - overview.motion.begin());
   std::vector<std::array<double, 3>> way;
-  for (auto const& row : overview.excerpt.rows())
+  for (auto const& row : overview.key_frames.rows())
     if (length_of(std::span(row).subspan(at, 3)) > 0) way.push_back({row[at], row[at + 1], row[at + 2]});
   auto sphere = book::Sphere(35, 22).axes({"x", "y", "z"});
   sphere.curve(way, "angular momentum in the body", {.colour = 2, .width = 2});
@@ -124,11 +123,12 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   std::vector<std::pair<std::string, std::string>> pictures;
   for (auto const& drawn : overview.quantities) pictures.emplace_back("plots/" + drawn.quantity.name + ".svg", quantity_picture(scene, drawn));
   for (auto const& drifting : overview.drifts) pictures.emplace_back("plots/drift_" + drifting.name + ".svg", drift_picture(scene, drifting));
-  if (scene.system->name == "rigid_body" && overview.find("body_momentum")) pictures.emplace_back("plots/polhode.svg", polhode_picture(scene, overview));
+  for (auto const& own : scene.system->pictures)
+    if (overview.find(own.quantity)) pictures.emplace_back("plots/" + own.name + ".svg", own.draw(scene, overview));
   pictures.emplace_back("plots/index.html", viewer_page(scene, overview, file_contents(folder + "/summary.json")));
   make_way(folder, pictures);
   for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
-  if (!quiet && body_shape(scene) && !overview.find("attitude")) say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
+  if (!quiet && scene.system->shape && !overview.find("attitude")) say(stderr, "pictures: add \"attitude\" to output.quantities to see the body turn\n");
 }
 
 }  // namespace actio::scene

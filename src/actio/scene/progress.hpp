@@ -48,7 +48,7 @@ class Progress {
 std::string duration_text(double seconds);
 /// `812 bytes`, `3.4 kB`, `118 GB`.
 std::string size_text(double bytes);
-/// Writes to standard output or error, and does not mind where nobody reads it.
+/// Writes to standard output or error, and ignores that there is no reader.
 void say(std::FILE* stream, std::string const& text);
 
 }  // namespace actio::scene

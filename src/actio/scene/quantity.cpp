@@ -124,8 +124,8 @@ std::vector<QuantityGraph::Count> QuantityGraph::counts() const {
   return out;
 }
 
-void QuantityGraph::remember(Memory& memory) {
-  for (auto& n : nodes_) memory(n.evaluations);
+void QuantityGraph::remember(CheckpointStream& stream) {
+  for (auto& n : nodes_) stream(n.evaluations);
 }
 
 std::vector<QuantityGraph::Conserved> QuantityGraph::conserved() const {

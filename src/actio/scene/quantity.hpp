@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/memory.hpp"
+#include "actio/scene/checkpoint_stream.hpp"
 
 namespace actio::scene {
 
@@ -27,6 +27,14 @@ struct Quantity {
     list         ///< any number of numbers
   };
 
+  /// How the page of a run shows it besides its curves.
+  enum class Shown {
+    by_curves,      ///< not otherwise
+    beside_motion,  ///< it is in the rows that the motion is played from
+    as_direction,   ///< likewise; and from one of these rows to the next it turns by no more than 30 degrees
+    by_planes       ///< of a skew matrix, each component in the cell of its plane
+  };
+
   std::string name;                ///< as scenes write it
   Kind kind;                       ///< what its numbers are
   std::string meaning;             ///< one sentence
@@ -35,6 +43,7 @@ struct Quantity {
   std::string statement;           ///< of the thesis; may be empty
   std::vector<std::string> needs;  ///< other quantities of the system that it is computed from; none: the state
   bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
+  Shown shown = Shown::by_curves;  ///< besides its curves
 };
 
 /// What the numbers of a kind are, in words: "scalar", "skew matrix".
@@ -95,7 +104,7 @@ class QuantityGraph {
   /// For each quantity of the system, in its order.
   std::vector<Count> counts() const;
   /// Saves, or restores, how often each was evaluated.
-  void remember(Memory& memory);
+  void remember(CheckpointStream& stream);
 
   /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a list one by one.
   struct Conserved {

@@ -12,13 +12,13 @@
 #include "actio/scene/error_estimate.hpp"
 #include "actio/scene/memory_series.hpp"
 #include "actio/scene/progress.hpp"
-#include "actio/scene/rhythm.hpp"
+#include "actio/scene/poll_interval.hpp"
 #include "actio/scene/units.hpp"
 
 namespace actio::scene {
 namespace {
 
-using Clock = Rhythm::Clock;
+using Clock = PollInterval::Clock;
 
 /// How far a run is: the head of its checkpoint.
 struct Progression {
@@ -107,7 +107,7 @@ class Run {
       else if (!advance_to((*steps_to_)(at_.rows))) return false;
       else simulation_.motion->look_ahead(steps_to_->beyond(at_.rows));
       write_row(t);
-      if (rhythm_.due()) look_up();
+      if (poll_.due()) look_up();
     }
     return true;
   }
@@ -123,7 +123,7 @@ class Run {
       error_.follow(at_.steps);
       if (at_.steps == target) break;
       if (options_.stop()) return false;
-      if (piece == at_once || rhythm_.due()) look_up();
+      if (piece == at_once || poll_.due()) look_up();
     }
     return true;
   }
@@ -148,9 +148,9 @@ class Run {
     throw NumericsError(fmt::format("{}: {} is {} at t = {}, where a finite number is needed", scene_.file.section("method").place("step").text(), columns[k - 1], row_[k], t));
   }
 
-  /// From time to time: progress, rows for whoever watches, and a checkpoint.
+  /// From time to time: progress, rows for the watcher, and a checkpoint.
   void look_up() {
-    auto const now = rhythm_.look();
+    auto const now = poll_.look();
     if (now - last_flush_ >= std::chrono::milliseconds(500)) {
       for (auto& series : series_) series->flush();
       last_flush_ = now;
@@ -163,27 +163,27 @@ class Run {
   void checkpoint() {
     if (in_memory()) return;
     for (auto& series : series_) options_.durable ? series->sync() : series->flush();
-    Memory memory;
-    remember(memory);
-    write_checkpoint(folder_ + "/checkpoint", determined_, memory.bytes(), options_.durable);
+    CheckpointStream stream;
+    remember(stream);
+    write_checkpoint(folder_ + "/checkpoint", determined_, stream.bytes(), options_.durable);
     last_checkpoint_ = Clock::now();
   }
-  void remember(Memory& memory) {
+  void remember(CheckpointStream& stream) {
     Progression place{at_.steps, at_.rows, at_.time, seconds()};
-    memory(place);
-    if (memory.reading()) at_ = place;
-    simulation_.motion->remember(memory);
-    simulation_.quantities.remember(memory);
-    drift_.remember(memory);
-    error_.remember(memory);
-    for (auto& series : series_) series->remember(memory);
-    memory.end();
+    stream(place);
+    if (stream.reading()) at_ = place;
+    simulation_.motion->remember(stream);
+    simulation_.quantities.remember(stream);
+    drift_.remember(stream);
+    error_.remember(stream);
+    for (auto& series : series_) series->remember(stream);
+    stream.end();
   }
   void restore() {
     std::string const path = folder_ + "/checkpoint";
-    Memory memory(read_checkpoint(path, determined_));
+    CheckpointStream stream(read_checkpoint(path, determined_));
     try {
-      remember(memory);
+      remember(stream);
     } catch (FileError const&) {
       throw;
     } catch (Error const& error) {
@@ -242,7 +242,7 @@ class Run {
   Drift drift_;
   ErrorEstimate error_;
   Progress progress_;
-  Rhythm rhythm_;
+  PollInterval poll_;
   std::string written_, determined_;
   std::optional<StepsToRows> steps_to_;
   std::vector<std::unique_ptr<Series>> series_;
@@ -282,10 +282,10 @@ namespace {
 /// How far the run in a folder is, which belongs to the scene.
 Progression progression(Scene const& scene, std::string const& folder, Place const& place) {
   std::string const path = folder + "/checkpoint";
-  Memory memory(read_checkpoint(path, what_determines(scene.file)));
+  CheckpointStream stream(read_checkpoint(path, what_determines(scene.file)));
   Progression at;
-  if (memory.bytes().size() < sizeof at) throw FileError(path + ": is damaged: it ends too early");
-  memory(at);
+  if (stream.bytes().size() < sizeof at) throw FileError(path + ": is damaged: it ends too early");
+  stream(at);
   check_rows(at, scene, place);
   return at;
 }

@@ -5,7 +5,7 @@
 //     run.allow({"until", "every", "at"});
 //     double const until = run.positive("until");
 //
-// Whoever reads a key says what it may hold; a key that nobody knows is refused with the nearest known name. Defaults are written back, so that
+// The reader of a key says what it may hold; an unknown key is refused with the nearest known name. Defaults are written back, so that
 // the scene can be repeated from its copy.
 #pragma once
 

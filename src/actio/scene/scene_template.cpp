@@ -39,11 +39,11 @@ double round_up(double x) {
   return x;
 }
 
-void let_go(Values& values, LibraryBody const& body) {
+void let_go(Values& values, Body const& body) {
   values.erase("system.inertia");
   values["system.body"] = "\"" + body.name + "\"";
-  values["initial.angular_velocity"] = fmt::format("[{}, {}, {}]", body.spin[0], body.spin[1], body.spin[2]);
-  double const until = round_up(6 * 2 * M_PI / body.spin.norm());
+  values["initial.angular_velocity"] = fmt::format("[{}, {}, {}]", body.spin.coordinates[0], body.spin.coordinates[1], body.spin.coordinates[2]);
+  double const until = round_up(6 * 2 * M_PI / body.spin.coordinates.norm());
   values["run.until"] = fmt::format("{}", until);
   values["run.every"] = fmt::format("{}", round_up(until / 500));
   values["scene.title"] = "\"" + body.title + "\"";
@@ -62,7 +62,7 @@ std::string comment(std::string const& text) {
 }
 
 /// What a key may hold, its unit, and what stands where it is left out.
-std::string held(Parameter const& key, LibraryBody const* body) {
+std::string held(Parameter const& key, Body const* body) {
   std::string out = "[" + key.expects;
   if (!key.allowed.empty()) out += ": " + listed(key.allowed);
   if (!key.unit.empty()) out += "; unit " + (body && key.unit == "time" ? body->time : key.unit);
@@ -75,7 +75,7 @@ std::string held(Parameter const& key, LibraryBody const* body) {
 
 }  // namespace
 
-std::string scene_template(System const& system, LibraryBody const* body) {
+std::string scene_template(System const& system, Body const* body) {
   auto const keys = keys_of(system);
   Values values = values_in(system.example);
   values.emplace("scene.title", "\"" + system.title + "\"");

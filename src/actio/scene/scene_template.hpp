@@ -10,6 +10,6 @@ namespace actio::scene {
 /// the spin of the catalogue for about six turns.
 /// @param body  null for the example
 /// @throws SceneError  where the system takes no body
-std::string scene_template(System const& system, LibraryBody const* body = nullptr);
+std::string scene_template(System const& system, Body const* body = nullptr);
 
 }  // namespace actio::scene

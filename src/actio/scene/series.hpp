@@ -29,7 +29,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/memory.hpp"
+#include "actio/scene/checkpoint_stream.hpp"
 #include "actio/scene/quantity.hpp"
 #include "actio/scene/scene_error.hpp"
 
@@ -48,7 +48,7 @@ class Series {
   /// Every row so far is on the disk.
   virtual void sync() = 0;
   /// Saves how far the table goes, after `sync`; or cuts it back to there.
-  virtual void remember(Memory& memory) = 0;
+  virtual void remember(CheckpointStream& stream) = 0;
 };
 
 /// What a table tells besides its numbers.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actio/scene/memory.hpp"
+#include "actio/scene/checkpoint_stream.hpp"
 #include "actio/scene/quantity.hpp"
 #include "actio/scene/scene_error.hpp"
 
@@ -39,7 +39,7 @@ class Motion {
     return {};
   }
   /// Saves, or restores, all that the next step depends on. A motion that goes to any time at once has nothing to remember.
-  virtual void remember(Memory& memory) { (void)memory; }
+  virtual void remember(CheckpointStream& stream) { (void)stream; }
 };
 
 /// A second motion beside the first, from which the error of the first is estimated.

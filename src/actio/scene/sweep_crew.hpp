@@ -1,4 +1,4 @@
-// Who runs the members of a sweep: processes, each of which works on one member after the other.
+// The worker pool of a sweep: processes, each of which works on one member after the other, and a supervisor ("foreman") of each.
 //
 //     the sweep <--> one worker for each place at work
 //          \----> its foreman, who makes it, and another one where it ends
@@ -18,7 +18,7 @@
 
 namespace actio::scene {
 
-/// Processes that work on members of a sweep, each on one at a time.
+/// The worker pool: processes that work on members of a sweep, each on one at a time.
 class SweepCrew {
  public:
   /// What is done with a member.
@@ -36,7 +36,7 @@ class SweepCrew {
   bool idle() const;
   /// Whether somebody is at work.
   bool busy() const;
-  /// Whether nobody is left, since the foremen were killed.
+  /// Whether no worker is left, since the foremen were killed.
   bool gone() const { return places_.empty(); }
   /// Gives a member to one who is idle.
   void start(MemberTask task, long member);

@@ -8,25 +8,25 @@
 namespace actio::scene {
 namespace {
 
-void remember(Memory& memory, std::string& text) {
+void remember(CheckpointStream& stream, std::string& text) {
   std::vector<char> letters(text.begin(), text.end());
-  memory(letters);
+  stream(letters);
   text.assign(letters.begin(), letters.end());
 }
 template <class T, class RememberOne>
-void remember(Memory& memory, std::vector<T>& list, RememberOne const& one) {
+void remember(CheckpointStream& stream, std::vector<T>& list, RememberOne const& one) {
   std::size_t size = list.size();
-  memory(size);
-  if (memory.reading() && size > memory.bytes().size()) throw Error("the result of a member is damaged");
+  stream(size);
+  if (stream.reading() && size > stream.bytes().size()) throw Error("the result of a member is damaged");
   list.resize(size);
   for (T& item : list) one(item);
 }
-void remember(Memory& memory, MemberResult& result) {
-  memory(result.member, result.status, result.rows, result.bytes, result.steps, result.seconds, result.last_row);
-  remember(memory, result.message);
-  remember(memory, result.drift, [&](Drift::Entry& entry) { remember(memory, entry.name), memory(entry.relative); });
-  remember(memory, result.error, [&](ErrorEstimate::Entry& entry) { remember(memory, entry.name), memory(entry.error); });
-  remember(memory, result.columns, [&](std::string& name) { remember(memory, name); });
+void remember(CheckpointStream& stream, MemberResult& result) {
+  stream(result.member, result.status, result.rows, result.bytes, result.steps, result.seconds, result.last_row);
+  remember(stream, result.message);
+  remember(stream, result.drift, [&](Drift::Entry& entry) { remember(stream, entry.name), stream(entry.relative); });
+  remember(stream, result.error, [&](ErrorEstimate::Entry& entry) { remember(stream, entry.name), stream(entry.error); });
+  remember(stream, result.columns, [&](std::string& name) { remember(stream, name); });
 }
 
 /// What a run would refuse only after it has begun.
@@ -72,16 +72,16 @@ void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const
 }  // namespace
 
 std::string MemberResult::packed() const {
-  Memory memory;
+  CheckpointStream stream;
   MemberResult copy = *this;
-  remember(memory, copy);
-  return memory.bytes();
+  remember(stream, copy);
+  return stream.bytes();
 }
 MemberResult MemberResult::unpacked(std::string const& bytes) {
   MemberResult out;
-  Memory memory(bytes);
-  remember(memory, out);
-  memory.end();
+  CheckpointStream stream(bytes);
+  remember(stream, out);
+  stream.end();
   return out;
 }
 

@@ -1,4 +1,4 @@
-// What a sweep would do: for `actio sweep --dry-run`.
+// The plan of a sweep, what it would do: for `actio sweep --dry-run`.
 #pragma once
 
 #include <string>

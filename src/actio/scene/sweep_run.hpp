@@ -7,13 +7,13 @@
 
 namespace actio::scene {
 
-/// Who else works on the sweep, and how the work is shared. Alone: nobody.
+/// Who else works on the sweep, and how the work is shared. Of a sweep in one process: none.
 class SweepSharing {
  public:
   virtual ~SweepSharing() = default;
   /// Whether this process speaks for the sweep: it gets all results, and writes the table.
   virtual bool speaks() const { return true; }
-  /// The next member that nobody has taken; any number beyond the last where there is none.
+  /// The next member that no process has taken; any number beyond the last where there is none.
   virtual long next() { return next_++; }
   /// Tells the one who speaks. Called by the others.
   virtual void deliver(MemberResult const&) {}

@@ -41,7 +41,7 @@ bool write_all(int to, void const* from, std::size_t size) {
   }
   return true;
 }
-/// Its size and its bytes at once, so that whoever waits for them wakes once.
+/// Its size and its bytes at once, so that the process that waits for them wakes once.
 bool send_text(int to, std::string const& text) {
   std::size_t const size = text.size();
   std::string const all = std::string(reinterpret_cast<char const*>(&size), sizeof size) + text;

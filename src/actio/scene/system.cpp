@@ -1,9 +1,19 @@
 #include "actio/scene/system.hpp"
 
+// One line for each system, in the order in which they are told: systems/NAME.cpp defines NAME_system().
+#define ACTIO_EACH_SYSTEM(with) \
+  with(rigid_body)              \
+  with(rigid_body_n)            \
+  with(heavy_top)
+
 namespace actio::scene {
 
+#define ACTIO_DECLARED(name) System name##_system();
+ACTIO_EACH_SYSTEM(ACTIO_DECLARED)
+#define ACTIO_MADE(name) name##_system(),
+
 std::vector<System> const& systems() {
-  static std::vector<System> const all{rigid_body_system(), rigid_body_n_system(), heavy_top_system()};
+  static std::vector<System> const all{ACTIO_EACH_SYSTEM(ACTIO_MADE)};
   return all;
 }
 

@@ -1,6 +1,6 @@
-// The registry of systems: the one place where a system adds itself, with its parameters, methods, quantities and statements.
+// The registry of systems: the one place where a system adds itself, with its parameters, methods, quantities, statements and pictures.
 //
-// A later system writes one file systems/NAME.cpp with a function that returns its `System`, and one line in system.cpp.
+// A later system writes one file systems/NAME.cpp with a function NAME_system() that returns its `System`, and one line in system.cpp.
 #pragma once
 
 #include <optional>
@@ -37,6 +37,18 @@ struct Request {
   std::optional<bool> error_estimate;   ///< whether an estimate of the error is wanted; none: where it costs less than a third of the run
 };
 
+struct BodyShape;
+struct Overview;
+struct Scene;
+
+/// A picture of a run that one system alone draws.
+struct Picture {
+  std::string name;      ///< of its file, plots/NAME.svg
+  std::string quantity;  ///< it is drawn where this one was asked for
+  /// The picture, as SVG.
+  std::string (*draw)(Scene const& scene, Overview const& overview);
+};
+
 /// A kind of system.
 struct System {
   std::string name;         ///< as scenes write it
@@ -52,15 +64,14 @@ struct System {
   /// @throws NumericsError  where the step is too long for the method
   Simulation (*prepare)(Request const& request);
   std::string example = "";  ///< a small scene to paste, which runs as it is
+  /// What the body that turns in a scene looks like; null where none does.
+  BodyShape (*shape)(SceneFile const& file) = nullptr;
+  std::vector<Picture> pictures = {};  ///< beside those that every system has: curves, drifts and the page
 };
 
 /// All systems, in the order in which they are told.
 std::vector<System> const& systems();
 /// The one of that name; null where there is none.
 System const* find_system(std::string const& name);
-
-System rigid_body_system();    ///< a free rigid body in space
-System rigid_body_n_system();  ///< a free rigid body in n dimensions
-System heavy_top_system();     ///< a rigid body held at a point under gravity
 
 }  // namespace actio::scene

@@ -49,11 +49,11 @@ std::string Units::in(std::string unit) const {
   return unit;
 }
 
-Units units_of(LibraryBody const& body) { return with_energy(body.time, body.unit); }
+Units units_of(Body const& body) { return with_energy(body.time, body.unit); }
 
 Units read_units(SceneFile const& file) {
   SceneTable const system = file.section("system"), scene = file.section("scene");
-  LibraryBody const* const body =
+  Body const* const body =
       system.has("body") && system.is_text("body") ? find_body(system.text("body")) : nullptr;
   if (!scene.has("units")) return body ? units_of(*body) : Units{};
   if (body)

@@ -21,7 +21,7 @@ struct Units {
 /// @throws SceneError  where the names are no names, or where a body of the catalogue has units of its own
 Units read_units(SceneFile const& file);
 /// Of a scene with this body.
-Units units_of(LibraryBody const& body);
+Units units_of(Body const& body);
 
 /// `angular velocity` for `angular_velocity`.
 std::string words(std::string name);

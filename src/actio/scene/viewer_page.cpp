@@ -67,30 +67,33 @@ std::string drifts(Overview const& overview) {
 }
 
 std::string motion(Overview const& overview) {
-  auto const& rows = overview.excerpt.rows();
+  auto const& rows = overview.key_frames.rows();
   std::string columns;
   for (std::size_t i = 0; i <= overview.motion.size(); ++i) {
     std::vector<double> column;
     for (auto const& row : rows) column.push_back(row[i]);
     columns += (i ? ",\n" : "") + Json(i ? overview.motion[i - 1] : "t").dump() + ":" + numbers(column, i ? 6 : 12);
   }
-  return fmt::format("{{\"stride\":{},\"beginning_only\":{},\"columns\":{{{}}}}}", overview.excerpt.stride(), overview.excerpt.beginning_only(), columns);
+  return fmt::format("{{\"stride\":{},\"beginning_only\":{},\"columns\":{{{}}}}}", overview.key_frames.stride(), overview.key_frames.beginning_only(), columns);
 }
 
 Json list(Eigen::Vector3d const& v) { return {v[0], v[1], v[2]}; }
 
 Json body(Scene const& scene) {
-  auto const shape = body_shape(scene);
-  if (!shape) return nullptr;
-  Json out{{"moments", list(shape->moments)}, {"axes", {list(shape->axes.col(0)), list(shape->axes.col(1)), list(shape->axes.col(2))}}, {"parts", Json::array()}};
-  for (auto const& part : shape->parts) out["parts"].push_back({{"cylinder", part.cylinder}, {"radius", part.radius}, {"length", part.length}, {"at", list(part.at)}, {"along", list(part.along)}});
-  if (shape->top) out["top"] = {{"mass", shape->top->mass}, {"centre_of_mass", list(shape->top->centre_of_mass)}, {"gravity", list(shape->top->gravity)}};
+  if (!scene.system->shape) return nullptr;
+  BodyShape const shape = scene.system->shape(scene.file);
+  auto const& [inertia, axes] = shape.inertia;
+  Json out{{"moments", list(inertia.moments)}, {"axes", {list(axes.col(0)), list(axes.col(1)), list(axes.col(2))}}, {"parts", Json::array()}};
+  for (auto const& part : shape.parts) out["parts"].push_back({{"cylinder", part.cylinder}, {"radius", part.radius}, {"length", part.length}, {"at", list(part.at)}, {"along", list(part.along)}});
+  if (shape.top) out["top"] = {{"mass", shape.top->mass}, {"centre_of_mass", list(shape.top->centre_of_mass)}, {"gravity", list(shape.top->gravity)}};
   return out;
 }
 
 Json head(Scene const& scene) {
   SceneTable const method = scene.file.section("method");
-  Json out{{"title", scene.title}, {"system", scene.system->title}, {"meaning", scene.system->meaning}, {"kind", scene.system->name}, {"time_unit", time_unit(scene)}, {"until", scene.schedule.until()}};
+  Json out{{"title", scene.title}, {"system", scene.system->title}, {"meaning", scene.system->meaning}, {"time_unit", time_unit(scene)}, {"until", scene.schedule.until()}};
+  for (auto const& quantity : scene.system->quantities)
+    if (quantity.shown == Quantity::Shown::by_planes) out["planes"] = quantity.name;
   if (method.has("name") && method.is_text("name")) out["method"] = words(method.text("name"));
   if (method.has("order")) out["order"] = method.is_text("order") ? method.text("order") : fmt::format("{}", method.number("order"));
   if (!scene.simulation.exact && std::isfinite(scene.simulation.step)) out["step"] = scene.simulation.step;

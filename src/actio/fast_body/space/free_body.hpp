@@ -3,7 +3,8 @@
 //     FreeBody body(inertia_from_moments(0.6, 0.8, 1), momentum, attitude);
 //     auto later = body.at(1000);                               // one evaluation, whatever the time
 //
-// Momentum and attitude are kept by direction and unit quaternion, in axes that are relabelled so that the middle moment of inertia belongs to the second.
+// Inertia, momentum and attitude are those of any frame of the body: one rotation leads to its principal axes, counted so that the middle moment of inertia
+// belongs to the second. There momentum and attitude are kept by direction and unit quaternion.
 // No body needs a tolerance: spheres, symmetric bodies, rods, plates and turns about any axis are on the same road, and next to their limits nothing is lost.
 #pragma once
 
@@ -11,7 +12,7 @@
 
 #include "actio/groups/unit_quaternions.hpp"
 #include "actio/fast_body/space/exact_flow.hpp"
-#include "actio/rigid_body/inertia.hpp"
+#include "actio/rigid_body/principal_inertia.hpp"
 #include "actio/rigid_body/largest_step.hpp"
 #include "actio/fast_body/space/middle_axis_frame.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
@@ -31,25 +32,27 @@ struct FreeState {
 /// A body that turns freely, from a given start.
 class FreeBody {
  public:
-  /// @param inertia   of the body
+  /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
   /// @param momentum  body momentum at the start, energy x time
   /// @param attitude  at the start, body to space
-  /// @throws NotFinite, OutsideDomain  where a number is none, or the quaternion not near unit length
-  FreeBody(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{}))
-      : inertia_(inertia), frame_(inertia.moments) {
+  /// @throws NotFinite, OutsideDomain  where a number is none, the quaternion not near unit length, or the principal axes no rotation
+  FreeBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{}))
+      : inertia_(inertia), frame_(inertia) {
     if (!is_finite(momentum.components)) throw NotFinite("free body: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("free body: attitude");
     amount_ = momentum.components.stableNorm();
-    Eigen::Vector3d const direction = amount_ > 0 ? Eigen::Vector3d(momentum.components / amount_).normalized() : Eigen::Vector3d::UnitX();
+    Eigen::Vector3d const direction =
+        amount_ > 0 ? frame_.axes().enter(Eigen::Vector3d(momentum.components / amount_)).normalized() : Eigen::Vector3d::UnitX();
     Element<SU2, double> const unit = restore(attitude);
-    start_ = {frame_.enter(direction), frame_.enter(unit.value)};
+    start_ = {frame_.counted(direction), frame_.enter(unit.value)};
     symmetry_ = axis_of_symmetry(frame_.moments());
     moments_ = InverseMoments<double>(frame_.moments());
     rate_ = amount_ / frame_.unit();
     if (!is_finite(rate_)) throw NotFinite("free body: momentum over inertia");
   }
 
-  Inertia<3> const& inertia() const { return inertia_; }
+  /// In the frame of the body.
+  PrincipalInertia const& inertia() const { return inertia_; }
   /// Whether two moments are equal to rounding, so that the motion has a closed form in sines and cosines.
   bool is_symmetric() const { return symmetry_ >= 0; }
   /// Whether all three are.
@@ -127,7 +130,8 @@ class FreeBody {
   /// The longest step up to h of the scheme of this order. Order 2 has a closed form, where no Lambda_i is negative; beyond that the first step that has no solution is looked for
   /// upwards, and then between it and the last that had one.
   double longest_step(double h, int order) const {
-    if (order == 2 && !(inertia_.lambda.minCoeff() < 0)) return largest_step(inertia_, Momentum<SO<3>, double>{SO<3>{}, state(start_).body_momentum.components});
+    if (order == 2 && !(inertia_.inertia.lambda.minCoeff() < 0))
+      return largest_step(inertia_.inertia, Momentum<SO<3>, double>{SO<3>{}, frame_.axes().enter(momentum_along(start_.direction).components)});
     auto const solvable = [&](double step) {
       double const t = half(step);
       auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
@@ -149,7 +153,7 @@ class FreeBody {
     return low;
   }
 
-  Inertia<3> inertia_;
+  PrincipalInertia inertia_;
   MiddleAxisFrame frame_;
   int symmetry_;
   double amount_, rate_;

@@ -59,10 +59,9 @@ class GravityGradient {
     Three<double> const n = seen_from<double>({q[0], q[1], q[2], q[3]}, direction(time));
     return strength / 2 * (moments[0] * n[0] * n[0] + moments[1] * n[1] * n[1] + moments[2] * n[2] * n[2]);
   }
-  /// The same torque where the axes of the body and of space are counted from axis `first` on.
-  GravityGradient relabelled(int first) const {
-    auto const from = [&](Three<double> const& x) { return Three<double>{x[first % 3], x[(first + 1) % 3], x[(first + 2) % 3]}; };
-    return {from(moments), strength, from(towards), from(ahead), rate};
+  /// The same torque in the axes in which the body is moved.
+  GravityGradient in(MiddleAxisFrame const& frame) const {
+    return {frame.counted(moments), strength, frame.counted(towards), frame.counted(ahead), rate};
   }
 };
 

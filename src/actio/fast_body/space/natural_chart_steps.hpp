@@ -21,14 +21,15 @@ namespace actio {
 /// with what the sums before have lost. Each search begins where the three before it point to.
 class NaturalChartSteps {
  public:
+  /// @param inertia    of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
   /// @param momentum   body momentum at the start, energy x time
   /// @param attitude   at the start, body to space
   /// @param h          step, time, not zero
   /// @param fractions  of a step, for its substeps; they add up to 1
   /// @throws NotFinite, OutsideDomain  where a number is none, the step is zero, the fractions do not add up to 1, or the quaternion is not near unit length
   /// @throws StepTooLong               where the first step has no solution: the chart ends at half a turn
-  NaturalChartSteps(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1})
-      : step_(h), unit_(unit_of(inertia)), scheme_(over(inertia.moments, unit_)), fractions_(std::move(fractions)), guesses_(fractions_.size()) {
+  NaturalChartSteps(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1})
+      : step_(h), axes_(inertia.axes), unit_(unit_of(inertia)), scheme_(over(inertia.inertia.moments, unit_)), fractions_(std::move(fractions)), guesses_(fractions_.size()) {
     if (!is_finite(h)) throw NotFinite("natural-chart steps: step");
     if (h == 0) throw OutsideDomain("natural-chart steps", "the step must differ from zero", 0, 0);
     double sum = 0;
@@ -36,8 +37,8 @@ class NaturalChartSteps {
     if (!(std::abs(sum - 1) <= 1e-12)) throw OutsideDomain("natural-chart steps", "the fractions of a step must add up to 1", sum, 1);
     if (!is_finite(momentum.components)) throw NotFinite("natural-chart steps: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("natural-chart steps: attitude");
-    Eigen::Vector4d const q = restore(attitude).value;
-    now_ = {over(momentum.components, unit_), {q[0], q[1], q[2], q[3]}};
+    Eigen::Vector4d const q = axes_.enter(restore(attitude).value);
+    now_ = {over(axes_.enter(momentum.components), unit_), {q[0], q[1], q[2], q[3]}};
     if (!is_finite(dot(now_.direction, now_.direction))) throw NotFinite("natural-chart steps: momentum over inertia");
     if (!possible(now_.direction, h)) too_long();
   }
@@ -63,12 +64,12 @@ class NaturalChartSteps {
   FreeState state() const {
     if (!attitude_known_) throw OutsideDomain("natural-chart steps", "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
     auto const q = plus(now_.attitude, compensation_.attitude);
-    return {body_momentum(), {SU2{}, Eigen::Vector4d(q[0], q[1], q[2], q[3]).normalized()}};
+    return {body_momentum(), {SU2{}, axes_.leave(Eigen::Vector4d(q[0], q[1], q[2], q[3])).normalized()}};
   }
   /// The body momentum now, energy x time.
   Momentum<SO<3>, double> body_momentum() const {
     auto const p = plus(now_.direction, compensation_.direction);
-    return {SO<3>{}, Eigen::Vector3d(p[0], p[1], p[2]) * unit_};
+    return {SO<3>{}, axes_.leave(Eigen::Vector3d(Eigen::Vector3d(p[0], p[1], p[2]) * unit_))};
   }
 
  private:
@@ -77,9 +78,9 @@ class NaturalChartSteps {
     Three<double> v1, v2, v3;
   };
 
-  static double unit_of(Inertia<3> const& inertia) {
-    if (!is_finite(inertia.moments)) throw NotFinite("natural-chart steps: moments of inertia");
-    return MiddleAxisFrame(inertia.moments).unit();
+  static double unit_of(PrincipalInertia const& inertia) {
+    if (!is_finite(inertia.inertia.moments)) throw NotFinite("natural-chart steps: moments of inertia");
+    return MiddleAxisFrame(inertia).unit();
   }
   static Three<double> over(Eigen::Vector3d const& x, double unit) { return {x[0] / unit, x[1] / unit, x[2] / unit}; }
   static Three<double> times(double c, Three<double> const& x) { return {c * x[0], c * x[1], c * x[2]}; }
@@ -150,7 +151,9 @@ class NaturalChartSteps {
     throw StepTooLong("natural-chart scheme", std::abs(step_), low);
   }
 
-  double step_, unit_;
+  double step_;
+  PrincipalAxes axes_;
+  double unit_;
   NaturalChartStep scheme_;
   std::vector<double> fractions_;
   FrameState<double> now_{}, compensation_{};  ///< the momentum in units of inertia, and the attitude

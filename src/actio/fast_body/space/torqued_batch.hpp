@@ -168,7 +168,7 @@ class TorquedBatch {
     try {
       detail::TorquedFrame const frame(inertia, h_);
       auto const state = frame.enter(momentum, attitude);
-      GravityGradient const turned = torque.relabelled(frame.first());
+      GravityGradient const turned = torque.in(frame.axes());
       Three<double> coefficients = turned.coefficients();
       for (double& c : coefficients) c *= frame.kick();
       if (!std::isfinite(dot(coefficients, coefficients) + dot(turned.towards, turned.towards) + dot(turned.ahead, turned.ahead) + turned.rate * h_))

@@ -30,14 +30,14 @@ struct TorquedState {
 class TorquedFrame {
  public:
   /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where there is no such body, or no such step
-  TorquedFrame(Inertia<3> const& inertia, double h) : h_(h), frame_(inertia.moments), body_(frame_.moments()) {
+  TorquedFrame(PrincipalInertia const& inertia, double h) : h_(h), frame_(inertia), body_(frame_.moments()) {
     if (!is_finite(h)) throw NotFinite("torqued body: step");
     if (h == 0) throw OutsideDomain("torqued body", "the step must differ from zero", 0, 0);
-    inertia_from_moments(inertia.moments);  // which refuses what is none
+    inertia_from_moments(inertia.inertia.moments);  // which refuses what is none
   }
 
   InverseMoments<double> const& body() const { return body_; }
-  int first() const { return frame_.first(); }
+  MiddleAxisFrame const& axes() const { return frame_; }
   double step() const { return h_; }
   /// What the torque is multiplied with for a kick of a whole step.
   double kick() const { return h_ / frame_.unit() * (h_ / 2); }
@@ -106,24 +106,31 @@ template <class T>
   for (int i = 0; i < 4; ++i) q[i] = q[i] * shorter;
 }
 
-/// A torque whose axes are counted from another one on.
+/// A torque in the axes in which the body is moved, by way of the frame of the body at each call.
 template <class Torque>
-struct RelabelledTorque {
+struct TorqueOfFrame {
   Torque torque;
-  int first;
+  MiddleAxisFrame frame;
   [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double time) const {
-    int const back = 3 - first;
+    if (frame.axes().turned()) [[unlikely]] return by_way_of_frame(q, time);
+    int const back = 3 - frame.first();
     Four<double> const outside{q[0], q[1 + back % 3], q[1 + (back + 1) % 3], q[1 + (back + 2) % 3]};
-    Three<double> const t = torque(outside, time);
-    return {t[first % 3], t[(first + 1) % 3], t[(first + 2) % 3]};
+    return frame.counted(torque(outside, time));
+  }
+
+ private:
+  [[gnu::noinline]] Three<double> by_way_of_frame(Four<double> const& q, double time) const {
+    Eigen::Vector4d const outside = frame.leave(q);
+    Three<double> const t = torque(Four<double>{outside[0], outside[1], outside[2], outside[3]}, time);
+    return frame.enter(Eigen::Vector3d(t[0], t[1], t[2]));
   }
 };
 template <class Torque>
-auto relabelled(Torque const& torque, int first) {
-  if constexpr (requires { torque.relabelled(first); })
-    return torque.relabelled(first);
+auto in_axes_of(MiddleAxisFrame const& frame, Torque const& torque) {
+  if constexpr (requires { torque.in(frame); })
+    return torque.in(frame);
   else
-    return RelabelledTorque<Torque>{torque, first};
+    return TorqueOfFrame<Torque>{torque, frame};
 }
 
 /// Steps of one body under a torque.
@@ -173,15 +180,16 @@ struct TorquedSteps {
 template <class Torque>
 class TorquedBody {
  public:
+  /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
   /// @param momentum  body momentum at the start, energy x time
   /// @param attitude  at the start
   /// @param h         step, time, not zero; negative steps go back in time
   /// @param method    order 2 or 4: \ref strang_splitting, \ref blanes_moan_splitting
   /// @param start     time at the start
   /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where a number is none, no body has such moments, or the quaternion is not near unit length
-  TorquedBody(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, Torque const& torque, double h,
+  TorquedBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, Torque const& torque, double h,
               Splitting method = strang_splitting(), double start = 0, Machine machine = best_machine())
-      : frame_(inertia, h), torque_(detail::relabelled(torque, frame_.first())), method_(std::move(method)), start_(start), machine_(machine),
+      : frame_(inertia, h), torque_(detail::in_axes_of(frame_.axes(), torque)), method_(std::move(method)), start_(start), machine_(machine),
         state_(frame_.enter(momentum, attitude)) {
     if (!is_finite(start)) throw NotFinite("torqued body: time at the start");
     if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
@@ -219,10 +227,10 @@ class TorquedBody {
   Splitting const& method() const { return method_; }
 
  private:
-  using Relabelled = decltype(detail::relabelled(std::declval<Torque const&>(), 0));
+  using TorqueInAxes = decltype(detail::in_axes_of(std::declval<MiddleAxisFrame const&>(), std::declval<Torque const&>()));
 
   detail::TorquedFrame frame_;
-  Relabelled torque_;
+  TorqueInAxes torque_;
   Splitting method_;
   double start_;
   Machine machine_;

@@ -41,10 +41,9 @@ class UniformGravity {
     auto const& q = attitude.value;
     return -dot(lever, seen_from<double>({q[0], q[1], q[2], q[3]}, towards));
   }
-  /// The same torque where the axes of the body and of space are counted from axis `first` on.
-  UniformGravity relabelled(int first) const {
-    auto const from = [&](Three<double> const& x) { return Three<double>{x[first % 3], x[(first + 1) % 3], x[(first + 2) % 3]}; };
-    return {from(lever), from(towards)};
+  /// The same torque in the axes in which the body is moved.
+  UniformGravity in(MiddleAxisFrame const& frame) const {
+    return {frame.enter(Eigen::Vector3d(lever[0], lever[1], lever[2])), frame.counted(towards)};
   }
 };
 

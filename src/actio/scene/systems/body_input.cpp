@@ -12,11 +12,10 @@
 
 namespace actio::scene {
 
-GivenInertia read_inertia(SceneTable const& system) {
+PrincipalInertia read_inertia(SceneTable const& system) {
   try {
     if (!system.is_matrix("inertia")) return {inertia_from_moments<double>(system.vector("inertia"))};
-    auto const [inertia, axes] = principal_inertia(system.matrix("inertia", 3));
-    return {inertia, axes, !axes.isIdentity(0)};
+    return principal_inertia(system.matrix("inertia", 3));
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
@@ -24,11 +23,10 @@ GivenInertia read_inertia(SceneTable const& system) {
   }
 }
 
-GivenInertia read_body_or_inertia(SceneTable const& system) {
+PrincipalInertia read_body_or_inertia(SceneTable const& system) {
   if (system.has("body") && system.has("inertia")) system.fail("inertia", "body and inertia exclude each other: a body of the library has its inertia with it");
   if (!system.has("body")) return read_inertia(system);
-  LibraryBody const& body = *find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"));
-  return {body.inertia, body.axes, !body.axes.isIdentity(0)};
+  return find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"))->principal;
 }
 
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks) {
@@ -47,22 +45,28 @@ Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& rema
   return unit;
 }
 
-Eigen::Vector3d read_momentum(SceneTable const& initial, GivenInertia const& inertia) {
-  bool const velocity = initial.has("angular_velocity"), momentum = initial.has("angular_momentum");
-  if (velocity == momentum)
-    throw SceneError(momentum ? initial.place("angular_momentum") : initial.place(),
-                     velocity ? "angular_velocity and angular_momentum exclude each other"
-                              : "[initial] needs 'angular_velocity' or 'angular_momentum'");
-  std::string const key = velocity ? "angular_velocity" : "angular_momentum";
-  Eigen::Vector3d const given(velocity ? read_angles(initial, key, 3).data()
-                                       : initial.numbers(key, 3).data());
-  Eigen::Vector3d const m = velocity ? inertia.momentum(given) : given;
-  if (!m.allFinite() || !is_finite(m.squaredNorm()) || !is_finite(inertia.velocity(m).squaredNorm()))
+Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInertia const& inertia) {
+  bool const by_velocity = initial.has("angular_velocity"), by_momentum = initial.has("angular_momentum");
+  if (by_velocity == by_momentum)
+    throw SceneError(by_momentum ? initial.place("angular_momentum") : initial.place(),
+                     by_velocity ? "angular_velocity and angular_momentum exclude each other"
+                                 : "[initial] needs 'angular_velocity' or 'angular_momentum'");
+  std::string const key = by_velocity ? "angular_velocity" : "angular_momentum";
+  Eigen::Vector3d const given(by_velocity ? read_angles(initial, key, 3).data() : initial.numbers(key, 3).data());
+  Momentum<SO<3>, double> const M = by_velocity ? body_momentum(inertia, velocity(SO<3>{}, given)) : momentum(SO<3>{}, given);
+  auto const& m = M.components;
+  auto const omega = body_velocity(inertia, M).coordinates;
+  if (!is_finite(m) || !is_finite(m.squaredNorm()) || !is_finite(omega.squaredNorm()))
     initial.fail(key, key + ": the numbers are too large: energy and |M|^2 are beyond 1e308");
   double const least = std::numeric_limits<double>::min();
-  if (magnitude(given) > 0 && (magnitude(m) < least || magnitude(inertia.velocity(m)) < least))
+  if (magnitude(given) > 0 && (magnitude(m) < least || magnitude(omega) < least))
     initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is below {:.3g}, where digits are lost", key, least));
-  return m;
+  return M;
+}
+
+FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia, std::vector<std::string>& remarks) {
+  Element<SU2, double> const attitude{{}, read_attitude(initial, remarks)};
+  return {read_momentum(initial, inertia), attitude};
 }
 
 std::vector<Parameter> initial_parameters(std::string const& momentum) {

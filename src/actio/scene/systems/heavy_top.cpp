@@ -5,7 +5,8 @@
 #include "actio/fast_body/space/uniform_gravity.hpp"
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/systems/method_input.hpp"
-#include "actio/scene/systems/principal_body.hpp"
+#include "actio/scene/body_shape.hpp"
+#include "actio/scene/systems/free_motion.hpp"
 
 namespace actio::scene {
 namespace {
@@ -49,10 +50,9 @@ std::vector<Quantity> quantities() {
 using Top = TorquedBody<UniformGravity>;
 
 /// Steps of kicks and drifts.
-class TopMotion : public PrincipalBody {
+class TopMotion : public TurningBody {
  public:
-  TopMotion(StepsFrom<Top> from, PrincipalStart const& start, double step, GivenInertia const& inertia)
-      : PrincipalBody(inertia), from_(std::move(from)), top_(from_(start.momentum, start.attitude, step)), now_(top_.state()) {}
+  TopMotion(StepsFrom<Top> from, FreeState const& start, double step) : from_(std::move(from)), top_(from_(start, step)), now_(top_.state()) {}
   void advance(long steps) override {
     top_.step(steps);
     now_ = top_.state();
@@ -60,18 +60,16 @@ class TopMotion : public PrincipalBody {
   void look_ahead(double time) override {
     now_ = top_.state();
     if (time == 0) return;
-    Top ahead = from_(now_.body_momentum, now_.attitude, time);
+    Top ahead = from_(now_, time);
     ahead.step();
     now_ = ahead.state();
   }
-  void remember(Memory& memory) override {
-    top_.remember(memory);
+  void remember(CheckpointStream& stream) override {
+    top_.remember(stream);
     now_ = top_.state();
   }
-
- protected:
-  Eigen::Vector3d principal_momentum() const override { return now_.body_momentum.components; }
-  Eigen::Vector4d principal_attitude() const override { return now_.attitude.value; }
+  Eigen::Vector3d body_momentum() const override { return now_.body_momentum.components; }
+  Eigen::Vector4d attitude() const override { return now_.attitude.value; }
 
  private:
   StepsFrom<Top> from_;
@@ -79,16 +77,26 @@ class TopMotion : public PrincipalBody {
   FreeState now_;
 };
 
-/// [system] of a heavy top: the top in the frame of its principal axes at the fixed point.
-TurnedHeavyTop read_top(SceneTable const& system) {
+/// [system] of a heavy top, in the frame in which the scene gives it.
+struct GivenTop {
+  PrincipalInertia inertia;  ///< about the fixed point
+  Eigen::Vector3d lever,     ///< weight times centre of mass; energy
+      down;                  ///< unit vector along gravity, in space
+
+  /// @param centre  of mass, from the fixed point
+  GivenTop(TurnedHeavyTop const& turned, Eigen::Vector3d const& centre)
+      : inertia(turned.top.inertia, turned.axes), lever(centre * (turned.top.mass * turned.top.pull())), down(-turned.top.vertical()) {}
+};
+GivenTop read_top(SceneTable const& system) {
   double const mass = system.positive("mass");
-  GivenInertia const about_centre = read_inertia(system);
+  PrincipalInertia const about_centre = read_inertia(system);
   Eigen::Vector3d const centre = system.vector("centre_of_mass"), gravity = system.vector("gravity");
   try {
     // On a principal axis through the centre of mass the axes at the fixed point are the same.
     bool const on_axis = (centre.array() != 0).count() <= 1;
-    if (!about_centre.turned && on_axis) return {held_at_a_point<double>(mass, about_centre.principal, centre, gravity), Eigen::Matrix3d::Identity()};
-    return held_anywhere(mass, about_centre.tensor(), centre, gravity);
+    if (!about_centre.is_turned() && on_axis)
+      return {{held_at_a_point<double>(mass, about_centre.inertia, centre, gravity), Eigen::Matrix3d::Identity()}, centre};
+    return {held_anywhere(mass, about_centre.tensor(), centre, gravity), centre};
   } catch (UnphysicalInertia const& error) {
     system.fail("inertia", std::string("about the fixed point: ") + error.what());
   } catch (Error const& error) {
@@ -100,30 +108,26 @@ TurnedHeavyTop read_top(SceneTable const& system) {
 struct TopScene {
   SceneTable initial, method;
   std::vector<std::string> remarks;
-  TurnedHeavyTop turned;
-  GivenInertia inertia;                ///< about the fixed point
-  Eigen::Vector4d attitude;            ///< in the frame as given
-  Eigen::Vector3d momentum, lever;     ///< in the frame as given; the lever is weight times centre of mass
-  Eigen::Vector3d down;                ///< unit vector along gravity, in space
+  GivenTop top;
+  FreeState start;                     ///< momentum about the fixed point, and attitude
   MethodChoice choice;
   double fastest,                      ///< a bound of the angular velocity, 1/time
       step;
 
   explicit TopScene(Request const& request)
-      : initial(request.file.section("initial")), method(request.file.section("method")), turned(read_top(request.file.section("system"))),
-        inertia{turned.top.inertia, turned.axes, !turned.axes.isIdentity(0)}, attitude(read_attitude()), momentum(read_momentum(initial, inertia)),
-        lever(turned.axes * turned.top.lever()), down(-turned.top.vertical()), choice(read_method(method, methods())),
+      : initial(request.file.section("initial")), method(request.file.section("method")), top(read_top(request.file.section("system"))),
+        start(read_start(initial, top.inertia, remarks)), choice(read_method(method, methods())),
         fastest(fastest_of_fall()), step(read_step(method, request.schedule, fastest)) {}
 
-  bool is_free() const { return !(magnitude(lever) > 0); }
+  bool is_free() const { return !(magnitude(top.lever) > 0); }
 
  private:
-  Eigen::Vector4d read_attitude() { return scene::read_attitude(initial, remarks); }
   /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
   double fastest_of_fall() const {
-    double const kinetic = momentum.dot(inertia.velocity(momentum)) / 2, fall = lever.norm() - lever.dot(rotation(attitude).transpose() * down);
+    double const kinetic = kinetic_energy(top.inertia, start.body_momentum),
+                 fall = top.lever.norm() - top.lever.dot(rotation(start.attitude.value).transpose() * top.down);
     if (!is_finite(kinetic + fall)) throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
-    return fastest_turn(inertia, kinetic + fall);
+    return fastest_turn(top.inertia, kinetic + fall);
   }
 };
 
@@ -143,16 +147,15 @@ void check_step(TopScene& scene, Schedule const& schedule) {
 
 /// In steps of the scheme of the scene.
 std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
-  PrincipalStart const start(scene.inertia, scene.momentum, scene.attitude);
-  Inertia<3> const inertia = scene.inertia.principal;
+  PrincipalInertia const& inertia = scene.top.inertia;
   if (scene.is_free()) {
-    auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return FreeSteps(FreeBody(inertia, momentum, attitude), h); };
-    return stepped_motion(StepsFrom<FreeSteps>(steps), start, step, scene.inertia);
+    auto const steps = [=](FreeState const& start, double h) { return FreeSteps(FreeBody(inertia, start.body_momentum, start.attitude), h); };
+    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, step);
   }
-  auto const gravity = uniform_gravity(scene.turned.top.lever(), scene.down);
+  auto const gravity = uniform_gravity(scene.top.lever, scene.top.down);
   auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
-  auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return Top(inertia, momentum, attitude, gravity, h, method); };
-  return std::make_unique<TopMotion>(steps, start, step, scene.inertia);
+  auto const steps = [=](FreeState const& start, double h) { return Top(inertia, start.body_momentum, start.attitude, gravity, h, method); };
+  return std::make_unique<TopMotion>(steps, scene.start, step);
 }
 
 /// @param failure  why it cannot take a step; then it is the start alone, that of a free body
@@ -165,8 +168,7 @@ std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule
   } catch (Error const& error) {
     failure = scene.method.place("step").text() + ": " + error.what();
   }
-  PrincipalStart const start(scene.inertia, scene.momentum, scene.attitude);
-  return exact_motion(FreeBody(scene.inertia.principal, start.momentum, start.attitude), scene.inertia);
+  return exact_motion(FreeBody(scene.top.inertia, scene.start.body_momentum, scene.start.attitude));
 }
 
 /// Steps three times as long cost a little less than a third of the run, since short and long drifts take the same series.
@@ -177,14 +179,14 @@ Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
 }
 
 void define_top(QuantityGraph& graph, TopScene const& scene) {
-  graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector), [down = scene.down](auto needs, double* gamma) {
+  graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector), [down = scene.top.down](auto needs, double* gamma) {
     as_matrix<3, 1>(gamma) = SU2::Ad<double>(SU2::inverse<double>(as_matrix<4, 1>(needs[0])), down);
   });
-  graph.define("vertical_momentum", {""}, [down = scene.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
+  graph.define("vertical_momentum", {""}, [down = scene.top.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
                [](auto needs, double const*, std::size_t) { return magnitude(Eigen::Vector3d(ConstVector(needs[0]))); });
-  graph.define("energy", {""}, [lever = scene.lever](auto needs, double* energy) {
+  graph.define("energy", {""}, [lever = scene.top.lever](auto needs, double* energy) {
     *energy = ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 - lever.dot(ConstVector(needs[2]));
-  }, [lever = scene.lever](auto needs, double const*, std::size_t) {
+  }, [lever = scene.top.lever](auto needs, double const*, std::size_t) {
     return ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 + std::abs(lever.dot(ConstVector(needs[2])));
   });
   graph.define("casimir", {"_gamma", "_cross"}, [](auto needs, double* casimir) {
@@ -198,7 +200,7 @@ Simulation prepare(Request const& request) {
   Simulation simulation(quantities());
   auto motion = motion_of(scene, request.schedule, simulation.failure);
   if (simulation.failure.empty()) simulation.companion = companion_of(scene, request.error_estimate);
-  define_turning_body(simulation.quantities, *motion, scene.inertia);
+  define_turning_body(simulation.quantities, *motion, scene.top.inertia);
   define_top(simulation.quantities, scene);
   simulation.quantities.ask(request.quantities);
   simulation.step = scene.step;
@@ -214,11 +216,18 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
+BodyShape shape(SceneFile const& file) {
+  SceneTable const system = file.section("system");
+  return {read_inertia(system), {}, BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
+}
+
 }  // namespace
 
+/// The rigid body held at a point under gravity.
 System heavy_top_system() {
   return {"heavy_top", "Heavy top", "A rigid body held at a point under uniform gravity.", "chapter 3", parameters(), methods(), quantities(), prepare,
-          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n"};
+          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n",
+          shape};
 }
 
 }  // namespace actio::scene

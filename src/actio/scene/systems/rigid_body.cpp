@@ -3,8 +3,10 @@
 
 #include "actio/reduction/composition.hpp"
 #include "actio/scene/bodies.hpp"
+#include "actio/scene/body_shape.hpp"
+#include "actio/scene/pictures.hpp"
 #include "actio/scene/systems/method_input.hpp"
-#include "actio/scene/systems/principal_body.hpp"
+#include "actio/scene/systems/free_motion.hpp"
 
 namespace actio::scene {
 namespace {
@@ -43,23 +45,16 @@ std::vector<Quantity> quantities() {
 struct FreeBodyScene {
   SceneTable system, initial, method;
   std::vector<std::string> remarks;
-  GivenInertia inertia;
-  PrincipalStart start;
+  PrincipalInertia inertia;
+  FreeState start;
   FreeBody body;
   MethodChoice choice;
   double fastest, step;
 
   explicit FreeBodyScene(Request const& request)
-      : system(request.file.section("system")), initial(request.file.section("initial")), method(request.file.section("method")), inertia(read_inertia_of_body()),
-        start(read_start()), body(inertia.principal, start.momentum, start.attitude), choice(read_method(method, methods())),
-        fastest(fastest_turn(inertia, kinetic_energy(inertia.principal, start.momentum))), step(read_step(method, request.schedule, fastest)) {}
-
- private:
-  GivenInertia read_inertia_of_body() { return read_body_or_inertia(system); }
-  PrincipalStart read_start() {
-    Eigen::Vector4d const attitude = read_attitude(initial, remarks);
-    return {inertia, read_momentum(initial, inertia), attitude};
-  }
+      : system(request.file.section("system")), initial(request.file.section("initial")), method(request.file.section("method")), inertia(read_body_or_inertia(system)),
+        start(read_start(initial, inertia, remarks)), body(inertia, start.body_momentum, start.attitude), choice(read_method(method, methods())),
+        fastest(fastest_turn(inertia, kinetic_energy(inertia, start.body_momentum))), step(read_step(method, request.schedule, fastest)) {}
 };
 
 /// Sees to it that the angle turned until the end has digits.
@@ -73,19 +68,19 @@ void check_phase(FreeBodyScene& scene, SceneTable const& run, double until) {
 
 std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule const& schedule) {
   int const order = scene.choice.number();
-  Inertia<3> const inertia = scene.inertia.principal;
+  PrincipalInertia const& inertia = scene.inertia;
   try {
-    if (order == 0) return exact_motion(scene.body, scene.inertia);
+    if (order == 0) return exact_motion(scene.body);
     if (scene.choice.name == "natural_chart") {
       auto const fractions = order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>();
-      auto const steps = [=](auto const& momentum, auto const& attitude, double h) { return NaturalChartSteps(inertia, momentum, attitude, h, fractions); };
-      return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step, scene.inertia);
+      auto const steps = [=](FreeState const& start, double h) { return NaturalChartSteps(inertia, start.body_momentum, start.attitude, h, fractions); };
+      return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step);
     }
-    auto const steps = [=](auto const& momentum, auto const& attitude, double h) {
-      FreeBody const body(inertia, momentum, attitude);
+    auto const steps = [=](FreeState const& start, double h) {
+      FreeBody const body(inertia, start.body_momentum, start.attitude);
       return FreeSteps(body, h, body.moser_veselov_parameters(h, order));
     };
-    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step, scene.inertia);
+    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step);
   } catch (StepTooLong const& error) {
     fail_for_long_step(scene.method, schedule, error);
   } catch (Error const& error) {
@@ -97,7 +92,7 @@ std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule cons
 Companion companion_of(FreeBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
   if (scene.choice.order == "exact") return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
-  auto exact = exact_motion(scene.body, scene.inertia);
+  auto exact = exact_motion(scene.body);
   if (!attitude) exact->leave_attitude_out();
   return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the exact motion"};
 }
@@ -117,8 +112,8 @@ std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
 
 /// Squares may fall below the smallest numbers where momenta do not.
 void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
-  Eigen::Vector3d const& M = scene.start.momentum.components;
-  double const least = std::numeric_limits<double>::min(), energy = kinetic_energy(scene.inertia.principal, scene.start.momentum);
+  auto const& M = scene.start.body_momentum.components;
+  double const least = std::numeric_limits<double>::min(), energy = kinetic_energy(scene.inertia, scene.start.body_momentum);
   for (auto const& [name, value] : {std::pair<char const*, double>{"energy", energy}, {"casimir", M.squaredNorm()}})
     if (graph.needed(name) && magnitude(M) > 0 && value < least) scene.remarks.push_back(fmt::format("{}: it is below {:.3g}, where digits are lost", name, least));
 }
@@ -133,7 +128,7 @@ Simulation prepare(Request const& request) {
   } catch (NumericsError const& error) {
     // The start can still be told.
     simulation.failure = error.what();
-    motion = exact_motion(scene.body, scene.inertia);
+    motion = exact_motion(scene.body);
   }
   QuantityGraph& graph = simulation.quantities;
   define_turning_body(graph, *motion, scene.inertia);
@@ -154,12 +149,21 @@ Simulation prepare(Request const& request) {
   return simulation;
 }
 
+BodyShape shape(SceneFile const& file) {
+  SceneTable const system = file.section("system");
+  PrincipalInertia const inertia = read_body_or_inertia(system);
+  return {inertia, system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{}};
+}
+
 }  // namespace
 
+/// The free rigid body in space.
 System rigid_body_system() {
   return {"rigid_body", "Free rigid body", "A rigid body that turns freely about its centre of mass: Euler's equations for the momentum, and the attitude that goes with it.", "chapter 5",
           parameters(), methods(), quantities(), prepare,
-          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"angular_velocity\", \"energy\"]\n"};
+          "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.1, 2, 0.1]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"angular_velocity\", \"energy\"]\n",
+          shape,
+          {{"polhode", "body_momentum", polhode_picture}}};
 }
 
 }  // namespace actio::scene

@@ -88,7 +88,7 @@ class SteppedMotion : public TurningBodyN {
     shorter.step(body, with_attitude_);
     ahead_.emplace(std::move(body));
   }
-  void remember(Memory& memory) override { body_.remember(memory); }
+  void remember(CheckpointStream& stream) override { body_.remember(stream); }
   MatrixXd body_momentum() const override { return momentum_of(ahead_ ? *ahead_ : body_); }
   MatrixXd attitude() const override { return (ahead_ ? *ahead_ : body_).attitude().value; }
 
@@ -278,6 +278,7 @@ std::vector<Parameter> parameters() {
 
 }  // namespace
 
+/// The free rigid body in n dimensions.
 System rigid_body_n_system() {
   return {"rigid_body_n",
           "Free rigid body in n dimensions",

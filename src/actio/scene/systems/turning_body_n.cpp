@@ -33,7 +33,7 @@ std::vector<Quantity> turning_body_n_quantities() {
   return {
       {"attitude", Kind::matrix, "The rotation, n by n, that takes the body to space.", "g", "1", "claim_5_2_reconstruction", {}, false},
       {"momentum", Kind::skew, "The angular momentum in the frame of the body: a skew matrix, for n = 3 with M_12 = -M_z, M_13 = M_y, M_23 = -M_x.", "M = \\Lambda\\xi + \\xi\\Lambda", "energy x time",
-       "eq_5_8", {}, false},
+       "eq_5_8", {}, false, Quantity::Shown::by_planes},
       {"energy", Kind::scalar, "The kinetic energy.", "H = \\tfrac12\\sum_{i<j}(\\Lambda_i+\\Lambda_j)\\,\\xi_{ij}^2", "energy", "eq_5_1", {"momentum"}, true},
       {"spectrum", Kind::list, "The moduli of the n eigenvalues of the momentum in ascending order; those that rounding cannot tell from zero are zero.",
        "\\sigma_k = |z_k|,\\quad \\det(M-z_k) = 0", "energy x time", "claim_5_2_update_by_conjugation", {"momentum"}, true},

@@ -1,6 +1,6 @@
-// What a run remembers across a checkpoint: plain numbers, bit for bit.
+// The stream of bytes of a checkpoint: plain numbers, saved and restored bit for bit by the same lines.
 //
-//     void remember(Memory& memory) { memory(place_, steps_taken_); }       // saves, or restores
+//     void remember(CheckpointStream& stream) { stream(place_, steps_taken_); }       // saves, or restores
 //
 // What is read back is not trusted: it has to be as long as it says, and every list as long as the one that it takes the place of.
 #pragma once
@@ -15,13 +15,13 @@
 
 namespace actio::scene {
 
-/// Bytes that are written in one order and read back in the same.
-class Memory {
+/// Serialises to a checkpoint, or from one: bytes that are written in one order and read back in the same.
+class CheckpointStream {
  public:
   /// To be written.
-  Memory() = default;
+  CheckpointStream() = default;
   /// To be read back.
-  explicit Memory(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
+  explicit CheckpointStream(std::string bytes) : bytes_(std::move(bytes)), reading_(true) {}
 
   /// Whether it restores what was saved.
   bool reading() const { return reading_; }
@@ -37,7 +37,7 @@ class Memory {
   /// That all was read back.
   /// @throws Error  where bytes are left
   void end() const {
-    if (reading_ && at_ != bytes_.size()) throw Error("memory: " + std::to_string(bytes_.size() - at_) + " bytes more than were expected");
+    if (reading_ && at_ != bytes_.size()) throw Error("checkpoint: " + std::to_string(bytes_.size() - at_) + " bytes more than were expected");
   }
 
  private:
@@ -51,8 +51,8 @@ class Memory {
     std::size_t size = values.size();
     one(size);
     if (reading_) {
-      if (!values.empty() && size != values.size()) throw Error("memory: a list of " + std::to_string(values.size()) + " is expected, found one of " + std::to_string(size));
-      if (size > (bytes_.size() - at_) / sizeof(T)) throw Error("memory: it ends within a list of " + std::to_string(size));
+      if (!values.empty() && size != values.size()) throw Error("checkpoint: a list of " + std::to_string(values.size()) + " is expected, found one of " + std::to_string(size));
+      if (size > (bytes_.size() - at_) / sizeof(T)) throw Error("checkpoint: it ends within a list of " + std::to_string(size));
       values.resize(size);
     }
     if (size) raw(values.data(), size * sizeof(T));
@@ -66,7 +66,7 @@ class Memory {
       bytes_.append(static_cast<char const*>(at), size);
       return;
     }
-    if (size > bytes_.size() - at_) throw Error("memory: it ends too early");
+    if (size > bytes_.size() - at_) throw Error("checkpoint: it ends too early");
     std::memcpy(at, bytes_.data() + at_, size);
     at_ += size;
   }

@@ -1,4 +1,4 @@
-// Rows from which a motion can be played: every row, or every second, fourth, eighth, ... of a longer run, as long as no two neighbours are so far
+// Key frames, the rows from which a motion can be played: every row, or every second, fourth, eighth, ... of a longer run, as long as no two neighbours are so far
 // apart that what lies between them would be a guess; from there on, the beginning of the run alone.
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace actio::scene {
 
-/// A few thousand rows of a run of any length.
-class Excerpt {
+/// The key frames of a run of any length: a few thousand of its rows, between which the page of the run interpolates.
+class KeyFrames {
  public:
   /// There are never more rows.
   static constexpr std::size_t most_rows = 3000;
@@ -17,7 +17,7 @@ class Excerpt {
   using Near = std::function<bool(std::vector<double> const&, std::vector<double> const&)>;
 
   /// Of a run whose neighbouring rows are told by `near`.
-  explicit Excerpt(Near near) : near_(std::move(near)) {}
+  explicit KeyFrames(Near near) : near_(std::move(near)) {}
 
   /// One row more.
   void add(std::span<double const> row) {
