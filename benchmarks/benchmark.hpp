@@ -37,9 +37,7 @@ class Benchmark : public book::Program {
   bool is_short() const { return short_; }
   /// The first of two lengths in a full run, the second in a short one.
   template <class Length>
-  Length length(Length full, Length in_short) const {
-    return short_ ? in_short : full;
-  }
+  Length length(Length full, Length in_short) const { return short_ ? in_short : full; }
   /// How many rounds the contestants have: at most eleven in a short run, of which a tenth are the two best.
   int rounds(int full) const { return short_ ? std::min(full, 11) : full; }
 

@@ -1,4 +1,5 @@
-// How far what the motion conserves walks away in many steps. Measured in long double from the states, which are double.
+// How far what the motion conserves walks away in many steps. Measured in long double from the states, which
+// are double.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,8 @@ struct Conserved {
 
   Conserved(peers::Task const& task, peers::Seven const& y) {
     using Wide = long double;
-    Wide const x = y[0], v = y[1], z = y[2], e = y[3], a = y[4], b = y[5], c = y[6], n = e * e + a * a + b * b + c * c;
+    Wide const x = y[0], v = y[1], z = y[2], e = y[3], a = y[4], b = y[5], c = y[6],
+               n = e * e + a * a + b * b + c * c;
     amount = std::sqrt(x * x + v * v + z * z);
     energy = (x * x / task.I[0] + v * v / task.I[1] + z * z / task.I[2]) / 2;
     // M + 2 q x (q x M + e M), over |q|^2.
@@ -35,8 +37,10 @@ inline Drift drift_of(peers::Task const& task, peers::Stepper& stepper, long ste
   stepper.advance(steps);
   Conserved const after(task, stepper.state());
   long double square = 0;
-  for (int i = 0; i < 3; ++i) square += (after.spatial[i] - before.spatial[i]) * (after.spatial[i] - before.spatial[i]);
-  return {static_cast<double>(after.amount / before.amount - 1), static_cast<double>(after.energy / before.energy - 1),
+  for (int i = 0; i < 3; ++i)
+    square += (after.spatial[i] - before.spatial[i]) * (after.spatial[i] - before.spatial[i]);
+  return {static_cast<double>(after.amount / before.amount - 1),
+          static_cast<double>(after.energy / before.energy - 1),
           static_cast<double>(std::sqrt(square) / before.amount)};
 }
 

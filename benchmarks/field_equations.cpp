@@ -1,16 +1,20 @@
-// What the field equations of an elastic medium in space cost at a point, in hand-written ones: St Venant and Kirchhoff's solid, Euclidean metrics, homogeneous.
+// What the field equations of an elastic medium in space cost at a point, in hand-written ones: St Venant and
+// Kirchhoff's solid, Euclidean metrics, homogeneous.
 //
-// Two things are measured. From given second jets of a section: the equation alone. And with the section evaluated too: its second jet by truncated polynomials from a
-// callable, beside one that is differentiated by hand. All contestants run in turns over the same 250 points, to a million evaluations each in a full run. How many
-// hand-written equations one costs is judged by the instructions that valgrind counts, since the ratio of the times depends on the processor; the times stand
-// beside them. Started with the word `--count` the program goes over the points once with each contestant and does no more, for valgrind to count.
+// Two things are measured. From given second jets of a section: the equation alone. And with the section
+// evaluated too: its second jet by truncated polynomials from a callable, beside one that is differentiated
+// by hand. All contestants run in turns over the same 250 points, to a million evaluations each in a full
+// run. How many hand-written equations one costs is judged by the instructions that valgrind counts, since
+// the ratio of the times depends on the processor; the times stand beside them. Started with the word
+// `--count` the program goes over the points once with each contestant and does no more, for valgrind to
+// count.
 #include <array>
 
-#include "witness/draw.hpp"
 #include "actio/continuum/elastic_equation.hpp"
 #include "benchmark.hpp"
 #include "callgrind.hpp"
 #include "timing.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -22,25 +26,34 @@ namespace {
 constexpr double density = 1.3, lambda = 2.0, mu = 0.7;
 constexpr int block = 250;
 
-/// The hand-written equation, rho (Div P - acceleration), in the fewest operations we know; T counts them where it is not double.
+/// The hand-written equation, rho (Div P - acceleration), in the fewest operations we know; T counts them
+/// where it is not double.
 template <class T>
 std::array<T, 3> by_hand(SecondJet3 const& jet) {
   T const rho(density), half_lambda(lambda / 2), both(lambda + mu), shear(mu);
   auto const F = [&](int a, int i) { return T(jet.v(a, i + 1)); };
   auto const w = [&](int a, int i, int k) { return T(jet.w[i + 1](a, k + 1)); };
-  T const C00 = F(0, 0) * F(0, 0) + F(1, 0) * F(1, 0) + F(2, 0) * F(2, 0), C11 = F(0, 1) * F(0, 1) + F(1, 1) * F(1, 1) + F(2, 1) * F(2, 1),
-          C22 = F(0, 2) * F(0, 2) + F(1, 2) * F(1, 2) + F(2, 2) * F(2, 2), C01 = F(0, 0) * F(0, 1) + F(1, 0) * F(1, 1) + F(2, 0) * F(2, 1),
-          C02 = F(0, 0) * F(0, 2) + F(1, 0) * F(1, 2) + F(2, 0) * F(2, 2), C12 = F(0, 1) * F(0, 2) + F(1, 1) * F(1, 2) + F(2, 1) * F(2, 2);
+  T const C00 = F(0, 0) * F(0, 0) + F(1, 0) * F(1, 0) + F(2, 0) * F(2, 0),
+          C11 = F(0, 1) * F(0, 1) + F(1, 1) * F(1, 1) + F(2, 1) * F(2, 1),
+          C22 = F(0, 2) * F(0, 2) + F(1, 2) * F(1, 2) + F(2, 2) * F(2, 2),
+          C01 = F(0, 0) * F(0, 1) + F(1, 0) * F(1, 1) + F(2, 0) * F(2, 1),
+          C02 = F(0, 0) * F(0, 2) + F(1, 0) * F(1, 2) + F(2, 0) * F(2, 2),
+          C12 = F(0, 1) * F(0, 2) + F(1, 1) * F(1, 2) + F(2, 1) * F(2, 2);
   T const stretch = half_lambda * (C00 + C11 + C22 - T(3)) - shear;
   std::array<T, 3> d, r;
-  T const l0 = w(0, 0, 0) + w(0, 1, 1) + w(0, 2, 2), l1 = w(1, 0, 0) + w(1, 1, 1) + w(1, 2, 2), l2 = w(2, 0, 0) + w(2, 1, 1) + w(2, 2, 2);
+  T const l0 = w(0, 0, 0) + w(0, 1, 1) + w(0, 2, 2), l1 = w(1, 0, 0) + w(1, 1, 1) + w(1, 2, 2),
+          l2 = w(2, 0, 0) + w(2, 1, 1) + w(2, 2, 2);
   for (int i = 0; i < 3; ++i)
-    d[i] = both * (F(0, 0) * w(0, 0, i) + F(0, 1) * w(0, 1, i) + F(0, 2) * w(0, 2, i) + F(1, 0) * w(1, 0, i) + F(1, 1) * w(1, 1, i) + F(1, 2) * w(1, 2, i) +
-                   F(2, 0) * w(2, 0, i) + F(2, 1) * w(2, 1, i) + F(2, 2) * w(2, 2, i)) +
+    d[i] = both * (F(0, 0) * w(0, 0, i) + F(0, 1) * w(0, 1, i) + F(0, 2) * w(0, 2, i) + F(1, 0) * w(1, 0, i) +
+                   F(1, 1) * w(1, 1, i) + F(1, 2) * w(1, 2, i) + F(2, 0) * w(2, 0, i) + F(2, 1) * w(2, 1, i) +
+                   F(2, 2) * w(2, 2, i)) +
            shear * (F(0, i) * l0 + F(1, i) * l1 + F(2, i) * l2);
   for (int a = 0; a < 3; ++a) {
-    T const crossed = C01 * w(a, 0, 1) + C02 * w(a, 0, 2) + C12 * w(a, 1, 2), laplacian = a == 0 ? l0 : a == 1 ? l1 : l2;
-    T const force = stretch * laplacian + shear * (C00 * w(a, 0, 0) + C11 * w(a, 1, 1) + C22 * w(a, 2, 2) + crossed + crossed);
+    T const crossed = C01 * w(a, 0, 1) + C02 * w(a, 0, 2) + C12 * w(a, 1, 2), laplacian = a == 0   ? l0
+                                                                                          : a == 1 ? l1
+                                                                                                   : l2;
+    T const force = stretch * laplacian +
+                    shear * (C00 * w(a, 0, 0) + C11 * w(a, 1, 1) + C22 * w(a, 2, 2) + crossed + crossed);
     r[a] = rho * (force + F(a, 0) * d[0] + F(a, 1) * d[1] + F(a, 2) * d[2] - T(jet.w[0](a, 0)));
   }
   return r;
@@ -73,18 +86,22 @@ struct TwistedBar {
 };
 /// The same with its derivatives, by hand.
 SecondJet3 twisted_bar_by_hand(Vector4d const& x) {
-  double const beat = std::cos(turn * x[0]) * twist, slide = -turn * twist * std::sin(turn * x[0]), angle = x[3] * beat, c = std::cos(angle), s = std::sin(angle);
-  double const phase = number * x[3] - frequency * x[0], up = wave * std::sin(phase), slope = wave * std::cos(phase);
+  double const beat = std::cos(turn * x[0]) * twist, slide = -turn * twist * std::sin(turn * x[0]),
+               angle = x[3] * beat, c = std::cos(angle), s = std::sin(angle);
+  double const phase = number * x[3] - frequency * x[0], up = wave * std::sin(phase),
+               slope = wave * std::cos(phase);
   // The angle has derivatives in t and z alone.
   std::array<double, 4> const rate{x[3] * slide, 0, 0, beat};
   SecondJet3 j;
   j.x = x;
   j.y = {x[1] * c - x[2] * s, x[1] * s + x[2] * c, x[3] + up};
-  j.v << -j.y[1] * rate[0], c, -s, -j.y[1] * rate[3], j.y[0] * rate[0], s, c, j.y[0] * rate[3], -frequency * slope, 0, 0, 1 + number * slope;
+  j.v << -j.y[1] * rate[0], c, -s, -j.y[1] * rate[3], j.y[0] * rate[0], s, c, j.y[0] * rate[3],
+      -frequency * slope, 0, 0, 1 + number * slope;
   for (int m : {0, 3}) {
     for (int k : {0, 3}) {
       double const second = m == 3 && k == 3 ? 0.0 : m == k ? -turn * turn * angle : slide;
-      j.w[m].col(k) << -j.y[1] * second - j.y[0] * rate[m] * rate[k], j.y[0] * second - j.y[1] * rate[m] * rate[k],
+      j.w[m].col(k) << -j.y[1] * second - j.y[0] * rate[m] * rate[k],
+          j.y[0] * second - j.y[1] * rate[m] * rate[k],
           -up * (m == 0 ? -frequency : number) * (k == 0 ? -frequency : number);
     }
     j.w[m].col(1) << -s * rate[m], c * rate[m], 0;
@@ -104,7 +121,8 @@ struct OwnDensity {
     for (int a = 0; a < 3; ++a) twice_kinetic += j.v(a, 0) * j.v(a, 0);
     for (int i = 1; i <= 3; ++i)
       for (int k = 1; k <= i; ++k) {
-        T const C = j.v(0, i) * j.v(0, k) + j.v(1, i) * j.v(1, k) + j.v(2, i) * j.v(2, k), strain = i == k ? C - 1.0 : C;
+        T const C = j.v(0, i) * j.v(0, k) + j.v(1, i) * j.v(1, k) + j.v(2, i) * j.v(2, k),
+                strain = i == k ? C - 1.0 : C;
         if (i == k) trace += strain;
         square += strain * strain * (i == k ? 1.0 : 2.0);
       }
@@ -114,9 +132,7 @@ struct OwnDensity {
 /// The same solid by a law of one's own.
 struct OwnLaw {
   template <class T, int n>
-  T operator()(Matrix<T, n, n> const& C) const {
-    return StVenantKirchhoff<double>{lambda, mu}(C);
-  }
+  T operator()(Matrix<T, n, n> const& C) const { return StVenantKirchhoff<double>{lambda, mu}(C); }
 };
 
 template <class Energy>
@@ -163,17 +179,48 @@ struct Kind {
 using P = Points;
 Kind const kinds[] = {
     {"hand", "by hand", [](P const& p, long n) { over(p.jets, n, hand_written); }, false},
-    {"written_out", "St Venant-Kirchhoff, written out", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(solid, j); }); }, false},
-    {"neo_hookean", "neo-Hookean, written out", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(neo_hookean, j); }); }, false},
-    {"mooney_rivlin", "Mooney-Rivlin, written out", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(mooney_rivlin, j); }); }, false},
-    {"liquid", "Tait's liquid, written out", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(liquid, j); }); }, false},
-    {"own_law", "a law of one's own", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(own, j); }); }, false},
-    {"general", "St Venant-Kirchhoff, general road", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return euler_lagrange(solid, j); }); }, false},
-    {"own_density", "a density of one's own, general road", [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return euler_lagrange(OwnDensity{}, j); }); }, false},
-    {"section_hand", "by hand", [](P const& p, long n) { over(p.events, n, [](auto const& x) { return hand_written(twisted_bar_by_hand(x)); }); }, true},
-    {"section_written_out", "St Venant-Kirchhoff, written out", [](P const& p, long n) { over(p.events, n, [](auto const& x) { return elastic_equation(solid, second_jet(bar, x)); }); }, true},
-    {"section_general", "St Venant-Kirchhoff, general road", [](P const& p, long n) { over(p.events, n, [](auto const& x) { return euler_lagrange(solid, bar, x); }); }, true},
-    {"section_own_density", "a density of one's own, general road", [](P const& p, long n) { over(p.events, n, [](auto const& x) { return euler_lagrange(OwnDensity{}, bar, x); }); }, true}};
+    {"written_out", "St Venant-Kirchhoff, written out",
+     [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(solid, j); }); },
+     false},
+    {"neo_hookean", "neo-Hookean, written out",
+     [](P const& p,
+        long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(neo_hookean, j); }); },
+     false},
+    {"mooney_rivlin", "Mooney-Rivlin, written out",
+     [](P const& p,
+        long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(mooney_rivlin, j); }); },
+     false},
+    {"liquid", "Tait's liquid, written out",
+     [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(liquid, j); }); },
+     false},
+    {"own_law", "a law of one's own",
+     [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return elastic_equation(own, j); }); },
+     false},
+    {"general", "St Venant-Kirchhoff, general road",
+     [](P const& p, long n) { over(p.jets, n, [](auto const& j) { return euler_lagrange(solid, j); }); },
+     false},
+    {"own_density", "a density of one's own, general road",
+     [](P const& p,
+        long n) { over(p.jets, n, [](auto const& j) { return euler_lagrange(OwnDensity{}, j); }); },
+     false},
+    {"section_hand", "by hand",
+     [](P const& p,
+        long n) { over(p.events, n, [](auto const& x) { return hand_written(twisted_bar_by_hand(x)); }); },
+     true},
+    {"section_written_out", "St Venant-Kirchhoff, written out",
+     [](P const& p, long n) {
+  over(p.events, n, [](auto const& x) { return elastic_equation(solid, second_jet(bar, x)); });
+     },
+     true},
+    {"section_general", "St Venant-Kirchhoff, general road",
+     [](P const& p,
+        long n) { over(p.events, n, [](auto const& x) { return euler_lagrange(solid, bar, x); }); },
+     true},
+    {"section_own_density", "a density of one's own, general road",
+     [](P const& p, long n) {
+  over(p.events, n, [](auto const& x) { return euler_lagrange(OwnDensity{}, bar, x); });
+     },
+     true}};
 constexpr std::size_t section_from = 8;
 
 /// Largest difference of the ways over the points, in roundings of the largest value.
@@ -182,7 +229,8 @@ double apart(Points const& p) {
   for (int i = 0; i < block; ++i) {
     Vector3d const reference = hand_written(twisted_bar_by_hand(p.events[i]));
     size = std::max(size, magnitude(reference));
-    for (Vector3d const& other : {elastic_equation(solid, p.jets[i]), elastic_equation(own, p.jets[i]), euler_lagrange(solid, p.jets[i]), euler_lagrange(OwnDensity{}, p.jets[i])})
+    for (Vector3d const& other : {elastic_equation(solid, p.jets[i]), elastic_equation(own, p.jets[i]),
+                                  euler_lagrange(solid, p.jets[i]), euler_lagrange(OwnDensity{}, p.jets[i])})
       gap = std::max(gap, magnitude(Vector3d(other - reference)));
   }
   return gap / (size * epsilon<double>());
@@ -196,24 +244,29 @@ int main(int argc, char** argv) {
     for (Kind const& kind : kinds) benchmark::counted(kind.key, [&] { kind.run(p, 1); });
     return 0;
   }
-  benchmark::Benchmark program(argc, argv, "the field equations of an elastic medium at a point, in hand-written ones");
+  benchmark::Benchmark program(argc, argv,
+                               "the field equations of an elastic medium at a point, in hand-written ones");
 
   double const gap = apart(p);
   program.figure("gap", gap, "largest difference from the hand-written equation, in roundings");
   program.claim(gap < 100, "all ways give the same equation");
   by_hand<Counted>(p.jets[0]);
-  program.figure("floor", static_cast<double>(Counted::sums + Counted::products), "operations of the hand-written equation at a point");
+  program.figure("floor", static_cast<double>(Counted::sums + Counted::products),
+                 "operations of the hand-written equation at a point");
   program.figure("floor_products", static_cast<double>(Counted::products), "products among them");
 
   // A full run evaluates each way 41 x 100 x 250 times, a million.
   long const repeats = program.length(100L, 20L);
   std::vector<benchmark::Contestant> contestants;
-  for (Kind const& kind : kinds) contestants.push_back({kind.name, [&] { kind.run(p, repeats); }, 1.0 * block * static_cast<double>(repeats)});
+  for (Kind const& kind : kinds)
+    contestants.push_back(
+        {kind.name, [&] { kind.run(p, repeats); }, 1.0 * block * static_cast<double>(repeats)});
   auto const seconds = benchmark::in_turns(program.rounds(41), contestants);
   bool const counted = benchmark::pieces_can_be_counted();
   std::string const self = std::filesystem::canonical("/proc/self/exe").string();
   std::array<double, std::size(kinds)> instructions{};
-  auto const counts = counted ? benchmark::counted_pieces("'" + self + "' --count") : std::map<std::string, double>();
+  auto const counts =
+      counted ? benchmark::counted_pieces("'" + self + "' --count") : std::map<std::string, double>();
   for (std::size_t i = 0; counted && i < std::size(kinds); ++i) {
     auto const found = counts.find(kinds[i].key);
     if (found != counts.end()) instructions[i] = found->second / block;
@@ -227,25 +280,41 @@ int main(int argc, char** argv) {
     double const in_time = benchmark::ratio_of_best(seconds[i], seconds[unit]);
     ratio[i] = counted ? instructions[i] / instructions[unit] : in_time;
     auto const all = benchmark::ratios(seconds[i], seconds[unit]);
-    rows[kinds[i].section].push_back({kinds[i].name, counted ? book::number(instructions[i], 4) : "not counted", counted ? book::number(ratio[i], 3) : "not counted",
-                                      book::number(1e9 * benchmark::best_tenth(seconds[i]), 3), book::number(in_time, 3),
-                                      book::number(benchmark::quantile(all, 0.1), 3) + " to " + book::number(benchmark::quantile(all, 0.9), 3)});
-    std::string const what = std::string(kinds[i].name) + (kinds[i].section ? ", with the section" : "") + ", in hand-written ones";
+    rows[kinds[i].section].push_back(
+        {kinds[i].name, counted ? book::number(instructions[i], 4) : "not counted",
+         counted ? book::number(ratio[i], 3) : "not counted",
+         book::number(1e9 * benchmark::best_tenth(seconds[i]), 3), book::number(in_time, 3),
+         book::number(benchmark::quantile(all, 0.1), 3) + " to " +
+             book::number(benchmark::quantile(all, 0.9), 3)});
+    std::string const what = std::string(kinds[i].name) + (kinds[i].section ? ", with the section" : "") +
+                             ", in hand-written ones";
     program.figure(kinds[i].key, ratio[i], book::number(ratio[i], 3), what);
-    program.figure(kinds[i].key + std::string("_time"), in_time, book::number(in_time, 3), what + ", by time");
+    program.figure(kinds[i].key + std::string("_time"), in_time, book::number(in_time, 3),
+                   what + ", by time");
   }
-  book::Program::Row const header{"the equation at a point", "instructions", "in hand-written ones", "ns", "in hand-written ones, by time", "eight rounds of ten"};
+  book::Program::Row const header{"the equation at a point",       "instructions",
+                                  "in hand-written ones",          "ns",
+                                  "in hand-written ones, by time", "eight rounds of ten"};
   program.table("equation", header, rows[0], "From given second jets of a section.");
   program.table("section", header, rows[1], "With the second jet of the section.");
 
-  double const library = *std::max_element(ratio.begin() + 1, ratio.begin() + 5), general = std::max(ratio[6], ratio[7]);
-  program.figure("library", library, book::number(library, 3), "the dearest of the library's media, in hand-written ones");
-  program.figure("general_worst", general, book::number(general, 3), "the dearest on the general road, in hand-written ones");
+  double const library = *std::max_element(ratio.begin() + 1, ratio.begin() + 5),
+               general = std::max(ratio[6], ratio[7]);
+  program.figure("library", library, book::number(library, 3),
+                 "the dearest of the library's media, in hand-written ones");
+  program.figure("general_worst", general, book::number(general, 3),
+                 "the dearest on the general road, in hand-written ones");
   // Counts are the same on every machine; where only times are known, a short run cannot judge.
-  auto const claim = [&](bool holds, std::string const& what) { counted ? program.claim(holds, what) : program.claim_of_time(holds, what); };
+  auto const claim = [&](bool holds, std::string const& what) {
+    counted ? program.claim(holds, what) : program.claim_of_time(holds, what);
+  };
   std::string const by = counted ? ", by instructions; measured " : ", by time; measured ";
-  claim(library <= 3, "a medium of the library costs at most three hand-written equations" + by + book::number(library));
-  claim(general <= 60, "a density of which nothing is known costs at most sixty" + by + book::number(general));
-  program.headline("written out " + book::number(ratio[1], 3) + ", general road " + book::number(general, 3) + " hand-written equations" + (counted ? ", by instructions" : ", by time"), ratio[1]);
+  claim(library <= 3,
+        "a medium of the library costs at most three hand-written equations" + by + book::number(library));
+  claim(general <= 60,
+        "a density of which nothing is known costs at most sixty" + by + book::number(general));
+  program.headline("written out " + book::number(ratio[1], 3) + ", general road " + book::number(general, 3) +
+                       " hand-written equations" + (counted ? ", by instructions" : ", by time"),
+                   ratio[1]);
   return program.finish();
 }

@@ -7,12 +7,12 @@
 // turns, so that a busy machine slows all; what is claimed is judged by the best tenth of the rounds of each.
 #include <memory>
 
+#include "actio/bodies/body_catalogue.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/advected_steps.hpp"
 #include "actio/reduction/euler_poincare_steps.hpp"
 #include "actio/reduction/galerkin.hpp"
-#include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "benchmark.hpp"
@@ -65,8 +65,9 @@ Road euler_poincare(std::string const& name) {
 Road brick() {
   Body const body = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
   NaturalChartScheme<3> const scheme(body.principal.inertia, h / body.principal_spin().coordinates.norm());
-  return euler_poincare("SO(3)", scheme.lagrangian(),
-                        scheme.relative_motion(body_momentum(body.principal.inertia, body.principal_spin())).value);
+  return euler_poincare(
+      "SO(3)", scheme.lagrangian(),
+      scheme.relative_motion(body_momentum(body.principal.inertia, body.principal_spin())).value);
 }
 Road heavy_top() {
   auto const known = kovalevskaya_top<double>();
@@ -83,8 +84,8 @@ Road heavy_top() {
   auto const plain = std::make_shared<Plain>(Plain{first, up});
   return {"heavy top", [motion] { motion->advance(); },
           [plain, l] {
-            auto const next = step_advected_euler_poincare_left(l, plain->f, plain->vertical).value;
-            plain->vertical = advect_left(plain->f, plain->vertical), plain->f = next;
+    auto const next = step_advected_euler_poincare_left(l, plain->f, plain->vertical).value;
+    plain->vertical = advect_left(plain->f, plain->vertical), plain->f = next;
           },
           [motion]() -> Report const& { return motion->report(); },
           [motion, plain] { return motion->relative_motion().value.sum() + plain->f.value.sum(); }};
@@ -101,8 +102,8 @@ Road galerkin(int s) {
   run->report.residuals = {0};
   return {"Galerkin, order " + std::to_string(2 * s) + ", SO(3)",
           [run] {
-            auto done = run->step(run->state, h);
-            run->state = done.state, run->report.evaluations = done.evaluations;
+    auto done = run->step(run->state, h);
+    run->state = done.state, run->report.evaluations = done.evaluations;
           },
           [run, s] { run->plain = galerkin_step_left<double>(energy, s)(run->plain, h).state; },
           [run]() -> Report const& { return run->report; },
@@ -128,18 +129,17 @@ int main(int argc, char** argv) {
   for (std::size_t i = 0; i < roads.size(); ++i) {
     contestants.push_back({roads[i].name,
                            [&, i] {
-                             for (long k = 0; k < steps; ++k) {
-                               roads[i].step();
-                               Report const& report = roads[i].report();
-                               evaluations[i] += report.evaluations, ++taken[i];
-                               if (report.tolerance > 0)
-                                 residual = std::max(residual, report.residuals.back() / report.tolerance);
-                             }
+      for (long k = 0; k < steps; ++k) {
+        roads[i].step();
+        Report const& report = roads[i].report();
+        evaluations[i] += report.evaluations, ++taken[i];
+        if (report.tolerance > 0) residual = std::max(residual, report.residuals.back() / report.tolerance);
+      }
                            },
                            steps});
     contestants.push_back({roads[i].name,
                            [&, i] {
-                             for (long k = 0; k < plain_steps; ++k) roads[i].from_scratch();
+      for (long k = 0; k < plain_steps; ++k) roads[i].from_scratch();
                            },
                            plain_steps});
   }
@@ -157,20 +157,21 @@ int main(int argc, char** argv) {
                     book::number(benchmark::ratio_of_best(plain, step))});
     sum += roads[i].sum();
   }
-  program.table("time",
-                {"step", "microseconds", "in Runge-Kutta steps", "evaluations", "from scratch, microseconds",
-                 "times as long"},
-                rows,
-                "A step turns by 0.1, about; the time that a tenth of the rounds came under. A Runge-Kutta step "
-                "of a free body, momentum and attitude, takes " +
-                    book::number(1e9 * benchmark::best_tenth(times[0])) +
-                    " ns. From scratch: Newton's iteration, which uses nothing of the last step.");
+  program.table(
+      "time",
+      {"step", "microseconds", "in Runge-Kutta steps", "evaluations", "from scratch, microseconds",
+       "times as long"},
+      rows,
+      "A step turns by 0.1, about; the time that a tenth of the rounds came under. A Runge-Kutta step "
+      "of a free body, momentum and attitude, takes " +
+          book::number(1e9 * benchmark::best_tenth(times[0])) +
+          " ns. From scratch: Newton's iteration, which uses nothing of the last step.");
   program.figure("so3_us", 1e6 * benchmark::best_tenth(times[1]), "a DEP step on SO(3), microseconds");
   program.figure("so3", so3, "the same in Runge-Kutta steps");
   program.figure("residual", residual, "largest residual over the rounding level it has to come under");
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
-  program.claim_of_time(so3 <= 50, "a DEP step on SO(3) costs at most 50 Runge-Kutta steps; measured " +
-                                       book::number(so3));
+  program.claim_of_time(
+      so3 <= 50, "a DEP step on SO(3) costs at most 50 Runge-Kutta steps; measured " + book::number(so3));
   for (std::size_t i = 0; i < roads.size(); ++i) {
     double const faster = benchmark::ratio_of_best(times[2 * i + 2], times[2 * i + 1]);
     program.claim_of_time(faster >= 1.5, roads[i].name +

@@ -1,8 +1,9 @@
 // What is not asked for is not computed: instructions a step, counted by valgrind.
 //
-// The program counts itself: it starts itself anew under `valgrind --tool=callgrind`, with the word `--count`, and takes two
-// numbers of steps of each kind; the difference holds no set-up. A count does not depend on what else the machine is doing. Where
-// valgrind is missing the program says so and writes no report.
+// The program counts itself: it starts itself anew under `valgrind --tool=callgrind`, with the word
+// `--count`, and takes two numbers of steps of each kind; the difference holds no set-up. A count does not
+// depend on what else the machine is doing. Where valgrind is missing the program says so and writes no
+// report.
 #include <cstdlib>
 #include <cstring>
 
@@ -79,29 +80,37 @@ int main(int argc, char** argv) {
   if (argc == 2 && !std::strcmp(argv[1], "--count")) return count_all();
   benchmark::Benchmark program(argc, argv, "instructions a step: what is not asked for is not computed");
   if (!benchmark::pieces_can_be_counted()) {
-    program.say("valgrind is not there, or was not when this program was compiled, so nothing was counted. On Debian: apt-get install valgrind");
+    program.say(
+        "valgrind is not there, or was not when this program was compiled, so nothing was counted. On "
+        "Debian: apt-get install valgrind");
     return 0;
   }
 
   std::string const self = std::filesystem::canonical("/proc/self/exe").string();
   auto const counted = benchmark::counted_pieces("'" + self + "' --count");
-  auto const count_of = [&](std::string const& name) { return counted.contains(name) ? counted.at(name) : -1; };
+  auto const count_of = [&](std::string const& name) {
+    return counted.contains(name) ? counted.at(name) : -1;
+  };
   std::vector<book::Program::Row> rows;
   double counts[std::size(kinds)];
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
-    double const a = count_of(kinds[i].key + std::string(" few")), b = count_of(kinds[i].key + std::string(" many"));
+    double const a = count_of(kinds[i].key + std::string(" few")),
+                 b = count_of(kinds[i].key + std::string(" many"));
     program.claim(a > 0 && b > a, std::string("valgrind counts the steps of: ") + kinds[i].name);
     counts[i] = (b - a) / (many - few);
     rows.push_back({kinds[i].name, book::number(counts[i], 4)});
-    program.figure(kinds[i].key, counts[i], book::number(counts[i], 4), std::string(kinds[i].name) + ", instructions a step");
+    program.figure(kinds[i].key, counts[i], book::number(counts[i], 4),
+                   std::string(kinds[i].name) + ", instructions a step");
   }
-  program.table("instructions", {"a step with", "instructions"}, rows,
-                "Instructions a step, counted by valgrind; set-up cancels in the difference of two numbers of steps.");
+  program.table(
+      "instructions", {"a step with", "instructions"}, rows,
+      "Instructions a step, counted by valgrind; set-up cancels in the difference of two numbers of steps.");
   program.claim(counts[0] < counts[1], "a step without attitude takes fewer instructions than one with it");
-  program.claim(counts[1] < counts[2], "a step after which no energy is asked for takes fewer instructions than one with it");
+  program.claim(counts[1] < counts[2],
+                "a step after which no energy is asked for takes fewer instructions than one with it");
   program.claim(counts[3] < counts[4], "the same holds of the compensated step");
-  program.headline("momentum alone " + book::number(counts[0], 4) + " instructions, with attitude " + book::number(counts[1], 4) + ", with energy " +
-                       book::number(counts[2], 4),
+  program.headline("momentum alone " + book::number(counts[0], 4) + " instructions, with attitude " +
+                       book::number(counts[1], 4) + ", with energy " + book::number(counts[2], 4),
                    counts[0]);
   return program.finish();
 }

@@ -1,7 +1,9 @@
-// The free body in three dimensions: what a step costs, what an error costs, and how far what is conserved walks away.
+// The free body in three dimensions: what a step costs, what an error costs, and how far what is conserved
+// walks away.
 //
-// The exact half turns, the Moser-Veselov scheme of all orders, and those whom one would otherwise ask: GSL, Boost.odeint, the classical Runge-Kutta
-// method, the algorithm of Hairer and Vilmart, the implicit midpoint rule, splitting. All in one process, in turns.
+// The exact half turns, the Moser-Veselov scheme of all orders, and those whom one would otherwise ask: GSL,
+// Boost.odeint, the classical Runge-Kutta method, the algorithm of Hairer and Vilmart, the implicit midpoint
+// rule, splitting. All in one process, in turns.
 #include "benchmark.hpp"
 #include "book/plot.hpp"
 #include "drift.hpp"
@@ -66,7 +68,9 @@ void step_times(Benchmark& program) {
                     book::number(ratio_of_best(times[i], times[rk]))});
     sum += steppers[i]->state()[3];
   }
-  program.table("steps", {"method", "ns a step", "eight rounds of ten", "in Runge-Kutta steps"}, rows, "A step with h = 0.1; a tenth of " + std::to_string(times[0].size()) + " rounds came under the time and, of both, under that in the ratio.");
+  program.table("steps", {"method", "ns a step", "eight rounds of ten", "in Runge-Kutta steps"}, rows,
+                "A step with h = 0.1; a tenth of " + std::to_string(times[0].size()) +
+                    " rounds came under the time and, of both, under that in the ratio.");
   auto const against_rk = ratios(times[0], times[rk]);
   double const ratio = ratio_of_best(times[0], times[rk]);
   program.figure("step_ns", 1e9 * best_tenth(times[0]), "exact step, momentum and attitude, ns");
@@ -74,11 +78,14 @@ void step_times(Benchmark& program) {
   program.figure("compensated_ns", 1e9 * best_tenth(times[2]), "compensated step, ns");
   program.figure("runge_kutta_ns", 1e9 * best_tenth(times[rk]), "Runge-Kutta step, ns");
   program.figure("step_ratio", ratio, "exact step in Runge-Kutta steps, of the best tenth of the rounds");
-  program.figure("step_ratio_low", quantile(against_rk, 0.1), "the same round by round, a tenth of the rounds below");
+  program.figure("step_ratio_low", quantile(against_rk, 0.1),
+                 "the same round by round, a tenth of the rounds below");
   program.figure("step_ratio_high", quantile(against_rk, 0.9), "the same, a tenth of the rounds above");
   program.figure("compensated_ratio", ratio_of_best(times[2], times[0]), "compensated step in plain ones");
   program.figure("sum", sum, "sum of the last states, so that nothing is left out");
-  program.claim_of_time(ratio <= 0.6, "the exact step with attitude costs at most 0.6 of a Runge-Kutta step; measured " + book::number(ratio));
+  program.claim_of_time(ratio <= 0.6,
+                        "the exact step with attitude costs at most 0.6 of a Runge-Kutta step; measured " +
+                            book::number(ratio));
 }
 
 // ---- What an error costs
@@ -94,9 +101,10 @@ std::vector<Curve> all_curves(Benchmark const& program, Witnesses const& exact) 
   };
   curves.push_back({"exact, each time by one evaluation",
                     [](double) {
-                      States states;
-                      for (int k = 0; k < looks; ++k) states[k] = peers::seven(peers::free_body(task).at(duration * (k + 1) / looks));
-                      return states;
+    States states;
+    for (int k = 0; k < looks; ++k)
+      states[k] = peers::seven(peers::free_body(task).at(duration * (k + 1) / looks));
+    return states;
                     },
                     {}});
   curves.back().runs.push_back(run(curves.back(), looks, exact, patience));
@@ -111,9 +119,13 @@ std::vector<Curve> all_curves(Benchmark const& program, Witnesses const& exact) 
   fixed(peers::odeint_dormand_prince(), 2000, 1.2, 0.1);
   fixed(peers::runge_kutta(), 4000, 1.25, 0.15);
   curves.push_back(with_step_control(
-      "odeint, Fehlberg, step control", [](double tolerance) { return peers::odeint_adaptive<looks>(task, duration, tolerance); }, exact, patience));
+      "odeint, Fehlberg, step control",
+      [](double tolerance) { return peers::odeint_adaptive<looks>(task, duration, tolerance); }, exact,
+      patience));
   curves.push_back(with_step_control(
-      "GSL, Prince-Dormand, step control", [](double tolerance) { return peers::gsl_adaptive<looks>(task, duration, tolerance); }, exact, patience));
+      "GSL, Prince-Dormand, step control",
+      [](double tolerance) { return peers::gsl_adaptive<looks>(task, duration, tolerance); }, exact,
+      patience));
   fixed(peers::moser_veselov_once(2), 10000, 2, 0.05);
   fixed(peers::implicit_midpoint(), 10000, 2, 0.3);
   fixed(peers::splitting(), 10000, 2, 0.15);
@@ -122,7 +134,11 @@ std::vector<Curve> all_curves(Benchmark const& program, Witnesses const& exact) 
 
 void show_curves(book::Program& program, std::vector<Curve> const& curves) {
   std::vector<book::Program::Row> rows;
-  auto plot = book::Plot("processor time, microseconds", "largest error of momentum and attitude up to T = 1000").log_x().log_y().size(760, 520);
+  auto plot =
+      book::Plot("processor time, microseconds", "largest error of momentum and attitude up to T = 1000")
+          .log_x()
+          .log_y()
+          .size(760, 520);
   int shown = 0;
   for (Curve const& c : curves) {
     book::Program::Row row{c.name};
@@ -144,9 +160,11 @@ void show_curves(book::Program& program, std::vector<Curve> const& curves) {
     ++shown;
   }
   program.table("work_precision", {"method", "1e-4", "1e-8", "1e-10", "1e-12", "best error"}, rows,
-                "Microseconds to T = 1000, set-up included, with the best step for each error, which is the largest of momentum and attitude at t = "
+                "Microseconds to T = 1000, set-up included, with the best step for each error, which is the "
+                "largest of momentum and attitude at t = "
                 "100, 200, ... 1000; the last column is the smallest error that any step reached.");
-  program.picture("work_precision", plot.svg(), "Error against processor time, each method with many steps or tolerances.");
+  program.picture("work_precision", plot.svg(),
+                  "Error against processor time, each method with many steps or tolerances.");
 }
 
 // The race at 1e-12: the exact steps and the best of the general-purpose codes, in turns.
@@ -162,17 +180,20 @@ double race(Benchmark& program, std::vector<Curve> const& curves) {
   program.claim(own != nullptr, "the exact steps reach 1e-12");
   if (!own) return 0;
   // Of those that reach 1e-12 the fastest; if none does, of all, each with the step that brings it nearest.
-  bool const reached = std::any_of(others.begin(), others.end(), [](auto const& o) { return o.second->error <= 1e-12; });
+  bool const reached =
+      std::any_of(others.begin(), others.end(), [](auto const& o) { return o.second->error <= 1e-12; });
   if (reached) std::erase_if(others, [](auto const& o) { return o.second->error > 1e-12; });
   std::vector<Contestant> contestants;
   double sum = 0;
   contestants.push_back({exact->name,
                          [&] {
-                           for (int k = 0; k < 50; ++k) sum += exact->solve(own->setting).back()[3];
+    for (int k = 0; k < 50; ++k) sum += exact->solve(own->setting).back()[3];
                          },
                          50});
   for (auto const& [curve, best] : others)
-    contestants.push_back({curve->name, [&sum, curve = curve, setting = best->setting] { sum += curve->solve(setting).back()[3]; }, 1});
+    contestants.push_back(
+        {curve->name,
+         [&sum, curve = curve, setting = best->setting] { sum += curve->solve(setting).back()[3]; }, 1});
   auto const times = in_turns(program.rounds(15), contestants);
   std::size_t first = 1;
   for (std::size_t i = 1; i < times.size(); ++i)
@@ -182,15 +203,19 @@ double race(Benchmark& program, std::vector<Curve> const& curves) {
   program.figure("own_us", 1e6 * best_tenth(times[0]), "exact steps to 1e-12, microseconds");
   program.figure("own_h", duration / own->setting, "their length");
   program.figure("own_error", own->error, "their error");
-  program.figure("other_us", 1e6 * best_tenth(times[first]), "the best of GSL and odeint, " + contestants[first].name + ", microseconds");
-  program.figure("other_name", 1e6 * best_tenth(times[first]), contestants[first].name, "the best of GSL and odeint");
+  program.figure("other_us", 1e6 * best_tenth(times[first]),
+                 "the best of GSL and odeint, " + contestants[first].name + ", microseconds");
+  program.figure("other_name", 1e6 * best_tenth(times[first]), contestants[first].name,
+                 "the best of GSL and odeint");
   program.figure("other_error", others[first - 1].second->error, "its error");
   program.figure("gain", gain, "how many times faster");
   program.figure("gain_low", quantile(faster, 0.1), "the same, a tenth of the rounds below");
   program.figure("gain_high", quantile(faster, 0.9), "the same, a tenth of the rounds above");
   program.figure("race_sum", sum, "sum of the last states");
-  program.claim_of_time(gain >= 300, "to T = 1000 within 1e-12 the exact steps are at least 300 times faster than the best of GSL and odeint; measured " +
-                                 book::number(gain));
+  program.claim_of_time(gain >= 300,
+                        "to T = 1000 within 1e-12 the exact steps are at least 300 times faster than the "
+                        "best of GSL and odeint; measured " +
+                            book::number(gain));
   return gain;
 }
 
@@ -198,20 +223,22 @@ double race(Benchmark& program, std::vector<Curve> const& curves) {
 void end_point(Benchmark& program, double error) {
   double sum = 0, shift = 0;
   auto const times = in_turns(program.rounds(41), {{"end point",
-                                    [&] {
-                                      for (int k = 0; k < 2000; ++k) {
-                                        Task other = task;
-                                        other.M[1] += shift, shift += 1e-9;
-                                        sum += peers::free_body(other).at(duration).attitude.value[0];
-                                      }
-                                    },
-                                    2000}});
+                                                    [&] {
+    for (int k = 0; k < 2000; ++k) {
+      Task other = task;
+      other.M[1] += shift, shift += 1e-9;
+      sum += peers::free_body(other).at(duration).attitude.value[0];
+    }
+                                                    },
+                                                    2000}});
   double const seconds = best_tenth(times[0]);
   program.figure("end_us", 1e6 * seconds, "end point at T = 1000 alone, set-up included, microseconds");
   program.figure("end_us_high", 1e6 * quantile(times[0], 0.9), "the same, a tenth of the rounds above");
   program.figure("end_error", error, "its error");
   program.figure("end_sum", sum, "sum of the attitudes");
-  program.claim_of_time(seconds <= 1e-6, "the end point alone takes at most a microsecond, set-up included; measured " + microseconds(seconds));
+  program.claim_of_time(
+      seconds <= 1e-6,
+      "the end point alone takes at most a microsecond, set-up included; measured " + microseconds(seconds));
   program.claim(error <= 1e-12, "the end point is right to 1e-12; measured " + book::number(error));
 }
 
@@ -237,12 +264,15 @@ void drifts(Benchmark& program) {
   for (auto const& [method, h, key] : entries) {
     auto const stepper = method.make(task, h);
     Drift const d = drift_of(task, *stepper, steps);
-    rows.push_back({method.name, book::number(h), book::number(d.amount, 2), book::number(d.energy, 2), book::number(d.spatial, 2)});
+    rows.push_back({method.name, book::number(h), book::number(d.amount, 2), book::number(d.energy, 2),
+                    book::number(d.spatial, 2)});
     program.figure("drift_amount_" + key, d.amount, method.name + ", amount");
     program.figure("drift_energy_" + key, d.energy, method.name + ", energy");
     program.figure("drift_spatial_" + key, d.spatial, method.name + ", momentum in space");
   }
-  program.table("drift", {"method", "h", "amount", "energy", "momentum in space"}, rows, "Relative change after " + std::string(program.is_short() ? "a million" : "ten million") + " steps.");
+  program.table(
+      "drift", {"method", "h", "amount", "energy", "momentum in space"}, rows,
+      "Relative change after " + std::string(program.is_short() ? "a million" : "ten million") + " steps.");
 }
 
 int main(int argc, char** argv) {
@@ -254,7 +284,8 @@ int main(int argc, char** argv) {
   double const witness_seconds = processor_seconds_of([&] { exact = peers::witness<looks>(task, duration); });
   peers::Exact const early = peers::witness<1>(task, 2)[0];
   double const apart = peers::difference(early, peers::witness_by_library(task, 2));
-  program.claim(apart <= 1e-22, "the witness agrees with taylor_reference at T = 2 to 1e-22; measured " + book::number(apart));
+  program.claim(apart <= 1e-22, "the witness agrees with taylor_reference at T = 2 to 1e-22; measured " +
+                                    book::number(apart));
   program.figure("witness_apart", apart, "the witness at T = 2 against taylor_reference");
   program.figure("witness_s", witness_seconds, "the witness, power series in 50 digits, seconds");
   auto const curves = all_curves(program, exact);
@@ -263,6 +294,8 @@ int main(int argc, char** argv) {
   end_point(program, curves.front().best_error());
 
   drifts(program);
-  program.headline("to T = 1000 within 1e-12 the exact steps are " + book::number(gain) + " times faster than the best of GSL and odeint", gain);
+  program.headline("to T = 1000 within 1e-12 the exact steps are " + book::number(gain) +
+                       " times faster than the best of GSL and odeint",
+                   gain);
   return program.finish();
 }

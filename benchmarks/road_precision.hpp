@@ -34,11 +34,10 @@ struct System {
       for (std::size_t i = 0; i < n; ++i) y[i] = start[i];
       peers::odeint_steps<long double, n>(rate, y, static_cast<long double>(stretch), looks, steps,
                                           [&](int, auto const& at) {
-                                            auto const shown = show(at);
-                                            exact.emplace_back();
-                                            for (std::size_t i = 0; i < m; ++i)
-                                              exact.back()[i] = static_cast<double>(shown[i]);
-                                          });
+        auto const shown = show(at);
+        exact.emplace_back();
+        for (std::size_t i = 0; i < m; ++i) exact.back()[i] = static_cast<double>(shown[i]);
+      });
       if (!coarse.empty())
         for (int k = 0; k < looks; ++k) apart = std::max(apart, error(k + 1, coarse[k]));
       coarse = exact;
@@ -88,14 +87,14 @@ template <class S, class Make>
 Way road_way(S const& system, std::string name, Make make, double first, double ratio) {
   return {std::move(name),
           [&system, make](double setting) {
-            long const steps = std::lround(setting);
-            auto step = make(system.stretch / static_cast<double>(steps));
-            double worst = 0;
-            for (int k = 1; k <= S::looks; ++k) {
-              for (long i = 1; i < steps; ++i) step(false);
-              worst = std::max(worst, system.error(k, step(true)));
-            }
-            return worst;
+    long const steps = std::lround(setting);
+    auto step = make(system.stretch / static_cast<double>(steps));
+    double worst = 0;
+    for (int k = 1; k <= S::looks; ++k) {
+      for (long i = 1; i < steps; ++i) step(false);
+      worst = std::max(worst, system.error(k, step(true)));
+    }
+    return worst;
           },
           first, ratio};
 }
@@ -145,8 +144,8 @@ int compare(Benchmark& program, S& system, std::vector<Way> ways) {
   for (auto const& state : system.exact)
     for (double const x : state) size = std::max(size, std::abs(x));
   double const rounding = 4 * std::numeric_limits<double>::epsilon() * size;
-  program.claim(apart <= rounding,
-                "the witness is good to rounding, " + book::number(rounding) + "; measured " + book::number(apart));
+  program.claim(apart <= rounding, "the witness is good to rounding, " + book::number(rounding) +
+                                       "; measured " + book::number(apart));
   program.claim(std::isfinite(best_own) && std::isfinite(best_other),
                 "the general road and the others reach 1e-9");
   program.headline("to 1e-9 the general road takes " + book::number(best_own / best_other) +

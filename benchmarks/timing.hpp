@@ -43,7 +43,9 @@ inline double median(std::vector<double> v) { return quantile(std::move(v), 0.5)
 /// The time of a contestant on a machine that leaves it alone: a tenth of the rounds came under it.
 inline double best_tenth(std::vector<double> seconds) { return quantile(std::move(seconds), 0.1); }
 /// What one contestant takes in units of another: the ratio by which claims are judged.
-inline double ratio_of_best(std::vector<double> const& a, std::vector<double> const& b) { return best_tenth(a) / best_tenth(b); }
+inline double ratio_of_best(std::vector<double> const& a, std::vector<double> const& b) {
+  return best_tenth(a) / best_tenth(b);
+}
 
 /// a over b, round by round: how far a busy machine moves the ratio.
 inline std::vector<double> ratios(std::vector<double> const& a, std::vector<double> const& b) {

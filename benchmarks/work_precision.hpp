@@ -1,7 +1,8 @@
-// Run time against error: each method with many step lengths over the same task, then for each error to be reached the longest step that reaches it.
+// Run time against error: each method with many step lengths over the same task, then for each error to be
+// reached the longest step that reaches it.
 //
-// The error of a run is the largest at ten times on the way. At the end alone it would pass through zero now and then, and the step that happens
-// to do so would win.
+// The error of a run is the largest at ten times on the way. At the end alone it would pass through zero now
+// and then, and the step that happens to do so would win.
 #pragma once
 
 #include <cmath>
@@ -69,15 +70,17 @@ inline Run run(Curve const& curve, double setting, Witnesses const& exact, Patie
   return out;
 }
 
-/// Steps of one length, from long to short, until a run takes longer than `longest` seconds or no shorter step has helped for a while.
-inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Method const& method, Witnesses const& exact, double first, double ratio,
-                              double longest, Patience const& patience) {
+/// Steps of one length, from long to short, until a run takes longer than `longest` seconds or no shorter
+/// step has helped for a while.
+inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Method const& method,
+                              Witnesses const& exact, double first, double ratio, double longest,
+                              Patience const& patience) {
   Curve curve{method.name,
               [=](double steps) {
-                auto const stepper = method.make(task, time / steps);
-                States states;
-                for (peers::Seven& s : states) stepper->advance(static_cast<long>(steps) / looks), s = stepper->state();
-                return states;
+    auto const stepper = method.make(task, time / steps);
+    States states;
+    for (peers::Seven& s : states) stepper->advance(static_cast<long>(steps) / looks), s = stepper->state();
+    return states;
               },
               {}};
   int idle = 0;
@@ -98,7 +101,8 @@ inline Curve with_fixed_steps(peers::Task const& task, double time, peers::Metho
 
 /// Step control: tolerances from 1e-5 to 1e-14, four to the decade.
 template <class Solve>
-Curve with_step_control(std::string name, Solve const& solve, Witnesses const& exact, Patience const& patience) {
+Curve with_step_control(std::string name, Solve const& solve, Witnesses const& exact,
+                        Patience const& patience) {
   Curve curve{std::move(name), solve, {}};
   // Near the rounding of double the control takes steps without end: 1e-14 is the last.
   for (int k = 20; k <= 56 && (curve.runs.empty() || curve.runs.back().seconds < 0.1 * patience.share); ++k)

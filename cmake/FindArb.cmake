@@ -1,4 +1,5 @@
-# The library of ball arithmetic, as target Arb::arb: for checks and tests. Debian names it flint-arb; from FLINT 3 on it is a part of FLINT.
+# The library of ball arithmetic, as target Arb::arb: for checks and tests. Debian names it flint-arb; from
+# FLINT 3 on it is a part of FLINT.
 find_path(ARB_INCLUDE_DIR arb.h PATH_SUFFIXES flint)
 find_path(FLINT_INCLUDE_DIR flint/flint.h)
 find_library(FLINT_LIBRARY flint)

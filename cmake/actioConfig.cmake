@@ -1,4 +1,5 @@
-# What a project gets from find_package(actio): actio::actio, and actio::numbers, actio::groups, ... one by one.
+# What a project gets from find_package(actio): actio::actio, and actio::numbers, actio::groups, ... one by
+# one.
 include(CMakeFindDependencyMacro)
 list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
 find_dependency(Eigen3 3.4)

@@ -1,4 +1,5 @@
-# How the project builds its own programs: warnings, optimisation, precompiled headers, the log of compile times.
+# How the project builds its own programs: warnings, optimisation, precompiled headers, the log of compile
+# times.
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -32,8 +33,9 @@ target_compile_features(actio_book PUBLIC cxx_std_20)
 target_compile_options(actio_book PRIVATE -Wall -Wextra)
 set_target_properties(actio_book PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD ON)
 
-# actio_own(TARGET LEVEL): our own code, at -O2 (LEVEL fast), or at -Og where multiprecision dominates (LEVEL brief).
-# There -Og runs as fast as -O1 over the rationals and within a fifth of it in 50 digits, and compiles in two thirds of the time.
+# actio_own(TARGET LEVEL): our own code, at -O2 (LEVEL fast), or at -Og where multiprecision dominates (LEVEL
+# brief). There -Og runs as fast as -O1 over the rationals and within a fifth of it in 50 digits, and compiles
+# in two thirds of the time.
 function(actio_own target level)
   target_compile_features(${target} PRIVATE cxx_std_20)
   target_compile_options(${target} PRIVATE -Wall -Wextra)
@@ -54,8 +56,9 @@ function(actio_own target level)
   endif()
 endfunction()
 
-# The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -Og, where all the tests are,
-# Boost.Test (which every target that includes it must link) and the library itself: reading that takes two seconds, and there are over a hundred units.
+# The headers that cost the most, compiled once per level: Boost.Multiprecision and Eigen, and at -Og, where
+# all the tests are, Boost.Test (which every target that includes it must link) and the library itself:
+# reading that takes two seconds, and there are over a hundred units.
 if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/precompiled.cpp" CONTENT "")
   foreach(level IN ITEMS fast brief)
@@ -65,9 +68,9 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
     target_precompile_headers(actio_precompiled_${level} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp")
   endforeach()
   file(GLOB_RECURSE own CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/actio/*.hpp")
-  # Not the catalogue, which few tests read; nor natural charts and steppers, which few units take; nor the heavy top
-  # and the bodies that are moved fast: functions there that are no templates would be compiled
-  # in every unit; nor Part II, which few units need.
+  # Not the catalogue, which few tests read; nor natural charts and steppers, which few units take; nor the
+  # heavy top and the bodies that are moved fast: functions there that are no templates would be compiled in
+  # every unit; nor Part II, which few units need.
   list(FILTER own EXCLUDE REGEX "bodies/|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps|remembered_solutions|composition|galerkin|heavy_top|numbers/(second_order|square_root|divergence|number_row)|/(fast_body|scene|forms|jets|continuum|constraints|incompressible|noether)/")
   target_precompile_headers(actio_precompiled_brief PRIVATE <boost/test/unit_test.hpp> ${own})
 endif()

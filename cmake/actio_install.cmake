@@ -1,4 +1,5 @@
-# Install and export: after `cmake --install`, find_package(actio) gives actio::actio and one target per module.
+# Install and export: after `cmake --install`, find_package(actio) gives actio::actio and one target per
+# module.
 include(CMakePackageConfigHelpers)
 set(actio_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/actio)
 

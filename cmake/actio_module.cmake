@@ -1,7 +1,7 @@
 # actio_module(NAME [USES module...] [LINKS target...])
 #
-# One folder src/actio/NAME of headers is one INTERFACE target actio_NAME, exported as actio::NAME. USES names the modules that
-# its headers may include; what those use comes along.
+# One folder src/actio/NAME of headers is one INTERFACE target actio_NAME, exported as actio::NAME. USES names
+# the modules that its headers may include; what those use comes along.
 function(actio_module name)
   cmake_parse_arguments(arg "" "" "USES;LINKS" ${ARGN})
   add_library(actio_${name} INTERFACE)

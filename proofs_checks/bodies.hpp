@@ -1,5 +1,5 @@
-// Models of generalised rigid bodies, over every scalar: rotations of three, four and five dimensions, distributions of mass, motions of the Moser-Veselov
-// scheme by design.
+// Models of generalised rigid bodies, over every scalar: rotations of three, four and five dimensions,
+// distributions of mass, motions of the Moser-Veselov scheme by design.
 #pragma once
 
 #include <utility>
@@ -9,9 +9,11 @@
 
 namespace actio::checks {
 
-/// SO(3), SO(4), SO(5). In SO(3) an index of a plane is one of an axis, and mistakes pass; in the others they do not.
+/// SO(3), SO(4), SO(5). In SO(3) an index of a plane is one of an axis, and mistakes pass; in the others they
+/// do not.
 inline std::vector<SpannedGroup> const& rotation_groups() {
-  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}), spanned("SO(5)", SO<5>{})};
+  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}),
+                                                   spanned("SO(5)", SO<5>{})};
   return groups;
 }
 /// The matrix of a velocity, drawn.
@@ -26,19 +28,16 @@ Matrix<S> draw_symmetric(Draw& draw, int n) {
 }
 /// A rotation, drawn, as a matrix.
 template <class S>
-Matrix<S> draw_rotation(Draw& draw, SpannedGroup const& group) {
-  return draw.element<S>(group, S(1)).value;
-}
+Matrix<S> draw_rotation(Draw& draw, SpannedGroup const& group) { return draw.element<S>(group, S(1)).value; }
 template <class S>
-Matrix<S> identity_matrix(int n) {
-  return Matrix<S>::Identity(n, n);
-}
+Matrix<S> identity_matrix(int n) { return Matrix<S>::Identity(n, n); }
 
 /// \f$\Lambda\f$ of a generalised body: diagonal, all sums of two positive, the first entry itself negative.
 template <class S>
 Matrix<S> draw_second_moments(Draw& draw, int n) {
   Matrix<S> lambda = Matrix<S>::Zero(n, n);
-  for (int i = 0; i < n; ++i) lambda(i, i) = i == 0 ? S(draw.number<S>() / 8 - ratio<S>(1, 4)) : S(S(1) + draw.number<S>() / 4);
+  for (int i = 0; i < n; ++i)
+    lambda(i, i) = i == 0 ? S(draw.number<S>() / 8 - ratio<S>(1, 4)) : S(S(1) + draw.number<S>() / 4);
   return lambda;
 }
 /// \f$\Lambda\xi + \xi\Lambda\f$.
@@ -137,26 +136,31 @@ T trace_of(Matrix<T> const& a, Matrix<T> const& b) {
   return sum;
 }
 
-/// Three attitudes that are a motion of a body for the sum of \f$\mathrm{Tr}(g_k\Lambda g_{k+1}^T)\f$, and its relative motions.
+/// Three attitudes that are a motion of a body for the sum of \f$\mathrm{Tr}(g_k\Lambda g_{k+1}^T)\f$, and
+/// its relative motions.
 template <class S>
 struct BodyMotion {
   Matrix<S> lambda, before, at, after, f10, f21;
 };
-/// The sum of the two terms in which the middle one of three configurations occurs, as it changes with that configuration.
+/// The sum of the two terms in which the middle one of three configurations occurs, as it changes with that
+/// configuration.
 template <class S>
-S slope_of_sum(Matrix<S> const& lambda, Matrix<S> const& before, Matrix<S> const& after, Matrix<S> const& change) {
+S slope_of_sum(Matrix<S> const& lambda, Matrix<S> const& before, Matrix<S> const& after,
+               Matrix<S> const& change) {
   return contract(change, Matrix<S>(after * lambda)) + contract(Matrix<S>(before * lambda), change);
 }
 /// Three attitudes at random, and a symmetric \f$\Lambda\f$ of which they are a motion.
 ///
-/// \f$\Lambda\f$ has more entries than there are equations, and these are linear in it: the smallest change of a drawn one that satisfies them. They say that
-/// the sum does not change as the middle configuration turns, with nothing carried out. A diagonal \f$\Lambda\f$ has too few entries for that; a frame of the body in
-/// which it is diagonal would take roots.
+/// \f$\Lambda\f$ has more entries than there are equations, and these are linear in it: the smallest change
+/// of a drawn one that satisfies them. They say that the sum does not change as the middle configuration
+/// turns, with nothing carried out. A diagonal \f$\Lambda\f$ has too few entries for that; a frame of the
+/// body in which it is diagonal would take roots.
 template <class S>
 BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
   int const n = group.matrix_size(), d = group.dimension();
   BodyMotion<S> motion;
-  motion.f10 = draw_rotation<S>(draw, group), motion.f21 = draw_rotation<S>(draw, group), motion.at = draw_rotation<S>(draw, group);
+  motion.f10 = draw_rotation<S>(draw, group), motion.f21 = draw_rotation<S>(draw, group),
+  motion.at = draw_rotation<S>(draw, group);
   motion.before = motion.at * motion.f10, motion.after = motion.at * motion.f21.transpose();
   motion.lambda = draw_second_moments<S>(draw, n);
   auto const slopes = [&](Matrix<S> const& lambda) {
@@ -174,12 +178,14 @@ BodyMotion<S> draw_body_motion(Draw& draw, SpannedGroup const& group) {
       directions.back()(i, j) = directions.back()(j, i) = S(1);
     }
   Matrix<S> columns(d, static_cast<int>(directions.size()));
-  for (std::size_t k = 0; k < directions.size(); ++k) columns.col(static_cast<int>(k)) = slopes(directions[k]);
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    columns.col(static_cast<int>(k)) = slopes(directions[k]);
   Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
   // The normal equations square the condition: solve again for the residual.
   for (int pass = 0; pass < (exact_arithmetic<S>() ? 1 : 3); ++pass) {
     Vector<S> const change = transposed * solve_linear(square, slopes(motion.lambda), "draw_body_motion");
-    for (std::size_t k = 0; k < directions.size(); ++k) motion.lambda -= directions[k] * S(change[static_cast<int>(k)]);
+    for (std::size_t k = 0; k < directions.size(); ++k)
+      motion.lambda -= directions[k] * S(change[static_cast<int>(k)]);
   }
   return motion;
 }

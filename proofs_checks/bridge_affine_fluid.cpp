@@ -1,14 +1,16 @@
-// Between the two parts: a drop of ideal fluid whose motion stays linear is a field on the one hand, and a geodesic of SL(n) on the other.
+// Between the two parts: a drop of ideal fluid whose motion stays linear is a field on the one hand, and a
+// geodesic of SL(n) on the other.
 //
-// The motion is phi(t, X) = A(t) X with A in SL(n), the drop the unit ball. Part II knows it as a section with a pressure, m/2 (1 - |X|^2). Part I knows it as a motion of a
-// group whose Lagrangian is invariant but for the advected vector A A^T, and discretizes it.
+// The motion is phi(t, X) = A(t) X with A in SL(n), the drop the unit ball. Part II knows it as a section
+// with a pressure, m/2 (1 - |X|^2). Part I knows it as a motion of a group whose Lagrangian is invariant but
+// for the advected vector A A^T, and discretizes it.
 #include "actio/groups/special_linear.hpp"
-#include "witness/taylor_reference.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "actio/jets/field_equations.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
 #include "statement.hpp"
+#include "witness/taylor_reference.hpp"
 
 namespace {
 
@@ -37,7 +39,8 @@ struct ReducedStep {
   S h;
   template <class F, class T>
   T operator()(F const& f, actio::Matrix<T, n * n, 1> const& a) const {
-    actio::Matrix<T, n, n> const d = inverse(f).value - actio::Matrix<T, n, n>::Identity(), M = as_matrix<n, n>(a.data());
+    actio::Matrix<T, n, n> const d = inverse(f).value - actio::Matrix<T, n, n>::Identity(),
+                                 M = as_matrix<n, n>(a.data());
     return T((d * (M * d.transpose()).eval()).trace() / T(Base<T>(h) * 2));
   }
 };
@@ -52,9 +55,7 @@ struct OnSquares {
   }
 };
 template <class S, int n>
-actio::Matrix<S, n * n, 1> column(actio::Matrix<S, n, n> const& m) {
-  return m.reshaped();
-}
+actio::Matrix<S, n * n, 1> column(actio::Matrix<S, n, n> const& m) { return m.reshaped(); }
 
 /// \f$m = \mathrm{tr}\,(\dot AA^{-1})^2/\mathrm{tr}\,(A^{-1}A^{-T})\f$, with which \f$\ddot A = mA^{-T}\f$
 /// preserves the determinant.
@@ -65,7 +66,9 @@ S pressure_of_drop(actio::Matrix<S, n, n> const& inverse, actio::Matrix<S, n, n>
 }
 /// The second jet of the drop's motion, and of the multiplier \f$\frac m2(1 - |X|^2)\f$, at a particle.
 template <class S, int n>
-SecondJet<S, n, n + 1> jet_of_drop(actio::Matrix<S, n, n> const& A, actio::Matrix<S, n, n> const& V, actio::Matrix<S, n, n> const& acceleration, S const& m, actio::Matrix<S, n, 1> const& X) {
+SecondJet<S, n, n + 1> jet_of_drop(actio::Matrix<S, n, n> const& A, actio::Matrix<S, n, n> const& V,
+                                   actio::Matrix<S, n, n> const& acceleration, S const& m,
+                                   actio::Matrix<S, n, 1> const& X) {
   SecondJet<S, n, n + 1> j;
   j.x << S(0), X;
   j.y << A * X, m / S(2) * (S(1) - X.dot(X));
@@ -123,20 +126,28 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
   // The first step leaves with the momentum of the velocity V at the identity.
   int const dim = SL<n>{}.dimension();
   Momentum<SL<n>, double> mu{SL<n>{}, Coordinates<SL<n>, double>(dim)};
-  for (int a = 0; a < dim; ++a) mu.components[a] = (V.transpose() * SL<n>{}.hat(Coordinates<SL<n>, double>(Coordinates<SL<n>, double>::Unit(a)))).trace();
+  for (int a = 0; a < dim; ++a)
+    mu.components[a] =
+        (V.transpose() * SL<n>{}.hat(Coordinates<SL<n>, double>(Coordinates<SL<n>, double>::Unit(a))))
+            .trace();
   auto const start = exp(velocity(SL<n>{}, SL<n>{}.vee(Matrix(h * V))));
   auto before = one;
-  auto configuration = solve_on_group([&](auto const& g) { return D1(L, like(g, one), g) + like(g, mu); }, start).value;
+  auto configuration =
+      solve_on_group([&](auto const& g) { return D1(L, like(g, one), g) + like(g, mu); }, start).value;
   auto f = before * inverse(configuration);
   auto reduced_before = before, reduced = configuration;
-  Matrix const circulation = before.value.transpose() * configuration.value - configuration.value.transpose() * before.value;
+  Matrix const circulation =
+      before.value.transpose() * configuration.value - configuration.value.transpose() * before.value;
   Run found{0, 0, 0};
   for (int k = 1; k < steps; ++k) {
     auto const next = step_euler_lagrange(L, before, configuration).value;
     before = configuration, configuration = next;
-    f = step_advected_euler_poincare_right(l, f, column<double, n>(reduced_before.value * reduced_before.value.transpose()), OnSquares<n>{}).value;
+    f = step_advected_euler_poincare_right(
+            l, f, column<double, n>(reduced_before.value * reduced_before.value.transpose()), OnSquares<n>{})
+            .value;
     reduced_before = reduced, reduced = restore(inverse(f) * reduced);
-    Matrix const now = reduced_before.value.transpose() * reduced.value - reduced.value.transpose() * reduced_before.value;
+    Matrix const now =
+        reduced_before.value.transpose() * reduced.value - reduced.value.transpose() * reduced_before.value;
     found.drift = std::max(found.drift, magnitude(Matrix(now - circulation)) / magnitude(circulation));
     found.sides = std::max(found.sides, magnitude(Matrix(reduced.value - configuration.value)));
   }
@@ -150,34 +161,54 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
 }  // namespace
 
 STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of SL(n)") {
-  claim.holds("The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is advected. The reduced discrete equations are those of remark 3.1.3 with it.");
-  // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is drawn.
+  claim.holds(
+      "The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is "
+      "advected. The reduced discrete equations are those of remark 3.1.3 with it.");
+  // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is
+  // drawn.
   auto const in_dimension = [&]<int n>() {
     using Matrix = actio::Matrix<S, n, n>;
     std::string const model = "SL(" + std::to_string(n) + ")";
     auto const configuration = draw.element<S>(SL<n>{});
-    Matrix const A = configuration.value, inverse = inverse_matrix(A), V = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
+    Matrix const A = configuration.value, inverse = inverse_matrix(A),
+                 V = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
     S const m = pressure_of_drop<S, n>(inverse, V);
     actio::Matrix<S, n, 1> const X = draw.vector<S, actio::Matrix<S, n, 1>>(n);
-    auto const density = incompressible(Continuum{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{}, NoStoredEnergy{}});
-    auto const force = [&](S const& factor) { return euler_lagrange(density, jet_of_drop<S, n>(A, V, factor * inverse.transpose(), m, X)); };
+    auto const density =
+        incompressible(Continuum{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{}, NoStoredEnergy{}});
+    auto const force = [&](S const& factor) {
+      return euler_lagrange(density, jet_of_drop<S, n>(A, V, factor * inverse.transpose(), m, X));
+    };
     S const size = size_of(m) * size_of(inverse) * size_of(X) + S(1);
     claim.zero("the field equations, with the drop's pressure", model, force(m), size);
     claim.refutes("an acceleration the other way", model, force(-m), size);
     Matrix const rate = V * inverse;
-    claim.zero("the volume stays, to second order", model, S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()), size_of(rate) * size_of(rate));
+    claim.zero("the volume stays, to second order", model,
+               S((inverse * (m * inverse.transpose())).trace() - (rate * rate).trace()),
+               size_of(rate) * size_of(rate));
 
-    // What the discrete equations say of three configurations: the second difference is a multiple of the inverse transposed, the discrete gradient of a pressure.
+    // What the discrete equations say of three configurations: the second difference is a multiple of the
+    // inverse transposed, the discrete gradient of a pressure.
     auto const a0 = draw.element<S>(SL<n>{}), a1 = draw.element<S>(SL<n>{}), a2 = draw.element<S>(SL<n>{});
     S const h = ratio<S>(1, 3);
     auto const residual = discrete_euler_lagrange(StepOfDrop<S>{h}, a0, a1, a2);
     Matrix const moment = (S(2) * a1.value - a0.value - a2.value) * a1.value.transpose() / h;
     actio::Matrix<S, Dynamic, 1> paired(SL<n>{}.dimension());
-    for (int a = 0; a < paired.size(); ++a) paired[a] = (moment.transpose() * SL<n>{}.hat(Coordinates<SL<n>, S>(Coordinates<SL<n>, S>::Unit(a)))).trace();
-    claim.equal("discrete equations and second differences, but for a pressure", model, residual.components.eval(), paired.eval());
-    auto const reduced = advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(a0.value * a0.value.transpose()), a1 * actio::inverse(a2), OnSquares<n>{});
-    claim.equal("and the reduced ones with the advected square", model, reduced.components.eval(), residual.components.eval());
-    claim.differs("the square held fixed", model, advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1), column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2), OnSquares<n>{}).components.eval(),
+    for (int a = 0; a < paired.size(); ++a)
+      paired[a] =
+          (moment.transpose() * SL<n>{}.hat(Coordinates<SL<n>, S>(Coordinates<SL<n>, S>::Unit(a)))).trace();
+    claim.equal("discrete equations and second differences, but for a pressure", model,
+                residual.components.eval(), paired.eval());
+    auto const reduced = advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1),
+                                                       column<S, n>(a0.value * a0.value.transpose()),
+                                                       a1 * actio::inverse(a2), OnSquares<n>{});
+    claim.equal("and the reduced ones with the advected square", model, reduced.components.eval(),
+                residual.components.eval());
+    claim.differs("the square held fixed", model,
+                  advected_euler_poincare_right(ReducedStep<S, n>{h}, a0 * actio::inverse(a1),
+                                                column<S, n>(Matrix::Identity()), a1 * actio::inverse(a2),
+                                                OnSquares<n>{})
+                      .components.eval(),
                   residual.components.eval());
     if (n == 3 && claim.fits_orders()) {
       Matrix velocity = draw.vector<S, actio::Matrix<S, Dynamic, 1>>(n * n).reshaped(n, n);
@@ -189,7 +220,8 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
       for (int const count : {8, 12, 16, 24, 32, 48}) {
         Run const found = run<n>(count, start);
         steps.push_back(1.0 / count), errors.push_back(found.miss);
-        // A step solves its equation to a few roundings of a momentum that is 1/h times the configurations; so many steps of them add up.
+        // A step solves its equation to a few roundings of a momentum that is 1/h times the configurations;
+        // so many steps of them add up.
         claim.zero("circulation along the reduced motion", model, found.drift, 1.0, count);
         claim.zero("the reduced and the unreduced motion", model, found.sides, 1.0, count);
       }

@@ -1,6 +1,7 @@
 // Section 2.1, over finite times: the action of a curve and its variation.
 //
-// Curves are polynomials in time (exact_motions.hpp), integrals are exact, so every residual is zero over the rationals.
+// Curves are polynomials in time (exact_motions.hpp), integrals are exact, so every residual is zero over the
+// rationals.
 
 #include "actio/variational/curves.hpp"
 #include "actio/variational/euler_lagrange.hpp"
@@ -38,13 +39,15 @@ Vector<S> residual_in_entries(ExactMotions<S> const& m, Entries const& q, S cons
 /// dL/dv in entries along a curve of entries.
 template <class S, class Entries>
 Vector<S> momenta_in_entries(ExactMotions<S> const& m, Entries const& q, S const& t) {
-  return momenta([&](auto const& x, auto const& v) { return m.in_entries(x, v); }, Vector<S>(q(t)), rate_of(q, t));
+  return momenta([&](auto const& x, auto const& v) { return m.in_entries(x, v); }, Vector<S>(q(t)),
+                 rate_of(q, t));
 }
 
 }  // namespace
 
 STATEMENT(eq_2_1, "the action of a curve") {
-  claim.holds("The integral does not depend on the coordinates that express g and its rate; it depends on a and b.");
+  claim.holds(
+      "The integral does not depend on the coordinates that express g and its rate; it depends on a and b.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -52,16 +55,22 @@ STATEMENT(eq_2_1, "the action of a curve") {
     auto const q = entries_of(m, curve);
     S const a = ratio<S>(-1, 5), b = ratio<S>(2, 5);
 
-    // The library integrates along tangents in TG; the formula of the page is written in entries and their rates.
+    // The library integrates along tangents in TG; the formula of the page is written in entries and their
+    // rates.
     S const intrinsic = action(m, curve, a, b, rule);
     claim.equal("integral along the tangent = integral in coordinates", model, intrinsic,
-                rule([&](S const& t) { return m.in_entries(Vector<S>(q(t)), rate_of(q, t)); }, a, b), amplification);
+                rule([&](S const& t) { return m.in_entries(Vector<S>(q(t)), rate_of(q, t)); }, a, b),
+                amplification);
     S const middle = ratio<S>(1, 7);
-    claim.equal("additive over adjoining intervals", model, S(action(m, curve, a, middle, rule) + action(m, curve, middle, b, rule)),
-                intrinsic, amplification);
+    claim.equal("additive over adjoining intervals", model,
+                S(action(m, curve, a, middle, rule) + action(m, curve, middle, b, rule)), intrinsic,
+                amplification);
     // Controls: a velocity that is not the curve's; another interval.
-    claim.differs("twice the velocity", model,
-                  rule([&](S const& t) { return m.in_entries(Vector<S>(q(t)), Vector<S>(rate_of(q, t) * S(2))); }, a, b), intrinsic);
+    claim.differs(
+        "twice the velocity", model,
+        rule([&](S const& t) { return m.in_entries(Vector<S>(q(t)), Vector<S>(rate_of(q, t) * S(2))); }, a,
+             b),
+        intrinsic);
     claim.differs("another end", model, action(m, curve, a, middle, rule), intrinsic);
   });
 }
@@ -77,18 +86,22 @@ STATEMENT(eq_2_2, "the action is stationary at motions") {
     auto const fixed = draw_direction<S>(draw, group.dimension(), a, b, true),
                loose = draw_direction<S>(draw, group.dimension(), a, b, false);
 
-    // Fixed ends: the first variation vanishes at a motion. Its terms are as large as those of the variation with loose ends.
+    // Fixed ends: the first variation vanishes at a motion. Its terms are as large as those of the variation
+    // with loose ends.
     S const with_loose_ends = action_variation(m, shifted(m, motion, loose), a, b, rule);
-    claim.zero("dS = 0 at a motion, ends fixed", model, action_variation(m, shifted(m, motion, fixed), a, b, rule),
-               size_of(with_loose_ends), amplification);
-    // Only the first-order change of the curve counts: bend the family at second order, and bend its parameter.
-    auto const family = shifted(m, other, fixed), bent_family = [&](auto const&e, auto const&t) {
+    claim.zero("dS = 0 at a motion, ends fixed", model,
+               action_variation(m, shifted(m, motion, fixed), a, b, rule), size_of(with_loose_ends),
+               amplification);
+    // Only the first-order change of the curve counts: bend the family at second order, and bend its
+    // parameter.
+    auto const family = shifted(m, other, fixed), bent_family = [&](auto const& e, auto const& t) {
       using T = std::decay_t<decltype(t)>;
-      return m.configuration(Vector<T>(m.read(Matrix<T>(other(t).value)) + fixed(t) * (e + e * e) + loose(t) * (e * e)));
+      return m.configuration(
+          Vector<T>(m.read(Matrix<T>(other(t).value)) + fixed(t) * (e + e * e) + loose(t) * (e * e)));
     };
     S const off_motion = action_variation(m, family, a, b, rule);
-    claim.equal("the same for every family with the same first-order change", model, action_variation(m, bent_family, a, b, rule),
-                off_motion, amplification);
+    claim.equal("the same for every family with the same first-order change", model,
+                action_variation(m, bent_family, a, b, rule), off_motion, amplification);
     // Controls.
     claim.refutes("ends that move", model, with_loose_ends, size_of(m(tangent(motion, a))));
     claim.refutes("a curve that is no motion", model, off_motion, size_of(m(tangent(other, a))));
@@ -108,19 +121,25 @@ STATEMENT(eq_2_3, "first variation of the action, integrated by parts") {
     auto const inside = [&](auto const& delta) {
       return rule([&](S const& t) { return S(Vector<S>(delta(t)).dot(residual_in_entries(m, q, t))); }, a, b);
     };
-    auto const boundary = [&](auto const& delta, S const& t) { return S(momenta_in_entries(m, q, t).dot(Vector<S>(delta(t)))); };
+    auto const boundary = [&](auto const& delta, S const& t) {
+      return S(momenta_in_entries(m, q, t).dot(Vector<S>(delta(t))));
+    };
 
     S const dS = action_variation(m, shifted(m, curve, loose), a, b, rule);
-    claim.equal("dS = integral + boundary", model, dS, S(inside(loose) + boundary(loose, b) - boundary(loose, a)), amplification);
-    claim.equal("fixed ends: no boundary", model, action_variation(m, shifted(m, curve, fixed), a, b, rule), inside(fixed), amplification);
+    claim.equal("dS = integral + boundary", model, dS,
+                S(inside(loose) + boundary(loose, b) - boundary(loose, a)), amplification);
+    claim.equal("fixed ends: no boundary", model, action_variation(m, shifted(m, curve, fixed), a, b, rule),
+                inside(fixed), amplification);
     // Controls: no boundary, ends in the other order.
     claim.differs("boundary term left out", model, dS, inside(loose));
-    claim.differs("boundary term from b to a", model, dS, S(inside(loose) + boundary(loose, a) - boundary(loose, b)));
+    claim.differs("boundary term from b to a", model, dS,
+                  S(inside(loose) + boundary(loose, a) - boundary(loose, b)));
   });
 }
 
 STATEMENT(eq_2_5, "first variation of the action with free ends") {
-  claim.holds("The boundary term is the one-form (dL/dg') dg, which is the Lagrange one-form of the library.");
+  claim.holds(
+      "The boundary term is the one-form (dL/dg') dg, which is the Lagrange one-form of the library.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -140,14 +159,17 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
     claim.equal("(dL/dg') dg is the Lagrange one-form", model, one_form(b), boundary(b), amplification);
     // Controls: only one end moves; a one-form with the whole velocity's change in it.
     claim.differs("the end a held fixed", model, dS, boundary(b));
-    claim.differs("momentum paired with the change of the velocity", model,
-                  pair(legendre(m, tangent(motion, b)), lifted_variation(shifted(m, motion, loose), b).velocity), boundary(b));
+    claim.differs(
+        "momentum paired with the change of the velocity", model,
+        pair(legendre(m, tangent(motion, b)), lifted_variation(shifted(m, motion, loose), b).velocity),
+        boundary(b));
   });
 }
 
 STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form at the ends") {
   claim.convention(
-      "With the lifted variation taken at the time t of the end point, not at t = 0 as its definition below (2.6) is printed "
+      "With the lifted variation taken at the time t of the end point, not at t = 0 as its definition below "
+      "(2.6) is printed "
       "(claim_2_1_lifted_variation).");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
@@ -157,11 +179,15 @@ STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form 
     auto const family = shifted(m, curve, draw_direction<S>(draw, group.dimension(), a, b, false));
     auto const inside = [&](S const& t) {
       auto const acceleration = second_tangent(curve, t).velocity;
-      return pair(euler_lagrange(m, tangent(curve, t), acceleration), lifted_variation(family, t).configuration);
+      return pair(euler_lagrange(m, tangent(curve, t), acceleration),
+                  lifted_variation(family, t).configuration);
     };
-    auto const one_form = [&](S const& t) { return lagrange_one_form(m, tangent(curve, t), lifted_variation(family, t)); };
+    auto const one_form = [&](S const& t) {
+      return lagrange_one_form(m, tangent(curve, t), lifted_variation(family, t));
+    };
 
-    S const dS = action_variation(m, family, a, b, rule), integral = rule(inside, a, b), boundary = one_form(b) - one_form(a);
+    S const dS = action_variation(m, family, a, b, rule), integral = rule(inside, a, b),
+            boundary = one_form(b) - one_form(a);
     claim.equal("(2.6), without coordinates", model, dS, S(integral + boundary), amplification);
     // Controls: either part alone; the sign of the boundary.
     claim.differs("integral alone", model, dS, integral);
@@ -171,10 +197,12 @@ STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form 
 }
 
 STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of the variation") {
-  claim.corrected(R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_\epsilon(t))",
-                  R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
-                  "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend on t, and (2.6) fails unless "
-                  "it is evaluated at one end only.");
+  claim.corrected(
+      R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_\epsilon(t))",
+      R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
+      "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend on t, and "
+      "(2.6) fails unless "
+      "it is evaluated at one end only.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -186,16 +214,19 @@ STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of t
     // The lift covers the variation, and its velocity part is theta' - [xi, theta].
     Dual<S> epsilon(S(0));
     epsilon.part[0] = S(1);
-    claim.equal("the lift covers the variation", model, lifted.configuration, rate_right(family(epsilon, Dual<S>(b))), amplification);
+    claim.equal("the lift covers the variation", model, lifted.configuration,
+                rate_right(family(epsilon, Dual<S>(b))), amplification);
     auto const along_time = [&](auto const& t) { return lifted_variation(family, t).configuration; };
     Dual<S> time(b);
     time.part[0] = S(1);
     auto const xi = tangent(motion, b).velocity;
-    claim.equal("its velocity part", model, lifted.velocity, rate(along_time(time)) - bracket(xi, lifted.configuration), amplification);
+    claim.equal("its velocity part", model, lifted.velocity,
+                rate(along_time(time)) - bracket(xi, lifted.configuration), amplification);
     // (2.6) along a motion is its boundary part.
     S const dS = action_variation(m, family, a, b, rule);
     auto const end = [&](S const& t, auto const& w) { return lagrange_one_form(m, tangent(motion, t), w); };
-    claim.equal("(2.6) with the lift at t", model, dS, S(end(b, lifted) - end(a, lifted_variation(family, a))), amplification);
+    claim.equal("(2.6) with the lift at t", model, dS,
+                S(end(b, lifted) - end(a, lifted_variation(family, a))), amplification);
     // Control: as printed.
     claim.differs("the lift as printed, at t = 0", model, dS, S(end(b, at_zero) - end(a, at_zero)));
   });
@@ -204,21 +235,21 @@ STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of t
 // ----
 // Section 2.1, over finite times: the action of motions, their flow, and what it preserves.
 //
-// The flow is a polynomial in time (exact_motions.hpp), integrals are exact, so every residual is zero over the rationals. Flows that are no polynomials
-// are tried in double and 50 digits.
+// The flow is a polynomial in time (exact_motions.hpp), integrals are exact, so every residual is zero over
+// the rationals. Flows that are no polynomials are tried in double and 50 digits.
 
 namespace {
 
-
 /// The tangent of the flow of exact motions.
 template <class S>
-StateChange<SpannedGroup, S> flow_tangent(ExactMotions<S> const& m, State<SpannedGroup, S> const& v, StateChange<SpannedGroup, S> const& w,
-                                          S const& t) {
+StateChange<SpannedGroup, S> flow_tangent(ExactMotions<S> const& m, State<SpannedGroup, S> const& v,
+                                          StateChange<SpannedGroup, S> const& w, S const& t) {
   return change_of(m.flow(moved(v, w), Dual<S>(t)));
 }
 /// S_t, the action of the motion from v, as (2.7) says it.
 template <class T, class S>
-T action_of_motion(ExactMotions<S> const& m, State<SpannedGroup, T> const& v, S const& t, Quadrature<S> const& rule) {
+T action_of_motion(ExactMotions<S> const& m, State<SpannedGroup, T> const& v, S const& t,
+                   Quadrature<S> const& rule) {
   return rule([&](T const& s) { return m(m.flow(v, s)); }, T(0), T(t));
 }
 
@@ -244,19 +275,24 @@ STATEMENT(eq_2_7, "the action as a function of the initial velocity") {
 
     // (g(s), g'(s)) = F_s(v) solves (2.4) and begins at v; F is a flow. This is what S_t integrates along.
     auto const motion = m.motion(v);
-    claim.equal("F_s(v) is the tangent of a curve", model, after.velocity, tangent(motion, t).velocity, amplification);
-    claim.zero("that solves the Euler-Lagrange equations", model, euler_lagrange(m, after, second_tangent(motion, t).velocity),
+    claim.equal("F_s(v) is the tangent of a curve", model, after.velocity, tangent(motion, t).velocity,
+                amplification);
+    claim.zero("that solves the Euler-Lagrange equations", model,
+               euler_lagrange(m, after, second_tangent(motion, t).velocity),
                size_of(ad_star(after.velocity, legendre(m, after))), 10 * amplification);
     // Motions follow one another, so their actions add up; the rate is the Lagrangian.
     S const whole = action_of_motion(m, v, S(t + s), rule), first = action_of_motion(m, v, t, rule);
-    claim.equal("S_{t+s}(v) = S_t(v) + S_s(F_t v)", model, whole, S(first + action_of_motion(m, after, s, rule)), amplification);
-    claim.equal("S_t is the action of the motion", model, first, action(m, motion, S(0), t, rule), amplification);
+    claim.equal("S_{t+s}(v) = S_t(v) + S_s(F_t v)", model, whole,
+                S(first + action_of_motion(m, after, s, rule)), amplification);
+    claim.equal("S_t is the action of the motion", model, first, action(m, motion, S(0), t, rule),
+                amplification);
     // Controls: the second piece begun at v again; the action along another curve from v.
     claim.differs("second piece from v", model, whole, S(first + action_of_motion(m, v, s, rule)));
     auto const straight = [&](auto const& x) {
       using T = std::decay_t<decltype(x)>;
       Matrix<T> const g = v.configuration.value.template cast<T>(),
-                      rate = Matrix<S>(group.hat(v.velocity.coordinates) * v.configuration.value).template cast<T>();
+                      rate = Matrix<S>(group.hat(v.velocity.coordinates) * v.configuration.value)
+                                 .template cast<T>();
       return m.configuration(Vector<T>(m.read(g) + m.read(rate) * x + m.fall.template cast<T>() * (x * x)));
     };
     claim.differs("another curve from v", model, action(m, straight, S(0), t, rule), first);
@@ -273,15 +309,18 @@ STATEMENT(eq_2_8, "differential of the action on solutions") {
     S const t = ratio<S>(1, 3);
 
     S const dS = action_of_motion(m, moved(v, w), t, rule).part[0];
-    S const after = lagrange_one_form(m, m.flow(v, t), flow_tangent(m, v, w, t)), before = lagrange_one_form(m, v, w);
+    S const after = lagrange_one_form(m, m.flow(v, t), flow_tangent(m, v, w, t)),
+            before = lagrange_one_form(m, v, w);
     claim.equal("dS_t = F_t^* theta - theta", model, dS, S(after - before), amplification);
     // Controls: the form at the end not pulled back by the tangent of the flow; the sign; one end only.
-    claim.differs("theta at the end on the vector at the start", model, dS, S(lagrange_one_form(m, m.flow(v, t), w) - before));
+    claim.differs("theta at the end on the vector at the start", model, dS,
+                  S(lagrange_one_form(m, m.flow(v, t), w) - before));
     claim.differs("the other sign", model, dS, S(before - after));
     claim.differs("the end alone", model, dS, after);
   });
 
-  // The same where the flow is no polynomial: flow and action by power series, from equations written out by hand.
+  // The same where the flow is no polynomial: flow and action by power series, from equations written out by
+  // hand.
   if (has_series())
     over_groups(turning_groups(), claim, [&](auto const& group, auto const& model) {
       auto const L = draw_top<S>(draw, group);
@@ -289,13 +328,15 @@ STATEMENT(eq_2_8, "differential of the action on solutions") {
       auto const w = draw_change<S>(draw, group);
       auto const [end, dS] = L.flow(moved(v, w), ratio<S>(1, 4));
       S const gain = lagrange_one_form(L, value_of(end), change_of(end)) - lagrange_one_form(L, v, w);
-      claim.equal("dS_t = F_t^* theta - theta, by power series", model, dS.part[0], gain, series_amplification);
+      claim.equal("dS_t = F_t^* theta - theta, by power series", model, dS.part[0], gain,
+                  series_amplification);
     });
 }
 
 STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
   claim.holds(
-      "Over finite times where the flow is known in closed form, and to first order in time, which is the whole statement for a flow, on "
+      "Over finite times where the flow is known in closed form, and to first order in time, which is the "
+      "whole statement for a flow, on "
       "every group.");
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -303,21 +344,25 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     auto const w1 = draw_change<S>(draw, group), w2 = draw_change<S>(draw, group);
     S const t = ratio<S>(1, 3);
     S const before = lagrange_two_form(m, v, w1, w2);
-    claim.equal("F_t^* omega = omega", model, lagrange_two_form(m, m.flow(v, t), flow_tangent(m, v, w1, t), flow_tangent(m, v, w2, t)),
+    claim.equal("F_t^* omega = omega", model,
+                lagrange_two_form(m, m.flow(v, t), flow_tangent(m, v, w1, t), flow_tangent(m, v, w2, t)),
                 before, amplification);
     // Control: a flow with friction, the velocity decaying along the way.
     auto const with_friction = [&](StateChange<SpannedGroup, S> const& w) {
       auto const moving = m.flow(moved(v, w), Dual<S>(t));
-      return change_of(State<SpannedGroup, Dual<S>>{moving.configuration, Dual<S>(ratio<S>(3, 4)) * moving.velocity});
+      return change_of(
+          State<SpannedGroup, Dual<S>>{moving.configuration, Dual<S>(ratio<S>(3, 4)) * moving.velocity});
     };
     auto const end = m.flow(v, t);
     claim.differs(
         "a flow with friction", model,
-        lagrange_two_form(m, State<SpannedGroup, S>{end.configuration, ratio<S>(3, 4) * end.velocity}, with_friction(w1), with_friction(w2)),
+        lagrange_two_form(m, State<SpannedGroup, S>{end.configuration, ratio<S>(3, 4) * end.velocity},
+                          with_friction(w1), with_friction(w2)),
         before);
   });
 
-  // To first order, on every group: the rate of omega(TF_t w1, TF_t w2) at t = 0. The tangent of the flow moves w by theta' = d xi + [xi, theta], d xi' = dX.w.
+  // To first order, on every group: the rate of omega(TF_t w1, TF_t w2) at t = 0. The tangent of the flow
+  // moves w by theta' = d xi + [xi, theta], d xi' = dX.w.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const v = draw_state<S>(draw, group);
@@ -326,7 +371,8 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     auto const rate_of_form = [&](auto const& vector_field) {
       auto const carried = [&](StateChange<SpannedGroup, S> const& w) {
         auto const change = vector_field(moved(v, w));
-        auto const theta_rate = rate(change.configuration) + bracket(v.velocity, w.configuration), xi_rate = rate(change.velocity);
+        auto const theta_rate = rate(change.configuration) + bracket(v.velocity, w.configuration),
+                   xi_rate = rate(change.velocity);
         StateChange<SpannedGroup, Dual<S>> result{over<Dual<S>>(w.configuration), over<Dual<S>>(w.velocity)};
         for (int a = 0; a < group.dimension(); ++a) {
           result.configuration.coordinates[a].part[0] = theta_rate.coordinates[a];
@@ -337,8 +383,10 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
       return lagrange_two_form(L, moved(v, X), carried(w1), carried(w2)).part[0];
     };
     auto const scale = size_of(lagrange_two_form(L, v, X, w1)) + size_of(lagrange_two_form(L, v, w1, w2));
-    // Solving for the acceleration magnifies rounding by the condition of the fibre Hessian, below 100 for these Lagrangians.
-    claim.zero("rate of F_t^* omega", model, rate_of_form([&](auto const& state) { return lagrange_vector_field(L, state); }), scale, 100);
+    // Solving for the acceleration magnifies rounding by the condition of the fibre Hessian, below 100 for
+    // these Lagrangians.
+    claim.zero("rate of F_t^* omega", model,
+               rate_of_form([&](auto const& state) { return lagrange_vector_field(L, state); }), scale, 100);
     // Control: a force that no Lagrangian has.
     claim.refutes("with friction", model, rate_of_form([&](auto const& state) {
                     auto field = lagrange_vector_field(L, state);
@@ -354,8 +402,10 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
       auto const L = draw_top<S>(draw, group);
       auto const v = draw_state<S>(draw, group);
       auto const w1 = draw_change<S>(draw, group), w2 = draw_change<S>(draw, group);
-      auto const one = L.flow(moved(v, w1), ratio<S>(1, 4)).first, two = L.flow(moved(v, w2), ratio<S>(1, 4)).first;
-      claim.equal("F_t^* omega = omega, by power series", model, lagrange_two_form(L, value_of(one), change_of(one), change_of(two)),
+      auto const one = L.flow(moved(v, w1), ratio<S>(1, 4)).first,
+                 two = L.flow(moved(v, w2), ratio<S>(1, 4)).first;
+      claim.equal("F_t^* omega = omega, by power series", model,
+                  lagrange_two_form(L, value_of(one), change_of(one), change_of(two)),
                   lagrange_two_form(L, v, w1, w2), series_amplification);
     });
 }
@@ -374,7 +424,8 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
     auto const at = [&, u = u, du = du](auto const& e1, auto const& e2) {
       using T = std::decay_t<decltype(e1)>;
       Vector<T> const x = x1.template cast<T>() * e1 + x2.template cast<T>() * e2;
-      return state_in(m.chart(), Vector<T>(u.template cast<T>() + x.head(n)), Vector<T>(du.template cast<T>() + x.tail(n)));
+      return state_in(m.chart(), Vector<T>(u.template cast<T>() + x.head(n)),
+                      Vector<T>(du.template cast<T>() + x.tail(n)));
     };
     using D = Dual<S>;
     using DD = Dual<D>;
@@ -382,7 +433,8 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
     e.part[0] = S(1);
     DD inner{D(S(0))};
     inner.part[0] = D(S(1));
-    // alpha(second field) moved along the first, less the other way round, for alpha = F_t^* theta - theta and a flow.
+    // alpha(second field) moved along the first, less the other way round, for alpha = F_t^* theta - theta
+    // and a flow.
     auto const exterior = [&](auto const& flow) {
       auto const alpha = [&](auto const& moving) {
         return D(lagrange_one_form(m, value_of(flow(moving)), change_of(flow(moving))) -
@@ -390,9 +442,12 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
       };
       return S(alpha(at(DD(e), inner)).part[0] - alpha(at(inner, DD(e))).part[0]);
     };
-    auto const motion = [&](auto const& moving) { return m.flow(moving, std::decay_t<decltype(moving.velocity.coordinates[0])>(t)); };
+    auto const motion = [&](auto const& moving) {
+      return m.flow(moving, std::decay_t<decltype(moving.velocity.coordinates[0])>(t));
+    };
 
-    // ddS = 0: second derivatives of S_t commute. (They do for every function; here they are computed through (2.8).)
+    // ddS = 0: second derivatives of S_t commute. (They do for every function; here they are computed through
+    // (2.8).)
     S const omega = lagrange_two_form(m, v, change_of(at(e, D(S(0)))), change_of(at(D(S(0)), e)));
     claim.zero("d(F_t^* theta - theta) = ddS_t = 0", model, exterior(motion), size_of(omega), amplification);
     // d commutes with the pull back, so this is -F_t^* omega + omega, computed from the two-form itself.
@@ -406,7 +461,8 @@ STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because d
       using T = std::decay_t<decltype(end.velocity.coordinates[0])>;
       return std::decay_t<decltype(end)>{end.configuration, ratio<T>(3, 4) * end.velocity};
     };
-    claim.equal("d of the pull back is the pull back of d, for any map", model, exterior(slowed), S(omega - pulled(slowed)), amplification);
+    claim.equal("d of the pull back is the pull back of d, for any map", model, exterior(slowed),
+                S(omega - pulled(slowed)), amplification);
     // Control: curves that are no solutions, so that their action does not have (2.8).
     claim.refutes("a flow with friction", model, exterior(slowed), size_of(omega));
   });
@@ -424,8 +480,10 @@ STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
       auto const lifted = lifted_generator(v, generator);
       auto const end = m.flow(v, t);
       S const dS = action_of_motion(m, moved(v, lifted), t, rule).part[0];
-      S const carried = lagrange_one_form(m, end, flow_tangent(m, v, lifted, t)) - lagrange_one_form(m, v, lifted);
-      S const difference = lagrange_one_form(m, end, lifted_generator(end, generator)) - lagrange_one_form(m, v, lifted);
+      S const carried =
+          lagrange_one_form(m, end, flow_tangent(m, v, lifted, t)) - lagrange_one_form(m, v, lifted);
+      S const difference =
+          lagrange_one_form(m, end, lifted_generator(end, generator)) - lagrange_one_form(m, v, lifted);
       return std::array<S, 4>{dS, carried, difference, lagrange_one_form(m, v, lifted)};
     };
     // Make the Lagrangian invariant under shifts along d: neither c nor the total derivative depends on d.
@@ -449,7 +507,8 @@ STATEMENT(eq_2_9, "infinitesimal invariance of the action on solutions") {
 // ----
 // Section 2.1, at a point: the Euler-Lagrange equations, charts, regularity, the Lagrange vector field.
 //
-// Every identity is one between derivatives at a random point, so it is exact over the rationals on every group.
+// Every identity is one between derivatives at a random point, so it is exact over the rationals on every
+// group.
 
 namespace {
 
@@ -486,7 +545,8 @@ STATEMENT(eq_2_4, "Euler-Lagrange equations in coordinates, and without") {
     // Controls: the turning of the frame left out, or counted with the other sign.
     auto const turning = ad_star(state.velocity, legendre(L, state));
     claim.differs("without ad*", model, Vector<S>(back * (intrinsic + turning).components), coordinates);
-    claim.differs("+ ad* instead of - ad*", model, Vector<S>(back * (intrinsic + S(2) * turning).components), coordinates);
+    claim.differs("+ ad* instead of - ad*", model, Vector<S>(back * (intrinsic + S(2) * turning).components),
+                  coordinates);
   });
 }
 
@@ -503,27 +563,34 @@ STATEMENT(claim_2_1_regular_second_order_ode, "regular Lagrangians have second-o
     auto const f = in_coordinates(L, chart);
     Matrix<S> in_chart(n, n), const_frame = frame(chart, q), hessian = fibre_hessian(L, state);
     for (int i = 0; i < n; ++i)
-      in_chart.col(i) = rates(momenta(f, moving(q, Vector<S>(Vector<S>::Zero(n))), moving(v, Vector<S>(Vector<S>::Unit(n, i)))));
-    claim.equal("fibre Hessian = d2L/dq'dq'", model, Matrix<S>(const_frame.transpose() * hessian * const_frame), in_chart);
+      in_chart.col(i) = rates(
+          momenta(f, moving(q, Vector<S>(Vector<S>::Zero(n))), moving(v, Vector<S>(Vector<S>::Unit(n, i)))));
+    claim.equal("fibre Hessian = d2L/dq'dq'", model,
+                Matrix<S>(const_frame.transpose() * hessian * const_frame), in_chart);
     claim.equal("symmetric", model, hessian, Matrix<S>(hessian.transpose()));
     // The equation is affine in the acceleration, with this matrix in front, so it has one solution.
     auto const acceleration = lagrange_acceleration(L, state);
     auto const other = acceleration_in(chart, q, v, a);
     claim.zero("the equation solved for the acceleration", model, euler_lagrange(L, state, acceleration),
                size_of(euler_lagrange(L, state, other)), hessian_condition);
-    claim.equal("any other acceleration misses by the Hessian", model, euler_lagrange(L, state, other).components,
+    claim.equal("any other acceleration misses by the Hessian", model,
+                euler_lagrange(L, state, other).components,
                 Vector<S>(hessian * (acceleration - other).coordinates), hessian_condition);
     // Controls: another acceleration; a Lagrangian blind to one direction of the velocity.
-    claim.refutes("another acceleration", model, euler_lagrange(L, state, other), size_of(ad_star(state.velocity, legendre(L, state))));
+    claim.refutes("another acceleration", model, euler_lagrange(L, state, other),
+                  size_of(ad_star(state.velocity, legendre(L, state))));
     auto singular = L;
     singular.kinetic.c.setZero();
     singular.kinetic.a.row(0).setZero(), singular.kinetic.a.col(0).setZero();
-    claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] { lagrange_acceleration(singular, state); });
+    claim.template refuses<Singular>("a Lagrangian that is not regular", model,
+                                     [&] { lagrange_acceleration(singular, state); });
   });
 }
 
 STATEMENT(claim_2_1_action_chart_independent, "action and equations in two charts") {
-  claim.holds("The left side of (2.4) is a covector; the second derivatives in it are those of one curve in both charts.");
+  claim.holds(
+      "The left side of (2.4) is a covector; the second derivatives in it are those of one curve in both "
+      "charts.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const h = draw.template element<S>(group), k = draw.template element<S>(group);
@@ -546,13 +613,17 @@ STATEMENT(claim_2_1_action_chart_independent, "action and equations in two chart
     auto const L1 = in_coordinates(L, first), L2 = in_coordinates(L, second);
     // Two charts and an inverse Cayley transform between them: a few digits' worth of elimination.
     claim.equal("the integrand of (2.1)", model, L1(q, v), L2(r, r1), hessian_condition);
-    Vector<S> const e1 = euler_lagrange_in_coordinates(L1, q, v, a), e2 = euler_lagrange_in_coordinates(L2, r, r1, r2);
+    Vector<S> const e1 = euler_lagrange_in_coordinates(L1, q, v, a),
+                    e2 = euler_lagrange_in_coordinates(L2, r, r1, r2);
     claim.equal("(2.4) is a covector", model, e1, Vector<S>(jacobian.transpose() * e2), hessian_condition);
     // Controls: carried like a vector; the second derivative carried as if it were a vector.
     claim.differs("carried like a vector", model, e1, Vector<S>(inverse_matrix(jacobian) * e2));
     Vector<S> const none = Vector<S>::Zero(n), as_vector = jacobian * a;
-    auto const with = [&](Vector<S> const& second_rate) { return euler_lagrange_in_coordinates(L2, r, r1, second_rate); };
-    claim.refutes("acceleration carried like a vector", model, Vector<S>(e1 - jacobian.transpose() * with(as_vector)),
+    auto const with = [&](Vector<S> const& second_rate) {
+      return euler_lagrange_in_coordinates(L2, r, r1, second_rate);
+    };
+    claim.refutes("acceleration carried like a vector", model,
+                  Vector<S>(e1 - jacobian.transpose() * with(as_vector)),
                   size_of(Vector<S>(with(as_vector) - with(none))));
   });
 }
@@ -572,23 +643,29 @@ STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regul
       auto const moved_state = state_in(chart, moving(q, dq), moving(v, dv));
       return change_of(moved_state);
     };
-    Vector<S> const dq1 = draw_vector<S>(draw, n), dv1 = draw_vector<S>(draw, n), dq2 = draw_vector<S>(draw, n),
-                    dv2 = draw_vector<S>(draw, n);
+    Vector<S> const dq1 = draw_vector<S>(draw, n), dv1 = draw_vector<S>(draw, n),
+                    dq2 = draw_vector<S>(draw, n), dv2 = draw_vector<S>(draw, n);
     auto const w1 = in_chart(dq1, dv1), w2 = in_chart(dq2, dv2);
-    auto const dp = [&](Vector<S> const& dq, Vector<S> const& dv) { return rates(momenta(f, moving(q, dq), moving(v, dv))); };
-    claim.equal("theta_L = (dL/dq') dq", model, lagrange_one_form(L, state, w1), S(momenta(f, q, v).dot(dq1)));
-    claim.equal("omega_L = dq ^ dp", model, lagrange_two_form(L, state, w1, w2), S(dq1.dot(dp(dq2, dv2)) - dq2.dot(dp(dq1, dv1))));
+    auto const dp = [&](Vector<S> const& dq, Vector<S> const& dv) {
+      return rates(momenta(f, moving(q, dq), moving(v, dv)));
+    };
+    claim.equal("theta_L = (dL/dq') dq", model, lagrange_one_form(L, state, w1),
+                S(momenta(f, q, v).dot(dq1)));
+    claim.equal("omega_L = dq ^ dp", model, lagrange_two_form(L, state, w1, w2),
+                S(dq1.dot(dp(dq2, dv2)) - dq2.dot(dp(dq1, dv1))));
 
     // X_E contracted with omega_L is dE; the matrix of omega_L has an inverse, so no other field does it.
     auto const X = lagrange_vector_field(L, state);
     auto const dE = [&](auto const& w) { return energy(L, moved(state, w)).part[0]; };
-    claim.equal("X_E contracted with omega_L is dE", model, lagrange_two_form(L, state, X, w1), dE(w1), hessian_condition);
+    claim.equal("X_E contracted with omega_L is dE", model, lagrange_two_form(L, state, X, w1), dE(w1),
+                hessian_condition);
     if (n <= 3) {
       Matrix<S> omega(2 * n, 2 * n);
       Vector<S> slope(2 * n);
       auto const unit = [&](int i) {
-        return StateChange<SpannedGroup, S>{{group, i < n ? Vector<S>(Vector<S>::Unit(n, i)) : Vector<S>(Vector<S>::Zero(n))},
-                                            {group, i < n ? Vector<S>(Vector<S>::Zero(n)) : Vector<S>(Vector<S>::Unit(n, i - n))}};
+        return StateChange<SpannedGroup, S>{
+            {group, i < n ? Vector<S>(Vector<S>::Unit(n, i)) : Vector<S>(Vector<S>::Zero(n))},
+            {group, i < n ? Vector<S>(Vector<S>::Zero(n)) : Vector<S>(Vector<S>::Unit(n, i - n))}};
       };
       for (int i = 0; i < 2 * n; ++i) {
         slope[i] = dE(unit(i));
@@ -596,33 +673,40 @@ STATEMENT(claim_2_1_lagrange_vector_field, "the Lagrange vector field of a regul
       }
       Vector<S> x(2 * n);
       x << X.configuration.coordinates, X.velocity.coordinates;
-      claim.equal("the only solution of X contracted with omega_L = dE", model, solve_linear(omega, slope), x, hessian_condition);
+      claim.equal("the only solution of X contracted with omega_L = dE", model, solve_linear(omega, slope), x,
+                  hessian_condition);
     }
     // Its integral curves solve (2.4), read in the chart: find q'' with this xi'.
     Matrix<S> const columns = frame(chart, q);
     Vector<S> const none = Vector<S>::Zero(n);
-    Vector<S> const second = solve_linear(columns, Vector<S>((X.velocity - acceleration_in(chart, q, v, none)).coordinates));
+    Vector<S> const second =
+        solve_linear(columns, Vector<S>((X.velocity - acceleration_in(chart, q, v, none)).coordinates));
     claim.zero("integral curves solve (2.4)", model, euler_lagrange_in_coordinates(f, q, v, second),
                size_of(euler_lagrange_in_coordinates(f, q, v, none)), hessian_condition);
 
     // Controls: the other sign of omega_L; a field that is not second order; no field where L is not regular.
     claim.differs("omega_L = + d theta_L", model, S(-lagrange_two_form(L, state, X, w1)), dE(w1));
-    claim.differs("acceleration left out", model, lagrange_two_form(L, state, {X.configuration, S(0) * X.velocity}, w1), dE(w1));
+    claim.differs("acceleration left out", model,
+                  lagrange_two_form(L, state, {X.configuration, S(0) * X.velocity}, w1), dE(w1));
     auto singular = L;
     singular.kinetic.c.setZero();
     singular.kinetic.a.row(0).setZero(), singular.kinetic.a.col(0).setZero();
-    claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] { lagrange_vector_field(singular, state); });
+    claim.template refuses<Singular>("a Lagrangian that is not regular", model,
+                                     [&] { lagrange_vector_field(singular, state); });
   });
 }
 
 // ----
-// Section 2.1, at a point: the theorem on the variation of the action, and that its map and its form are the only ones.
+// Section 2.1, at a point: the theorem on the variation of the action, and that its map and its form are the
+// only ones.
 //
-// Every identity is one between derivatives at a random point, so it is exact over the rationals on every group.
+// Every identity is one between derivatives at a random point, so it is exact over the rationals on every
+// group.
 
 namespace {
 
-/// \f$(\xi_0)_+^{k+1}\f$ for k = 2, on one side of its seam: a Lagrangian with two continuous derivatives and no more.
+/// \f$(\xi_0)_+^{k+1}\f$ for k = 2, on one side of its seam: a Lagrangian with two continuous derivatives and
+/// no more.
 template <class S>
 struct SideOfSeam {
   bool positive;
@@ -637,7 +721,8 @@ struct SideOfSeam {
 
 STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the variation of the action") {
   claim.convention(
-      "With the second-order set inside TTG rather than TG, and the lifted variation taken at t rather than at 0: "
+      "With the second-order set inside TTG rather than TG, and the lifted variation taken at t rather than "
+      "at 0: "
       "claim_2_1_second_order_set, claim_2_1_lifted_variation.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
@@ -645,11 +730,13 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
     auto const family = draw_family<S>(draw, group, curve);
     S const t = ratio<S>(1, 3);
 
-    // (2.6) for all intervals is its derivative at the upper end, for all t: the rate of the boundary term and the Euler-Lagrange term.
+    // (2.6) for all intervals is its derivative at the upper end, for all t: the rate of the boundary term
+    // and the Euler-Lagrange term.
     S const variation = L(varied_tangent(family, t)).part[0];
     Dual<S> time(t);
     time.part[0] = S(1);
-    S const boundary_rate = lagrange_one_form(L, tangent(curve, time), lifted_variation(family, time)).part[0];
+    S const boundary_rate =
+        lagrange_one_form(L, tangent(curve, time), lifted_variation(family, time)).part[0];
     auto const state = tangent(curve, t);
     auto const acceleration = second_tangent(curve, t).velocity;
     S const inside = pair(euler_lagrange(L, state, acceleration), lifted_variation(family, t).configuration);
@@ -659,12 +746,14 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
     claim.differs("boundary term left out", model, variation, inside);
   });
 
-  // A C^k Lagrangian has a C^{k-2} map and a C^{k-1} form, and no better: k = 2 at the seam of x_+^3, where the two sides agree to that order.
+  // A C^k Lagrangian has a C^{k-2} map and a C^{k-1} form, and no better: k = 2 at the seam of x_+^3, where
+  // the two sides agree to that order.
   auto const group = spanned("Aff(1)", Aff1{});
   auto v = draw_state<S>(draw, group);
   v.velocity.coordinates[0] = S(0);
   StateChange<SpannedGroup, S> const across{draw.template velocity<S>(group), basis_velocity<S>(group, 0)};
-  StateChange<SpannedGroup, Dual<S>> const again{over<Dual<S>>(across.configuration), over<Dual<S>>(across.velocity)};
+  StateChange<SpannedGroup, Dual<S>> const again{over<Dual<S>>(across.configuration),
+                                                 over<Dual<S>>(across.velocity)};
   auto const acceleration = draw.template velocity<S>(group);
   SideOfSeam<S> const above{true}, below{false};
   auto const map_jump = euler_lagrange(above, v, acceleration) - euler_lagrange(below, v, acceleration);
@@ -675,7 +764,8 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
   claim.zero("L of class C^2: theta_L has one derivative", "seam of x^3", form_jump, S(1));
   claim.refutes("D_EL has a derivative", "seam of x^3", map_slope, size_of(acceleration));
   claim.refutes("theta_L has two derivatives", "seam of x^3",
-                rate(rate(legendre(above, moved(moved(v, across), again)))) - rate(rate(legendre(below, moved(moved(v, across), again)))),
+                rate(rate(legendre(above, moved(moved(v, across), again)))) -
+                    rate(rate(legendre(below, moved(moved(v, across), again)))),
                 S(1));
 }
 
@@ -689,8 +779,9 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
     Dual<S> time(t);
     time.part[0] = S(1);
 
-    // Suppose d/de L = <D, theta> + d/dt <alpha, theta> + d/dt <beta, theta'> for all variations. The right side is linear in (theta, theta', theta''); as many
-    // variations as there are unknown coefficients determine them.
+    // Suppose d/de L = <D, theta> + d/dt <alpha, theta> + d/dt <beta, theta'> for all variations. The right
+    // side is linear in (theta, theta', theta''); as many variations as there are unknown coefficients
+    // determine them.
     Matrix<S> rows(3 * n, 3 * n);
     Vector<S> response(3 * n);
     for (int i = 0; i < 3 * n; ++i) {
@@ -714,37 +805,45 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
     auto const state = tangent(curve, t);
     auto const mu = legendre(L, state), mu_rate = rate(legendre(L, tangent(curve, time)));
     auto const map = euler_lagrange(L, state, second_tangent(curve, t).velocity);
-    claim.zero("the form does not depend on changes of the velocity", model, Vector<S>(found.tail(n)), size_of(mu), condition);
+    claim.zero("the form does not depend on changes of the velocity", model, Vector<S>(found.tail(n)),
+               size_of(mu), condition);
     claim.equal("the only form is theta_L", model, Vector<S>(found.segment(n, n)), mu.components, condition);
-    claim.equal("the only map is D_EL L", model, Vector<S>(found.head(n) - mu_rate.components), map.components, condition);
+    claim.equal("the only map is D_EL L", model, Vector<S>(found.head(n) - mu_rate.components),
+                map.components, condition);
 
-    // Control: L + d/dt f has the same map and another form, so that the map of the one with the form of the other do not add up.
+    // Control: L + d/dt f has the same map and another form, so that the map of the one with the form of the
+    // other do not add up.
     Matrix<S> const weights = draw_matrix<S>(draw, group.matrix_size(), group.matrix_size());
     auto const gauged = [&](auto const& v) {
       using T = typename std::decay_t<decltype(v)>::Scalar;
       Matrix<T> const g = v.configuration.value, g_rate = group.hat(v.velocity.coordinates) * g;
       return L(v) + contract(weights, g) * contract(weights, g_rate);
     };
-    claim.equal("a total derivative does not change the map", model, euler_lagrange(gauged, state, second_tangent(curve, t).velocity), map);
+    claim.equal("a total derivative does not change the map", model,
+                euler_lagrange(gauged, state, second_tangent(curve, t).velocity), map);
     claim.differs("but it changes the form", model, legendre(gauged, state), mu);
-    claim.refutes("map without the rate of the form", model, Vector<S>(found.head(n) - map.components), size_of(map));
+    claim.refutes("map without the rate of the form", model, Vector<S>(found.head(n) - map.components),
+                  size_of(map));
   });
 }
 
 // ----
 // Section 2.1, at a point: where the Euler-Lagrange map lives, and Noether's theorem.
 //
-// Every identity is one between derivatives at a random point, so it is exact over the rationals on every group.
+// Every identity is one between derivatives at a random point, so it is exact over the rationals on every
+// group.
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
-  claim.corrected(R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| q \text{ a } C^2 \text{ curve in } G\Bigr\} \text{ of } TG)",
-                  R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } G\Bigr\} \subset T(TG))",
-                  "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with T(projection) w = base point of w. "
-                  "As printed it would lie in TG; the curve is g, not q.");
+  claim.corrected(
+      R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| q \text{ a } C^2 \text{ curve in } G\Bigr\} )"
+      R"(\text{ of } TG)",
+      R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } G\Bigr\} )"
+      R"(\subset T(TG))",
+      "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with T(projection) w "
+      "= base point of w. "
+      "As printed it would lie in TG; the curve is g, not q.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const curve = draw_curve<S>(draw, group);
@@ -752,7 +851,8 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
     auto const state = tangent(curve, t);
     auto const second = second_tangent(curve, t);
 
-    // The second derivative of a curve is a tangent vector of TG whose configuration part is the velocity of its base point.
+    // The second derivative of a curve is a tangent vector of TG whose configuration part is the velocity of
+    // its base point.
     claim.equal("second derivatives are second order", model, second.configuration, state.velocity);
     // The map depends on no more of the curve: change it at third order.
     auto const bend = draw.template velocity<S>(group);
@@ -764,7 +864,8 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
     auto const map = euler_lagrange(L, state, second.velocity);
     claim.equal("the same for curves that agree to second order", model,
                 euler_lagrange(L, tangent(third, t), second_tangent(third, t).velocity), map);
-    // Control: curves with the same point of TG, different at second order. A map on a subset of TG could not tell them apart.
+    // Control: curves with the same point of TG, different at second order. A map on a subset of TG could not
+    // tell them apart.
     auto const first = [&](auto const& s) {
       using T = std::decay_t<decltype(s)>;
       T const x = s - T(t);
@@ -780,7 +881,8 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
 
 namespace {
 
-/// \f$\langle W, g^{-1}\hat\zeta g\rangle\f$ added to a left-invariant Lagrangian: invariant from the left under exp(t zeta) alone, as gravity is under turns about the vertical.
+/// \f$\langle W, g^{-1}\hat\zeta g\rangle\f$ added to a left-invariant Lagrangian: invariant from the left
+/// under exp(t zeta) alone, as gravity is under turns about the vertical.
 template <class S>
 struct Upright {
   AlgebraPolynomial<S> kinetic;
@@ -789,7 +891,8 @@ struct Upright {
   template <class T>
   T operator()(State<SpannedGroup, T> const& v) const {
     auto const body = body_velocity(v);
-    return kinetic(body) - contract(weight, v.configuration.group.hat(Ad(inverse(v.configuration), over<T>(zeta)).coordinates));
+    return kinetic(body) - contract(weight, v.configuration.group.hat(
+                                                Ad(inverse(v.configuration), over<T>(zeta)).coordinates));
   }
 };
 
@@ -813,7 +916,8 @@ STATEMENT(claim_2_1_noether_momentum, "momentum conserved because of a symmetry"
       claim.equal(what + ": J = lift contracted with theta_L", model, lagrange_one_form(L, v, lifted), J);
       claim.equal(what + ": lift contracted with omega_L is dJ", model, lagrange_two_form(L, v, lifted, w),
                   noether_momentum(L, moved(v, w), generator).part[0]);
-      claim.zero(what + ": J is constant", model, rate_of_momentum(L, generator), size_of(J), hessian_condition);
+      claim.zero(what + ": J is constant", model, rate_of_momentum(L, generator), size_of(J),
+                 hessian_condition);
     };
     auto const left = left_invariant(kinetic);
     auto const right = right_invariant(kinetic);
@@ -823,12 +927,15 @@ STATEMENT(claim_2_1_noether_momentum, "momentum conserved because of a symmetry"
     law("a one-parameter group", upright, left_translation(zeta));
 
     // Controls: the wrong side; a direction that is no symmetry; J without the turn of the frame.
-    auto const scale_of = [&](auto const& L, auto const& generator) { return size_of(noether_momentum(L, v, generator)); };
-    claim.refutes("right translation of a left-invariant Lagrangian", model, rate_of_momentum(left, right_translation(zeta)),
-                  scale_of(left, right_translation(zeta)));
-    claim.refutes("left translation of a right-invariant Lagrangian", model, rate_of_momentum(right, left_translation(zeta)),
-                  scale_of(right, left_translation(zeta)));
-    claim.refutes("another direction than the symmetry's", model, rate_of_momentum(upright, left_translation(other)),
+    auto const scale_of = [&](auto const& L, auto const& generator) {
+      return size_of(noether_momentum(L, v, generator));
+    };
+    claim.refutes("right translation of a left-invariant Lagrangian", model,
+                  rate_of_momentum(left, right_translation(zeta)), scale_of(left, right_translation(zeta)));
+    claim.refutes("left translation of a right-invariant Lagrangian", model,
+                  rate_of_momentum(right, left_translation(zeta)), scale_of(right, left_translation(zeta)));
+    claim.refutes("another direction than the symmetry's", model,
+                  rate_of_momentum(upright, left_translation(other)),
                   scale_of(upright, left_translation(other)));
   });
 }

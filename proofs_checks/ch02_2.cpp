@@ -40,17 +40,19 @@ S change_along(F const& l, Velocity<SpannedGroup, S> const& xi, Velocity<Spanned
 
 STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
   claim.convention(
-      "With variations eta' - ad_xi eta in condition iv, its first expression; the second one, eta' + [xi, eta], has the wrong sign "
+      "With variations eta' - ad_xi eta in condition iv, its first expression; the second one, eta' + [xi, "
+      "eta], has the wrong sign "
       "(claim_2_2_reduced_variation_bracket).");
   Quadrature<S> const rule(14);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const L = right_invariant(l);
 
-    // i and iii: (2.4) in a chart is the reduced equation, off shell, so one vanishes where the other does (the frame has an inverse).
+    // i and iii: (2.4) in a chart is the reduced equation, off shell, so one vanishes where the other does
+    // (the frame has an inverse).
     auto const chart = chart_right(draw.template element<S>(group));
-    Vector<S> const q = draw_vector<S>(draw, group.dimension()) * ratio<S>(1, 2), v = draw_vector<S>(draw, group.dimension()),
-                    a = draw_vector<S>(draw, group.dimension());
+    Vector<S> const q = draw_vector<S>(draw, group.dimension()) * ratio<S>(1, 2),
+                    v = draw_vector<S>(draw, group.dimension()), a = draw_vector<S>(draw, group.dimension());
     auto const xi = state_in(chart, q, v).velocity, xi_rate = acceleration_in(chart, q, v, a);
     Matrix<S> const columns = frame(chart, q);
     Vector<S> const full = euler_lagrange_in_coordinates(in_coordinates(L, chart), q, v, a);
@@ -69,33 +71,43 @@ STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
 
     // iii and iv: integrate by parts along a path in the algebra, eta zero at the ends.
     S const from = ratio<S>(-1, 2), to = ratio<S>(1, 2);
-    auto const path = draw_path<S>(draw, group, from, to, false), test = draw_path<S>(draw, group, from, to, true);
-    auto const delta_with = [&](S const& sign, S const& s) { return rate_along(test, s) - sign * bracket(path(s), test(s)); };
+    auto const path = draw_path<S>(draw, group, from, to, false),
+               test = draw_path<S>(draw, group, from, to, true);
+    auto const delta_with = [&](S const& sign, S const& s) {
+      return rate_along(test, s) - sign * bracket(path(s), test(s));
+    };
     auto const reduced = [&](S const& sign) {
       return rule([&](S const& s) { return change_along<S>(l, path(s), delta_with(sign, s)); }, from, to);
     };
-    S const against = rule([&](S const& s) { return pair(euler_poincare_right(l, path(s), rate_along(path, s)), test(s)); }, from, to);
+    S const against =
+        rule([&](S const& s) { return pair(euler_poincare_right(l, path(s), rate_along(path, s)), test(s)); },
+             from, to);
     claim.equal("iii and iv: integrated by parts", model, reduced(S(1)), S(-against), 10);
 
     // Controls: the sign printed second in iv; the equation of left-invariant systems.
     claim.differs("variations eta' + [xi, eta]", model, reduced(S(-1)), S(-against));
-    claim.differs("the equation with - ad*", model, full, Vector<S>(-columns.transpose() * euler_poincare_left(l, xi, xi_rate).components));
-    claim.differs("a left-invariant Lagrangian", model, euler_lagrange_in_coordinates(in_coordinates(left_invariant(l), chart), q, v, a),
-                  full);
+    claim.differs("the equation with - ad*", model, full,
+                  Vector<S>(-columns.transpose() * euler_poincare_left(l, xi, xi_rate).components));
+    claim.differs("a left-invariant Lagrangian", model,
+                  euler_lagrange_in_coordinates(in_coordinates(left_invariant(l), chart), q, v, a), full);
   });
 }
 
-STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are the Euler-Lagrange equations of an invariant Lagrangian") {
+STATEMENT(claim_2_2_euler_poincare_equations,
+          "the Euler-Poincare equations are the Euler-Lagrange equations of an invariant Lagrangian") {
   claim.holds(
-      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, for which ad* has the other sign "
+      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, for "
+      "which ad* has the other sign "
       "and xi = g^-1 g' (also confirmed).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const v = draw_state<S>(draw, group);
 
     // Right: the acceleration of the full system is that of the reduced one.
-    auto const full = lagrange_acceleration(right_invariant(l), v), reduced = euler_poincare_acceleration_right(l, v.velocity);
-    claim.equal("right-invariant: xi' of the reduced and of the full equations", model, full, reduced, hessian_condition);
+    auto const full = lagrange_acceleration(right_invariant(l), v),
+               reduced = euler_poincare_acceleration_right(l, v.velocity);
+    claim.equal("right-invariant: xi' of the reduced and of the full equations", model, full, reduced,
+                hessian_condition);
     claim.zero("it solves d/dt dl/dxi + ad* dl/dxi = 0", model, euler_poincare_right(l, v.velocity, full),
                size_of(ad_star(v.velocity, gradient(l, v.velocity))), hessian_condition);
     // The rate of the momentum written out: minus the commutator with the velocity, transposed, on matrices.
@@ -110,17 +122,20 @@ STATEMENT(claim_2_2_euler_poincare_equations, "the Euler-Poincare equations are 
       return rate_of_mu;
     };
     Vector<S> const momentum_rate = Matrix<S>(hessian(l, v.velocity)) * full.coordinates;
-    claim.equal("rate of dl/dxi = - ad* dl/dxi, by commutators", model, momentum_rate, rate_by_hand(v.velocity), hessian_condition);
+    claim.equal("rate of dl/dxi = - ad* dl/dxi, by commutators", model, momentum_rate,
+                rate_by_hand(v.velocity), hessian_condition);
     // Left: xi = g^-1 g', whose rate is that of the full system in the body frame, Ad commuting with its own
     // velocity.
     auto const body = body_velocity(v);
     auto const body_rate = Ad(inverse(v.configuration), lagrange_acceleration(left_invariant(l), v));
-    claim.equal("left-invariant: the same with the other sign", model, body_rate, euler_poincare_acceleration_left(l, body),
-                10 * hessian_condition);
+    claim.equal("left-invariant: the same with the other sign", model, body_rate,
+                euler_poincare_acceleration_left(l, body), 10 * hessian_condition);
 
     // Controls: sides exchanged; ad in place of its dual.
-    claim.differs("+ ad* for a right-invariant Lagrangian", model, Vector<S>(-rate_by_hand(v.velocity)), momentum_rate);
-    claim.differs("the star lost", model, Vector<S>(-ad_matrix(v.velocity) * gradient(l, v.velocity).components), momentum_rate);
+    claim.differs("+ ad* for a right-invariant Lagrangian", model, Vector<S>(-rate_by_hand(v.velocity)),
+                  momentum_rate);
+    claim.differs("the star lost", model,
+                  Vector<S>(-ad_matrix(v.velocity) * gradient(l, v.velocity).components), momentum_rate);
   });
 }
 
@@ -153,12 +168,14 @@ S bracket_in_coordinates(F const& f, H const& h, Vector<S> const& q, Vector<S> c
 }
 /// The costate of (q, p), moved along q' = dH/dp, p' = -dH/dq.
 template <class H, class Chart, class S>
-Costate<SpannedGroup, Dual<S>> moved_by_hamilton(H const& h, Chart const& chart, Vector<S> const& q, Vector<S> const& p) {
+Costate<SpannedGroup, Dual<S>> moved_by_hamilton(H const& h, Chart const& chart, Vector<S> const& q,
+                                                 Vector<S> const& p) {
   auto const f = in_canonical(h, chart);
   return costate_in(chart, moving(q, momenta(f, q, p)), moving(p, Vector<S>(-slopes(f, q, p))));
 }
 
-/// A function on T*G, invariant under nothing: \f$h(\mu) + \langle U, g\rangle\,(v\cdot\mu) + \langle W, g\rangle^2\f$.
+/// A function on T*G, invariant under nothing: \f$h(\mu) + \langle U, g\rangle\,(v\cdot\mu) + \langle W,
+/// g\rangle^2\f$.
 template <class S>
 struct CostatePolynomial {
   AlgebraPolynomial<S> kinetic;
@@ -185,7 +202,8 @@ CostatePolynomial<S> draw_costate_polynomial(Draw& draw, SpannedGroup const& gro
 template <class S>
 auto draw_canonical(Draw& draw, SpannedGroup const& group) {
   auto const chart = chart_right(draw.element<S>(group));
-  Vector<S> const q = draw_vector<S>(draw, group.dimension()) * ratio<S>(1, 2), p = draw_vector<S>(draw, group.dimension());
+  Vector<S> const q = draw_vector<S>(draw, group.dimension()) * ratio<S>(1, 2),
+                  p = draw_vector<S>(draw, group.dimension());
   struct Point {
     decltype(chart_right(draw.element<S>(group))) chart;
     Vector<S> q, p;
@@ -196,75 +214,97 @@ auto draw_canonical(Draw& draw, SpannedGroup const& group) {
 }  // namespace
 
 STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual algebra") {
-  claim.holds("With {q, p} = +1 on T*G and the commutator in the algebra; left-invariant functions give the minus bracket.");
+  claim.holds(
+      "With {q, p} = +1 on T*G and the commutator in the algebra; left-invariant functions give the minus "
+      "bracket.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const f = draw_algebra_polynomial<S>(draw, group.dimension()), h = draw_algebra_polynomial<S>(draw, group.dimension()),
+    auto const f = draw_algebra_polynomial<S>(draw, group.dimension()),
+               h = draw_algebra_polynomial<S>(draw, group.dimension()),
                k = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const [chart, q, p] = draw_canonical<S>(draw, group);
     auto const at = costate_in(chart, q, p);
 
-    // The canonical bracket of the lifted functions depends on lambda(p) alone, and is the plus bracket there.
-    S const canonical =
-        bracket_in_coordinates(in_canonical(right_invariant_function(f), chart), in_canonical(right_invariant_function(h), chart), q, p);
+    // The canonical bracket of the lifted functions depends on lambda(p) alone, and is the plus bracket
+    // there.
+    S const canonical = bracket_in_coordinates(in_canonical(right_invariant_function(f), chart),
+                                               in_canonical(right_invariant_function(h), chart), q, p);
     S const plus = lie_poisson_bracket_plus(f, h, at.momentum);
     claim.equal("canonical bracket of right-invariant functions", model, canonical, plus, frame_condition);
-    S const from_left =
-        bracket_in_coordinates(in_canonical(left_invariant_function(f), chart), in_canonical(left_invariant_function(h), chart), q, p);
+    S const from_left = bracket_in_coordinates(in_canonical(left_invariant_function(f), chart),
+                                               in_canonical(left_invariant_function(h), chart), q, p);
     claim.equal("of left-invariant functions, at the body momentum: the minus bracket", model, from_left,
                 lie_poisson_bracket_minus(f, h, body_momentum(at)), frame_condition);
 
     // It is a Poisson structure: Leibniz and Jacobi (antisymmetry is the commutator's).
     auto const product = [&](auto const& mu) { return f(mu) * k(mu); };
     auto const mu = at.momentum;
-    claim.equal("Leibniz", model, lie_poisson_bracket_plus(product, h, mu), S(f(mu) * lie_poisson_bracket_plus(k, h, mu) + k(mu) * plus));
-    auto const bracket_of = [](auto const& a, auto const& b) { return [&](auto const& nu) { return lie_poisson_bracket_plus(a, b, nu); }; };
-    S const cyclic[3] = {lie_poisson_bracket_plus(f, bracket_of(h, k), mu), lie_poisson_bracket_plus(h, bracket_of(k, f), mu),
+    claim.equal("Leibniz", model, lie_poisson_bracket_plus(product, h, mu),
+                S(f(mu) * lie_poisson_bracket_plus(k, h, mu) + k(mu) * plus));
+    auto const bracket_of = [](auto const& a, auto const& b) {
+      return [&](auto const& nu) { return lie_poisson_bracket_plus(a, b, nu); };
+    };
+    S const cyclic[3] = {lie_poisson_bracket_plus(f, bracket_of(h, k), mu),
+                         lie_poisson_bracket_plus(h, bracket_of(k, f), mu),
                          lie_poisson_bracket_plus(k, bracket_of(f, h), mu)};
-    claim.zero("Jacobi", model, S(cyclic[0] + cyclic[1] + cyclic[2]), S(size_of(cyclic[0]) + size_of(cyclic[1]) + size_of(cyclic[2])));
+    claim.zero("Jacobi", model, S(cyclic[0] + cyclic[1] + cyclic[2]),
+               S(size_of(cyclic[0]) + size_of(cyclic[1]) + size_of(cyclic[2])));
     // Controls: the other sign; the bracket at the body momentum.
     claim.differs("the minus bracket", model, canonical, lie_poisson_bracket_minus(f, h, mu));
-    claim.differs("at the body momentum", model, canonical, lie_poisson_bracket_plus(f, h, body_momentum(at)));
+    claim.differs("at the body momentum", model, canonical,
+                  lie_poisson_bracket_plus(f, h, body_momentum(at)));
   });
 }
 
 STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
   claim.convention(
-      "With mu = mu(t) in the equation for g (printed: p(0), see claim_2_2_reconstruction_velocity) and lambda(p) = T_e^*R_g p (printed "
+      "With mu = mu(t) in the equation for g (printed: p(0), see claim_2_2_reconstruction_velocity) and "
+      "lambda(p) = T_e^*R_g p (printed "
       "with the index g(t) in place of e, which would be a map from another fibre).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const h = draw_algebra_polynomial<S>(draw, group.dimension()), f = draw_algebra_polynomial<S>(draw, group.dimension());
+    auto const h = draw_algebra_polynomial<S>(draw, group.dimension()),
+               f = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const H = right_invariant_function(h);
     auto const F = draw_costate_polynomial<S>(draw, group);
     auto const [chart, q, p] = draw_canonical<S>(draw, group);
     auto const along = moved_by_hamilton(H, chart, q, p);
-    Momentum<SpannedGroup, S> const momentum{group, values(along.momentum.components)}, momentum_rate = rate(along.momentum);
+    Momentum<SpannedGroup, S> const momentum{group, values(along.momentum.components)},
+        momentum_rate = rate(along.momentum);
 
     // i gives the equation for g, and iii; the equation for g and iii together give p', so they give i back.
-    claim.equal("i: g' = T_eR_g dh/dmu", model, rate_right(along.configuration), gradient(h, momentum), frame_condition);
-    claim.equal("i and iii: mu' = - ad* mu", model, momentum_rate, lie_poisson_rate_right(h, momentum), frame_condition);
+    claim.equal("i: g' = T_eR_g dh/dmu", model, rate_right(along.configuration), gradient(h, momentum),
+                frame_condition);
+    claim.equal("i and iii: mu' = - ad* mu", model, momentum_rate, lie_poisson_rate_right(h, momentum),
+                frame_condition);
     Vector<S> const q_rate = solve_linear(frame(chart, q), gradient(h, momentum).coordinates);
     Vector<Dual<S>> const carried =
-        frame(chart, moving(q, q_rate)).transpose() * moving(momentum.components, lie_poisson_rate_right(h, momentum).components);
-    claim.equal("iii and i: back to p' = - dH/dq", model, rates(carried), Vector<S>(-slopes(in_canonical(H, chart), q, p)),
-                frame_condition);
+        frame(chart, moving(q, q_rate)).transpose() *
+        moving(momentum.components, lie_poisson_rate_right(h, momentum).components);
+    claim.equal("iii and i: back to p' = - dH/dq", model, rates(carried),
+                Vector<S>(-slopes(in_canonical(H, chart), q, p)), frame_condition);
     // ii and iv.
-    claim.equal("ii: F' = {F, H}", model, F(along).part[0], bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p),
+    claim.equal("ii: F' = {F, H}", model, F(along).part[0],
+                bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p),
                 frame_condition);
-    Momentum<SpannedGroup, Dual<S>> const by_iii{group, moving(momentum.components, lie_poisson_rate_right(h, momentum).components)};
-    claim.equal("iii and iv: f' = {f, h}_+", model, f(by_iii).part[0], lie_poisson_bracket_plus(f, h, momentum), frame_condition);
+    Momentum<SpannedGroup, Dual<S>> const by_iii{
+        group, moving(momentum.components, lie_poisson_rate_right(h, momentum).components)};
+    claim.equal("iii and iv: f' = {f, h}_+", model, f(by_iii).part[0],
+                lie_poisson_bracket_plus(f, h, momentum), frame_condition);
 
     // Controls: the sign; the body's momentum in place of lambda; the minus bracket.
     claim.differs("mu' = + ad* mu", model, momentum_rate, lie_poisson_rate_left(h, momentum));
-    claim.refutes("T_e^*L_g p in place of T_e^*R_g p", model, rate(body_momentum(along)) - momentum_rate, size_of(momentum_rate));
+    claim.refutes("T_e^*L_g p in place of T_e^*R_g p", model, rate(body_momentum(along)) - momentum_rate,
+                  size_of(momentum_rate));
     claim.differs("the minus bracket", model, f(by_iii).part[0], lie_poisson_bracket_minus(f, h, momentum));
   });
 }
 
 STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group element") {
-  claim.corrected(R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
-                  R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
-                  "The momentum is that of the same instant, translated to the identity. With the momentum frozen at its initial value g "
-                  "would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
+  claim.corrected(
+      R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
+      R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
+      "The momentum is that of the same instant, translated to the identity. With the momentum frozen at its "
+      "initial value g "
+      "would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const H = right_invariant_function(h);
@@ -277,17 +317,24 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
     // at the next instant by that of the next: the rate of the velocity is that of dh/dmu along mu'.
     auto const f = in_canonical(H, chart);
     auto const q_later = moving(q, momenta(f, q, p)), p_later = moving(p, Vector<S>(-slopes(f, q, p)));
-    auto const xi_rate = rate(rate_right(costate_in(chart, moving(q_later, momenta(f, q_later, p_later)), moving(p_later, p_later)).configuration));
-    Momentum<SpannedGroup, Dual<S>> const later{group, moving(at.momentum.components, lie_poisson_rate_right(h, at.momentum).components)};
+    auto const xi_rate = rate(
+        rate_right(costate_in(chart, moving(q_later, momenta(f, q_later, p_later)), moving(p_later, p_later))
+                       .configuration));
+    Momentum<SpannedGroup, Dual<S>> const later{
+        group, moving(at.momentum.components, lie_poisson_rate_right(h, at.momentum).components)};
     claim.equal("and stays so", model, xi_rate, rate(gradient(h, later)), 10 * frame_condition);
-    // Controls: the momentum frozen, whose velocity has no rate; the components of p(0) taken for an element of the dual algebra.
+    // Controls: the momentum frozen, whose velocity has no rate; the components of p(0) taken for an element
+    // of the dual algebra.
     claim.refutes("mu frozen at its initial value", model, xi_rate, size_of(xi));
-    claim.differs("components of p(0) in a chart", model, gradient(h, Momentum<SpannedGroup, S>{group, p}), xi);
+    claim.differs("components of p(0) in a chart", model, gradient(h, Momentum<SpannedGroup, S>{group, p}),
+                  xi);
   });
 }
 
-STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson equations and brackets say the same") {
-  claim.holds("Conditions iii and iv say nothing about g: the equation for g is needed to come back to i and ii.");
+STATEMENT(claim_2_2_lie_poisson_equivalence,
+          "Hamilton's equations, Lie-Poisson equations and brackets say the same") {
+  claim.holds(
+      "Conditions iii and iv say nothing about g: the equation for g is needed to come back to i and ii.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.dimension();
     auto const F = draw_costate_polynomial<S>(draw, group), H = draw_costate_polynomial<S>(draw, group);
@@ -298,11 +345,14 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
 
     // The canonical structure of the library, for functions invariant under nothing, against coordinates.
     claim.equal("canonical bracket without coordinates", model, canonical_bracket(F, H, at),
-                bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p), frame_condition);
+                bracket_in_coordinates(in_canonical(F, chart), in_canonical(H, chart), q, p),
+                frame_condition);
     auto const along = moved_by_hamilton(H, chart, q, p);
     auto const field = hamiltonian_vector_field(H, at);
-    claim.equal("Hamilton's equations, configuration", model, field.configuration, rate_right(along.configuration), frame_condition);
-    claim.equal("Hamilton's equations, momentum", model, field.momentum, rate(along.momentum), frame_condition);
+    claim.equal("Hamilton's equations, configuration", model, field.configuration,
+                rate_right(along.configuration), frame_condition);
+    claim.equal("Hamilton's equations, momentum", model, field.momentum, rate(along.momentum),
+                frame_condition);
     claim.equal("i and ii: F' = {F, H}", model, F(moved(at, field)).part[0], canonical_bracket(F, H, at));
 
     // Brackets with the coordinate functions give all rates back: ii gives i, and iv gives iii.
@@ -316,16 +366,20 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
       };
       S const expected = lie_poisson_rate_right(h, at.momentum).components[a];
       auto const scale = size_of(reduced.momentum);
-      claim.zero("ii for the components of the momentum", model, S(canonical_bracket(component, invariant, at) - expected), scale);
-      claim.zero("iv for the components of the momentum", model, S(lie_poisson_bracket_plus(component, h, at.momentum) - expected), scale);
+      claim.zero("ii for the components of the momentum", model,
+                 S(canonical_bracket(component, invariant, at) - expected), scale);
+      claim.zero("iv for the components of the momentum", model,
+                 S(lie_poisson_bracket_plus(component, h, at.momentum) - expected), scale);
     }
     // Controls: with g moved by something else iii and iv hold and i and ii do not; the canonical bracket
     // without its last term.
     auto astray = reduced;
     astray.configuration = draw.template velocity<S>(group);
-    claim.differs("another motion of g", model, F(moved(at, astray)).part[0], canonical_bracket(F, invariant, at));
+    claim.differs("another motion of g", model, F(moved(at, astray)).part[0],
+                  canonical_bracket(F, invariant, at));
     claim.differs("the term <mu, [F, H]> left out", model,
-                  S(canonical_bracket(F, H, at) - pair(at.momentum, bracket(momentum_derivative(F, at), momentum_derivative(H, at)))),
+                  S(canonical_bracket(F, H, at) -
+                    pair(at.momentum, bracket(momentum_derivative(F, at), momentum_derivative(H, at)))),
                   canonical_bracket(F, H, at));
     claim.differs("the reduced equations for a Hamiltonian that is not invariant", model, field.momentum,
                   -ad_star(field.configuration, at.momentum));
@@ -337,7 +391,8 @@ STATEMENT(claim_2_2_lie_poisson_equivalence, "Hamilton's equations, Lie-Poisson 
 
 namespace {
 
-/// Finding the generator of a tangent vector inverts ad* mu on its image, whose condition is below 100 for generic momenta of order 1.
+/// Finding the generator of a tangent vector inverts ad* mu on its image, whose condition is below 100 for
+/// generic momenta of order 1.
 constexpr double orbit_condition = 100;
 
 /// Dimension of the span of some vectors.
@@ -361,7 +416,8 @@ int rank_of(Matrix<S> m) {
 
 STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra, and are symplectic") {
   claim.corrected(R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
-                  "The orbit of a momentum under the coadjoint action lies in the dual of the algebra. Orbits in the algebra itself can "
+                  "The orbit of a momentum under the coadjoint action lies in the dual of the algebra. "
+                  "Orbits in the algebra itself can "
                   "have odd dimension, and their tangent vectors are others.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -374,12 +430,15 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
 
     // The orbit through mu: its tangent vectors are ad* of velocities, whatever the curve in G.
     auto const tangent_vector = rate(Ad_star(inverse(curve(time)), over<Dual<S>>(mu)));
-    claim.equal("tangent vectors are ad*", model, ad_star(orbit_generator(here, tangent_vector), here), tangent_vector, orbit_condition);
+    claim.equal("tangent vectors are ad*", model, ad_star(orbit_generator(here, tangent_vector), here),
+                tangent_vector, orbit_condition);
     // The form is well defined: the generators that the library finds give what any others give.
-    auto const xi = draw.template velocity<S>(group), eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
+    auto const xi = draw.template velocity<S>(group), eta = draw.template velocity<S>(group),
+               zeta = draw.template velocity<S>(group);
     auto const v = ad_star(xi, here), w = ad_star(eta, here);
     auto const form = kirillov_kostant_plus(here, v, w);
-    claim.equal("the form does not depend on the generators", model, form, pair(here, bracket(xi, eta)), orbit_condition);
+    claim.equal("the form does not depend on the generators", model, form, pair(here, bracket(xi, eta)),
+                orbit_condition);
     claim.equal("antisymmetric", model, kirillov_kostant_plus(here, w, v), S(-form), orbit_condition);
     // Not degenerate: its rank is the dimension of the orbit, an even number.
     auto const form_matrix = lie_poisson_tensor_plus(here);
@@ -403,25 +462,31 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
     // Both sums vanish by the identity of Jacobi, so the sign with which the fields bracket does not matter.
     S const closed = rate_of_form(xi, eta, zeta) + rate_of_form(eta, zeta, xi) + rate_of_form(zeta, xi, eta);
     S const brackets = on_bracket(xi, eta, zeta) + on_bracket(eta, zeta, xi) + on_bracket(zeta, xi, eta);
-    S const size = size_of(rate_of_form(xi, eta, zeta)) + size_of(rate_of_form(eta, zeta, xi)) + size_of(on_bracket(xi, eta, zeta));
+    S const size = size_of(rate_of_form(xi, eta, zeta)) + size_of(rate_of_form(eta, zeta, xi)) +
+                   size_of(on_bracket(xi, eta, zeta));
     claim.zero("closed", model, closed, size);
     claim.zero("closed, terms with brackets", model, brackets, size, orbit_condition);
 
     // The form belongs to the bracket: omega_+(X_f, X_h) = {f, h}_+, which leaves no choice for it.
-    auto const f = draw_algebra_polynomial<S>(draw, group.dimension()), h = draw_algebra_polynomial<S>(draw, group.dimension());
+    auto const f = draw_algebra_polynomial<S>(draw, group.dimension()),
+               h = draw_algebra_polynomial<S>(draw, group.dimension());
     S const plus = lie_poisson_bracket_plus(f, h, here);
     claim.equal("omega_+ of Hamiltonian fields is the plus bracket", model,
-                kirillov_kostant_plus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus, orbit_condition);
+                kirillov_kostant_plus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)),
+                plus, orbit_condition);
     claim.equal("omega_- and the minus bracket", model,
-                kirillov_kostant_minus(here, lie_poisson_rate_left(f, here), lie_poisson_rate_left(h, here)), S(-plus), orbit_condition);
-    claim.differs("omega_- for the plus bracket", model,
-                  kirillov_kostant_minus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus);
-    // Control: orbits in the algebra, as printed. Odd dimension on Aff(1) and Heisenberg; elsewhere a tangent vector of the one is none of the other, but for the groups closed
-    // under transposition.
+                kirillov_kostant_minus(here, lie_poisson_rate_left(f, here), lie_poisson_rate_left(h, here)),
+                S(-plus), orbit_condition);
+    claim.differs(
+        "omega_- for the plus bracket", model,
+        kirillov_kostant_minus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus);
+    // Control: orbits in the algebra, as printed. Odd dimension on Aff(1) and Heisenberg; elsewhere a tangent
+    // vector of the one is none of the other, but for the groups closed under transposition.
     if (group.name() == "Aff(1)" || group.name() == "Heisenberg")
       claim.refutes("orbits in the algebra have even dimension", model, S(rank_of(adjoint) % 2), S(1));
     if (group.name() == "SE(3)" || group.name() == "SL(2)" || group.name() == "SE(2)") {
-      Momentum<SpannedGroup, S> const misplaced{group, xi.coordinates}, misplaced_tangent{group, bracket(eta, xi).coordinates};
+      Momentum<SpannedGroup, S> const misplaced{group, xi.coordinates},
+          misplaced_tangent{group, bracket(eta, xi).coordinates};
       claim.template refuses<OutsideDomain>("a tangent vector of the orbit in the algebra", model,
                                             [&] { orbit_generator(misplaced, misplaced_tangent); });
     }
@@ -430,8 +495,10 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
 
 STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") {
   claim.convention(
-      "J is the momentum map of multiplication from the right, T_e^*L_g p, taken at p(t) rather than at g(t): for a right-invariant "
-      "Hamiltonian the body momentum is constant and mu(t) is the spatial one. mu_0 is the initial value of mu only if g(0) = e. "
+      "J is the momentum map of multiplication from the right, T_e^*L_g p, taken at p(t) rather than at "
+      "g(t): for a right-invariant "
+      "Hamiltonian the body momentum is constant and mu(t) is the spatial one. mu_0 is the initial value of "
+      "mu only if g(0) = e. "
       "Ad^*_{g^-1} is the dual of Ad_{g^-1}.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -441,26 +508,34 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
     auto const J = body_momentum(p);
 
     // J pairs p with the generator g zeta of multiplication from the right; along motions it is constant.
-    Matrix<S> const generator = p.configuration.value * group.hat(zeta.coordinates) * inverse_matrix(p.configuration.value);
+    Matrix<S> const generator =
+        p.configuration.value * group.hat(zeta.coordinates) * inverse_matrix(p.configuration.value);
     claim.equal("J is the momentum map of multiplication from the right", model, pair(J, zeta),
                 pair(p.momentum, Velocity<SpannedGroup, S>{group, group.vee(generator)}));
-    claim.zero("J is constant along motions", model, rate(body_momentum(along)), size_of(rate(along.momentum)));
+    claim.zero("J is constant along motions", model, rate(body_momentum(along)),
+               size_of(rate(along.momentum)));
     // So mu is carried back from it by g, over whatever time.
     claim.equal("mu = Ad*_{g^-1} J", model, Ad_star(inverse(p.configuration), J), p.momentum);
-    // The other way round: along any curve, mu(t) = Ad*_{g^-1(t)} mu_0 has the rate - ad*_xi mu of the Lie-Poisson equations with xi = g' g^-1.
+    // The other way round: along any curve, mu(t) = Ad*_{g^-1(t)} mu_0 has the rate - ad*_xi mu of the
+    // Lie-Poisson equations with xi = g' g^-1.
     auto const curve = draw_curve<S>(draw, group);
     S const t = ratio<S>(1, 3);
     Dual<S> time(t);
     time.part[0] = S(1);
-    auto const mu = Ad_star(inverse(curve(t)), J), mu_rate = rate(Ad_star(inverse(curve(time)), over<Dual<S>>(J)));
-    claim.equal("the formula solves mu' = - ad*_xi mu", model, mu_rate, -ad_star(tangent(curve, t).velocity, mu));
+    auto const mu = Ad_star(inverse(curve(t)), J),
+               mu_rate = rate(Ad_star(inverse(curve(time)), over<Dual<S>>(J)));
+    claim.equal("the formula solves mu' = - ad*_xi mu", model, mu_rate,
+                -ad_star(tangent(curve, t).velocity, mu));
 
-    // Controls: no inverse; the spatial momentum taken for the constant one; the initial value of mu although g(0) is not e; a left-invariant Hamiltonian.
+    // Controls: no inverse; the spatial momentum taken for the constant one; the initial value of mu although
+    // g(0) is not e; a left-invariant Hamiltonian.
     claim.differs("Ad*_g", model, Ad_star(p.configuration, J), p.momentum);
     auto const without_inverse = rate(Ad_star(curve(time), over<Dual<S>>(J)));
-    claim.differs("Ad*_g solves it too", model, without_inverse, -ad_star(tangent(curve, t).velocity, Ad_star(curve(t), J)));
+    claim.differs("Ad*_g solves it too", model, without_inverse,
+                  -ad_star(tangent(curve, t).velocity, Ad_star(curve(t), J)));
     auto const g0 = curve(S(0));
-    claim.differs("mu_0 = mu(0) although g(0) is not e", model, Ad_star(inverse(curve(t)), Ad_star(inverse(g0), J)), mu);
+    claim.differs("mu_0 = mu(0) although g(0) is not e", model,
+                  Ad_star(inverse(curve(t)), Ad_star(inverse(g0), J)), mu);
     auto const of_left = moved(p, hamiltonian_vector_field(left_invariant_function(h), p));
     claim.refutes("J of a left-invariant Hamiltonian", model, rate(body_momentum(of_left)), size_of(J));
   });
@@ -471,38 +546,43 @@ STATEMENT(claim_2_2_coadjoint_action_kk, "the coadjoint action preserves the Kir
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const mu = draw.template momentum<S>(group);
     auto const g = draw.template element<S>(group, S(1));
-    auto const v = ad_star(draw.template velocity<S>(group), mu), w = ad_star(draw.template velocity<S>(group), mu);
+    auto const v = ad_star(draw.template velocity<S>(group), mu),
+               w = ad_star(draw.template velocity<S>(group), mu);
     auto const act = [&](Momentum<SpannedGroup, S> const& nu) { return Ad_star(inverse(g), nu); };
 
-    // Ad* is linear, so it carries tangent vectors as it carries momenta. The form finds its generators at the new configuration afresh.
+    // Ad* is linear, so it carries tangent vectors as it carries momenta. The form finds its generators at
+    // the new configuration afresh.
     S const before = kirillov_kostant_plus(mu, v, w);
-    claim.equal("omega_+ at the new configuration on carried vectors", model, kirillov_kostant_plus(act(mu), act(v), act(w)), before,
+    claim.equal("omega_+ at the new configuration on carried vectors", model,
+                kirillov_kostant_plus(act(mu), act(v), act(w)), before, orbit_condition);
+    claim.equal("omega_-", model, kirillov_kostant_minus(act(mu), act(v), act(w)), S(-before),
                 orbit_condition);
-    claim.equal("omega_-", model, kirillov_kostant_minus(act(mu), act(v), act(w)), S(-before), orbit_condition);
-    claim.equal("carried vectors are tangent to the orbit", model, ad_star(orbit_generator(act(mu), act(v)), act(mu)), act(v),
-                orbit_condition);
-    claim.equal("Ad* composes in the order of the group", model, act(Ad_star(inverse(g), v)), Ad_star(inverse(g * g), v));
+    claim.equal("carried vectors are tangent to the orbit", model,
+                ad_star(orbit_generator(act(mu), act(v)), act(mu)), act(v), orbit_condition);
+    claim.equal("Ad* composes in the order of the group", model, act(Ad_star(inverse(g), v)),
+                Ad_star(inverse(g * g), v));
     // Controls: another linear map of orbits to orbits; the star left out, on groups where that makes a
     // difference.
     auto const twice = [&](Momentum<SpannedGroup, S> const& nu) { return S(2) * nu; };
-    claim.differs("multiplication by 2 instead", model, kirillov_kostant_plus(twice(mu), twice(v), twice(w)), before);
+    claim.differs("multiplication by 2 instead", model, kirillov_kostant_plus(twice(mu), twice(v), twice(w)),
+                  before);
     auto const starless = [&](Momentum<SpannedGroup, S> const& nu) {
       return Momentum<SpannedGroup, S>{group, Ad_matrix(g) * nu.components};
     };
     if (group.name() == "Aff(1)")
-      claim.differs("Ad_g without its star", model, kirillov_kostant_plus(starless(mu), starless(v), starless(w)), before);
+      claim.differs("Ad_g without its star", model,
+                    kirillov_kostant_plus(starless(mu), starless(v), starless(w)), before);
     if (group.name() == "SE(3)" || group.name() == "Heisenberg" || group.name() == "SE(2)")
-      claim.template refuses<OutsideDomain>("Ad_g without its star", model,
-                                            [&] { kirillov_kostant_plus(starless(mu), starless(v), starless(w)); });
+      claim.template refuses<OutsideDomain>("Ad_g without its star", model, [&] {
+        kirillov_kostant_plus(starless(mu), starless(v), starless(w));
+      });
   });
 }
 
 // ----
 // Section 2.2: the variations of the reduced velocity.
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, with ad") {
   claim.holds("With eta = dg g^-1, xi = g' g^-1 and ad_xi eta = [xi, eta], the commutator.");
@@ -523,7 +603,8 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
       return retract(e * over<T>(chosen)) * curve(s);
     };
     claim.equal("every eta occurs", model, lifted_variation(constant, t).configuration, chosen);
-    claim.equal("a constant eta gives - ad_xi eta", model, lifted_variation(constant, t).velocity, -ad(xi, chosen));
+    claim.equal("a constant eta gives - ad_xi eta", model, lifted_variation(constant, t).velocity,
+                -ad(xi, chosen));
     // Controls: the sign of left-invariant systems; ad left out.
     claim.differs("eta' + ad_xi eta", model, delta, reduced_variation_left(xi, eta(t), eta_rate));
     claim.differs("eta' alone", model, delta, eta_rate);
@@ -531,10 +612,12 @@ STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, wi
 }
 
 STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocity, with the bracket") {
-  claim.corrected(R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
-                  R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
-                  "The thesis defines ad_xi eta = [xi, eta] (Theorem 2.2.3), so the two printed expressions differ in every group that is "
-                  "not abelian. The plus sign belongs to xi = g^-1 g' and eta = g^-1 dg, the left-invariant case.");
+  claim.corrected(
+      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
+      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
+      "The thesis defines ad_xi eta = [xi, eta] (Theorem 2.2.3), so the two printed expressions differ in "
+      "every group that is "
+      "not abelian. The plus sign belongs to xi = g^-1 g' and eta = g^-1 dg, the left-invariant case.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);

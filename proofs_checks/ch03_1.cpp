@@ -11,7 +11,9 @@ using namespace actio::checks;
 
 namespace {
 
-/// A discretization in Cayley's chart at the identity, wherever the configurations are: an approximation as \ref discretize_at_the_configuration is, but with an origin. `where` = 1/2 is half-way, 0 is at the first configuration.
+/// A discretization in Cayley's chart at the identity, wherever the configurations are: an approximation as
+/// \ref discretize_at_the_configuration is, but with an origin. `where` = 1/2 is half-way, 0 is at the first
+/// configuration.
 template <class Lagrangian, class S>
 auto discretize_at_the_identity(Lagrangian L, S h, S where) {
   return [=](auto const& g0, auto const& g1) {
@@ -30,8 +32,10 @@ auto discretize_at_the_identity(Lagrangian L, S h, S where) {
 }  // namespace
 
 STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations that are held") {
-  claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))", R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb L(g_k,g_{k+1}))",
-                  "The configurations are g_0, ..., g_N and the ends g_0 and g_N are held, so the sum runs over the N pairs between them; the printed range leaves "
+  claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))",
+                  R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb L(g_k,g_{k+1}))",
+                  "The configurations are g_0, ..., g_N and the ends g_0 and g_N are held, so the sum runs "
+                  "over the N pairs between them; the printed range leaves "
                   "g_0 out, needs a configuration g_{N+1}, and its variation at g_1 is not (3.2).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // Configurations g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
@@ -39,7 +43,8 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
     auto const g = draw_configurations<S>(draw, group, 6);
     GroupElements<S> const held(g.begin(), g.begin() + 5);
     auto const action = discrete_action(L, held);
-    claim.equal("the action of g_0, ..., g_4 is the sum over its four pairs", model, action, S(L(g[0], g[1]) + L(g[1], g[2]) + L(g[2], g[3]) + L(g[3], g[4])));
+    claim.equal("the action of g_0, ..., g_4 is the sum over its four pairs", model, action,
+                S(L(g[0], g[1]) + L(g[1], g[2]) + L(g[2], g[3]) + L(g[3], g[4])));
     claim.differs("the printed range, k = 1, ..., N", model, sum_over_pairs(L, g, 1, 4), action);
 
     // Its differential at g_1 is the left side of (3.2).
@@ -47,32 +52,43 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
     Vector<S> const expected = (D2(L, g[0], g[1]) + D1(L, g[1], g[2])).components;
     auto const right = differential(held, [&](auto const& q) { return discrete_action(L, q); });
     auto const printed = differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, 4); });
-    claim.equal("its differential at g_1 is the left side of (3.2)", model, Vector<S>(right.segment(d, d)), expected);
-    claim.differs("differential of the printed sum at g_1", model, Vector<S>(printed.segment(d, d)), expected);
+    claim.equal("its differential at g_1 is the left side of (3.2)", model, Vector<S>(right.segment(d, d)),
+                expected);
+    claim.differs("differential of the printed sum at g_1", model, Vector<S>(printed.segment(d, d)),
+                  expected);
   });
 }
 
-STATEMENT(claim_3_1_discrete_from_continuous, "a discrete Lagrangian from an approximate configuration and an approximate velocity") {
-  claim.convention("For equal steps. Print leaves the step out as a factor, which divides the action and every momentum by it; where steps differ the factor h belongs there, and the library's discrete Lagrangians carry it.");
+STATEMENT(claim_3_1_discrete_from_continuous,
+          "a discrete Lagrangian from an approximate configuration and an approximate velocity") {
+  claim.convention(
+      "For equal steps. Print leaves the step out as a factor, which divides the action and every momentum "
+      "by it; where steps differ the factor h belongs there, and the library's discrete Lagrangians carry "
+      "it.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 3);
     S const h = ratio<S>(1, 3);
     auto const per_step = [&](S const& step) {
-      return [L = discretize_at_the_configuration(lagrangian, step), step](auto const& g0, auto const& g1) { return L(g0, g1) / typename std::decay_t<decltype(g0)>::Scalar(step); };
+      return [L = discretize_at_the_configuration(lagrangian, step), step](auto const& g0, auto const& g1) {
+        return L(g0, g1) / typename std::decay_t<decltype(g0)>::Scalar(step);
+      };
     };
 
     // Equal steps: the factor drops out of (3.2).
     auto const action = discretize_at_the_configuration(lagrangian, h);
     auto const with_factor = discrete_euler_lagrange(action, g[0], g[1], g[2]);
-    claim.equal("(3.2) with the factor h is h times (3.2) without", model, with_factor, h * discrete_euler_lagrange(per_step(h), g[0], g[1], g[2]));
+    claim.equal("(3.2) with the factor h is h times (3.2) without", model, with_factor,
+                h * discrete_euler_lagrange(per_step(h), g[0], g[1], g[2]));
     // Control: a second step of half the length.
     auto const half = discretize_at_the_configuration(lagrangian, S(h / 2));
     auto const two_steps = D2(action, g[0], g[1]) + D1(half, g[1], g[2]);
-    claim.differs("unequal steps without the factor", model, h * (D2(per_step(h), g[0], g[1]) + D1(per_step(S(h / 2)), g[1], g[2])), two_steps);
+    claim.differs("unequal steps without the factor", model,
+                  h * (D2(per_step(h), g[0], g[1]) + D1(per_step(S(h / 2)), g[1], g[2])), two_steps);
   });
 
-  // Along a smooth curve the approximate configuration and velocity tend to the true ones, and so does the Lagrangian.
+  // Along a smooth curve the approximate configuration and velocity tend to the true ones, and so does the
+  // Lagrangian.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const a = draw.template velocity<S>(group), b = draw.template velocity<S>(group);
@@ -94,7 +110,11 @@ STATEMENT(claim_3_1_discrete_from_continuous, "a discrete Lagrangian from an app
         steps.push_back(to_double(h));
         at_configuration.push_back(error(discretize_at_the_configuration(lagrangian, h), h));
         at_identity.push_back(error(discretize_at_the_identity(lagrangian, h, ratio<S>(1, 2)), h));
-        backwards.push_back(error([&](auto const& p, auto const& q) { return discretize_at_the_configuration(lagrangian, h)(q, p); }, h));
+        backwards.push_back(error(
+            [&](auto const& p, auto const& q) {
+          return discretize_at_the_configuration(lagrangian, h)(q, p);
+            },
+            h));
       }
       claim.order("half-way in a chart at the configuration", model, steps, at_configuration, 2);
       claim.order("half-way in a chart at the identity", model, steps, at_identity, 2);
@@ -104,51 +124,67 @@ STATEMENT(claim_3_1_discrete_from_continuous, "a discrete Lagrangian from an app
   });
 }
 
-STATEMENT(rem_3_1_1, "a discretization without origin inherits the symmetry; lifted and diagonal actions agree") {
-  claim.holds("Instance: the half-way rule in Cayley's chart at the configuration, right- and left-invariant Lagrangians. A chart at the identity, as accurate, does not inherit: the choice in the remark is needed.");
+STATEMENT(rem_3_1_1,
+          "a discretization without origin inherits the symmetry; lifted and diagonal actions agree") {
+  claim.holds(
+      "Instance: the half-way rule in Cayley's chart at the configuration, right- and left-invariant "
+      "Lagrangians. A chart at the identity, as accurate, does not inherit: the choice in the remark is "
+      "needed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     S const h = ratio<S>(1, 3);
     // Draws are small, so that every pair is inside Cayley's chart.
-    auto const g0 = draw.template element<S>(group), g1 = draw.template element<S>(group), bar = draw.template element<S>(group);
+    auto const g0 = draw.template element<S>(group), g1 = draw.template element<S>(group),
+               bar = draw.template element<S>(group);
 
     // The Lagrangian on TG is invariant under right multiplication, and so is the discrete one.
-    auto const right = discretize_at_the_configuration(right_invariant(l), h), left = discretize_at_the_configuration(left_invariant(l), h);
-    claim.equal("right-invariant: unchanged under (g0 k, g1 k)", model, right(g0 * bar, g1 * bar), right(g0, g1));
-    claim.equal("left-invariant: unchanged under (k g0, k g1)", model, left(bar * g0, bar * g1), left(g0, g1));
+    auto const right = discretize_at_the_configuration(right_invariant(l), h),
+               left = discretize_at_the_configuration(left_invariant(l), h);
+    claim.equal("right-invariant: unchanged under (g0 k, g1 k)", model, right(g0 * bar, g1 * bar),
+                right(g0, g1));
+    claim.equal("left-invariant: unchanged under (k g0, k g1)", model, left(bar * g0, bar * g1),
+                left(g0, g1));
 
     // A pair of infinitely near configurations, moved diagonally, is the state moved by the lifted action.
     State<SpannedGroup, S> const v{g0, draw.template velocity<S>(group)};
     auto const near = nudged(v.configuration, v.velocity);
-    auto const moved_right_ = state_of(near * over<Dual<S>>(bar)), moved_left_ = state_of(over<Dual<S>>(bar) * near);
+    auto const moved_right_ = state_of(near * over<Dual<S>>(bar)),
+               moved_left_ = state_of(over<Dual<S>>(bar) * near);
     claim.equal("lifted right action: the spatial velocity stays", model, moved_right_.velocity, v.velocity);
-    claim.equal("lifted left action: the spatial velocity turns by Ad", model, moved_left_.velocity, Ad(bar, v.velocity));
+    claim.equal("lifted left action: the spatial velocity turns by Ad", model, moved_left_.velocity,
+                Ad(bar, v.velocity));
     claim.equal("right-invariant on TG", model, right_invariant(l)(moved_right_), right_invariant(l)(v));
     claim.equal("left-invariant on TG", model, left_invariant(l)(moved_left_), left_invariant(l)(v));
 
     // Controls: the other side, one configuration alone.
-    claim.differs("right-invariant Lagrangian, multiplied on the left", model, right(bar * g0, bar * g1), right(g0, g1));
+    claim.differs("right-invariant Lagrangian, multiplied on the left", model, right(bar * g0, bar * g1),
+                  right(g0, g1));
     claim.differs("one configuration multiplied, not both", model, right(g0 * bar, g1), right(g0, g1));
   });
-  // Where the group is nilpotent of class 2 even a chart at the identity inherits, so the last control has its own groups.
+  // Where the group is nilpotent of class 2 even a chart at the identity inherits, so the last control has
+  // its own groups.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g = draw_configurations<S>(draw, group, 3);
     auto const with_origin = discretize_at_the_identity(right_invariant(l), ratio<S>(1, 3), S(0));
-    claim.differs("discretized in a chart at the identity", model, with_origin(g[0] * g[2], g[1] * g[2]), with_origin(g[0], g[1]));
+    claim.differs("discretized in a chart at the identity", model, with_origin(g[0] * g[2], g[1] * g[2]),
+                  with_origin(g[0], g[1]));
   });
 }
 
 STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of the action") {
   claim.holds();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // Off shell, four steps: the differential at each configuration in between is the left side of (3.2) there.
+    // Off shell, four steps: the differential at each configuration in between is the left side of (3.2)
+    // there.
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 5);
     int const d = group.dimension();
     auto const inside = [&](auto const& lagrangian, GroupElements<S> const& q) {
       int const N = static_cast<int>(q.size()) - 1;
-      return Vector<S>(differential(q, [&](auto const& r) { return sum_over_pairs(lagrangian, r, 0, N - 1); }).segment(d, d * (N - 1)));
+      return Vector<S>(differential(q, [&](auto const& r) {
+                         return sum_over_pairs(lagrangian, r, 0, N - 1);
+                       }).segment(d, d * (N - 1)));
     };
     std::vector<Momentum<SpannedGroup, S>> equations, exchanged, shifted;
     for (int k = 1; k <= 3; ++k) {
@@ -167,7 +203,8 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
     claim.refutes("a sequence that is no motion", model, inside(M, {g[0], g[1], g[3]}), terms);
   });
 
-  // The discrete flow finds the next configuration from the equation: four steps of the solver, the equation written out with the directional derivative.
+  // The discrete flow finds the next configuration from the equation: four steps of the solver, the equation
+  // written out with the directional derivative.
   if (!exact_arithmetic<S>())
     over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
       auto lagrangian = draw_state_polynomial<S>(draw, group);
@@ -177,17 +214,24 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
       g.push_back(retract(draw.template velocity<S>(group, ratio<S>(1, 256))) * g[0]);
       for (int k = 1; k <= 4; ++k) {
         g.push_back(step_euler_lagrange(L, g[k - 1], g[k]).value);
-        auto const whole = differential(GroupElements<S>{g[k - 1], g[k], g[k + 1]}, [&](auto const& q) { return sum_over_pairs(L, q, 0, 1); });
+        auto const whole = differential(GroupElements<S>{g[k - 1], g[k], g[k + 1]},
+                                        [&](auto const& q) { return sum_over_pairs(L, q, 0, 1); });
         // The solver stops at 16 roundings of the derivative, which is 1/h = 64 times a momentum.
-        claim.zero("the configuration that the step finds satisfies (3.2)", model, Vector<S>(whole.segment(group.dimension(), group.dimension())), size_of(D2(L, g[k - 1], g[k])), 8);
+        claim.zero("the configuration that the step finds satisfies (3.2)", model,
+                   Vector<S>(whole.segment(group.dimension(), group.dimension())),
+                   size_of(D2(L, g[k - 1], g[k])), 8);
       }
     });
 }
 
 STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
-  claim.corrected(R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_{k-1},g_k)\delta g_k=\dots)",
-                  R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta g_k=\dots)",
-                  "In the first line the arguments of the two sums are exchanged, so that it asks for configurations g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
+  claim.corrected(
+      R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
+      R"(L(g_{k-1},g_k)\delta g_k=\dots)",
+      R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
+      R"(L(g_k,g_{k+1})\delta g_k=\dots)",
+      "In the first line the arguments of the two sums are exchanged, so that it asks for configurations "
+      "g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 3: configurations all[1], ..., all[4] are g_0, ..., g_3; all[0] and all[5] are the g_{-1} and g_4
     // that the thesis prints.
@@ -196,30 +240,39 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
     auto const all = draw_configurations<S>(draw, group, N + 3);
     auto const g = [&](int k) { return all[k + 1]; };
     std::vector<Momentum<SpannedGroup, S>> right(N + 1, zero_momentum<S>(group)), printed = right, regrouped;
-    for (int k = 1; k <= N; ++k) right[k] = right[k] + D2(L, g(k - 1), g(k)), printed[k] = printed[k] + D2(L, g(k), g(k + 1));
-    for (int k = 0; k <= N - 1; ++k) right[k] = right[k] + D1(L, g(k), g(k + 1)), printed[k] = printed[k] + D1(L, g(k - 1), g(k));
+    for (int k = 1; k <= N; ++k)
+      right[k] = right[k] + D2(L, g(k - 1), g(k)), printed[k] = printed[k] + D2(L, g(k), g(k + 1));
+    for (int k = 0; k <= N - 1; ++k)
+      right[k] = right[k] + D1(L, g(k), g(k + 1)), printed[k] = printed[k] + D1(L, g(k - 1), g(k));
     regrouped.push_back(D1(L, g(0), g(1)));
     for (int k = 1; k <= N - 1; ++k) regrouped.push_back(D1(L, g(k), g(k + 1)) + D2(L, g(k - 1), g(k)));
     regrouped.push_back(D2(L, g(N - 1), g(N)));
 
-    auto const dS = differential(GroupElements<S>{g(0), g(1), g(2), g(3)}, [&](auto const& q) { return discrete_action(L, q); });
+    auto const dS = differential(GroupElements<S>{g(0), g(1), g(2), g(3)},
+                                 [&](auto const& q) { return discrete_action(L, q); });
     claim.equal("first line, arguments exchanged back", model, dS, stacked(right));
     claim.equal("second line, as printed", model, dS, stacked(regrouped));
     claim.differs("first line as printed", model, dS, stacked(printed));
   });
 }
 
-STATEMENT(claim_3_1_action_differential_split, "first slots and second slots of the action, each with its own range") {
-  claim.corrected(R"(\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_{k-1},g_k)\delta g_k)",
-                  R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta g_k)",
-                  "A configuration is the second of the pair before it and the first of the pair after it: D_2 goes with (g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
+STATEMENT(claim_3_1_action_differential_split,
+          "first slots and second slots of the action, each with its own range") {
+  claim.corrected(
+      R"(\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_{k-1},g_k)\delta )"
+      R"(g_k)",
+      R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta )"
+      R"(g_k)",
+      "A configuration is the second of the pair before it and the first of the pair after it: D_2 goes with "
+      "(g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const all = draw_configurations<S>(draw, group, N + 3);
     auto const g = [&](int k) { return all[k + 1]; };
-    // Two copies of the configurations: the pairs take their first configuration from one, their second from the other.
+    // Two copies of the configurations: the pairs take their first configuration from one, their second from
+    // the other.
     GroupElements<S> copies;
     for (int copy = 0; copy < 2; ++copy)
       for (int k = 0; k <= N; ++k) copies.push_back(g(k));
@@ -230,7 +283,8 @@ STATEMENT(claim_3_1_action_differential_split, "first slots and second slots of 
     });
     Vector<S> const first = both.head(both.size() / 2), second = both.tail(both.size() / 2);
 
-    std::vector<Momentum<SpannedGroup, S>> d1(N + 1, zero_momentum<S>(group)), d2 = d1, d1_printed = d1, d2_printed = d1;
+    std::vector<Momentum<SpannedGroup, S>> d1(N + 1, zero_momentum<S>(group)), d2 = d1, d1_printed = d1,
+                                                                               d2_printed = d1;
     for (int k = 0; k <= N - 1; ++k) d1[k] = D1(L, g(k), g(k + 1)), d1_printed[k] = D1(L, g(k - 1), g(k));
     for (int k = 1; k <= N; ++k) d2[k] = D2(L, g(k - 1), g(k)), d2_printed[k] = D2(L, g(k), g(k + 1));
     claim.equal("first slots: D_1 at (g_k, g_{k+1}), k = 0, ..., N-1", model, first, stacked(d1));
@@ -258,7 +312,8 @@ STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), th
     auto exchanged = terms;
     exchanged[0] = D2(L, g[0], g[1]), exchanged[N] = D1(L, g[N - 1], g[N]);
     claim.differs("D_2 at the first end and D_1 at the last", model, dS, stacked(exchanged));
-    claim.differs("the action summed over k = 1, ..., N", model, differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, N); }), stacked(terms));
+    claim.differs("the action summed over k = 1, ..., N", model,
+                  differential(g, [&](auto const& q) { return sum_over_pairs(L, q, 1, N); }), stacked(terms));
   });
 }
 
@@ -270,7 +325,8 @@ namespace {
 /// The two one-forms as functions of (g0, g1, change), for \ref exterior_derivative.
 template <class Lagrangian>
 auto minus_form(Lagrangian const& L) {
-  return [&L](auto const& g0, auto const& g1, auto const& w) { return discrete_one_form_minus(L, g0, g1, w); };
+  return
+      [&L](auto const& g0, auto const& g1, auto const& w) { return discrete_one_form_minus(L, g0, g1, w); };
 }
 template <class Lagrangian>
 auto plus_form(Lagrangian const& L) {
@@ -285,17 +341,31 @@ STATEMENT(eq_3_4, "the two one-forms add up to the differential of the Lagrangia
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
-    auto const dL = on_each(w, [&](auto const& u) { return rate(g, {u.first, u.second}, [&](auto const& q) { return L(q[0], q[1]); }); });
+    auto const dL = on_each(w, [&](auto const& u) {
+      return rate(g, {u.first, u.second}, [&](auto const& q) { return L(q[0], q[1]); });
+    });
     auto const minus = on_each(w, [&](auto const& u) { return discrete_one_form_minus(L, g[0], g[1], u); });
     auto const plus = on_each(w, [&](auto const& u) { return discrete_one_form_plus(L, g[0], g[1], u); });
     claim.equal("theta- plus theta+ is dL", model, Vector<S>(minus + plus), dL);
     // Each lives in its own slot.
     auto const still = rest<S>(group);
-    claim.equal("theta- is dL with the second configuration at rest", model, minus, on_each(w, [&](auto const& u) { return rate(g, {u.first, still}, [&](auto const& q) { return L(q[0], q[1]); }); }));
-    claim.equal("theta+ is dL with the first configuration at rest", model, plus, on_each(w, [&](auto const& u) { return rate(g, {still, u.second}, [&](auto const& q) { return L(q[0], q[1]); }); }));
+    claim.equal("theta- is dL with the second configuration at rest", model, minus,
+                on_each(w, [&](auto const& u) {
+                  return rate(g, {u.first, still}, [&](auto const& q) { return L(q[0], q[1]); });
+                }));
+    claim.equal("theta+ is dL with the first configuration at rest", model, plus,
+                on_each(w, [&](auto const& u) {
+                  return rate(g, {still, u.second}, [&](auto const& q) { return L(q[0], q[1]); });
+                }));
     // Controls: the sign of the momentum in theta-, the slots exchanged.
     claim.differs("theta+ minus theta-", model, Vector<S>(plus - minus), dL);
-    claim.differs("slots exchanged", model, on_each(w, [&](auto const& u) { return S(pair(D1(L, g[0], g[1]), u.second) + pair(D2(L, g[0], g[1]), u.first)); }), dL);
+    claim.differs("slots exchanged", model,
+                  on_each(
+                      w,
+                      [&](auto const& u) {
+      return S(pair(D1(L, g[0], g[1]), u.second) + pair(D2(L, g[0], g[1]), u.first));
+                      }),
+                  dL);
   });
 }
 
@@ -305,33 +375,55 @@ STATEMENT(claim_3_1_exterior_derivative_sum, "the exterior derivatives of the tw
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
-    auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(minus_form(L), g[0], g[1], a, b); });
-    auto const d_plus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(plus_form(L), g[0], g[1], a, b); });
+    auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) {
+      return exterior_derivative(minus_form(L), g[0], g[1], a, b);
+    });
+    auto const d_plus = on_pairs(
+        w, [&](auto const& a, auto const& b) { return exterior_derivative(plus_form(L), g[0], g[1], a, b); });
     claim.zero("d theta- plus d theta+", model, Vector<S>(d_minus + d_plus), size_of(d_minus));
-    // Controls: with equal signs they do not cancel, and the one-forms themselves are no negatives of each other.
+    // Controls: with equal signs they do not cancel, and the one-forms themselves are no negatives of each
+    // other.
     claim.refutes("d theta- minus d theta+", model, Vector<S>(d_minus - d_plus), size_of(d_minus));
-    claim.differs("theta- against minus theta+", model, on_each(w, [&](auto const& u) { return discrete_one_form_minus(L, g[0], g[1], u); }),
+    claim.differs("theta- against minus theta+", model,
+                  on_each(w, [&](auto const& u) { return discrete_one_form_minus(L, g[0], g[1], u); }),
                   on_each(w, [&](auto const& u) { return S(-discrete_one_form_plus(L, g[0], g[1], u)); }));
   });
 }
 
 STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
-  claim.corrected(R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_k^i\wedge dg_{k+1}^j)",
-                  R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_{k+1}^j\wedge dg_k^i)",
-                  "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, for with omega = d theta+ the coordinates, the chain for "
-                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega = d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
+  claim.corrected(
+      R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_k^i\wedge )"
+      R"(dg_{k+1}^j)",
+      R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_{k+1}^j)"
+      R"(\wedge dg_k^i)",
+      "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, for with "
+      "omega = d theta+ the coordinates, the chain for "
+      "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega = d theta-, "
+      "which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const w = draw_changes<S>(draw, group);
-    // Coordinates x -> exp(x) g_k, y -> exp(y) g_{k+1}: the mixed second derivative of L along x and y, on dx^i ^ dy^j.
-    auto const mixed = [&](auto const& x, auto const& y) { return L(nudged(over<Dual<S>>(g[0]), over<Dual<S>>(x)), over<Dual<Dual<S>>>(nudged(g[1], y))).part[0].part[0]; };
-    auto const printed = on_pairs(w, [&](auto const& a, auto const& b) { return S(mixed(a.first, b.second) - mixed(b.first, a.second)); });
+    // Coordinates x -> exp(x) g_k, y -> exp(y) g_{k+1}: the mixed second derivative of L along x and y, on
+    // dx^i ^ dy^j.
+    auto const mixed = [&](auto const& x, auto const& y) {
+      return L(nudged(over<Dual<S>>(g[0]), over<Dual<S>>(x)), over<Dual<Dual<S>>>(nudged(g[1], y)))
+          .part[0]
+          .part[0];
+    };
+    auto const printed = on_pairs(w, [&](auto const& a, auto const& b) {
+      return S(mixed(a.first, b.second) - mixed(b.first, a.second));
+    });
 
-    auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(minus_form(L), g[0], g[1], a, b); });
-    auto const d_plus = on_pairs(w, [&](auto const& a, auto const& b) { return exterior_derivative(plus_form(L), g[0], g[1], a, b); });
-    auto const omega = on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
-    claim.equal("d theta- with the later configuration first in the wedge", model, d_minus, Vector<S>(-printed));
+    auto const d_minus = on_pairs(w, [&](auto const& a, auto const& b) {
+      return exterior_derivative(minus_form(L), g[0], g[1], a, b);
+    });
+    auto const d_plus = on_pairs(
+        w, [&](auto const& a, auto const& b) { return exterior_derivative(plus_form(L), g[0], g[1], a, b); });
+    auto const omega =
+        on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
+    claim.equal("d theta- with the later configuration first in the wedge", model, d_minus,
+                Vector<S>(-printed));
     claim.equal("the library's two-form is d theta-", model, omega, d_minus);
     claim.equal("the library's two-form is -d theta+", model, omega, Vector<S>(-d_plus));
     claim.equal("the printed coordinates are those of d theta+", model, printed, d_plus);
@@ -339,8 +431,11 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
   });
 }
 
-STATEMENT(claim_3_1_pullback_canonical, "the two-form is the pull-back of the canonical one by the discrete Legendre transformation") {
-  claim.convention("With the printed Legendre transformation (g_k, D_1 L) and omega = d theta- the canonical form is +d theta_0. With chapter 2's sign, -d theta_0, it takes the physical momentum, (g_k, -D_1 L).");
+STATEMENT(claim_3_1_pullback_canonical,
+          "the two-form is the pull-back of the canonical one by the discrete Legendre transformation") {
+  claim.convention(
+      "With the printed Legendre transformation (g_k, D_1 L) and omega = d theta- the canonical form is +d "
+      "theta_0. With chapter 2's sign, -d theta_0, it takes the physical momentum, (g_k, -D_1 L).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -350,26 +445,43 @@ STATEMENT(claim_3_1_pullback_canonical, "the two-form is the pull-back of the ca
     using Covector = Momentum<SpannedGroup, S>;
     auto const pulled_back = [&](auto const& momentum, auto const& configuration) {
       auto const mu = momentum(g[0], g[1]);
-      auto const change = [&](Change<S> const& u) { return Covector{group, rates(momentum(nudged(g[0], u.first), nudged(g[1], u.second)))}; };
-      return on_pairs(w, [&](auto const& a, auto const& b) { return S(pair(change(b), configuration(a)) - pair(change(a), configuration(b)) - pair(mu, bracket(configuration(a), configuration(b)))); });
+      auto const change = [&](Change<S> const& u) {
+        return Covector{group, rates(momentum(nudged(g[0], u.first), nudged(g[1], u.second)))};
+      };
+      return on_pairs(w, [&](auto const& a, auto const& b) {
+        return S(pair(change(b), configuration(a)) - pair(change(a), configuration(b)) -
+                 pair(mu, bracket(configuration(a), configuration(b))));
+      });
     };
     auto const first = [](Change<S> const& u) { return u.first; };
     auto const second = [](Change<S> const& u) { return u.second; };
-    auto const omega = on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
+    auto const omega =
+        on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
     auto const printed = pulled_back([&](auto const& g0, auto const& g1) { return D1(L, g0, g1); }, first);
     claim.equal("d theta_0 by (g_k, D_1 L)", model, Vector<S>(-printed), omega);
-    claim.equal("-d theta_0 by (g_k, -D_1 L)", model, pulled_back([&](auto const& g0, auto const& g1) { return legendre_source(L, g0, g1); }, first), omega);
-    claim.equal("-d theta_0 by (g_{k+1}, D_2 L)", model, pulled_back([&](auto const& g0, auto const& g1) { return legendre_target(L, g0, g1); }, second), omega);
+    claim.equal(
+        "-d theta_0 by (g_k, -D_1 L)", model,
+        pulled_back([&](auto const& g0, auto const& g1) { return legendre_source(L, g0, g1); }, first),
+        omega);
+    claim.equal(
+        "-d theta_0 by (g_{k+1}, D_2 L)", model,
+        pulled_back([&](auto const& g0, auto const& g1) { return legendre_target(L, g0, g1); }, second),
+        omega);
     // The one-form comes back as well: theta_0 by (g_k, D_1 L) is theta-.
-    claim.equal("theta_0 by (g_k, D_1 L) is theta-", model, on_each(w, [&](auto const& u) { return pair(-legendre_source(L, g[0], g[1]), u.first); }), on_each(w, [&](auto const& u) { return discrete_one_form_minus(L, g[0], g[1], u); }));
+    claim.equal("theta_0 by (g_k, D_1 L) is theta-", model,
+                on_each(w, [&](auto const& u) { return pair(-legendre_source(L, g[0], g[1]), u.first); }),
+                on_each(w, [&](auto const& u) { return discrete_one_form_minus(L, g[0], g[1], u); }));
     claim.differs("-d theta_0 by (g_k, D_1 L)", model, printed, omega);
   });
 }
 
 namespace {
 
-/// \f$L(g_0, g_1) = \mathrm{tr}(g_0g_1^{-1})\f$, which on SO(3) depends on the angle between the two configurations alone.
-inline constexpr auto trace_lagrangian = [](auto const& g0, auto const& g1) { return (g0 * inverse(g1)).value.trace(); };
+/// \f$L(g_0, g_1) = \mathrm{tr}(g_0g_1^{-1})\f$, which on SO(3) depends on the angle between the two
+/// configurations alone.
+inline constexpr auto trace_lagrangian = [](auto const& g0, auto const& g1) {
+  return (g0 * inverse(g1)).value.trace();
+};
 /// \f$-\tfrac12|g_1 - g_0|^2\f$, entry by entry.
 inline constexpr auto squared_distance = [](auto const& g0, auto const& g1) {
   auto const d = (g1.value - g0.value).eval();
@@ -389,32 +501,53 @@ S determinant(Matrix<S> const& m) {
       for (Index k = 0, c = 0; k < m.cols(); ++k)
         if (k != j) minor(i - 1, c++) = m(i, k);
     S const term = m(0, j) * determinant(minor);
-    if (j % 2 == 0) sum += term;
-    else sum -= term;
+    if (j % 2 == 0)
+      sum += term;
+    else
+      sum -= term;
   }
   return sum;
 }
 
 }  // namespace
 
-STATEMENT(rem_3_1_2, "near the diagonal a regular Lagrangian gives a nondegenerate form, far from it perhaps not") {
-  claim.convention("Where the Lagrangian is regular near the diagonal, as one that comes from a regular Lagrangian on TG with a short step is. The form itself is defined everywhere; "
-                   "it must degenerate somewhere if G is compact (an exact form on a closed manifold), and need not elsewhere. Instances: tr(g_0 g_1^-1) on SO(3) degenerates at quarter turns, the squared distance on the Heisenberg group nowhere.");
+STATEMENT(rem_3_1_2,
+          "near the diagonal a regular Lagrangian gives a nondegenerate form, far from it perhaps not") {
+  claim.convention(
+      "Where the Lagrangian is regular near the diagonal, as one that comes from a regular Lagrangian on TG "
+      "with a short step is. The form itself is defined everywhere; "
+      "it must degenerate somewhere if G is compact (an exact form on a closed manifold), and need not "
+      "elsewhere. Instances: tr(g_0 g_1^-1) on SO(3) degenerates at quarter turns, the squared distance on "
+      "the Heisenberg group nowhere.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    // On the diagonal h D2 D1 L is minus the fibre Hessian, plus h times a remainder that is affine in h: the potential's second derivative comes with h.
+    // On the diagonal h D2 D1 L is minus the fibre Hessian, plus h times a remainder that is affine in h: the
+    // potential's second derivative comes with h.
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g = draw.template element<S>(group);
     State<SpannedGroup, S> const at_rest{g, rest<S>(group)};
     Matrix<S> const hessian = fibre_hessian(lagrangian, at_rest);
-    auto const remainder = [&](S const& h) { return Matrix<S>((h * mixed_derivative(discretize_at_the_configuration(lagrangian, h), g, g) + hessian) / h); };
-    claim.equal("on the diagonal h D2 D1 L tends to minus the fibre Hessian", model, Matrix<S>(remainder(ratio<S>(1, 2)) + remainder(ratio<S>(1, 6))), Matrix<S>(remainder(ratio<S>(1, 3)) * S(2)));
+    auto const remainder = [&](S const& h) {
+      return Matrix<S>(
+          (h * mixed_derivative(discretize_at_the_configuration(lagrangian, h), g, g) + hessian) / h);
+    };
+    claim.equal("on the diagonal h D2 D1 L tends to minus the fibre Hessian", model,
+                Matrix<S>(remainder(ratio<S>(1, 2)) + remainder(ratio<S>(1, 6))),
+                Matrix<S>(remainder(ratio<S>(1, 3)) * S(2)));
     // So for a short step it has an inverse, as the Hessian (positive definite here) has.
-    Matrix<S> const m = mixed_derivative(discretize_at_the_configuration(lagrangian, ratio<S>(1, 1000)), g, g), one = Matrix<S>::Identity(m.rows(), m.cols());
-    claim.equal("nondegenerate on the diagonal for a short step", model, Matrix<S>(m * inverse_matrix(m)), one);
+    Matrix<S> const m = mixed_derivative(discretize_at_the_configuration(lagrangian, ratio<S>(1, 1000)), g,
+                                         g),
+                    one = Matrix<S>::Identity(m.rows(), m.cols());
+    claim.equal("nondegenerate on the diagonal for a short step", model, Matrix<S>(m * inverse_matrix(m)),
+                one);
     // Controls: the Hessian with the other sign; a Lagrangian that couples its configurations in no way.
-    claim.differs("on the diagonal h D2 D1 L tends to the fibre Hessian", model, Matrix<S>(m / S(1000)), hessian);
-    auto const apart = [](auto const& g0, auto const& g1) { return g0.value(0, 0) + g1.value(0, 1) * g1.value(0, 0); };
-    claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] { inverse_matrix(Matrix<S>(mixed_derivative(apart, g, g)), "D2 D1 L"); });
+    claim.differs("on the diagonal h D2 D1 L tends to the fibre Hessian", model, Matrix<S>(m / S(1000)),
+                  hessian);
+    auto const apart = [](auto const& g0, auto const& g1) {
+      return g0.value(0, 0) + g1.value(0, 1) * g1.value(0, 0);
+    };
+    claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] {
+      inverse_matrix(Matrix<S>(mixed_derivative(apart, g, g)), "D2 D1 L");
+    });
   });
 
   // Away from the diagonal on SO(3): the determinant is 4 cos(phi) (1 + cos(phi)), zero at a quarter turn.
@@ -422,12 +555,17 @@ STATEMENT(rem_3_1_2, "near the diagonal a regular Lagrangian gives a nondegenera
   {
     auto const g0 = draw.template element<S>(so3, S(1)), g1 = draw.template element<S>(so3, S(1));
     S const cosine = (trace_lagrangian(g0, g1) - S(1)) / S(2);
-    S const det = determinant<S>(mixed_derivative(trace_lagrangian, g0, g1)), expected = S(4) * cosine * (S(1) + cosine);
+    S const det = determinant<S>(mixed_derivative(trace_lagrangian, g0, g1)),
+            expected = S(4) * cosine * (S(1) + cosine);
     // The form's determinant is the square of this one: build it from the two-form on the basis.
     Matrix<S> form(6, 6);
-    auto const basis = [&](int a) { return Change<S>{a < 3 ? basis_velocity<S>(so3, a) : rest<S>(so3), a < 3 ? rest<S>(so3) : basis_velocity<S>(so3, a - 3)}; };
+    auto const basis = [&](int a) {
+      return Change<S>{a < 3 ? basis_velocity<S>(so3, a) : rest<S>(so3),
+                       a < 3 ? rest<S>(so3) : basis_velocity<S>(so3, a - 3)};
+    };
     for (int a = 0; a < 6; ++a)
-      for (int b = 0; b < 6; ++b) form(a, b) = discrete_two_form(trace_lagrangian, g0, g1, basis(a), basis(b));
+      for (int b = 0; b < 6; ++b)
+        form(a, b) = discrete_two_form(trace_lagrangian, g0, g1, basis(a), basis(b));
     claim.zero("determinant of D2 D1 L against the angle", "SO(3)", S(det - expected), S(8));
     claim.zero("determinant of the form is its square", "SO(3)", S(determinant(form) - det * det), S(64));
     claim.refutes("determinant at a random pair", "SO(3)", det, S(8));
@@ -438,17 +576,24 @@ STATEMENT(rem_3_1_2, "near the diagonal a regular Lagrangian gives a nondegenera
     GroupElement<S> const turned = GroupElement<S>{so3, quarter} * g0;
     auto const axis = basis_velocity<S>(so3, 2);
     auto const any = draw_changes<S>(draw, so3)[0];
-    claim.zero("a null vector at a quarter turn", "SO(3)", discrete_two_form(trace_lagrangian, g0, turned, {axis, axis}, any), S(2));
-    claim.refutes("the same vector at a random pair", "SO(3)", discrete_two_form(trace_lagrangian, g0, g1, {axis, rest<S>(so3)}, {rest<S>(so3), axis}), S(2));
+    claim.zero("a null vector at a quarter turn", "SO(3)",
+               discrete_two_form(trace_lagrangian, g0, turned, {axis, axis}, any), S(2));
+    claim.refutes("the same vector at a random pair", "SO(3)",
+                  discrete_two_form(trace_lagrangian, g0, g1, {axis, rest<S>(so3)}, {rest<S>(so3), axis}),
+                  S(2));
     auto const here = identity<S>(so3);
-    claim.template refuses<Singular>("the flow into a quarter turn", "SO(3)", [&] { discrete_flow_tangent(trace_lagrangian, here, here, GroupElement<S>{so3, quarter}, any); });
+    claim.template refuses<Singular>("the flow into a quarter turn", "SO(3)", [&] {
+      discrete_flow_tangent(trace_lagrangian, here, here, GroupElement<S>{so3, quarter}, any);
+    });
   }
   // Nowhere degenerate: the squared distance on the Heisenberg group, at configurations far apart.
   SpannedGroup const heisenberg = all_groups().back();
   {
-    auto const g0 = draw.template element<S>(heisenberg, S(50)), g1 = draw.template element<S>(heisenberg, S(50));
+    auto const g0 = draw.template element<S>(heisenberg, S(50)),
+               g1 = draw.template element<S>(heisenberg, S(50));
     // Terms reach the fourth power of the distance.
-    claim.equal("determinant 1 at configurations far apart", "Heisenberg", determinant<S>(mixed_derivative(squared_distance, g0, g1)), S(1), 1e7);
+    claim.equal("determinant 1 at configurations far apart", "Heisenberg",
+                determinant<S>(mixed_derivative(squared_distance, g0, g1)), S(1), 1e7);
   }
 }
 
@@ -456,8 +601,10 @@ STATEMENT(rem_3_1_2, "near the diagonal a regular Lagrangian gives a nondegenera
 // Section 3.1: symplecticity of the discrete flow.
 
 STATEMENT(eq_3_6, "differential of the action along motions: one one-form at either end") {
-  claim.corrected(R"(d\mathbb S=\theta^-_{\mathbb L}+F^*\theta^+_{\mathbb L})", R"(d\mathbb S=\theta^-_{\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
-                  "The last of N pairs is N-1 steps of the flow from the first; the printed single step is right for N = 2 only. F is the flow, not the Legendre transformation.");
+  claim.corrected(R"(d\mathbb S=\theta^-_{\mathbb L}+F^*\theta^+_{\mathbb L})",
+                  R"(d\mathbb S=\theta^-_{\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
+                  "The last of N pairs is N-1 steps of the flow from the first; the printed single step is "
+                  "right for N = 2 only. F is the flow, not the Legendre transformation.");
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
     // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
@@ -467,22 +614,33 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
     std::vector<Change<S>> w12, w23;
     for (auto const& w : w01) w12.push_back(discrete_flow_tangent(L, g[0], g[1], g[2], w));
     for (auto const& w : w12) w23.push_back(discrete_flow_tangent(L, g[1], g[2], g[3], w));
-    auto const along = [&](auto const& lagrangian) { return [&](auto const& q) { return discrete_action(lagrangian, q); }; };
+    auto const along = [&](auto const& lagrangian) {
+      return [&](auto const& q) { return discrete_action(lagrangian, q); };
+    };
     Vector<S> two(3), three(3), no_motion(3);
     auto const M = draw_pair_polynomial<S>(draw, group);
     for (int i = 0; i < 3; ++i) {
-      two[i] = rate(GroupElements<S>{g[0], g[1], g[2]}, {w01[i].first, w01[i].second, w12[i].second}, along(L));
+      two[i] =
+          rate(GroupElements<S>{g[0], g[1], g[2]}, {w01[i].first, w01[i].second, w12[i].second}, along(L));
       three[i] = rate(g, {w01[i].first, w01[i].second, w12[i].second, w23[i].second}, along(L));
       no_motion[i] = rate(g, {w01[i].first, w01[i].second, w12[i].second, w23[i].second}, along(M));
     }
 
-    auto const minus = [&](auto const& lagrangian) { return on_each(w01, [&](auto const& w) { return discrete_one_form_minus(lagrangian, g[0], g[1], w); }); };
-    auto const after_one = on_each(w12, [&](auto const& w) { return discrete_one_form_plus(L, g[1], g[2], w); });
-    auto const after_two = [&](auto const& lagrangian) { return on_each(w23, [&](auto const& w) { return discrete_one_form_plus(lagrangian, g[2], g[3], w); }); };
-    claim.equal("N = 2: one step, as printed", model, two, Vector<S>(minus(L) + after_one), flow_condition<S>(L, g[1], g[2]));
-    claim.equal("N = 3: two steps", model, three, Vector<S>(minus(L) + after_two(L)), flow_condition<S>(L, g[1], g[2]) * flow_condition<S>(L, g[2], g[3]));
+    auto const minus = [&](auto const& lagrangian) {
+      return on_each(w01, [&](auto const& w) { return discrete_one_form_minus(lagrangian, g[0], g[1], w); });
+    };
+    auto const after_one =
+        on_each(w12, [&](auto const& w) { return discrete_one_form_plus(L, g[1], g[2], w); });
+    auto const after_two = [&](auto const& lagrangian) {
+      return on_each(w23, [&](auto const& w) { return discrete_one_form_plus(lagrangian, g[2], g[3], w); });
+    };
+    claim.equal("N = 2: one step, as printed", model, two, Vector<S>(minus(L) + after_one),
+                flow_condition<S>(L, g[1], g[2]));
+    claim.equal("N = 3: two steps", model, three, Vector<S>(minus(L) + after_two(L)),
+                flow_condition<S>(L, g[1], g[2]) * flow_condition<S>(L, g[2], g[3]));
     claim.differs("N = 3 with one step, as printed", model, three, Vector<S>(minus(L) + after_one));
-    claim.differs("along configurations that are no motion", model, no_motion, Vector<S>(minus(M) + after_two(M)));
+    claim.differs("along configurations that are no motion", model, no_motion,
+                  Vector<S>(minus(M) + after_two(M)));
   });
 }
 
@@ -496,48 +654,74 @@ STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete t
       for (auto const& w : before) after.push_back(discrete_flow_tangent(lagrangian, g[0], g[1], g[2], w));
       return after;
     };
-    auto const form = [&](auto const& lagrangian, int k, auto const& w) { return on_pairs(w, [&](auto const& a, auto const& b) { return discrete_two_form(lagrangian, g[k], g[k + 1], a, b); }); };
+    auto const form = [&](auto const& lagrangian, int k, auto const& w) {
+      return on_pairs(w, [&](auto const& a, auto const& b) {
+        return discrete_two_form(lagrangian, g[k], g[k + 1], a, b);
+      });
+    };
 
-    // The tangent of the flow is on trial too: along it the equation stays true, and the old second configuration is the new first.
+    // The tangent of the flow is on trial too: along it the equation stays true, and the old second
+    // configuration is the new first.
     auto const L = draw_with_motion<S>(draw, g);
     auto const after = carried(L);
     double const condition = flow_condition<S>(L, g[1], g[2]);
     auto const end_momentum = rates(D2(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second)));
-    auto const equation = rates(discrete_euler_lagrange(L, nudged(g[0], before[0].first), nudged(g[1], before[0].second), nudged(g[2], after[0].second)));
-    claim.zero("the tangent of the flow satisfies the linearized (3.2)", model, equation, size_of(end_momentum), condition);
-    claim.equal("the new first configuration moves as the old second did", model, after[0].first, before[0].second);
+    auto const equation = rates(discrete_euler_lagrange(
+        L, nudged(g[0], before[0].first), nudged(g[1], before[0].second), nudged(g[2], after[0].second)));
+    claim.zero("the tangent of the flow satisfies the linearized (3.2)", model, equation,
+               size_of(end_momentum), condition);
+    claim.equal("the new first configuration moves as the old second did", model, after[0].first,
+                before[0].second);
 
-    claim.equal("the two-form after a step is that before", model, form(L, 1, after), form(L, 0, before), condition);
+    claim.equal("the two-form after a step is that before", model, form(L, 1, after), form(L, 0, before),
+                condition);
     claim.differs("with the opposite sign", model, form(L, 1, after), Vector<S>(-form(L, 0, before)));
 
-    // Control: a constant spatial force f on the right side of (3.2) feeds the form with <f, [theta, theta']> at the middle configuration.
+    // Control: a constant spatial force f on the right side of (3.2) feeds the form with <f, [theta, theta']>
+    // at the middle configuration.
     auto const M = draw_pair_polynomial<S>(draw, group);
     auto const forced = form(M, 1, carried(M)), gain = Vector<S>(forced - form(M, 0, before));
     auto const force = discrete_euler_lagrange(M, g[0], g[1], g[2]);
-    auto const fed = on_pairs(before, [&](auto const& a, auto const& b) { return pair(force, bracket(a.second, b.second)); });
-    claim.zero("what a constant spatial force feeds into it", model, Vector<S>(gain - fed), size_of(forced), flow_condition<S>(M, g[1], g[2]));
+    auto const fed = on_pairs(
+        before, [&](auto const& a, auto const& b) { return pair(force, bracket(a.second, b.second)); });
+    claim.zero("what a constant spatial force feeds into it", model, Vector<S>(gain - fed), size_of(forced),
+               flow_condition<S>(M, g[1], g[2]));
     claim.refutes("with a constant spatial force", model, gain, size_of(force));
   });
 }
 
-STATEMENT(claim_3_1_symplecticity_chain, "symplecticity from the vanishing second differential of the action") {
-  claim.corrected(R"(\mathbb F^*\omega_{\mathbb L}=\mathbb F^*(d\theta^+_{\mathbb L})=-d\theta^-_{\mathbb L}=\omega_{\mathbb L})",
-                  R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb L}=\omega_{\mathbb L})",
-                  "With the page's own omega = d theta- = -d theta+ the first and the last sign are wrong and cancel; the middle equality, from ddS = 0, is right. The chain holds as printed if omega is defined as d theta+.");
+STATEMENT(claim_3_1_symplecticity_chain,
+          "symplecticity from the vanishing second differential of the action") {
+  claim.corrected(
+      R"(\mathbb F^*\omega_{\mathbb L}=\mathbb F^*(d\theta^+_{\mathbb L})=-d\theta^-_{\mathbb L}=\omega_{)"
+      R"(\mathbb L})",
+      R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb L}=\omega_{)"
+      R"(\mathbb L})",
+      "With the page's own omega = d theta- = -d theta+ the first and the last sign are wrong and cancel; "
+      "the middle equality, from ddS = 0, is right. The chain holds as printed if omega is defined as d "
+      "theta+.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);
     auto const L = draw_with_motion<S>(draw, g);
     auto const before = draw_changes<S>(draw, group);
     std::vector<Change<S>> after;
     for (auto const& w : before) after.push_back(discrete_flow_tangent(L, g[0], g[1], g[2], w));
-    auto const minus = [&](auto const& g0, auto const& g1, auto const& w) { return discrete_one_form_minus(L, g0, g1, w); };
-    auto const plus = [&](auto const& g0, auto const& g1, auto const& w) { return discrete_one_form_plus(L, g0, g1, w); };
+    auto const minus = [&](auto const& g0, auto const& g1, auto const& w) {
+      return discrete_one_form_minus(L, g0, g1, w);
+    };
+    auto const plus = [&](auto const& g0, auto const& g1, auto const& w) {
+      return discrete_one_form_plus(L, g0, g1, w);
+    };
 
     // d commutes with the pull-back: the exterior derivative at the new pair, on the carried vectors.
-    auto const pulled_d_plus = on_pairs(after, [&](auto const& a, auto const& b) { return exterior_derivative(plus, g[1], g[2], a, b); });
-    auto const d_minus = on_pairs(before, [&](auto const& a, auto const& b) { return exterior_derivative(minus, g[0], g[1], a, b); });
-    auto const omega = on_pairs(before, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
-    auto const pulled_omega = on_pairs(after, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[1], g[2], a, b); });
+    auto const pulled_d_plus = on_pairs(
+        after, [&](auto const& a, auto const& b) { return exterior_derivative(plus, g[1], g[2], a, b); });
+    auto const d_minus = on_pairs(
+        before, [&](auto const& a, auto const& b) { return exterior_derivative(minus, g[0], g[1], a, b); });
+    auto const omega = on_pairs(
+        before, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[0], g[1], a, b); });
+    auto const pulled_omega =
+        on_pairs(after, [&](auto const& a, auto const& b) { return discrete_two_form(L, g[1], g[2], a, b); });
     double const condition = flow_condition<S>(L, g[1], g[2]);
     claim.equal("ddS = 0: F^*(d theta+) = -d theta-", model, pulled_d_plus, Vector<S>(-d_minus), condition);
     claim.equal("F^* omega = -F^*(d theta+)", model, pulled_omega, Vector<S>(-pulled_d_plus), condition);
@@ -582,20 +766,36 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
   claim.holds("For an invariant Lagrangian along a motion of two pairs, as (3.6) with N = 2.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
-    over_sides(draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
+    over_sides(draw, g, model,
+               [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
       // The action does not change along the symmetry.
-      auto const along = [&](auto const& generator) { return rate(g, {generator(g[0]), generator(g[1]), generator(g[2])}, [&](auto const& q) { return discrete_action(L, q); }); };
-      auto const first = [&](auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1])); }); };
-      auto const last = [&](auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_plus(L, g[1], g[2], at_pair(side_of(zeta), g[1], g[2])); }); };
-      claim.zero("the contraction of the symmetry with dS", side, over_basis<S>(group, [&](auto const& zeta) { return along(own(zeta)); }), size_of(first(own)));
+      auto const along = [&](auto const& generator) {
+        return rate(g, {generator(g[0]), generator(g[1]), generator(g[2])},
+                    [&](auto const& q) { return discrete_action(L, q); });
+      };
+      auto const first = [&](auto const& side_of) {
+        return over_basis<S>(group, [&](auto const& zeta) {
+          return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1]));
+        });
+      };
+      auto const last = [&](auto const& side_of) {
+        return over_basis<S>(group, [&](auto const& zeta) {
+          return discrete_one_form_plus(L, g[1], g[2], at_pair(side_of(zeta), g[1], g[2]));
+        });
+      };
+      claim.zero("the contraction of the symmetry with dS", side,
+                 over_basis<S>(group, [&](auto const& zeta) { return along(own(zeta)); }),
+                 size_of(first(own)));
       // The flow is equivariant: its tangent takes the generator at a pair to the generator at the next.
       auto const generator = own(draw.template velocity<S>(group));
       auto const carried = discrete_flow_tangent(L, g[0], g[1], g[2], at_pair(generator, g[0], g[1]));
-      claim.equal("the tangent of the flow takes generator to generator", side, carried.second, generator(g[2]), flow_condition<S>(L, g[1], g[2]));
+      claim.equal("the tangent of the flow takes generator to generator", side, carried.second,
+                  generator(g[2]), flow_condition<S>(L, g[1], g[2]));
       claim.equal("(3.7)", side, first(own), Vector<S>(-last(own)));
       // Controls: no minus sign, a symmetry of the other side.
       claim.differs("without the minus sign", side, first(own), last(own));
-      claim.differs("translations under which the Lagrangian is not invariant", side, first(other), Vector<S>(-last(other)));
+      claim.differs("translations under which the Lagrangian is not invariant", side, first(other),
+                    Vector<S>(-last(other)));
     });
   });
 }
@@ -604,17 +804,27 @@ STATEMENT(claim_3_1_momentum_forms, "at one and the same pair the symmetry's con
   claim.holds("Off shell: no equation of motion is needed, only invariance.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 2);
-    auto const minus = [&](auto const& L, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1])); }); };
-    auto const plus = [&](auto const& L, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_plus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1])); }); };
+    auto const minus = [&](auto const& L, auto const& side_of) {
+      return over_basis<S>(group, [&](auto const& zeta) {
+        return discrete_one_form_minus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1]));
+      });
+    };
+    auto const plus = [&](auto const& L, auto const& side_of) {
+      return over_basis<S>(group, [&](auto const& zeta) {
+        return discrete_one_form_plus(L, g[0], g[1], at_pair(side_of(zeta), g[0], g[1]));
+      });
+    };
     auto const l = draw_group_polynomial<S>(draw, group);
     auto const right = lift_right(l);
     auto const left = lift_left(l);
     claim.equal("right-invariant", model, minus(right, on_the_right), Vector<S>(-plus(right, on_the_right)));
     claim.equal("left-invariant", model, minus(left, on_the_left), Vector<S>(-plus(left, on_the_left)));
     // Controls: translations of the other side, a Lagrangian that is invariant under nothing.
-    claim.differs("right-invariant, translated on the left", model, minus(right, on_the_left), Vector<S>(-plus(right, on_the_left)));
+    claim.differs("right-invariant, translated on the left", model, minus(right, on_the_left),
+                  Vector<S>(-plus(right, on_the_left)));
     auto const general = draw_pair_polynomial<S>(draw, group);
-    claim.differs("no symmetry", model, minus(general, on_the_right), Vector<S>(-plus(general, on_the_right)));
+    claim.differs("no symmetry", model, minus(general, on_the_right),
+                  Vector<S>(-plus(general, on_the_right)));
   });
 }
 
@@ -623,37 +833,58 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     // Three pairs: with two a momentum of the wrong pair would pass.
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
-    over_sides(draw, g, model, [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
-      auto const J = [&](int k, auto const& side_of) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], side_of(zeta)); }); };
-      auto const minus = over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_minus(L, g[1], g[2], at_pair(own(zeta), g[1], g[2])); });
-      claim.equal("J is theta+ contracted with the generator", side, J(0, own), over_basis<S>(group, [&](auto const& zeta) { return discrete_one_form_plus(L, g[0], g[1], at_pair(own(zeta), g[0], g[1])); }));
+    over_sides(draw, g, model,
+               [&](auto const& L, auto const& own, auto const& other, std::string const& side) {
+      auto const J = [&](int k, auto const& side_of) {
+        return over_basis<S>(
+            group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], side_of(zeta)); });
+      };
+      auto const minus = over_basis<S>(group, [&](auto const& zeta) {
+        return discrete_one_form_minus(L, g[1], g[2], at_pair(own(zeta), g[1], g[2]));
+      });
+      claim.equal("J is theta+ contracted with the generator", side, J(0, own),
+                  over_basis<S>(group, [&](auto const& zeta) {
+                    return discrete_one_form_plus(L, g[0], g[1], at_pair(own(zeta), g[0], g[1]));
+                  }));
       claim.equal("after one step", side, J(1, own), J(0, own));
       claim.equal("after two steps", side, J(2, own), J(0, own));
       claim.equal("as minus theta-, at the next pair", side, Vector<S>(-minus), J(0, own));
-      // Controls: theta- with the sign of theta+, the momentum of the other side, configurations that are no motion.
+      // Controls: theta- with the sign of theta+, the momentum of the other side, configurations that are no
+      // motion.
       claim.differs("theta- in place of theta+", side, minus, J(0, own));
       claim.differs("momentum of translations on the other side", side, J(1, other), J(0, other));
-      claim.differs("a last configuration that is no motion", side, over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[1], g[3], own(zeta)); }), J(0, own));
+      claim.differs(
+          "a last configuration that is no motion", side,
+          over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[1], g[3], own(zeta)); }),
+          J(0, own));
     });
   });
 
   // Through the solver: eight steps of a system with a right-invariant Lagrangian that is not even.
   if (!exact_arithmetic<S>())
     over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-      auto const L = discretize_at_the_configuration(right_invariant(draw_regular_algebra_polynomial<S>(draw, group)), ratio<S>(1, 64));
+      auto const L = discretize_at_the_configuration(
+          right_invariant(draw_regular_algebra_polynomial<S>(draw, group)), ratio<S>(1, 64));
       GroupElements<S> g = {draw.template element<S>(group)};
       g.push_back(retract(draw.template velocity<S>(group, ratio<S>(1, 256))) * g[0]);
       for (int k = 1; k <= 8; ++k) g.push_back(step_euler_lagrange(L, g[k - 1], g[k]).value);
-      auto const J = [&](int k) { return over_basis<S>(group, [&](auto const& zeta) { return discrete_momentum(L, g[k], g[k + 1], right_translation(zeta)); }); };
+      auto const J = [&](int k) {
+        return over_basis<S>(group, [&](auto const& zeta) {
+          return discrete_momentum(L, g[k], g[k + 1], right_translation(zeta));
+        });
+      };
       // Each of eight steps may leave 16 roundings of a derivative that is 64 times a momentum.
       claim.equal("eight steps of the solver", model, J(8), J(0), 8 * 8);
     });
 }
 
 STATEMENT(rem_3_1_3, "a symmetry group smaller than G conserves its own momentum and no other") {
-  claim.holds("The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers it. Instance: K the one-parameter group that fixes a vector, acting on G from the right.");
+  claim.holds(
+      "The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers "
+      "it. Instance: K the one-parameter group that fixes a vector, acting on G from the right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    // The first basis matrix kills the last vector of the standard basis in each of these groups, save SO(3), where it kills the first.
+    // The first basis matrix kills the last vector of the standard basis in each of these groups, save SO(3),
+    // where it kills the first.
     int const fixed = group.name() == "SO(3)" ? 0 : group.matrix_size() - 1;
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
     // A right-invariant Lagrangian plus a potential that depends only on the image of the fixed vector.
@@ -666,15 +897,20 @@ STATEMENT(rem_3_1_3, "a symmetry group smaller than G conserves its own momentum
         return lift(g0, g1) - height * height;
       };
     };
-    auto const L = with_potential(with_motion_along(draw_group_polynomial<S>(draw, group), g, draw, with_potential));
-    auto const J = [&](auto const& zeta, int k) { return discrete_momentum(L, g[k], g[k + 1], right_translation(zeta)); };
+    auto const L =
+        with_potential(with_motion_along(draw_group_polynomial<S>(draw, group), g, draw, with_potential));
+    auto const J = [&](auto const& zeta, int k) {
+      return discrete_momentum(L, g[k], g[k + 1], right_translation(zeta));
+    };
 
-    auto const inside = basis_velocity<S>(group, 0), outside = basis_velocity<S>(group, group.dimension() - 1);
+    auto const inside = basis_velocity<S>(group, 0),
+               outside = basis_velocity<S>(group, group.dimension() - 1);
     auto const terms = size_of(D2(L, g[0], g[1]));
     claim.zero("the vector is fixed by K", model, Vector<S>(group.hat(inside.coordinates).col(fixed)), S(1));
     claim.zero("momentum of K, first step", model, S(J(inside, 1) - J(inside, 0)), terms);
     claim.zero("momentum of K, second step", model, S(J(inside, 2) - J(inside, 0)), terms);
     // Control: a direction outside K, a symmetry of the first part of the Lagrangian alone.
-    claim.refutes("momentum of a direction outside K", model, Vector<S>{{J(outside, 1) - J(outside, 0), J(outside, 2) - J(outside, 0)}}, terms);
+    claim.refutes("momentum of a direction outside K", model,
+                  Vector<S>{{J(outside, 1) - J(outside, 0), J(outside, 2) - J(outside, 0)}}, terms);
   });
 }

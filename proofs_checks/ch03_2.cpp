@@ -47,8 +47,10 @@ STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
     auto const g = draw_configurations<S>(draw, group, 6);
     auto const f = relative_motion_right(g[0], g[1]);
     claim.equal("f g1 = g0, as matrices", model, Matrix<S>(f.value * g[1].value), g[0].value);
-    claim.equal("invariant under right multiplication of both configurations", model, relative_motion_right(g[0] * g[2], g[1] * g[2]), f);
-    // Onto: (f, 1) lies over f. One orbit over each f: whatever pair lies over it, g1^-1 p1 carries (g0, g1) to it.
+    claim.equal("invariant under right multiplication of both configurations", model,
+                relative_motion_right(g[0] * g[2], g[1] * g[2]), f);
+    // Onto: (f, 1) lies over f. One orbit over each f: whatever pair lies over it, g1^-1 p1 carries (g0, g1)
+    // to it.
     claim.equal("(f, 1) lies over f", model, relative_motion_right(f, identity<S>(group)), f);
     auto const p1 = g[3], p0 = f * p1, carry = inverse(g[1]) * p1;
     claim.equal("two pairs with the same f differ by right multiplication", model, g[0] * carry, p0);
@@ -56,31 +58,42 @@ STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
     auto const by_left = [&](int k) { return relative_motion_right(g[k] * g[0], g[k] * g[1]); };
     auto const other = [&](int k) { return relative_motion_left(g[0] * g[k], g[1] * g[k]); };
     auto const h = relative_motion_left(g[0], g[1]);
-    claim.differs("left multiplication of both configurations", model, stacked<S>({by_left(2), by_left(4), by_left(5)}), stacked<S>({f, f, f}));
-    claim.differs("g1^-1 g0 under right multiplication", model, stacked<S>({other(2), other(4), other(5)}), stacked<S>({h, h, h}));
+    claim.differs("left multiplication of both configurations", model,
+                  stacked<S>({by_left(2), by_left(4), by_left(5)}), stacked<S>({f, f, f}));
+    claim.differs("g1^-1 g0 under right multiplication", model, stacked<S>({other(2), other(4), other(5)}),
+                  stacked<S>({h, h, h}));
   });
 }
 
 STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instead") {
-  claim.holds("It serves as well, but the equations that follow exchange their sides: L* l~' at the new motion equals R* l~' at the one before.");
+  claim.holds(
+      "It serves as well, but the equations that follow exchange their sides: L* l~' at the new motion "
+      "equals R* l~' at the one before.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 4);
     auto const f01 = g[1] * inverse(g[0]), f12 = g[2] * inverse(g[1]);
-    claim.equal("invariant under right multiplication of both configurations", model, (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
-    claim.equal("it is the inverse of the other representative", model, f01 * relative_motion_right(g[0], g[1]), identity<S>(group));
+    claim.equal("invariant under right multiplication of both configurations", model,
+                (g[1] * g[3]) * inverse(g[0] * g[3]), f01);
+    claim.equal("it is the inverse of the other representative", model,
+                f01 * relative_motion_right(g[0], g[1]), identity<S>(group));
 
     // The Lagrangian that l~(g1 g0^-1) stands for, and its equations.
-    auto const full = discrete_euler_lagrange([&](auto const& x, auto const& y) { return l(y * inverse(x)); }, g[0], g[1], g[2]);
-    claim.equal("the equations, sides exchanged", model, right_differential(l, f01) - left_differential(l, f12), full);
+    auto const full = discrete_euler_lagrange([&](auto const& x, auto const& y) { return l(y * inverse(x)); },
+                                              g[0], g[1], g[2]);
+    claim.equal("the equations, sides exchanged", model,
+                right_differential(l, f01) - left_differential(l, f12), full);
     // Control: (3.10) taken over verbatim.
     claim.differs("(3.10) verbatim", model, euler_poincare_right(l, f01, f12), full);
     claim.differs("(3.10) verbatim, sign changed", model, -euler_poincare_right(l, f01, f12), full);
   });
 }
 
-STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a function of f, its action a sum over f") {
-  claim.holds("The sum over k = 0, ..., N-1 that is printed here belongs to the configurations g_0, ..., g_N; (3.1) prints k = 1, ..., N.");
+STATEMENT(claim_3_2_reduced_lagrangian,
+          "an invariant discrete Lagrangian is a function of f, its action a sum over f") {
+  claim.holds(
+      "The sum over k = 0, ..., N-1 that is printed here belongs to the configurations g_0, ..., g_N; (3.1) "
+      "prints k = 1, ..., N.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const invariant = lifted(l);
@@ -96,11 +109,14 @@ STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a f
     claim.equal("l(g0 g1^-1) = L(g0, g1)", model, on_pairs(lift_right(reduced)), on_pairs(invariant));
     GroupElements<S> const configurations(g.begin(), g.end() - 1);
     S const action = discrete_action(invariant, configurations);
-    claim.equal("reduced action sum, k = 0, ..., N-1", model, reduced_sum(reduced, relative_motions_right(configurations)), action);
+    claim.equal("reduced action sum, k = 0, ..., N-1", model,
+                reduced_sum(reduced, relative_motions_right(configurations)), action);
 
     // Controls: a Lagrangian that is not invariant is no function of f; the range of (3.1).
     auto const other = draw_pair_polynomial<S>(draw, group);
-    claim.differs("no invariance", model, on_pairs(lift_right([&](auto const& f) { return other(f, like(f, one)); })), on_pairs(other));
+    claim.differs("no invariance", model,
+                  on_pairs(lift_right([&](auto const& f) { return other(f, like(f, one)); })),
+                  on_pairs(other));
     auto const from_one = several([&] {
       GroupElements<S> shifted(g.begin() + 1, g.end() - 1);
       shifted.push_back(draw.template element<S>(group));
@@ -111,8 +127,10 @@ STATEMENT(claim_3_2_reduced_lagrangian, "an invariant discrete Lagrangian is a f
 }
 
 STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
-  claim.corrected(R"(s : G^{N+1}\to\mathbb R \text{ in condition (3), } N\ge3)", R"(s : G^{N}\to\mathbb R,\quad N\ge2)",
-                  "N pairs have N relative motions, so s is a function on G^N; an extremum is a stationary point; the equivalence holds from N = 2 on.");
+  claim.corrected(R"(s : G^{N+1}\to\mathbb R \text{ in condition (3), } N\ge3)",
+                  R"(s : G^{N}\to\mathbb R,\quad N\ge2)",
+                  "N pairs have N relative motions, so s is a function on G^N; an extremum is a stationary "
+                  "point; the equivalence holds from N = 2 on.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     for (int steps : {2, 3}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
@@ -131,13 +149,18 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
         return values;
       };
       auto const first = [&](auto const& k) {
-        return along_each([&](auto const& theta) { return discrete_action(lifted(k), VariedSequence<S>{g, theta}.right()).part[0]; });
+        return along_each([&](auto const& theta) {
+          return discrete_action(lifted(k), VariedSequence<S>{g, theta}.right()).part[0];
+        });
       };
-      auto const second = [&](auto const& k, int i) { return discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1]); };
+      auto const second = [&](auto const& k, int i) {
+        return discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1]);
+      };
       auto const third = [&](auto const& k) {
         return along_each([&](auto const& theta) {
           S sum(0);
-          for (int i = 0; i < steps; ++i) sum += slope(k, f[i], from_left(relative_variation_right(f[i], theta[i], theta[i + 1]), f[i]));
+          for (int i = 0; i < steps; ++i)
+            sum += slope(k, f[i], from_left(relative_variation_right(f[i], theta[i], theta[i + 1]), f[i]));
           return sum;
         });
       };
@@ -154,15 +177,18 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
       claim.refutes("(3) off a motion" + of, model, third(any), momenta_of(any, f));
       claim.refutes("(4) off a motion" + of, model, fourth(any, 1), momenta_of(any, f));
 
-      // Control, as printed: N + 1 relative motions leave g_N free, and the sum over them is not stationary along the motion.
-      auto const end = several([&] { return column(euler_poincare_right(l, f[steps - 1], draw.template element<S>(group))); });
+      // Control, as printed: N + 1 relative motions leave g_N free, and the sum over them is not stationary
+      // along the motion.
+      auto const end = several(
+          [&] { return column(euler_poincare_right(l, f[steps - 1], draw.template element<S>(group))); });
       claim.refutes("s on G^{N+1}, derivative along g_N" + of, model, end, momenta_of(l, f));
     }
   });
 }
 
 STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of N relative motions") {
-  claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)", "The action sum has N + 1 configurations, the reduced sum N relative motions.");
+  claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)",
+                  "The action sum has N + 1 configurations, the reduced sum N relative motions.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     for (int steps : {3, 4}) {
@@ -173,7 +199,8 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
       GroupElements<S> const configurations(g.begin(), g.end() - 1);
       // N relative motions and one configuration make N + 1 configurations with that action.
       S const action = discrete_action(lifted(l), configurations);
-      claim.zero("N of them give the action of N + 1 configurations" + of, model, S(reduced_sum(l, n_of_them) - action), momenta_of(l, f));
+      claim.zero("N of them give the action of N + 1 configurations" + of, model,
+                 S(reduced_sum(l, n_of_them) - action), momenta_of(l, f));
       auto const longer = several([&] {
         auto one_more = n_of_them;
         one_more.push_back(draw.template element<S>(group));
@@ -181,13 +208,17 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
       });
       claim.refutes("N + 1 of them" + of, model, longer, momenta_of(l, f));
 
-      // Every variation of the N comes from variations of the configurations, g_0 held: the tangent of the quotient is onto.
-      std::vector<Velocity<SpannedGroup, S>> theta{velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())))};
+      // Every variation of the N comes from variations of the configurations, g_0 held: the tangent of the
+      // quotient is onto.
+      std::vector<Velocity<SpannedGroup, S>> theta{
+          velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())))};
       for (int k = 0; k < steps; ++k) {
         auto const wanted = draw.template velocity<S>(group);
         theta.push_back(Ad(inverse(f[k]), theta[k] - wanted));
-        auto const pair_of_places = relative_motions_right(GroupElements<Dual<S>>{varied(g[k], from_left(theta[k], g[k])), varied(g[k + 1], from_left(theta[k + 1], g[k + 1]))});
-        claim.equal("any N variations are induced" + of, model, rate(pair_of_places[0]), from_left(wanted, f[k]));
+        auto const pair_of_places = relative_motions_right(GroupElements<Dual<S>>{
+            varied(g[k], from_left(theta[k], g[k])), varied(g[k + 1], from_left(theta[k + 1], g[k + 1]))});
+        claim.equal("any N variations are induced" + of, model, rate(pair_of_places[0]),
+                    from_left(wanted, f[k]));
       }
     }
   });
@@ -200,8 +231,10 @@ STATEMENT(claim_3_2_variation_of_f, "how the relative motion varies with its con
     auto const theta0 = draw.template velocity<S>(group), theta1 = draw.template velocity<S>(group);
     auto const f = relative_motion_right(g[0], g[1]);
     // Vary both configurations, eliminate f, and read off what epsilon multiplies.
-    auto const moved = relative_motions_right(GroupElements<Dual<S>>{varied(g[0], from_left(theta0, g[0])), varied(g[1], from_left(theta1, g[1]))})[0];
-    claim.equal("delta f = TR_f (theta0 - Ad_f theta1)", model, from_left(relative_variation_right(f, theta0, theta1), f), rate(moved));
+    auto const moved = relative_motions_right(GroupElements<Dual<S>>{
+        varied(g[0], from_left(theta0, g[0])), varied(g[1], from_left(theta1, g[1]))})[0];
+    claim.equal("delta f = TR_f (theta0 - Ad_f theta1)", model,
+                from_left(relative_variation_right(f, theta0, theta1), f), rate(moved));
     // Controls: Ad of the inverse, the sign of the second term, translation on the other side.
     auto const inverted = several([&] {
       auto const theta = draw.template velocity<S>(group);
@@ -217,8 +250,10 @@ STATEMENT(claim_3_2_variation_of_f, "how the relative motion varies with its con
 
     // The left quotient has its own formula.
     auto const back = relative_motion_left(g[0], g[1]);
-    auto const moved_back = relative_motions_left(GroupElements<Dual<S>>{varied(g[0], from_right(g[0], theta0)), varied(g[1], from_right(g[1], theta1))})[0];
-    claim.equal("left quotient: TL_f (theta0 - Ad_{f^-1} theta1)", model, from_right(back, relative_variation_left(back, theta0, theta1)), rate(moved_back));
+    auto const moved_back = relative_motions_left(GroupElements<Dual<S>>{
+        varied(g[0], from_right(g[0], theta0)), varied(g[1], from_right(g[1], theta1))})[0];
+    claim.equal("left quotient: TL_f (theta0 - Ad_{f^-1} theta1)", model,
+                from_right(back, relative_variation_left(back, theta0, theta1)), rate(moved_back));
   });
 }
 
@@ -231,21 +266,27 @@ STATEMENT(eq_3_10, "discrete Euler-Poincare equations, right-invariant case") {
 
     // Off shell: whatever the configurations, (3.10) is (3.2) of the invariant Lagrangian.
     auto const full = discrete_euler_lagrange(lifted(l), g[0], g[1], g[2]);
-    claim.equal("(3.10) equals (3.2) of the invariant Lagrangian", model, euler_poincare_right(l, f01, f12), full);
-    claim.equal("(3.10) from the definition of l', entry by entry", model, reduced_residual_right(l, GroupElements<S>{f01, f12}), column(full));
+    claim.equal("(3.10) equals (3.2) of the invariant Lagrangian", model, euler_poincare_right(l, f01, f12),
+                full);
+    claim.equal("(3.10) from the definition of l', entry by entry", model,
+                reduced_residual_right(l, GroupElements<S>{f01, f12}), column(full));
     // Controls: the two translations exchanged, the two motions exchanged, the signs equal.
-    claim.differs("left and right translation exchanged", model, left_differential(l, f12) - right_differential(l, f01), full);
+    claim.differs("left and right translation exchanged", model,
+                  left_differential(l, f12) - right_differential(l, f01), full);
     claim.differs("the two motions exchanged", model, euler_poincare_right(l, f12, f01), full);
-    claim.differs("sign of the second term", model, right_differential(l, f12) + left_differential(l, f01), full);
+    claim.differs("sign of the second term", model, right_differential(l, f12) + left_differential(l, f01),
+                  full);
   });
 }
 
-STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same linear form of the variations") {
+STATEMENT(claim_3_2_dep_equivalence,
+          "the four conditions are one and the same linear form of the variations") {
   claim.holds("Stationary among induced variations only: for free variations of f it would take l' = 0.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const steps = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, steps + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, steps + 1)};
+    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, steps + 1, ratio<S>(1, 2)),
+                                     draw_variations<S>(draw, group, steps + 1)};
     auto const& [g, theta] = sequence;
     auto const f = relative_motions_right(g);
 
@@ -256,7 +297,8 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
       of_equations += pair(discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), theta[k]);
       of_reduced += pair(euler_poincare_right(l, f[k - 1], f[k]), theta[k]);
     }
-    for (int k = 0; k < steps; ++k) of_sum += slope(l, f[k], from_left(relative_variation_right(f[k], theta[k], theta[k + 1]), f[k]));
+    for (int k = 0; k < steps; ++k)
+      of_sum += slope(l, f[k], from_left(relative_variation_right(f[k], theta[k], theta[k + 1]), f[k]));
     auto const scale = momenta_of(l, f);
     claim.zero("(1) and (2)", model, S(of_action - of_equations), scale);
     claim.zero("(1) and (3)", model, S(of_action - of_sum), scale);
@@ -274,7 +316,8 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
     auto const with_motion = with_motions_right(l, three);
     auto const free = several([&] {
       S sum(0);
-      for (auto const& step : three) sum += pair(right_differential(with_motion, step), draw.template velocity<S>(group));
+      for (auto const& step : three)
+        sum += pair(right_differential(with_motion, step), draw.template velocity<S>(group));
       return sum;
     });
     claim.refutes("free variations of f along a motion", model, free, momenta_of(with_motion, three));
@@ -282,11 +325,13 @@ STATEMENT(claim_3_2_dep_equivalence, "the four conditions are one and the same l
 }
 
 STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum, line by line") {
-  claim.holds("The terms k = 0 of the first sum and r = N of the second are gone because the ends do not vary.");
+  claim.holds(
+      "The terms k = 0 of the first sum and r = N of the second are gone because the ends do not vary.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const n = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, n + 1, ratio<S>(1, 2)), draw_variations<S>(draw, group, n + 1)};
+    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, n + 1, ratio<S>(1, 2)),
+                                     draw_variations<S>(draw, group, n + 1)};
     auto const& g = sequence.g;
     auto const f = relative_motions_right(g);
     auto const value = [&](int k) -> Matrix<S> const& { return g[k].value; };
@@ -300,11 +345,21 @@ STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum
     auto const lines = [&](std::vector<Velocity<SpannedGroup, S>> const& theta) {
       auto const delta = [&](int k) { return from_left(theta[k], g[k]); };
       S const start = reduced_sum(l, relative_motions_right(VariedSequence<S>{g, theta}.right())).part[0];
-      S const one = sum(0, n - 1, [&](int k) { return slope(l, f[k], Matrix<S>(delta(k) * back(k + 1) - value(k) * back(k + 1) * delta(k + 1) * back(k + 1))); });
-      S const two = sum(1, n - 1, [&](int k) { return slope(l, f[k], Matrix<S>(delta(k) * back(k) * value(k) * back(k + 1))); }) -
-                    sum(1, n - 1, [&](int r) { return slope(l, f[r - 1], Matrix<S>(value(r - 1) * back(r) * delta(r) * back(r))); });
-      S const three = sum(1, n - 1, [&](int k) { return slope(l, f[k], from_left(theta[k], f[k])) - slope(l, f[k - 1], from_right(f[k - 1], theta[k])); });
-      S const four = sum(1, n - 1, [&](int k) { return pair(euler_poincare_right(l, f[k - 1], f[k]), theta[k]); });
+      S const one = sum(0, n - 1, [&](int k) {
+        return slope(l, f[k],
+                     Matrix<S>(delta(k) * back(k + 1) - value(k) * back(k + 1) * delta(k + 1) * back(k + 1)));
+      });
+      S const two =
+          sum(1, n - 1,
+              [&](int k) { return slope(l, f[k], Matrix<S>(delta(k) * back(k) * value(k) * back(k + 1))); }) -
+          sum(1, n - 1, [&](int r) {
+            return slope(l, f[r - 1], Matrix<S>(value(r - 1) * back(r) * delta(r) * back(r)));
+          });
+      S const three = sum(1, n - 1, [&](int k) {
+        return slope(l, f[k], from_left(theta[k], f[k])) - slope(l, f[k - 1], from_right(f[k - 1], theta[k]));
+      });
+      S const four =
+          sum(1, n - 1, [&](int k) { return pair(euler_poincare_right(l, f[k - 1], f[k]), theta[k]); });
       return std::array<S, 5>{start, one, two, three, four};
     };
     auto const scale = momenta_of(l, f);
@@ -322,12 +377,15 @@ STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum
         auto const moving = lines(theta);
         return S(moving[1] - moving[2]);
       });
-      claim.refutes(end == 0 ? "lines 1 and 2, first configuration varies" : "lines 1 and 2, last configuration varies", model, gap, scale);
+      claim.refutes(
+          end == 0 ? "lines 1 and 2, first configuration varies" : "lines 1 and 2, last configuration varies",
+          model, gap, scale);
     }
     auto const shifted = several([&] {
       auto const theta = draw_variations<S>(draw, group, n + 1);
-      S const from_two = sum(1, n - 1, [&](int k) { return slope(l, f[k], from_left(theta[k], f[k])); }) -
-                         sum(2, n - 1, [&](int r) { return slope(l, f[r - 1], from_right(f[r - 1], theta[r])); });
+      S const from_two =
+          sum(1, n - 1, [&](int k) { return slope(l, f[k], from_left(theta[k], f[k])); }) -
+          sum(2, n - 1, [&](int r) { return slope(l, f[r - 1], from_right(f[r - 1], theta[r])); });
       return S(lines(theta)[1] - from_two);
     });
     claim.refutes("second sum from r = 2", model, shifted, scale);
@@ -339,7 +397,8 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const invariant = lifted_left(l);
-    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, 5, ratio<S>(1, 2)), draw_variations<S>(draw, group, 5)};
+    VariedSequence<S> const sequence{draw_configurations<S>(draw, group, 5, ratio<S>(1, 2)),
+                                     draw_variations<S>(draw, group, 5)};
     auto const& [g, theta] = sequence;
     auto const f = relative_motions_left(g);
     auto const scale = momenta_of(l, f);
@@ -349,7 +408,8 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
       return values;
     };
     auto const as_they_are = on_pairs([](auto const& x) { return x; });
-    claim.zero("invariant under left multiplication of both configurations", model, Vector<S>(on_pairs([&](auto const& x) { return g[4] * x; }) - as_they_are), scale);
+    claim.zero("invariant under left multiplication of both configurations", model,
+               Vector<S>(on_pairs([&](auto const& x) { return g[4] * x; }) - as_they_are), scale);
     claim.equal("the library's relative motion", model, relative_motion_left(g[0], g[1]), f[0]);
 
     // Vary the configurations by g theta: what stands beside theta_k is (3.11).
@@ -360,7 +420,8 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
     // Controls: variations of the other form; the quotient of the other side.
     auto const other_form = several([&] {
       VariedSequence<S> const other{g, draw_variations<S>(draw, group, 5)};
-      return S(discrete_action(invariant, other.right()).part[0] - discrete_action(invariant, other.left()).part[0]);
+      return S(discrete_action(invariant, other.right()).part[0] -
+               discrete_action(invariant, other.left()).part[0]);
     });
     claim.refutes("variations of the form theta g", model, other_form, scale);
     auto const other_side = several([&] {
@@ -375,7 +436,8 @@ STATEMENT(rem_3_2_1, "discrete Euler-Poincare equations for left-invariant Lagra
     auto const terms = momenta_of(k, three);
     for (int i : {1, 2}) {
       claim.zero("(3.11) along a motion", model, euler_poincare_left(k, three[i - 1], three[i]), terms);
-      claim.zero("(3.2) along the same motion", model, discrete_euler_lagrange(lifted_left(k), four[i - 1], four[i], four[i + 1]), terms);
+      claim.zero("(3.2) along the same motion", model,
+                 discrete_euler_lagrange(lifted_left(k), four[i - 1], four[i], four[i + 1]), terms);
     }
   });
 }
@@ -387,14 +449,19 @@ STATEMENT(eq_3_11, "discrete Euler-Poincare equations, left-invariant case") {
     auto const g = draw_configurations<S>(draw, group, 3);
     auto const f10 = relative_motion_left(g[0], g[1]), f21 = relative_motion_left(g[1], g[2]);
 
-    // Off shell: (3.2) of the invariant Lagrangian, read on variations g theta: Ad* of the configuration carries one reading to the other.
+    // Off shell: (3.2) of the invariant Lagrangian, read on variations g theta: Ad* of the configuration
+    // carries one reading to the other.
     auto const full = Ad_star(g[1], discrete_euler_lagrange(lifted_left(l), g[0], g[1], g[2]));
-    claim.equal("(3.11) equals (3.2) of the invariant Lagrangian", model, euler_poincare_left(l, f10, f21), full);
-    claim.equal("(3.11) from the definition of l', entry by entry", model, reduced_residual_left(l, GroupElements<S>{f10, f21}), column(full));
-    // Controls: the equation of the other side, the two motions exchanged, f_{k,k+1} = g_k^-1 g_{k+1} instead.
+    claim.equal("(3.11) equals (3.2) of the invariant Lagrangian", model, euler_poincare_left(l, f10, f21),
+                full);
+    claim.equal("(3.11) from the definition of l', entry by entry", model,
+                reduced_residual_left(l, GroupElements<S>{f10, f21}), column(full));
+    // Controls: the equation of the other side, the two motions exchanged, f_{k,k+1} = g_k^-1 g_{k+1}
+    // instead.
     claim.differs("left and right translation exchanged", model, euler_poincare_right(l, f10, f21), full);
     claim.differs("the two motions exchanged", model, euler_poincare_left(l, f21, f10), full);
-    claim.differs("f_{k,k+1} instead of f_{k+1,k}", model, euler_poincare_left(l, inverse(f10), inverse(f21)), full);
+    claim.differs("f_{k,k+1} instead of f_{k+1,k}", model, euler_poincare_left(l, inverse(f10), inverse(f21)),
+                  full);
   });
 }
 
@@ -411,7 +478,8 @@ STATEMENT(thm_3_2_3, "projection and reconstruction carry motions to motions") {
     auto const g1 = reconstruct_right(g0, f01), g2 = reconstruct_right(g1, f12);
     claim.zero("(3.2) along the lifted motion", model, discrete_euler_lagrange(lifted(l), g0, g1, g2), scale);
     // Project it again.
-    claim.zero("(3.10) along its projection", model, euler_poincare_right(l, relative_motion_right(g0, g1), relative_motion_right(g1, g2)), scale);
+    claim.zero("(3.10) along its projection", model,
+               euler_poincare_right(l, relative_motion_right(g0, g1), relative_motion_right(g1, g2)), scale);
     // Controls: the last configuration lifted by f instead of its inverse, or on the other side.
     auto const left_over = [&](auto const& third) {
       std::vector<Momentum<SpannedGroup, S>> parts;
@@ -422,29 +490,41 @@ STATEMENT(thm_3_2_3, "projection and reconstruction carry motions to motions") {
       return stacked(parts);
     };
     auto const size = momenta_of(l, GroupElements<S>{f01, f12});
-    claim.refutes("lift by f instead of its inverse", model, left_over([&](auto const& g) { return f12 * g; }), size);
-    claim.refutes("lift on the other side", model, left_over([&](auto const& g) { return reconstruct_left(g, f12); }), size);
+    claim.refutes("lift by f instead of its inverse", model,
+                  left_over([&](auto const& g) { return f12 * g; }), size);
+    claim.refutes("lift on the other side", model,
+                  left_over([&](auto const& g) { return reconstruct_left(g, f12); }), size);
 
     // Left-invariant systems.
     auto const k = with_motions_left(draw_reduced_lagrangian<S>(draw, group), GroupElements<S>{f01, f12});
     auto const h1 = reconstruct_left(g0, f01), h2 = reconstruct_left(h1, f12);
-    claim.zero("left-invariant: (3.2) along the lifted motion", model, discrete_euler_lagrange(lifted_left(k), g0, h1, h2), momenta_of(k, GroupElements<S>{f01, f12}));
+    claim.zero("left-invariant: (3.2) along the lifted motion", model,
+               discrete_euler_lagrange(lifted_left(k), g0, h1, h2),
+               momenta_of(k, GroupElements<S>{f01, f12}));
   });
 }
 
-STATEMENT(claim_3_2_projection_of_del, "a motion of the full equations projects to one of the reduced equations") {
+STATEMENT(claim_3_2_projection_of_del,
+          "a motion of the full equations projects to one of the reduced equations") {
   claim.holds("For the invariant Lagrangians that the section is about.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     // Three steps of a motion of (3.2), by design: nothing reduced is used to make it.
     auto const g = draw_configurations<S>(draw, group, 4);
     auto const f = relative_motions_right(g);
     auto const l = solved_for(
-        draw_reduced_lagrangian<S>(draw, group), f, [&](auto const& k, int i) { return column(discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1])); },
+        draw_reduced_lagrangian<S>(draw, group), f,
+        [&](auto const& k, int i) {
+      return column(discrete_euler_lagrange(lifted(k), g[i - 1], g[i], g[i + 1]));
+        },
         [&](int i, int a) { return from_left(basis_velocity<S>(group, a), f[i]); });
     auto const scale = momenta_of(l, f);
-    for (int k : {1, 2}) claim.zero("(3.2) along the motion", model, discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale);
+    for (int k : {1, 2})
+      claim.zero("(3.2) along the motion", model,
+                 discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale);
     auto const projected = [&](int k) { return relative_motion_right(g[k], g[k + 1]); };
-    for (int k : {1, 2}) claim.zero("(3.10) along the projection", model, euler_poincare_right(l, projected(k - 1), projected(k)), scale);
+    for (int k : {1, 2})
+      claim.zero("(3.10) along the projection", model,
+                 euler_poincare_right(l, projected(k - 1), projected(k)), scale);
     // Control: the projection of the other side.
     auto const wrong = relative_motions_left(g);
     claim.refutes("projection by g1^-1 g0", model, reduced_residual_right(l, wrong), momenta_of(l, wrong));
@@ -452,11 +532,15 @@ STATEMENT(claim_3_2_projection_of_del, "a motion of the full equations projects 
     // Control: a motion of a Lagrangian that is not invariant, and the restriction of that Lagrangian.
     auto const other = with_motion(draw_pair_polynomial<S>(draw, group), g[0], g[1], g[2]);
     auto const restricted = [&](auto const& h) { return other(h, like(h, identity<S>(group))); };
-    claim.refutes("no invariance", model, euler_poincare_right(restricted, f[0], f[1]), size_of(right_differential(restricted, f[1])) + size_of(left_differential(restricted, f[0])));
+    claim.refutes(
+        "no invariance", model, euler_poincare_right(restricted, f[0], f[1]),
+        size_of(right_differential(restricted, f[1])) + size_of(left_differential(restricted, f[0])));
   });
 }
 
-STATEMENT(claim_3_2_reconstruction_of_dep, "a motion of the reduced equations lifts to motions of the full ones, one for each first configuration") {
+STATEMENT(
+    claim_3_2_reconstruction_of_dep,
+    "a motion of the reduced equations lifts to motions of the full ones, one for each first configuration") {
   claim.holds("The first configuration is free: one reduced motion has a lift through every g_0.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -465,13 +549,21 @@ STATEMENT(claim_3_2_reconstruction_of_dep, "a motion of the reduced equations li
     for (int lift = 0; lift < 2; ++lift) {
       GroupElements<S> g{draw.template element<S>(group)};
       for (auto const& step : f) g.push_back(reconstruct_right(g.back(), step));
-      // Condition: each configuration carries the rounding of the products before it, magnified by the second derivatives of l.
-      for (int k : {1, 2}) claim.zero("(3.2) along each lift", model, discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale, 10);
+      // Condition: each configuration carries the rounding of the products before it, magnified by the second
+      // derivatives of l.
+      for (int k : {1, 2})
+        claim.zero("(3.2) along each lift", model,
+                   discrete_euler_lagrange(lifted(l), g[k - 1], g[k], g[k + 1]), scale, 10);
       // Controls: relative motions taken in the wrong order; a sequence that does not satisfy (3.10).
       // (On the Heisenberg group a motion with little momentum at the centre does not care for order.)
       auto const back = configurations_right(g[0], GroupElements<S>{f[2], f[1], f[0]});
-      if (model != "Heisenberg") claim.refutes("relative motions in the wrong order", model, reduced_residual_right(l, relative_motions_right(back)), momenta_of(l, f));
-      auto const elsewhere = several([&] { return column(discrete_euler_lagrange(lifted(l), g[0], g[1], reconstruct_right(g[1], draw.template element<S>(group)))); });
+      if (model != "Heisenberg")
+        claim.refutes("relative motions in the wrong order", model,
+                      reduced_residual_right(l, relative_motions_right(back)), momenta_of(l, f));
+      auto const elsewhere = several([&] {
+        return column(discrete_euler_lagrange(lifted(l), g[0], g[1],
+                                              reconstruct_right(g[1], draw.template element<S>(group))));
+      });
       claim.refutes("relative motions that (3.10) does not give", model, elsewhere, momenta_of(l, f));
     }
   });
@@ -489,7 +581,8 @@ STATEMENT(eq_3_14, "reconstruction map, right-invariant case") {
       auto const next0 = reconstruct_right(g0, f[k - 1]), next1 = reconstruct_right(g1, f[k]);
       claim.equal("first of the pair", model, next0, g[k]);
       claim.equal("second of the pair", model, next1, g[k + 1]);
-      by_f.push_back(f[k] * g1), other_side.push_back(g1 * inverse(f[k])), late.push_back(reconstruct_right(g1, f[k - 1])), right.push_back(g[k + 1]);
+      by_f.push_back(f[k] * g1), other_side.push_back(g1 * inverse(f[k])),
+          late.push_back(reconstruct_right(g1, f[k - 1])), right.push_back(g[k + 1]);
       g0 = next0, g1 = next1;
     }
     claim.differs("f instead of its inverse", model, stacked<S>(by_f), stacked<S>(right));
@@ -509,7 +602,8 @@ STATEMENT(eq_3_15, "reconstruction map, left-invariant case") {
       auto const next0 = reconstruct_left(g0, f[k - 1]), next1 = reconstruct_left(g1, f[k]);
       claim.equal("first of the pair", model, next0, g[k]);
       claim.equal("second of the pair", model, next1, g[k + 1]);
-      by_f.push_back(g1 * f[k]), other_side.push_back(inverse(f[k]) * g1), late.push_back(reconstruct_left(g1, f[k - 1])), right.push_back(g[k + 1]);
+      by_f.push_back(g1 * f[k]), other_side.push_back(inverse(f[k]) * g1),
+          late.push_back(reconstruct_left(g1, f[k - 1])), right.push_back(g[k + 1]);
       g0 = next0, g1 = next1;
     }
     claim.differs("f instead of its inverse", model, stacked<S>(by_f), stacked<S>(right));
@@ -531,12 +625,17 @@ Vector<S> differential(F const& f, GroupElement<S> const& g0, GroupElement<S> co
 /// {a, b} of two functions of pairs, as a function of pairs.
 template <class L, class A, class B>
 auto bracket_of_pairs(L const& lagrangian, A const& a, B const& b) {
-  return [=](auto const& g0, auto const& g1) { return differential(a, g0, g1).dot(discrete_bivector(lagrangian, g0, g1) * differential(b, g0, g1)); };
+  return [=](auto const& g0, auto const& g1) {
+    return differential(a, g0, g1).dot(discrete_bivector(lagrangian, g0, g1) * differential(b, g0, g1));
+  };
 }
 /// {a, b} of two functions on the group, as a function on the group.
 template <class L, class A, class B>
 auto reduced_bracket(L const& l, A const& a, B const& b) {
-  return [=](auto const& f) { return right_differential(a, f).components.dot(reduced_bivector_right(l, f) * right_differential(b, f).components); };
+  return [=](auto const& f) {
+    return right_differential(a, f).components.dot(reduced_bivector_right(l, f) *
+                                                   right_differential(b, f).components);
+  };
 }
 /// SO(3) and Aff(1): for third derivatives.
 std::vector<SpannedGroup> const& small_groups() {
@@ -554,7 +653,8 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
     auto const a = draw_pair_polynomial<S>(draw, group), b = draw_pair_polynomial<S>(draw, group);
     auto const g0 = draw.template element<S>(group), g1 = draw.template element<S>(group);
 
-    // d theta^- on right-invariant fields, X theta(Y) - Y theta(X) - theta[X, Y], whose commutator is minus the one of the algebra.
+    // d theta^- on right-invariant fields, X theta(Y) - Y theta(X) - theta[X, Y], whose commutator is minus
+    // the one of the algebra.
     auto const theta = D1(lagrangian, g0, g1);
     Matrix<S> omega = Matrix<S>::Zero(2 * d, 2 * d), configuration(d, d);
     for (int i = 0; i < d; ++i) {
@@ -564,15 +664,20 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
     }
     for (int i = 0; i < d; ++i)
       for (int j = 0; j < d; ++j) {
-        omega(i, j) = configuration(j, i) - configuration(i, j) + pair(theta, bracket(basis_velocity<S>(group, i), basis_velocity<S>(group, j)));
+        omega(i, j) = configuration(j, i) - configuration(i, j) +
+                      pair(theta, bracket(basis_velocity<S>(group, i), basis_velocity<S>(group, j)));
         omega(d + j, i) = -omega(i, d + j);
       }
     // Solve X_F from omega(X_F, .) = dF, and pair.
-    auto const field = [&](auto const& f) { return Vector<S>(solve_linear(omega.transpose().eval(), differential(f, g0, g1))); };
+    auto const field = [&](auto const& f) {
+      return Vector<S>(solve_linear(omega.transpose().eval(), differential(f, g0, g1)));
+    };
     S const value = field(a).dot(omega * field(b));
     Matrix<S> const pi = discrete_bivector(lagrangian, g0, g1);
-    auto const scale = magnitude(differential(a, g0, g1)) * magnitude(pi) * magnitude(differential(b, g0, g1));
-    claim.zero("omega(X_F, X_H) by the definitions", model, S(bracket_of_pairs(lagrangian, a, b)(g0, g1) - value), scale);
+    auto const scale =
+        magnitude(differential(a, g0, g1)) * magnitude(pi) * magnitude(differential(b, g0, g1));
+    claim.zero("omega(X_F, X_H) by the definitions", model,
+               S(bracket_of_pairs(lagrangian, a, b)(g0, g1) - value), scale);
     claim.zero("dF(X_H) is the same", model, S(differential(a, g0, g1).dot(field(b)) - value), scale);
     // Controls: the other order, the other sign of X_H on one side.
     Matrix<S> const explicit_pi = inverse_matrix(Matrix<S>(omega.transpose()));
@@ -583,21 +688,26 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
     momenta.topRows(d) = -configuration.transpose();
     for (int i = 0; i < d; ++i) momenta.row(d + i) = omega.col(d + i).head(d).transpose();
     auto const size = magnitude(momenta) * magnitude(pi) * magnitude(momenta);
-    claim.zero("brackets of momenta", model, Matrix<S>(momenta.transpose() * pi * momenta - lie_poisson_tensor_plus(-theta)), size);
+    claim.zero("brackets of momenta", model,
+               Matrix<S>(momenta.transpose() * pi * momenta - lie_poisson_tensor_plus(-theta)), size);
     Matrix<S> const positions = (pi * momenta).topRows(d);
-    claim.zero("brackets of configurations and momenta", model, Matrix<S>(positions - Matrix<S>::Identity(d, d)), magnitude(pi) * magnitude(momenta));
+    claim.zero("brackets of configurations and momenta", model,
+               Matrix<S>(positions - Matrix<S>::Identity(d, d)), magnitude(pi) * magnitude(momenta));
   });
   over_groups(small_groups(), claim, [&](auto const& group, auto const& model) {
     // Jacobi's identity: three functions, third derivatives of L.
     auto const lagrangian = draw_pair_polynomial<S>(draw, group);
-    auto const a = draw_pair_polynomial<S>(draw, group), b = draw_pair_polynomial<S>(draw, group), c = draw_pair_polynomial<S>(draw, group);
+    auto const a = draw_pair_polynomial<S>(draw, group), b = draw_pair_polynomial<S>(draw, group),
+               c = draw_pair_polynomial<S>(draw, group);
     auto const g0 = draw.template element<S>(group), g1 = draw.template element<S>(group);
     auto const form = [&](auto const& f, auto const& h) { return bracket_of_pairs(lagrangian, f, h); };
-    S const first = form(a, form(b, c))(g0, g1), second = form(b, form(c, a))(g0, g1), third = form(c, form(a, b))(g0, g1);
+    S const first = form(a, form(b, c))(g0, g1), second = form(b, form(c, a))(g0, g1),
+            third = form(c, form(a, b))(g0, g1);
     auto const sizes = magnitude(first) + magnitude(second) + magnitude(third);
     // Condition: omega is inverted twice, and differentiated.
     claim.zero("Jacobi's identity", model, S(first + second + third), sizes, 100);
-    // Control: the bracket times a function phi, the inverse of a form that is not closed. By Leibniz' rule the cyclic sum is phi ({a, phi}{b, c} + ...).
+    // Control: the bracket times a function phi, the inverse of a form that is not closed. By Leibniz' rule
+    // the cyclic sum is phi ({a, phi}{b, c} + ...).
     auto const bent = several([&] {
       auto const phi = draw_pair_polynomial<S>(draw, group);
       auto const at = [&](auto const& f, auto const& h) { return form(f, h)(g0, g1); };
@@ -605,13 +715,17 @@ STATEMENT(eq_3_12, "the bracket on pairs") {
     });
     claim.refutes("a form that is not closed", model, bent, sizes, 1e-4);
     // Control: no bracket where L is not regular.
-    claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] { discrete_bivector([&](auto const& x, auto const& y) { return a(x, x) + b(y, y); }, g0, g1); });
+    claim.template refuses<Singular>("a Lagrangian that is not regular", model, [&] {
+      discrete_bivector([&](auto const& x, auto const& y) { return a(x, x) + b(y, y); }, g0, g1);
+    });
   });
 }
 
 STATEMENT(eq_3_13, "the bracket on the group") {
-  claim.corrected(R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})", R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
-                  "The functions are lifted by the quotient map itself; lifted by the projection on a configuration they would commute.");
+  claim.corrected(R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})",
+                  R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
+                  "The functions are lifted by the quotient map itself; lifted by the projection on a "
+                  "configuration they would commute.");
   claim.maybe_scan();
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -620,32 +734,45 @@ STATEMENT(eq_3_13, "the bracket on the group") {
     auto const f = relative_motion_right(g[0], g[1]);
     S const below = reduced_bracket(l, a, b)(f);
     Matrix<S> const tensor = reduced_bivector_right(l, f);
-    auto const scale = magnitude(column(right_differential(a, f))) * magnitude(tensor) * magnitude(column(right_differential(b, f)));
-    // Well defined: the same at every pair over f. Condition: the configurations magnify, and a matrix is inverted at each of them.
+    auto const scale = magnitude(column(right_differential(a, f))) * magnitude(tensor) *
+                       magnitude(column(right_differential(b, f)));
+    // Well defined: the same at every pair over f. Condition: the configurations magnify, and a matrix is
+    // inverted at each of them.
     for (auto const& carry : {g[2], inverse(g[2])})
-      claim.zero("lifted by the quotient map", model, S(bracket_of_pairs(lifted(l), lifted(a), lifted(b))(g[0] * carry, g[1] * carry) - below), scale, 10);
+      claim.zero("lifted by the quotient map", model,
+                 S(bracket_of_pairs(lifted(l), lifted(a), lifted(b))(g[0] * carry, g[1] * carry) - below),
+                 scale, 10);
     // What it is: the momentum mu = -R* l' carries it to the plus Lie-Poisson bracket.
     Matrix<S> const second = right_second_differential(l, f);
     claim.zero("the momentum is a Poisson map to the plus bracket", model,
-               Matrix<S>(second * tensor * second.transpose() - lie_poisson_tensor_plus(momentum_before_right(l, f))), magnitude(second) * magnitude(tensor) * magnitude(second));
-    claim.refutes("to the minus bracket", model, Matrix<S>(second * tensor * second.transpose() + lie_poisson_tensor_plus(momentum_before_right(l, f))),
+               Matrix<S>(second * tensor * second.transpose() -
+                         lie_poisson_tensor_plus(momentum_before_right(l, f))),
+               magnitude(second) * magnitude(tensor) * magnitude(second));
+    claim.refutes("to the minus bracket", model,
+                  Matrix<S>(second * tensor * second.transpose() +
+                            lie_poisson_tensor_plus(momentum_before_right(l, f))),
                   magnitude(lie_poisson_tensor_plus(momentum_before_right(l, f))));
     // Left-invariant: the body momentum, the minus bracket.
     Matrix<S> const other = reduced_bivector_left(l, f), slope_of = left_second_differential(l, f);
-    claim.zero("left-invariant: to the minus bracket", model, Matrix<S>(slope_of * other * slope_of.transpose() + lie_poisson_tensor_plus(momentum_before_left(l, f))),
+    claim.zero("left-invariant: to the minus bracket", model,
+               Matrix<S>(slope_of * other * slope_of.transpose() +
+                         lie_poisson_tensor_plus(momentum_before_left(l, f))),
                magnitude(slope_of) * magnitude(other) * magnitude(slope_of));
 
     // Control, as printed with the projection on the first configuration: such functions commute.
     auto const on_first = [](auto const& h) { return [h](auto const& x, auto const&) { return h(x); }; };
     auto const gap = several([&] {
       auto const other_b = draw_reduced_lagrangian<S>(draw, group);
-      return S(bracket_of_pairs(lifted(l), on_first(a), on_first(other_b))(g[0], g[1]) - reduced_bracket(l, a, other_b)(f));
+      return S(bracket_of_pairs(lifted(l), on_first(a), on_first(other_b))(g[0], g[1]) -
+               reduced_bracket(l, a, other_b)(f));
     });
     claim.refutes("lifted by the projection on a configuration", model, gap, scale);
     // Control: no invariance, no bracket below.
     auto const any = draw_pair_polynomial<S>(draw, group);
     auto const two = [&](auto const& x, auto const& y) {
-      return several([&] { return bracket_of_pairs(any, lifted(a), lifted(draw_reduced_lagrangian<S>(draw, group)))(x, y); });
+      return several([&] {
+        return bracket_of_pairs(any, lifted(a), lifted(draw_reduced_lagrangian<S>(draw, group)))(x, y);
+      });
     };
     Draw const again = draw;
     auto const here = two(g[0], g[1]);
@@ -663,11 +790,13 @@ STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
     claim.zero("the motion", model, euler_poincare_right(l, f[0], f[1]), momenta_of(l, f));
     auto const defect = [&](auto const& k, auto const& form) {
       Matrix<S> const t = euler_poincare_tangent_right(k, f[0], f[1]);
-      return Matrix<S>(t * reduced_bivector_right(form, f[0]) * t.transpose() - reduced_bivector_right(form, f[1]));
+      return Matrix<S>(t * reduced_bivector_right(form, f[0]) * t.transpose() -
+                       reduced_bivector_right(form, f[1]));
     };
     auto const size = [&](auto const& k, auto const& form) {
       Matrix<S> const t = euler_poincare_tangent_right(k, f[0], f[1]);
-      return magnitude(t) * magnitude(reduced_bivector_right(form, f[0])) * magnitude(t) + magnitude(reduced_bivector_right(form, f[1]));
+      return magnitude(t) * magnitude(reduced_bivector_right(form, f[0])) * magnitude(t) +
+             magnitude(reduced_bivector_right(form, f[1]));
     };
     // Condition: second derivatives are inverted on both sides.
     claim.zero("Poisson defect of one step", model, defect(l, l), size(l, l), 100);
@@ -689,7 +818,8 @@ STATEMENT(claim_3_2_dep_preserves_bracket, "brackets of functions before and aft
     auto const g = configurations_right(identity<S>(group), f);
     Matrix<S> tangent(d, d);
     for (int i = 0; i < d; ++i) {
-      PairChange<SpannedGroup, S> const w{basis_velocity<S>(group, i), velocity(group, Vector<S>(Vector<S>::Zero(d)))};
+      PairChange<SpannedGroup, S> const w{basis_velocity<S>(group, i),
+                                          velocity(group, Vector<S>(Vector<S>::Zero(d)))};
       auto const moved = discrete_flow_tangent(lifted(l), g[0], g[1], g[2], w);
       tangent.col(i) = column(relative_variation_right(f[1], moved.first, moved.second));
     }
@@ -699,9 +829,12 @@ STATEMENT(claim_3_2_dep_preserves_bracket, "brackets of functions before and aft
 
     // {a o Phi, b o Phi} before, {a, b} after.
     Matrix<S> const before = reduced_bivector_right(l, f[0]);
-    auto const pulled = [&](auto const& h) { return Vector<S>(tangent.transpose() * column(right_differential(h, f[1]))); };
+    auto const pulled = [&](auto const& h) {
+      return Vector<S>(tangent.transpose() * column(right_differential(h, f[1])));
+    };
     auto const scale = magnitude(pulled(a)) * magnitude(before) * magnitude(pulled(b)) * S(Base<S>(d * d));
-    claim.zero("{a o Phi, b o Phi} = {a, b} o Phi", model, S(pulled(a).dot(before * pulled(b)) - reduced_bracket(l, a, b)(f[1])), scale, 100);
+    claim.zero("{a o Phi, b o Phi} = {a, b} o Phi", model,
+               S(pulled(a).dot(before * pulled(b)) - reduced_bracket(l, a, b)(f[1])), scale, 100);
     // Control: brackets taken at the wrong end of the step.
     auto const wrong_end = several([&] {
       auto const c = draw_reduced_lagrangian<S>(draw, group), e = draw_reduced_lagrangian<S>(draw, group);
@@ -711,30 +844,39 @@ STATEMENT(claim_3_2_dep_preserves_bracket, "brackets of functions before and aft
 
     // Left-invariant systems.
     auto const k = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
-    Matrix<S> const t = euler_poincare_tangent_left(k, f[0], f[1]), p0 = reduced_bivector_left(k, f[0]), p1 = reduced_bivector_left(k, f[1]);
-    claim.zero("left-invariant: Poisson defect of one step", model, Matrix<S>(t * p0 * t.transpose() - p1), magnitude(t) * magnitude(p0) * magnitude(t) + magnitude(p1), 100);
+    Matrix<S> const t = euler_poincare_tangent_left(k, f[0], f[1]), p0 = reduced_bivector_left(k, f[0]),
+                    p1 = reduced_bivector_left(k, f[1]);
+    claim.zero("left-invariant: Poisson defect of one step", model, Matrix<S>(t * p0 * t.transpose() - p1),
+               magnitude(t) * magnitude(p0) * magnitude(t) + magnitude(p1), 100);
   });
 }
 
 STATEMENT(claim_3_2_proper_action, "the diagonal action is proper") {
-  claim.holds("Always true of right multiplication on pairs: the hypothesis asks for nothing. The action is free, too.");
+  claim.holds(
+      "Always true of right multiplication on pairs: the hypothesis asks for nothing. The action is free, "
+      "too.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const h = draw.template element<S>(group), axis = draw.template element<S>(group);
-    // Proper and free: h is a continuous function of a pair and its image, so it stays bounded where these do.
+    // Proper and free: h is a continuous function of a pair and its image, so it stays bounded where these
+    // do.
     auto const found = [&](auto const& before, auto const& after) { return inverse(before) * after; };
     claim.equal("h from one configuration and its image", model, found(g[0], g[0] * h), h);
     claim.equal("h from the other configuration and its image", model, found(g[1], g[1] * h), h);
-    // Control: conjugation of both configurations. Elements that commute with them do nothing, so the pair and its image do not tell h.
+    // Control: conjugation of both configurations. Elements that commute with them do nothing, so the pair
+    // and its image do not tell h.
     auto const conjugated = [&](auto const& x, auto const& by) { return by * x * inverse(by); };
     auto const square = axis * axis;
     claim.equal("conjugation: an element fixes its powers", model, conjugated(square, axis), square);
-    claim.differs("conjugation: h from a configuration and its image", model, found(square, conjugated(square, axis)), axis);
+    claim.differs("conjugation: h from a configuration and its image", model,
+                  found(square, conjugated(square, axis)), axis);
   });
-  // Control: a free action that is not proper, (x, y) -> (h x, y/h) off the origin. The pair (1, s) and its image (s, 1) stay bounded, h = s leaves the group.
+  // Control: a free action that is not proper, (x, y) -> (h x, y/h) off the origin. The pair (1, s) and its
+  // image (s, 1) stay bounded, h = s leaves the group.
   for (long s : {16L, 256L, 4096L}) {
     S const small = ratio<S>(1, s), x(1), y = small, h = small;
-    claim.zero("an action that is not proper: images of bounded points are bounded", "R^x on the plane", S(h * x - small) + S(y / h - S(1)), S(1));
+    claim.zero("an action that is not proper: images of bounded points are bounded", "R^x on the plane",
+               S(h * x - small) + S(y / h - S(1)), S(1));
     claim.refutes("h^-1 within 8 times the points", "R^x on the plane", S(S(1) / h - 8), S(1));
   }
 }
@@ -744,7 +886,8 @@ STATEMENT(claim_3_2_proper_action, "the diagonal action is proper") {
 
 namespace {
 
-/// A Lagrangian on TG with one of three symmetries, in one type: it is differentiated three times, and each type would be compiled on its own.
+/// A Lagrangian on TG with one of three symmetries, in one type: it is differentiated three times, and each
+/// type would be compiled on its own.
 template <class S>
 struct SymmetricLagrangian {
   enum class Side { right, left, none };
@@ -782,8 +925,10 @@ STATEMENT(claim_3_2_body_spatial_momenta, "body and spatial momentum of a covect
     claim.refutes("Ad*_g m_c", model, several([&] {
                     auto const mu = draw.template momentum<S>(group);
                     return column(Ad_star(g, mu) - Ad_star(inverse(g), mu));
-                  }), S(1));
-    if (!has_invariant_metric(model)) claim.differs("Ad_g m_c", model, Vector<S>(Ad_matrix(g) * m_c.components), spatial);
+                  }),
+                  S(1));
+    if (!has_invariant_metric(model))
+      claim.differs("Ad_g m_c", model, Vector<S>(Ad_matrix(g) * m_c.components), spatial);
   });
 }
 
@@ -801,7 +946,8 @@ STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves 
     };
     auto const right = [&] { return rates(Side::right); };
     auto const left = [&] { return rates(Side::left); };
-    // Size of the terms: a momentum times a velocity, each of order 1; the algebra of SO(4) or GL(2) sums a few of them. Condition: the acceleration solves a system.
+    // Size of the terms: a momentum times a velocity, each of order 1; the algebra of SO(4) or GL(2) sums a
+    // few of them. Condition: the acceleration solves a system.
     claim.zero("right-invariant: d m_c/dt", model, right().first, S(1), 100);
     claim.zero("left-invariant: d m_s/dt", model, left().second, S(1), 100);
     claim.refutes("right-invariant: d m_s/dt", model, several([&] { return right().second; }), S(1));
@@ -813,18 +959,21 @@ STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves 
 STATEMENT(eq_3_16, "spatial momentum of a right-invariant system in time") {
   claim.holds("mu_0 is the constant body momentum, which is mu(0) only where g(0) = 1.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
-    SymmetricLagrangian<S> const lagrangian{draw_state_polynomial<S>(draw, group), SymmetricLagrangian<S>::Side::right};
+    SymmetricLagrangian<S> const lagrangian{draw_state_polynomial<S>(draw, group),
+                                            SymmetricLagrangian<S>::Side::right};
     State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
     auto const moving = moved(v, lagrange_vector_field(lagrangian, v));
     auto const mu = legendre(lagrangian, v);
     auto const mu0 = coadjoint(v.configuration, mu);
     auto const g = moving.configuration;
-    // Both sides have the same value at this instant, by the relation of body and spatial momentum, and the same rate: hence they agree at all times.
+    // Both sides have the same value at this instant, by the relation of body and spatial momentum, and the
+    // same rate: hence they agree at all times.
     claim.equal("value", model, Ad_star(inverse(v.configuration), mu0), mu);
     auto const actual = rate(legendre(lagrangian, moving));
     // Condition: the acceleration solves a system.
     claim.zero("rate", model, Vector<S>(rate(Ad_star(inverse(g), over<Dual<S>>(mu0))) - actual), S(1), 100);
-    claim.zero("rate, by the Lie-Poisson equation", model, Vector<S>(actual + column(ad_star(v.velocity, mu))), S(1), 100);
+    claim.zero("rate, by the Lie-Poisson equation", model,
+               Vector<S>(actual + column(ad_star(v.velocity, mu))), S(1), 100);
     // Controls: the inverse lost; mu(0) for mu_0 although the motion does not begin at 1.
     claim.differs("Ad*_g instead of its inverse", model, rate(Ad_star(g, over<Dual<S>>(mu0))), actual);
     claim.differs("mu(0) for mu_0, g(0) not 1", model, Ad_star(inverse(v.configuration), mu), mu);
@@ -832,9 +981,13 @@ STATEMENT(eq_3_16, "spatial momentum of a right-invariant system in time") {
 }
 
 STATEMENT(claim_3_2_dlp_chain, "the chain of equalities that leads to the update") {
-  claim.corrected(R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
-                  R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
-                  "Two inverses are missing, at g_{k+1} and at g_k, where (3.16) is used; the second and the last expression are right.");
+  claim.corrected(
+      R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = )"
+      R"(\mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
+      R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = )"
+      R"(\mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
+      "Two inverses are missing, at g_{k+1} and at g_k, where (3.16) is used; the second and the last "
+      "expression are right.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g0 = draw.template element<S>(group), f = draw.template element<S>(group);
@@ -854,7 +1007,8 @@ STATEMENT(claim_3_2_dlp_chain, "the chain of equalities that leads to the update
       });
     };
     claim.refutes("first, as printed", model, gaps([&](auto const& mu) { return Ad_star(g1, mu); }), S(1));
-    claim.refutes("third, as printed", model, gaps([&](auto const& mu) { return Ad_star(f, Ad_star(g0, mu)); }), S(1));
+    claim.refutes("third, as printed", model,
+                  gaps([&](auto const& mu) { return Ad_star(f, Ad_star(g0, mu)); }), S(1));
   });
 }
 
@@ -878,7 +1032,8 @@ Vector<S> casimirs(Covector<S> const& mu) {
   if (name == "SO(3)" || name == "SU(2)") return values({m[0] * m[0] + m[1] * m[1] + m[2] * m[2]});
   if (name == "SO(4)") return values({Vector<S>(m).squaredNorm(), m[0] * m[5] - m[1] * m[4] + m[2] * m[3]});
   if (name == "SE(2)") return values({m[1] * m[1] + m[2] * m[2]});
-  if (name == "SE(3)") return values({m[3] * m[3] + m[4] * m[4] + m[5] * m[5], m[0] * m[3] + m[1] * m[4] + m[2] * m[5]});
+  if (name == "SE(3)")
+    return values({m[3] * m[3] + m[4] * m[4] + m[5] * m[5], m[0] * m[3] + m[1] * m[4] + m[2] * m[5]});
   if (name == "SL(2)") return values({m[0] * m[0] + m[1] * m[2] * 4});
   if (name == "GL(2)") return values({m[0] + m[3], m[0] * m[3] - m[1] * m[2]});
   if (name == "Heisenberg") return values({m[2]});
@@ -914,55 +1069,76 @@ MapAt<S> orbit_keeping_map(Matrix<S> const& k, Covector<S> const& mu) {
   });
   return {map(mu), tangent};
 }
-/// How far a map is from keeping the plus bracket: T Lambda T^T - Lambda at the image. The minus bracket is its negative.
+/// How far a map is from keeping the plus bracket: T Lambda T^T - Lambda at the image. The minus bracket is
+/// its negative.
 template <class S>
 Matrix<S> poisson_defect(MapAt<S> const& map, Covector<S> const& mu) {
-  return map.tangent * lie_poisson_tensor_plus(mu) * map.tangent.transpose() - lie_poisson_tensor_plus(map.image);
+  return map.tangent * lie_poisson_tensor_plus(mu) * map.tangent.transpose() -
+         lie_poisson_tensor_plus(map.image);
 }
 
 }  // namespace
 
-STATEMENT(claim_3_2_coadjoint_lie_poisson, "the coadjoint action preserves orbits, their symplectic forms, and the Lie-Poisson brackets") {
+STATEMENT(claim_3_2_coadjoint_lie_poisson,
+          "the coadjoint action preserves orbits, their symplectic forms, and the Lie-Poisson brackets") {
   claim.corrected(R"(\mathcal O\subset\mathfrak g)", R"(\mathcal O\subset\mathfrak g^*)",
-                  "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. Under Ad_g in the algebra the brackets do not survive.");
+                  "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. Under Ad_g "
+                  "in the algebra the brackets do not survive.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group);
     auto const mu = draw.template momentum<S>(group);
     auto const xi = draw.template velocity<S>(group), eta = draw.template velocity<S>(group);
     auto const image = Ad_star(inverse(g), mu);
-    // Tangent vectors of the orbit go to tangent vectors of it; the forms <mu, [xi, eta]>, up to sign, go along.
-    claim.equal("Ad* of a tangent vector", model, Ad_star(inverse(g), ad_star(xi, mu)), ad_star(Ad(g, xi), image));
-    claim.zero("orbit symplectic forms", model, S(pair(image, bracket(Ad(g, xi), Ad(g, eta))) - pair(mu, bracket(xi, eta))),
+    // Tangent vectors of the orbit go to tangent vectors of it; the forms <mu, [xi, eta]>, up to sign, go
+    // along.
+    claim.equal("Ad* of a tangent vector", model, Ad_star(inverse(g), ad_star(xi, mu)),
+                ad_star(Ad(g, xi), image));
+    claim.zero("orbit symplectic forms", model,
+               S(pair(image, bracket(Ad(g, xi), Ad(g, eta))) - pair(mu, bracket(xi, eta))),
                size_of(image) * size_of(Ad(g, xi)) * size_of(Ad(g, eta)) + S(1));
 
     // Brackets of functions on the dual, both signs.
-    auto const a = draw_algebra_polynomial<S>(draw, group.dimension()), b = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const after = [&](auto const& f) { return [&f, &g](auto const& at) { return f(Ad_star(inverse(like(at, g)), at)); }; };
+    auto const a = draw_algebra_polynomial<S>(draw, group.dimension()),
+               b = draw_algebra_polynomial<S>(draw, group.dimension());
+    auto const after = [&](auto const& f) {
+      return [&f, &g](auto const& at) { return f(Ad_star(inverse(like(at, g)), at)); };
+    };
     auto const scale = S(1) + size_of(image) * size_of(gradient(a, image)) * size_of(gradient(b, image));
-    claim.zero("plus bracket", model, S(lie_poisson_bracket_plus(after(a), after(b), mu) - lie_poisson_bracket_plus(a, b, image)), scale);
-    claim.zero("minus bracket", model, S(lie_poisson_bracket_minus(after(a), after(b), mu) - lie_poisson_bracket_minus(a, b, image)), scale);
+    claim.zero("plus bracket", model,
+               S(lie_poisson_bracket_plus(after(a), after(b), mu) - lie_poisson_bracket_plus(a, b, image)),
+               scale);
+    claim.zero("minus bracket", model,
+               S(lie_poisson_bracket_minus(after(a), after(b), mu) - lie_poisson_bracket_minus(a, b, image)),
+               scale);
 
     // Controls: Ad_g on the components, as if orbits lay in the algebra; twice the coadjoint action.
     auto const with = [&](Matrix<S> const& m) {
-      return Matrix<S>(m * lie_poisson_tensor_plus(mu) * m.transpose() - lie_poisson_tensor_plus(momentum(group, Vector<S>(m * mu.components))));
+      return Matrix<S>(m * lie_poisson_tensor_plus(mu) * m.transpose() -
+                       lie_poisson_tensor_plus(momentum(group, Vector<S>(m * mu.components))));
     };
     Matrix<S> const ad = Ad_matrix(g), coad = Ad_matrix(inverse(g)).transpose();
     claim.zero("tensor", model, with(coad), S(1) + magnitude(coad) * magnitude(coad));
     // (Where transposition preserves the group, or a metric, Ad_g is the coadjoint action of another
     // element.)
-    if (!has_invariant_metric(model) && model != "GL(2)") claim.refutes("Ad_g, orbits in the algebra", model, with(ad), magnitude(lie_poisson_tensor_plus(mu)));
-    claim.refutes("twice the coadjoint action", model, with(coad + coad), magnitude(lie_poisson_tensor_plus(mu)));
+    if (!has_invariant_metric(model) && model != "GL(2)")
+      claim.refutes("Ad_g, orbits in the algebra", model, with(ad), magnitude(lie_poisson_tensor_plus(mu)));
+    claim.refutes("twice the coadjoint action", model, with(coad + coad),
+                  magnitude(lie_poisson_tensor_plus(mu)));
   });
 }
 
 STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of the dual algebra") {
-  claim.holds("In both readings: along a fixed sequence of f, and with f solved from mu, where the proof needs the discrete Euler-Poincare equations and not the orbits alone. The minus bracket is preserved as well.");
+  claim.holds(
+      "In both readings: along a fixed sequence of f, and with f solved from mu, where the proof needs the "
+      "discrete Euler-Poincare equations and not the orbits alone. The minus bracket is preserved as well.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
     auto const mu = momentum_before_right(l, f);
-    auto const size = [&](MapAt<S> const& map) { return magnitude(map.tangent) * size_of(mu) * magnitude(map.tangent) + size_of(map.image); };
+    auto const size = [&](MapAt<S> const& map) {
+      return magnitude(map.tangent) * size_of(mu) * magnitude(map.tangent) + size_of(map.image);
+    };
 
     // f fixed: a linear map.
     MapAt<S> const fixed{lie_poisson_update_right(f, mu), Ad_matrix(f).transpose()};
@@ -971,15 +1147,27 @@ STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of th
     auto const solved = lie_poisson_map(l, f);
     claim.zero("f solved from mu", model, poisson_defect(solved, mu), size(solved), 100);
     // The same in functions.
-    auto const a = draw_algebra_polynomial<S>(draw, group.dimension()), b = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const pulled = [&](auto const& h) { return velocity(group, Vector<S>(solved.tangent.transpose() * gradient(h, solved.image).coordinates)); };
-    auto const scale = size_of(mu) * size_of(pulled(a)) * size_of(pulled(b)) + size_of(solved.image) * size_of(gradient(a, solved.image)) * size_of(gradient(b, solved.image));
-    claim.zero("{a o Phi, b o Phi}_+ = {a, b}_+ o Phi", model, S(pair(mu, bracket(pulled(a), pulled(b))) - lie_poisson_bracket_plus(a, b, solved.image)), scale, 100);
+    auto const a = draw_algebra_polynomial<S>(draw, group.dimension()),
+               b = draw_algebra_polynomial<S>(draw, group.dimension());
+    auto const pulled = [&](auto const& h) {
+      return velocity(group, Vector<S>(solved.tangent.transpose() * gradient(h, solved.image).coordinates));
+    };
+    auto const scale =
+        size_of(mu) * size_of(pulled(a)) * size_of(pulled(b)) +
+        size_of(solved.image) * size_of(gradient(a, solved.image)) * size_of(gradient(b, solved.image));
+    claim.zero("{a o Phi, b o Phi}_+ = {a, b}_+ o Phi", model,
+               S(pair(mu, bracket(pulled(a), pulled(b))) - lie_poisson_bracket_plus(a, b, solved.image)),
+               scale, 100);
 
-    // Controls: an element that depends on mu in another way; the same map read backwards in momentum, mu -> -Ad* mu.
-    auto const others = several([&] { return poisson_defect(orbit_keeping_map(draw_matrix<S>(draw, group.dimension(), group.dimension()), mu), mu); });
+    // Controls: an element that depends on mu in another way; the same map read backwards in momentum,
+    // mu -> -Ad* mu.
+    auto const others = several([&] {
+      return poisson_defect(orbit_keeping_map(draw_matrix<S>(draw, group.dimension(), group.dimension()), mu),
+                            mu);
+    });
     claim.refutes("f another function of mu", model, others, magnitude(lie_poisson_tensor_plus(mu)));
-    claim.refutes("momentum with the other sign", model, poisson_defect(MapAt<S>{-fixed.image, -fixed.tangent}, mu), size(fixed));
+    claim.refutes("momentum with the other sign", model,
+                  poisson_defect(MapAt<S>{-fixed.image, -fixed.tangent}, mu), size(fixed));
   });
 }
 
@@ -989,42 +1177,57 @@ STATEMENT(eq_3_17, "discrete Lie-Poisson update, right-invariant case") {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
     auto const g = configurations_right(draw.template element<S>(group), f);
-    // Momenta of the full motion, and what the update makes of them. Condition: configurations after three steps.
+    // Momenta of the full motion, and what the update makes of them. Condition: configurations after three
+    // steps.
     std::vector<Covector<S>> mu;
     for (int k = 0; k < 3; ++k) mu.push_back(legendre_source(lifted(l), g[k], g[k + 1]));
     auto const scale = momenta_of(l, f);
     Matrix<S> inverted(group.dimension(), 2), star_lost(group.dimension(), 2), next(group.dimension(), 2);
     for (int k = 0; k < 2; ++k) {
-      claim.zero("mu_{k+1} = Ad*_f mu_k along a motion", model, lie_poisson_update_right(f[k], mu[k]) - mu[k + 1], scale, 10);
-      claim.zero("the momentum at the end of the step", model, legendre_target(lifted(l), g[k], g[k + 1]) - coadjoint(f[k], mu[k]), scale, 10);
+      claim.zero("mu_{k+1} = Ad*_f mu_k along a motion", model,
+                 lie_poisson_update_right(f[k], mu[k]) - mu[k + 1], scale, 10);
+      claim.zero("the momentum at the end of the step", model,
+                 legendre_target(lifted(l), g[k], g[k + 1]) - coadjoint(f[k], mu[k]), scale, 10);
       claim.zero("mu_k from f alone", model, momentum_before_right(l, f[k]) - mu[k], scale, 10);
-      claim.zero("Ad*_{g_k} mu_k stays", model, coadjoint(g[k + 1], mu[k + 1]) - coadjoint(g[0], mu[0]), scale, 10);
-      inverted.col(k) = column(Ad_star(inverse(f[k]), mu[k])), star_lost.col(k) = Ad_matrix(f[k]) * mu[k].components, next.col(k) = column(mu[k + 1]);
+      claim.zero("Ad*_{g_k} mu_k stays", model, coadjoint(g[k + 1], mu[k + 1]) - coadjoint(g[0], mu[0]),
+                 scale, 10);
+      inverted.col(k) = column(Ad_star(inverse(f[k]), mu[k])),
+      star_lost.col(k) = Ad_matrix(f[k]) * mu[k].components, next.col(k) = column(mu[k + 1]);
     }
-    // Controls: the inverse, as with g1 g0^-1; the star lost, where it shows as the inverse does; a step that is none.
+    // Controls: the inverse, as with g1 g0^-1; the star lost, where it shows as the inverse does; a step that
+    // is none.
     if (model != "Heisenberg") claim.differs("Ad* of the inverse", model, inverted, next);
     if (model != "Heisenberg") claim.differs("Ad instead of Ad*", model, star_lost, next);
-    auto const elsewhere = several([&] { return column(lie_poisson_update_right(f[0], mu[0]) - momentum_before_right(l, draw.template element<S>(group))); });
+    auto const elsewhere = several([&] {
+      return column(lie_poisson_update_right(f[0], mu[0]) -
+                    momentum_before_right(l, draw.template element<S>(group)));
+    });
     claim.refutes("f_{12} that (3.10) does not give", model, elsewhere, scale);
   });
 }
 
 STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries") {
-  claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k}\pi_0)", R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k}\pi_0)",
-                  "The definition of Pi_k is right and contradicts the update as printed, (3.18), which lacks an inverse.");
+  claim.corrected(
+      R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k}\pi_0)",
+      R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k}\pi_0)",
+      "The definition of Pi_k is right and contradicts the update as printed, (3.18), which lacks an "
+      "inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
     auto const g = configurations_left(draw.template element<S>(group), f);
     auto const scale = momenta_of(l, f);
-    // The spatial momentum is the constant; Ad* of the configuration makes the body momentum of it. Condition: configurations after three steps.
+    // The spatial momentum is the constant; Ad* of the configuration makes the body momentum of it.
+    // Condition: configurations after three steps.
     auto const spatial = [&](int k) { return legendre_source(lifted_left(l), g[k], g[k + 1]); };
     for (int k : {1, 2}) {
       claim.zero("m_s is constant", model, spatial(k) - spatial(0), scale, 10);
-      claim.zero("Pi_k = Ad*_{g_k} pi_0", model, coadjoint(g[k], spatial(0)) - momentum_before_left(l, f[k]), scale, 10);
+      claim.zero("Pi_k = Ad*_{g_k} pi_0", model, coadjoint(g[k], spatial(0)) - momentum_before_left(l, f[k]),
+                 scale, 10);
     }
-    claim.zero("legendre_target agrees", model, legendre_target(lifted_left(l), g[0], g[1]) - spatial(0), scale, 10);
+    claim.zero("legendre_target agrees", model, legendre_target(lifted_left(l), g[0], g[1]) - spatial(0),
+               scale, 10);
     // The definition alone gives the update, whatever pi_0.
     auto const update = [&](auto const& element) {
       return several([&] {
@@ -1032,14 +1235,17 @@ STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries")
         return column(Ad_star(element, Ad_star(g[0], constant)) - Ad_star(g[1], constant));
       });
     };
-    claim.zero("Ad*_{f^-1} takes Ad*_{g_k} to Ad*_{g_{k+1}}", model, update(inverse(f[0])), magnitude(Ad_matrix(f[0])) * magnitude(Ad_matrix(g[0])) + S(1), 10);
+    claim.zero("Ad*_{f^-1} takes Ad*_{g_k} to Ad*_{g_{k+1}}", model, update(inverse(f[0])),
+               magnitude(Ad_matrix(f[0])) * magnitude(Ad_matrix(g[0])) + S(1), 10);
     claim.refutes("as printed", model, update(f[0]), S(1));
   });
 }
 
 STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
-  claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k)", R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k)",
-                  "The inverse is missing: f_{k+1,k} is g_{k+1}^{-1} g_k, and Pi_k is Ad* of g_k, not of its inverse.");
+  claim.corrected(
+      R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k)",
+      R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k)",
+      "The inverse is missing: f_{k+1,k} is g_{k+1}^{-1} g_k, and Pi_k is Ad* of g_k, not of its inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -1047,11 +1253,13 @@ STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
     auto const g = configurations_left(draw.template element<S>(group), f);
     // Body momenta of the full motion. Condition: configurations after three steps.
     std::vector<Covector<S>> body;
-    for (int k = 0; k < 3; ++k) body.push_back(coadjoint(g[k], legendre_source(lifted_left(l), g[k], g[k + 1])));
+    for (int k = 0; k < 3; ++k)
+      body.push_back(coadjoint(g[k], legendre_source(lifted_left(l), g[k], g[k + 1])));
     auto const scale = momenta_of(l, f);
     Matrix<S> printed(group.dimension(), 2), next(group.dimension(), 2);
     for (int k = 0; k < 2; ++k) {
-      claim.zero("Pi_{k+1} = Ad*_{f^-1} Pi_k along a motion", model, lie_poisson_update_left(f[k], body[k]) - body[k + 1], scale, 10);
+      claim.zero("Pi_{k+1} = Ad*_{f^-1} Pi_k along a motion", model,
+                 lie_poisson_update_left(f[k], body[k]) - body[k + 1], scale, 10);
       claim.zero("Pi_k from f alone", model, momentum_before_left(l, f[k]) - body[k], scale, 10);
       printed.col(k) = column(Ad_star(f[k], body[k])), next.col(k) = column(body[k + 1]);
     }
@@ -1066,60 +1274,88 @@ STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
     auto const start = momentum_before_right(l, f[0]);
     auto const scale = momenta_of(l, f);
-    // Three steps; the group element that joins the ends is the product of the relative motions, so the orbit is the same by definition.
+    // Three steps; the group element that joins the ends is the product of the relative motions, so the orbit
+    // is the same by definition.
     auto mu = start;
     for (auto const& step : f) mu = lie_poisson_update_right(step, mu);
-    claim.zero("one element of the group joins first and last", model, coadjoint(f[0] * f[1] * f[2], start) - mu, scale, 10);
-    claim.zero("momenta along the motion are those of the algorithm", model, lie_poisson_update_right(f[1], lie_poisson_update_right(f[0], start)) - momentum_before_right(l, f[2]), scale, 10);
+    claim.zero("one element of the group joins first and last", model,
+               coadjoint(f[0] * f[1] * f[2], start) - mu, scale, 10);
+    claim.zero("momenta along the motion are those of the algorithm", model,
+               lie_poisson_update_right(f[1], lie_poisson_update_right(f[0], start)) -
+                   momentum_before_right(l, f[2]),
+               scale, 10);
 
     auto const invariants = casimirs(start);
     if (invariants.size() == 0) return;
     auto const size = S(scale * scale + scale);
-    claim.zero("functions that are constant on orbits", model, Vector<S>(casimirs(mu) - invariants), size, 10);
-    // Controls: an explicit step of the Lie-Poisson equations leaves the orbit; so does the update without its star.
+    claim.zero("functions that are constant on orbits", model, Vector<S>(casimirs(mu) - invariants), size,
+               10);
+    // Controls: an explicit step of the Lie-Poisson equations leaves the orbit; so does the update without
+    // its star.
     auto const drift = [&](auto const& step) {
       return several([&] {
         auto const at = draw.template momentum<S>(group);
         return Vector<S>(casimirs(step(at)) - casimirs(at));
       });
     };
-    if (model != "Heisenberg") claim.refutes("mu - ad*_xi mu", model, drift([&](auto const& at) { return at - ad_star(draw.template velocity<S>(group), at); }), S(1));
+    if (model != "Heisenberg")
+      claim.refutes("mu - ad*_xi mu", model,
+                    drift([&](auto const& at) { return at - ad_star(draw.template velocity<S>(group), at); }),
+                    S(1));
     if (!has_invariant_metric(model) && model != "GL(2)")
-      claim.refutes("Ad instead of Ad*", model, drift([&](auto const& at) { return momentum(group, Vector<S>(Ad_matrix(f[0]) * at.components)); }), S(1));
+      claim.refutes("Ad instead of Ad*", model, drift([&](auto const& at) {
+                      return momentum(group, Vector<S>(Ad_matrix(f[0]) * at.components));
+                    }),
+                    S(1));
   });
 }
 
 STATEMENT(claim_3_2_orbits_and_bracket, "a map that preserves every orbit need not preserve the bracket") {
-  claim.corrected(R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
-                  R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}}\ell'(f_{kk+1}), \text{ the Poisson structure})",
-                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu preserves every orbit for any f(mu), and the bracket only for special ones.");
+  claim.corrected(
+      R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
+      R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}}\ell'(f_{kk+1}), \text{ )"
+      R"(the Poisson structure})",
+      "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu preserves every "
+      "orbit for any f(mu), and the bracket only for special ones.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
     auto const mu = momentum_before_right(l, f);
-    auto const size = [&](MapAt<S> const& map) { return magnitude(map.tangent) * size_of(mu) * magnitude(map.tangent) + size_of(map.image); };
+    auto const size = [&](MapAt<S> const& map) {
+      return magnitude(map.tangent) * size_of(mu) * magnitude(map.tangent) + size_of(map.image);
+    };
     // Two maps that preserve every orbit: the algorithm, and one whose element is any function of mu.
     auto const algorithm = lie_poisson_map(l, f);
-    auto const any_map = [&] { return orbit_keeping_map(Matrix<S>(draw_matrix<S>(draw, d, d) / (S(2) * (S(1) + S(size_of(mu))))), mu); };
+    auto const any_map = [&] {
+      return orbit_keeping_map(Matrix<S>(draw_matrix<S>(draw, d, d) / (S(2) * (S(1) + S(size_of(mu))))), mu);
+    };
     auto const other = any_map();
     if (auto const invariants = casimirs(mu); invariants.size() > 0) {
-      auto const square = S(1) + S(size_of(mu) * size_of(mu)) + S(size_of(algorithm.image) * size_of(algorithm.image));
-      claim.zero("the algorithm preserves orbits", model, Vector<S>(casimirs(algorithm.image) - invariants), square, 10);
-      claim.zero("the other map preserves orbits", model, Vector<S>(casimirs(other.image) - invariants), square, 10);
+      auto const square =
+          S(1) + S(size_of(mu) * size_of(mu)) + S(size_of(algorithm.image) * size_of(algorithm.image));
+      claim.zero("the algorithm preserves orbits", model, Vector<S>(casimirs(algorithm.image) - invariants),
+                 square, 10);
+      claim.zero("the other map preserves orbits", model, Vector<S>(casimirs(other.image) - invariants),
+                 square, 10);
     }
-    claim.zero("the algorithm preserves the bracket", model, poisson_defect(algorithm, mu), size(algorithm), 100);
-    claim.refutes("other maps do not", model, several([&] { return poisson_defect(any_map(), mu); }), magnitude(lie_poisson_tensor_plus(mu)));
+    claim.zero("the algorithm preserves the bracket", model, poisson_defect(algorithm, mu), size(algorithm),
+               100);
+    claim.refutes("other maps do not", model, several([&] { return poisson_defect(any_map(), mu); }),
+                  magnitude(lie_poisson_tensor_plus(mu)));
   });
 }
 
 // ----
-// Section 3.2, fifth part: what the algorithms tend to as the step goes to zero, and the integrator on the dual that they make.
+// Section 3.2, fifth part: what the algorithms tend to as the step goes to zero, and the integrator on the
+// dual that they make.
 //
 // Orders are fitted in double, against power series of equations written out by hand (top_in_any_group.hpp).
 
 STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the action") {
-  claim.convention("For a discrete Lagrangian that is an action, energy times time. A sum of the averages that (3.20) prints has no step in it and grows with the number of steps.");
+  claim.convention(
+      "For a discrete Lagrangian that is an action, energy times time. A sum of the averages that (3.20) "
+      "prints has no step in it and grows with the number of steps.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
@@ -1129,7 +1365,8 @@ STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the acti
     S sum(0), averages(0);
     for (std::size_t k = 0; k + 1 < times.size(); ++k) {
       S const h = times[k + 1] - times[k];
-      S const term = discretize_right([&](auto const& v) { return l(v.velocity); }, h, at_first)(later(times[k]), later(times[k + 1]));
+      S const term = discretize_right([&](auto const& v) { return l(v.velocity); }, h, at_first)(
+          later(times[k]), later(times[k + 1]));
       sum += term, averages += term / h;
     }
     claim.equal("unequal steps along a one-parameter group", model, sum, S(l(xi) * times.back()));
@@ -1141,15 +1378,25 @@ STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the acti
       auto const curve = draw_curve<S>(draw, group);
       Quadrature<S> const rule(20);
       S exact(0);
-      for (int k = 0; k < 8; ++k) exact += action(lagrangian, curve, S(by_halves.duration * k / 8), S(by_halves.duration * (k + 1) / 8), rule);
+      for (int k = 0; k < 8; ++k)
+        exact += action(lagrangian, curve, S(by_halves.duration * k / 8), S(by_halves.duration * (k + 1) / 8),
+                        rule);
       auto const sum = [&](int n, double h, auto const& term) {
         S total(0);
         for (int k = 0; k < n; ++k) total += term(curve(S(h * k)), curve(S(h * (k + 1))));
         return magnitude(S(total - exact));
       };
-      claim.order("the sum along any curve", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return sum(n, h, discretize_right(lagrangian, h, at_first)); }), 2);
-      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(), by_halves.step_lengths(),
-                          by_halves.errors_of([&](int n, double h) { return sum(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(lagrangian, h, at_first)(g1, g0); }); }), 2);
+      claim.order("the sum along any curve", group.name(), by_halves.step_lengths(),
+                  by_halves.errors_of(
+                      [&](int n, double h) { return sum(n, h, discretize_right(lagrangian, h, at_first)); }),
+                  2);
+      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(),
+                          by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) {
+                            return sum(n, h, [&](auto const& g0, auto const& g1) {
+                              return discretize_right(lagrangian, h, at_first)(g1, g0);
+                            });
+                          }),
+                          2);
     }
 }
 
@@ -1168,7 +1415,8 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
           auto const next = step_euler_lagrange(L, before, configuration).value;
           before = configuration, configuration = next;
         }
-        return std::pair(magnitude((configuration.value - exact.configuration.value).eval()), size_of(D2(L, before, configuration) - momentum_at_end));
+        return std::pair(magnitude((configuration.value - exact.configuration.value).eval()),
+                         size_of(D2(L, before, configuration) - momentum_at_end));
       };
       std::vector<double> momenta;
       auto const configurations = by_halves.errors_of([&](int n, double h) {
@@ -1178,14 +1426,25 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
       });
       claim.order("the configuration", group.name(), by_halves.step_lengths(), configurations, 2);
       claim.order("the momentum", group.name(), by_halves.step_lengths(), momenta, 2);
-      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) {
-                            return run(n, h, [&](auto const& g0, auto const& g1) { return discretize_right(top, h, at_first)(g1, g0); }).first;
-                          }), 2);
+      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(),
+                          by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) {
+                            return run(
+                                       n, h,
+                                       [&](auto const& g0, auto const& g1) {
+          return discretize_right(top, h, at_first)(g1, g0);
+                                       })
+                                .first;
+                          }),
+                          2);
     }
 }
 
-STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstructed, tends to the Euler-Poincare flow, reconstructed") {
-  claim.holds("Read by means of reconstruction, or of the momentum: to second order. The velocity of a relative motion, taken for that at its earlier end, is right to first order only.");
+STATEMENT(
+    claim_3_2_dep_limit,
+    "the discrete Euler-Poincare algorithm, reconstructed, tends to the Euler-Poincare flow, reconstructed") {
+  claim.holds(
+      "Read by means of reconstruction, or of the momentum: to second order. The velocity of a relative "
+      "motion, taken for that at its earlier end, is right to first order only.");
   if (claim.fits_orders())
     for (auto const& group : limit_groups()) {
       auto const top = draw_top_without_weight<S>(draw, group);
@@ -1203,7 +1462,9 @@ STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstru
           configuration = reconstruct_right(configuration, f);
           f = step_euler_poincare_right(l, f).value;
         }
-        return {magnitude((configuration.value - exact.configuration.value).eval()), size_of(momentum_before_right(l, f) - momentum_at_end), size_of(-log(f) / S(h) - exact.velocity)};
+        return {magnitude((configuration.value - exact.configuration.value).eval()),
+                size_of(momentum_before_right(l, f) - momentum_at_end),
+                size_of(-log(f) / S(h) - exact.velocity)};
       };
       std::vector<double> momenta, velocities;
       auto const configurations = by_halves.errors_of([&](int n, double h) {
@@ -1213,12 +1474,17 @@ STATEMENT(claim_3_2_dep_limit, "the discrete Euler-Poincare algorithm, reconstru
       });
       claim.order("the configuration", group.name(), by_halves.step_lengths(), configurations, 2);
       claim.order("the momentum", group.name(), by_halves.step_lengths(), momenta, 2);
-      claim.refutes_order("the velocity of the relative motion", group.name(), by_halves.step_lengths(), velocities, 2);
+      claim.refutes_order("the velocity of the relative motion", group.name(), by_halves.step_lengths(),
+                          velocities, 2);
     }
 }
 
-STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare equations and carrying the momentum makes a Lie-Poisson integrator") {
-  claim.holds("It preserves the bracket because its relative motion solves those equations; that it preserves the orbits is not enough.");
+STATEMENT(claim_3_2_lie_poisson_integrator,
+          "solving the discrete Euler-Poincare equations and carrying the momentum makes a Lie-Poisson "
+          "integrator") {
+  claim.holds(
+      "It preserves the bracket because its relative motion solves those equations; that it preserves the "
+      "orbits is not enough.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // One step with f solved from mu0, wherever (3.10) has a solution: draw f, and mu0 is the momentum at its
     // start.
@@ -1226,25 +1492,33 @@ STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare
     auto const f = draw.template element<S>(group);
     auto const mu0 = momentum_before_right(l, f);
     auto const mu1 = lie_poisson_update_right(f, mu0);
-    claim.equal("the momentum at the end of the step is that at the start of the next", model, -left_differential(l, f), mu1);
+    claim.equal("the momentum at the end of the step is that at the start of the next", model,
+                -left_differential(l, f), mu1);
     // Its tangent, from the equation: d mu0 = -A theta, d mu1 = -B theta. Condition: A is inverted.
-    Matrix<S> const tangent = left_second_differential(l, f) * inverse_matrix(right_second_differential(l, f));
+    Matrix<S> const tangent =
+        left_second_differential(l, f) * inverse_matrix(right_second_differential(l, f));
     auto const defect = [&](Matrix<S> const& t, Momentum<SpannedGroup, S> const& image) {
       return Matrix<S>(t * lie_poisson_tensor_plus(mu0) * t.transpose() - lie_poisson_tensor_plus(image));
     };
-    claim.zero("the bracket is preserved", model, defect(tangent, mu1), S(magnitude(tangent) * magnitude(tangent) * size_of(mu0) + size_of(mu1)), 100);
+    claim.zero("the bracket is preserved", model, defect(tangent, mu1),
+               S(magnitude(tangent) * magnitude(tangent) * size_of(mu0) + size_of(mu1)), 100);
     // Controls: the inverse element; and an explicit Euler step of mu' = -ad* mu. (On Aff(1) any such step
     // preserves the bracket: there it is the determinant of the step times mu_2.)
     claim.differs("Ad* of the inverse", model, -left_differential(l, f), Ad_star(inverse(f), mu0));
     auto const xi = draw.template velocity<S>(group);
-    Matrix<S> const euler = Matrix<S>::Identity(group.dimension(), group.dimension()) - ad_matrix(xi).transpose();
-    if (model != "Aff(1)") claim.refutes("an explicit Euler step", model, defect(euler, momentum(group, Vector<S>(euler * mu0.components))), size_of(mu0));
+    Matrix<S> const euler =
+        Matrix<S>::Identity(group.dimension(), group.dimension()) - ad_matrix(xi).transpose();
+    if (model != "Aff(1)")
+      claim.refutes("an explicit Euler step", model,
+                    defect(euler, momentum(group, Vector<S>(euler * mu0.components))), size_of(mu0));
   });
   if (claim.fits_orders())
     for (auto const& group : limit_groups()) {
       auto const top = draw_top_without_weight<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
-      auto const momentum_of = [&](State<SpannedGroup, S> const& at) { return momentum(group, Vector<S>(top.a * at.velocity.coordinates + top.b)); };
+      auto const momentum_of = [&](State<SpannedGroup, S> const& at) {
+        return momentum(group, Vector<S>(top.a * at.velocity.coordinates + top.b));
+      };
       auto const exact = momentum_of(top.flow(v, S(by_halves.duration)).first);
       auto const run = [&](int n, double h, auto const& carry) {
         auto const l = natural_chart_lagrangian_right(reduced(top), h);
@@ -1257,8 +1531,16 @@ STATEMENT(claim_3_2_lie_poisson_integrator, "solving the discrete Euler-Poincare
         return size_of(mu - exact);
       };
       claim.order("against the Lie-Poisson flow", group.name(), by_halves.step_lengths(),
-                  by_halves.errors_of([&](int n, double h) { return run(n, h, [](auto const& f, auto const& mu) { return lie_poisson_update_right(f, mu); }); }), 2);
+                  by_halves.errors_of([&](int n, double h) {
+                    return run(n, h,
+                               [](auto const& f, auto const& mu) { return lie_poisson_update_right(f, mu); });
+                  }),
+                  2);
       claim.refutes_order("the flow, carried by Ad* of the inverse", group.name(), by_halves.step_lengths(),
-                          by_halves.errors_of([&](int n, double h) { return run(n, h, [](auto const& f, auto const& mu) { return Ad_star(inverse(f), mu); }); }), 2);
+                          by_halves.errors_of([&](int n, double h) {
+                            return run(n, h,
+                                       [](auto const& f, auto const& mu) { return Ad_star(inverse(f), mu); });
+                          }),
+                          2);
     }
 }

@@ -1,6 +1,7 @@
 // Section 3.3, first part: natural charts and the discrete Lagrangian they define.
 //
-// Over the rationals the groups are unipotent, so exp, log and iex are polynomials and residuals are exactly zero (chart_models.hpp).
+// Over the rationals the groups are unipotent, so exp, log and iex are polynomials and residuals are exactly
+// zero (chart_models.hpp).
 
 #include "actio/variational/euler_poincare.hpp"
 
@@ -12,11 +13,14 @@ using namespace actio::checks;
 
 namespace {
 
-/// The span of symmetric forms B with B([x,y],z) + B(y,[x,z]) = 0, from the structure constants. These are whole numbers of modulus 2 at most: an entry below 1/1000 is zero.
+/// The span of symmetric forms B with B([x,y],z) + B(y,[x,z]) = 0, from the structure constants. These are
+/// whole numbers of modulus 2 at most: an entry below 1/1000 is zero.
 template <class S>
 std::vector<Matrix<S>> invariant_forms(SpannedGroup const& group) {
   int const d = group.dimension(), unknowns = d * (d + 1) / 2;
-  auto const index = [d](int i, int j) { return i <= j ? i * d - i * (i - 1) / 2 + j - i : j * d - j * (j - 1) / 2 + i - j; };
+  auto const index = [d](int i, int j) {
+    return i <= j ? i * d - i * (i - 1) / 2 + j - i : j * d - j * (j - 1) / 2 + i - j;
+  };
   std::vector<Vector<S>> rows;  // in echelon form
   std::vector<int> pivots;
   for (int x = 0; x < d; ++x)
@@ -75,7 +79,8 @@ S generic_determinant(Draw& draw, SpannedGroup const& group) {
 STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
   claim.holds();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw.template element<S>(group), k = draw_near(draw, g), h = draw.template element<S>(group);
+    auto const g = draw.template element<S>(group), k = draw_near(draw, g),
+               h = draw.template element<S>(group);
     auto const v = draw.template velocity<S>(group, ratio<S>(1, 4));
     // A chart and its inverse, the base point at the origin, the charts related by right translation.
     claim.equal("exp(psi_g(k)) g = k", model, exp(natural_chart_right(g, k)) * g, k);
@@ -88,13 +93,18 @@ STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
   if (!exact_arithmetic<S>()) {
     // The chart ends where exp stops being one to one: half a turn.
     SO<3> const group;
-    auto const g = draw.template element<S>(group), half_turn = Element<SO<3>, S>{group, Matrix<S, 3, 3>(Matrix<S, 3, 1>(S(-1), S(-1), S(1)).asDiagonal())};
-    claim.template refuses<OutsideDomain>("half a turn away, outside the chart", "SO(3)", [&] { natural_chart_right(g, half_turn * g); });
+    auto const g = draw.template element<S>(group),
+               half_turn = Element<SO<3>, S>{
+                   group, Matrix<S, 3, 3>(Matrix<S, 3, 1>(S(-1), S(-1), S(1)).asDiagonal())};
+    claim.template refuses<OutsideDomain>("half a turn away, outside the chart", "SO(3)",
+                                          [&] { natural_chart_right(g, half_turn * g); });
   }
 }
 
 STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart") {
-  claim.convention("The push-forward is taken at the averaged point $\\eta$, which the thesis leaves open. The discrete Lagrangian of the library is $h$ times the printed one: an action.");
+  claim.convention(
+      "The push-forward is taken at the averaged point $\\eta$, which the thesis leaves open. The discrete "
+      "Lagrangian of the library is $h$ times the printed one: an action.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -105,9 +115,11 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
     // Average and subtract in the chart, push forward by dual numbers.
     auto const first = natural_chart_right(g, g1), second = natural_chart_right(g, g2);
     auto const average = ratio<S>(1, 2) * (first + second), difference = (second - first) / h;
-    claim.equal("the library's is h times (3.20)", model, discretize_right(lagrangian, h, base)(g1, g2), h * lagrangian(push_forward(g, average, difference)));
+    claim.equal("the library's is h times (3.20)", model, discretize_right(lagrangian, h, base)(g1, g2),
+                h * lagrangian(push_forward(g, average, difference)));
     // Control: pushed forward at the centre of the chart, where the differential of exp is the identity.
-    claim.differs("push-forward at the centre of the chart: the velocity that L is given", model, push_forward(g, average, difference).velocity, difference);
+    claim.differs("push-forward at the centre of the chart: the velocity that L is given", model,
+                  push_forward(g, average, difference).velocity, difference);
   });
   if (claim.fits_orders()) {
     // It approximates the Lagrangian at the middle of any smooth curve to order 2, whatever the base point.
@@ -121,41 +133,61 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
         S const h(length);
         auto const g1 = curve(S(0)), g2 = curve(h);
         S const exact = lagrangian(state_of(curve(moving(S(h / 2)))));
-        errors_end.push_back(to_double(magnitude(S(discretize_right(lagrangian, h, at_end)(g1, g2) / h - exact))));
-        errors_beside.push_back(to_double(magnitude(S(discretize_right(lagrangian, h, beside)(g1, g2) / h - exact))));
+        errors_end.push_back(
+            to_double(magnitude(S(discretize_right(lagrangian, h, at_end)(g1, g2) / h - exact))));
+        errors_beside.push_back(
+            to_double(magnitude(S(discretize_right(lagrangian, h, beside)(g1, g2) / h - exact))));
         auto const g = beside(g1, g2);
         auto const m = chart_midpoint_right(g, g1, g2, h);
-        errors_unpushed.push_back(to_double(magnitude(S(lagrangian(State<SpannedGroup, S>{exp(m.eta) * g, m.zeta}) - exact))));
+        errors_unpushed.push_back(
+            to_double(magnitude(S(lagrangian(State<SpannedGroup, S>{exp(m.eta) * g, m.zeta}) - exact))));
       }
-      claim.order("midpoint value, chart at the later configuration", group.name(), halving_steps(), errors_end, 2);
-      claim.order("midpoint value, chart at a fixed configuration beside the curve", group.name(), halving_steps(), errors_beside, 2);
+      claim.order("midpoint value, chart at the later configuration", group.name(), halving_steps(),
+                  errors_end, 2);
+      claim.order("midpoint value, chart at a fixed configuration beside the curve", group.name(),
+                  halving_steps(), errors_beside, 2);
       claim.refutes_order("push-forward left out", group.name(), halving_steps(), errors_unpushed, 2);
     }
   }
 }
 
 STATEMENT(claim_3_3_quadratic_lie_algebra, "assumption of a regular quadratic Lie algebra") {
-  claim.holds("The assumption is never used: the construction, its invariance and its reduction hold on Aff(1), SE(2), the Heisenberg group and others, whose algebras carry no invariant nondegenerate form. (That of SE(3) does.)");
-  // Invariant forms are linear in the coefficients that are drawn, their determinant of degree 6 at most; the discrete Lagrangians as everywhere in this section.
+  claim.holds(
+      "The assumption is never used: the construction, its invariance and its reduction hold on Aff(1), "
+      "SE(2), the Heisenberg group and others, whose algebras carry no invariant nondegenerate form. (That "
+      "of SE(3) does.)");
+  // Invariant forms are linear in the coefficients that are drawn, their determinant of degree 6 at most; the
+  // discrete Lagrangians as everywhere in this section.
   std::vector<SpannedGroup> without = {spanned("Heisenberg", Heisenberg{}), unitriangular(4)};
-  if (!exact_arithmetic<S>()) without.push_back(spanned("Aff(1)", Aff1{})), without.push_back(spanned("SE(2)", SE<2>{}));
+  if (!exact_arithmetic<S>())
+    without.push_back(spanned("Aff(1)", Aff1{})), without.push_back(spanned("SE(2)", SE<2>{}));
   over_groups(without, claim, [&](auto const& group, auto const& model) {
-    claim.zero("every invariant form is degenerate: determinant of a generic one", model, generic_determinant<S>(draw, group), S(1));
+    claim.zero("every invariant form is degenerate: determinant of a generic one", model,
+               generic_determinant<S>(draw, group), S(1));
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), k = draw.template element<S>(group);
+    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1),
+               k = draw.template element<S>(group);
     auto const base = beside_right(draw_small<S>(draw, group));
     S const h = step_length<S>();
     auto const discrete = discretize_right(right_invariant(l), h, base);
     auto const scale = size_of_terms(l, fibre_element_right(chart_midpoint_right(base(g1, g2), g1, g2, h)));
-    claim.zero("L(g1 k, g2 k) = L(g1, g2) all the same", model, S(discrete(g1 * k, g2 * k) - discrete(g1, g2)), scale);
-    claim.zero("L(g1, g2) = l(g1 g2^-1) all the same", model, S(lift_right(natural_chart_lagrangian_right(l, h, base))(g1, g2) - discrete(g1, g2)), scale);
+    claim.zero("L(g1 k, g2 k) = L(g1, g2) all the same", model,
+               S(discrete(g1 * k, g2 * k) - discrete(g1, g2)), scale);
+    claim.zero("L(g1, g2) = l(g1 g2^-1) all the same", model,
+               S(lift_right(natural_chart_lagrangian_right(l, h, base))(g1, g2) - discrete(g1, g2)), scale);
   });
   if (exact_arithmetic<S>())
     for (auto const& group : {spanned("Aff(1)", Aff1{}), spanned("SE(2)", SE<2>{})})
-      claim.zero("every invariant form is degenerate: determinant of a generic one", group.name(), generic_determinant<S>(draw, group), S(1));
-  // Control: the criterion can tell. Semisimple algebras have such a form, gl(2) too, and se(3) pairs rotations with translations.
-  over_groups({spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("SL(2)", SL2{}), spanned("GL(2)", GL<2>{})}, claim,
-              [&](auto const& group, auto const& model) { claim.refutes("determinant of a generic invariant form where there is one", model, generic_determinant<S>(draw, group), S(1)); });
+      claim.zero("every invariant form is degenerate: determinant of a generic one", group.name(),
+                 generic_determinant<S>(draw, group), S(1));
+  // Control: the criterion can tell. Semisimple algebras have such a form, gl(2) too, and se(3) pairs
+  // rotations with translations.
+  over_groups({spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("SL(2)", SL2{}),
+               spanned("GL(2)", GL<2>{})},
+              claim, [&](auto const& group, auto const& model) {
+                claim.refutes("determinant of a generic invariant form where there is one", model,
+                              generic_determinant<S>(draw, group), S(1));
+              });
 }
 
 // ----
@@ -172,7 +204,8 @@ struct SquareNorm {
     return sum;
   }
 };
-/// \f$\cosh\f$ of the distance in Aff(1) with that metric, translated on the right: inverted, it is the hyperbolic plane of points (shift, stretch).
+/// \f$\cosh\f$ of the distance in Aff(1) with that metric, translated on the right: inverted, it is the
+/// hyperbolic plane of points (shift, stretch).
 template <class S>
 S cosh_distance(GroupElement<S> const& g1, GroupElement<S> const& g2) {
   auto const p = inverse(g1).value, q = inverse(g2).value;
@@ -204,15 +237,21 @@ GroupElement<S> rotation_by_half_tangent(SpannedGroup const& so3, S const& t) {
 }  // namespace
 
 STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connecting geodesic") {
-  claim.corrected(R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle\,dt)", R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle^{1/2}\,dt)",
-                  "Without the root the integral is the square of the distance: on the pieces of one geodesic it does not add up, and the triangle inequality fails. The geodesic is a shortest one.");
+  claim.corrected(
+      R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle\,dt)",
+      R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle^{1/2}\,dt)",
+      "Without the root the integral is the square of the distance: on the pieces of one geodesic it does "
+      "not add up, and the triangle inequality fails. The geodesic is a shortest one.");
   claim.maybe_scan();
-  // A half circle and its two derivatives are quotients of degree 12 at most in u, r, c and the rate; their inverses and products raise that to 60 at most.
+  // A half circle and its two derivatives are quotients of degree 12 at most in u, r, c and the rate; their
+  // inverses and products raise that to 60 at most.
   auto const aff1 = spanned("Aff(1)", Aff1{});
   auto const kinetic = [](auto const& xi) { return SquareNorm{}(xi) / 2; };
   over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
-    S const c = draw.template number<S>(), r = S(2) + draw.template number<S>(), u = S(2) + draw.template number<S>();
-    auto const rate_a = (S(2) + draw.template number<S>()) / S(4), rate_b = (S(2) + draw.template number<S>()) / S(4);
+    S const c = draw.template number<S>(), r = S(2) + draw.template number<S>(),
+            u = S(2) + draw.template number<S>();
+    auto const rate_a = (S(2) + draw.template number<S>()) / S(4),
+               rate_b = (S(2) + draw.template number<S>()) / S(4);
     // Two legs of one geodesic, each run through in unit time; log u goes at a constant rate.
     auto const square_speed = [&](S const& rate, S const& at) {
       using D = Dual<S>;
@@ -221,17 +260,24 @@ STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connec
       Dual<D> nested(position);
       nested.part[0] = speed;
       auto const xi = state_of(half_circle(group, c, r, nested)).velocity;
-      Algebra<S> const velocity{group, Vector<S>(value_part<S>(xi.coordinates))}, acceleration{group, Vector<S>(rate_part<S>(xi.coordinates))};
-      claim.zero("a half circle is a geodesic of the right-invariant metric", model, euler_poincare_right(kinetic, velocity, acceleration), size_of(velocity) * size_of(velocity));
+      Algebra<S> const velocity{group, Vector<S>(value_part<S>(xi.coordinates))},
+          acceleration{group, Vector<S>(rate_part<S>(xi.coordinates))};
+      claim.zero("a half circle is a geodesic of the right-invariant metric", model,
+                 euler_poincare_right(kinetic, velocity, acceleration),
+                 size_of(velocity) * size_of(velocity));
       return SquareNorm{}(velocity);
     };
-    S const square_a = square_speed(rate_a, u), square_b = square_speed(rate_b, u), square = square_speed(rate_a + rate_b, u);
-    claim.equal("its speed is the same everywhere", model, square_speed(rate_a, u * (S(1) + rate_b)), square_a);
+    S const square_a = square_speed(rate_a, u), square_b = square_speed(rate_b, u),
+            square = square_speed(rate_a + rate_b, u);
+    claim.equal("its speed is the same everywhere", model, square_speed(rate_a, u * (S(1) + rate_b)),
+                square_a);
     // The speeds are the roots of these: lengths of the legs add up to that of the whole.
-    claim.equal("square of the sum of the lengths of two legs is that of the whole", model, square_a + square_b + S(2) * rate_a * rate_b, square);
+    claim.equal("square of the sum of the lengths of two legs is that of the whole", model,
+                square_a + square_b + S(2) * rate_a * rate_b, square);
     claim.equal("length of a leg, squared", model, square_a, rate_a * rate_a);
     // Control: without the root they do not.
-    claim.differs("without the root the two legs fall short of the whole", model, square_a + square_b, square);
+    claim.differs("without the root the two legs fall short of the whole", model, square_a + square_b,
+                  square);
     if (!exact_arithmetic<S>()) {
       using std::exp, std::log, std::sqrt;
       S const cosh = cosh_distance(half_circle(group, c, r, u), half_circle(group, c, r, S(u * exp(rate_a))));
@@ -248,63 +294,87 @@ STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connec
     metric.b.setZero(), metric.kappa = S(0);
     auto const xi = draw.template velocity<S>(group);
     auto const mu = gradient(metric, xi);
-    claim.zero("a geodesic has constant speed", model, pair(mu, euler_poincare_acceleration_right(metric, xi)), size_of(ad_star(xi, mu)) * size_of(xi));
+    claim.zero("a geodesic has constant speed", model,
+               pair(mu, euler_poincare_acceleration_right(metric, xi)),
+               size_of(ad_star(xi, mu)) * size_of(xi));
   });
 }
 
 STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its translates") {
-  claim.holds("Right translation is an isometry of a metric translated on the right; it is not one of a metric translated on the left.");
+  claim.holds(
+      "Right translation is an isometry of a metric translated on the right; it is not one of a metric "
+      "translated on the left.");
   auto const aff1 = spanned("Aff(1)", Aff1{});
   // Where lengths can be compared.
-  if (ordered_arithmetic<S>()) over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
-    auto const g = draw.template element<S>(group);
-    std::vector<GroupElement<S>> domain;
-    for (int i = 0; i < 4; ++i) domain.push_back(draw.template element<S>(group));
-    auto const diameter = [&](auto const& move) {
-      S largest(1);
-      for (auto const& a : domain)
-        for (auto const& b : domain) largest = std::max(largest, S(cosh_distance(move(a), move(b))));
-      return largest;
-    };
-    S const plain = diameter([](auto const& a) { return a; });
-    claim.equal("cosh of the diameter of four configurations and of their right translates", model, diameter([&](auto const& a) { return a * g; }), plain);
-    claim.differs("of their left translates", model, diameter([&](auto const& a) { return g * a; }), plain);
-  });
+  if (ordered_arithmetic<S>())
+    over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
+      auto const g = draw.template element<S>(group);
+      std::vector<GroupElement<S>> domain;
+      for (int i = 0; i < 4; ++i) domain.push_back(draw.template element<S>(group));
+      auto const diameter = [&](auto const& move) {
+        S largest(1);
+        for (auto const& a : domain)
+          for (auto const& b : domain) largest = std::max(largest, S(cosh_distance(move(a), move(b))));
+        return largest;
+      };
+      S const plain = diameter([](auto const& a) { return a; });
+      claim.equal("cosh of the diameter of four configurations and of their right translates", model,
+                  diameter([&](auto const& a) { return a * g; }), plain);
+      claim.differs("of their left translates", model, diameter([&](auto const& a) { return g * a; }), plain);
+    });
   // On every group: right translation leaves the speed of every curve as it is.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group, S(1)), h = draw.template element<S>(group);
     auto const v = draw.template velocity<S>(group);
     auto const curve = moving_along(v) * over<Dual<S>>(h);
     SquareNorm const norm;
-    claim.equal("speed of a curve and of its right translate", model, norm(state_of(curve * over<Dual<S>>(g)).velocity), norm(v));
-    if (model != "SO(3)") claim.differs("and of its left translate", model, norm(state_of(over<Dual<S>>(g) * curve).velocity), norm(v));
+    claim.equal("speed of a curve and of its right translate", model,
+                norm(state_of(curve * over<Dual<S>>(g)).velocity), norm(v));
+    if (model != "SO(3)")
+      claim.differs("and of its left translate", model, norm(state_of(over<Dual<S>>(g) * curve).velocity),
+                    norm(v));
   });
 }
 
-STATEMENT(claim_3_3_chart_condition, "condition on two group elements for the discrete Lagrangian to be defined") {
-  claim.corrected(R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))", R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,\quad\text{where } U \text{ contains the ball of radius } r \text{ about } e)",
-                  "Two configurations nearer to each other than the diameter of $U$ may be further from the base point than $U$ reaches: with the base point at either end the radius counts, half the diameter of a ball. The printed bound is enough where the base point is half-way.");
-  // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by nearly +- a right angle are nearly half a turn apart.
+STATEMENT(claim_3_3_chart_condition,
+          "condition on two group elements for the discrete Lagrangian to be defined") {
+  claim.corrected(
+      R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))",
+      R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,\quad\text{where } U \text{ contains the ball of radius } r )"
+      R"(\text{ about } e)",
+      "Two configurations nearer to each other than the diameter of $U$ may be further from the base point "
+      "than $U$ reaches: with the base point at either end the radius counts, half the diameter of a ball. "
+      "The printed bound is enough where the base point is half-way.");
+  // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by
+  // nearly +- a right angle are nearly half a turn apart.
   auto const so3 = spanned("SO(3)", SO<3>{});
   S const one(1);
   if (ordered_arithmetic<S>()) {
     auto const g2 = draw.template element<S>(so3, S(2)), g = draw.template element<S>(so3, S(2));
-    S const inside = (S(1) + draw.template number<S>()) / S(2), outside = ratio<S>(11, 8) + draw.template number<S>() / S(4);
-    claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2", cos_angle(GroupElement<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
+    S const inside = (S(1) + draw.template number<S>()) / S(2),
+            outside = ratio<S>(11, 8) + draw.template number<S>() / S(4);
+    claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2",
+               cos_angle(GroupElement<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
     auto const e = identity<S>(so3);
     auto const nearly = rotation_by_half_tangent(so3, ratio<S>(99, 100));
-    claim.fact("the diameter of U is more than 178 degrees", "SO(3), U of radius pi/2", cos_angle(nearly, e) > S(0) && cos_angle(nearly, inverse(nearly)) < -ratio<S>(999, 1000));
+    claim.fact("the diameter of U is more than 178 degrees", "SO(3), U of radius pi/2",
+               cos_angle(nearly, e) > S(0) && cos_angle(nearly, inverse(nearly)) < -ratio<S>(999, 1000));
     // Half-way, the printed bound does: g1 = s g, g2 = s^-1 g with s by less than a right angle.
     auto const s = rotation_by_half_tangent(so3, inside);
-    claim.fact("dist(g1, g2) < diam(U) is enough at the configuration half-way", "SO(3), U of radius pi/2", cos_angle(s * g, g) > S(0) && cos_angle(inverse(s) * g, g) > S(0));
-    // Control: nearer than the diameter, 97 to 117 degrees apart, and outside of the chart at g2: by how much the angle's cosine lies below that of U's edge.
+    claim.fact("dist(g1, g2) < diam(U) is enough at the configuration half-way", "SO(3), U of radius pi/2",
+               cos_angle(s * g, g) > S(0) && cos_angle(inverse(s) * g, g) > S(0));
+    // Control: nearer than the diameter, 97 to 117 degrees apart, and outside of the chart at g2: by how much
+    // the angle's cosine lies below that of U's edge.
     auto const g1 = rotation_by_half_tangent(so3, outside) * g2;
-    claim.fact("the control's configurations are nearer than the diameter", "SO(3), U of radius pi/2", cos_angle(g1, g2) > -ratio<S>(999, 1000));
+    claim.fact("the control's configurations are nearer than the diameter", "SO(3), U of radius pi/2",
+               cos_angle(g1, g2) > -ratio<S>(999, 1000));
     S const excess = S(0) > cos_angle(g1, g2) ? S(-cos_angle(g1, g2)) : S(0);
-    claim.refutes("dist(g1, g2) < diam(U), base point at g2: outside by", "SO(3), U of radius pi/2", excess, one);
+    claim.refutes("dist(g1, g2) < diam(U), base point at g2: outside by", "SO(3), U of radius pi/2", excess,
+                  one);
   }
   if (!exact_arithmetic<S>()) {
-    // With all of the chart of SE(3): up to half a turn every configuration is met, however far away it is, so that U has no finite diameter.
+    // With all of the chart of SE(3): up to half a turn every configuration is met, however far away it is,
+    // so that U has no finite diameter.
     SE<3> const se3;
     auto const far = [&](S const& angle, S const& distance) {
       Coordinates<SE<3>, S> v = Coordinates<SE<3>, S>::Zero();
@@ -316,18 +386,25 @@ STATEMENT(claim_3_3_chart_condition, "condition on two group elements for the di
     auto const g = draw.template element<S>(se3);
     for (auto [fraction, distance] : {std::pair{1, 1L}, {90, 1000L}, {99, 1000000L}}) {
       auto const k = far(pi * S(fraction) / S(100), S(distance)) * g;
-      claim.equal("less than half a turn from the base point: in the chart", "SE(3)", exp(natural_chart_right(g, k)) * g, k);
+      claim.equal("less than half a turn from the base point: in the chart", "SE(3)",
+                  exp(natural_chart_right(g, k)) * g, k);
     }
-    claim.template refuses<OutsideDomain>("half a turn away: at a finite distance, below the infinite diameter of U", "SE(3)", [&] { natural_chart_right(g, far(pi, S(1)) * g); });
+    claim.template refuses<OutsideDomain>(
+        "half a turn away: at a finite distance, below the infinite diameter of U", "SE(3)",
+        [&] { natural_chart_right(g, far(pi, S(1)) * g); });
     // SL(2): the chart has no finite diameter either, and whole regions outside of it.
     Matrix<S, 2, 2> hyperbolic;
     hyperbolic << S(-2), S(0), S(0), ratio<S>(-1, 2);
-    claim.template refuses<OutsideDomain>("no logarithm: at a finite distance, below the infinite diameter of U", "SL(2)", [&] { log(Element<SL2, S>{{}, hyperbolic}); });
+    claim.template refuses<OutsideDomain>(
+        "no logarithm: at a finite distance, below the infinite diameter of U", "SL(2)", [&] {
+          log(Element<SL2, S>{{}, hyperbolic});
+        });
   }
 }
 
 // ----
-// Section 3.3, third part: velocities in a chart, the differential of the exponential, the discrete Lagrangian with its push-forward carried out.
+// Section 3.3, third part: velocities in a chart, the differential of the exponential, the discrete
+// Lagrangian with its push-forward carried out.
 
 namespace {
 
@@ -340,7 +417,9 @@ Vector<S> logarithm_rate(GroupElement<S> const& f, Algebra<S> const& theta) {
 }  // namespace
 
 STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart difference quotient") {
-  claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})", "In the chart by right translation the difference quotient is the velocity translated to the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
+  claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})",
+                  "In the chart by right translation the difference quotient is the velocity translated to "
+                  "the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
     auto const g1 = draw.template element<S>(group, S(1));
@@ -350,7 +429,8 @@ STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart 
     auto const velocity = state_of(moving_along(xi) * over<Dual<S>>(g1));
     auto const zeta = chart_midpoint_right(g2, g1, g2, h).zeta;
     claim.equal("zeta = g' g^-1 along a one-parameter group", model, zeta, velocity.velocity);
-    claim.equal("left chart: zeta = g^-1 g'", model, chart_midpoint_left(g2, g1, g2, h).zeta, body_velocity(velocity));
+    claim.equal("left chart: zeta = g^-1 g'", model, chart_midpoint_left(g2, g1, g2, h).zeta,
+                body_velocity(velocity));
     claim.differs("zeta = g^-1 g', as printed", model, zeta, body_velocity(velocity));
   });
   if (claim.fits_orders())
@@ -362,7 +442,8 @@ STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart 
         auto const g1 = curve(S(0)), g2 = curve(h);
         auto const middle = state_of(curve(moving(S(h / 2))));
         auto const zeta = chart_midpoint_right(g2, g1, g2, h).zeta;
-        errors.push_back(to_double(size_of(zeta - middle.velocity))), printed.push_back(to_double(size_of(zeta - body_velocity(middle))));
+        errors.push_back(to_double(size_of(zeta - middle.velocity))),
+            printed.push_back(to_double(size_of(zeta - body_velocity(middle))));
       }
       claim.order("zeta - g' g^-1 half-way along a curve", group.name(), halving_steps(), errors, 2);
       claim.refutes_order("zeta - g^-1 g'", group.name(), halving_steps(), printed, 2);
@@ -370,88 +451,126 @@ STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart 
 }
 
 STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential map in terms of iex") {
-  claim.corrected(R"(T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta))", R"(T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta) = T_eL_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta))",
-                  "With $\\mathrm{ad}_\\eta\\zeta = \\eta\\zeta - \\zeta\\eta$, for which $\\mathrm{Ad}_{\\exp\\eta} = \\exp(\\mathrm{ad}_\\eta)$ as (3.26) has it, the minus sign goes with left translation. The printed form takes the bracket of right-invariant vector fields.");
+  claim.corrected(
+      R"(T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta))",
+      R"(T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta) = T_eL_{g'}\cdot\mathrm{iex}(-)"
+      R"(\mathrm{ad}_\eta))",
+      "With $\\mathrm{ad}_\\eta\\zeta = \\eta\\zeta - \\zeta\\eta$, for which $\\mathrm{Ad}_{\\exp\\eta} = "
+      "\\exp(\\mathrm{ad}_\\eta)$ as (3.26) has it, the minus sign goes with left translation. The printed "
+      "form takes the bracket of right-invariant vector fields.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
     auto const moving_element = exp(moving(eta, zeta));
     auto const state = state_of(moving_element);
-    auto const through = [&](Algebra<S> const& along) { return Algebra<S>{group, Vector<S>(iex(ad_matrix(along)) * zeta.coordinates)}; };
+    auto const through = [&](Algebra<S> const& along) {
+      return Algebra<S>{group, Vector<S>(iex(ad_matrix(along)) * zeta.coordinates)};
+    };
     claim.equal("on the right: iex(ad)", model, state.velocity, through(eta));
     claim.equal("on the left: iex(-ad)", model, body_velocity(state), through(-eta));
     // Control: the printed sign. (One part in a thousand and more: commutators are of second order.)
     claim.differs("on the right: iex(-ad), as printed", model, state.velocity, through(-eta));
-    // Without any formula: to fourth order in w = ad, 1 + w/2 + w^2/6 + w^3/24, which over the rationals is all of it.
+    // Without any formula: to fourth order in w = ad, 1 + w/2 + w^2/6 + w^3/24, which over the rationals is
+    // all of it.
     if (exact_arithmetic<S>()) {
       auto const w = ad_matrix(eta);
       Vector<S> const wz = w * zeta.coordinates, wwz = w * wz, wwwz = w * wwz;
-      claim.equal("zeta + [eta,zeta]/2 + [eta,[eta,zeta]]/6 + [eta,[eta,[eta,zeta]]]/24", model, state.velocity.coordinates, Vector<S>(zeta.coordinates + wz / S(2) + wwz / S(6) + wwwz / S(24)));
+      claim.equal("zeta + [eta,zeta]/2 + [eta,[eta,zeta]]/6 + [eta,[eta,[eta,zeta]]]/24", model,
+                  state.velocity.coordinates,
+                  Vector<S>(zeta.coordinates + wz / S(2) + wwz / S(6) + wwwz / S(24)));
     }
   });
 }
 
 STATEMENT(eq_3_21, "power series of the function iex") {
   claim.holds();
-  over_groups(exact_arithmetic<S>() ? std::vector{unitriangular(5)} : std::vector{unitriangular(5), spanned("SO(3)", SO<3>{}), spanned("GL(2)", GL<2>{}), spanned("SE(3)", SE<3>{})}, claim,
-              [&](auto const& group, auto const& model) {
-    Matrix<S> const w = group.hat(draw.template velocity<S>(group, S(2)).coordinates), one = Matrix<S>::Identity(w.rows(), w.cols());
-    // e^{sw} and the series, summed from their terms until these vanish beside rounding.
-    int const terms = exact_arithmetic<S>() ? 6 : 40 + decimal_digits<S>();
-    auto const sum = [&](S const& s, int shift) {
-      Matrix<S> total = Matrix<S>::Zero(w.rows(), w.cols()), term = one;
-      for (int n = 0; n < terms; ++n) {
-        total += term;
-        term = (term * w * (s / S(n + 1 + shift))).eval();
-      }
-      return total;
-    };
-    Matrix<S> const series = sum(S(1), 1), value = iex(w);
-    claim.equal("iex(w) = sum w^n/(n+1)!", model, value, series);
-    claim.equal("w iex(w) = e^w - 1", model, Matrix<S>(w * value), Matrix<S>(sum(S(1), 0) - one));
-    claim.equal("iex(2w) = iex(w) (e^w + 1)/2", model, Matrix<S>(iex(w) * (sum(S(1), 0) + one) / S(2)), iex(Matrix<S>(w * S(2))));
-    if (exact_arithmetic<S>()) {
-      // The average of e^{sw} over 0 <= s <= 1, by Boole's rule: exact up to degree 5.
-      Matrix<S> const average = (sum(S(0), 0) * S(7) + sum(ratio<S>(1, 4), 0) * S(32) + sum(ratio<S>(1, 2), 0) * S(12) + sum(ratio<S>(3, 4), 0) * S(32) + sum(S(1), 0) * S(7)) / S(90);
-      claim.equal("iex(w) is the average of e^{sw}", model, value, average);
-    }
-    claim.differs("n! in place of (n+1)!", model, value, sum(S(1), 0));
-    claim.differs("iex(-w)", model, iex(Matrix<S>(-w)), value);
-  });
+  over_groups(exact_arithmetic<S>() ? std::vector{unitriangular(5)}
+                                    : std::vector{unitriangular(5), spanned("SO(3)", SO<3>{}),
+                                                  spanned("GL(2)", GL<2>{}), spanned("SE(3)", SE<3>{})},
+              claim, [&](auto const& group, auto const& model) {
+                Matrix<S> const w = group.hat(draw.template velocity<S>(group, S(2)).coordinates),
+                                one = Matrix<S>::Identity(w.rows(), w.cols());
+                // e^{sw} and the series, summed from their terms until these vanish beside rounding.
+                int const terms = exact_arithmetic<S>() ? 6 : 40 + decimal_digits<S>();
+                auto const sum = [&](S const& s, int shift) {
+                  Matrix<S> total = Matrix<S>::Zero(w.rows(), w.cols()), term = one;
+                  for (int n = 0; n < terms; ++n) {
+                    total += term;
+                    term = (term * w * (s / S(n + 1 + shift))).eval();
+                  }
+                  return total;
+                };
+                Matrix<S> const series = sum(S(1), 1), value = iex(w);
+                claim.equal("iex(w) = sum w^n/(n+1)!", model, value, series);
+                claim.equal("w iex(w) = e^w - 1", model, Matrix<S>(w * value), Matrix<S>(sum(S(1), 0) - one));
+                claim.equal("iex(2w) = iex(w) (e^w + 1)/2", model,
+                            Matrix<S>(iex(w) * (sum(S(1), 0) + one) / S(2)), iex(Matrix<S>(w * S(2))));
+                if (exact_arithmetic<S>()) {
+                  // The average of e^{sw} over 0 <= s <= 1, by Boole's rule: exact up to degree 5.
+                  Matrix<S> const average =
+                      (sum(S(0), 0) * S(7) + sum(ratio<S>(1, 4), 0) * S(32) + sum(ratio<S>(1, 2), 0) * S(12) +
+                       sum(ratio<S>(3, 4), 0) * S(32) + sum(S(1), 0) * S(7)) /
+                      S(90);
+                  claim.equal("iex(w) is the average of e^{sw}", model, value, average);
+                }
+                claim.differs("n! in place of (n+1)!", model, value, sum(S(1), 0));
+                claim.differs("iex(-w)", model, iex(Matrix<S>(-w)), value);
+              });
 }
 
 STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried out") {
-  claim.corrected(R"(\mathbb L(g_1,g_2) = L\bigl(q,\,T_eR_q\cdot\mathrm{iex}(-\mathrm{ad}_\eta)\zeta\bigr))", R"(\mathbb L(g_1,g_2) = L\bigl(q,\,T_eR_q\cdot\mathrm{iex}(\mathrm{ad}_\eta)\zeta\bigr) = L\bigl(q,\,T_eL_q\cdot\mathrm{iex}(-\mathrm{ad}_{\eta'})\zeta'\bigr))",
-                  "The sign is that of the differential of exp; the minus goes with the charts by left translation ($\\eta', \\zeta'$), whose discrete Lagrangian is the same. The library's carries the factor $h$.");
+  claim.corrected(
+      R"(\mathbb L(g_1,g_2) = L\bigl(q,\,T_eR_q\cdot\mathrm{iex}(-\mathrm{ad}_\eta)\zeta\bigr))",
+      R"(\mathbb L(g_1,g_2) = L\bigl(q,\,T_eR_q\cdot\mathrm{iex}(\mathrm{ad}_\eta)\zeta\bigr) = L\bigl(q,)"
+      R"(\,T_eL_q\cdot\mathrm{iex}(-\mathrm{ad}_{\eta'})\zeta'\bigr))",
+      "The sign is that of the differential of exp; the minus goes with the charts by left translation "
+      "($\\eta', \\zeta'$), whose discrete Lagrangian is the same. The library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), g = draw_near(draw, g1);
     S const h = step_length<S>();
     auto const m = chart_midpoint_right(g, g1, g2, h), left = chart_midpoint_left(g, g1, g2, h);
     auto const q = exp(m.eta) * g;
-    auto const at_q = [&](Vector<S> const& velocity) { return lagrangian(State<SpannedGroup, S>{q, {group, velocity}}); };
+    auto const at_q = [&](Vector<S> const& velocity) {
+      return lagrangian(State<SpannedGroup, S>{q, {group, velocity}});
+    };
 
     // (3.20) with dual numbers on one side, (3.22) written out on the other.
     S const whole = lagrangian(push_forward(g, m.eta, m.zeta));
-    claim.equal("(3.20) = L(q, iex(ad) zeta)", model, at_q(iex(ad_matrix(m.eta)) * m.zeta.coordinates), whole);
-    // Condition: exponentials and logarithms of either side, power series of as many terms as there are digits.
+    claim.equal("(3.20) = L(q, iex(ad) zeta)", model, at_q(iex(ad_matrix(m.eta)) * m.zeta.coordinates),
+                whole);
+    // Condition: exponentials and logarithms of either side, power series of as many terms as there are
+    // digits.
     claim.equal("left charts: (3.20) = L(q', iex(-ad) zeta'), carried from the left", model,
-                lagrangian(State<SpannedGroup, S>{g * exp(left.eta), Ad(g * exp(left.eta), Algebra<S>{group, iex(ad_matrix(-left.eta)) * left.zeta.coordinates})}), whole, 10);
-    claim.equal("the library's, right charts", model, discretize_right(lagrangian, h, staying_at(g))(g1, g2), h * whole, 10);
-    claim.equal("the library's, left charts", model, discretize_left(lagrangian, h, staying_at(g))(g1, g2), h * whole, 10);
-    claim.differs("iex(-ad) zeta, as printed: the velocity that L is given", model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), push_forward(g, m.eta, m.zeta).velocity.coordinates);
+                lagrangian(State<SpannedGroup, S>{
+                    g * exp(left.eta), Ad(g * exp(left.eta), Algebra<S>{group, iex(ad_matrix(-left.eta)) *
+                                                                                   left.zeta.coordinates})}),
+                whole, 10);
+    claim.equal("the library's, right charts", model, discretize_right(lagrangian, h, staying_at(g))(g1, g2),
+                h * whole, 10);
+    claim.equal("the library's, left charts", model, discretize_left(lagrangian, h, staying_at(g))(g1, g2),
+                h * whole, 10);
+    claim.differs("iex(-ad) zeta, as printed: the velocity that L is given", model,
+                  Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates),
+                  push_forward(g, m.eta, m.zeta).velocity.coordinates);
   });
 }
 
 STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time step vanishes") {
-  claim.convention("The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is translated to $q$ on the right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign only where the base point tends to the same configuration.");
+  claim.convention(
+      "The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is translated to $q$ on the "
+      "right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign "
+      "only where the base point tends to the same configuration.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    // The limit itself is a derivative: average and difference quotient tend to psi_g(c) and its rate of change.
+    // The limit itself is a derivative: average and difference quotient tend to psi_g(c) and its rate of
+    // change.
     auto const xi = draw.template velocity<S>(group);
     auto const c = draw.template element<S>(group), g = draw.template element<S>(group) * c;
     auto const chart = natural_chart_right(over<Dual<S>>(g), moving_along(xi) * over<Dual<S>>(c));
-    ChartMidpoint<SpannedGroup, S> const limit{{group, Vector<S>(value_part<S>(chart.coordinates))}, {group, Vector<S>(rate_part<S>(chart.coordinates))}};
+    ChartMidpoint<SpannedGroup, S> const limit{{group, Vector<S>(value_part<S>(chart.coordinates))},
+                                               {group, Vector<S>(rate_part<S>(chart.coordinates))}};
     claim.equal("iex(ad) d/dt psi_g(c(t)) = c' c^-1", model, fibre_element_right(limit), xi);
-    claim.differs("with iex(-ad), as printed, at a base point off the curve", model, iex(ad_matrix(-limit.eta)) * limit.zeta.coordinates, xi.coordinates);
+    claim.differs("with iex(-ad), as printed, at a base point off the curve", model,
+                  iex(ad_matrix(-limit.eta)) * limit.zeta.coordinates, xi.coordinates);
   });
   if (claim.fits_orders())
     for (auto const& group : order_groups()) {
@@ -463,36 +582,51 @@ STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time
         S const h(length);
         auto const g1 = curve(S(0)), g2 = curve(h);
         auto const m = chart_midpoint_right(g, g1, g2, h);
-        at_end.push_back(to_double(size_of(fibre_element_right(chart_midpoint_right(g1, g1, g2, h)) - start.velocity)));
+        at_end.push_back(
+            to_double(size_of(fibre_element_right(chart_midpoint_right(g1, g1, g2, h)) - start.velocity)));
         beside.push_back(to_double(size_of(fibre_element_right(m) - start.velocity)));
-        half_way.push_back(to_double(size_of(fibre_element_right(m) - state_of(curve(moving(S(h / 2)))).velocity)));
-        printed.push_back(to_double(size_of(Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates - start.velocity.coordinates))));
+        half_way.push_back(
+            to_double(size_of(fibre_element_right(m) - state_of(curve(moving(S(h / 2)))).velocity)));
+        printed.push_back(to_double(
+            size_of(Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates - start.velocity.coordinates))));
       }
-      claim.order("to the velocity at the earlier configuration, base point there", group.name(), halving_steps(), at_end, 1);
+      claim.order("to the velocity at the earlier configuration, base point there", group.name(),
+                  halving_steps(), at_end, 1);
       claim.order("the same, base point off the curve", group.name(), halving_steps(), beside, 1);
       claim.order("to the velocity half-way", group.name(), halving_steps(), half_way, 2);
-      claim.refutes_order("with iex(-ad), base point off the curve", group.name(), halving_steps(), printed, 1);
+      claim.refutes_order("with iex(-ad), base point off the curve", group.name(), halving_steps(), printed,
+                          1);
     }
 }
 
 STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logarithm") {
-  claim.corrected(R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})", R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
-                  "As the derivative of log that enters (3.26), read on $e^\\vartheta f$. The printed one is the derivative read on $f e^\\vartheta$.");
+  claim.corrected(R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
+                  R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
+                  "As the derivative of log that enters (3.26), read on $e^\\vartheta f$. The printed one is "
+                  "the derivative read on $f e^\\vartheta$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2)), theta = draw.template velocity<S>(group);
+    auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2)),
+               theta = draw.template velocity<S>(group);
     auto const w = ad_matrix(xi);
-    auto const of = [&](Matrix<S> const& m) { return Algebra<S>{group, Vector<S>(chi(m) * theta.coordinates)}; };
-    claim.equal("chi(ad) iex(ad) = 1", model, Matrix<S>(chi(w) * iex(w)), Matrix<S>(Matrix<S>::Identity(w.rows(), w.cols())));
+    auto const of = [&](Matrix<S> const& m) {
+      return Algebra<S>{group, Vector<S>(chi(m) * theta.coordinates)};
+    };
+    claim.equal("chi(ad) iex(ad) = 1", model, Matrix<S>(chi(w) * iex(w)),
+                Matrix<S>(Matrix<S>::Identity(w.rows(), w.cols())));
     // The derivative of log undoes that of exp: exp(xi + eps chi theta) has the tangent theta, on the right
     // or on the left.
-    claim.equal("exp(xi + eps chi(ad) theta) = exp(eps theta) exp(xi)", model, state_of(exp(moving(xi, of(w)))).velocity, theta);
-    claim.equal("exp(xi + eps chi(-ad) theta) = exp(xi) exp(eps theta)", model, body_velocity(state_of(exp(moving(xi, of(-w))))), theta);
-    claim.equal("log(exp(eps theta) f) = log f + eps chi(ad) theta", model, logarithm_rate(exp(xi), theta), of(w).coordinates);
+    claim.equal("exp(xi + eps chi(ad) theta) = exp(eps theta) exp(xi)", model,
+                state_of(exp(moving(xi, of(w)))).velocity, theta);
+    claim.equal("exp(xi + eps chi(-ad) theta) = exp(xi) exp(eps theta)", model,
+                body_velocity(state_of(exp(moving(xi, of(-w))))), theta);
+    claim.equal("log(exp(eps theta) f) = log f + eps chi(ad) theta", model, logarithm_rate(exp(xi), theta),
+                of(w).coordinates);
     claim.differs("chi(-ad), as printed", model, of(-w).coordinates, logarithm_rate(exp(xi), theta));
     if (exact_arithmetic<S>()) {
       // The series of Bernoulli numbers, all of it: ad^4 = 0 on these groups.
       Matrix<S> const one = Matrix<S>::Identity(w.rows(), w.cols()), square = w * w;
-      claim.equal("chi(w) = 1 - w/2 + w^2/12", model, Matrix<S>(chi(w)), Matrix<S>(one - w / S(2) + square / S(12)));
+      claim.equal("chi(w) = 1 - w/2 + w^2/12", model, Matrix<S>(chi(w)),
+                  Matrix<S>(one - w / S(2) + square / S(12)));
     }
   });
   if (!exact_arithmetic<S>()) {
@@ -502,16 +636,19 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
       auto const xi = draw.template velocity<S>(group), theta = draw.template velocity<S>(group);
       Coordinates<SO<3>, Dual<S>> along = Coordinates<SO<3>, Dual<S>>::Zero();
       for (int a = 0; a < 3; ++a) along[a].part[0] = theta.coordinates[a];
-      auto const rate = log(retract(Velocity<SO<3>, Dual<S>>{group, along}) * over<Dual<S>>(exp(xi))).coordinates;
+      auto const rate =
+          log(retract(Velocity<SO<3>, Dual<S>>{group, along}) * over<Dual<S>>(exp(xi))).coordinates;
       Coordinates<SO<3>, S> by_duals;
       for (int a = 0; a < 3; ++a) by_duals[a] = rate[a].part[0];
-      claim.equal("closed form of the logarithm", "SO(3)", Vector<S>(by_duals), Vector<S>(chi(ad_matrix(xi)) * theta.coordinates));
+      claim.equal("closed form of the logarithm", "SO(3)", Vector<S>(by_duals),
+                  Vector<S>(chi(ad_matrix(xi)) * theta.coordinates));
     }
   }
 }
 
 // ----
-// Section 3.3, fourth part: invariance and reduction of chart-based discrete Lagrangians, the chart centred at an end.
+// Section 3.3, fourth part: invariance and reduction of chart-based discrete Lagrangians, the chart centred
+// at an end.
 
 namespace {
 
@@ -520,11 +657,10 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const {
-    return contract(w, state.configuration.value);
-  }
+  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
 };
-/// The first term by which \f$h\,\mathrm{iex}(\mathrm{ad}_\eta)\zeta\f$ differs from \f$\log(g_2g_1^{-1})\f$: \f$[d,[d,[x_1,x_2]]]/96\f$ with \f$x_i = \psi_g(g_i)\f$, \f$d = x_2-x_1\f$.
+/// The first term by which \f$h\,\mathrm{iex}(\mathrm{ad}_\eta)\zeta\f$ differs from \f$\log(g_2g_1^{-1})\f$:
+/// \f$[d,[d,[x_1,x_2]]]/96\f$ with \f$x_i = \psi_g(g_i)\f$, \f$d = x_2-x_1\f$.
 template <class S>
 Algebra<S> base_point_term(GroupElement<S> const& g, GroupElement<S> const& g1, GroupElement<S> const& g2) {
   auto const x1 = natural_chart_right(g, g1), x2 = natural_chart_right(g, g2), d = x2 - x1;
@@ -534,63 +670,89 @@ Algebra<S> base_point_term(GroupElement<S> const& g, GroupElement<S> const& g1, 
 }  // namespace
 
 STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under the diagonal action") {
-  claim.convention("The base point of the chart is equivariant, as the proof has it; with a fixed base point there is no invariance. Charts of either side serve either invariance.");
+  claim.convention(
+      "The base point of the chart is equivariant, as the proof has it; with a fixed base point there is no "
+      "invariance. Charts of either side serve either invariance.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), k = draw.template element<S>(group), c = draw_small<S>(draw, group);
+    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1),
+               k = draw.template element<S>(group), c = draw_small<S>(draw, group);
     S const h = step_length<S>();
 
     auto const base = beside_right(c);
     auto const right = discretize_right(right_invariant(l), h, base);
-    auto const right_scale = size_of_terms(l, fibre_element_right(chart_midpoint_right(base(g1, g2), g1, g2, h)));
-    claim.zero("right: L(g1 k, g2 k) = L(g1, g2)", model, S(right(g1 * k, g2 * k) - right(g1, g2)), right_scale);
+    auto const right_scale =
+        size_of_terms(l, fibre_element_right(chart_midpoint_right(base(g1, g2), g1, g2, h)));
+    claim.zero("right: L(g1 k, g2 k) = L(g1, g2)", model, S(right(g1 * k, g2 * k) - right(g1, g2)),
+               right_scale);
 
     auto const left_base = beside_left(c);
     auto const left = discretize_left(left_invariant(l), h, left_base);
-    auto const left_scale = size_of_terms(l, fibre_element_left(chart_midpoint_left(left_base(g1, g2), g1, g2, h)));
+    auto const left_scale =
+        size_of_terms(l, fibre_element_left(chart_midpoint_left(left_base(g1, g2), g1, g2, h)));
     claim.zero("left: L(k g1, k g2) = L(g1, g2)", model, S(left(k * g1, k * g2) - left(g1, g2)), left_scale);
-    claim.zero("the same by right charts: L(k g1, k g2) = L(g1, g2)", model, S(discretize_right(left_invariant(l), h, left_base)(k * g1, k * g2) - left(g1, g2)), left_scale);
+    claim.zero("the same by right charts: L(k g1, k g2) = L(g1, g2)", model,
+               S(discretize_right(left_invariant(l), h, left_base)(k * g1, k * g2) - left(g1, g2)),
+               left_scale);
 
     // Controls: a Lagrangian with no invariance, the wrong side, and a base point that stays.
     auto const any = draw_state_polynomial<S>(draw, group);
-    claim.refutes("Lagrangian without the invariance", model, S(discretize_right(any, h, base)(g1 * k, g2 * k) - discretize_right(any, h, base)(g1, g2)), size_of_terms(any.kinetic, Algebra<S>(log(g1 * inverse(g2)) / h)));
-    auto const seen = [&](GroupElement<S> const& g, GroupElement<S> const& a, GroupElement<S> const& b) { return fibre_element_right(chart_midpoint_right(g, a, b, h)); };
-    claim.differs("moved on the wrong side: the argument of a right-invariant L", model, seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
+    claim.refutes("Lagrangian without the invariance", model,
+                  S(discretize_right(any, h, base)(g1 * k, g2 * k) - discretize_right(any, h, base)(g1, g2)),
+                  size_of_terms(any.kinetic, Algebra<S>(log(g1 * inverse(g2)) / h)));
+    auto const seen = [&](GroupElement<S> const& g, GroupElement<S> const& a, GroupElement<S> const& b) {
+      return fibre_element_right(chart_midpoint_right(g, a, b, h));
+    };
+    claim.differs("moved on the wrong side: the argument of a right-invariant L", model,
+                  seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
     auto const fixed = GroupElement<S>(c * g2);
     auto const lost = base_point_term(fixed, g1, g2);
     if (to_double(size_of(lost)) > 1e-6)
-      claim.refutes("fixed base point: change of the velocity in L, beside the first term that this adds", model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
+      claim.refutes("fixed base point: change of the velocity in L, beside the first term that this adds",
+                    model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
   });
 }
 
 STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous reduced one") {
-  claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))", R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
-                  "The reduction holds where the base point is equivariant; the sign is that of (3.22). The library's carries the factor $h$.");
+  claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))",
+                  R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
+                  "The reduction holds where the base point is equivariant; the sign is that of (3.22). The "
+                  "library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // l from L by translation to the identity.
     auto const lagrangian = right_invariant(draw_algebra_polynomial<S>(draw, group.dimension()));
     auto const terms = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const l = [&](auto const& xi) { return lagrangian(State{identity<typename std::decay_t<decltype(xi)>::Scalar>(xi.group), xi}); };
+    auto const l = [&](auto const& xi) {
+      return lagrangian(State{identity<typename std::decay_t<decltype(xi)>::Scalar>(xi.group), xi});
+    };
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), c = draw_small<S>(draw, group);
     S const h = step_length<S>();
-    for (auto const& [name, base] : {std::pair{std::string("base point c g2"), beside_right(c)}, {"base point g2", beside_right(identity<S>(group))}}) {
+    for (auto const& [name, base] : {std::pair{std::string("base point c g2"), beside_right(c)},
+                                     {"base point g2", beside_right(identity<S>(group))}}) {
       auto const full = discretize_right(lagrangian, h, base);
-      auto const scale = size_of_terms(terms, fibre_element_right(chart_midpoint_right(base(g1, g2), g1, g2, h)));
-      claim.zero("l(g1 g2^-1) = L(g1, g2), " + name, model, S(lift_right(natural_chart_lagrangian_right(l, h, base))(g1, g2) - full(g1, g2)), scale);
+      auto const scale =
+          size_of_terms(terms, fibre_element_right(chart_midpoint_right(base(g1, g2), g1, g2, h)));
+      claim.zero("l(g1 g2^-1) = L(g1, g2), " + name, model,
+                 S(lift_right(natural_chart_lagrangian_right(l, h, base))(g1, g2) - full(g1, g2)), scale);
     }
     // Controls: the printed sign, and a base point that stays.
     auto const base = beside_right(c);
     auto const m = chart_midpoint_right(base(g1, g2), g1, g2, h);
-    claim.differs("iex(-ad) zeta, as printed: the velocity that l is given", model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), fibre_element_right(m).coordinates);
+    claim.differs("iex(-ad) zeta, as printed: the velocity that l is given", model,
+                  Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), fibre_element_right(m).coordinates);
     auto const lost = base_point_term(c, g1, g2);
     if (to_double(size_of(lost)) > 1e-6)
-      claim.refutes("base point that stays: change of the velocity, beside the first term that this adds", model, fibre_element_right(chart_midpoint_right(c, g1, g2, h)) - fibre_element_right(m), size_of(lost / h));
+      claim.refutes("base point that stays: change of the velocity, beside the first term that this adds",
+                    model, fibre_element_right(chart_midpoint_right(c, g1, g2, h)) - fibre_element_right(m),
+                    size_of(lost / h));
   });
 }
 
 STATEMENT(eq_3_23, "reduced discrete Lagrangian through iex") {
-  claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))", R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
-                  "The minus sign goes with charts by left translation, where $l$ is a function of $g^{-1}\\dot g$. The library's carries the factor $h$.");
+  claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))",
+                  R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
+                  "The minus sign goes with charts by left translation, where $l$ is a function of "
+                  "$g^{-1}\\dot g$. The library's carries the factor $h$.");
   auto groups = chart_groups<S>();
   if (!exact_arithmetic<S>()) groups.push_back(unitriangular(5));
   over_groups(groups, claim, [&](auto const& group, auto const& model) {
@@ -603,45 +765,60 @@ STATEMENT(eq_3_23, "reduced discrete Lagrangian through iex") {
     auto const state = push_forward(g, m.eta, m.zeta);
     auto const scale = size_of_terms(l, state.velocity);
     S const reduced = natural_chart_lagrangian_right(l, h, beside_right(c))(g1 * inverse(g2));
-    claim.zero("h l(velocity at the average) = l(g1 g2^-1)", model, S(h * l(state.velocity) - reduced), scale);
-    claim.zero("h l(iex(ad) zeta) = l(g1 g2^-1)", model, S(h * l(Algebra<S>{group, Vector<S>(iex(ad_matrix(m.eta)) * m.zeta.coordinates)}) - reduced), scale);
-    claim.differs("iex(-ad) zeta, as printed: the velocity that l is given", model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), state.velocity.coordinates);
+    claim.zero("h l(velocity at the average) = l(g1 g2^-1)", model, S(h * l(state.velocity) - reduced),
+               scale);
+    claim.zero("h l(iex(ad) zeta) = l(g1 g2^-1)", model,
+               S(h * l(Algebra<S>{group, Vector<S>(iex(ad_matrix(m.eta)) * m.zeta.coordinates)}) - reduced),
+               scale);
+    claim.differs("iex(-ad) zeta, as printed: the velocity that l is given", model,
+                  Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), state.velocity.coordinates);
 
-    // What a base point beside the way changes: nothing up to third order, and at fourth a term that the logarithm has not.
+    // What a base point beside the way changes: nothing up to third order, and at fourth a term that the
+    // logarithm has not.
     if (model == "UT(5)") {
       auto const at_end = -log(g1 * inverse(g2)) / h;
-      claim.zero("all that the base point changes on UT(5): [d,[d,[x1,x2]]]/96", model, state.velocity - at_end - base_point_term(g, g1, g2) / h, size_of(state.velocity));
-      claim.refutes("as if it changed nothing", model, state.velocity - at_end, size_of(base_point_term(g, g1, g2) / h));
+      claim.zero("all that the base point changes on UT(5): [d,[d,[x1,x2]]]/96", model,
+                 state.velocity - at_end - base_point_term(g, g1, g2) / h, size_of(state.velocity));
+      claim.refutes("as if it changed nothing", model, state.velocity - at_end,
+                    size_of(base_point_term(g, g1, g2) / h));
     }
     // Left charts.
     auto const n = chart_midpoint_left(g2 * c, g1, g2, h);
     auto const q = (g2 * c) * exp(n.eta);
     auto const body = body_velocity(state_of(over<Dual<S>>(g2 * c) * exp(moving(n.eta, n.zeta))));
-    claim.zero("left: h l(body velocity at the average) = l(g2^-1 g1)", model, S(h * l(body) - natural_chart_lagrangian_left(l, h, beside_left(c))(inverse(g2) * g1)), size_of_terms(l, body));
+    claim.zero("left: h l(body velocity at the average) = l(g2^-1 g1)", model,
+               S(h * l(body) - natural_chart_lagrangian_left(l, h, beside_left(c))(inverse(g2) * g1)),
+               size_of_terms(l, body));
   });
 }
 
-STATEMENT(claim_3_3_fibre_element_commutes, "chart centred at one of the two points: bracket of average and difference elements") {
+STATEMENT(claim_3_3_fibre_element_commutes,
+          "chart centred at one of the two points: bracket of average and difference elements") {
   claim.holds("The same at every point of the curve $e^{t\\xi}g_k$ from one configuration to the other.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
     S const h = step_length<S>();
     auto const try_at = [&](std::string const& name, GroupElement<S> const& g) {
       auto const m = chart_midpoint_right(g, g1, g2, h);
-      claim.zero("[zeta, eta] = 0, " + name, model, bracket(m.zeta, m.eta), size_of(m.zeta) * size_of(natural_chart_right(g1, g2)));
-      claim.equal("iex(-ad) zeta = zeta, " + name, model, Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), m.zeta.coordinates);
+      claim.zero("[zeta, eta] = 0, " + name, model, bracket(m.zeta, m.eta),
+                 size_of(m.zeta) * size_of(natural_chart_right(g1, g2)));
+      claim.equal("iex(-ad) zeta = zeta, " + name, model,
+                  Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), m.zeta.coordinates);
     };
     try_at("base point g_k", at_first(g1, g2));
     try_at("base point g_k+1", at_second(g1, g2));
     try_at("base point a third of the way", at_fraction(ratio<S>(1, 3))(g1, g2));
     // Control: a base point beside the way.
     auto const m = chart_midpoint_right(GroupElement<S>(draw.template element<S>(group) * g2), g1, g2, h);
-    claim.refutes("[zeta, eta], base point beside the way", model, bracket(m.zeta, m.eta), size_of(m.zeta) * size_of(m.eta));
+    claim.refutes("[zeta, eta], base point beside the way", model, bracket(m.zeta, m.eta),
+                  size_of(m.zeta) * size_of(m.eta));
   });
 }
 
 STATEMENT(eq_3_24, "discrete Lagrangian for the chart centred at the second point") {
-  claim.convention("With $q = e^\\eta g_{k+1}$ and $\\zeta$ of the opposite sign, as corrected where they are defined. The chart at $g_k$ gives the same; the library's carries the factor $h$.");
+  claim.convention(
+      "With $q = e^\\eta g_{k+1}$ and $\\zeta$ of the opposite sign, as corrected where they are defined. "
+      "The chart at $g_k$ gives the same; the library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -651,12 +828,18 @@ STATEMENT(eq_3_24, "discrete Lagrangian for the chart centred at the second poin
     auto const q = exp(logarithm / S(2)) * g2;
     S const value = h * lagrangian(State<SpannedGroup, S>{q, zeta});
     auto const scale = size_of_terms(lagrangian.kinetic, zeta);
-    claim.zero("chart at g_k+1: L(q, zeta)", model, S(discretize_right(lagrangian, h, at_second)(g1, g2) - value), scale);
-    claim.zero("chart at g_k: the same", model, S(discretize_right(lagrangian, h, at_first)(g1, g2) - value), scale);
-    claim.zero("chart a third of the way: the same", model, S(discretize_right(lagrangian, h, at_fraction(ratio<S>(1, 3)))(g1, g2) - value), scale);
+    claim.zero("chart at g_k+1: L(q, zeta)", model,
+               S(discretize_right(lagrangian, h, at_second)(g1, g2) - value), scale);
+    claim.zero("chart at g_k: the same", model, S(discretize_right(lagrangian, h, at_first)(g1, g2) - value),
+               scale);
+    claim.zero("chart a third of the way: the same", model,
+               S(discretize_right(lagrangian, h, at_fraction(ratio<S>(1, 3)))(g1, g2) - value), scale);
     // Controls: q and zeta as printed, one at a time.
-    claim.refutes("zeta as printed", model, S(h * lagrangian(State<SpannedGroup, S>{q, -zeta}) - value), scale);
-    claim.refutes("q as printed", model, S(h * lagrangian(State<SpannedGroup, S>{exp(log(g1 * g2) / S(2)), zeta}) - value), scale, 1e-5);  // one number, small by chance
+    claim.refutes("zeta as printed", model, S(h * lagrangian(State<SpannedGroup, S>{q, -zeta}) - value),
+                  scale);
+    claim.refutes("q as printed", model,
+                  S(h * lagrangian(State<SpannedGroup, S>{exp(log(g1 * g2) / S(2)), zeta}) - value), scale,
+                  1e-5);  // one number, small by chance
   });
 }
 
@@ -672,19 +855,28 @@ STATEMENT(claim_3_3_midpoint_eta, "average algebra element eta for the chart at 
 }
 
 STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point") {
-  claim.corrected(R"(q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2})", R"(q = \psi_{g_{k+1}}^{-1}(\eta) = (g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
-                  "The inverse of the chart takes $\\eta$ to the configuration half-way along $e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two configurations commute, and is not equivariant.");
+  claim.corrected(R"(q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2})",
+                  R"(q = \psi_{g_{k+1}}^{-1}(\eta) = (g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
+                  "The inverse of the chart takes $\\eta$ to the configuration half-way along "
+                  "$e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two "
+                  "configurations commute, and is not equivariant.");
   claim.maybe_scan();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
     auto const q = exp(log(g1 * inverse(g2)) / S(2)) * g2;
     S const h = step_length<S>();
-    claim.equal("psi_{g_k+1}(q) = eta", model, natural_chart_right(g2, q), chart_midpoint_right(g2, g1, g2, h).eta);
+    claim.equal("psi_{g_k+1}(q) = eta", model, natural_chart_right(g2, q),
+                chart_midpoint_right(g2, g1, g2, h).eta);
     claim.equal("(q g_k+1^-1)^2 = g_k g_k+1^-1", model, q * inverse(g2) * q * inverse(g2), g1 * inverse(g2));
-    claim.equal("as far from g_k as from g_k+1", model, natural_chart_right(g1, q), -natural_chart_right(g2, q));
+    claim.equal("as far from g_k as from g_k+1", model, natural_chart_right(g1, q),
+                -natural_chart_right(g2, q));
     // The configuration at which the library's discrete Lagrangian is evaluated.
-    ConfigurationFunction<S> const configuration{draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
-    claim.zero("the configuration at which (3.24) evaluates L", model, S(discretize_right(configuration, h, at_second)(g1, g2) - h * contract(configuration.w, q.value)), size_of(q));
+    ConfigurationFunction<S> const configuration{
+        draw_matrix<S>(draw, group.matrix_size(), group.matrix_size())};
+    claim.zero(
+        "the configuration at which (3.24) evaluates L", model,
+        S(discretize_right(configuration, h, at_second)(g1, g2) - h * contract(configuration.w, q.value)),
+        size_of(q));
     // Control: the printed root of the product.
     auto const printed = exp(log(g1 * g2) / S(2));
     claim.differs("(g_k g_k+1)^(1/2), as printed", model, printed, q);
@@ -692,8 +884,11 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
 }
 
 STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the second point") {
-  claim.corrected(R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))", R"(\zeta = -\frac1{\Delta t}\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
-                  "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
+  claim.corrected(
+      R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))",
+      R"(\zeta = -\frac1{\Delta t}\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
+      "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart "
+      "of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
   claim.maybe_scan();
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group, S(1)), g2 = draw_near(draw, g1);
@@ -701,12 +896,14 @@ STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the
     auto const zeta = chart_midpoint_right(at_second(g1, g2), g1, g2, h).zeta;
     claim.equal("zeta = -log(g_k g_k+1^-1)/h", model, zeta, -log(g1 * inverse(g2)) / h);
     claim.equal("zeta for the time h takes g_k to g_k+1", model, exp(h * zeta) * g1, g2);
-    claim.differs("+log(g_k g_k+1^-1)/h, as printed, takes it elsewhere", model, exp(log(g1 * inverse(g2))) * g1, g2);
+    claim.differs("+log(g_k g_k+1^-1)/h, as printed, takes it elsewhere", model,
+                  exp(log(g1 * inverse(g2))) * g1, g2);
   });
 }
 
 // ----
-// Section 3.3, fifth part: the reduced discrete Lagrangian through the logarithm, the algorithm on the algebra.
+// Section 3.3, fifth part: the reduced discrete Lagrangian through the logarithm, the algorithm on the
+// algebra.
 
 namespace {
 
@@ -724,7 +921,8 @@ Momentum<SpannedGroup, S> times(Momentum<SpannedGroup, S> const& mu, Matrix<S> c
   return {mu.group, Vector<S>(m.transpose() * mu.components)};
 }
 
-/// \f$\xi(t)\f$ of the right-invariant Euler-Poincare equations by the classical Runge-Kutta method: 400 steps leave an error near \f$10^{-11}\f$.
+/// \f$\xi(t)\f$ of the right-invariant Euler-Poincare equations by the classical Runge-Kutta method: 400
+/// steps leave an error near \f$10^{-11}\f$.
 template <class F>
 Algebra<Number> velocity_at(F const& l, Algebra<Number> xi, Number const& t) {
   int const steps = 400;
@@ -736,7 +934,8 @@ Algebra<Number> velocity_at(F const& l, Algebra<Number> xi, Number const& t) {
   }
   return xi;
 }
-/// How far the velocity of the last of n steps over unit time is from the true one half-way through that step. The first step is the true one, up to its own third order.
+/// How far the velocity of the last of n steps over unit time is from the true one half-way through that
+/// step. The first step is the true one, up to its own third order.
 template <class F, class Discretize>
 double error_after_unit_time(F const& l, Discretize const& discretize, Algebra<Number> const& xi0, int n) {
   Number const h = Number(1) / n;
@@ -749,8 +948,10 @@ double error_after_unit_time(F const& l, Discretize const& discretize, Algebra<N
 }  // namespace
 
 STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
-  claim.corrected(R"(\ell(f_{kk+1}) = l(\log(f_{kk+1})/\Delta t))", R"(\ell(f_{kk+1}) = l(-\log(f_{kk+1})/\Delta t))",
-                  "$f_{kk+1} = g_kg_{k+1}^{-1}$ looks back. The printed form is right where $l$ is even; elsewhere its motions are those of $l(-\\xi)$. The library's carries the factor $h$.");
+  claim.corrected(R"(\ell(f_{kk+1}) = l(\log(f_{kk+1})/\Delta t))",
+                  R"(\ell(f_{kk+1}) = l(-\log(f_{kk+1})/\Delta t))",
+                  "$f_{kk+1} = g_kg_{k+1}^{-1}$ looks back. The printed form is right where $l$ is even; "
+                  "elsewhere its motions are those of $l(-\\xi)$. The library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
@@ -758,14 +959,20 @@ STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
     auto const f = relative_motion_right(g1, g2);
     auto const scale = size_of_terms(l, Algebra<S>(log(f) / h));
     S const full = discretize_right(right_invariant(l), h, at_second)(g1, g2);
-    claim.zero("L(g_k, g_k+1) = h l(-log(f)/h)", model, S(natural_chart_lagrangian_right(l, h)(f) - full), scale);
+    claim.zero("L(g_k, g_k+1) = h l(-log(f)/h)", model, S(natural_chart_lagrangian_right(l, h)(f) - full),
+               scale);
     claim.zero("left: L(g_k, g_k+1) = h l(-log(f)/h), f = g_k+1^-1 g_k", model,
-               S(natural_chart_lagrangian_left(l, h)(relative_motion_left(g1, g2)) - discretize_left(left_invariant(l), h, at_second)(g1, g2)), scale);
+               S(natural_chart_lagrangian_left(l, h)(relative_motion_left(g1, g2)) -
+                 discretize_left(left_invariant(l), h, at_second)(g1, g2)),
+               scale);
     claim.refutes("h l(log(f)/h), as printed", model, S(printed_chart_lagrangian(l, h)(f) - full), scale);
     // An even Lagrangian does not depend on the sign.
     auto even = l;
     even.b.setZero(), even.kappa = S(0);
-    claim.zero("l even: as printed", model, S(printed_chart_lagrangian(even, h)(f) - discretize_right(right_invariant(even), h, at_second)(g1, g2)), scale);
+    claim.zero("l even: as printed", model,
+               S(printed_chart_lagrangian(even, h)(f) -
+                 discretize_right(right_invariant(even), h, at_second)(g1, g2)),
+               scale);
   });
   if (claim.fits_orders())
     for (auto const& group : order_groups()) {
@@ -775,35 +982,61 @@ STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
       std::vector<double> steps, errors, printed;
       for (int n : {8, 16, 32, 64, 128, 256}) {
         steps.push_back(1.0 / n);
-        errors.push_back(error_after_unit_time(l, [](auto const& k, S const& h) { return natural_chart_lagrangian_right(k, h); }, xi0, n));
-        printed.push_back(error_after_unit_time(l, [](auto const& k, S const& h) { return printed_chart_lagrangian(k, h); }, xi0, n));
+        errors.push_back(error_after_unit_time(
+            l, [](auto const& k, S const& h) { return natural_chart_lagrangian_right(k, h); }, xi0, n));
+        printed.push_back(error_after_unit_time(
+            l, [](auto const& k, S const& h) { return printed_chart_lagrangian(k, h); }, xi0, n));
       }
-      claim.order("velocities of the discrete motion to those of the Euler-Poincare equations", group.name(), steps, errors, 2);
+      claim.order("velocities of the discrete motion to those of the Euler-Poincare equations", group.name(),
+                  steps, errors, 2);
       claim.refutes_order("with the printed sign", group.name(), steps, printed, 2);
     }
 }
 
 STATEMENT(eq_3_26, "implicit algorithm on the Lie algebra through the function chi") {
-  claim.corrected(R"(l'(\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(\xi_{k-1k}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
-                  R"(l'(-\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(-\xi_{k-1k}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
-                  "Two slips: the sign of the velocity (3.25) and the sign in $\\chi$. No choice of bracket saves the second, for $\\exp(\\mathrm{ad}_\\xi) = \\mathrm{Ad}_{\\exp\\xi}$ needs the commutator and the printed $\\chi$ its opposite.");
+  claim.corrected(
+      R"(l'(\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(\xi_{k-1k}/\Delta t)\cdot\chi()"
+      R"(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi)\cdot)"
+      R"(\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
+      R"(l'(-\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(-\xi_{k-1k}/\Delta t)\cdot\chi()"
+      R"(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi)\cdot)"
+      R"(\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
+      "Two slips: the sign of the velocity (3.25) and the sign in $\\chi$. No choice of bracket saves the "
+      "second, for $\\exp(\\mathrm{ad}_\\xi) = \\mathrm{Ad}_{\\exp\\xi}$ needs the commutator and the "
+      "printed $\\chi$ its opposite.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     S const h = step_length<S>();
-    auto const xi01 = draw.template velocity<S>(group, ratio<S>(1, 3)), xi12 = draw.template velocity<S>(group, ratio<S>(1, 3));
+    auto const xi01 = draw.template velocity<S>(group, ratio<S>(1, 3)),
+               xi12 = draw.template velocity<S>(group, ratio<S>(1, 3));
     auto const f01 = exp(xi01), f12 = exp(xi12);
     auto const full = euler_poincare_right(natural_chart_lagrangian_right(l, h), f01, f12);
     auto const scale = size_of(gradient(l, -xi12 / h)) + size_of(gradient(l, -xi01 / h));
-    auto const& at = [&](auto const& sign, Algebra<S> const& xi, Algebra<S> const& along) { return times(gradient(l, S(sign) * xi / h), Matrix<S>(inverse_matrix(Matrix<S>(iex(ad_matrix(along)))))); };
-    // Off shell: minus (3.10), whatever the two relative motions; by the library and written out, exp(ad) as Ad.
-    claim.zero("(3.26) equals minus (3.10)", model, algebra_euler_poincare_right(l, h, xi01, xi12) + full, scale);
-    claim.zero("(3.26) written out, exp(ad) as Ad", model, at(-1, xi12, xi12) - times(at(-1, xi01, xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
-    claim.zero("left: minus (3.11)", model, algebra_euler_poincare_left(l, h, xi01, xi12) + euler_poincare_left(natural_chart_lagrangian_left(l, h), f01, f12), scale);
-    // Controls: the printed chi, with the printed exp and with its inverse as the other bracket would have it; the printed velocity; the side of exp.
-    claim.refutes("chi as printed", model, at(-1, xi12, -xi12) - times(at(-1, xi01, -xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
-    claim.refutes("the other bracket throughout", model, at(-1, xi12, xi12) - times(at(-1, xi01, xi01), Matrix<S>(Ad_matrix(inverse(f01)))) + full, scale);
-    claim.refutes("l'(xi/h), as printed", model, at(1, xi12, xi12) - times(at(1, xi01, xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
-    claim.refutes("exp at the other step", model, times(at(-1, xi12, xi12), Matrix<S>(Ad_matrix(f12))) - at(-1, xi01, xi01) + full, scale);
+    auto const& at = [&](auto const& sign, Algebra<S> const& xi, Algebra<S> const& along) {
+      return times(gradient(l, S(sign) * xi / h),
+                   Matrix<S>(inverse_matrix(Matrix<S>(iex(ad_matrix(along))))));
+    };
+    // Off shell: minus (3.10), whatever the two relative motions; by the library and written out, exp(ad) as
+    // Ad.
+    claim.zero("(3.26) equals minus (3.10)", model, algebra_euler_poincare_right(l, h, xi01, xi12) + full,
+               scale);
+    claim.zero("(3.26) written out, exp(ad) as Ad", model,
+               at(-1, xi12, xi12) - times(at(-1, xi01, xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
+    claim.zero("left: minus (3.11)", model,
+               algebra_euler_poincare_left(l, h, xi01, xi12) +
+                   euler_poincare_left(natural_chart_lagrangian_left(l, h), f01, f12),
+               scale);
+    // Controls: the printed chi, with the printed exp and with its inverse as the other bracket would have
+    // it; the printed velocity; the side of exp.
+    claim.refutes("chi as printed", model,
+                  at(-1, xi12, -xi12) - times(at(-1, xi01, -xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
+    claim.refutes("the other bracket throughout", model,
+                  at(-1, xi12, xi12) - times(at(-1, xi01, xi01), Matrix<S>(Ad_matrix(inverse(f01)))) + full,
+                  scale);
+    claim.refutes("l'(xi/h), as printed", model,
+                  at(1, xi12, xi12) - times(at(1, xi01, xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
+    claim.refutes("exp at the other step", model,
+                  times(at(-1, xi12, xi12), Matrix<S>(Ad_matrix(f12))) - at(-1, xi01, xi01) + full, scale);
   });
   if (!exact_arithmetic<S>())
     // Three steps on the algebra and three on the group.

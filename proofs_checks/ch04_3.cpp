@@ -32,46 +32,65 @@ Momentum<SpannedGroup, S> covector(SpannedGroup const& group, Value const& value
 }
 /// p = dL/dg0 as a form on matrices.
 template <class S, class L>
-S first_slope(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1, Matrix<S> const& change) {
+S first_slope(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1,
+              Matrix<S> const& change) {
   return lagrangian(varied(g0, change), over<Dual<S>>(g1)).part[0];
 }
 
 }  // namespace
 
 STATEMENT(thm_4_3_1, "the Legendre maps commute with the quotient maps") {
-  claim.holds("With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta have the other sign in both. Regularity is not needed for the square, only for the maps in it to be local diffeomorphisms.");
+  claim.holds(
+      "With the momentum $D_1\\mathbb L$ of (4.7) above and $R_f^*\\ell'$ below; physical momenta have the "
+      "other sign in both. Regularity is not needed for the square, only for the maps in it to be local "
+      "diffeomorphisms.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 3);
-    auto const f = relative_motions_right(GroupElements<S>{g[0], g[1]}).front(), f_left = relative_motions_left(GroupElements<S>{g[0], g[1]}).front();
+    auto const f = relative_motions_right(GroupElements<S>{g[0], g[1]}).front(),
+               f_left = relative_motions_left(GroupElements<S>{g[0], g[1]}).front();
     // Right-invariant: along the top, then down; down, then along the bottom.
-    auto const above = covector<S>(group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
+    auto const above = covector<S>(
+        group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
     auto const below = covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); });
     claim.equal("right-invariant", model, above, below, 10);
     claim.equal("the library: along the top", model, D1(lifted(l), g[0], g[1]), above);
     claim.equal("the library: along the bottom", model, right_differential(l, f), below);
     // Left-invariant: the quotient of T*G is translation on the left.
-    auto const above_left = covector<S>(group, [&](auto const& e) { return first_slope(lifted_left(l), g[0], g[1], from_right(g[0], e)); });
-    claim.equal("left-invariant", model, above_left, covector<S>(group, [&](auto const& e) { return slope(l, f_left, from_right(f_left, e)); }), 10);
-    // Controls: translation on the other side; a Lagrangian that is not invariant, whose momentum depends on the pair above a relative motion.
-    claim.differs("the quotient of T*G on the other side", model, covector<S>(group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_right(g[0], e)); }), below);
+    auto const above_left = covector<S>(
+        group, [&](auto const& e) { return first_slope(lifted_left(l), g[0], g[1], from_right(g[0], e)); });
+    claim.equal("left-invariant", model, above_left,
+                covector<S>(group, [&](auto const& e) { return slope(l, f_left, from_right(f_left, e)); }),
+                10);
+    // Controls: translation on the other side; a Lagrangian that is not invariant, whose momentum depends on
+    // the pair above a relative motion.
+    claim.differs(
+        "the quotient of T*G on the other side", model,
+        covector<S>(group,
+                    [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_right(g[0], e)); }),
+        below);
     auto const any = draw_pair_polynomial<S>(draw, group);
     claim.differs("no invariance", model, D1(any, g[0] * g[2], g[1] * g[2]), D1(any, g[0], g[1]));
   });
 }
 
 STATEMENT(eq_4_6, "the commuting square of Legendre and quotient maps") {
-  claim.holds("For both Legendre maps, that of the momentum before the step and that of the momentum after it.");
+  claim.holds(
+      "For both Legendre maps, that of the momentum before the step and that of the momentum after it.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const f = relative_motions_right(g).front();
-    claim.equal("before the step: D_1 above, R* below", model, D1(lifted(l), g[0], g[1]), right_differential(l, f), 10);
-    claim.equal("after the step: D_2 above, -L* below", model, D2(lifted(l), g[0], g[1]), -left_differential(l, f), 10);
+    claim.equal("before the step: D_1 above, R* below", model, D1(lifted(l), g[0], g[1]),
+                right_differential(l, f), 10);
+    claim.equal("after the step: D_2 above, -L* below", model, D2(lifted(l), g[0], g[1]),
+                -left_differential(l, f), 10);
     claim.differs("D_2 above, R* below", model, D2(lifted(l), g[0], g[1]), right_differential(l, f));
-    // Both maps along the square are local diffeomorphisms together: their second derivatives differ by Ad. Condition: configurations are inverted.
+    // Both maps along the square are local diffeomorphisms together: their second derivatives differ by Ad.
+    // Condition: configurations are inverted.
     Matrix<S> const above = mixed_derivative(lifted(l), g[0], g[1]), below = right_second_differential(l, f);
-    claim.zero("D_2 D_1 L = -(R* l')' Ad_f", model, Matrix<S>(above + below * Ad_matrix(f)), S(magnitude(below) * magnitude(Ad_matrix(f))), 10);
+    claim.zero("D_2 D_1 L = -(R* l')' Ad_f", model, Matrix<S>(above + below * Ad_matrix(f)),
+               S(magnitude(below) * magnitude(Ad_matrix(f))), 10);
     claim.refutes("without Ad", model, Matrix<S>(above + below), S(magnitude(above) + magnitude(below)));
   });
 }
@@ -88,15 +107,21 @@ STATEMENT(eq_4_7, "the square in coordinates") {
     auto const p = [&](Matrix<S> const& change) { return first_slope(lifted(l), g[0], g[1], change); };
     auto const mu = covector<S>(group, [&](auto const& e) { return p(from_left(e, g[0])); });
     claim.equal("mu from p, and from f", model, mu, right_differential(l, quotient), 10);
-    claim.differs("f from the configurations in the other order", model, mu, right_differential(l, g[1] * inverse(g[0])));
-    claim.differs("p translated on the left", model, covector<S>(group, [&](auto const& e) { return p(from_right(g[0], e)); }), mu);
+    claim.differs("f from the configurations in the other order", model, mu,
+                  right_differential(l, g[1] * inverse(g[0])));
+    claim.differs("p translated on the left", model,
+                  covector<S>(group, [&](auto const& e) { return p(from_right(g[0], e)); }), mu);
   });
 }
 
 STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
-  claim.corrected(R"(R_{g_k}^*\Bigl(R_{g_{k+1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{\partial\ell}{\partial f})",
-                  R"(R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{\partial\ell}{\partial f})",
-                  "The inverse is missing in the term between; the sentence after the equation has it. Both ends are right, and the quotient map in the first term is that of pairs.");
+  claim.corrected(
+      R"(R_{g_k}^*\Bigl(R_{g_{k+1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{\partial\ell}{)"
+      R"(\partial f})",
+      R"(R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{\partial\ell}{)"
+      R"(\partial f})",
+      "The inverse is missing in the term between; the sentence after the equation has it. Both ends are "
+      "right, and the quotient map in the first term is that of pairs.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -104,38 +129,51 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
     auto const f = relative_motions_right(g).front();
     Matrix<S> const back = inverse(g[1]).value;
     auto const between = [&](Matrix<S> const& translation) {
-      return covector<S>(group, [&](auto const& e) { return slope(l, f, Matrix<S>(from_left(e, g[0]) * translation)); });
+      return covector<S>(
+          group, [&](auto const& e) { return slope(l, f, Matrix<S>(from_left(e, g[0]) * translation)); });
     };
-    auto const mu = covector<S>(group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
+    auto const mu = covector<S>(
+        group, [&](auto const& e) { return first_slope(lifted(l), g[0], g[1], from_left(e, g[0])); });
     claim.equal("the term between", model, between(back), mu, 10);
-    claim.equal("the last term", model, covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); }), mu, 10);
+    claim.equal("the last term", model,
+                covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); }), mu, 10);
     claim.differs("as printed", model, between(g[1].value), mu);
   });
 }
 
 STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant system is f -> R*_f l'(f)") {
-  claim.holds("It is the groupoid's Legendre map at the source of an arrow. That of a left-invariant system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
+  claim.holds(
+      "It is the groupoid's Legendre map at the source of an arrow. That of a left-invariant system, "
+      "$L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
     using Alone = GroupAsGroupoid<SpannedGroup>;
     auto const right = covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); });
     auto const left = covector<S>(group, [&](auto const& e) { return slope(l, f, from_right(f, e)); });
-    auto const at_source = [&](auto const& gamma) { return momentum(group, Vector<S>(legendre_at_source(gamma, l, f).components)); };
-    auto const at_target = [&](auto const& gamma) { return momentum(group, Vector<S>(legendre_at_target(gamma, l, f).components)); };
+    auto const at_source = [&](auto const& gamma) {
+      return momentum(group, Vector<S>(legendre_at_source(gamma, l, f).components));
+    };
+    auto const at_target = [&](auto const& gamma) {
+      return momentum(group, Vector<S>(legendre_at_target(gamma, l, f).components));
+    };
     claim.equal("right: at the source, on the group", model, at_source(Alone{group}), right);
-    claim.equal("left: at the source, on the opposite group", model, at_source(Opposite<Alone>{{group}}), left);
+    claim.equal("left: at the source, on the opposite group", model, at_source(Opposite<Alone>{{group}}),
+                left);
     claim.equal("at the target, on the group", model, at_target(Alone{group}), left);
     claim.equal("at the target, on the opposite group", model, at_target(Opposite<Alone>{{group}}), right);
-    if (model != "Heisenberg") claim.differs("right and left taken for each other", model, at_target(Alone{group}), right);
+    if (model != "Heisenberg")
+      claim.differs("right and left taken for each other", model, at_target(Alone{group}), right);
   });
 }
 
 // ----
-// Section 4.3, second part: symplectic forms on the corners of the square, and the two constructions of a Poisson structure on the group.
+// Section 4.3, second part: symplectic forms on the corners of the square, and the two constructions of a
+// Poisson structure on the group.
 //
-// Physical momenta, mu = -D_1 L = -R* l', so that the Legendre map pulls the canonical form with {q, p} = 1 back to omega_L of (3.5).
-// A tangent vector of T*G at (g, mu) is (theta, delta mu), all translated to the identity on the right.
+// Physical momenta, mu = -D_1 L = -R* l', so that the Legendre map pulls the canonical form with {q, p} = 1
+// back to omega_L of (3.5). A tangent vector of T*G at (g, mu) is (theta, delta mu), all translated to the
+// identity on the right.
 
 namespace {
 
@@ -147,14 +185,17 @@ struct Lift {
   Velocity<SpannedGroup, S> configuration;
   Momentum<SpannedGroup, S> momentum;
 };
-/// The canonical form: minus the differential of <mu, theta>, with d theta(u, v) = [theta_u, theta_v] for theta = dg g^-1.
+/// The canonical form: minus the differential of <mu, theta>, with d theta(u, v) = [theta_u, theta_v] for
+/// theta = dg g^-1.
 template <class S>
 S canonical_form(Momentum<SpannedGroup, S> const& mu, Lift<S> const& u, Lift<S> const& v) {
-  return pair(v.momentum, u.configuration) - pair(u.momentum, v.configuration) - pair(mu, bracket(u.configuration, v.configuration));
+  return pair(v.momentum, u.configuration) - pair(u.momentum, v.configuration) -
+         pair(mu, bracket(u.configuration, v.configuration));
 }
 /// The image of a tangent vector of pairs under (g0, g1) -> (g0, -D_1 L).
 template <class S, class L>
-Lift<S> pushed(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1, Change<S> const& w) {
+Lift<S> pushed(L const& lagrangian, GroupElement<S> const& g0, GroupElement<S> const& g1,
+               Change<S> const& w) {
   auto const moved = D1(lagrangian, varied(g0, from_left(w.first, g0)), varied(g1, from_left(w.second, g1)));
   return {w.first, momentum(g0.group, Vector<S>(-rate(moved)))};
 }
@@ -181,13 +222,21 @@ Corner<S> draw_corner(Draw& draw, SpannedGroup const& group) {
   auto const eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
   Matrix<S> const a = right_second_differential(l, f);
   double const condition = to_double(row_norm(a) * row_norm(inverse_matrix(a)));
-  return {l, g[0], g[1], f, -right_differential(l, f), eta, zeta, leaf_vector(l, f, eta), leaf_vector(l, f, zeta), condition};
+  return {l,
+          g[0],
+          g[1],
+          f,
+          -right_differential(l, f),
+          eta,
+          zeta,
+          leaf_vector(l, f, eta),
+          leaf_vector(l, f, zeta),
+          condition};
 }
-/// The form of the leaf on the corner's two vectors: that of the orbit, <mu, [eta, zeta]>, since the momentum moves by -ad*.
+/// The form of the leaf on the corner's two vectors: that of the orbit, <mu, [eta, zeta]>, since the momentum
+/// moves by -ad*.
 template <class S>
-S orbit_value(Corner<S> const& c) {
-  return pair(c.mu, bracket(c.eta, c.zeta));
-}
+S orbit_value(Corner<S> const& c) { return pair(c.mu, bracket(c.eta, c.zeta)); }
 template <class S>
 S scale_of(Corner<S> const& c) {
   return S(size_of(c.mu) * size_of(c.eta) * size_of(c.zeta) * Base<S>(c.f.group.dimension()));
@@ -200,30 +249,43 @@ STATEMENT(claim_4_3_tangent_square, "the tangent maps of the square commute") {
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     Change<S> const w{draw.template velocity<S>(group), draw.template velocity<S>(group)};
-    Vector<S> const across = -(right_second_differential(c.l, c.f) * relative_variation_right(c.f, w.first, w.second).coordinates);
+    Vector<S> const across =
+        -(right_second_differential(c.l, c.f) * relative_variation_right(c.f, w.first, w.second).coordinates);
     Vector<S> const down = pushed(lifted(c.l), c.g0, c.g1, w).momentum.components;
-    claim.zero("down and across, across and down", model, Vector<S>(across - down), S(magnitude(right_second_differential(c.l, c.f)) * (size_of(w.first) + size_of(w.second) * magnitude(Ad_matrix(c.f)))), 10);
+    claim.zero("down and across, across and down", model, Vector<S>(across - down),
+               S(magnitude(right_second_differential(c.l, c.f)) *
+                 (size_of(w.first) + size_of(w.second) * magnitude(Ad_matrix(c.f)))),
+               10);
     Vector<S> const other = -(right_second_differential(c.l, c.f) * (w.first - w.second).coordinates);
     claim.differs("the later configuration not carried by Ad", model, other, down);
   });
 }
 
 STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections") {
-  claim.corrected(R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak g^*\to T_g^*G)",
-                  R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ \text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve the momentum of the symmetry, the body momentum; then g moves with mu.");
+  claim.corrected(
+      R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak g^*\to )"
+      R"(T_g^*G)",
+      R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ \text{with}\ )"
+      R"(\mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
+      "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve "
+      "the momentum of the symmetry, the body momentum; then g moves with mu.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
-    Change<S> const a{draw.template velocity<S>(group), draw.template velocity<S>(group)}, b{draw.template velocity<S>(group), draw.template velocity<S>(group)};
+    Change<S> const a{draw.template velocity<S>(group), draw.template velocity<S>(group)},
+        b{draw.template velocity<S>(group), draw.template velocity<S>(group)};
     auto const A = pushed(lifted(c.l), c.g0, c.g1, a), B = pushed(lifted(c.l), c.g0, c.g1, b);
-    S const size = size_of(A.momentum) * size_of(b.first) + size_of(B.momentum) * size_of(a.first) + size_of(c.mu);
-    claim.zero("the Legendre map above pulls the canonical form back to omega_L", model, S(canonical_form(c.mu, A, B) - discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)), S(size * Base<S>(group.dimension())), 30);
+    S const size =
+        size_of(A.momentum) * size_of(b.first) + size_of(B.momentum) * size_of(a.first) + size_of(c.mu);
+    claim.zero("the Legendre map above pulls the canonical form back to omega_L", model,
+               S(canonical_form(c.mu, A, B) - discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)),
+               S(size * Base<S>(group.dimension())), 30);
     // Up the right side: vectors of the orbit, lifted with constant body momentum, and lifted within the
     // fibre.
     auto const w = [&](auto const& eta) { return -ad_star(eta, c.mu); };
     Lift<S> const up_eta{c.eta, w(c.eta)}, up_zeta{c.zeta, w(c.zeta)};
-    claim.zero("the lift that preserves the body momentum", model, S(canonical_form(c.mu, up_eta, up_zeta) - orbit_value(c)), scale_of(c), 10);
+    claim.zero("the lift that preserves the body momentum", model,
+               S(canonical_form(c.mu, up_eta, up_zeta) - orbit_value(c)), scale_of(c), 10);
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     auto const fibre = several([&] {
       auto const x = draw.template velocity<S>(group), y = draw.template velocity<S>(group);
@@ -231,69 +293,105 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
     });
     claim.refutes("as printed, within the fibre", model, fibre, size_of(c.mu));
     // Along the bottom: the leaf vectors go to vectors of the orbit.
-    claim.zero("the Legendre map below takes leaf vectors to the orbit", model, Vector<S>(-(right_second_differential(c.l, c.f) * c.u.coordinates) - w(c.eta).components),
-               S(magnitude(right_second_differential(c.l, c.f)) * size_of(c.u) + size_of(w(c.eta))), c.condition);
+    claim.zero("the Legendre map below takes leaf vectors to the orbit", model,
+               Vector<S>(-(right_second_differential(c.l, c.f) * c.u.coordinates) - w(c.eta).components),
+               S(magnitude(right_second_differential(c.l, c.f)) * size_of(c.u) + size_of(w(c.eta))),
+               c.condition);
   });
 }
 
 STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
-  claim.holds("A leaf is where the Legendre map meets a coadjoint orbit; the form is closed because that of the orbit is, and it is not degenerate.");
+  claim.holds(
+      "A leaf is where the Legendre map meets a coadjoint orbit; the form is closed because that of the "
+      "orbit is, and it is not degenerate.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Condition: the vectors come from an inverse of l'', and their generators from another elimination.
-    claim.zero("omega_f(u, v) = omega_mu(TFl u, TFl v)", model, S(leaf_form(c.l, c.f, c.u, c.v) - orbit_value(c)), scale_of(c), c.condition);
-    // It belongs to the bracket: omega_f(X_a, v) = da(v) for the Hamiltonian vector field X_a = P da and v along the leaf.
+    claim.zero("omega_f(u, v) = omega_mu(TFl u, TFl v)", model,
+               S(leaf_form(c.l, c.f, c.u, c.v) - orbit_value(c)), scale_of(c), c.condition);
+    // It belongs to the bracket: omega_f(X_a, v) = da(v) for the Hamiltonian vector field X_a = P da and v
+    // along the leaf.
     Matrix<S> const p = reduced_bivector_right(c.l, c.f);
     auto const a = draw_reduced_lagrangian<S>(draw, group);
     Vector<S> const da = right_differential(a, c.f).components, field = p * da;
-    claim.zero("the field of a function, put into the form, gives its differential along the leaf", model, S(leaf_form(c.l, c.f, velocity(group, field), c.v) - da.dot(c.v.coordinates)),
+    claim.zero("the field of a function, put into the form, gives its differential along the leaf", model,
+               S(leaf_form(c.l, c.f, velocity(group, field), c.v) - da.dot(c.v.coordinates)),
                S(magnitude(da) * size_of(c.v) * Base<S>(group.dimension()) + scale_of(c)), c.condition);
-    claim.refutes("with the sign of the other identification", model, several([&] {
-                    Vector<S> const db = right_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
-                    return S(leaf_form(c.l, c.f, velocity(group, Vector<S>(p * db)), c.v) + db.dot(c.v.coordinates));
-                  }), S(size_of(c.v)), 1e-4);
+    claim.refutes(
+        "with the sign of the other identification", model, several([&] {
+          Vector<S> const db = right_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
+          return S(leaf_form(c.l, c.f, velocity(group, Vector<S>(p * db)), c.v) + db.dot(c.v.coordinates));
+        }),
+        S(size_of(c.v)), 1e-4);
     if (model != "Aff(1)")
-      claim.template refuses<OutsideDomain>("a vector that leaves the leaf", model, [&] { leaf_form(c.l, c.f, draw.template velocity<S>(group), c.v); });
+      claim.template refuses<OutsideDomain>("a vector that leaves the leaf", model, [&] {
+        leaf_form(c.l, c.f, draw.template velocity<S>(group), c.v);
+      });
   });
 }
 
 STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
-  claim.corrected(R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
-                  R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb L^{-1}T\sigma\,TF\ell\,v\bigr))",
-                  "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as printed, both sides on the right are zero.");
+  claim.corrected(
+      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v\bigr),\quad T)"
+      R"(\pi^{-1} = TR^*_{g^{-1}})",
+      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v\bigr) = )"
+      R"(\omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb L^{-1}T\sigma\,TF\ell\,v)"
+      R"(\bigr))",
+      "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as printed, both "
+      "sides on the right are zero.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
-    S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) * (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
-    claim.zero("through the canonical form", model, S(canonical_form(c.mu, pushed(lifted(c.l), c.g0, c.g1, U), pushed(lifted(c.l), c.g0, c.g1, V)) - orbit_value(c)), magnified, c.condition);
-    claim.zero("through omega_L", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
+    S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) *
+                                        (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
+    claim.zero(
+        "through the canonical form", model,
+        S(canonical_form(c.mu, pushed(lifted(c.l), c.g0, c.g1, U), pushed(lifted(c.l), c.g0, c.g1, V)) -
+          orbit_value(c)),
+        magnified, c.condition);
+    claim.zero("through omega_L", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)),
+               magnified, c.condition);
     // As printed: g0 held, g1 such that f moves in the leaf.
     auto const within_the_fibre = [&](auto const& eta) {
-      Change<S> const w{velocity(group, Vector<S>(Vector<S>::Zero(group.dimension()))), Ad(inverse(c.f), -leaf_vector(c.l, c.f, eta))};
+      Change<S> const w{velocity(group, Vector<S>(Vector<S>::Zero(group.dimension()))),
+                        Ad(inverse(c.f), -leaf_vector(c.l, c.f, eta))};
       return w;
     };
     auto const gap = several([&] {
       auto const x = draw.template velocity<S>(group), y = draw.template velocity<S>(group);
-      return S(discrete_two_form(lifted(c.l), c.g0, c.g1, within_the_fibre(x), within_the_fibre(y)) - pair(c.mu, bracket(x, y)));
+      return S(discrete_two_form(lifted(c.l), c.g0, c.g1, within_the_fibre(x), within_the_fibre(y)) -
+               pair(c.mu, bracket(x, y)));
     });
     claim.refutes("as printed, within the fibre", model, gap, size_of(c.mu));
   });
 }
 
-STATEMENT(claim_4_3_reduced_form_lifts, "the form of a leaf on the images of invariant fields is omega_L on the fields") {
-  claim.corrected(R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V \text{ with } u = T\pi_d U,\ v = T\pi_d V)",
-                  R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a level of the momentum map of the symmetry})",
-                  "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ contracted with a generator is the differential of its momentum, which vanishes on tangent vectors of a level only.");
+STATEMENT(claim_4_3_reduced_form_lifts,
+          "the form of a leaf on the images of invariant fields is omega_L on the fields") {
+  claim.corrected(
+      R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V \text{ with } u = )"
+      R"(T\pi_d U,\ v = T\pi_d V)",
+      R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a level of the )"
+      R"(momentum map of the symmetry})",
+      "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ "
+      "contracted with a generator is the differential of its momentum, which vanishes on tangent vectors of "
+      "a level only.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
-    S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) * (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
-    claim.zero("tangent to the level", model, S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
+    S const magnified = scale_of(c) + S(magnitude(right_second_differential(c.l, c.f)) *
+                                        (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
+    claim.zero("tangent to the level", model,
+               S(discrete_two_form(lifted(c.l), c.g0, c.g1, U, V) - orbit_value(c)), magnified, c.condition);
     // The level: the body momentum Ad*_{g0} mu is constant along U.
     auto const moved_g0 = varied(c.g0, from_left(U.first, c.g0));
     auto const body = Ad_star(moved_g0, -D1(lifted(c.l), moved_g0, varied(c.g1, from_left(U.second, c.g1))));
-    claim.zero("the lift preserves the body momentum", model, rate(body), S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified), c.condition);
-    // As printed: any invariant lifts. Invariant is what moves both configurations by R(theta_0, theta_1); add generators of right multiplication.
+    claim.zero(
+        "the lift preserves the body momentum", model, rate(body),
+        S(magnitude(Ad_matrix(c.g0)) * size_of(c.mu) * (size_of(U.first) + size_of(U.second)) + magnified),
+        c.condition);
+    // As printed: any invariant lifts. Invariant is what moves both configurations by R(theta_0, theta_1);
+    // add generators of right multiplication.
     auto const gap = several([&] {
       auto const by = draw.template velocity<S>(group);
       Change<S> const W{U.first + Ad(c.g0, by), U.second + Ad(c.g1, by)};
@@ -306,23 +404,36 @@ STATEMENT(claim_4_3_reduced_form_lifts, "the form of a leaf on the images of inv
 }
 
 STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-back along the Legendre map") {
-  claim.convention("With the momentum for which the Legendre map pulls the canonical form back to $\\omega_{\\mathbb L}$: with that of (3.5) and $\\{q, p\\} = 1$ it is $-D_1\\mathbb L$ above and $-R_f^*\\ell'$ below. With the $+D_1\\mathbb L$ of (4.7) the one is minus the other.");
+  claim.convention(
+      "With the momentum for which the Legendre map pulls the canonical form back to $\\omega_{\\mathbb L}$: "
+      "with that of (3.5) and $\\{q, p\\} = 1$ it is $-D_1\\mathbb L$ above and $-R_f^*\\ell'$ below. With "
+      "the $+D_1\\mathbb L$ of (4.7) the one is minus the other.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
-    Matrix<S> const reduced = reduced_bivector_right(c.l, c.f), back = inverse_matrix(Matrix<S>(-right_second_differential(c.l, c.f)));
+    Matrix<S> const reduced = reduced_bivector_right(c.l, c.f),
+                    back = inverse_matrix(Matrix<S>(-right_second_differential(c.l, c.f)));
     Matrix<S> const pulled = back * lie_poisson_tensor_plus(c.mu) * back.transpose();
-    S const scale = magnitude(back) * size_of(c.mu) * magnitude(back) * S(Base<S>(group.dimension())) + magnitude(reduced);
+    S const scale = magnitude(back) * size_of(c.mu) * magnitude(back) * S(Base<S>(group.dimension())) +
+                    magnitude(reduced);
     claim.zero("right-invariant: the plus bracket", model, Matrix<S>(reduced - pulled), scale, c.condition);
-    claim.zero("along +R*l': minus the reduced bracket", model, Matrix<S>(reduced + Matrix<S>(legendre_bivector_right(c.l, c.f))), scale, c.condition);
-    claim.refutes("along +R*l', the reduced bracket itself", model, Matrix<S>(reduced - Matrix<S>(legendre_bivector_right(c.l, c.f))), scale, 1e-5);
+    claim.zero("along +R*l': minus the reduced bracket", model,
+               Matrix<S>(reduced + Matrix<S>(legendre_bivector_right(c.l, c.f))), scale, c.condition);
+    claim.refutes("along +R*l', the reduced bracket itself", model,
+                  Matrix<S>(reduced - Matrix<S>(legendre_bivector_right(c.l, c.f))), scale, 1e-5);
     // Left-invariant: the minus bracket of the body momentum -L* l'.
-    Matrix<S> const left = left_second_differential(c.l, c.f), back_left = inverse_matrix(left), reduced_left = reduced_bivector_left(c.l, c.f);
-    Matrix<S> const pulled_left = -(back_left * lie_poisson_tensor_plus(-left_differential(c.l, c.f)) * back_left.transpose());
+    Matrix<S> const left = left_second_differential(c.l, c.f), back_left = inverse_matrix(left),
+                    reduced_left = reduced_bivector_left(c.l, c.f);
+    Matrix<S> const pulled_left =
+        -(back_left * lie_poisson_tensor_plus(-left_differential(c.l, c.f)) * back_left.transpose());
     double const condition_left = to_double(row_norm(left) * row_norm(back_left));
-    claim.zero("left-invariant: the minus bracket", model, Matrix<S>(reduced_left - pulled_left), S(magnitude(back_left) * magnitude(left) * magnitude(back_left) + magnitude(reduced_left)), condition_left);
+    claim.zero("left-invariant: the minus bracket", model, Matrix<S>(reduced_left - pulled_left),
+               S(magnitude(back_left) * magnitude(left) * magnitude(back_left) + magnitude(reduced_left)),
+               condition_left);
     // Leaf by leaf: bracket and form are inverse to each other along the leaf.
-    Vector<S> const image = reduced * right_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
-    claim.fact("the leaves are as large as the orbits", model, matrix_rank(reduced) == matrix_rank(Matrix<S>(lie_poisson_tensor_plus(c.mu))));
+    Vector<S> const image =
+        reduced * right_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
+    claim.fact("the leaves are as large as the orbits", model,
+               matrix_rank(reduced) == matrix_rank(Matrix<S>(lie_poisson_tensor_plus(c.mu))));
     claim.fact("the fields of functions are tangent to the leaf", model, [&] {
       try {
         leaf_form(c.l, c.f, velocity(group, image), c.v);
@@ -342,7 +453,8 @@ STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-b
 
 namespace {
 
-/// Three relative motions, configurations that have them, and a reduced Lagrangian of which they are a motion.
+/// Three relative motions, configurations that have them, and a reduced Lagrangian of which they are a
+/// motion.
 template <class S>
 struct Motion {
   GroupElements<S> f, g;
@@ -351,14 +463,17 @@ struct Motion {
 template <class S>
 Motion<S> draw_motion(Draw& draw, SpannedGroup const& group) {
   auto const f = draw_configurations<S>(draw, group, 3);
-  return {f, configurations_right(draw.template element<S>(group), f), with_motions_right(draw_reduced_lagrangian<S>(draw, group), f)};
+  return {f, configurations_right(draw.template element<S>(group), f),
+          with_motions_right(draw_reduced_lagrangian<S>(draw, group), f)};
 }
-/// The Casimirs of the dual that are known in closed form: |mu|^2 for rotations; |p|^2 and <turn, p> for motions of space; for GL(2) traces of powers of the matrix of mu.
+/// The Casimirs of the dual that are known in closed form: |mu|^2 for rotations; |p|^2 and <turn, p> for
+/// motions of space; for GL(2) traces of powers of the matrix of mu.
 template <class S>
 Vector<S> casimirs(Momentum<SpannedGroup, S> const& mu) {
   auto const& c = mu.components;
   if (mu.group.name() == "SO(3)") return Vector<S>::Constant(1, c.dot(c));
-  if (mu.group.name() == "SE(3)") return (Vector<S>(2) << c.tail(3).dot(c.tail(3)), c.head(3).dot(c.tail(3))).finished();
+  if (mu.group.name() == "SE(3)")
+    return (Vector<S>(2) << c.tail(3).dot(c.tail(3)), c.head(3).dot(c.tail(3))).finished();
   if (mu.group.name() == "GL(2)") return (Vector<S>(2) << c[0] + c[3], c[0] * c[3] - c[1] * c[2]).finished();
   return Vector<S>(0);
 }
@@ -370,12 +485,18 @@ Momentum<SpannedGroup, S> momentum_of(TopInAnyGroup<S> const& top, State<Spanned
 
 }  // namespace
 
-STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the image of the discrete Euler-Lagrange motion and approximates the Hamiltonian flow") {
-  claim.holds("With (3.14) for the configurations: the momenta alone do not tell them. The order is that of the discrete Lagrangian, here 2.");
+STATEMENT(cor_4_3_1,
+          "the discrete Lie-Poisson motion, reconstructed, is the image of the discrete Euler-Lagrange "
+          "motion and approximates the Hamiltonian flow") {
+  claim.holds(
+      "With (3.14) for the configurations: the momenta alone do not tell them. The order is that of the "
+      "discrete Lagrangian, here 2.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     for (int k = 0; k < 2; ++k)
-      claim.zero("the configurations are a discrete Euler-Lagrange motion", model, discrete_euler_lagrange(lifted(m.l), m.g[k], m.g[k + 1], m.g[k + 2]), momenta_of(m.l, m.f), 10);
+      claim.zero("the configurations are a discrete Euler-Lagrange motion", model,
+                 discrete_euler_lagrange(lifted(m.l), m.g[k], m.g[k + 1], m.g[k + 2]), momenta_of(m.l, m.f),
+                 10);
     // Carry the first momentum along, and compare it with the Legendre map of the configurations.
     auto mu = momentum_before_right(m.l, m.f[0]);
     for (int k = 0; k < 3; ++k) {
@@ -384,7 +505,8 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
       mu = coadjoint(m.f[k], mu);
     }
     auto other = momentum_before_right(m.l, m.f[0]);
-    claim.differs("the momentum carried the other way", model, coadjoint(inverse(m.f[0]), other), -D1(lifted(m.l), m.g[1], m.g[2]));
+    claim.differs("the momentum carried the other way", model, coadjoint(inverse(m.f[0]), other),
+                  -D1(lifted(m.l), m.g[1], m.g[2]));
   });
   if (claim.fits_orders())
     for (auto const& group : limit_groups()) {
@@ -401,18 +523,29 @@ STATEMENT(cor_4_3_1, "the discrete Lie-Poisson motion, reconstructed, is the ima
           mu = lie_poisson_update_right(f, mu);
           configuration = reconstruct_right(configuration, forwards ? f : inverse(f));
         }
-        return std::max(magnitude((configuration.value - exact.configuration.value).eval()), size_of(mu - momentum_of(top, exact)));
+        return std::max(magnitude((configuration.value - exact.configuration.value).eval()),
+                        size_of(mu - momentum_of(top, exact)));
       };
-      claim.order("configuration and momentum against the Hamiltonian flow", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
-      claim.refutes_order("reconstructed with f in place of its inverse", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
+      claim.order("configuration and momentum against the Hamiltonian flow", group.name(),
+                  by_halves.step_lengths(),
+                  by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
+      claim.refutes_order("reconstructed with f in place of its inverse", group.name(),
+                          by_halves.step_lengths(),
+                          by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
     }
 }
 
-STATEMENT(claim_4_3_reconstruction_image, "momenta lifted along the quotient map against the image of the unreduced motion") {
-  claim.convention("The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the image of the unreduced motion when the configurations come by (3.14), and then all momenta of the symmetry are conserved.");
+STATEMENT(claim_4_3_reconstruction_image,
+          "momenta lifted along the quotient map against the image of the unreduced motion") {
+  claim.convention(
+      "The preimage of a momentum under the quotient map is a whole orbit of the symmetry. The lift is the "
+      "image of the unreduced motion when the configurations come by (3.14), and then all momenta of the "
+      "symmetry are conserved.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
-    auto const body = [&](GroupElement<S> const& g, Momentum<SpannedGroup, S> const& mu) { return coadjoint(g, mu); };
+    auto const body = [&](GroupElement<S> const& g, Momentum<SpannedGroup, S> const& mu) {
+      return coadjoint(g, mu);
+    };
     auto g = m.g[0];
     auto const first = body(g, momentum_before_right(m.l, m.f[0]));
     for (int k = 0; k < 3; ++k) {
@@ -429,8 +562,11 @@ STATEMENT(claim_4_3_reconstruction_image, "momenta lifted along the quotient map
   });
 }
 
-STATEMENT(claim_4_3_invariant_leaves, "the reduced motion stays on the symplectic leaves of the group, which correspond to coadjoint orbits") {
-  claim.holds("Locally, as the structure is. A leaf is a component of what the Legendre map sends into one orbit.");
+STATEMENT(
+    claim_4_3_invariant_leaves,
+    "the reduced motion stays on the symplectic leaves of the group, which correspond to coadjoint orbits") {
+  claim.holds(
+      "Locally, as the structure is. A leaf is a component of what the Legendre map sends into one orbit.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     auto const other = draw_reduced_lagrangian<S>(draw, group);
@@ -439,22 +575,32 @@ STATEMENT(claim_4_3_invariant_leaves, "the reduced motion stays on the symplecti
       claim.equal("the Legendre map takes the motion into one orbit", model, next, coadjoint(m.f[k], mu), 10);
       if (casimirs(mu).size() > 0) {
         auto const size = magnitude(casimirs(mu)) + size_of(mu) * size_of(mu);
-        claim.zero("Casimirs, pulled back to the group", model, Vector<S>(casimirs(next) - casimirs(mu)), S(size), 100);
+        claim.zero("Casimirs, pulled back to the group", model, Vector<S>(casimirs(next) - casimirs(mu)),
+                   S(size), 100);
         claim.refutes("Casimirs, pulled back along the Legendre map of another function", model,
-                      Vector<S>(casimirs(momentum_before_right(other, m.f[k + 1])) - casimirs(momentum_before_right(other, m.f[k]))), S(size));
+                      Vector<S>(casimirs(momentum_before_right(other, m.f[k + 1])) -
+                                casimirs(momentum_before_right(other, m.f[k]))),
+                      S(size));
       }
-      // The tangent of a step takes vectors of the leaf to vectors of the leaf: the generator moves with the later configuration. Condition: l'' is inverted.
+      // The tangent of a step takes vectors of the leaf to vectors of the leaf: the generator moves with the
+      // later configuration. Condition: l'' is inverted.
       auto const eta = draw.template velocity<S>(group);
       auto const u = leaf_vector(m.l, m.f[k], eta);
       auto const carried = Ad(inverse(m.f[k]), eta - u);
-      Matrix<S> const t = euler_poincare_tangent_right(m.l, m.f[k], m.f[k + 1]), a = right_second_differential(m.l, m.f[k + 1]);
+      Matrix<S> const t = euler_poincare_tangent_right(m.l, m.f[k], m.f[k + 1]),
+                      a = right_second_differential(m.l, m.f[k + 1]);
       auto const after = leaf_vector(m.l, m.f[k + 1], carried);
       double const condition = to_double(row_norm(a) * row_norm(inverse_matrix(a)));
-      claim.zero("the tangent of a step preserves the leaves", model, Vector<S>(t * u.coordinates - after.coordinates), S(magnitude(t) * size_of(u) + size_of(after)), condition);
-      claim.refutes("with the generator left as it was", model, Vector<S>(t * u.coordinates - leaf_vector(m.l, m.f[k + 1], eta).coordinates), S(size_of(after)), 1e-4);
+      claim.zero("the tangent of a step preserves the leaves", model,
+                 Vector<S>(t * u.coordinates - after.coordinates),
+                 S(magnitude(t) * size_of(u) + size_of(after)), condition);
+      claim.refutes("with the generator left as it was", model,
+                    Vector<S>(t * u.coordinates - leaf_vector(m.l, m.f[k + 1], eta).coordinates),
+                    S(size_of(after)), 1e-4);
     }
     // The leaf's tangent space is the image of the bracket: A P = Pi_+ A^-T.
-    Matrix<S> const a = right_second_differential(m.l, m.f[0]), p = legendre_bivector_right(m.l, m.f[0]), pi = lie_poisson_tensor_plus(right_differential(m.l, m.f[0]));
+    Matrix<S> const a = right_second_differential(m.l, m.f[0]), p = legendre_bivector_right(m.l, m.f[0]),
+                    pi = lie_poisson_tensor_plus(right_differential(m.l, m.f[0]));
     claim.fact("the image of the bracket is mapped onto the tangent space of the orbit", model, [&] {
       Matrix<S> both(a.rows(), 2 * a.cols());
       both << Matrix<S>(a * p), pi;
@@ -463,23 +609,33 @@ STATEMENT(claim_4_3_invariant_leaves, "the reduced motion stays on the symplecti
   });
 }
 
-STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, the Legendre map must be multiplied by it") {
-  claim.convention("With the sign of the physical momentum, -h D_1. For a discrete Lagrangian that is an action there is nothing to multiply, and steps may differ.");
+STATEMENT(claim_4_3_time_step_legendre,
+          "with a Lagrangian divided by the step, the Legendre map must be multiplied by it") {
+  claim.convention(
+      "With the sign of the physical momentum, -h D_1. For a discrete Lagrangian that is an action there is "
+      "nothing to multiply, and steps may differ.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // A constant step: the motions are the same, brackets and forms are multiplied by constants.
     auto const m = draw_motion<S>(draw, group);
     S const h = ratio<S>(1, 7);
     auto const average = [&](auto const& f) { return decltype(m.l(f))(m.l(f) / h); };
-    claim.zero("the same motion", model, euler_poincare_right(average, m.f[0], m.f[1]), S(momenta_of(m.l, m.f) / Base<S>(h)), 10);
-    Matrix<S> const p = reduced_bivector_right(m.l, m.f[0]), q = reduced_bivector_right(average, m.f[0]), a = right_second_differential(m.l, m.f[0]);
+    claim.zero("the same motion", model, euler_poincare_right(average, m.f[0], m.f[1]),
+               S(momenta_of(m.l, m.f) / Base<S>(h)), 10);
+    Matrix<S> const p = reduced_bivector_right(m.l, m.f[0]), q = reduced_bivector_right(average, m.f[0]),
+                    a = right_second_differential(m.l, m.f[0]);
     double const condition = to_double(row_norm(a) * row_norm(inverse_matrix(a)));
     claim.equal("the bracket is multiplied by h", model, q, Matrix<S>(p * h), condition);
-    claim.equal("h D_1 of the average is D_1 of the action", model, h * right_differential(average, m.f[0]), right_differential(m.l, m.f[0]));
-    claim.differs("D_1 of the average", model, right_differential(average, m.f[0]), right_differential(m.l, m.f[0]));
+    claim.equal("h D_1 of the average is D_1 of the action", model, h * right_differential(average, m.f[0]),
+                right_differential(m.l, m.f[0]));
+    claim.differs("D_1 of the average", model, right_differential(average, m.f[0]),
+                  right_differential(m.l, m.f[0]));
     // Steps of different lengths: the momentum handed over is that of the action.
     S const longer = ratio<S>(2, 7);
-    auto const handed = [&](S const& first, S const& second) { return first * left_differential(average, m.f[0]) - second * right_differential(average, m.f[1]); };
-    claim.zero("steps h and h: the momentum at the end of one is that at the start of the next", model, handed(h, h), momenta_of(m.l, m.f), 10);
+    auto const handed = [&](S const& first, S const& second) {
+      return first * left_differential(average, m.f[0]) - second * right_differential(average, m.f[1]);
+    };
+    claim.zero("steps h and h: the momentum at the end of one is that at the start of the next", model,
+               handed(h, h), momenta_of(m.l, m.f), 10);
     claim.refutes("steps h and 2h, the same average", model, handed(h, longer), momenta_of(m.l, m.f));
   });
   if (claim.fits_orders())
@@ -487,7 +643,8 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
       auto const top = draw_top_without_weight<S>(draw, group);
       State<SpannedGroup, S> const v{draw.template element<S>(group), draw.template velocity<S>(group)};
       auto const exact = momentum_of(top, top.flow(v, S(by_halves.duration)).first);
-      // Steps of 2/3 and 4/3 of the mean in turn. Averages l_h/h: with the factor h the momentum is matched, without it -R*l'/h.
+      // Steps of 2/3 and 4/3 of the mean in turn. Averages l_h/h: with the factor h the momentum is matched,
+      // without it -R*l'/h.
       auto const run = [&](int n, double h, bool with_factor) {
         auto mu = momentum_of(top, v);
         auto f = exp(S(-h) * v.velocity);
@@ -495,14 +652,17 @@ STATEMENT(claim_4_3_time_step_legendre, "with a Lagrangian divided by the step, 
         for (int k = 0; k < n; ++k) {
           double const step = k % 2 == 0 ? 2 * h / 3 : 4 * h / 3;
           auto const l = natural_chart_lagrangian_right(reduced(top), step);
-          if (!with_factor && k > 0) mu = S(step / before) * mu;  // D_2 of one average matches D_1 of the other
+          if (!with_factor && k > 0)
+            mu = S(step / before) * mu;  // D_2 of one average matches D_1 of the other
           f = relative_motion_from_momentum_right(l, mu, k == 0 ? exp(S(-step) * v.velocity) : f).value;
           mu = lie_poisson_update_right(f, mu);
           before = step;
         }
         return size_of(mu - exact);
       };
-      claim.order("steps of two lengths in turn, with the factor", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
-      claim.refutes_order("without the factor", group.name(), by_halves.step_lengths(), by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
+      claim.order("steps of two lengths in turn, with the factor", group.name(), by_halves.step_lengths(),
+                  by_halves.errors_of([&](int n, double h) { return run(n, h, true); }), 2);
+      claim.refutes_order("without the factor", group.name(), by_halves.step_lengths(),
+                          by_halves.errors_of([&](int n, double h) { return run(n, h, false); }), 2);
     }
 }

@@ -28,7 +28,8 @@ auto printed_casimir(Matrix<S> const& lambda) {
     Vector<T> value = Vector<T>::Zero(1);
     int const n = static_cast<int>(lambda.rows());
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) value[0] += f.value(i, j) * f.value(j, i) * T(S(lambda(i, i) * lambda(j, j)));
+      for (int j = 0; j < n; ++j)
+        value[0] += f.value(i, j) * f.value(j, i) * T(S(lambda(i, i) * lambda(j, j)));
     return value;
   };
 }
@@ -36,8 +37,10 @@ auto printed_casimir(Matrix<S> const& lambda) {
 }  // namespace
 
 STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its expression in R^3") {
-  claim.corrected(R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)", R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}(\mu^2) = -2\|y\|^2)",
-                  "Either is a Casimir, but they are not the same function: the square of a skew matrix has no positive trace. Spheres and area form are right; the Kirillov-Kostant form is "
+  claim.corrected(R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)",
+                  R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}(\mu^2) = -2\|y\|^2)",
+                  "Either is a Casimir, but they are not the same function: the square of a skew matrix has "
+                  "no positive trace. Spheres and area form are right; the Kirillov-Kostant form is "
                   "the area form over the radius.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
@@ -52,21 +55,28 @@ STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its exp
       value[0] = trace_of_square(nu);
       return value;
     };
-    claim.zero("bracket of Tr mu^2 with all coordinates", model, Matrix<S>(differentials(trace, mu) * tensor), S(1));
-    claim.zero("the same for every Casimir of the library", model, Matrix<S>(differentials(all_casimirs, mu) * tensor), S(1));
-    claim.equal("all of them constant on coadjoint orbits", model, casimirs(Ad_star(draw_turn<S>(draw, n), mu)), casimirs(mu));
+    claim.zero("bracket of Tr mu^2 with all coordinates", model, Matrix<S>(differentials(trace, mu) * tensor),
+               S(1));
+    claim.zero("the same for every Casimir of the library", model,
+               Matrix<S>(differentials(all_casimirs, mu) * tensor), S(1));
+    claim.equal("all of them constant on coadjoint orbits", model,
+                casimirs(Ad_star(draw_turn<S>(draw, n), mu)), casimirs(mu));
     if (n > 3) {
-      // Newton's identity for the fourth power; on SO(4) the second Casimir is the Pfaffian, and its square is the coefficient.
+      // Newton's identity for the fourth power; on SO(4) the second Casimir is the Pfaffian, and its square
+      // is the coefficient.
       auto const m = as_matrix(mu);
       Vector<S> const c = casimirs(mu);
       S const fourth = n == 4 ? S(c[1] * c[1]) : c[1];
-      claim.equal("Tr mu^4 by the two Casimirs", model, S((m * m * m * m).trace()), S(S(2) * c[0] * c[0] - S(4) * fourth));
+      claim.equal("Tr mu^4 by the two Casimirs", model, S((m * m * m * m).trace()),
+                  S(S(2) * c[0] * c[0] - S(4) * fourth));
       claim.differs("Tr mu^4 by the first alone", model, S((m * m * m * m).trace()), S(S(2) * c[0] * c[0]));
     }
     // There is no other: the bracket has as many directions less.
     if (exact_arithmetic<S>()) {
-      claim.fact("rank of the bracket: dimension less floor(n/2)", model, exact_rank(tensor) == group.dimension() - casimir_count(n));
-      claim.fact("the Casimirs are independent", model, exact_rank(differentials(all_casimirs, mu)) == casimir_count(n));
+      claim.fact("rank of the bracket: dimension less floor(n/2)", model,
+                 exact_rank(tensor) == group.dimension() - casimir_count(n));
+      claim.fact("the Casimirs are independent", model,
+                 exact_rank(differentials(all_casimirs, mu)) == casimir_count(n));
     }
     Matrix<S> other = Matrix<S>::Zero(1, group.dimension());
     other(0, 0) = mu.components[0];
@@ -76,19 +86,25 @@ STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its exp
   {
     Turns const group{3};
     auto const mu = draw.template momentum<S>(group);
-    auto const v = ad_star(draw_turning<S>(draw, group.n), mu), w = ad_star(draw_turning<S>(draw, group.n), mu);
-    S const area = mu.components.dot(Vector<S>(cross(v.components, w.components))), square = mu.components.dot(mu.components);
+    auto const v = ad_star(draw_turning<S>(draw, group.n), mu),
+               w = ad_star(draw_turning<S>(draw, group.n), mu);
+    S const area = mu.components.dot(Vector<S>(cross(v.components, w.components))),
+            square = mu.components.dot(mu.components);
     S const form = kirillov_kostant_plus(mu, v, w);
     claim.zero("tangent to the sphere", "SO(3)", S(mu.components.dot(v.components)), S(1));
     // The generators of v and w solve a system with entries of mu.
     claim.zero("Kirillov-Kostant form = area form / |y|", "SO(3)", S(form * square - area), S(1), 10);
-    claim.refutes("equal to the area form, radius left out", "SO(3)", S(form * form * square - area * area), S(form * form * square));
+    claim.refutes("equal to the area form, radius left out", "SO(3)", S(form * form * square - area * area),
+                  S(form * form * square));
   }
 }
 
 STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on SO(3)") {
-  claim.corrected(R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f\Lambda) = f\Lambda - \Lambda f^T)", R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f^T\Lambda) = f^T\Lambda - \Lambda f)",
-                  "The printed matrix is the other translation, $-R_f^*d\\ell(f)$: its negative is the momentum at the other end of the step. The pull-back of a Casimir is the same for both. Matrices are paired by $\\frac12\\mathrm{Tr}(A^TB)$, "
+  claim.corrected(R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f\Lambda) = f\Lambda - \Lambda f^T)",
+                  R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f^T\Lambda) = f^T\Lambda - \Lambda f)",
+                  "The printed matrix is the other translation, $-R_f^*d\\ell(f)$: its negative is the "
+                  "momentum at the other end of the step. The pull-back of a Casimir is the same for both. "
+                  "Matrices are paired by $\\frac12\\mathrm{Tr}(A^TB)$, "
                   "so that the skew part stands without its one half.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
@@ -96,9 +112,11 @@ STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on SO(
     TraceLagrangian<S> const l{lambda};
     Matrix<S> const left = as_matrix(left_differential(l, f)), right = as_matrix(right_differential(l, f));
     Matrix<S> const printed = f.value * lambda - lambda * f.value.transpose();
-    claim.equal("L*_f dl = f^T Lambda - Lambda f", model, Matrix<S>(f.value.transpose() * lambda - lambda * f.value), left);
+    claim.equal("L*_f dl = f^T Lambda - Lambda f", model,
+                Matrix<S>(f.value.transpose() * lambda - lambda * f.value), left);
     claim.equal("the printed matrix is -R*_f dl", model, printed, Matrix<S>(-right));
-    claim.equal("the two lie on one coadjoint orbit", model, casimirs(as_momentum(printed)), casimirs(as_momentum(Matrix<S>(-left))));
+    claim.equal("the two lie on one coadjoint orbit", model, casimirs(as_momentum(printed)),
+                casimirs(as_momentum(Matrix<S>(-left))));
     claim.differs("L*_f dl as printed", model, printed, left);
     claim.differs("L*_f dl as printed, paired with the other sign", model, Matrix<S>(-printed), left);
     claim.differs("skew part with its one half", model, Matrix<S>(left / S(2)), left);
@@ -106,7 +124,9 @@ STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on SO(
 }
 
 STATEMENT(eq_5_10, "Casimir function on the rotation group") {
-  claim.holds("Up to constant and sign of $\\|y\\|^2$, in any dimension. On SO(4) and SO(5) it is one of two; the other is the pull-back of the Pfaffian, or of the coefficient of fourth degree.");
+  claim.holds(
+      "Up to constant and sign of $\\|y\\|^2$, in any dimension. On SO(4) and SO(5) it is one of two; the "
+      "other is the pull-back of the Pfaffian, or of the coefficient of fourth degree.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -114,9 +134,11 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
     S const squares = (lambda * lambda).trace(), c = trace_casimir(lambda, f);
     claim.equal("Tr(f Lambda f Lambda) written out", model, printed_casimir(lambda)(f)[0], c);
     // The pull-back of |y|^2 is, up to constant and sign, (5.10); by either Legendre map.
-    claim.zero("pull-back of |y|^2 at the beginning of the step", model, S(casimirs_before(l, f)[0] - (squares - c)), squares);
+    claim.zero("pull-back of |y|^2 at the beginning of the step", model,
+               S(casimirs_before(l, f)[0] - (squares - c)), squares);
     claim.zero("pull-back of |y|^2 at its end", model, S(casimirs_after(l, f)[0] - (squares - c)), squares);
-    claim.zero("every Casimir, by both Legendre maps", model, Vector<S>(casimirs_before(l, f) - casimirs_after(l, f)), S(1));
+    claim.zero("every Casimir, by both Legendre maps", model,
+               Vector<S>(casimirs_before(l, f) - casimirs_after(l, f)), S(1));
     // A function on the group that every motion conserves.
     auto const motion = draw_motion<S>(draw, n);
     auto const casimir = [&](int k) { return trace_casimir(motion.lambda, motion.f[k]); };
@@ -124,13 +146,18 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
     claim.zero("conserved by a motion, second step", model, gap(casimir(2), casimir(0)), S(1), designed);
     // Controls: neighbours of the formula.
     S const ff = (f.value * f.value * lambda * lambda).trace();
-    claim.refutes("Tr(f f Lambda Lambda) in its place", model, S(casimirs_before(l, f)[0] - (squares - ff)), squares);
-    claim.differs("Tr(f) is not conserved", model, S(motion.f[1].value.trace()), S(motion.f[0].value.trace()));
+    claim.refutes("Tr(f f Lambda Lambda) in its place", model, S(casimirs_before(l, f)[0] - (squares - ff)),
+                  squares);
+    claim.differs("Tr(f) is not conserved", model, S(motion.f[1].value.trace()),
+                  S(motion.f[0].value.trace()));
   });
 }
 
 STATEMENT(claim_5_3_pullback_value, "pull-back of the dual Casimir to the group") {
-  claim.convention("The Casimir pulled back is $\\|y\\|^2$: then the constant is $\\mathrm{Tr}\\Lambda^2$ and the sign minus. From $\\mathrm{Tr}(\\mu^2)$ it is the constant $-2\\mathrm{Tr}\\Lambda^2$ and a factor 2, with no change of sign.");
+  claim.convention(
+      "The Casimir pulled back is $\\|y\\|^2$: then the constant is $\\mathrm{Tr}\\Lambda^2$ and the sign "
+      "minus. From $\\mathrm{Tr}(\\mu^2)$ it is the constant $-2\\mathrm{Tr}\\Lambda^2$ and a factor 2, with "
+      "no change of sign.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -146,37 +173,50 @@ STATEMENT(claim_5_3_pullback_value, "pull-back of the dual Casimir to the group"
     Matrix<S> const whole = f.value * lambda * lambda * f.value.transpose();
     claim.zero("the remaining term, Tr(f Lambda Lambda f^T)", model, S(whole.trace() - squares), squares);
     // The constants of these two are right at f = 1.
-    claim.refutes("Tr mu^2 = C(f) - Tr Lambda^2, no factor", model, S(trace(printed) - (c - squares)), squares);
-    claim.refutes("Tr mu^2 = Tr Lambda^2 - C(f), a sign only", model, S(trace(printed) - (squares - c)), squares);
+    claim.refutes("Tr mu^2 = C(f) - Tr Lambda^2, no factor", model, S(trace(printed) - (c - squares)),
+                  squares);
+    claim.refutes("Tr mu^2 = Tr Lambda^2 - C(f), a sign only", model, S(trace(printed) - (squares - c)),
+                  squares);
     claim.refutes("|y|^2 = Tr Lambda^2 + C(f)", model, S(norm(printed) - (squares + c)), squares);
   });
 }
 
 STATEMENT(claim_5_3_casimir_property, "bracket of the group Casimir with other functions on the group") {
-  claim.holds("For the bracket (3.13) of the reduced Moser-Veselov Lagrangian, where that is regular, in any dimension. On SO(4) and SO(5) a second function has the property.");
+  claim.holds(
+      "For the bracket (3.13) of the reduced Moser-Veselov Lagrangian, where that is regular, in any "
+      "dimension. On SO(4) and SO(5) a second function has the property.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n, ratio<S>(1, 4));
     TraceLagrangian<S> const l{lambda};
     Matrix<S> const bivector = reduced_bivector_left(l, f);
-    // Rounding is magnified by the inverse of the second derivatives: largest entry of the bivector, times that of what it inverts, times the terms of a product.
+    // Rounding is magnified by the inverse of the second derivatives: largest entry of the bivector, times
+    // that of what it inverts, times the terms of a product.
     double const condition = to_double(S(size_of(bivector) * magnitude(lambda))) * 2 * bivector.rows();
     Base<S> const scale = size_of(bivector);
     Matrix<S> const printed = right_differentials(printed_casimir(lambda), f);
     Matrix<S> const all = right_differentials([&](auto const& at) { return casimirs_before(l, at); }, f);
-    claim.zero("Tr(f Lambda f Lambda) with every function", model, Matrix<S>(printed * bivector), S(scale), condition);
-    claim.zero("all Casimirs pulled back, with every function", model, Matrix<S>(all * bivector), S(scale), condition);
+    claim.zero("Tr(f Lambda f Lambda) with every function", model, Matrix<S>(printed * bivector), S(scale),
+               condition);
+    claim.zero("all Casimirs pulled back, with every function", model, Matrix<S>(all * bivector), S(scale),
+               condition);
     // The bracket of the group is that of the dual, pulled back.
     Matrix<S> const map = left_second_differential(l, f);
-    Matrix<S> const carried = map * bivector * map.transpose(), dual = lie_poisson_tensor_plus(momentum_before_left(l, f));
-    claim.zero("the Legendre map carries it to the minus bracket", model, Matrix<S>(carried + dual), S(scale), condition);
+    Matrix<S> const carried = map * bivector * map.transpose(),
+                    dual = lie_poisson_tensor_plus(momentum_before_left(l, f));
+    claim.zero("the Legendre map carries it to the minus bracket", model, Matrix<S>(carried + dual), S(scale),
+               condition);
     if (exact_arithmetic<S>()) {
-      claim.fact("no others: rank of the bracket", model, exact_rank(bivector) == f.group.dimension() - casimir_count(n));
+      claim.fact("no others: rank of the bracket", model,
+                 exact_rank(bivector) == f.group.dimension() - casimir_count(n));
       claim.fact("they are independent", model, exact_rank(all) == casimir_count(n));
     }
     // Controls.
-    claim.refutes("Tr(f Lambda)", model, Matrix<S>(right_differential(l, f).components.transpose() * bivector), S(scale));
-    claim.refutes("(5.10) of another body", model, Matrix<S>(right_differentials(printed_casimir(draw_inertia<S>(draw, n)), f) * bivector), S(scale));
+    claim.refutes("Tr(f Lambda)", model,
+                  Matrix<S>(right_differential(l, f).components.transpose() * bivector), S(scale));
+    claim.refutes("(5.10) of another body", model,
+                  Matrix<S>(right_differentials(printed_casimir(draw_inertia<S>(draw, n)), f) * bivector),
+                  S(scale));
   });
 }
 
@@ -184,11 +224,13 @@ STATEMENT(claim_5_3_casimir_property, "bracket of the group Casimir with other f
 // Section 5.3, second part: what the discrete motion conserves on the group, and the Poisson structure on the
 // rotation algebra.
 //
-// Velocities and momenta in the coordinates of so(n), where J is the diagonal matrix of the moments of the planes.
+// Velocities and momenta in the coordinates of so(n), where J is the diagonal matrix of the moments of the
+// planes.
 
 namespace {
 
-/// Two relative motions in SO(3), and a body that has them as a motion of \ref ChartLagrangian: the equations are linear in the inertia, whose products are solved for.
+/// Two relative motions in SO(3), and a body that has them as a motion of \ref ChartLagrangian: the equations
+/// are linear in the inertia, whose products are solved for.
 template <class S>
 struct ChartMotion {
   ChartLagrangian<S> l;
@@ -205,7 +247,8 @@ ChartMotion<S> draw_chart_motion(Draw& draw) {
   for (int i = 0; i < 3; ++i) motion.l.a(i, i) = ratio<S>(i + 3, 4);
   auto const left = [&](Matrix<S> const& a) {
     ChartLagrangian<S> const l{a};
-    return Vector<S>(left_differential(l, motion.second).components - right_differential(l, motion.first).components);
+    return Vector<S>(left_differential(l, motion.second).components -
+                     right_differential(l, motion.first).components);
   };
   Vector<S> const right = left(motion.l.a);
   Matrix<S> columns(3, 3);
@@ -220,36 +263,48 @@ ChartMotion<S> draw_chart_motion(Draw& draw) {
 }
 /// \f$\langle\mu, J^{-1}\mu\rangle\f$, twice the energy of a momentum.
 template <class S>
-S twice_energy(Vector<S> const& moments, Vector<S> const& mu) {
-  return mu.dot(mu.cwiseQuotient(moments));
-}
+S twice_energy(Vector<S> const& moments, Vector<S> const& mu) { return mu.dot(mu.cwiseQuotient(moments)); }
 
 }  // namespace
 
-STATEMENT(claim_5_3_invariant_manifolds, "level sets of the group Casimir and the reduced discrete dynamics") {
-  claim.convention("For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on the group, and its own invariant manifolds. On SO(4) and SO(5) the leaves are the common level sets of two functions.");
+STATEMENT(claim_5_3_invariant_manifolds,
+          "level sets of the group Casimir and the reduced discrete dynamics") {
+  claim.convention(
+      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on the "
+      "group, and its own invariant manifolds. On SO(4) and SO(5) the leaves are the common level sets of "
+      "two functions.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     TraceLagrangian<S> const l{motion.lambda};
     for (int k = 1; k < motion.last(); ++k) {
-      claim.zero("a motion stays on a level set of Tr(f Lambda f Lambda)", model, gap(trace_casimir(motion.lambda, motion.f[k]), trace_casimir(motion.lambda, motion.f[0])), S(1), designed);
+      claim.zero("a motion stays on a level set of Tr(f Lambda f Lambda)", model,
+                 gap(trace_casimir(motion.lambda, motion.f[k]), trace_casimir(motion.lambda, motion.f[0])),
+                 S(1), designed);
       // The second Casimir is a sum of squares of products of two momenta, or such a product.
-      claim.zero("and of every other Casimir", model, Vector<S>(casimirs_before(l, motion.f[k]) - casimirs_before(l, motion.f[0])), S(1), designed);
+      claim.zero("and of every other Casimir", model,
+                 Vector<S>(casimirs_before(l, motion.f[k]) - casimirs_before(l, motion.f[0])), S(1),
+                 designed);
     }
     claim.differs("of Tr(f)", model, S(motion.f[1].value.trace()), S(motion.f[0].value.trace()));
-    claim.differs("another relative motion", model, trace_casimir(motion.lambda, draw_turn<S>(draw, n)), trace_casimir(motion.lambda, motion.f[0]));
+    claim.differs("another relative motion", model, trace_casimir(motion.lambda, draw_turn<S>(draw, n)),
+                  trace_casimir(motion.lambda, motion.f[0]));
   });
   {
     auto const chart = draw_chart_motion<S>(draw);
-    auto const at_first = casimirs_before(chart.l, chart.first)[0], at_second = casimirs_before(chart.l, chart.second)[0];
+    auto const at_first = casimirs_before(chart.l, chart.first)[0],
+               at_second = casimirs_before(chart.l, chart.second)[0];
     // Condition: three equations for the body, and the differential of a chart.
     claim.equal("another discretisation: its own Casimir", "SO(3), Cayley's chart", at_second, at_first, 100);
-    claim.differs("another discretisation: (5.10)", "SO(3), Cayley's chart", trace_casimir(chart.lambda(), chart.second), trace_casimir(chart.lambda(), chart.first), 1e-5);
+    claim.differs("another discretisation: (5.10)", "SO(3), Cayley's chart",
+                  trace_casimir(chart.lambda(), chart.second), trace_casimir(chart.lambda(), chart.first),
+                  1e-5);
   }
 }
 
 STATEMENT(claim_5_3_algebra_legendre, "Legendre map from the rotation algebra to its dual") {
-  claim.convention("Momenta are paired with velocities by $\\frac12\\mathrm{Tr}(A^TB)$, the product of coordinates. With the pairing $\\mathrm{Tr}(A^TB)$ in which (5.1) is printed the derivative is $\\frac12J\\xi$.");
+  claim.convention(
+      "Momenta are paired with velocities by $\\frac12\\mathrm{Tr}(A^TB)$, the product of coordinates. With "
+      "the pairing $\\mathrm{Tr}(A^TB)$ in which (5.1) is printed the derivative is $\\frac12J\\xi$.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     auto const lambda = draw_inertia<S>(draw, n);
@@ -271,15 +326,22 @@ STATEMENT(claim_5_3_algebra_legendre, "Legendre map from the rotation algebra to
     // In the pairing of traces the derivative of l along eta is Tr(D^T eta): D is half of J xi.
     auto const eta = draw_turning<S>(draw, group.n);
     S const along = pair(derivative, eta);
-    claim.zero("paired by Tr(A^T B) it is J xi / 2", model, S((j.transpose() * group.hat(eta.coordinates)).trace() / S(2) - along), S(1));
-    claim.refutes("J xi in that pairing", model, S((j.transpose() * group.hat(eta.coordinates)).trace() - along), S(1));
+    claim.zero("paired by Tr(A^T B) it is J xi / 2", model,
+               S((j.transpose() * group.hat(eta.coordinates)).trace() / S(2) - along), S(1));
+    claim.refutes("J xi in that pairing", model,
+                  S((j.transpose() * group.hat(eta.coordinates)).trace() - along), S(1));
     claim.differs("Lambda xi", model, as_matrix(derivative), Matrix<S>(lambda * x));
   });
 }
 
 STATEMENT(claim_5_3_algebra_casimir, "Casimir on the rotation algebra through an induced metric") {
-  claim.corrected(R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual induced by } J)", R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual that } \mathrm{Ad}^* \text{ keeps, } -\tfrac12\mathrm{Tr}(\mu^2))",
-                  "In the metric that J induces on the dual the right side is $\\langle J\\xi, J^{-1}J\\xi\\rangle$, twice the energy: conserved by the motion of the body, but no Casimir unless the moments are equal. The formula in coordinates that follows has the right metric.");
+  claim.corrected(
+      R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual induced by } J)",
+      R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual that } \mathrm{Ad}^* \text{ )"
+      R"(keeps, } -\tfrac12\mathrm{Tr}(\mu^2))",
+      "In the metric that J induces on the dual the right side is $\\langle J\\xi, J^{-1}J\\xi\\rangle$, "
+      "twice the energy: conserved by the motion of the body, but no Casimir unless the moments are equal. "
+      "The formula in coordinates that follows has the right metric.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, n));
@@ -288,13 +350,16 @@ STATEMENT(claim_5_3_algebra_casimir, "Casimir on the rotation algebra through an
     Matrix<S> const tensor = algebra_poisson_tensor(moments, xi);
     // Differentials of the two functions, by hand.
     Vector<S> const right = S(2) * moments.cwiseProduct(mu), printed = S(2) * mu;
-    claim.equal("the library's is the pull-back of -Tr(mu^2)/2", model, algebra_casimir(moments, xi), S(-(as_matrix(momentum(group, mu)) * as_matrix(momentum(group, mu))).trace() / S(2)));
+    claim.equal("the library's is the pull-back of -Tr(mu^2)/2", model, algebra_casimir(moments, xi),
+                S(-(as_matrix(momentum(group, mu)) * as_matrix(momentum(group, mu))).trace() / S(2)));
     claim.zero("bracket of the invariant square with every function", model, Vector<S>(tensor * right), S(1));
     // With the metric of J: the flow of the energy, which does not stand still.
-    claim.equal("the function of the printed metric generates the motion of the body", model, Vector<S>(tensor * printed / S(2)), body_acceleration(moments, xi).coordinates);
+    claim.equal("the function of the printed metric generates the motion of the body", model,
+                Vector<S>(tensor * printed / S(2)), body_acceleration(moments, xi).coordinates);
     claim.refutes("bracket of the square in the metric of J", model, Vector<S>(tensor * printed), S(1));
     Vector<S> const sphere = Vector<S>::Constant(moments.size(), moments[0]);
-    claim.zero("equal moments: the printed metric too", model, Vector<S>(algebra_poisson_tensor(sphere, xi) * xi.coordinates), S(1));
+    claim.zero("equal moments: the printed metric too", model,
+               Vector<S>(algebra_poisson_tensor(sphere, xi) * xi.coordinates), S(1));
   });
 }
 
@@ -321,7 +386,9 @@ STATEMENT(claim_5_3_algebra_casimir_coordinates, "Casimir on the rotation algebr
 }
 
 STATEMENT(claim_5_3_algebra_leaves, "shape of the symplectic leaves in the rotation algebra") {
-  claim.convention("On $\\so(3)$, for a body whose three moments are not equal. For equal moments the leaves are the adjoint orbits; on $\\so(n)$, $n > 3$, they have fewer dimensions than an ellipsoid.");
+  claim.convention(
+      "On $\\so(3)$, for a body whose three moments are not equal. For equal moments the leaves are the "
+      "adjoint orbits; on $\\so(n)$, $n > 3$, they have fewer dimensions than an ellipsoid.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, n));
@@ -330,24 +397,33 @@ STATEMENT(claim_5_3_algebra_leaves, "shape of the symplectic leaves in the rotat
     // The leaf through xi: coadjoint motion of J xi, brought back.
     auto const mu = Ad_star(g, algebra_legendre(moments, xi));
     BodyVelocity<S> const moved{group, mu.components.cwiseQuotient(moments)};
-    claim.equal("the leaf lies on the ellipsoid of J^2", model, algebra_casimir(moments, moved), algebra_casimir(moments, xi));
+    claim.equal("the leaf lies on the ellipsoid of J^2", model, algebra_casimir(moments, moved),
+                algebra_casimir(moments, xi));
     // The adjoint orbit lies on a sphere, and leaves the ellipsoid.
     auto const turned_velocity = Ad(g, xi);
-    claim.equal("the adjoint orbit lies on a sphere", model, turned_velocity.coordinates.squaredNorm(), xi.coordinates.squaredNorm());
-    claim.differs("the adjoint orbit lies on the ellipsoid", model, algebra_casimir(moments, turned_velocity), algebra_casimir(moments, xi));
-    claim.differs("the leaf lies on the sphere", model, moved.coordinates.squaredNorm(), xi.coordinates.squaredNorm());
+    claim.equal("the adjoint orbit lies on a sphere", model, turned_velocity.coordinates.squaredNorm(),
+                xi.coordinates.squaredNorm());
+    claim.differs("the adjoint orbit lies on the ellipsoid", model, algebra_casimir(moments, turned_velocity),
+                  algebra_casimir(moments, xi));
+    claim.differs("the leaf lies on the sphere", model, moved.coordinates.squaredNorm(),
+                  xi.coordinates.squaredNorm());
     Vector<S> const equal = Vector<S>::Constant(moments.size(), moments[0]);
-    claim.equal("equal moments: adjoint orbits", model, algebra_casimir(equal, turned_velocity), algebra_casimir(equal, xi));
+    claim.equal("equal moments: adjoint orbits", model, algebra_casimir(equal, turned_velocity),
+                algebra_casimir(equal, xi));
     if (exact_arithmetic<S>()) {
       int const rank = exact_rank(algebra_poisson_tensor(moments, xi));
-      claim.fact("dimension of the leaf: that of so(n) less floor(n/2)", model, rank == group.dimension() - n / 2);
+      claim.fact("dimension of the leaf: that of so(n) less floor(n/2)", model,
+                 rank == group.dimension() - n / 2);
       claim.fact("an ellipsoid for n = 3 only", model, (rank == group.dimension() - 1) == (n == 3));
     }
   });
 }
 
 STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two families of surfaces") {
-  claim.convention("On $\\so(3)$, away from the three axes and from the two curves through the middle one: there a component of the intersection is one orbit. The discrete motion of Moser and Veselov stays on the same intersections, that of a chart does not.");
+  claim.convention(
+      "On $\\so(3)$, away from the three axes and from the two curves through the middle one: there a "
+      "component of the intersection is one orbit. The discrete motion of Moser and Veselov stays on the "
+      "same intersections, that of a chart does not.");
   {
     Turns const group{3};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, 3));
@@ -363,7 +439,8 @@ STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two fami
     claim.zero("Euler's equations", "SO(3)", Vector<S>(rate.coordinates - euler), S(1));
     claim.zero("tangent to the ellipsoid of J^2", "SO(3)", S(twice.dot(euler)), S(1));
     claim.zero("tangent to the energy ellipsoid", "SO(3)", S(once.dot(euler)), S(1));
-    claim.zero("along the intersection, with the speed of the flow", "SO(3)", Vector<S>(along_both_ellipsoids(moments, xi).coordinates - euler), S(1));
+    claim.zero("along the intersection, with the speed of the flow", "SO(3)",
+               Vector<S>(along_both_ellipsoids(moments, xi).coordinates - euler), S(1));
     // The two surfaces cross wherever the body does not turn steadily, so there the intersection is a curve.
     claim.refutes("the differentials are parallel", "SO(3)", Vector<S>(cross(twice, once)), S(1));
     // Where no component is below a quarter and no two moments nearer than a quarter this is above 1e-5.
@@ -374,16 +451,26 @@ STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two fami
     auto const lambda = draw_inertia<S>(draw, n);
     Vector<S> const moments = moments_of(lambda);
     auto const f = draw_turn<S>(draw, n);
-    auto const start = as_momentum(before(lambda, f)).components, end = as_momentum(after(lambda, f)).components;
-    claim.equal("a step of Moser and Veselov: ellipsoid of J^2", model, Vector<S>(end).squaredNorm(), Vector<S>(start).squaredNorm());
-    claim.equal("a step of Moser and Veselov: energy ellipsoid", model, twice_energy<S>(moments, end), twice_energy<S>(moments, start));
+    auto const start = as_momentum(before(lambda, f)).components,
+               end = as_momentum(after(lambda, f)).components;
+    claim.equal("a step of Moser and Veselov: ellipsoid of J^2", model, Vector<S>(end).squaredNorm(),
+                Vector<S>(start).squaredNorm());
+    claim.equal("a step of Moser and Veselov: energy ellipsoid", model, twice_energy<S>(moments, end),
+                twice_energy<S>(moments, start));
     ChartLagrangian<S> const chart{Matrix<S>(moments.asDiagonal())};
-    Vector<S> const chart_start = left_differential(chart, f).components, chart_end = right_differential(chart, f).components;
-    claim.equal("a step in Cayley's chart: ellipsoid of J^2", model, chart_end.squaredNorm(), chart_start.squaredNorm(), 10);
-    claim.differs("a step in Cayley's chart: energy ellipsoid", model, twice_energy<S>(moments, chart_end), twice_energy<S>(moments, chart_start), 1e-5);
+    Vector<S> const chart_start = left_differential(chart, f).components,
+                    chart_end = right_differential(chart, f).components;
+    claim.equal("a step in Cayley's chart: ellipsoid of J^2", model, chart_end.squaredNorm(),
+                chart_start.squaredNorm(), 10);
+    claim.differs("a step in Cayley's chart: energy ellipsoid", model, twice_energy<S>(moments, chart_end),
+                  twice_energy<S>(moments, chart_start), 1e-5);
     // The velocity as a difference (5.5) is not J^-1 of the momentum, and its energy is another.
-    auto const difference = [&](Matrix<S> const& xi) { return Vector<S>(moments.cwiseProduct(as_momentum(xi).components)); };
-    S const of_difference = twice_energy<S>(moments, difference(Matrix<S>(Matrix<S>::Identity(n, n) - f.value)));
-    claim.differs("the velocity (5.5) in place of J^-1 M: energy ellipsoid", model, of_difference, twice_energy<S>(moments, start), 1e-5);
+    auto const difference = [&](Matrix<S> const& xi) {
+      return Vector<S>(moments.cwiseProduct(as_momentum(xi).components));
+    };
+    S const of_difference =
+        twice_energy<S>(moments, difference(Matrix<S>(Matrix<S>::Identity(n, n) - f.value)));
+    claim.differs("the velocity (5.5) in place of J^-1 M: energy ellipsoid", model, of_difference,
+                  twice_energy<S>(moments, start), 1e-5);
   });
 }

@@ -1,5 +1,5 @@
-// Section 6.2: acceleration and Christoffel symbols, constant metrics, the covariant divergence, Piola's identity.
-// The second source of the section: a compiler wants 2 GB for the whole of it.
+// Section 6.2: acceleration and Christoffel symbols, constant metrics, the covariant divergence, Piola's
+// identity. The second source of the section: a compiler wants 2 GB for the whole of it.
 
 #include "fields.hpp"
 #include "media.hpp"
@@ -17,7 +17,8 @@ struct MetricInChart {
   Chart chart;
   template <class T, int n>
   actio::Matrix<T, n, n> operator()(actio::Matrix<T, n, 1> const& z) const {
-    return pulled_back(g(chart(z).eval()), pushed(chart, z, Tangents<T, n, n>(Tangents<T, n, n>::Identity())));
+    return pulled_back(g(chart(z).eval()),
+                       pushed(chart, z, Tangents<T, n, n>(Tangents<T, n, n>::Identity())));
   }
 };
 
@@ -46,9 +47,13 @@ actio::Matrix<S, n, 1> printed_acceleration(Medium const& medium, SecondJet<S, n
 }  // namespace
 
 STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordinates") {
-  claim.corrected(R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^a_{bc}\,\dot\phi^b\dot\phi^c)",
-                  R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^b_{ac}\,\dot\phi^a\dot\phi^c)",
-                  "The free index $b$ of the left side is summed on the right, where $a$ is left over: the names of $a$ and $b$ are exchanged in the last term.");
+  claim.corrected(
+      R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^a_{bc})"
+      R"(\,\dot\phi^b\dot\phi^c)",
+      R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^b_{ac})"
+      R"(\,\dot\phi^a\dot\phi^c)",
+      "The free index $b$ of the left side is summed on the right, where $a$ is left over: the names of $a$ "
+      "and $b$ are exchanged in the last term.");
   // A metric of degree 4 and its inverse, a section of degree 3, a chart of degree 3.
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -57,7 +62,8 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
     auto const E = (euler_lagrange(dust, j) / body_volume(dust, j)).eval();
     claim.equal("the field equations of dust", model, (-inertial_force(dust, j)).eval(), E);
     for (int a = 0; a < n; ++a)
-      claim.differs("as printed, a given the value " + std::to_string(a + 1), model, raised(dust.g(j.y), E), (printed_acceleration(dust, j, a) * -S(dust.rho(j.particle()))).eval());
+      claim.differs("as printed, a given the value " + std::to_string(a + 1), model, raised(dust.g(j.y), E),
+                    (printed_acceleration(dust, j, a) * -S(dust.rho(j.particle()))).eval());
   });
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     AnyChart<S, 2> chart;
@@ -66,9 +72,12 @@ STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordin
     auto const phi = draw_section<S, 2, 2>(draw);
     auto const x = draw_event<S, 2>(draw);
     auto const j = second_jet(phi, x), k = second_jet([&](auto const& at) { return chart(phi(at)); }, x);
-    auto const carried = pushed(chart, j.y, Tangents<S, 2, 1>(material_acceleration(MetricInChart<AnyMetric<S, 2>, AnyChart<S, 2>>{g, chart}, j)));
+    auto const carried = pushed(chart, j.y,
+                                Tangents<S, 2, 1>(material_acceleration(
+                                    MetricInChart<AnyMetric<S, 2>, AnyChart<S, 2>>{g, chart}, j)));
     claim.equal("a vector: the same in other coordinates", model, carried, material_acceleration(g, k));
-    claim.differs("the second derivatives alone", model, pushed(chart, j.y, Tangents<S, 2, 1>(j.acceleration())), k.acceleration());
+    claim.differs("the second derivatives alone", model,
+                  pushed(chart, j.y, Tangents<S, 2, 1>(j.acceleration())), k.acceleration());
   });
 }
 
@@ -100,7 +109,8 @@ STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") 
             residual -= here(d, b) * gamma[d](a, c) + here(a, d) * gamma[d](b, c);
             broken -= here(d, b) * other(a, c) + here(a, d) * other(b, c);
           }
-          grow(parallel, residual), grow(flipped, broken), grow(size, rates[c](a, b)), grow(skew, S(gamma[c](a, b) - gamma[c](b, a)));
+          grow(parallel, residual), grow(flipped, broken), grow(size, rates[c](a, b)),
+              grow(skew, S(gamma[c](a, b) - gamma[c](b, a)));
         }
     claim.zero("the covariant derivative of g", model, parallel, size);
     claim.zero("symmetric in the lower indices", model, skew, size, n);
@@ -109,26 +119,40 @@ STATEMENT(claim_6_2_christoffel, "the Christoffel symbols of the field metric") 
 }
 
 STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
-  claim.holds("In coordinates in which $g$ and $G$ are constant; the mass density, which may vary, stays inside the derivative.");
+  claim.holds(
+      "In coordinates in which $g$ and $G$ are constant; the mass density, which may vary, stays inside the "
+      "derivative.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const curved = draw_medium<S, n>(draw, Kind::any), flat = flattened(curved);
     auto const j = draw_second_jet<S, n>(draw);
-    auto const left = [&](AnyContinuum<S, n> const& medium) { return (lowered(medium.g(j.y), j.acceleration()) * S(medium.rho(j.particle()))).eval(); };
-    auto const right = [&](AnyContinuum<S, n> const& medium) { return two_point_rates([&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); }, j).divergence; };
-    auto const E = [&](AnyContinuum<S, n> const& medium) { return (euler_lagrange(medium, j) / body_volume(medium, j)).eval(); };
+    auto const left = [&](AnyContinuum<S, n> const& medium) {
+      return (lowered(medium.g(j.y), j.acceleration()) * S(medium.rho(j.particle()))).eval();
+    };
+    auto const right = [&](AnyContinuum<S, n> const& medium) {
+      return two_point_rates([&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); }, j)
+          .divergence;
+    };
+    auto const E = [&](AnyContinuum<S, n> const& medium) {
+      return (euler_lagrange(medium, j) / body_volume(medium, j)).eval();
+    };
     claim.equal("(6.15) and the field equations", model, (right(flat) - left(flat)).eval(), E(flat));
     auto const outside = two_point_rates([&](auto const& jet) { return partial_F(flat, jet); }, j).divergence;
-    claim.differs("the mass density outside the derivative", model, (outside * S(flat.rho(j.particle())) - left(flat)).eval(), E(flat));
+    claim.differs("the mass density outside the derivative", model,
+                  (outside * S(flat.rho(j.particle())) - left(flat)).eval(), E(flat));
     claim.differs("metrics that are not constant", model, (right(curved) - left(curved)).eval(), E(curved));
   });
 }
 
 STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-point tensor") {
-  claim.corrected(R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c)",
-                  R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j)",
-                  "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence is fixed by Leibniz' rule with vector fields of space.");
+  claim.corrected(
+      R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^i)"
+      R"(\,\gamma^b_{ac}\,F_j{}^c)",
+      R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j)"
+      R"(\,\gamma^b_{ac}\,F^c{}_j)",
+      "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence is fixed by "
+      "Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -143,7 +167,8 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
 
     // The vector T w of the body, whose divergence is that of its metric.
     auto const weighted = [&]<class R>(Jet<R, n, n> const& jet) {
-      return actio::Matrix<R, 1, n>((field(jet.y).transpose() * T(jet)) * volume<R>(medium.G(jet.particle())));
+      return actio::Matrix<R, 1, n>((field(jet.y).transpose() * T(jet)) *
+                                    volume<R>(medium.G(jet.particle())));
     };
     S left(0);
     for (int i = 0; i < n; ++i) left += weighted(along(j, i + 1))(0, i).part[0];
@@ -152,7 +177,9 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
     Column const w = field(j.y);
     S turned(0);  // T_a^i times the covariant derivative of w along F_i
     actio::Matrix<S, n, n> const rate = pushed(field, j.y, Tangents<S, n, n>(j.gradient()));
-    for (int i = 0; i < n; ++i) turned += value.col(i).dot(Column(rate.col(i) + connection(medium.g, j.y, w, Column(j.gradient().col(i)))));
+    for (int i = 0; i < n; ++i)
+      turned +=
+          value.col(i).dot(Column(rate.col(i) + connection(medium.g, j.y, w, Column(j.gradient().col(i)))));
     claim.equal("Leibniz' rule", model, left, S(DIV.dot(w) + turned));
 
     Column on_space = Column::Zero(), free = Column::Zero(), on_body = Column::Zero();
@@ -165,14 +192,17 @@ STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-poi
           on_body[a] += value(a, b) * Gamma[c](b, c);
         }
     claim.equal("term by term", model, DIV, Column(derivative + on_body - on_space));
-    claim.differs("as printed, i and j summed one by one", model, left, S((derivative + on_body - free).dot(w) + turned));
+    claim.differs("as printed, i and j summed one by one", model, left,
+                  S((derivative + on_body - free).dot(w) + turned));
     claim.differs("the last sign changed", model, left, S((derivative + on_body + on_space).dot(w) + turned));
     claim.differs("without the symbols of the body", model, left, S((derivative - on_space).dot(w) + turned));
   });
 }
 
 STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from the inverse gradient cancel") {
-  claim.holds("Piola's identity. Each of the two terms alone is not zero; the section must be one: mixed derivatives commute.");
+  claim.holds(
+      "Piola's identity. Each of the two terms alone is not zero; the section must be one: mixed derivatives "
+      "commute.");
   // Determinant and inverse of a gradient of degree 2 in the body, n = 3.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -206,9 +236,7 @@ STATEMENT(claim_6_2_cancelling_terms, "the terms from the determinant and from t
 // ----
 // Section 6.2: the first Piola-Kirchhoff stress, and elasticity.
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 STATEMENT(eq_6_19, "the first Piola-Kirchhoff stress from the stored energy") {
   claim.holds();
@@ -237,7 +265,8 @@ STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw, Kind::any);
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
-    actio::Matrix<S, n, n> const p = momenta(medium, j).template rightCols<n>(), stress = first_piola_kirchhoff_stress(medium, j);
+    actio::Matrix<S, n, n> const p = momenta(medium, j).template rightCols<n>(),
+                                 stress = first_piola_kirchhoff_stress(medium, j);
     claim.equal("minus the momenta over the volume", model, stress, (p / -body_volume(medium, j)).eval());
     claim.differs("the other sign", model, stress, (p / body_volume(medium, j)).eval());
     claim.differs("without the volume", model, stress, (-p).eval());
@@ -245,7 +274,9 @@ STATEMENT(claim_6_2_piola_momenta, "the stress and the spatial momenta") {
 }
 
 STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
-  claim.convention("$W$ depends on $F$ and $g$ through the Green tensor alone (on $x$ and $G$ as it likes); the index is lowered with $g$, and $F$ has an inverse.");
+  claim.convention(
+      "$W$ depends on $F$ and $g$ through the Green tensor alone (on $x$ and $G$ as it likes); the index is "
+      "lowered with $g$, and $F$ has an inverse.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const solid = draw_medium<S, n>(draw, Kind::solid);
@@ -258,13 +289,16 @@ STATEMENT(claim_6_2_piola_transform, "Piola's transformation") {
     claim.differs("without J", model, stress, (transformed / at.J).eval());
     auto const any = draw_medium<S, n>(draw, Kind::any);
     auto const there = point_of_medium(any, j);
-    claim.differs("W not of the Green tensor", model, first_piola_kirchhoff_stress(any, j), piola_transformation(there.G, there.g, there.F, cauchy_stress(any, j)));
+    claim.differs("W not of the Green tensor", model, first_piola_kirchhoff_stress(any, j),
+                  piola_transformation(there.G, there.g, there.F, cauchy_stress(any, j)));
   });
 }
 
 STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
-  claim.convention("With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, that the Piola-Kirchhoff stress times $F$ is symmetric, "
-                   "needs a $W$ of the Green tensor.");
+  claim.convention(
+      "With the symmetric derivative in $g$ it is so by definition. The balance of moment of momentum, that "
+      "the Piola-Kirchhoff stress times $F$ is symmetric, "
+      "needs a $W$ of the Green tensor.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -274,7 +308,10 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
     auto const sigma = cauchy_stress(any, j);
     claim.equal("for any W", model, sigma, sigma.transpose().eval());
     // P_a^i F^b_i with its first index raised.
-    auto const moment = [&](auto const& medium) { return raised(medium.g(j.y), actio::Matrix<S, n, n>(first_piola_kirchhoff_stress(medium, j) * j.gradient().transpose())); };
+    auto const moment = [&](auto const& medium) {
+      return raised(medium.g(j.y), actio::Matrix<S, n, n>(first_piola_kirchhoff_stress(medium, j) *
+                                                          j.gradient().transpose()));
+    };
     claim.equal("P times F, a W of the Green tensor", model, moment(solid), moment(solid).transpose().eval());
     claim.differs("P times F, any W", model, moment(any), moment(any).transpose().eval());
     // Entries of g changed one at a time: what W makes of a matrix that is not symmetric.
@@ -291,31 +328,44 @@ STATEMENT(claim_6_2_stress_symmetry, "the Cauchy stress is symmetric") {
 }
 
 STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
-  claim.convention("The left side is a vector and the right a covector: one index is raised with $g$. $W$ is a function of the Green tensor.");
+  claim.convention(
+      "The left side is a vector and the right a covector: one index is raised with $g$. $W$ is a function "
+      "of the Green tensor.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const j = draw_second_jet<S, n>(draw);
-    auto const E = [&](auto const& medium) { return raised(medium.g(j.y), actio::Matrix<S, n, 1>(euler_lagrange(medium, j) / body_volume(medium, j))); };
+    auto const E = [&](auto const& medium) {
+      return raised(medium.g(j.y),
+                    actio::Matrix<S, n, 1>(euler_lagrange(medium, j) / body_volume(medium, j)));
+    };
     auto const solid = draw_medium<S, n>(draw, Kind::solid);
     claim.equal("(6.21) and the field equations", model, (-solid_equation(solid, j)).eval(), E(solid));
     auto const any = draw_medium<S, n>(draw, Kind::any);
     claim.differs("W not of the Green tensor", model, (-solid_equation(any, j)).eval(), E(any));
-    actio::Matrix<S, n, 1> const unraised = material_acceleration(solid.g, j) * S(solid.rho(j.particle())) - stress_divergence(solid, j);
+    actio::Matrix<S, n, 1> const unraised =
+        material_acceleration(solid.g, j) * S(solid.rho(j.particle())) - stress_divergence(solid, j);
     claim.differs("a vector and a covector", model, (-unraised).eval(), E(solid));
   });
 }
 
 STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
-  claim.holds("In coordinates in which $g$ and $G$ are constant; the first index of the stress is raised with $g$.");
+  claim.holds(
+      "In coordinates in which $g$ and $G$ are constant; the first index of the stress is raised with $g$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const j = draw_second_jet<S, n>(draw);
     // Both sides of the equation, their difference, and what it should be.
     auto const residual = [&](auto const& medium) {
-      auto const raised_stress = [&]<class T>(Jet<T, n, n> const& jet) { return raised(medium.g(jet.y), actio::Matrix<T, n, n>(first_piola_kirchhoff_stress(medium, jet))); };
-      return (two_point_rates(raised_stress, j).divergence - j.acceleration() * S(medium.rho(j.particle()))).eval();
+      auto const raised_stress = [&]<class T>(Jet<T, n, n> const& jet) {
+        return raised(medium.g(jet.y), actio::Matrix<T, n, n>(first_piola_kirchhoff_stress(medium, jet)));
+      };
+      return (two_point_rates(raised_stress, j).divergence - j.acceleration() * S(medium.rho(j.particle())))
+          .eval();
     };
-    auto const E = [&](auto const& medium) { return raised(medium.g(j.y), actio::Matrix<S, n, 1>(euler_lagrange(medium, j) / body_volume(medium, j))); };
+    auto const E = [&](auto const& medium) {
+      return raised(medium.g(j.y),
+                    actio::Matrix<S, n, 1>(euler_lagrange(medium, j) / body_volume(medium, j)));
+    };
     auto const curved = draw_medium<S, n>(draw, Kind::solid), flat = flattened(curved);
     claim.equal("with constant metrics", model, residual(flat), E(flat));
     claim.differs("with others", model, residual(curved), E(curved));
@@ -358,7 +408,9 @@ STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic flu
 }
 
 STATEMENT(eq_6_16, "the material pressure from the stored energy") {
-  claim.holds("With the density of space $\\rho/J$ it is the pressure of thermodynamics, the square of that density times the derivative of $W$ in it.");
+  claim.holds(
+      "With the density of space $\\rho/J$ it is the pressure of thermodynamics, the square of that density "
+      "times the derivative of $W$ in it.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_medium<S, n>(draw, Kind::fluid);
@@ -398,7 +450,8 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
     Jet<S, n, n> const j = draw_jet<S, n, n>(draw);
     auto const at = point_of_medium(fluid, j);
     auto const force = metric_force(fluid, j);
-    actio::Matrix<S, n, 1> const right = logarithmic_slopes(fluid.g, j.y) * S(material_pressure(fluid, j) * at.J / S(2));
+    actio::Matrix<S, n, 1> const right =
+        logarithmic_slopes(fluid.g, j.y) * S(material_pressure(fluid, j) * at.J / S(2));
     claim.equal("by the pressure", model, force, right);
     claim.differs("the other sign", model, force, (-right).eval());
     claim.differs("without the half", model, force, (right * S(2)).eval());
@@ -408,8 +461,11 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
   });
 }
 
-STATEMENT(claim_6_2_barotropic_spatial_form, "the barotropic equation with spatial density and spatial pressure") {
-  claim.holds("Motions of a fluid have an inverse; the spatial density is $\\rho/J$ carried to the particle, and the gradient is that of $g$.");
+STATEMENT(claim_6_2_barotropic_spatial_form,
+          "the barotropic equation with spatial density and spatial pressure") {
+  claim.holds(
+      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ carried to the particle, and the "
+      "gradient is that of $g$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -419,7 +475,8 @@ STATEMENT(claim_6_2_barotropic_spatial_form, "the barotropic equation with spati
     auto const x = draw_event<S, n>(draw);
     auto const j = second_jet(phi, x);
     auto const at = point_of_medium(fluid, j);
-    // The particles at the places y + e_a, to first order, at the same time; and the pressure of them, as a function on space.
+    // The particles at the places y + e_a, to first order, at the same time; and the pressure of them, as a
+    // function on space.
     Event<T, n> particles = x.template cast<T>();
     for (int i = 0; i < n; ++i)
       for (int a = 0; a < n; ++a) particles[i + 1].part[a] = at.inverse(i, a);
@@ -427,17 +484,20 @@ STATEMENT(claim_6_2_barotropic_spatial_form, "the barotropic equation with spati
     actio::Matrix<S, n, n> moved;
     for (int b = 0; b < n; ++b)
       for (int a = 0; a < n; ++a) moved(b, a) = jets.y[b].part[a];
-    claim.equal("those are the particles there", model, moved, actio::Matrix<S, n, n>(actio::Matrix<S, n, n>::Identity()), n);
+    claim.equal("those are the particles there", model, moved,
+                actio::Matrix<S, n, n>(actio::Matrix<S, n, n>::Identity()), n);
     T const p = material_pressure(fluid, jets);
     Column slope;
     for (int a = 0; a < n; ++a) slope[a] = p.part[a];
 
     Column const gradient = raised(at.g, slope), wrong = raised(at.G, slope);
-    Column const A = material_acceleration(fluid.g, j), E = raised(at.g, Column(euler_lagrange(fluid, j) / body_volume(fluid, j)));
+    Column const A = material_acceleration(fluid.g, j),
+                 E = raised(at.g, Column(euler_lagrange(fluid, j) / body_volume(fluid, j)));
     S const density = at.rho / at.J;
     claim.equal("the field equations over rho", model, (E / -at.rho).eval(), (A + gradient / density).eval());
     claim.differs("the density of the body", model, (E / -at.rho).eval(), (A + gradient / at.rho).eval());
-    claim.differs("the gradient of the other metric", model, (E / -at.rho).eval(), (A + wrong / density).eval());
+    claim.differs("the gradient of the other metric", model, (E / -at.rho).eval(),
+                  (A + wrong / density).eval());
   });
 }
 
@@ -473,7 +533,8 @@ struct Expansion {
       Dual<S> const square = determinant(fluid.g(along(j, k + 1).y));
       of_root[k] = square_root(square).part[0], of_square[k] = square.part[0];
     }
-    actio::Matrix<S, n, n> const bare = at.inverse.transpose() * S(P * determinant(at.F) / body_volume(fluid, j));
+    actio::Matrix<S, n, n> const bare =
+        at.inverse.transpose() * S(P * determinant(at.F) / body_volume(fluid, j));
     volume = bare * of_root;
     printed = bare * of_square;
     auto const rates = metric_derivatives(fluid.g, j.y);
@@ -485,9 +546,13 @@ struct Expansion {
 }  // namespace
 
 STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
-  claim.corrected(R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\det[g]}{\partial x^k})",
-                  R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\sqrt{\det[g]}}{\partial x^k})",
-                  "The last term of the middle line lacks the root over $\\det g$. The first and the last line are right.");
+  claim.corrected(
+      R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial)"
+      R"(\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\det[g]}{\partial x^k})",
+      R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial)"
+      R"(\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\sqrt{\det[g]}}{\partial x^k})",
+      "The last term of the middle line lacks the root over $\\det g$. The first and the last line are "
+      "right.");
   claim.maybe_scan();
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     auto const fluid = draw_medium<S, D::n>(draw, Kind::fluid);
@@ -506,16 +571,20 @@ STATEMENT(claim_6_2_barotropic_expansion_end, "the first and the last expression
     auto const j = draw_second_jet<S, D::n>(draw);
     Expansion<S, D::n> const lines(fluid, j);
     auto const first = (inertial_force(fluid, j) + lines.first).eval();
-    auto const last = [&](S const& factor) { return (inertial_force(fluid, j) + lines.pressure + lines.metric * factor).eval(); };
+    auto const last = [&](S const& factor) {
+      return (inertial_force(fluid, j) + lines.pressure + lines.metric * factor).eval();
+    };
     claim.equal("left side of (6.13)", model, first, last(S(1)));
-    claim.equal("and with the right side", model, actio::Matrix<S, D::n, 1>(first - metric_force(fluid, j)), medium_equation(fluid, j));
+    claim.equal("and with the right side", model, actio::Matrix<S, D::n, 1>(first - metric_force(fluid, j)),
+                medium_equation(fluid, j));
     claim.differs("without the half", model, first, last(S(2)));
     claim.differs("without the metric", model, first, last(S(0)));
   });
 }
 
 // ----
-// Section 6.2: the field equations of a medium and the Cauchy stress; exact with any stored energy, and in floating point on the sphere, with real powers.
+// Section 6.2: the field equations of a medium and the Cauchy stress; exact with any stored energy, and in
+// floating point on the sphere, with real powers.
 
 namespace {
 
@@ -531,12 +600,16 @@ struct Sphere {
   }
 };
 
-/// A stored energy with a real power that sees F and g other than through the Green tensor: \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^1{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
+/// A stored energy with a real power that sees F and g other than through the Green tensor:
+/// \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^1{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
 struct PowerOfStrain {
   template <class BodyMetric, class T>
-  T operator()(actio::Matrix<T, 2, 1> const&, BodyMetric const&, actio::Matrix<T, 2, 2> const& g, actio::Matrix<T, 2, 2> const& F) const {
+  T operator()(actio::Matrix<T, 2, 1> const&, BodyMetric const&, actio::Matrix<T, 2, 2> const& g,
+               actio::Matrix<T, 2, 2> const& F) const {
     using std::pow;
-    return pow(T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(0, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)), Base<T>(Base<T>(7) / Base<T>(5)));
+    return pow(
+        T(g(0, 0) * F(0, 0) * F(0, 0) + g(0, 1) * F(0, 0) + g(1, 1) * F(0, 1) * Base<T>(3) + Base<T>(2)),
+        Base<T>(Base<T>(7) / Base<T>(5)));
   }
 };
 
@@ -568,7 +641,8 @@ void over_media(Draw& draw, Visit const& visit) {
     });
   } else {
     auto const rho = draw_mass<S, 2>(draw);
-    visit(Continuum{Sphere{}, Sphere{}, rho, PowerOfStrain{}}, Continuum{Sphere{}, Sphere{}, rho, Barotropic{Polytropic<S>{S(2), ratio<S>(7, 5)}}},
+    visit(Continuum{Sphere{}, Sphere{}, rho, PowerOfStrain{}},
+          Continuum{Sphere{}, Sphere{}, rho, Barotropic{Polytropic<S>{S(2), ratio<S>(7, 5)}}},
           draw_jet_on_sphere<S>(draw), "sphere, exponent 7/5");
   }
 }
@@ -582,27 +656,41 @@ actio::Matrix<S, n, 1> field_equations(Medium const& medium, SecondJet<S, n, n> 
 }  // namespace
 
 STATEMENT(eq_6_13, "the Euler-Lagrange equation of a continuous medium") {
-  claim.holds("The derivative in $x$ is the total one and acts on the mass density too; that in $g$ is the symmetric one, summed over both indices.");
+  claim.holds(
+      "The derivative in $x$ is the total one and acts on the mass density too; that in $g$ is the symmetric "
+      "one, summed over both indices.");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3, and inverses of metrics.
-  over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&, SecondJet<S, n, n> const& j, std::string const& model) {
+  over_media<S>(draw,
+                [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&,
+                                                      SecondJet<S, n, n> const& j, std::string const& model) {
     using Column = actio::Matrix<S, n, 1>;
     Jet<S, n, n> const& first = j;
     Column const E = field_equations(medium, j), force = metric_force(medium, first);
     claim.equal("(6.13) and (6.12)", model, medium_equation(medium, j), E);
-    claim.differs("the force with the other sign", model, (medium_equation(medium, j) + force * S(2)).eval(), E);
+    claim.differs("the force with the other sign", model, (medium_equation(medium, j) + force * S(2)).eval(),
+                  E);
     auto const outside = [&](auto const& weight) {
       auto const stress = [&](auto const& jet) { return (partial_F(medium, jet) * weight(jet)).eval(); };
-      return Column(inertial_force(medium, j) - two_point_rates(stress, j).divergence / weight(first) * S(medium.rho(j.particle())) - force);
+      return Column(inertial_force(medium, j) -
+                    two_point_rates(stress, j).divergence / weight(first) * S(medium.rho(j.particle())) -
+                    force);
     };
-    claim.differs("the mass density outside the derivative", model, outside([&]<class T>(Jet<T, n, n> const& at) { return volume<T>(medium.G(at.particle())); }), E);
-    claim.differs("without the volume of the body", model, outside([&]<class T>(Jet<T, n, n> const& at) { return T(medium.rho(at.particle())); }), E);
+    claim.differs(
+        "the mass density outside the derivative", model,
+        outside([&]<class T>(Jet<T, n, n> const& at) { return volume<T>(medium.G(at.particle())); }), E);
+    claim.differs("without the volume of the body", model,
+                  outside([&]<class T>(Jet<T, n, n> const& at) { return T(medium.rho(at.particle())); }), E);
   });
 }
 
 STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
-  claim.convention("$W$ is per unit mass, $\\rho$ the mass per volume of the body, and the derivative in $g$ the symmetric one. $J$ stays; it disappears where $\\rho/J$, the "
-                   "spatial density, is written.");
-  over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const& fluid, SecondJet<S, n, n> const& j, std::string const& model) {
+  claim.convention(
+      "$W$ is per unit mass, $\\rho$ the mass per volume of the body, and the derivative in $g$ the "
+      "symmetric one. $J$ stays; it disappears where $\\rho/J$, the "
+      "spatial density, is written.");
+  over_media<S>(draw,
+                [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const& fluid,
+                                                      SecondJet<S, n, n> const& j, std::string const& model) {
     using T = Dual<S, n>;
     using Matrix = actio::Matrix<S, n, n>;
     Jet<S, n, n> const& first = j;
@@ -630,17 +718,24 @@ STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
 }
 
 STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
-  claim.corrected(R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k)",
-                  R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a)",
-                  "The inverse gradient lacks its lower index $a$. Otherwise right, with a mass density that varies.");
+  claim.corrected(
+      R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl()"
+      R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k)",
+      R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl()"
+      R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a)",
+      "The inverse gradient lacks its lower index $a$. Otherwise right, with a mass density that varies.");
   claim.maybe_scan();
-  over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const&, Fluid const& fluid, SecondJet<S, n, n> const& j, std::string const& model) {
+  over_media<S>(draw,
+                [&]<class Medium, class Fluid, int n>(Medium const&, Fluid const& fluid,
+                                                      SecondJet<S, n, n> const& j, std::string const& model) {
     using Column = actio::Matrix<S, n, 1>;
     Jet<S, n, n> const& first = j;
     auto const at = point_of_medium(fluid, first);
-    Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j), mass = inertial_force(fluid, j);
+    Column const E = field_equations(fluid, j), slope = pressure_slopes(fluid, j),
+                 mass = inertial_force(fluid, j);
     claim.equal("(6.18) and (6.12)", model, fluid_equation(fluid, j), E);
-    claim.differs("as printed, with the only index contracted", model, (mass + Column::Constant((at.inverse * slope).sum() * at.J)).eval(), E);
+    claim.differs("as printed, with the only index contracted", model,
+                  (mass + Column::Constant((at.inverse * slope).sum() * at.J)).eval(), E);
     claim.differs("the inverse transposed", model, (mass + at.inverse * slope * at.J).eval(), E);
     claim.differs("without J", model, (mass + at.inverse.transpose() * slope).eval(), E);
     // The pressure of a fluid of constant mass density, that at the particle.
@@ -648,21 +743,26 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
     even.rho.added.constant = at.rho - S(2);
     for (auto* c : {&even.rho.added.a, &even.rho.added.b, &even.rho.added.d, &even.rho.added.e}) c->setZero();
     Column const level = pressure_slopes(even, j);
-    claim.differs("the mass density outside the derivative", model, (mass + at.inverse.transpose() * level * at.J).eval(), E);
+    claim.differs("the mass density outside the derivative", model,
+                  (mass + at.inverse.transpose() * level * at.J).eval(), E);
   });
 }
 
 STATEMENT(eq_6_20, "the equation of motion with stresses, general stored energy") {
   claim.holds("With the covariant divergence as corrected there.");
-  over_media<S>(draw, [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&, SecondJet<S, n, n> const& j, std::string const& model) {
+  over_media<S>(draw,
+                [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&,
+                                                      SecondJet<S, n, n> const& j, std::string const& model) {
     using Column = actio::Matrix<S, n, 1>;
     Jet<S, n, n> const& first = j;
     auto const at = point_of_medium(medium, first);
-    Column const E = field_equations(medium, j), balance = inertial_force(medium, j) - stress_divergence(medium, j);
+    Column const E = field_equations(medium, j),
+                 balance = inertial_force(medium, j) - stress_divergence(medium, j);
     claim.equal("(6.20) and (6.12)", model, stress_equation(medium, j), E);
     claim.differs("without the symbols of space", model, balance, E);
     auto const gamma = christoffel(medium.g, j.y);
-    actio::Matrix<S, n, n> const plus = first_piola_kirchhoff_stress(medium, first) * at.F.transpose() + at.g * cauchy_stress(medium, first) * at.J;
+    actio::Matrix<S, n, n> const plus = first_piola_kirchhoff_stress(medium, first) * at.F.transpose() +
+                                        at.g * cauchy_stress(medium, first) * at.J;
     Column added = balance;
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)

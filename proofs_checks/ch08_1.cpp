@@ -147,8 +147,10 @@ STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multipli
 }
 
 STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
-  claim.corrected("\\mathfrak C\\ \\text{corresponds to the incompressibility constraint}", "\\mathfrak C = \\{\\pi^\\mu = 0\\}",
-                  "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. $J = 1$ comes later, as the field equation of $\\lambda$.");
+  claim.corrected("\\mathfrak C\\ \\text{corresponds to the incompressibility constraint}",
+                  "\\mathfrak C = \\{\\pi^\\mu = 0\\}",
+                  "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. "
+                  "$J = 1$ comes later, as the field equation of $\\lambda$.");
   {
     over_points(Plane{}, [&]<class D>(D, std::string const& model) {
       constexpr int n = D::n;
@@ -156,8 +158,10 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
       auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
       auto const z = legendre(density, static_cast<Jet<S, n, n + 1> const&>(j));
       claim.zero("momenta of the multiplier in the image", model, z.p.row(n).eval(), size_of(z.p));
-      claim.refutes("J = 1 in the image", model, density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0], S(1));
-      claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n], density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
+      claim.refutes("J = 1 in the image", model,
+                    density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0], S(1));
+      claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n],
+                  density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
     });
     // The form on the primary constraint manifold does not see the direction of lambda; off it, it does.
     constexpr int n = 2, M = 3, D = DualJet<S, n, M>::dimension;
@@ -165,41 +169,54 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
     auto V = draw_tangents<S, D, n + 2>(draw);
     V.col(0).setZero();
     V(n + 1 + 2, 0) = S(1);
-    claim.refutes("d/dlambda in the form before it is restricted", "n = 2", S(canonical_two_form<n, M>()(at, V)), S(1));
-    for (int mu = 0; mu <= n; ++mu) at[momentum_index(n, M, 2, mu)] = S(0), V.row(momentum_index(n, M, 2, mu)).setZero();
-    claim.zero("d/dlambda is in the kernel of the restricted form", "n = 2", S(canonical_two_form<n, M>()(at, V)), S(1));
+    claim.refutes("d/dlambda in the form before it is restricted", "n = 2",
+                  S(canonical_two_form<n, M>()(at, V)), S(1));
+    for (int mu = 0; mu <= n; ++mu)
+      at[momentum_index(n, M, 2, mu)] = S(0), V.row(momentum_index(n, M, 2, mu)).setZero();
+    claim.zero("d/dlambda is in the kernel of the restricted form", "n = 2",
+               S(canonical_two_form<n, M>()(at, V)), S(1));
   }
 }
 
 STATEMENT(eq_8_1, "the constraint on the volume") {
-  claim.convention("The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the body, in charts of one orientation.");
+  claim.convention(
+      "The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the "
+      "body, in charts of one orientation.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
+    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw),
+                                                                        draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
     Event<S, n> const x = draw_event<S, n>(draw);
     Matrix<S, n, 1> const particle = x.template tail<n>();
     // The volume forms of body and space, and the second pulled back by the motion at this time.
     AtTime<S, AnySection<S, n, n>> const at_time{x[0], phi};
     auto const V = draw_tangents<S, n, n>(draw);
-    S const pulled = pull_back(at_time, VolumeForm<AnyMetric<S, n>>{constraint.g})(particle, V), own = VolumeForm<AnyMetric<S, n>>{constraint.G}(particle, V);
+    S const pulled = pull_back(at_time, VolumeForm<AnyMetric<S, n>>{constraint.g})(particle, V),
+            own = VolumeForm<AnyMetric<S, n>>{constraint.G}(particle, V);
     auto const j = first_jet(phi, x);
     S const Phi = constraint(j)[0];
     claim.equal("volume pulled back, minus volume", model, S(pulled - own), S(Phi * own));
     claim.differs("the determinant alone", model, Phi, S(determinant(j.gradient()) - S(1)));
-    claim.differs("both metrics at the particle", model, Phi, S(jacobian(constraint.G(particle), constraint.g(particle), j.gradient()) - S(1)));
+    claim.differs("both metrics at the particle", model, Phi,
+                  S(jacobian(constraint.G(particle), constraint.g(particle), j.gradient()) - S(1)));
 
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const curved{draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw)};
-    claim.zero("shears between curved metrics of volume 1", model, curved(first_jet(draw_shears<S, n>(draw), x))[0], S(1));
+    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const curved{draw_unimodular_metric<S, n>(draw),
+                                                                    draw_unimodular_metric<S, n>(draw)};
+    claim.zero("shears between curved metrics of volume 1", model,
+               curved(first_jet(draw_shears<S, n>(draw), x))[0], S(1));
   });
 }
 
 STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
-  claim.convention("The sign goes with $L + \\lambda\\Phi$ of (8.3): then $P$ is positive in compression. With $h - \\langle\\lambda, \\Psi\\rangle$ of chapter 7 it would be $-\\sqrt{\\det G}\\,P$.");
+  claim.convention(
+      "The sign goes with $L + \\lambda\\Phi$ of (8.3): then $P$ is positive in compression. With $h - "
+      "\\langle\\lambda, \\Psi\\rangle$ of chapter 7 it would be $-\\sqrt{\\det G}\\,P$.");
   // A section of a chart of degree 6 has degree 6 * 7, where fields of motions have 6.
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw), draw_metric<S, n>(draw)};
+    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw),
+                                                                        draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
     auto const P = draw_cubic<S, n + 1>(draw);
     ChartOfSpaceTime<S, n> chi{};
@@ -215,10 +232,14 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
     draw_positive(stretch);
     auto const here = first_jet(with_pressure(moved, pressure, G), x);
     auto const there = first_jet(with_pressure(phi, P, constraint.G), chi(x));
-    VolumeConstraint<PulledBack<AnyMetric<S, n>, Chart<S, n>>, AnyMetric<S, n>> const in_chart{G, constraint.g};
-    S const pairing_here = here.y[n] * in_chart(deformation(here))[0], pairing_there = there.y[n] * constraint(deformation(there))[0];
-    claim.equal("multiplier times constraint in another chart", model, pairing_here, S(pairing_there * stretch));
-    claim.differs("the multiplier as a function", model, S(there.y[n] * in_chart(deformation(here))[0]), S(pairing_there * stretch));
+    VolumeConstraint<PulledBack<AnyMetric<S, n>, Chart<S, n>>, AnyMetric<S, n>> const in_chart{G,
+                                                                                               constraint.g};
+    S const pairing_here = here.y[n] * in_chart(deformation(here))[0],
+            pairing_there = there.y[n] * constraint(deformation(there))[0];
+    claim.equal("multiplier times constraint in another chart", model, pairing_here,
+                S(pairing_there * stretch));
+    claim.differs("the multiplier as a function", model, S(there.y[n] * in_chart(deformation(here))[0]),
+                  S(pairing_there * stretch));
 
     // The stress of a barotropic fluid with the pressure P_W enters the momenta as the multiplier does.
     auto const fluid = draw_barotropic<S, n>(draw);
@@ -229,8 +250,12 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
     still.y[n] = volume<S>(fluid.G(j.particle())) * P_W;
     auto const by_energy = momenta(fluid, j);
     auto const by_both = momenta(held, still);
-    claim.equal("the same pressure by energy and by multiplier", model, (by_both.template topRows<n>() - by_energy).template rightCols<n>().eval(), by_energy.template rightCols<n>().eval());
+    claim.equal("the same pressure by energy and by multiplier", model,
+                (by_both.template topRows<n>() - by_energy).template rightCols<n>().eval(),
+                by_energy.template rightCols<n>().eval());
     still.y[n] = -still.y[n];
-    claim.differs("the multiplier with the other sign", model, (momenta(held, still).template topRows<n>() - by_energy).template rightCols<n>().eval(), by_energy.template rightCols<n>().eval());
+    claim.differs("the multiplier with the other sign", model,
+                  (momenta(held, still).template topRows<n>() - by_energy).template rightCols<n>().eval(),
+                  by_energy.template rightCols<n>().eval());
   });
 }

@@ -1,4 +1,5 @@
-// Section 8.2: the density of an incompressible medium, its momenta and what its Legendre transformation loses.
+// Section 8.2: the density of an incompressible medium, its momenta and what its Legendre transformation
+// loses.
 
 #include "actio/numbers/rank.hpp"
 
@@ -10,7 +11,8 @@ using namespace actio::checks;
 
 namespace {
 
-/// How the momenta \f$p_a{}^\mu, \pi^\mu\f$ change with \f$v^a{}_\mu, \beta_\mu\f$: column by column, mu slowest.
+/// How the momenta \f$p_a{}^\mu, \pi^\mu\f$ change with \f$v^a{}_\mu, \beta_\mu\f$: column by column, mu
+/// slowest.
 template <class S, int n, int M, class L>
 Matrix<S, M*(n + 1), M*(n + 1)> momentum_slopes(L const& density, Jet<S, n, M> const& j) {
   Matrix<S, M*(n + 1), M*(n + 1)> slopes;
@@ -26,11 +28,12 @@ Matrix<S, M*(n + 1), M*(n + 1)> momentum_slopes(L const& density, Jet<S, n, M> c
 }
 /// The same without the derivatives of the multiplier and its momenta.
 template <class S, int n, int M>
-Matrix<S, (M - 1)*(n + 1), (M - 1)*(n + 1)> of_the_motion(Matrix<S, M*(n + 1), M*(n + 1)> const& slopes) {
+Matrix<S, (M - 1) * (n + 1), (M - 1) * (n + 1)> of_the_motion(Matrix<S, M*(n + 1), M*(n + 1)> const& slopes) {
   constexpr int N = M - 1;
   Matrix<S, N*(n + 1), N*(n + 1)> block;
   for (int nu = 0; nu <= n; ++nu)
-    for (int mu = 0; mu <= n; ++mu) block.template block<N, N>(N * nu, N * mu) = slopes.template block<N, N>(M * nu, M * mu);
+    for (int mu = 0; mu <= n; ++mu)
+      block.template block<N, N>(N * nu, N * mu) = slopes.template block<N, N>(M * nu, M * mu);
   return block;
 }
 
@@ -39,15 +42,15 @@ template <class L>
 struct WithMovingMultiplier {
   L density;
   template <class S, int n, int M>
-  S operator()(Jet<S, n, M> const& j) const {
-    return density(j) + j.v(M - 1, 1) * j.v(M - 1, 1) / S(2);
-  }
+  S operator()(Jet<S, n, M> const& j) const { return density(j) + j.v(M - 1, 1) * j.v(M - 1, 1) / S(2); }
 };
 
 }  // namespace
 
 STATEMENT(eq_8_3, "the density with the constraint added") {
-  claim.convention("The multiplier adds to the density, where chapter 7 subtracts: with (8.2) this makes $P$ the pressure. $d^{n+1}x$ belongs to all three terms.");
+  claim.convention(
+      "The multiplier adds to the density, where chapter 7 subtracts: with (8.2) this makes $P$ the "
+      "pressure. $d^{n+1}x$ belongs to all three terms.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
@@ -57,10 +60,13 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
     Matrix<S, n, 1> const x = j.particle(), y = j.y.template head<n>(), v = j.velocity().template head<n>();
     Matrix<S, n, n> const G = medium.G(x), g = medium.g(y), F = j.gradient().template topRows<n>();
     // K, P and Phi from metrics as frames have them: roots of determinants are determinants of frames.
-    S const root_G = modulus(S(determinant(medium.G.frame(x)))), root_g = modulus(S(determinant(medium.g.frame(y)))), rho = medium.rho(x);
-    S const kinetic = root_G * rho * (v.transpose() * (g * v).eval())(0, 0) / S(2), potential = root_G * rho * medium.W(x, G, g, F);
+    S const root_G = modulus(S(determinant(medium.G.frame(x)))),
+            root_g = modulus(S(determinant(medium.g.frame(y)))), rho = medium.rho(x);
+    S const kinetic = root_G * rho * (v.transpose() * (g * v).eval())(0, 0) / S(2),
+            potential = root_G * rho * medium.W(x, G, g, F);
     S const Phi = determinant(F) * root_g / root_G - S(1);
-    claim.equal("kinetic minus potential plus multiplier times constraint", model, density(j), S(kinetic - potential + j.y[n] * Phi));
+    claim.equal("kinetic minus potential plus multiplier times constraint", model, density(j),
+                S(kinetic - potential + j.y[n] * Phi));
     claim.differs("the multiplier subtracted", model, density(j), S(kinetic - potential - j.y[n] * Phi));
   });
 }
@@ -74,29 +80,39 @@ STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
     auto const p = momenta(density, j);
     claim.zero("momentum of the multiplier", model, p.row(n).eval(), size_of(p));
-    claim.refutes("a density with a velocity of the multiplier", model, momenta(WithMovingMultiplier<decltype(density)>{density}, j).row(n).eval(), S(1));
+    claim.refutes("a density with a velocity of the multiplier", model,
+                  momenta(WithMovingMultiplier<decltype(density)>{density}, j).row(n).eval(), S(1));
   });
 }
 
 STATEMENT(claim_8_2_restricted_legendre, "what is left of the Legendre transformation") {
-  claim.corrected("\\text{restricted to }\\{\\pi^\\mu = 0\\}\\text{ it is non-degenerate}", "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
-                  "Restricting the target, all momenta $p$ nearby are reached where $\\partial^2L_\\Phi/\\partial v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay in its kernel. "
-                  "The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
+  claim.corrected(
+      "\\text{restricted to }\\{\\pi^\\mu = 0\\}\\text{ it is non-degenerate}",
+      "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
+      "Restricting the target, all momenta $p$ nearby are reached where $\\partial^2L_\\Phi/\\partial "
+      "v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay in "
+      "its kernel. "
+      "The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     Jet<S, n, n + 1> j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
     auto const slopes = momentum_slopes(density, j);
-    for (int mu = 0; mu <= n; ++mu) claim.zero("derivatives of the multiplier move no momentum", model, slopes.col((n + 1) * mu + n).eval(), size_of(slopes));
-    claim.fact("the momenta of the motion reach everything", model, matrix_rank(of_the_motion<S, n, n + 1>(slopes)) == n * (n + 1));
+    for (int mu = 0; mu <= n; ++mu)
+      claim.zero("derivatives of the multiplier move no momentum", model, slopes.col((n + 1) * mu + n).eval(),
+                 size_of(slopes));
+    claim.fact("the momenta of the motion reach everything", model,
+               matrix_rank(of_the_motion<S, n, n + 1>(slopes)) == n * (n + 1));
 
     auto const fluid = incompressible(ideal_fluid<S, n>(medium.G, medium.g));
-    claim.fact("so they do without stored energy under pressure", model, matrix_rank(of_the_motion<S, n, n + 1>(momentum_slopes(fluid, j))) == n * (n + 1));
+    claim.fact("so they do without stored energy under pressure", model,
+               matrix_rank(of_the_motion<S, n, n + 1>(momentum_slopes(fluid, j))) == n * (n + 1));
     j.y[n] = S(0);
     auto const at_rest = of_the_motion<S, n, n + 1>(momentum_slopes(fluid, j));
     claim.fact("without energy and pressure only velocities count", model, matrix_rank(at_rest) == n);
-    claim.refutes("rank of the whole map, over that of a non-degenerate one", model, S(S(matrix_rank(slopes)) / S((n + 1) * (n + 1)) - S(1)), S(1));
+    claim.refutes("rank of the whole map, over that of a non-degenerate one", model,
+                  S(S(matrix_rank(slopes)) / S((n + 1) * (n + 1)) - S(1)), S(1));
   });
 }
 
@@ -115,8 +131,10 @@ STATEMENT(eq_8_4, "the momenta of an incompressible medium") {
     S const factor = j.y[n] * density.constraint.volume_ratio(below);
     Matrix<S, n, n> const inverse = inverse_matrix(below.gradient());
     Matrix<S, n, n> const space = p.template topRows<n>().template rightCols<n>();
-    claim.differs("the inverse not transposed", model, space, (space + factor * (inverse - inverse.transpose())).eval());
-    claim.differs("the pressure with the other sign", model, space, (space - S(2) * factor * inverse.transpose()).eval());
+    claim.differs("the inverse not transposed", model, space,
+                  (space + factor * (inverse - inverse.transpose())).eval());
+    claim.differs("the pressure with the other sign", model, space,
+                  (space - S(2) * factor * inverse.transpose()).eval());
   });
 }
 
@@ -127,12 +145,14 @@ STATEMENT(claim_8_2_affine_momentum, "the affine momentum of an incompressible m
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), medium.G);
-    S const Pi = legendre(density, j).Pi, closed = incompressible_momenta(density, j).Pi, J = density.constraint.volume_ratio(deformation(j));
+    S const Pi = legendre(density, j).Pi, closed = incompressible_momenta(density, j).Pi,
+            J = density.constraint.volume_ratio(deformation(j));
     // Pi is the difference of the density and a sum of n^2 products of momenta and velocities.
     S const terms = size_of(momenta(density, j)) * size_of(j.v) * S(n * n);
     claim.zero("Pi with the pressure P(J(n-1) + 1)", model, S(Pi - closed), terms);
     claim.refutes("with P(Jn + 1)", model, S(Pi - (closed - j.y[n] * J)), terms);
-    claim.refutes("with Pn, as if J were 1", model, S(Pi - (closed + j.y[n] * (J * S(n - 1) + S(1) - S(n)))), terms);
+    claim.refutes("with Pn, as if J were 1", model, S(Pi - (closed + j.y[n] * (J * S(n - 1) + S(1) - S(n)))),
+                  terms);
   });
 }
 
@@ -141,7 +161,8 @@ STATEMENT(claim_8_2_affine_momentum, "the affine momentum of an incompressible m
 
 namespace {
 
-/// The rate at which the density changes along a section that moves as V, and the rate \f$D_\mu(p_a{}^\mu V^a)\f$ at which the momenta carry the change away.
+/// The rate at which the density changes along a section that moves as V, and the rate
+/// \f$D_\mu(p_a{}^\mu V^a)\f$ at which the momenta carry the change away.
 template <class S>
 struct Variation {
   S of_density, carried_away;
@@ -159,7 +180,8 @@ Variation<S> variation(L const& density, Phi const& phi, V const& field, Matrix<
   auto const jet = second_jet(phi, x);
   for (int mu = 0; mu < rows; ++mu) {
     auto const p = partial_v(density, along(jet, mu), mu);
-    for (int a = 0; a < j.y.size(); ++a) out.carried_away += p[a].part[0] * change.y[a] + p[a].value * change.v(a, mu);
+    for (int a = 0; a < j.y.size(); ++a)
+      out.carried_away += p[a].part[0] * change.y[a] + p[a].value * change.v(a, mu);
   }
   return out;
 }
@@ -169,9 +191,7 @@ template <class L>
 struct WithSquaredMultiplier {
   L density;
   template <class S, int n, int M>
-  S operator()(Jet<S, n, M> const& j) const {
-    return density(j) + j.y[M - 1] * j.y[M - 1] / S(2);
-  }
+  S operator()(Jet<S, n, M> const& j) const { return density(j) + j.y[M - 1] * j.y[M - 1] / S(2); }
 };
 
 }  // namespace
@@ -181,7 +201,8 @@ STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
-    auto const phi = with_pressure(draw_section<S, n, n>(draw), draw_cubic<S, n + 1>(draw), density.constraint.G);
+    auto const phi =
+        with_pressure(draw_section<S, n, n>(draw), draw_cubic<S, n + 1>(draw), density.constraint.G);
     // Places are varied, the multiplier is not.
     auto const change = draw_section<S, n, n + 1>(draw);
     auto const of_places = [&](auto const& x) {
@@ -193,28 +214,36 @@ STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
     auto const E = euler_lagrange(density, phi, x);
     auto const rates = variation(density, phi, of_places, x);
     S const left = E.dot(of_places(x)), scale = size_of(rates.of_density) + size_of(rates.carried_away);
-    claim.zero("variation of the action, but for a divergence", model, S(rates.of_density - rates.carried_away - left), scale);
-    claim.refutes("the divergence with the other sign", model, S(rates.of_density + rates.carried_away - left), scale);
+    claim.zero("variation of the action, but for a divergence", model,
+               S(rates.of_density - rates.carried_away - left), scale);
+    claim.refutes("the divergence with the other sign", model,
+                  S(rates.of_density + rates.carried_away - left), scale);
   });
 }
 
 STATEMENT(eq_8_6, "the field equation of the multiplier") {
-  claim.convention("The middle member equates a number with a form: both sides are coefficients of $d^{n+1}x$. The equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$.");
+  claim.convention(
+      "The middle member equates a number with a form: both sides are coefficients of $d^{n+1}x$. The "
+      "equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
     S const Phi = density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0];
     claim.equal("the last Euler-Lagrange derivative is J - 1", model, euler_lagrange(density, j)[n], Phi);
-    claim.differs("with a square of the multiplier", model, euler_lagrange(WithSquaredMultiplier<decltype(density)>{density}, j)[n], Phi);
-    auto const ideal = incompressible(ideal_fluid<S, n>(draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw)));
+    claim.differs("with a square of the multiplier", model,
+                  euler_lagrange(WithSquaredMultiplier<decltype(density)>{density}, j)[n], Phi);
+    auto const ideal = incompressible(
+        ideal_fluid<S, n>(draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw)));
     auto const held = draw_extended_jet<S, n>(draw, draw_shears<S, n>(draw), ideal.constraint.G);
     claim.zero("for motions that keep the volume", model, euler_lagrange(ideal, held)[n], S(1));
   });
 }
 
 STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
-  claim.holds("It holds off the constraint too: the Euler-Lagrange derivative is $-\\sqrt{\\det G}$ times it for every $J$.");
+  claim.holds(
+      "It holds off the constraint too: the Euler-Lagrange derivative is $-\\sqrt{\\det G}$ times it for "
+      "every $J$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
@@ -222,8 +251,12 @@ STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
     auto const forces = per_volume(density, j);
     auto const pressure = pressure_term(density.density.G, density.density.g, j);
     claim.equal("(8.7) and the Euler-Lagrange derivative", model, motion_residual(density, j), forces);
-    claim.differs("the pressure with the other sign", model, (motion_residual(density, j) - S(2) * pressure).eval(), forces);
-    claim.differs("without J", model, (motion_residual(density, j) - pressure + spatial_pressure_gradient(density.density.G, j)).eval(), forces);
+    claim.differs("the pressure with the other sign", model,
+                  (motion_residual(density, j) - S(2) * pressure).eval(), forces);
+    claim.differs(
+        "without J", model,
+        (motion_residual(density, j) - pressure + spatial_pressure_gradient(density.density.G, j)).eval(),
+        forces);
   });
 }
 
@@ -241,7 +274,8 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
     for (int k = 0; k < n; ++k) {
       auto moved = below.template cast<Dual<S>>();
       for (int b = 0; b < n; ++b) moved.y[b].part[0] = below.v(b, k + 1);
-      auto const slope = area_transformation(constraint.G(moved.particle()), constraint.g(moved.y), moved.gradient());
+      auto const slope =
+          area_transformation(constraint.G(moved.particle()), constraint.g(moved.y), moved.gradient());
       for (int a = 0; a < n; ++a) from_momenta[a] += lambda * slope(a, k).part[0];
     }
     Matrix<S, n, n> const inverse = inverse_matrix(Matrix<S, n, n>(constraint.g(below.y)));
@@ -252,7 +286,8 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
       from_constraint[a] = lambda * places[a];
       printed[a] = lambda * J / S(2) * (inverse * rates[a]).trace();
     }
-    claim.equal("derivative of the momenta's part and of the constraint", model, from_momenta, from_constraint);
+    claim.equal("derivative of the momenta's part and of the constraint", model, from_momenta,
+                from_constraint);
     claim.equal("the printed form of both", model, from_constraint, printed);
     claim.refutes("one without the other", model, from_constraint, size_of(lambda * J));
     claim.differs("without the half", model, from_constraint, (S(2) * printed).eval());
@@ -281,7 +316,8 @@ STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
     Medium<S, n> const flat{constant_metric(curved.G), constant_metric(curved.g), curved.rho, curved.W};
     auto const phi = draw_section<S, n, n>(draw);
     auto const j = draw_extended_jet<S, n>(draw, phi, flat.G);
-    claim.equal("(8.8) and the Euler-Lagrange derivative", model, residual(flat, j), per_volume(incompressible(flat), j));
+    claim.equal("(8.8) and the Euler-Lagrange derivative", model, residual(flat, j),
+                per_volume(incompressible(flat), j));
     claim.differs("metrics that vary", model, residual(curved, j), per_volume(incompressible(curved), j));
   });
 }

@@ -14,7 +14,9 @@ using Solid = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, OfGreen
 }  // namespace
 
 STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in components") {
-  claim.convention("W is a function of the Green tensor; otherwise the term of (6.20) that compares the two stresses stays. The divergence is that of section 6.2 with its index corrected.");
+  claim.convention(
+      "W is a function of the Green tensor; otherwise the term of (6.20) that compares the two stresses "
+      "stays. The divergence is that of section 6.2 with its index corrected.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const general = draw_medium<S, n>(draw);
@@ -22,21 +24,31 @@ STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in component
     auto const density = incompressible(solid);
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), solid.G);
     auto const forces = per_volume(density, j);
-    claim.equal("the equation and the Euler-Lagrange derivative", model, elastic_residual(density, j), forces);
+    claim.equal("the equation and the Euler-Lagrange derivative", model, elastic_residual(density, j),
+                forces);
     claim.differs("the pressure without J", model,
-                  (elastic_residual(density, j) - pressure_term(solid.G, solid.g, j) + spatial_pressure_gradient(solid.G, j)).eval(), forces);
-    claim.differs("an energy that is no function of the Green tensor", model, elastic_residual(incompressible(general), j), per_volume(incompressible(general), j));
+                  (elastic_residual(density, j) - pressure_term(solid.G, solid.g, j) +
+                   spatial_pressure_gradient(solid.G, j))
+                      .eval(),
+                  forces);
+    claim.differs("an energy that is no function of the Green tensor", model,
+                  elastic_residual(incompressible(general), j), per_volume(incompressible(general), j));
   });
 }
 
 STATEMENT(claim_8_4_elasticity_covariant, "an incompressible solid, as vectors of space") {
-  claim.convention("With $J = 1$ in the pressure's term, the index raised by g, and $p = P\\circ\\phi_t^{-1}$.");
+  claim.convention(
+      "With $J = 1$ in the pressure's term, the index raised by g, and $p = P\\circ\\phi_t^{-1}$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    Solid<S, n> const solid{draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw), draw_mass<S, n>(draw), draw_solid<S>(draw)};
+    Solid<S, n> const solid{draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw),
+                            draw_mass<S, n>(draw), draw_solid<S>(draw)};
     auto const density = incompressible(solid);
-    auto const lowered_residual = [&](SecondJet<S, n, n + 1> const& j) { return lowered(solid.g(deformation(j).y), covariant_elastic_residual(density, j)); };
-    auto const held = draw_extended_jet<S, n>(draw, draw_shears<S, n>(draw), solid.G), free = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), solid.G);
+    auto const lowered_residual = [&](SecondJet<S, n, n + 1> const& j) {
+      return lowered(solid.g(deformation(j).y), covariant_elastic_residual(density, j));
+    };
+    auto const held = draw_extended_jet<S, n>(draw, draw_shears<S, n>(draw), solid.G),
+               free = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), solid.G);
     claim.equal("where the volume is held", model, lowered_residual(held), per_volume(density, held));
     claim.differs("where it is not", model, lowered_residual(free), per_volume(density, free));
   });

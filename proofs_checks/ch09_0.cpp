@@ -16,7 +16,8 @@ struct Isentropic {
   AnyFluidLaw<S> law;
   Cubic<S, n> entropy;
   template <class BodyMetric, class SpaceMetric, class T>
-  T operator()(Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Matrix<T, n, n> const& F) const {
+  T operator()(Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<T, n, n> const& F) const {
     T const J = jacobian(G, g, F);
     return law(J) + entropy(x) * J * J;
   }
@@ -30,7 +31,8 @@ struct Fibred {
   }
 };
 
-/// A linear function on the body, and the potential whose field is tangent to its level sets and to those of `mass`.
+/// A linear function on the body, and the potential whose field is tangent to its level sets and to those of
+/// `mass`.
 template <class S, int n>
 Cubic<S, n> draw_linear(Draw& draw) {
   auto c = constant_cubic<S, n>(S(0));
@@ -41,7 +43,8 @@ template <class S, int n>
 AnyPotential<S, n> along_levels(Cubic<S, n> const& mass, Cubic<S, n> const& entropy) {
   AnyPotential<S, n> potential{mass, {}};
   // curl(mass grad entropy) = grad mass x grad entropy; in the plane a function of the mass alone will do.
-  for (int i = 0; i < AnyPotential<S, n>::components; ++i) potential.A[i] = constant_cubic<S, n>(n == 2 ? S(1) : entropy.a[i]);
+  for (int i = 0; i < AnyPotential<S, n>::components; ++i)
+    potential.A[i] = constant_cubic<S, n>(n == 2 ? S(1) : entropy.a[i]);
   return potential;
 }
 
@@ -69,32 +72,44 @@ struct Inversion {
 /// Space-time stays, places go by a map of space.
 template <int N, class Map>
 auto of_space(Map const& map) {
-  return Automorphism{[](auto const& x) { return x; }, [map](auto const& point) {
-                        using T = ScalarOf<decltype(point)>;
-                        return map(Matrix<T, N, 1>(point.template tail<N>()));
+  return Automorphism{[](auto const& x) { return x; },
+                      [map](auto const& point) {
+    using T = ScalarOf<decltype(point)>;
+    return map(Matrix<T, N, 1>(point.template tail<N>()));
                       }};
 }
 
 }  // namespace
 
 STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogeneous fluids") {
-  claim.convention("A relabelling must take each level set of the density, and of the entropy, to itself: one that exchanges level sets is no symmetry. The stored energy sees the point of the body through these alone.");
+  claim.convention(
+      "A relabelling must take each level set of the density, and of the entropy, to itself: one that "
+      "exchanges level sets is no symmetry. The stored energy sees the point of the body through these "
+      "alone.");
   // The energy is of degree 24 in the coordinates after clearing denominators, the field of degree 12.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
     auto const entropy = draw_linear<S, n>(draw);
     auto const j = draw_jet<S, n, n>(draw);
-    auto const field = [&](AnyPotential<S, n> const& A) { return relabelling_field<n>(PotentialField<S, n>{fluid.G, A}); };
+    auto const field = [&](AnyPotential<S, n> const& A) {
+      return relabelling_field<n>(PotentialField<S, n>{fluid.G, A});
+    };
     auto const levels = along_levels<S, n>(fluid.rho.added, entropy);
-    claim.zero("along level sets of the density: rate of equivariance", model, equivariance_rate(fluid, field(levels), j), fluid(j));
-    claim.refutes("divergence-free, across level sets", model, equivariance_rate(fluid, field(draw_potential<S, n>(draw)), j), fluid(j));
+    claim.zero("along level sets of the density: rate of equivariance", model,
+               equivariance_rate(fluid, field(levels), j), fluid(j));
+    claim.refutes("divergence-free, across level sets", model,
+                  equivariance_rate(fluid, field(draw_potential<S, n>(draw)), j), fluid(j));
 
-    // With entropy: in the plane both functions must have the same level sets, or nothing is left of the group.
-    auto isentropic = Continuum{fluid.G, fluid.g, fluid.rho, Isentropic<S, n>{fluid.W.w, n == 2 ? fluid.rho.added : entropy}};
-    claim.zero("along level sets of density and entropy", model, equivariance_rate(isentropic, field(levels), j), fluid(j));
+    // With entropy: in the plane both functions must have the same level sets, or nothing is left of the
+    // group.
+    auto isentropic = Continuum{fluid.G, fluid.g, fluid.rho,
+                                Isentropic<S, n>{fluid.W.w, n == 2 ? fluid.rho.added : entropy}};
+    claim.zero("along level sets of density and entropy", model,
+               equivariance_rate(isentropic, field(levels), j), fluid(j));
     isentropic.W.entropy = draw_cubic<S, n>(draw);
-    claim.refutes("across level sets of the entropy", model, equivariance_rate(isentropic, field(levels), j), fluid(j));
+    claim.refutes("across level sets of the entropy", model, equivariance_rate(isentropic, field(levels), j),
+                  fluid(j));
   });
   // Finite maps of a flat body with the density 2 + x^1.
   auto flat = draw_homogeneous_fluid<S, 2>(draw);
@@ -105,12 +120,17 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
   auto const j = draw_jet<S, 2, 2>(draw);
   auto const shear = [](auto const& x) { return std::remove_cvref_t<decltype(x)>(x[0], x[1] + x[0] * x[0]); };
   auto const half_turn = [](auto const& x) { return std::remove_cvref_t<decltype(x)>(-x[0], -x[1]); };
-  claim.zero("a shear along level sets", "flat body, density 2 + x1", equivariance_defect(flat, relabelling<2>(shear), j), flat(j));
-  claim.refutes("a half turn, which exchanges level sets", "flat body, density 2 + x1", equivariance_defect(flat, relabelling<2>(half_turn), j), flat(j));
+  claim.zero("a shear along level sets", "flat body, density 2 + x1",
+             equivariance_defect(flat, relabelling<2>(shear), j), flat(j));
+  claim.refutes("a half turn, which exchanges level sets", "flat body, density 2 + x1",
+                equivariance_defect(flat, relabelling<2>(half_turn), j), flat(j));
 }
 
 STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries") {
-  claim.convention("The stored energy must see the metric of space and the deformation through the Green tensor alone (or be carried along by isometries in another way), and the isometry must respect the boundary conditions.");
+  claim.convention(
+      "The stored energy must see the metric of space and the deformation through the Green tensor alone (or "
+      "be carried along by isometries in another way), and the isometry must respect the boundary "
+      "conditions.");
   // A cubic of the Green tensor, which is of degree 12 with the denominators of the sphere and the body.
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -125,13 +145,16 @@ STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries"
     claim.zero("the field is Killing", model, lie_derivative(sphere, turning, j.y), S(1));
     // The terms of the rate: L once differentiated; L may be small beside them.
     S const scale = solid(j) + inner(sphere(j.y), j.velocity(), j.velocity()) + S(1);
-    claim.zero("solid on a sphere: rate of equivariance", model, equivariance_rate(solid, motion_of_space<n>(turning), j), scale);
+    claim.zero("solid on a sphere: rate of equivariance", model,
+               equivariance_rate(solid, motion_of_space<n>(turning), j), scale);
     auto const dilation = [](auto const& y) { return y; };
-    claim.refutes("dilation, which is not Killing", model, equivariance_rate(solid, motion_of_space<n>(dilation), j), scale);
+    claim.refutes("dilation, which is not Killing", model,
+                  equivariance_rate(solid, motion_of_space<n>(dilation), j), scale);
     claim.zero("finite rotation", model, equivariance_defect(solid, of_space<n>(Turn{}), j), scale);
     claim.zero("finite inversion", model, equivariance_defect(solid, of_space<n>(Inversion{}), j), scale);
 
     auto const other = Continuum{G, sphere, mass, Fibred{}};
-    claim.refutes("an energy that sees more than the Green tensor", model, equivariance_rate(other, motion_of_space<n>(turning), j), scale);
+    claim.refutes("an energy that sees more than the Green tensor", model,
+                  equivariance_rate(other, motion_of_space<n>(turning), j), scale);
   });
 }

@@ -16,15 +16,14 @@ template <class L>
 struct Ageing {
   L density;
   template <class S, int n, int N>
-  S operator()(Jet<S, n, N> const& j) const {
-    return density(j) * (j.x[0] + 1);
-  }
+  S operator()(Jet<S, n, N> const& j) const { return density(j) * (j.x[0] + 1); }
 };
 
 /// A medium with the stored energy of the most general form.
 template <class S>
 auto draw_medium(Draw& draw) {
-  return Continuum{draw_metric<S, 2>(draw), draw_metric<S, 2>(draw), draw_mass<S, 2>(draw), draw_energy<S, 2, 2>(draw)};
+  return Continuum{draw_metric<S, 2>(draw), draw_metric<S, 2>(draw), draw_mass<S, 2>(draw),
+                   draw_energy<S, 2, 2>(draw)};
 }
 
 /// The rate \f$\dot e\f$ of the energy density along a section.
@@ -34,7 +33,10 @@ S energy_rate(Medium const& medium, SecondJet<S, n, N> const& j) {
   auto const x = moved.particle();
   auto const here = medium.G(x);
   auto const there = medium.g(moved.y);
-  return (volume<Dual<S>>(here) * medium.rho(x) * (inner(there, moved.velocity(), moved.velocity()) / S(2) + medium.W(x, here, there, moved.gradient()))).part[0];
+  return (volume<Dual<S>>(here) * medium.rho(x) *
+          (inner(there, moved.velocity(), moved.velocity()) / S(2) +
+           medium.W(x, here, there, moved.gradient())))
+      .part[0];
 }
 
 }  // namespace
@@ -47,8 +49,10 @@ STATEMENT(claim_9_2_time_invariance, "time translation and the two Lagrangian de
     auto const j = draw_jet<S, n, n + 1>(draw);
     auto const below = deformation(j);
     claim.zero("barotropic fluid", model, equivariance_rate(fluid, TimeTranslation{}, below), fluid(below));
-    claim.zero("incompressible fluid", model, equivariance_rate(incompressible(fluid), TimeTranslation{}, j), fluid(below));
-    claim.refutes("a medium that ages", model, equivariance_rate(Ageing<AnyFluid<S, n>>{fluid}, TimeTranslation{}, below), fluid(below));
+    claim.zero("incompressible fluid", model, equivariance_rate(incompressible(fluid), TimeTranslation{}, j),
+               fluid(below));
+    claim.refutes("a medium that ages", model,
+                  equivariance_rate(Ageing<AnyFluid<S, n>>{fluid}, TimeTranslation{}, below), fluid(below));
   });
 }
 
@@ -70,7 +74,9 @@ STATEMENT(claim_9_2_time_current, "Noether current of time translation") {
 }
 
 STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
-  claim.holds("Along solutions; off shell the two sides differ by $\\dot\\phi^aE_a$. DIV is $\\frac1{\\sqrt{\\det G}}\\partial_j(\\sqrt{\\det G}\\;\\cdot^{\\,j})$.");
+  claim.holds(
+      "Along solutions; off shell the two sides differ by $\\dot\\phi^aE_a$. DIV is $\\frac1{\\sqrt{\\det "
+      "G}}\\partial_j(\\sqrt{\\det G}\\;\\cdot^{\\,j})$.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
@@ -84,12 +90,15 @@ STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
         auto const here = fluid.G(moved.particle());
         auto const there = fluid.g(moved.y);
         Matrix<Dual<S>, n, 1> const pulled = solve_linear(moved.gradient(), moved.velocity());
-        sum += (volume<Dual<S>>(here) * material_pressure(fluid, moved) * jacobian(here, there, moved.gradient()) * pulled[k - 1]).part[0];
+        sum += (volume<Dual<S>>(here) * material_pressure(fluid, moved) *
+                jacobian(here, there, moved.gradient()) * pulled[k - 1])
+                   .part[0];
       }
       return sum;
     };
     claim.equal("along solutions", model, energy_rate(fluid, on), S(-outflow(on)), 100);
-    claim.equal("off shell", model, S(energy_rate(fluid, off) + outflow(off)), S(-off.velocity().dot(euler_lagrange(fluid, off))), 100);
+    claim.equal("off shell", model, S(energy_rate(fluid, off) + outflow(off)),
+                S(-off.velocity().dot(euler_lagrange(fluid, off))), 100);
     claim.differs("the other sign", model, energy_rate(fluid, on), outflow(on));
   });
 }
@@ -105,29 +114,36 @@ STATEMENT(claim_9_2_elastic_energy, "energy continuity of standard elasticity") 
       S sum(0);
       for (int k = 1; k <= 2; ++k) {
         auto const moved = along(j, k);
-        sum += (volume<Dual<S>>(medium.G(moved.particle())) * first_piola_kirchhoff_stress(medium, moved).col(k - 1).dot(moved.velocity())).part[0];
+        sum += (volume<Dual<S>>(medium.G(moved.particle())) *
+                first_piola_kirchhoff_stress(medium, moved).col(k - 1).dot(moved.velocity()))
+                   .part[0];
       }
       return sum;
     };
     claim.equal("along solutions", model, energy_rate(medium, on), outflow(on), 100);
-    claim.equal("off shell", model, S(energy_rate(medium, off) - outflow(off)), S(-off.velocity().dot(euler_lagrange(medium, off))), 100);
+    claim.equal("off shell", model, S(energy_rate(medium, off) - outflow(off)),
+                S(-off.velocity().dot(euler_lagrange(medium, off))), 100);
     claim.differs("the other sign", model, energy_rate(medium, on), S(-outflow(on)));
   }
 }
 
 STATEMENT(claim_9_2_energy_converse, "consequence of requiring a closed time-translation current") {
-  claim.holds("It is the one equation $\\dot\\phi^aE_a=0$, the energy continuity: it does not give back the field equations.");
+  claim.holds(
+      "It is the one equation $\\dot\\phi^aE_a=0$, the energy continuity: it does not give back the field "
+      "equations.");
   {
     std::string const model = "n = 2, N = 2";
     auto const medium = draw_medium<S>(draw);
     auto j = draw_second_jet<S, 2, 2>(draw);
     Matrix<S, 2, 1> const E = euler_lagrange(medium, j);
-    claim.equal("differential of the current, off shell", model, current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
+    claim.equal("differential of the current, off shell", model,
+                current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
     // Add to a solution an acceleration across the velocity: the current stays closed, and nothing is solved.
     auto const solved = of_a_solution(medium, j);
     Matrix<S, 2, 1> const covector = lowered(medium.g(j.y), j.velocity());
     j.w[0].col(0) = solved.w[0].col(0) + Matrix<S, 2, 1>(-covector[1], covector[0]);
-    claim.zero("closed, with a force across the velocity", model, current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
+    claim.zero("closed, with a force across the velocity", model,
+               current_divergence(medium, TimeTranslation{}, j), S(j.velocity().dot(E)), 100);
     claim.refutes("closed, therefore a solution", model, euler_lagrange(medium, j), magnitude(E));
   }
 }

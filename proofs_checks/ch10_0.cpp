@@ -16,13 +16,15 @@ inline constexpr int vectors = 2 * n + 1;
 template <int n>
 inline constexpr int products = vectors<n> * (vectors<n> + 1) / 2;
 
-/// An energy that does not see where space is turned to: a cubic in the point of the body and all scalar products. Twisted, it sees a fixed direction as well.
+/// An energy that does not see where space is turned to: a cubic in the point of the body and all scalar
+/// products. Twisted, it sees a fixed direction as well.
 template <class S, int n>
 struct StrainEnergy {
   Cubic<S, n + products<n>> w;
 
   template <class T>
-  Matrix<T, n + products<n>, 1> arguments(Matrix<T, n, 1> const& x, Matrix<T, vectors<n>, vectors<n>> const& products_of) const {
+  Matrix<T, n + products<n>, 1> arguments(Matrix<T, n, 1> const& x,
+                                          Matrix<T, vectors<n>, vectors<n>> const& products_of) const {
     Matrix<T, n + products<n>, 1> all;
     int k = 0;
     for (int i = 0; i < n; ++i) all[k++] = x[i];
@@ -35,12 +37,14 @@ struct StrainEnergy {
     return w(arguments(x, products_of));
   }
 
-  /// The derivatives of W in the vectors by the chain rule, written out: column i is the sum over j of (1 + delta_ij) W_ij times vector j.
+  /// The derivatives of W in the vectors by the chain rule, written out: column i is the sum over j of
+  /// (1 + delta_ij) W_ij times vector j.
   template <class T>
   Matrix<T, 3, vectors<n>> forces(Matrix<T, n, 1> const& x, Matrix<T, 3, vectors<n>> const& frame) const {
     auto const at = arguments(x, Matrix<T, vectors<n>, vectors<n>>(frame.transpose() * frame));
     T b(0), d(0), e(0);
-    for (int i = 0; i < at.size(); ++i) b += at[i] * T(w.b[i]), d += at[i] * T(w.d[i]), e += at[i] * T(w.e[i]);
+    for (int i = 0; i < at.size(); ++i)
+      b += at[i] * T(w.b[i]), d += at[i] * T(w.d[i]), e += at[i] * T(w.e[i]);
     Matrix<T, 3, vectors<n>> f = Matrix<T, 3, vectors<n>>::Zero();
     for (int i = 0, k = n; i < vectors<n>; ++i)
       for (int j = 0; j <= i; ++j, ++k) {
@@ -54,7 +58,8 @@ struct StrainEnergy {
   }
 };
 
-/// What balances in a body with a director, at one jet: momenta per volume of the body, and the forces and torques that pass from part to part along each coordinate.
+/// What balances in a body with a director, at one jet: momenta per volume of the body, and the forces and
+/// torques that pass from part to part along each coordinate.
 template <class T, int n>
 struct Balance {
   Matrix<T, 3, 1> momentum, moment;
@@ -67,19 +72,23 @@ Matrix<T, 3, n> reaction_forces(UnitDirector const&, Jet<T, n, 6> const&, Matrix
   return Matrix<T, 3, n>::Zero();
 }
 template <class T, int n>
-Matrix<T, 3, n> reaction_forces(NormalDirector<n> const&, Jet<T, n, 6> const& j, Matrix<T, n + 1, 1> const& lambda) {
+Matrix<T, 3, n> reaction_forces(NormalDirector<n> const&, Jet<T, n, 6> const& j,
+                                Matrix<T, n + 1, 1> const& lambda) {
   Matrix<T, 3, n> f;
   for (int i = 0; i < n; ++i)
     for (int c = 0; c < 3; ++c) f(c, i) = -lambda[i] * j.y[3 + c];
   return f;
 }
 
-/// Momentum and moment of momentum, force and torque, as a mechanic writes them down: nothing here knows of a Lagrangian.
+/// Momentum and moment of momentum, force and torque, as a mechanic writes them down: nothing here knows of a
+/// Lagrangian.
 template <class S, class T, int n, class Phi>
-Balance<T, n> balance(DirectedBody<S, StrainEnergy<S, n>> const& body, Phi const& constraint, Jet<T, n, 6> const& j, Matrix<T, Phi::components, 1> const& lambda) {
+Balance<T, n> balance(DirectedBody<S, StrainEnergy<S, n>> const& body, Phi const& constraint,
+                      Jet<T, n, 6> const& j, Matrix<T, Phi::components, 1> const& lambda) {
   using V = Matrix<T, 3, 1>;
   V const r = j.y.template head<3>(), d = j.y.template tail<3>();
-  V const momentum = j.v.col(0).template head<3>() * T(body.rho), spin = j.v.col(0).template tail<3>() * T(body.iota);
+  V const momentum = j.v.col(0).template head<3>() * T(body.rho),
+          spin = j.v.col(0).template tail<3>() * T(body.iota);
   auto const frame = director_frame(j);
   auto const stress = body.W.forces(j.particle(), frame);
   auto const reactions = reaction_forces(constraint, j, lambda);
@@ -94,10 +103,12 @@ Balance<T, n> balance(DirectedBody<S, StrainEnergy<S, n>> const& body, Phi const
   return b;
 }
 
-/// What the balances leave along a section: \f$\partial_t\f$(momentum) - \f$\partial_i\f$(force), and the same for the moments.
+/// What the balances leave along a section: \f$\partial_t\f$(momentum) - \f$\partial_i\f$(force), and the
+/// same for the moments.
 template <class S, int n, class Phi>
-std::pair<Matrix<S, 3, 1>, Matrix<S, 3, 1>> imbalance(DirectedBody<S, StrainEnergy<S, n>> const& body, Phi const& constraint, SecondJet<S, n, 6> const& j,
-                                                                    Jet<S, n, Phi::components> const& lambda) {
+std::pair<Matrix<S, 3, 1>, Matrix<S, 3, 1>> imbalance(DirectedBody<S, StrainEnergy<S, n>> const& body,
+                                                      Phi const& constraint, SecondJet<S, n, 6> const& j,
+                                                      Jet<S, n, Phi::components> const& lambda) {
   Matrix<S, 3, 1> momentum, moment;
   for (int mu = 0; mu <= n; ++mu) {
     Matrix<Dual<S>, Phi::components, 1> moved = lambda.y.template cast<Dual<S>>();
@@ -129,39 +140,50 @@ struct Cubics {
 
 STATEMENT(claim_10_0_rods_and_shells, "rod and shell models within the constrained formalism") {
   claim.holds(
-      "For a rod with a director of unit length and a shell whose director is the unit normal, and any strain energy that does not depend on where space is turned to: the field equations of "
-      "the extended bundle are the balance of momentum and, the multiplier of the length dropping out, that of moment of momentum.");
+      "For a rod with a director of unit length and a shell whose director is the unit normal, and any "
+      "strain energy that does not depend on where space is turned to: the field equations of "
+      "the extended bundle are the balance of momentum and, the multiplier of the length dropping out, that "
+      "of moment of momentum.");
   // A cubic in scalar products of cubics, differentiated twice, and a product with places.
-  auto const model = [&]<int n, class Phi>(std::integral_constant<int, n>, Phi const& constraint, std::string const& name) {
+  auto const model =
+      [&]<int n, class Phi>(std::integral_constant<int, n>, Phi const& constraint, std::string const& name) {
     constexpr int k = Phi::components;
-    DirectedBody<S, StrainEnergy<S, n>> const body{draw.number<S>() + S(2), draw.number<S>() + S(2), {draw_cubic<S, n + products<n>>(draw, ratio<S>(1, 8))}};
+    DirectedBody<S, StrainEnergy<S, n>> const body{draw.number<S>() + S(2),
+                                                   draw.number<S>() + S(2),
+                                                   {draw_cubic<S, n + products<n>>(draw, ratio<S>(1, 8))}};
     auto const phi = draw_section<S, n, 6>(draw);
     Cubics<S, n, k> lambda;
     for (auto& c : lambda.c) c = draw_cubic<S, n + 1>(draw);
     // One jet of the extended bundle, and its parts.
-    auto extended = second_jet(ExtendedSection<AnySection<S, n, 6>, Cubics<S, n, k>>{phi, lambda}, draw_event<S, n>(draw));
+    auto extended = second_jet(ExtendedSection<AnySection<S, n, 6>, Cubics<S, n, k>>{phi, lambda},
+                               draw_event<S, n>(draw));
     SecondJet<S, n, 6> j{configuration<6>(extended), {}};
     for (int mu = 0; mu <= n; ++mu) j.w[mu] = extended.w[mu].template topRows<6>();
     auto const [momentum, moment] = imbalance(body, constraint, j, multiplier_part<k>(extended));
     // r x E_r + d x E_d.
     auto const moment_of = [&](Matrix<S, 6, 1> const& E) {
       using V = Matrix<S, 3, 1>;
-      return V(cross(V(j.y.template head<3>()), V(E.template head<3>())) + cross(V(j.y.template tail<3>()), V(E.template tail<3>())));
+      return V(cross(V(j.y.template head<3>()), V(E.template head<3>())) +
+               cross(V(j.y.template tail<3>()), V(E.template tail<3>())));
     };
     AugmentedDensity<DirectedBody<S, StrainEnergy<S, n>>, Phi> const augmented{body, constraint};
     Matrix<S, 6 + k, 1> const all = -euler_lagrange(augmented, extended);
     Matrix<S, 6, 1> const E = all.template head<6>();
-    claim.equal("field equations of the place, and balance of momentum", name, Matrix<S, 3, 1>(E.template head<3>()), momentum);
+    claim.equal("field equations of the place, and balance of momentum", name,
+                Matrix<S, 3, 1>(E.template head<3>()), momentum);
     claim.equal("their moment, and balance of moment of momentum", name, moment_of(E), moment);
-    claim.equal("field equations of the multipliers, and the constraint", name, Matrix<S, k, 1>(-all.template tail<k>()), constraint(configuration<6>(extended)));
+    claim.equal("field equations of the multipliers, and the constraint", name,
+                Matrix<S, k, 1>(-all.template tail<k>()), constraint(configuration<6>(extended)));
     extended.y.template tail<k>().setZero();
     extended.v.template bottomRows<k>().setZero();
     Matrix<S, 6, 1> const free = -euler_lagrange(augmented, extended).template head<6>();
-    claim.differs("field equations of the director without its reaction", name, Matrix<S, 3, 1>(free.template tail<3>()), Matrix<S, 3, 1>(E.template tail<3>()));
+    claim.differs("field equations of the director without its reaction", name,
+                  Matrix<S, 3, 1>(free.template tail<3>()), Matrix<S, 3, 1>(E.template tail<3>()));
     // An energy with the square of the first component of the director prefers a direction of space.
     Matrix<S, 6, 1> preferred = E;
     preferred[3] += j.y[3] * S(2);
-    claim.differs("moment of momentum with an energy that prefers a direction of space", name, moment_of(preferred), moment);
+    claim.differs("moment of momentum with an energy that prefers a direction of space", name,
+                  moment_of(preferred), moment);
   };
   {
     model(std::integral_constant<int, 1>{}, UnitDirector{}, "rod with a unit director");

@@ -1,4 +1,5 @@
-// Models for the checks of natural charts: groups whose exponential every scalar can take, base points, moving configurations.
+// Models for the checks of natural charts: groups whose exponential every scalar can take, base points,
+// moving configurations.
 #pragma once
 
 #include "actio/reduction/natural_chart.hpp"
@@ -21,9 +22,11 @@ inline SpannedGroup unitriangular(int n) {
     }
   return SpannedGroup("UT(" + std::to_string(n) + ")", std::move(basis));
 }
-/// The group of third-order jets at 0 of curves in G through the identity: \f$1 + tA + t^2B + t^3C\f$ with \f$t^4 = 0\f$, as block matrices.
+/// The group of third-order jets at 0 of curves in G through the identity: \f$1 + tA + t^2B + t^3C\f$ with
+/// \f$t^4 = 0\f$, as block matrices.
 ///
-/// It is unipotent, so everything is polynomial; and it has the bracket of G in it, so that an identity that holds on it holds on G as a power series up to the third order.
+/// It is unipotent, so everything is polynomial; and it has the bracket of G in it, so that an identity that
+/// holds on it holds on G as a power series up to the third order.
 inline SpannedGroup third_jets(SpannedGroup const& group) {
   int const n = group.matrix_size();
   std::vector<SpannedGroup::WholeMatrix> basis;
@@ -36,55 +39,51 @@ inline SpannedGroup third_jets(SpannedGroup const& group) {
   return SpannedGroup("jets in " + group.name(), std::move(basis));
 }
 
-/// Over the rationals, where exp is a polynomial; over the other scalars the usual groups, with one of those beside them.
+/// Over the rationals, where exp is a polynomial; over the other scalars the usual groups, with one of those
+/// beside them.
 template <class S>
 std::vector<SpannedGroup> const& chart_groups() {
-  static std::vector<SpannedGroup> const unipotent = {unitriangular(4), unitriangular(5), third_jets(spanned("Aff(1)", Aff1{}))};
-  static std::vector<SpannedGroup> const usual = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-                                                  spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), unitriangular(4)};
+  static std::vector<SpannedGroup> const unipotent = {unitriangular(4), unitriangular(5),
+                                                      third_jets(spanned("Aff(1)", Aff1{}))};
+  static std::vector<SpannedGroup> const usual = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}),
+                                                  spanned("Aff(1)", Aff1{}), spanned("SL(2)", SL2{}),
+                                                  spanned("GL(2)", GL<2>{}), unitriangular(4)};
   return exact_arithmetic<S>() ? unipotent : usual;
 }
-/// An element of a size such that products of three stay inside the chart; over the rationals the chart has no end.
+/// An element of a size such that products of three stay inside the chart; over the rationals the chart has
+/// no end.
 template <class S>
 GroupElement<S> draw_small(Draw& draw, SpannedGroup const& group) {
   return draw.template element<S>(group, exact_arithmetic<S>() ? S(1) : ratio<S>(2, 5));
 }
 /// A configuration not far from g.
 template <class S>
-GroupElement<S> draw_near(Draw& draw, GroupElement<S> const& g) {
-  return draw_small<S>(draw, g.group) * g;
-}
+GroupElement<S> draw_near(Draw& draw, GroupElement<S> const& g) { return draw_small<S>(draw, g.group) * g; }
 
 /// An arbitrary base point that is equivariant under right translations: c g2. It is on no geodesic from g1
 /// to g2.
 template <class S>
-auto beside_right(GroupElement<S> c) {
-  return [c](auto const&, auto const& g2) { return like(g2, c) * g2; };
-}
+auto beside_right(GroupElement<S> c) { return [c](auto const&, auto const& g2) { return like(g2, c) * g2; }; }
 /// An arbitrary base point that is equivariant under left translations: g2 c.
 template <class S>
-auto beside_left(GroupElement<S> c) {
-  return [c](auto const&, auto const& g2) { return g2 * like(g2, c); };
-}
+auto beside_left(GroupElement<S> c) { return [c](auto const&, auto const& g2) { return g2 * like(g2, c); }; }
 /// A base point that stays where it is, wherever the configurations are.
 template <class S>
-auto staying_at(GroupElement<S> c) {
-  return [c](auto const&, auto const& g2) { return like(g2, c); };
-}
+auto staying_at(GroupElement<S> c) { return [c](auto const&, auto const& g2) { return like(g2, c); }; }
 
 /// A step that is neither 1 nor a power of 2: a factor of it that is lost shows.
 template <class S>
-S step_length() {
-  return ratio<S>(3, 7);
-}
+S step_length() { return ratio<S>(3, 7); }
 /// Steps of a fit in double: errors stay far above rounding.
 inline std::vector<double> const& halving_steps() {
-  static std::vector<double> const steps = {1.0 / 64, 1.0 / 128, 1.0 / 256, 1.0 / 512, 1.0 / 1024, 1.0 / 2048};
+  static std::vector<double> const steps = {1.0 / 64,  1.0 / 128,  1.0 / 256,
+                                            1.0 / 512, 1.0 / 1024, 1.0 / 2048};
   return steps;
 }
 /// The groups of the fits.
 inline std::vector<SpannedGroup> const& order_groups() {
-  static std::vector<SpannedGroup> const groups = {spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}), spanned("SL(2)", SL2{})};
+  static std::vector<SpannedGroup> const groups = {spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
+                                                   spanned("SL(2)", SL2{})};
   return groups;
 }
 /// A curve that is no one-parameter group: \f$e^{ta}e^{t^2b}e^{t^3c}g_0\f$.
@@ -124,11 +123,10 @@ Algebra<Dual<S>> moving(Algebra<S> const& eta, Algebra<S> const& zeta) {
   for (int a = 0; a < eta.group.dimension(); ++a) along.coordinates[a].part[0] = zeta.coordinates[a];
   return along;
 }
-/// \f$e^{\epsilon\xi}\f$: the identity, moving off along \f$\xi\f$. Cayley's transform agrees with exp to this order.
+/// \f$e^{\epsilon\xi}\f$: the identity, moving off along \f$\xi\f$. Cayley's transform agrees with exp to
+/// this order.
 template <class S>
-GroupElement<Dual<S>> moving_along(Algebra<S> const& xi) {
-  return retract(moving(S(0) * xi, xi));
-}
+GroupElement<Dual<S>> moving_along(Algebra<S> const& xi) { return retract(moving(S(0) * xi, xi)); }
 template <class S>
 Matrix<S> value_part(Matrix<Dual<S>> const& m) {
   Matrix<S> v(m.rows(), m.cols());
@@ -141,7 +139,8 @@ Matrix<S> rate_part(Matrix<Dual<S>> const& m) {
   for (Index i = 0; i < m.size(); ++i) v(i) = m(i).part[0];
   return v;
 }
-/// Where a moving configuration is, and its \f$\dot g g^{-1}\f$, as matrices say: no formula for the differential of exp or log enters.
+/// Where a moving configuration is, and its \f$\dot g g^{-1}\f$, as matrices say: no formula for the
+/// differential of exp or log enters.
 template <class S>
 State<SpannedGroup, S> state_of(GroupElement<Dual<S>> const& moving_element) {
   auto const& group = moving_element.group;
@@ -149,7 +148,8 @@ State<SpannedGroup, S> state_of(GroupElement<Dual<S>> const& moving_element) {
   Matrix<S> const velocity = rate_part<S>(moving_element.value) * inverse_matrix(g.value);
   return {g, {group, group.vee(velocity)}};
 }
-/// \f$(\psi_g^{-1})_*\f$ at \f$\eta\f$, of \f$\zeta\f$: (3.20) to the letter, the push-forward by dual numbers.
+/// \f$(\psi_g^{-1})_*\f$ at \f$\eta\f$, of \f$\zeta\f$: (3.20) to the letter, the push-forward by dual
+/// numbers.
 template <class S>
 State<SpannedGroup, S> push_forward(GroupElement<S> const& g, Algebra<S> const& eta, Algebra<S> const& zeta) {
   return state_of(exp(moving(eta, zeta)) * over<Dual<S>>(g));

@@ -1,6 +1,7 @@
 // Charts of a group, and mechanics written out in coordinates: the second route that chapter 2 is held to.
 //
-// A chart is a callable from coordinates to an element, at every scalar. Everything here is partial derivatives of ordinary functions L(q, v): no translation, no ad.
+// A chart is a callable from coordinates to an element, at every scalar. Everything here is partial
+// derivatives of ordinary functions L(q, v): no translation, no ad.
 #pragma once
 
 #include "actio/variational/curves.hpp"
@@ -44,13 +45,9 @@ Vector<Dual<T>> moving(Vector<T> const& q, Vector<T> const& v) {
   return x;
 }
 template <class T>
-Vector<T> values(Vector<Dual<T>> const& x) {
-  return x.unaryExpr([](Dual<T> const& y) { return y.value; });
-}
+Vector<T> values(Vector<Dual<T>> const& x) { return x.unaryExpr([](Dual<T> const& y) { return y.value; }); }
 template <class T>
-Vector<T> rates(Vector<Dual<T>> const& x) {
-  return x.unaryExpr([](Dual<T> const& y) { return y.part[0]; });
-}
+Vector<T> rates(Vector<Dual<T>> const& x) { return x.unaryExpr([](Dual<T> const& y) { return y.part[0]; }); }
 template <class T>
 Matrix<T> matrix_rates(Matrix<Dual<T>> const& x) {
   return x.unaryExpr([](Dual<T> const& y) { return y.part[0]; });
@@ -64,12 +61,14 @@ Matrix<T> matrix_values(Matrix<Dual<T>> const& x) {
 template <class Chart, class T>
 State<SpannedGroup, T> state_in(Chart const& chart, Vector<T> const& q, Vector<T> const& v) {
   auto const g = chart(moving(q, v));
-  Matrix<T> const configuration = matrix_values(g.value), xi = matrix_rates(g.value) * inverse_matrix(configuration);
+  Matrix<T> const configuration = matrix_values(g.value),
+                  xi = matrix_rates(g.value) * inverse_matrix(configuration);
   return {{g.group, configuration}, {g.group, g.group.vee(xi)}};
 }
 /// xi' of the curve with coordinates (q, v, a).
 template <class Chart, class T>
-Velocity<SpannedGroup, T> acceleration_in(Chart const& chart, Vector<T> const& q, Vector<T> const& v, Vector<T> const& a) {
+Velocity<SpannedGroup, T> acceleration_in(Chart const& chart, Vector<T> const& q, Vector<T> const& v,
+                                          Vector<T> const& a) {
   auto const state = state_in(chart, moving(q, v), moving(v, a));
   return {state.configuration.group, rates(state.velocity.coordinates)};
 }
@@ -78,7 +77,8 @@ template <class Chart, class T>
 Matrix<T> frame(Chart const& chart, Vector<T> const& q) {
   int const n = static_cast<int>(q.size());
   Matrix<T> columns(n, n);
-  for (int i = 0; i < n; ++i) columns.col(i) = state_in(chart, q, Vector<T>(Vector<T>::Unit(n, i))).velocity.coordinates;
+  for (int i = 0; i < n; ++i)
+    columns.col(i) = state_in(chart, q, Vector<T>(Vector<T>::Unit(n, i))).velocity.coordinates;
   return columns;
 }
 /// A Lagrangian on TG as a function of coordinates and their rates.
@@ -91,19 +91,22 @@ auto in_coordinates(L const& lagrangian, Chart const& chart) {
 template <class F, class T>
 Vector<T> slopes(F const& f, Vector<T> const& q, Vector<T> const& v) {
   Vector<T> d(q.size()), none = Vector<T>::Zero(q.size());
-  for (Index i = 0; i < q.size(); ++i) d[i] = f(moving(q, Vector<T>(Vector<T>::Unit(q.size(), i))), moving(v, none)).part[0];
+  for (Index i = 0; i < q.size(); ++i)
+    d[i] = f(moving(q, Vector<T>(Vector<T>::Unit(q.size(), i))), moving(v, none)).part[0];
   return d;
 }
 /// dL/dv.
 template <class F, class T>
 Vector<T> momenta(F const& f, Vector<T> const& q, Vector<T> const& v) {
   Vector<T> d(q.size()), none = Vector<T>::Zero(q.size());
-  for (Index i = 0; i < q.size(); ++i) d[i] = f(moving(q, none), moving(v, Vector<T>(Vector<T>::Unit(q.size(), i)))).part[0];
+  for (Index i = 0; i < q.size(); ++i)
+    d[i] = f(moving(q, none), moving(v, Vector<T>(Vector<T>::Unit(q.size(), i)))).part[0];
   return d;
 }
 /// The left side of (2.4): dL/dq - d/dt dL/dv along (q, v, a).
 template <class F, class T>
-Vector<T> euler_lagrange_in_coordinates(F const& f, Vector<T> const& q, Vector<T> const& v, Vector<T> const& a) {
+Vector<T> euler_lagrange_in_coordinates(F const& f, Vector<T> const& q, Vector<T> const& v,
+                                        Vector<T> const& a) {
   return slopes(f, q, v) - rates(momenta(f, moving(q, v), moving(v, a)));
 }
 
@@ -119,7 +122,8 @@ StateChange<SpannedGroup, S> draw_change(Draw& draw, SpannedGroup const& group) 
   return {theta, draw.velocity<S>(group)};
 }
 
-/// A curve in a group through random points, t -> retract(t a + t^2 b) retract(t c) h: no geodesic, no one-parameter group.
+/// A curve in a group through random points, t -> retract(t a + t^2 b) retract(t c) h: no geodesic, no
+/// one-parameter group.
 template <class S>
 auto draw_curve(Draw& draw, SpannedGroup const& group) {
   auto const a = draw.velocity<S>(group, ratio<S>(1, 2)), b = draw.velocity<S>(group, ratio<S>(1, 2)),
@@ -130,13 +134,16 @@ auto draw_curve(Draw& draw, SpannedGroup const& group) {
     return retract(t * (over<T>(a) + t * over<T>(b))) * retract(t * over<T>(c)) * over<T>(h);
   };
 }
-/// A family of curves through `curve`: (epsilon, t) -> retract(epsilon (a + t b + t^2 c)) curve(t) retract(epsilon t d).
+/// A family of curves through `curve`: (epsilon, t) -> retract(epsilon (a + t b + t^2 c)) curve(t)
+/// retract(epsilon t d).
 template <class S, class Curve>
 auto draw_family(Draw& draw, SpannedGroup const& group, Curve const& curve) {
-  auto const a = draw.velocity<S>(group), b = draw.velocity<S>(group), c = draw.velocity<S>(group), d = draw.velocity<S>(group);
+  auto const a = draw.velocity<S>(group), b = draw.velocity<S>(group), c = draw.velocity<S>(group),
+             d = draw.velocity<S>(group);
   return [=](auto const& epsilon, auto const& t) {
     using T = std::decay_t<decltype(t)>;
-    return retract(epsilon * (over<T>(a) + t * (over<T>(b) + t * over<T>(c)))) * curve(t) * retract(epsilon * t * over<T>(d));
+    return retract(epsilon * (over<T>(a) + t * (over<T>(b) + t * over<T>(c)))) * curve(t) *
+           retract(epsilon * t * over<T>(d));
   };
 }
 

@@ -10,7 +10,8 @@ namespace actio::checks {
 
 namespace {
 
-/// Least squares of log error against log step, and the largest distance of a local slope from the fitted one.
+/// Least squares of log error against log step, and the largest distance of a local slope from the fitted
+/// one.
 std::pair<double, double> fit(std::vector<double> const& steps, std::vector<double> const& errors) {
   double n = static_cast<double>(steps.size()), sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -20,15 +21,20 @@ std::pair<double, double> fit(std::vector<double> const& steps, std::vector<doub
   double const slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   double spread = 0;
   for (std::size_t i = 1; i < steps.size(); ++i)
-    spread = std::max(spread, std::abs(std::log(errors[i] / errors[i - 1]) / std::log(steps[i] / steps[i - 1]) - slope));
+    spread = std::max(
+        spread, std::abs(std::log(errors[i] / errors[i - 1]) / std::log(steps[i] / steps[i - 1]) - slope));
   return {slope, spread};
 }
 /// `what (model)`, for messages.
-std::string at(std::string_view what, std::string_view model) { return std::string(what) + " (" + std::string(model) + ")"; }
+std::string at(std::string_view what, std::string_view model) {
+  return std::string(what) + " (" + std::string(model) + ")";
+}
 
 }  // namespace
 
-AnyClaim::AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed, double epsilon) : draw(seed), epsilon_(exact() ? 0 : std::max(epsilon, least_epsilon)) {
+AnyClaim::AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed,
+                   double epsilon)
+    : draw(seed), epsilon_(exact() ? 0 : std::max(epsilon, least_epsilon)) {
   record.id = id, record.title = title, record.scalar = scalar, record.seed = seed;
 }
 
@@ -42,10 +48,13 @@ void AnyClaim::maybe_scan() { record.scan = true; }
 void AnyClaim::fail(std::string_view message) { record.failures.emplace_back(message); }
 
 double AnyClaim::degree_of_residual() {
-  return current_arithmetic().kind() == ArithmeticKind::prime ? std::ldexp(largest_degree(), 2 * std::min(roots_taken(), 100)) : 0;
+  return current_arithmetic().kind() == ArithmeticKind::prime
+             ? std::ldexp(largest_degree(), 2 * std::min(roots_taken(), 100))
+             : 0;
 }
 
-void AnyClaim::vanishes(std::string_view what, std::string_view model, double relative, double condition, double degree) {
+void AnyClaim::vanishes(std::string_view what, std::string_view model, double relative, double condition,
+                        double degree) {
   Evidence& e = entry(what, exact() ? "exact" : "precision", model);
   ++e.points;
   if (!(relative <= e.measured)) e.measured = relative;
@@ -56,12 +65,14 @@ void AnyClaim::vanishes(std::string_view what, std::string_view model, double re
     if (!field && degrees)
       if (auto const known = degrees->find(at(what, model)); known != degrees->end()) degree = known->second;
     e.degree = std::max(e.degree, degree);
-    // Numbers are drawn from all of the field, and from 129 fractions. A residual that no draw enters is of degree 0: it is 0 or it is not.
+    // Numbers are drawn from all of the field, and from 129 fractions. A residual that no draw enters is of
+    // degree 0: it is 0 or it is not.
     double const drawn_from = field ? static_cast<double>(current_arithmetic().modulus()) : 129;
     double const once = field || e.degree > 0 ? std::min(1.0, e.degree / drawn_from) : 1;
     e.probability = e.degree > 0 ? std::max(std::pow(once, e.points), std::numeric_limits<double>::min()) : 0;
   }
-  if (!(relative <= e.bound)) fail(at(what, model) + ": residual " + show(relative) + " of its terms, bound " + show(e.bound));
+  if (!(relative <= e.bound))
+    fail(at(what, model) + ": residual " + show(relative) + " of its terms, bound " + show(e.bound));
 }
 
 void AnyClaim::stays(std::string_view what, std::string_view model, double relative, double floor) {
@@ -70,16 +81,18 @@ void AnyClaim::stays(std::string_view what, std::string_view model, double relat
   if (!std::isnan(c.measured) && !(relative <= c.measured)) c.measured = relative;
 }
 
-void AnyClaim::order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double expected,
-                     double tolerance) {
+void AnyClaim::order(std::string_view what, std::string_view model, std::vector<double> const& steps,
+                     std::vector<double> const& errors, double expected, double tolerance) {
   auto const [slope, spread] = fit(steps, errors);
   Evidence& e = entry(what, "order", model);
   e.steps = steps, e.errors = errors, e.slope = slope, e.spread = spread;
   e.measured = std::abs(slope - expected), e.bound = tolerance, e.points = static_cast<int>(e.steps.size());
   if (e.steps.size() < 6) fail(at(what, model) + ": an order needs five refinements");
-  if (!(e.measured <= tolerance)) fail(at(what, model) + ": order " + show(slope) + ", claimed " + show(expected));
+  if (!(e.measured <= tolerance))
+    fail(at(what, model) + ": order " + show(slope) + ", claimed " + show(expected));
 }
-void AnyClaim::refutes_order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double claimed) {
+void AnyClaim::refutes_order(std::string_view what, std::string_view model, std::vector<double> const& steps,
+                             std::vector<double> const& errors, double claimed) {
   double const shortfall = claimed - fit(steps, errors).first;
   Control& c = control_entry(what, model, shortfall, 0.5);
   c.measured = shortfall, ++c.points;
@@ -101,20 +114,30 @@ void AnyClaim::refused(std::string_view what, std::string_view model, bool truth
 }
 void AnyClaim::judge_controls() {
   for (Control const& c : record.control)
-    if (!(c.measured > c.floor)) fail("control '" + c.what + "' (" + c.model + "): " + show(c.measured) + " passes, floor " + show(c.floor));
+    if (!(c.measured > c.floor))
+      fail("control '" + c.what + "' (" + c.model + "): " + show(c.measured) + " passes, floor " +
+           show(c.floor));
 }
 
 Evidence& AnyClaim::entry(std::string_view what, std::string_view kind, std::string_view model) {
   for (Evidence& e : record.evidence)
     if (e.what == what && e.model == model && e.kind == kind) return e;
-  return record.evidence.emplace_back(
-      Evidence{.what = std::string(what), .kind = std::string(kind), .scalar = record.scalar, .model = std::string(model), .steps = {}, .errors = {}});
+  return record.evidence.emplace_back(Evidence{.what = std::string(what),
+                                               .kind = std::string(kind),
+                                               .scalar = record.scalar,
+                                               .model = std::string(model),
+                                               .steps = {},
+                                               .errors = {}});
 }
-Control& AnyClaim::control_entry(std::string_view what, std::string_view model, double measured, double floor) {
+Control& AnyClaim::control_entry(std::string_view what, std::string_view model, double measured,
+                                 double floor) {
   for (Control& c : record.control)
     if (c.what == what && c.model == model) return c;
-  return record.control.emplace_back(
-      Control{.what = std::string(what), .scalar = record.scalar, .model = std::string(model), .measured = measured, .floor = floor});
+  return record.control.emplace_back(Control{.what = std::string(what),
+                                             .scalar = record.scalar,
+                                             .model = std::string(model),
+                                             .measured = measured,
+                                             .floor = floor});
 }
 
 }  // namespace actio::checks

@@ -1,7 +1,8 @@
 // What a check claims about a statement of the thesis, and what was measured.
 //
-// A check calls `zero` or `equal` for what must vanish, `order` for a rate, and `refutes` or `differs` for the control: the same quantity with one hypothesis
-// broken, one sign or one index flipped, which must not vanish. Everything that is measured goes to the ledger.
+// A check calls `zero` or `equal` for what must vanish, `order` for a rate, and `refutes` or `differs` for
+// the control: the same quantity with one hypothesis broken, one sign or one index flipped, which must not
+// vanish. Everything that is measured goes to the ledger.
 #pragma once
 
 #include <cmath>
@@ -11,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "witness/draw.hpp"
 #include "actio/numbers/square_root.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 namespace actio::checks {
@@ -20,17 +21,15 @@ namespace actio::checks {
 /// Whether numbers grow longer with every operation: over the rationals, where a check takes smaller models.
 inline bool numbers_grow() { return current_arithmetic().kind() == ArithmeticKind::rational; }
 
-/// A number is positive: over a field without order a square stands for that, and the draw is made again where x is none. Roots have then the signs that formulas
-/// with positive numbers give them.
+/// A number is positive: over a field without order a square stands for that, and the draw is made again
+/// where x is none. Roots have then the signs that formulas with positive numbers give them.
 template <class S>
 void draw_positive(S const& x) {
   if (!ordered_arithmetic<S>()) square_root(base_value(x));
 }
 /// |x|: over a field without order whichever of x and -x is a square.
 template <class S>
-S modulus(S const& x) {
-  return ordered_arithmetic<S>() ? (x < S(0) ? S(-x) : x) : square_root(S(x * x));
-}
+S modulus(S const& x) { return ordered_arithmetic<S>() ? (x < S(0) ? S(-x) : x) : square_root(S(x * x)); }
 
 /// One measured figure that speaks for a statement.
 struct Evidence {
@@ -62,36 +61,28 @@ struct Record {
 
 /// Numbers a quantity is made of: a scalar, a matrix, a velocity, a momentum, an element.
 template <Scalar S>
-Base<S> size_of(S const& x) {
-  return magnitude(x);
-}
+Base<S> size_of(S const& x) { return magnitude(x); }
 template <MatrixLike M>
-auto size_of(M const& m) {
-  return magnitude(m);
-}
+auto size_of(M const& m) { return magnitude(m); }
 template <Group G, Scalar S>
-Base<S> size_of(Velocity<G, S> const& x) {
-  return magnitude(x.coordinates);
-}
+Base<S> size_of(Velocity<G, S> const& x) { return magnitude(x.coordinates); }
 template <Group G, Scalar S>
-Base<S> size_of(Momentum<G, S> const& x) {
-  return magnitude(x.components);
-}
+Base<S> size_of(Momentum<G, S> const& x) { return magnitude(x.components); }
 template <Group G, Scalar S>
-Base<S> size_of(Element<G, S> const& x) {
-  return magnitude(x.value);
-}
+Base<S> size_of(Element<G, S> const& x) { return magnitude(x.value); }
 template <Group G, Scalar S>
 Element<G, S> operator-(Element<G, S> const& a, Element<G, S> const& b) {
   return {a.group, a.value - b.value};
 }
 
-/// The part of a claim that does not depend on its scalar: records and judgements, compiled once (claim.cpp). Texts come as views, which cost a caller nothing.
+/// The part of a claim that does not depend on its scalar: records and judgements, compiled once (claim.cpp).
+/// Texts come as views, which cost a caller nothing.
 class AnyClaim {
  public:
   /// A residual of a well-conditioned identity stays within a few hundred roundings of the size of its terms.
   static constexpr double rounding = 300;
-  /// With more digits than these the spacing of numbers is written as \ref least_epsilon, which a double can hold.
+  /// With more digits than these the spacing of numbers is written as \ref least_epsilon, which a double can
+  /// hold.
   static constexpr int most_digits_of_double = 290;
   static constexpr double least_epsilon = 1e-290;
 
@@ -99,17 +90,22 @@ class AnyClaim {
   Record record;
 
   /// @param epsilon  of the scalar; 0 where it is exact
-  AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed, double epsilon);
+  AnyClaim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed,
+           double epsilon);
 
   /// Whether orders are fitted in this call: in double, once.
   bool fits_orders() const { return pass == 0 && current_arithmetic().kind() == ArithmeticKind::hardware; }
   /// Whether orders are fitted in this call that would end in the rounding of double: in fifty digits, once.
-  bool fits_orders_in_digits() const { return pass == 0 && current_arithmetic().kind() == ArithmeticKind::decimal && current_arithmetic().digits() == 50; }
+  bool fits_orders_in_digits() const {
+    return pass == 0 && current_arithmetic().kind() == ArithmeticKind::decimal &&
+           current_arithmetic().digits() == 50;
+  }
   /// Whether this is the first call: for what draws nothing, and would say the same again.
   bool first() const { return pass == 0; }
 
   int pass = 0;  ///< how often the check was called before
-  /// Degrees of the identities, found in a prime field, by what is claimed and the model: for the columns that cannot measure them.
+  /// Degrees of the identities, found in a prime field, by what is claimed and the model: for the columns
+  /// that cannot measure them.
   std::map<std::string, double> const* degrees = nullptr;
 
   // The verdict.
@@ -128,11 +124,13 @@ class AnyClaim {
   // Evidence that is no residual.
 
   /// The errors fall like h^expected: a line fitted to their logarithms, over at least five refinements.
-  void order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double expected,
-             double tolerance = 0.05);
+  void order(std::string_view what, std::string_view model, std::vector<double> const& steps,
+             std::vector<double> const& errors, double expected, double tolerance = 0.05);
   /// Control: the fitted order stays below `claimed` by more than a half.
-  void refutes_order(std::string_view what, std::string_view model, std::vector<double> const& steps, std::vector<double> const& errors, double claimed);
-  /// A fact that is no residual: true or the check fails. For controls that are refusals, say so with `refuses`.
+  void refutes_order(std::string_view what, std::string_view model, std::vector<double> const& steps,
+                     std::vector<double> const& errors, double claimed);
+  /// A fact that is no residual: true or the check fails. For controls that are refusals, say so with
+  /// `refuses`.
   void fact(std::string_view what, std::string_view model, bool truth);
   /// Control: the call throws `E`, which it does not under the hypothesis.
   template <class E, class Call>
@@ -144,15 +142,18 @@ class AnyClaim {
       refused(what, model, true);
     }
   }
-  /// A control that stays at or under its floor says that the check cannot fail there: that is a failure. A NaN is one as well.
+  /// A control that stays at or under its floor says that the check cannot fail there: that is a failure. A
+  /// NaN is one as well.
   void judge_controls();
   void fail(std::string_view message);
 
  protected:
   /// A residual of this relative size was claimed to vanish.
   /// @param degree  upper bound of its degree in the random numbers; 0 where it is not known
-  void vanishes(std::string_view what, std::string_view model, double relative, double condition, double degree);
-  /// Of the numbers whose size was asked for last. Each different root counts fourfold: the norm over its signs has twice the degree, and half of the points have one.
+  void vanishes(std::string_view what, std::string_view model, double relative, double condition,
+                double degree);
+  /// Of the numbers whose size was asked for last. Each different root counts fourfold: the norm over its
+  /// signs has twice the degree, and half of the points have one.
   static double degree_of_residual();
   /// A residual of this relative size was claimed not to vanish.
   void stays(std::string_view what, std::string_view model, double relative, double floor);
@@ -173,12 +174,15 @@ class Claim : public AnyClaim {
   Claim(std::string_view id, std::string_view title, std::string_view scalar, std::uint64_t seed)
       : AnyClaim(id, title, scalar, seed, to_double(epsilon<S>())) {}
 
-  /// The residual vanishes: exactly over an exact arithmetic, otherwise to `rounding * condition` epsilons of `scale`.
+  /// The residual vanishes: exactly over an exact arithmetic, otherwise to `rounding * condition` epsilons of
+  /// `scale`.
   ///
   /// @param scale      size of the terms whose cancellation is claimed
-  /// @param condition  by how much the computation of the terms magnifies rounding, with a reason beside the call; 1 for plain evaluation
+  /// @param condition  by how much the computation of the terms magnifies rounding, with a reason beside the
+  ///                   call; 1 for plain evaluation
   template <class R, class Scale>
-  void zero(std::string_view what, std::string_view model, R const& residual, Scale const& scale, double condition = 1) {
+  void zero(std::string_view what, std::string_view model, R const& residual, Scale const& scale,
+            double condition = 1) {
     forget_degrees();
     Base<S> const size = size_of(residual);
     double const degree = degree_of_residual();
@@ -186,19 +190,23 @@ class Claim : public AnyClaim {
   }
   /// Two sides are equal; the scale is that of the larger side.
   template <class L, class R>
-  void equal(std::string_view what, std::string_view model, L const& left, R const& right, double condition = 1) {
+  void equal(std::string_view what, std::string_view model, L const& left, R const& right,
+             double condition = 1) {
     zero(what, model, difference(left, right), larger(size_of(left), size_of(right)), condition);
   }
 
-  /// Control: with a hypothesis broken the residual does not vanish. One point is enough to refute an identity, and random points are sometimes near a zero of
-  /// the broken form too; so the largest residual among the points counts, and it is judged once all have been tried (`judge_controls`).
+  /// Control: with a hypothesis broken the residual does not vanish. One point is enough to refute an
+  /// identity, and random points are sometimes near a zero of the broken form too; so the largest residual
+  /// among the points counts, and it is judged once all have been tried (`judge_controls`).
   template <class R, class Scale>
-  void refutes(std::string_view what, std::string_view model, R const& residual, Scale const& scale, double floor = 1e-3) {
+  void refutes(std::string_view what, std::string_view model, R const& residual, Scale const& scale,
+               double floor = 1e-3) {
     stays(what, model, quotient(size_of(residual), size_of(S(scale))), floor);
   }
   /// Control: two sides differ by more than `floor` of the larger one.
   template <class L, class R>
-  void differs(std::string_view what, std::string_view model, L const& left, R const& right, double floor = 1e-3) {
+  void differs(std::string_view what, std::string_view model, L const& left, R const& right,
+               double floor = 1e-3) {
     refutes(what, model, difference(left, right), larger(size_of(left), size_of(right)), floor);
   }
 
@@ -213,9 +221,12 @@ class Claim : public AnyClaim {
       return left - right;
   }
   static Base<S> larger(Base<S> const& a, Base<S> const& b) { return a < b ? b : a; }
-  /// The same as quotient, for what is claimed to vanish: beyond the range of double the roundings are counted first, so that none is lost.
+  /// The same as quotient, for what is claimed to vanish: beyond the range of double the roundings are
+  /// counted first, so that none is lost.
   static double in_roundings(Base<S> const& residual, Base<S> const& scale) {
-    if (decimal_digits<S>() <= most_digits_of_double || !is_finite(residual) || !is_finite(scale) || scale == Base<S>(0)) return quotient(residual, scale);
+    if (decimal_digits<S>() <= most_digits_of_double || !is_finite(residual) || !is_finite(scale) ||
+        scale == Base<S>(0))
+      return quotient(residual, scale);
     return to_double(Base<S>(residual / scale / epsilon<S>())) * least_epsilon;
   }
   /// Size of a residual relative to that of its terms.

@@ -1,9 +1,11 @@
-// A Lagrangian on a group whose motions are polynomials in time, so that actions, flows and pullbacks over finite times are exact over the rationals.
+// A Lagrangian on a group whose motions are polynomials in time, so that actions, flows and pullbacks over
+// finite times are exact over the rationals.
 //
-// On Aff(1), GL(2) and the Heisenberg group the free entries q of a matrix are coordinates. In bent coordinates u(q) the Lagrangian is
-//   L = 1/2 u'^T A u' + kappa (s.u')^3 + c.u + d/dt [(w.u)^2 (r.u)]      with s.A^-1 c = 0,
-// whose motions are u = u0 + u0' t + A^-1 c t^2/2. It is not quadratic, not even, and as a function on TG invariant under nothing, unless symmetry is asked for. The flow is written out
-// here from that solution; the library never solves anything.
+// On Aff(1), GL(2) and the Heisenberg group the free entries q of a matrix are coordinates. In bent
+//   coordinates u(q) the Lagrangian is L = 1/2 u'^T A u' + kappa (s.u')^3 + c.u + d/dt [(w.u)^2 (r.u)] with
+//   s.A^-1 c = 0, whose motions are u = u0 + u0' t + A^-1 c t^2/2. It is not quadratic, not even, and as a
+//   function on TG invariant under nothing, unless symmetry is asked for. The flow is written out here from
+//   that solution; the library never solves anything.
 #pragma once
 
 #include <utility>
@@ -63,7 +65,8 @@ struct ExactMotions {
   T in_straight(Vector<T> const& u, Vector<T> const& v) const {
     T const sv = dot(s, v), wu = dot(w, u);
     Vector<T> const p = a.template cast<T>() * v;
-    return v.dot(p) / 2 + sv * sv * sv * T(kappa) + dot(c, u) + wu * dot(w, v) * dot(r, u) * 2 + wu * wu * dot(r, v);
+    return v.dot(p) / 2 + sv * sv * sv * T(kappa) + dot(c, u) + wu * dot(w, v) * dot(r, u) * 2 +
+           wu * wu * dot(r, v);
   }
   template <class T>
   T in_entries(Vector<T> const& q, Vector<T> const& v) const {
@@ -97,7 +100,8 @@ struct ExactMotions {
     auto const [u, v] = straight_state(state);
     return [self = *this, u = u, v = v](auto const& t) {
       using T = std::decay_t<decltype(t)>;
-      Vector<T> const x = u.template cast<T>() + v.template cast<T>() * t + self.fall.template cast<T>() * (t * t / 2);
+      Vector<T> const x =
+          u.template cast<T>() + v.template cast<T>() * t + self.fall.template cast<T>() * (t * t / 2);
       return self.configuration(self.bent(x));
     };
   }
@@ -105,7 +109,9 @@ struct ExactMotions {
   auto shift(Vector<S> const& d) const {
     return [self = *this, d](auto const& g) {
       using T = typename std::decay_t<decltype(g)>::Scalar;
-      return state_in(self.chart(), self.straight(self.read(Matrix<T>(g.value))), Vector<T>(d.template cast<T>())).velocity;
+      return state_in(self.chart(), self.straight(self.read(Matrix<T>(g.value))),
+                      Vector<T>(d.template cast<T>()))
+          .velocity;
     };
   }
 
@@ -118,7 +124,8 @@ struct ExactMotions {
   }
 };
 
-/// Bounds the degree in t of what is integrated: 12, reached by the total derivative, where u has degree 4 and its variations degree 5 (2 and 9 along motions).
+/// Bounds the degree in t of what is integrated: 12, reached by the total derivative, where u has degree 4
+/// and its variations degree 5 (2 and 9 along motions).
 inline constexpr int polynomial_degree = 14;
 
 template <class S>
@@ -163,10 +170,12 @@ template <class S>
 auto draw_polynomial_curve(Draw& draw, ExactMotions<S> const& m) {
   int const n = m.group.dimension();
   Vector<S> const q0 = m.read(draw.element<S>(m.group, ratio<S>(1, 4)).value);
-  Vector<S> const q1 = draw_vector<S>(draw, n) * ratio<S>(1, 4), q2 = draw_vector<S>(draw, n) * ratio<S>(1, 4);
+  Vector<S> const q1 = draw_vector<S>(draw, n) * ratio<S>(1, 4),
+                  q2 = draw_vector<S>(draw, n) * ratio<S>(1, 4);
   return [=](auto const& t) {
     using T = std::decay_t<decltype(t)>;
-    return m.configuration(Vector<T>(q0.template cast<T>() + (q1.template cast<T>() + q2.template cast<T>() * t) * t));
+    return m.configuration(
+        Vector<T>(q0.template cast<T>() + (q1.template cast<T>() + q2.template cast<T>() * t) * t));
   };
 }
 /// Directions of the entries, a polynomial in t, with zeros at a and b where `fixed`.

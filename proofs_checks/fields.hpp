@@ -1,8 +1,10 @@
-// Models of Part II that can tell right from wrong: metrics that are neither constant nor diagonal nor conformal, and different on body and space; mass
-// that varies; sections that solve nothing; densities that depend on everything they may.
+// Models of Part II that can tell right from wrong: metrics that are neither constant nor diagonal nor
+// conformal, and different on body and space; mass that varies; sections that solve nothing; densities that
+// depend on everything they may.
 //
-// All of them are polynomials with random coefficients, so what needs no root runs over the rationals, where a residual is exactly zero. Metrics are A^T A, with
-// rational volumes. Each is a callable over any scalar that extends S.
+// All of them are polynomials with random coefficients, so what needs no root runs over the rationals, where
+// a residual is exactly zero. Metrics are A^T A, with rational volumes. Each is a callable over any scalar
+// that extends S.
 #pragma once
 
 #include <string>
@@ -47,7 +49,8 @@ Cubic<S, m> draw_cubic(Draw& draw, S const& size = S(1)) {
   return {constant, a, b, d, e};
 }
 
-/// A section that solves nothing: the first coordinates of the body where space has as many, and a cubic of size `size` added to each.
+/// A section that solves nothing: the first coordinates of the body where space has as many, and a cubic of
+/// size `size` added to each.
 template <class S, int n, int N>
 struct AnySection {
   std::array<Cubic<S, n + 1>, N> added;
@@ -68,11 +71,10 @@ AnySection<S, n, N> draw_section(Draw& draw, S const& size = ratio<S>(1, 5)) {
 
 /// A point of space-time within 1/2 of the origin: there the Jacobian of a drawn section is positive.
 template <class S, int n>
-Event<S, n> draw_event(Draw& draw) {
-  return draw.vector<S, Event<S, n>>(n + 1) * ratio<S>(1, 2);
-}
+Event<S, n> draw_event(Draw& draw) { return draw.vector<S, Event<S, n>>(n + 1) * ratio<S>(1, 2); }
 
-/// A metric A(y)^T A(y) with \f$A = 1 + \text{small}(y)\f$ of second degree: neither constant nor diagonal nor conformal.
+/// A metric A(y)^T A(y) with \f$A = 1 + \text{small}(y)\f$ of second degree: neither constant nor diagonal
+/// nor conformal.
 template <class S, int n>
 struct AnyMetric {
   Matrix<S, n, n> constant;
@@ -124,23 +126,17 @@ template <class S, int n>
 struct AnyMass {
   Cubic<S, n> added;
   template <class V>
-  auto operator()(V const& x) const {
-    return ScalarOf<V>(added(x) + 2);
-  }
+  auto operator()(V const& x) const { return ScalarOf<V>(added(x) + 2); }
 };
 template <class S, int n>
-AnyMass<S, n> draw_mass(Draw& draw) {
-  return {draw_cubic<S, n>(draw, ratio<S>(1, 4))};
-}
+AnyMass<S, n> draw_mass(Draw& draw) { return {draw_cubic<S, n>(draw, ratio<S>(1, 4))}; }
 
 /// A law of a barotropic fluid: \f$w(J) = K/J + a\,J + b\,J^2\f$.
 template <class S>
 struct AnyFluidLaw {
   S K, a, b;
   template <class T>
-  T operator()(T const& J) const {
-    return T(T(K) / J + J * T(a) + J * J * T(b));
-  }
+  T operator()(T const& J) const { return T(T(K) / J + J * T(a) + J * J * T(b)); }
 };
 template <class S>
 Barotropic<AnyFluidLaw<S>> draw_fluid(Draw& draw) {
@@ -163,17 +159,17 @@ struct AnySolidLaw {
   }
 };
 template <class S>
-OfGreenTensor<AnySolidLaw<S>> draw_solid(Draw& draw) {
-  return {{draw_cubic<S, 2>(draw, ratio<S>(1, 2))}};
-}
+OfGreenTensor<AnySolidLaw<S>> draw_solid(Draw& draw) { return {{draw_cubic<S, 2>(draw, ratio<S>(1, 2))}}; }
 
-/// A stored energy W(x, G, g, F) of the most general form: it sees the metrics other than through the Green tensor or the Jacobian, and the point of the body.
+/// A stored energy W(x, G, g, F) of the most general form: it sees the metrics other than through the Green
+/// tensor or the Jacobian, and the point of the body.
 template <class S, int n, int N>
 struct AnyEnergy {
   static constexpr int arguments = n + n * n + N * N + N * n;
   Cubic<S, arguments> w;
   template <class BodyMetric, class SpaceMetric, class T>
-  T operator()(Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Matrix<T, N, n> const& F) const {
+  T operator()(Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<T, N, n> const& F) const {
     Matrix<T, n, n> const body = as_matrix<T>(G);
     Matrix<T, N, N> const space = as_matrix<T>(g);
     Matrix<T, arguments, 1> all;
@@ -190,7 +186,8 @@ AnyEnergy<S, n, N> draw_energy(Draw& draw) {
   return {draw_cubic<S, AnyEnergy<S, n, N>::arguments>(draw, ratio<S>(1, 2))};
 }
 
-/// A density of the most general form: a cubic in all coordinates of the jet bundle, with a product of velocity and place that no medium has.
+/// A density of the most general form: a cubic in all coordinates of the jet bundle, with a product of
+/// velocity and place that no medium has.
 template <class S, int n, int N>
 struct AnyDensity {
   Cubic<S, Jet<S, n, N>::dimension> l, m;
@@ -230,13 +227,12 @@ struct Dimensions {
 
 /// Calls `visit(dimensions, name)` for each of the dimensions.
 template <class... D, class Visit>
-void over_dimensions(std::tuple<D...>, Visit const& visit) {
-  (visit(D{}, D::name()), ...);
-}
+void over_dimensions(std::tuple<D...>, Visit const& visit) { (visit(D{}, D::name()), ...); }
 /// Bodies as large as their space, for what needs a Jacobian.
 using PlaneAndSpace = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// And smaller and larger ones, for what does not.
-using AllDimensions = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>, Dimensions<2, 3>, Dimensions<2, 1>>;
+using AllDimensions =
+    std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>, Dimensions<2, 3>, Dimensions<2, 1>>;
 /// Three of them, for what costs much.
 using FewDimensions = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<2, 1>>;
 

@@ -1,10 +1,12 @@
-// Generalized rigid bodies, their relative motions and exact motions of the Moser-Veselov scheme: for the checks of section 5.2, 5.3 and chapter 1.
+// Generalized rigid bodies, their relative motions and exact motions of the Moser-Veselov scheme: for the
+// checks of section 5.2, 5.3 and chapter 1.
 //
-// Momenta are those of the scaled Lagrangian Tr(f Lambda), as the thesis has them: h times the physical ones. They are written out as matrices here and nowhere taken from the
-// classes that the checks judge.
+// Momenta are those of the scaled Lagrangian Tr(f Lambda), as the thesis has them: h times the physical ones.
+// They are written out as matrices here and nowhere taken from the classes that the checks judge.
 //
-// Rotations are rational by Cayley's transform. A motion is not solved for: (5.7) is linear in Lambda, so the relative motions are drawn first and a body is found that moves like
-// this. Its Lambda is symmetric but not diagonal: the frame of the body is not that of its principal axes, which no statement here needs.
+// Rotations are rational by Cayley's transform. A motion is not solved for: (5.7) is linear in Lambda, so the
+// relative motions are drawn first and a body is found that moves like this. Its Lambda is symmetric but not
+// diagonal: the frame of the body is not that of its principal axes, which no statement here needs.
 #pragma once
 
 #include <string>
@@ -25,11 +27,11 @@ template <class S>
 using BodyVelocity = Velocity<Turns, S>;
 
 inline std::string name_of(int n) { return "SO(" + std::to_string(n) + ")"; }
-/// Calls `visit(n, name)` for n = 3, 4, 5 at several random points: SO(3) alone would hide what SO(4) and SO(5) show about Casimirs and indices.
+/// Calls `visit(n, name)` for n = 3, 4, 5 at several random points: SO(3) alone would hide what SO(4) and
+/// SO(5) show about Casimirs and indices.
 template <class S, class Visit>
 void over_bodies(Claim<S> const&, Visit const& visit) {
-  for (int n = 3; n <= 5; ++n)
-    visit(n, name_of(n));
+  for (int n = 3; n <= 5; ++n) visit(n, name_of(n));
 }
 
 /// \f$\Lambda\f$ of a body in its principal frame: diagonal, no two entries alike.
@@ -43,15 +45,18 @@ Matrix<S> draw_inertia(Draw& draw, int n) {
 template <class S>
 Vector<S> moments_of(Matrix<S> const& lambda) {
   Vector<S> moments(lambda.rows() * (lambda.rows() - 1) / 2);
-  over_planes(static_cast<int>(lambda.rows()), [&](int a, int i, int j) { moments[a] = lambda(i, i) + lambda(j, j); });
+  over_planes(static_cast<int>(lambda.rows()),
+              [&](int a, int i, int j) { moments[a] = lambda(i, i) + lambda(j, j); });
   return moments;
 }
-/// A velocity that turns in every plane: each coordinate between a quarter of `size` and all of it, with either sign. So no control is near its zero by chance.
+/// A velocity that turns in every plane: each coordinate between a quarter of `size` and all of it, with
+/// either sign. So no control is near its zero by chance.
 template <class S>
 BodyVelocity<S> draw_turning(Draw& draw, int n, S const& size = S(1)) {
   Turns const group{n};
   BodyVelocity<S> xi{group, Vector<S>(group.dimension())};
-  for (int a = 0; a < group.dimension(); ++a) xi.coordinates[a] = (S(5) + S(3) * draw.number<S>()) * (draw.below(2) == 0 ? size : S(-size)) / S(8);
+  for (int a = 0; a < group.dimension(); ++a)
+    xi.coordinates[a] = (S(5) + S(3) * draw.number<S>()) * (draw.below(2) == 0 ? size : S(-size)) / S(8);
   return xi;
 }
 /// A rotation by Cayley's transform of such a velocity.
@@ -60,7 +65,8 @@ Turn<S> draw_turn(Draw& draw, int n, S const& size = ratio<S>(3, 4)) {
   return retract(draw_turning<S>(draw, n, size));
 }
 
-/// \f$f^T\Lambda - \Lambda f\f$, the momentum before the step, and \f$\Lambda f^T - f\Lambda\f$, the momentum after it.
+/// \f$f^T\Lambda - \Lambda f\f$, the momentum before the step, and \f$\Lambda f^T - f\Lambda\f$, the momentum
+/// after it.
 template <class S>
 Matrix<S> before(Matrix<S> const& lambda, Turn<S> const& f) {
   return f.value.transpose() * lambda - lambda * f.value;
@@ -71,9 +77,7 @@ Matrix<S> after(Matrix<S> const& lambda, Turn<S> const& f) {
 }
 /// \f$a\,m\,a^T\f$.
 template <class S>
-Matrix<S> turned(Turn<S> const& a, Matrix<S> const& m) {
-  return a.value * m * a.value.transpose();
-}
+Matrix<S> turned(Turn<S> const& a, Matrix<S> const& m) { return a.value * m * a.value.transpose(); }
 /// A skew matrix as a momentum, and back.
 template <class S>
 BodyMomentum<S> as_momentum(Matrix<S> const& m) {
@@ -81,9 +85,7 @@ BodyMomentum<S> as_momentum(Matrix<S> const& m) {
   return {group, group.vee(m)};
 }
 template <class S>
-Matrix<S> as_matrix(BodyMomentum<S> const& mu) {
-  return mu.group.hat(mu.components);
-}
+Matrix<S> as_matrix(BodyMomentum<S> const& mu) { return mu.group.hat(mu.components); }
 
 /// \f$\ell(f) = \mathrm{Tr}(f\Lambda)\f$, scaled as in the thesis: the physical one is -1/h of it, up to a
 /// constant.
@@ -131,8 +133,10 @@ struct ExactMotion {
   Matrix<S> body(int k) const { return before(lambda, omega(k)); }
 };
 
-/// A motion that is its own mirror image in time: with the reflection P in the last axis and \f$P\Lambda P = \Lambda\f$ the sequence \f$f,\; PR,\; Pf^TP\f$ satisfies (5.7) twice if it does once, for any
-/// rotation f and any reflection R. That is a linear system for \f$\Lambda\f$, which has one solution up to a factor.
+/// A motion that is its own mirror image in time: with the reflection P in the last axis and
+/// \f$P\Lambda P = \Lambda\f$ the sequence \f$f,\; PR,\; Pf^TP\f$ satisfies (5.7) twice if it does once, for
+/// any rotation f and any reflection R. That is a linear system for \f$\Lambda\f$, which has one solution up
+/// to a factor.
 template <class S>
 ExactMotion<S> draw_motion(Draw& draw, int n) {
   Matrix<S> p = Matrix<S>::Identity(n, n);
@@ -145,7 +149,9 @@ ExactMotion<S> draw_motion(Draw& draw, int n) {
   motion.f[2] = {group, p * motion.f[0].value.transpose() * p};
 
   // The last entry of the diagonal is 1; solve for the block above it.
-  auto const left = [&](Matrix<S> const& lambda) { return as_momentum(Matrix<S>(before(lambda, motion.f[1]) - after(lambda, motion.f[0]))).components; };
+  auto const left = [&](Matrix<S> const& lambda) {
+    return as_momentum(Matrix<S>(before(lambda, motion.f[1]) - after(lambda, motion.f[0]))).components;
+  };
   Matrix<S> lambda = Matrix<S>::Zero(n, n), columns(group.dimension(), group.dimension());
   lambda(n - 1, n - 1) = S(1);
   Vector<S> const right = left(lambda);
@@ -164,10 +170,11 @@ ExactMotion<S> draw_motion(Draw& draw, int n) {
   for (auto const& f : motion.f) motion.g.push_back({group, motion.g.back().value * f.value.transpose()});
   return motion;
 }
-/// By how much rounding in the terms of a designed motion is magnified: its body solves up to ten equations, by elimination with row exchanges, whose residual is
-/// some ten roundings of the largest entry.
+/// By how much rounding in the terms of a designed motion is magnified: its body solves up to ten equations,
+/// by elimination with row exchanges, whose residual is some ten roundings of the largest entry.
 inline constexpr double designed = 10;
-/// Two things that a designed motion makes equal, one less the other: to be measured against Lambda, whose largest entry is 1. Its momenta are differences of terms of that size.
+/// Two things that a designed motion makes equal, one less the other: to be measured against Lambda, whose
+/// largest entry is 1. Its momenta are differences of terms of that size.
 template <class X>
 auto gap(X const& a, X const& b) {
   if constexpr (requires { (a - b).eval(); })

@@ -1,4 +1,5 @@
-// Groupoids for the checks of section 4.1: pairs of configurations, groups and their opposites, a group with a vector it carries, a gauge groupoid; and functions on their arrows.
+// Groupoids for the checks of section 4.1: pairs of configurations, groups and their opposites, a group with
+// a vector it carries, a gauge groupoid; and functions on their arrows.
 #pragma once
 
 #include "actio/groupoid/action_groupoid.hpp"
@@ -23,18 +24,28 @@ template <class S, class Gamma>
   requires std::same_as<Point<Gamma, S>, SinglePoint<S>>
 SinglePoint<S> draw_point(Draw&, Gamma const&) { return {}; }
 template <class S>
-Point<Carrying, S> draw_point(Draw& draw, Carrying const& gamma) { return {draw_vector<S>(draw, gamma.base_dimension())}; }
+Point<Carrying, S> draw_point(Draw& draw, Carrying const& gamma) {
+  return {draw_vector<S>(draw, gamma.base_dimension())};
+}
 template <class S>
 Point<Gauge, S> draw_point(Draw& draw, Gauge const& gamma) { return {draw_vector<S>(draw, gamma.base)}; }
 
 template <class S>
-Arrow<Pairs, S> draw_arrow(Draw& draw, Pairs const& gamma, Point<Pairs, S> const& from) { return {from, draw.template element<S>(gamma.group)}; }
+Arrow<Pairs, S> draw_arrow(Draw& draw, Pairs const& gamma, Point<Pairs, S> const& from) {
+  return {from, draw.template element<S>(gamma.group)};
+}
 template <class S>
-Arrow<Alone, S> draw_arrow(Draw& draw, Alone const& gamma, SinglePoint<S> const&) { return draw.template element<S>(gamma.group); }
+Arrow<Alone, S> draw_arrow(Draw& draw, Alone const& gamma, SinglePoint<S> const&) {
+  return draw.template element<S>(gamma.group);
+}
 template <class S>
-Arrow<Alone, S> draw_arrow(Draw& draw, Opposite<Alone> const& gamma, SinglePoint<S> const&) { return draw.template element<S>(gamma.of.group); }
+Arrow<Alone, S> draw_arrow(Draw& draw, Opposite<Alone> const& gamma, SinglePoint<S> const&) {
+  return draw.template element<S>(gamma.of.group);
+}
 template <class S>
-Arrow<Carrying, S> draw_arrow(Draw& draw, Carrying const& gamma, Point<Carrying, S> const& from) { return {draw.template element<S>(gamma.group), from.value}; }
+Arrow<Carrying, S> draw_arrow(Draw& draw, Carrying const& gamma, Point<Carrying, S> const& from) {
+  return {draw.template element<S>(gamma.group), from.value};
+}
 template <class S>
 Arrow<Gauge, S> draw_arrow(Draw& draw, Gauge const& gamma, Point<Gauge, S> const& from) {
   return {from.value, draw_vector<S>(draw, gamma.base), draw.template element<S>(gamma.group)};
@@ -63,7 +74,8 @@ struct ArrowPolynomial {
       for (Index i = 0; i < entries.size(); ++i) q += entries[i] * T(squares(k, i));
       sum += q * q / 2;
     }
-    for (Index i = 0; i < entries.size(); ++i) sum += entries[i] * T(linear[i]), along += entries[i] * T(cube[i]);
+    for (Index i = 0; i < entries.size(); ++i)
+      sum += entries[i] * T(linear[i]), along += entries[i] * T(cube[i]);
     return sum + along * along * along;
   }
 };
@@ -78,10 +90,13 @@ ArrowPolynomial<S> draw_arrow_polynomial(Draw& draw, Gamma const& gamma, Arrow<G
   return {draw_matrix<S>(draw, n, n), draw_vector<S>(draw, n), draw_vector<S>(draw, n) * ratio<S>(1, 4)};
 }
 
-/// Calls `visit(gamma, name)` for groupoids of every kind, at several random points each. The groups are small: a groupoid is larger than its group.
+/// Calls `visit(gamma, name)` for groupoids of every kind, at several random points each. The groups are
+/// small: a groupoid is larger than its group.
 template <class S, class Visit>
 void over_groupoids(Claim<S> const&, Visit const& visit) {
-  static SpannedGroup const so3 = spanned("SO(3)", SO<3>{}), se2 = spanned("SE(2)", SE<2>{}), aff = spanned("Aff(1)", Aff1{}), so2("SO(2)", {(SpannedGroup::WholeMatrix(2, 2) << 0, -1, 1, 0).finished()});
+  static SpannedGroup const so3 = spanned("SO(3)", SO<3>{}), se2 = spanned("SE(2)", SE<2>{}),
+                            aff = spanned("Aff(1)", Aff1{}),
+                            so2("SO(2)", {(SpannedGroup::WholeMatrix(2, 2) << 0, -1, 1, 0).finished()});
   {
     for (auto const& group : {so3, aff}) visit(Pairs{group}, "pairs in " + group.name());
     for (auto const& group : {se2, aff}) visit(Alone{group}, group.name());

@@ -1,14 +1,16 @@
-// Models of chapter 8: media with a pressure that solve nothing, motions that preserve volume exactly, and metrics that they preserve it for.
+// Models of chapter 8: media with a pressure that solve nothing, motions that preserve volume exactly, and
+// metrics that they preserve it for.
 //
-// Compositions of shears are polynomial and have polynomial inverses, and preserve dy^1 ... dy^n. A metric A^T A with A unitriangular has this volume, and is
-// curved. Together they keep J = 1 where neither the metric nor the motion is simple.
+// Compositions of shears are polynomial and have polynomial inverses, and preserve dy^1 ... dy^n. A metric
+// A^T A with A unitriangular has this volume, and is curved. Together they keep J = 1 where neither the
+// metric nor the motion is simple.
 #pragma once
 
 #include "fields.hpp"
 
 #include "actio/incompressible/ideal_fluid.hpp"
-#include "actio/jets/field_equations.hpp"
 #include "actio/incompressible/two_pressures.hpp"
+#include "actio/jets/field_equations.hpp"
 
 namespace actio::checks {
 
@@ -60,7 +62,8 @@ Medium<S, n> draw_medium(Draw& draw) {
 }
 /// An ideal homogeneous fluid: mass 1, a stored energy that is the same everywhere.
 template <class S, int n>
-Medium<S, n> ideal_fluid(AnyMetric<S, n> const& G, AnyMetric<S, n> const& g, S const& energy = ratio<S>(2, 7)) {
+Medium<S, n> ideal_fluid(AnyMetric<S, n> const& G, AnyMetric<S, n> const& g,
+                         S const& energy = ratio<S>(2, 7)) {
   return {G, g, unit_mass<S, n>(), constant_energy<S, n>(energy)};
 }
 template <class S, int n>
@@ -70,7 +73,8 @@ Fluid<S, n> draw_barotropic(Draw& draw) {
   return {G, g, rho, draw_fluid<S>(draw)};
 }
 
-/// n shears one after the other: each adds to one coordinate a cubic in time and the others. Volume is preserved, and the inverse is a polynomial too.
+/// n shears one after the other: each adds to one coordinate a cubic in time and the others. Volume is
+/// preserved, and the inverse is a polynomial too.
 template <class S, int n>
 struct Shears {
   std::array<Cubic<S, n + 1>, n> added;
@@ -95,7 +99,8 @@ Shears<S, n> draw_shears(Draw& draw, S const& size = ratio<S>(1, 4)) {
   for (int a = 0; a < n; ++a) {
     phi.added[a] = draw_cubic<S, n + 1>(draw, size);
     // What a coordinate is moved by does not depend on it.
-    for (auto* vector : {&phi.added[a].a, &phi.added[a].b, &phi.added[a].d, &phi.added[a].e}) (*vector)[a + 1] = S(0);
+    for (auto* vector : {&phi.added[a].a, &phi.added[a].b, &phi.added[a].d, &phi.added[a].e})
+      (*vector)[a + 1] = S(0);
   }
   return phi;
 }
@@ -105,12 +110,11 @@ template <class S, int n>
 struct VelocityInSpace {
   Shears<S, n> phi;
   template <class V>
-  auto operator()(V const& y) const {
-    return first_jet(phi, phi.particle(y)).velocity();
-  }
+  auto operator()(V const& y) const { return first_jet(phi, phi.particle(y)).velocity(); }
 };
 
-/// A field or function of time and space at the place of a particle: from (t, x) to its value at (t, phi(t, x)).
+/// A field or function of time and space at the place of a particle: from (t, x) to its value at (t, phi(t,
+/// x)).
 template <class Field, class Phi>
 struct CarriedBy {
   Field field;
@@ -126,7 +130,8 @@ struct CarriedBy {
 template <class Field, class Phi>
 CarriedBy(Field, Phi) -> CarriedBy<Field, Phi>;
 
-/// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric cubics \f$\psi\f$: its divergence vanishes everywhere.
+/// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric cubics \f$\psi\f$: its
+/// divergence vanishes everywhere.
 template <class S, int n, class Metric>
 struct SolenoidalField {
   Metric g;
@@ -159,7 +164,8 @@ SecondJet<S, n, n + 1> draw_extended_jet(Draw& draw, Phi const& phi, BodyMetric 
   return second_jet(with_pressure(phi, P, G), draw_event<S, n>(draw));
 }
 
-/// The Euler-Lagrange derivative in the places, over \f$-\sqrt{\det G}\f$: what equations of motion per unit of volume leave.
+/// The Euler-Lagrange derivative in the places, over \f$-\sqrt{\det G}\f$: what equations of motion per unit
+/// of volume leave.
 template <class L, class S, int n, int M>
 Matrix<S, n, 1> per_volume(L const& density, SecondJet<S, n, M> const& j) {
   Matrix<S, M, 1> const E = euler_lagrange(density, j);
@@ -176,8 +182,6 @@ using Plane = std::tuple<Dimensions<2, 2>>;
 using TwoAndThree = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// One random point in each of the dimensions.
 template <class Dims, class Visit>
-void over_points(Dims dims, Visit const& visit) {
-  over_dimensions(dims, visit);
-}
+void over_points(Dims dims, Visit const& visit) { over_dimensions(dims, visit); }
 
 }  // namespace actio::checks

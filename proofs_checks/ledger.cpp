@@ -1,9 +1,11 @@
-// The ledger: merges what the checks reported into one record a statement, and says whether the suite keeps its promise.
+// The ledger: merges what the checks reported into one record a statement, and says whether the suite keeps
+// its promise.
 //
 //   ledger merge  REPORT            REPORT/checks/*.json -> REPORT/statements.json; prints the counts
 //   ledger verify REPORT [--scalars double,rational]
-//       fails (status 1) on an owed statement without record, a record without control (but `scope`), scalars that disagree on the verdict, a
-//       check that failed, evidence outside its bound, a control under its floor, an id that is not in the registry
+//       fails (status 1) on an owed statement without record, a record without control (but `scope`), scalars
+//       that disagree on the verdict, a check that failed, evidence outside its bound, a control under its
+//       floor, an id that is not in the registry
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -37,7 +39,9 @@ std::vector<Statement> read_registry(std::string const& path) {
     std::vector<std::string> cells;
     std::istringstream row(line);
     for (std::string cell; std::getline(row, cell, '\t');) cells.push_back(cell);
-    if (cells.size() < 6) throw std::runtime_error(path + ":" + std::to_string(number) + ": six columns are needed, there are " + std::to_string(cells.size()));
+    if (cells.size() < 6)
+      throw std::runtime_error(path + ":" + std::to_string(number) + ": six columns are needed, there are " +
+                               std::to_string(cells.size()));
     all.push_back({cells[0], cells[1], cells[2], cells[3], cells[4], cells[5] == "yes"});
   }
   return all;
@@ -54,7 +58,8 @@ std::map<std::string, std::vector<ordered_json>> read_records(fs::path const& re
   for (auto const& file : files) {
     std::ifstream in(file);
     ordered_json const all = ordered_json::parse(in, nullptr, false);
-    if (all.is_discarded() || !all.is_array()) throw std::runtime_error(file.string() + ": not a report; run the checks again");
+    if (all.is_discarded() || !all.is_array())
+      throw std::runtime_error(file.string() + ": not a report; run the checks again");
     for (auto const& record : all) records[record.at("id")].push_back(record);
   }
   return records;
@@ -62,9 +67,13 @@ std::map<std::string, std::vector<ordered_json>> read_records(fs::path const& re
 
 /// One record from those of several scalars: the strongest kind first.
 ordered_json merged(std::vector<ordered_json> parts) {
-  std::map<std::string, int> const rank = {{"rational", 0}, {"prime", 1}, {"double", 2}, {"dec50", 3}, {"dec100", 4}, {"ball", 5}};
-  auto const place = [&](ordered_json const& part) { return rank.contains(part.at("scalar")) ? rank.at(part.at("scalar")) : 9; };
-  std::stable_sort(parts.begin(), parts.end(), [&](auto const& a, auto const& b) { return place(a) < place(b); });
+  std::map<std::string, int> const rank = {{"rational", 0}, {"prime", 1},  {"double", 2},
+                                           {"dec50", 3},    {"dec100", 4}, {"ball", 5}};
+  auto const place = [&](ordered_json const& part) {
+    return rank.contains(part.at("scalar")) ? rank.at(part.at("scalar")) : 9;
+  };
+  std::stable_sort(parts.begin(), parts.end(),
+                   [&](auto const& a, auto const& b) { return place(a) < place(b); });
   ordered_json one = parts.front();
   one.erase("scalar");
   one["scalars"] = ordered_json::array();
@@ -122,7 +131,9 @@ int verify(fs::path const& report, std::set<std::string> const& scalars) {
   auto const records = read_records(report);
   std::set<std::string> known;
   std::vector<std::string> complaints;
-  auto const complain = [&](std::string const& id, std::string const& what) { complaints.push_back(id + ": " + what); };
+  auto const complain = [&](std::string const& id, std::string const& what) {
+    complaints.push_back(id + ": " + what);
+  };
 
   for (auto const& statement : registry) {
     known.insert(statement.id);
@@ -133,18 +144,23 @@ int verify(fs::path const& report, std::set<std::string> const& scalars) {
     }
     auto const one = merged(found->second);
     std::string const verdict = one["verdict"];
-    if (!std::set<std::string>{"holds", "convention", "corrected", "scope"}.contains(verdict)) complain(statement.id, "verdict '" + verdict + "' is none");
+    if (!std::set<std::string>{"holds", "convention", "corrected", "scope"}.contains(verdict))
+      complain(statement.id, "verdict '" + verdict + "' is none");
     if (verdict != "scope") {
       if (one["evidence"].empty()) complain(statement.id, "no evidence");
       if (one["control"].empty()) complain(statement.id, "no control: nothing shows that the check can fail");
     }
-    if ((verdict == "convention" || verdict == "scope" || verdict == "corrected") && one["note"] == "") complain(statement.id, "the verdict needs a note");
-    if (verdict == "corrected" && (one["printed"] == "" || one["corrected"] == "")) complain(statement.id, "corrected, without printed and corrected form");
+    if ((verdict == "convention" || verdict == "scope" || verdict == "corrected") && one["note"] == "")
+      complain(statement.id, "the verdict needs a note");
+    if (verdict == "corrected" && (one["printed"] == "" || one["corrected"] == ""))
+      complain(statement.id, "corrected, without printed and corrected form");
     for (auto const& failure : one["failures"]) complain(statement.id, failure.get<std::string>());
     for (auto const& e : one["evidence"])
-      if (e["measured"].is_null() || e["measured"].get<double>() > e["bound"].get<double>()) complain(statement.id, "evidence outside its bound: " + e["what"].get<std::string>());
+      if (e["measured"].is_null() || e["measured"].get<double>() > e["bound"].get<double>())
+        complain(statement.id, "evidence outside its bound: " + e["what"].get<std::string>());
     for (auto const& c : one["control"])
-      if (c["measured"].is_null() || c["measured"].get<double>() <= c["floor"].get<double>()) complain(statement.id, "control under its floor: " + c["what"].get<std::string>());
+      if (c["measured"].is_null() || c["measured"].get<double>() <= c["floor"].get<double>())
+        complain(statement.id, "control under its floor: " + c["what"].get<std::string>());
     std::set<std::string> ran;
     for (auto const& scalar : one["scalars"]) ran.insert(scalar.get<std::string>());
     for (auto const& scalar : scalars)
@@ -154,7 +170,8 @@ int verify(fs::path const& report, std::set<std::string> const& scalars) {
     if (!known.contains(id)) complain(id, "not in the registry");
 
   for (auto const& complaint : complaints) std::cerr << complaint << '\n';
-  std::cout << (complaints.empty() ? "the ledger is complete\n" : std::to_string(complaints.size()) + " complaints\n");
+  std::cout << (complaints.empty() ? "the ledger is complete\n"
+                                   : std::to_string(complaints.size()) + " complaints\n");
   return complaints.empty() ? 0 : 1;
 }
 

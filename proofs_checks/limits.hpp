@@ -1,4 +1,5 @@
-// What a discrete motion tends to as the step goes to zero: steps, errors and groups for the fits of orders. In double, where the fits are made.
+// What a discrete motion tends to as the step goes to zero: steps, errors and groups for the fits of orders.
+// In double, where the fits are made.
 #pragma once
 
 #include <vector>
@@ -9,10 +10,12 @@ namespace actio::checks {
 
 /// Groups of the fits: one of each kind, commutative brackets aside.
 inline std::vector<SpannedGroup> const& limit_groups() {
-  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SE(2)", SE<2>{}), spanned("Aff(1)", Aff1{})};
+  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SE(2)", SE<2>{}),
+                                                   spanned("Aff(1)", Aff1{})};
   return groups;
 }
-/// A duration, taken in more and more steps: fine enough for the leading term, with errors far above rounding.
+/// A duration, taken in more and more steps: fine enough for the leading term, with errors far above
+/// rounding.
 struct Refinement {
   double duration;
   std::vector<int> counts;

@@ -1,4 +1,5 @@
-// Continuous media for the checks of chapter 6: any metrics, any mass, and a stored energy of the most general form, of a fluid, or of a solid.
+// Continuous media for the checks of chapter 6: any metrics, any mass, and a stored energy of the most
+// general form, of a fluid, or of a solid.
 #pragma once
 
 #include "actio/continuum/continuum_equations.hpp"
@@ -7,17 +8,17 @@
 
 namespace actio::checks {
 
-/// Calls `visit(dimensions, name)` for bodies as large as their space, at one random point each. What follows from an identity that has been checked in space is checked in the plane alone.
+/// Calls `visit(dimensions, name)` for bodies as large as their space, at one random point each. What follows
+/// from an identity that has been checked in space is checked in the plane alone.
 template <class... D, class Visit>
-void over_points(std::tuple<D...> dimensions, Visit const& visit) {
-  over_dimensions(dimensions, visit);
-}
+void over_points(std::tuple<D...> dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
 using Plane = std::tuple<Dimensions<2, 2>>;
 
 /// What the energy of a medium knows.
 enum class Kind { any, fluid, solid, dust };
 
-/// A stored energy of one of these kinds, chosen when it is drawn: one type for all of them, so that what is made of a medium is compiled once.
+/// A stored energy of one of these kinds, chosen when it is drawn: one type for all of them, so that what is
+/// made of a medium is compiled once.
 template <class S, int n>
 struct EnergyOfKind {
   Kind kind;
@@ -25,12 +26,17 @@ struct EnergyOfKind {
   AnyFluidLaw<S> w;  ///< of a fluid
   AnySolidLaw<S> solid;
   template <class T>
-  T operator()(Matrix<T, n, 1> const& x, Matrix<T, n, n> const& G, Matrix<T, n, n> const& g, Matrix<T, n, n> const& F) const {
+  T operator()(Matrix<T, n, 1> const& x, Matrix<T, n, n> const& G, Matrix<T, n, n> const& g,
+               Matrix<T, n, n> const& F) const {
     switch (kind) {
-      case Kind::any: return any(x, G, g, F);
-      case Kind::fluid: return w(jacobian(G, g, F));
-      case Kind::solid: return solid(raised(G, green_tensor(g, F)));
-      default: return T(0);
+      case Kind::any:
+        return any(x, G, g, F);
+      case Kind::fluid:
+        return w(jacobian(G, g, F));
+      case Kind::solid:
+        return solid(raised(G, green_tensor(g, F)));
+      default:
+        return T(0);
     }
   }
 };
@@ -67,9 +73,7 @@ SecondJet<S, n, n> draw_second_jet(Draw& draw) {
 
 /// What the thesis divides by: \f$\sqrt{\det G}\f$ at the particle.
 template <class Medium, class S, int n, int N>
-S body_volume(Medium const& medium, Jet<S, n, N> const& j) {
-  return volume<S>(medium.G(j.particle()));
-}
+S body_volume(Medium const& medium, Jet<S, n, N> const& j) { return volume<S>(medium.G(j.particle())); }
 
 /// The values that a medium has at a jet, all as matrices.
 template <class S, int n>
@@ -79,7 +83,8 @@ struct PointOfMedium {
 };
 template <class Medium, class S, int n>
 PointOfMedium<S, n> point_of_medium(Medium const& medium, Jet<S, n, n> const& j) {
-  Matrix<S, n, n> const G = as_matrix<S>(medium.G(j.particle())), g = as_matrix<S>(medium.g(j.y)), F = j.gradient();
+  Matrix<S, n, n> const G = as_matrix<S>(medium.G(j.particle())), g = as_matrix<S>(medium.g(j.y)),
+                        F = j.gradient();
   return {G, g, F, inverse_matrix(F), S(medium.rho(j.particle())), jacobian(G, g, F)};
 }
 

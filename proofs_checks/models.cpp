@@ -17,14 +17,17 @@ SpannedGroup spanned_su2() {
 
 std::vector<SpannedGroup> const& all_groups() {
   static std::vector<SpannedGroup> const groups = {
-      spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}), spanned("SE(2)", SE<2>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-      spanned("SL(2)", SL2{}),   spanned("GL(2)", GL<2>{}), spanned_su2(),             spanned("Heisenberg", Heisenberg{})};
+      spanned("SO(3)", SO<3>{}),          spanned("SO(4)", SO<4>{}),
+      spanned("SE(2)", SE<2>{}),          spanned("SE(3)", SE<3>{}),
+      spanned("Aff(1)", Aff1{}),          spanned("SL(2)", SL2{}),
+      spanned("GL(2)", GL<2>{}),          spanned_su2(),
+      spanned("Heisenberg", Heisenberg{})};
   return groups;
 }
 
 std::vector<SpannedGroup> const& few_groups() {
-  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}), spanned("Aff(1)", Aff1{}),
-                                                   spanned("GL(2)", GL<2>{})};
+  static std::vector<SpannedGroup> const groups = {spanned("SO(3)", SO<3>{}), spanned("SE(3)", SE<3>{}),
+                                                   spanned("Aff(1)", Aff1{}), spanned("GL(2)", GL<2>{})};
   return groups;
 }
 

@@ -1,18 +1,21 @@
-// Models that can tell right from wrong: groups with sides and stars that matter, Lagrangians that are neither even nor symmetric.
+// Models that can tell right from wrong: groups with sides and stars that matter, Lagrangians that are
+// neither even nor symmetric.
 //
-// All groups are one type (SpannedGroup), so a check is compiled once and runs over all of them. All functions are polynomials
-// in the entries of matrices, so every check that needs no root runs over a prime field and the rationals, where its residual must be exactly zero.
+// All groups are one type (SpannedGroup), so a check is compiled once and runs over all of them. All
+// functions are polynomials in the entries of matrices, so every check that needs no root runs over a prime
+// field and the rationals, where its residual must be exactly zero.
 //
-// A check that needs a discrete motion does not solve for one: it draws the configurations, and changes the Lagrangian by terms linear in new
-// coefficients until they are a motion of it (`with_motion_*`). That works at every scalar, and no solver is on trial.
+// A check that needs a discrete motion does not solve for one: it draws the configurations, and changes the
+// Lagrangian by terms linear in new coefficients until they are a motion of it (`with_motion_*`). That works
+// at every scalar, and no solver is on trial.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
-#include "actio/groups/affine_line.hpp"
 #include "actio/groups/spanned_group.hpp"
 #include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
@@ -28,14 +31,16 @@ namespace actio::checks {
 template <MatrixGroup G>
 SpannedGroup spanned(std::string name, G const& group) {
   std::vector<SpannedGroup::WholeMatrix> basis;
-  for (int a = 0; a < group.dimension(); ++a) basis.push_back(group.hat(Matrix<int, G::dim, 1>(Matrix<int, G::dim, 1>::Unit(a))));
+  for (int a = 0; a < group.dimension(); ++a)
+    basis.push_back(group.hat(Matrix<int, G::dim, 1>(Matrix<int, G::dim, 1>::Unit(a))));
   return SpannedGroup(std::move(name), std::move(basis));
 }
 // Written out in models.cpp, compiled once.
 
 /// SU(2) as left multiplication of quaternions: real 4 by 4 matrices.
 SpannedGroup spanned_su2();
-/// The groups every statement is tried on. SO(3) alone would hide a lost star or side; Aff(1) and SE(3) do not.
+/// The groups every statement is tried on. SO(3) alone would hide a lost star or side; Aff(1) and SE(3) do
+/// not.
 std::vector<SpannedGroup> const& all_groups();
 /// Four of them, for checks that cost much: SO(3), SE(3), Aff(1), GL(2).
 std::vector<SpannedGroup> const& few_groups();
@@ -51,7 +56,9 @@ T contract(Matrix<S> const& a, Matrix<T> const& b) {
   return sum;
 }
 
-/// A function on a group, cubic in the entries: \f$\tfrac12\sum_k\langle W_k, f-1\rangle^2 + \langle C, f\rangle + \kappa\,\langle W_1, f-1\rangle^3 + \lambda\,\langle W_1, f-1\rangle\langle W_2, f-1\rangle^2\f$.
+/// A function on a group, cubic in the entries: \f$\tfrac12\sum_k\langle W_k, f-1\rangle^2 + \langle C,
+/// f\rangle + \kappa\,\langle W_1, f-1\rangle^3 + \lambda\,\langle W_1, f-1\rangle\langle W_2,
+/// f-1\rangle^2\f$.
 ///
 /// Regular near the identity; not even, so it knows the direction of time; invariant under nothing.
 template <class S>
@@ -59,7 +66,8 @@ struct GroupPolynomial {
   std::vector<Matrix<S>> squares;
   Matrix<S> linear;
   S kappa, lambda;
-  std::vector<Matrix<S>> phi, psi;  // corrections by sum c_k <phi_k, f> <psi_k, f>, none unless a motion was asked for
+  std::vector<Matrix<S>> phi,
+      psi;  // corrections by sum c_k <phi_k, f> <psi_k, f>, none unless a motion was asked for
   Vector<S> correction;
 
   template <class T>
@@ -74,11 +82,14 @@ struct GroupPolynomial {
       if (k == 0) first = q;
       if (k == 1) second = q;
     }
-    for (Index k = 0; k < correction.size(); ++k) sum += contract(phi[k], f.value) * contract(psi[k], f.value) * T(correction[k]);
+    for (Index k = 0; k < correction.size(); ++k)
+      sum += contract(phi[k], f.value) * contract(psi[k], f.value) * T(correction[k]);
     return sum + first * first * first * T(kappa) + first * second * second * T(lambda);
   }
 };
-/// A function on pairs: a polynomial in both configurations, invariant under nothing: \f$\tfrac12\sum_k\langle W_k, g_1-g_0\rangle^2 + \langle A, g_0\rangle\langle B, g_1\rangle + \langle C, g_1\rangle\langle D, g_1\rangle^2 + \sum_a c_a\langle\Phi_a, g_0\rangle\langle\Psi_a, g_1\rangle\f$.
+/// A function on pairs: a polynomial in both configurations, invariant under nothing:
+/// \f$\tfrac12\sum_k\langle W_k, g_1-g_0\rangle^2 + \langle A, g_0\rangle\langle B, g_1\rangle + \langle C,
+/// g_1\rangle\langle D, g_1\rangle^2 + \sum_a c_a\langle\Phi_a, g_0\rangle\langle\Psi_a, g_1\rangle\f$.
 template <class S>
 struct PairPolynomial {
   std::vector<Matrix<S>> squares;
@@ -95,11 +106,13 @@ struct PairPolynomial {
       T const q = contract(w, difference);
       sum += q * q / 2;
     }
-    for (Index k = 0; k < correction.size(); ++k) sum += contract(phi[k], x) * contract(psi[k], y) * T(correction[k]);
+    for (Index k = 0; k < correction.size(); ++k)
+      sum += contract(phi[k], x) * contract(psi[k], y) * T(correction[k]);
     return sum;
   }
 };
-/// A function on the algebra: \f$\tfrac12\xi^TA\xi + b^T\xi + \tfrac\kappa3\,(c^T\xi)^3\f$, A symmetric and positive definite.
+/// A function on the algebra: \f$\tfrac12\xi^TA\xi + b^T\xi + \tfrac\kappa3\,(c^T\xi)^3\f$, A symmetric and
+/// positive definite.
 template <class S>
 struct AlgebraPolynomial {
   Matrix<S> a;
@@ -107,13 +120,9 @@ struct AlgebraPolynomial {
   S kappa;
 
   template <class T>
-  T operator()(Velocity<SpannedGroup, T> const& xi) const {
-    return value(xi.coordinates);
-  }
+  T operator()(Velocity<SpannedGroup, T> const& xi) const { return value(xi.coordinates); }
   template <class T>
-  T operator()(Momentum<SpannedGroup, T> const& mu) const {
-    return value(mu.components);
-  }
+  T operator()(Momentum<SpannedGroup, T> const& mu) const { return value(mu.components); }
 
  private:
   template <class T>
@@ -128,7 +137,8 @@ struct AlgebraPolynomial {
     return sum + along * along * along * T(kappa) / 3;
   }
 };
-/// A Lagrangian on TG, invariant under nothing: an algebra polynomial of the velocity \f$\dot g g^{-1}\f$, plus \f$\langle U, g\rangle\,(v^T\xi) + \langle W, g\rangle^2\f$.
+/// A Lagrangian on TG, invariant under nothing: an algebra polynomial of the velocity \f$\dot g g^{-1}\f$,
+/// plus \f$\langle U, g\rangle\,(v^T\xi) + \langle W, g\rangle^2\f$.
 template <class S>
 struct StatePolynomial {
   AlgebraPolynomial<S> kinetic;
@@ -155,30 +165,37 @@ Matrix<S> draw_matrix(Draw& draw, int rows, int columns) {
   return m;
 }
 template <class S>
-Vector<S> draw_vector(Draw& draw, int n) {
-  return draw_matrix<S>(draw, n, 1);
-}
+Vector<S> draw_vector(Draw& draw, int n) { return draw_matrix<S>(draw, n, 1); }
 /// Rows that span the dual of the algebra: the basis itself, bent a little, and one more.
 template <class S>
 std::vector<Matrix<S>> draw_squares(Draw& draw, SpannedGroup const& group) {
   int const n = group.matrix_size();
   std::vector<Matrix<S>> squares;
   for (int a = 0; a < group.dimension(); ++a)
-    squares.push_back(group.hat(basis_velocity<S>(group, a).coordinates) + draw_matrix<S>(draw, n, n) * ratio<S>(1, 8));
+    squares.push_back(group.hat(basis_velocity<S>(group, a).coordinates) +
+                      draw_matrix<S>(draw, n, n) * ratio<S>(1, 8));
   squares.push_back(draw_matrix<S>(draw, n, n));
   return squares;
 }
 template <class S>
 GroupPolynomial<S> draw_group_polynomial(Draw& draw, SpannedGroup const& group) {
   int const n = group.matrix_size();
-  return {draw_squares<S>(draw, group), draw_matrix<S>(draw, n, n) * ratio<S>(1, 4), draw.number<S>() * ratio<S>(1, 4), draw.number<S>() * ratio<S>(1, 4), {}, {}, {}};
+  return {draw_squares<S>(draw, group),
+          draw_matrix<S>(draw, n, n) * ratio<S>(1, 4),
+          draw.number<S>() * ratio<S>(1, 4),
+          draw.number<S>() * ratio<S>(1, 4),
+          {},
+          {},
+          {}};
 }
 template <class S>
 PairPolynomial<S> draw_pair_polynomial(Draw& draw, SpannedGroup const& group) {
   int const n = group.matrix_size();
   auto const small = [&] { return Matrix<S>(draw_matrix<S>(draw, n, n) * ratio<S>(1, 4)); };
-  PairPolynomial<S> p{draw_squares<S>(draw, group), small(), small(), small(), small(), {}, {}, Vector<S>::Zero(group.dimension())};
-  for (int k = 0; k < group.dimension(); ++k) p.phi.push_back(draw_matrix<S>(draw, n, n)), p.psi.push_back(draw_matrix<S>(draw, n, n));
+  PairPolynomial<S> p{draw_squares<S>(draw, group),      small(), small(), small(), small(), {}, {},
+                      Vector<S>::Zero(group.dimension())};
+  for (int k = 0; k < group.dimension(); ++k)
+    p.phi.push_back(draw_matrix<S>(draw, n, n)), p.psi.push_back(draw_matrix<S>(draw, n, n));
   return p;
 }
 template <class S>
@@ -200,9 +217,11 @@ StatePolynomial<S> draw_state_polynomial(Draw& draw, SpannedGroup const& group) 
 namespace detail {
 /// Adds quadratic terms to `l` until `residual(l)`, which is affine in their coefficients, vanishes.
 template <class S, class Residual>
-GroupPolynomial<S> corrected(GroupPolynomial<S> l, SpannedGroup const& group, Draw& draw, Residual const& residual) {
+GroupPolynomial<S> corrected(GroupPolynomial<S> l, SpannedGroup const& group, Draw& draw,
+                             Residual const& residual) {
   int const d = group.dimension(), n = group.matrix_size();
-  for (int k = 0; k < d; ++k) l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
+  for (int k = 0; k < d; ++k)
+    l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
   l.correction = Vector<S>::Zero(d);
   Vector<S> const left = residual(l).components;
   Matrix<S> columns(d, d);
@@ -218,18 +237,24 @@ GroupPolynomial<S> corrected(GroupPolynomial<S> l, SpannedGroup const& group, Dr
 
 /// `l`, changed by quadratic terms until the right-invariant equation (3.10) holds at (f01, f12).
 template <class S>
-GroupPolynomial<S> with_motion_right(GroupPolynomial<S> l, Element<SpannedGroup, S> const& f01, Element<SpannedGroup, S> const& f12, Draw& draw) {
-  return detail::corrected(std::move(l), f01.group, draw, [&](auto const& k) { return right_differential(k, f12) - left_differential(k, f01); });
+GroupPolynomial<S> with_motion_right(GroupPolynomial<S> l, Element<SpannedGroup, S> const& f01,
+                                     Element<SpannedGroup, S> const& f12, Draw& draw) {
+  return detail::corrected(std::move(l), f01.group, draw, [&](auto const& k) {
+    return right_differential(k, f12) - left_differential(k, f01);
+  });
 }
 /// `l`, changed by quadratic terms until the left-invariant equation (3.11) holds at (f10, f21).
 template <class S>
-GroupPolynomial<S> with_motion_left(GroupPolynomial<S> l, Element<SpannedGroup, S> const& f10, Element<SpannedGroup, S> const& f21, Draw& draw) {
-  return detail::corrected(std::move(l), f10.group, draw, [&](auto const& k) { return left_differential(k, f21) - right_differential(k, f10); });
+GroupPolynomial<S> with_motion_left(GroupPolynomial<S> l, Element<SpannedGroup, S> const& f10,
+                                    Element<SpannedGroup, S> const& f21, Draw& draw) {
+  return detail::corrected(std::move(l), f10.group, draw, [&](auto const& k) {
+    return left_differential(k, f21) - right_differential(k, f10);
+  });
 }
 /// `lagrangian`, changed by bilinear terms until (3.2) holds at (g0, g1, g2).
 template <class S>
-PairPolynomial<S> with_motion(PairPolynomial<S> lagrangian, Element<SpannedGroup, S> const& g0, Element<SpannedGroup, S> const& g1,
-                              Element<SpannedGroup, S> const& g2) {
+PairPolynomial<S> with_motion(PairPolynomial<S> lagrangian, Element<SpannedGroup, S> const& g0,
+                              Element<SpannedGroup, S> const& g1, Element<SpannedGroup, S> const& g2) {
   int const d = g0.group.dimension();
   lagrangian.correction.setZero();
   Vector<S> const residual = discrete_euler_lagrange(lagrangian, g0, g1, g2).components;

@@ -27,13 +27,19 @@ struct OffShell {
   Matrix<S, N, 1> E;
 
   explicit OffShell(Draw& draw)
-      : L(draw_density<S, n, N>(draw)), phi(draw_section<S, n, N>(draw)), x(draw_event<S, n>(draw)), j(second_jet(phi, x)), E(euler_lagrange(L, j)) {}
+      : L(draw_density<S, n, N>(draw)),
+        phi(draw_section<S, n, N>(draw)),
+        x(draw_event<S, n>(draw)),
+        j(second_jet(phi, x)),
+        E(euler_lagrange(L, j)) {}
 
-  /// The coefficient of \f$(j^1\phi)^*(W\lrcorner\,\Omega)\f$, or of a pull-back by another section of the jet bundle, for a constant field W on it.
+  /// The coefficient of \f$(j^1\phi)^*(W\lrcorner\,\Omega)\f$, or of a pull-back by another section of the
+  /// jet bundle, for a constant field W on it.
   S contraction(Matrix<S, dimension, 1> const& W) const { return contraction(W, jet_extension(phi), L); }
   template <class Map, class Density>
   S contraction(Matrix<S, dimension, 1> const& W, Map const& map, Density const& density) const {
-    return coefficient_of(pull_back(map, contract(ConstantField<S, dimension>{W}, multisymplectic_form<n, N>(density))), x);
+    return coefficient_of(
+        pull_back(map, contract(ConstantField<S, dimension>{W}, multisymplectic_form<n, N>(density))), x);
   }
   Jet<S, n, N> const& first() const { return j; }
 };

@@ -1,5 +1,5 @@
-// What the checks of section 3.1 share: sequences of configurations and their variations, tangent vectors to G x G, the exterior derivative of a
-// one-form there, and Lagrangians of which a given sequence is a motion.
+// What the checks of section 3.1 share: sequences of configurations and their variations, tangent vectors to
+// G x G, the exterior derivative of a one-form there, and Lagrangians of which a given sequence is a motion.
 #pragma once
 
 #include "actio/reduction/discrete_momentum.hpp"
@@ -8,8 +8,8 @@
 
 namespace actio::checks {
 
-/// The groups for checks that solve for a motion: all of them, but over the rationals, where numbers grow with the size of a system, those of dimension 4, or less, at most.
-/// SE(2) and Aff(1) are among these.
+/// The groups for checks that solve for a motion: all of them, but over the rationals, where numbers grow
+/// with the size of a system, those of dimension 4, or less, at most. SE(2) and Aff(1) are among these.
 template <class S>
 std::vector<SpannedGroup> groups_for_motions(int largest = 4) {
   std::vector<SpannedGroup> groups;
@@ -28,7 +28,8 @@ template <class S>
 using Change = PairChange<SpannedGroup, S>;
 
 template <class S>
-GroupElements<S> draw_configurations(Draw& draw, SpannedGroup const& group, int count, std::type_identity_t<S> const& size = S(1)) {
+GroupElements<S> draw_configurations(Draw& draw, SpannedGroup const& group, int count,
+                                     std::type_identity_t<S> const& size = S(1)) {
   GroupElements<S> g;
   for (int k = 0; k < count; ++k) g.push_back(draw.template element<S>(group, size));
   return g;
@@ -37,7 +38,8 @@ GroupElements<S> draw_configurations(Draw& draw, SpannedGroup const& group, int 
 template <class S>
 std::vector<Change<S>> draw_changes(Draw& draw, SpannedGroup const& group) {
   std::vector<Change<S>> w;
-  for (int k = 0; k < 3; ++k) w.push_back({draw.template velocity<S>(group), draw.template velocity<S>(group)});
+  for (int k = 0; k < 3; ++k)
+    w.push_back({draw.template velocity<S>(group), draw.template velocity<S>(group)});
   return w;
 }
 /// The values of a one-form on three tangent vectors.
@@ -89,12 +91,14 @@ State<SpannedGroup, S> state_of(GroupElement<Dual<S>> const& q) {
   int const n = q.group.matrix_size();
   Matrix<S> configuration(n, n), change(n, n);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) configuration(i, j) = q.value(i, j).value, change(i, j) = q.value(i, j).part[0];
+    for (int j = 0; j < n; ++j)
+      configuration(i, j) = q.value(i, j).value, change(i, j) = q.value(i, j).part[0];
   GroupElement<S> const g{q.group, configuration};
   return {g, {q.group, q.group.vee(Matrix<S>(change * inverse(g).value))}};
 }
 
-/// A discretization that knows no origin: Cayley's chart at the configuration itself. Configuration half-way, velocity c/h with retract(c) = g1 g0^-1.
+/// A discretization that knows no origin: Cayley's chart at the configuration itself. Configuration half-way,
+/// velocity c/h with retract(c) = g1 g0^-1.
 template <class Lagrangian, class S>
 auto discretize_at_the_configuration(Lagrangian L, S h) {
   return [=](auto const& g0, auto const& g1) {
@@ -110,7 +114,8 @@ S rate(GroupElements<S> const& g, Variations<S> const& theta, F const& f) {
   for (std::size_t k = 0; k < g.size(); ++k) moved.push_back(nudged(g[k], theta[k]));
   return f(moved).part[0];
 }
-/// The differential of a function of a sequence of configurations: its components at every configuration, one after the other.
+/// The differential of a function of a sequence of configurations: its components at every configuration, one
+/// after the other.
 template <class S, class F>
 Vector<S> differential(GroupElements<S> const& g, F const& f) {
   int const d = g[0].group.dimension(), count = static_cast<int>(g.size());
@@ -133,10 +138,9 @@ Vector<S> stacked(std::vector<Momentum<SpannedGroup, S>> const& mu) {
 }
 /// The condition number of a matrix in the row norm: by how much a linear system magnifies rounding.
 template <class S>
-double condition_of(Matrix<S> const& m) {
-  return row_norm(m) * row_norm(inverse_matrix(m));
-}
-/// By how much the tangent of the flow into (g1, g2) magnifies rounding: the condition of the linear system that it solves.
+double condition_of(Matrix<S> const& m) { return row_norm(m) * row_norm(inverse_matrix(m)); }
+/// By how much the tangent of the flow into (g1, g2) magnifies rounding: the condition of the linear system
+/// that it solves.
 template <class S, class Lagrangian>
 double flow_condition(Lagrangian const& L, GroupElement<S> const& g1, GroupElement<S> const& g2) {
   return condition_of<S>(mixed_derivative(L, g1, g2));
@@ -149,10 +153,11 @@ Vector<S> rates(Momentum<SpannedGroup, Dual<S>> const& mu) {
   return v;
 }
 
-/// One slot of the surface \f$(s,t)\mapsto\mathrm{retract}(s\,a + t\,b)\,g\f$ along t = 0: the configuration, and the velocity across, both with their rate in s.
+/// One slot of the surface \f$(s,t)\mapsto\mathrm{retract}(s\,a + t\,b)\,g\f$ along t = 0: the configuration,
+/// and the velocity across, both with their rate in s.
 template <class S>
-std::pair<GroupElement<Dual<S>>, Velocity<SpannedGroup, Dual<S>>> along_and_across(GroupElement<S> const& g, Velocity<SpannedGroup, S> const& a,
-                                                                           Velocity<SpannedGroup, S> const& b) {
+std::pair<GroupElement<Dual<S>>, Velocity<SpannedGroup, Dual<S>>> along_and_across(
+    GroupElement<S> const& g, Velocity<SpannedGroup, S> const& a, Velocity<SpannedGroup, S> const& b) {
   using D = Dual<S>;
   using DD = Dual<D>;
   int const n = g.group.dimension(), size = g.group.matrix_size();
@@ -162,14 +167,17 @@ std::pair<GroupElement<Dual<S>>, Velocity<SpannedGroup, Dual<S>>> along_and_acro
   GroupElement<D> configuration = over<D>(g);
   Matrix<D> across(size, size);
   for (int i = 0; i < size; ++i)
-    for (int j = 0; j < size; ++j) configuration.value(i, j) = moved.value(i, j).value, across(i, j) = moved.value(i, j).part[0];
+    for (int j = 0; j < size; ++j)
+      configuration.value(i, j) = moved.value(i, j).value, across(i, j) = moved.value(i, j).part[0];
   return {configuration, {g.group, g.group.vee(Matrix<D>(across * inverse(configuration).value))}};
 }
-/// The exterior derivative of a one-form on G x G at (g0, g1), on two tangent vectors: \f$d\alpha(a, b) = \partial_s\,\alpha(\partial_t) - \partial_t\,\alpha(\partial_s)\f$ on a surface
-/// with these tangents. Needs no commutator of fields, so no convention about brackets enters.
+/// The exterior derivative of a one-form on G x G at (g0, g1), on two tangent vectors: \f$d\alpha(a,
+/// b) = \partial_s\,\alpha(\partial_t) - \partial_t\,\alpha(\partial_s)\f$ on a surface with these tangents.
+/// Needs no commutator of fields, so no convention about brackets enters.
 /// @param form  (g0, g1, change) -> number, at every scalar
 template <class S, class Form>
-S exterior_derivative(Form const& form, GroupElement<S> const& g0, GroupElement<S> const& g1, Change<S> const& a, Change<S> const& b) {
+S exterior_derivative(Form const& form, GroupElement<S> const& g0, GroupElement<S> const& g1,
+                      Change<S> const& a, Change<S> const& b) {
   auto const half = [&](Change<S> const& u, Change<S> const& v) {
     auto const [p0, across0] = along_and_across(g0, u.first, v.first);
     auto const [p1, across1] = along_and_across(g1, u.second, v.second);
@@ -178,7 +186,8 @@ S exterior_derivative(Form const& form, GroupElement<S> const& g0, GroupElement<
   return half(a, b) - half(b, a);
 }
 
-/// A Lagrangian with terms added, linear in new coefficients, until `wrap` of it satisfies (3.2) at every configuration of `g` between its ends.
+/// A Lagrangian with terms added, linear in new coefficients, until `wrap` of it satisfies (3.2) at every
+/// configuration of `g` between its ends.
 ///
 /// @param l     a PairPolynomial (wrap: \ref as_it_is) or a GroupPolynomial (wrap: lift to pairs)
 template <class S, class Polynomial, class Wrap>
@@ -188,13 +197,15 @@ Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw
   // their coefficients, so that they are small.
   int const terms = (exact_arithmetic<S>() ? 1 : 2) * d * inner;
   l.phi.clear(), l.psi.clear();
-  for (int k = 0; k < 2 * d * inner; ++k) l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
+  for (int k = 0; k < 2 * d * inner; ++k)
+    l.phi.push_back(draw_matrix<S>(draw, n, n)), l.psi.push_back(draw_matrix<S>(draw, n, n));
   l.phi.resize(terms), l.psi.resize(terms);
   l.correction = Vector<S>::Zero(terms);
   auto const equations = [&](Polynomial const& trial) {
     auto const lagrangian = wrap(trial);
     Vector<S> all(d * inner);
-    for (int k = 0; k < inner; ++k) all.segment(k * d, d) = discrete_euler_lagrange(lagrangian, g[k], g[k + 1], g[k + 2]).components;
+    for (int k = 0; k < inner; ++k)
+      all.segment(k * d, d) = discrete_euler_lagrange(lagrangian, g[k], g[k + 1], g[k + 2]).components;
     return all;
   };
   Vector<S> const left = equations(l);
@@ -209,7 +220,8 @@ Polynomial with_motion_along(Polynomial l, GroupElements<S> const& g, Draw& draw
   } else {
     // The normal equations square the condition: twice again for the residual.
     Matrix<S> const transposed = columns.transpose(), square = columns * transposed;
-    for (int pass = 0; pass < 3; ++pass) l.correction -= transposed * solve_linear(square, equations(l), "with_motion_along");
+    for (int pass = 0; pass < 3; ++pass)
+      l.correction -= transposed * solve_linear(square, equations(l), "with_motion_along");
   }
   return l;
 }

@@ -1,13 +1,15 @@
 // Runs the checks of this program, each in the columns that its source is meant for.
 //
-//   checks_ch03 [ID...] [--columns prime,rational,double,50,100,ball|all] [--digits N] [--modulo P] [--balls] [--points N] [--seed N]
+//   checks_ch03 [ID...] [--columns prime,rational,double,50,100,ball|all] [--digits N] [--modulo P] [--balls]
+//   [--points N] [--seed N]
 //               [--source ch03_2] [--report DIR] [--quick] [--brief]
 //   checks_ch03 --list          the statements as JSON, one a line: id, source, chapter, columns, title
 //   checks_ch03 --sources       the sources, one a line
 //
-// --quick tries a tenth of the points in the prime field. --digits adds a column of N decimal digits, --balls one of balls; --modulo takes another prime. With --report, DIR/SOURCE_SCALAR.json receives the records, failed
-// ones included; what an earlier program left there of this chapter's sources and is no more is removed.
-// Status: 0 all passed, 1 a check failed, 2 wrong use, 4 a report could not be written.
+// --quick tries a tenth of the points in the prime field. --digits adds a column of N decimal digits, --balls
+// one of balls; --modulo takes another prime. With --report, DIR/SOURCE_SCALAR.json receives the records,
+// failed ones included; what an earlier program left there of this chapter's sources and is no more is
+// removed. Status: 0 all passed, 1 a check failed, 2 wrong use, 4 a report could not be written.
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -57,7 +59,8 @@ bool set_columns(char const* source, char const* columns) {
 }
 std::vector<std::string> columns_of(std::string const& source) {
   auto const named = columns_by_source().find(source);
-  std::istringstream words(named == columns_by_source().end() ? "prime rational double 50 100" : named->second);
+  std::istringstream words(named == columns_by_source().end() ? "prime rational double 50 100"
+                                                              : named->second);
   std::vector<std::string> columns;
   for (std::string word; words >> word;) columns.push_back(word);
   return columns;
@@ -88,7 +91,8 @@ struct Options {
   bool balls = false, brief = false, quick = false, list = false, sources = false;
 };
 
-/// Points of a statement in the prime field, over all its models: this many, or as many as the products of the budget allow.
+/// Points of a statement in the prime field, over all its models: this many, or as many as the products of
+/// the budget allow.
 struct Effort {
   int points;
   std::uint64_t products;
@@ -122,7 +126,8 @@ std::vector<Column> columns_for(Check const& check, Options const& options) {
   std::vector<Column> columns;
   for (auto const& name : checks::all_columns()) {
     bool const fits = std::count(meant.begin(), meant.end(), name) > 0;
-    bool const wanted = all ? name != "ball" && !(asked && options.columns.empty()) : std::count(options.columns.begin(), options.columns.end(), name) > 0;
+    bool const wanted = all ? name != "ball" && !(asked && options.columns.empty())
+                            : std::count(options.columns.begin(), options.columns.end(), name) > 0;
     if (wanted && fits) columns.push_back({name, arithmetic_of(name, options)});
   }
   if (options.digits && !options.balls) {
@@ -135,7 +140,8 @@ std::vector<Column> columns_for(Check const& check, Options const& options) {
     columns.push_back({std::to_string(*options.digits), Arithmetic::decimal(*options.digits)});
   }
   if (options.balls) {
-    if (std::count(meant.begin(), meant.end(), "ball") == 0) throw Usage(std::string(check.id) + " has no claim for balls; digits will do: --digits 100");
+    if (std::count(meant.begin(), meant.end(), "ball") == 0)
+      throw Usage(std::string(check.id) + " has no claim for balls; digits will do: --digits 100");
     columns.push_back({"ball", arithmetic_of("ball", options)});
   }
   return columns;
@@ -151,7 +157,8 @@ int points_of(Record const& record) {
   return most;
 }
 
-/// One call of the body. @return whether the draw served; where a divisor vanished or a root was missing it did not
+/// One call of the body. @return whether the draw served; where a divisor vanished or a root was missing it
+/// did not
 bool called(Check const& check, Claim<Number>& claim) {
   forget_roots();
   try {
@@ -166,7 +173,8 @@ bool called(Check const& check, Claim<Number>& claim) {
   return false;
 }
 
-/// The degrees of the identities of a check, by one point in the prime field; none where the check is not meant for it.
+/// The degrees of the identities of a check, by one point in the prime field; none where the check is not
+/// meant for it.
 std::map<std::string, double> measured_degrees(Check const& check, Options const& options) {
   std::map<std::string, double> degrees;
   auto const meant = checks::columns_of(check.source);
@@ -197,7 +205,10 @@ Record run(Check const& check, Column const& column, Options const& options) {
     try {
       Effort const effort = options.quick ? quick_effort : full_effort;
       bool const field = arithmetic.kind() == ArithmeticKind::prime;
-      int const wanted = options.points ? options.points : field ? effort.points : arithmetic.exact() ? rational_points : rounded_points;
+      int const wanted = options.points       ? options.points
+                         : field              ? effort.points
+                         : arithmetic.exact() ? rational_points
+                                              : rounded_points;
       std::uint64_t const before = operations_done();
       int passes = 1, served = 0;
       while (served < passes && claim.record.failures.empty()) {
@@ -205,14 +216,16 @@ Record run(Check const& check, Column const& column, Options const& options) {
         if (!called(check, claim)) {
           // A check that asks for several squares at once finds them in one draw of some hundreds.
           if (claim.record.redrawn > 5000 + 500 * served)
-            throw Error("thousands of draws have no inverse or no root: the model does not fit this arithmetic");
+            throw Error(
+                "thousands of draws have no inverse or no root: the model does not fit this arithmetic");
           continue;
         }
         if (++served > 1) continue;
         passes = wanted;
         if (field) {
           passes = (wanted + points_of(claim.record) - 1) / points_of(claim.record);
-          if (!options.points) passes = std::min<std::uint64_t>(passes, 2 + effort.products / (1 + operations_done() - before));
+          if (!options.points)
+            passes = std::min<std::uint64_t>(passes, 2 + effort.products / (1 + operations_done() - before));
         }
       }
       claim.judge_controls();
@@ -239,14 +252,32 @@ ordered_json in_json(Record const& r) {
   auto const number = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr); };
   ordered_json evidence = ordered_json::array(), control = ordered_json::array();
   for (auto const& e : r.evidence)
-    evidence.push_back({{"what", e.what}, {"kind", e.kind}, {"scalar", e.scalar}, {"model", e.model}, {"measured", number(e.measured)}, {"bound", number(e.bound)},
-                        {"epsilon", number(e.epsilon)}, {"steps", e.steps}, {"errors", e.errors}, {"slope", number(e.slope)}, {"spread", number(e.spread)},
-                        {"degree", number(e.degree)}, {"points", e.points}, {"probability", number(e.probability)}});
+    evidence.push_back({{"what", e.what},
+                        {"kind", e.kind},
+                        {"scalar", e.scalar},
+                        {"model", e.model},
+                        {"measured", number(e.measured)},
+                        {"bound", number(e.bound)},
+                        {"epsilon", number(e.epsilon)},
+                        {"steps", e.steps},
+                        {"errors", e.errors},
+                        {"slope", number(e.slope)},
+                        {"spread", number(e.spread)},
+                        {"degree", number(e.degree)},
+                        {"points", e.points},
+                        {"probability", number(e.probability)}});
   for (auto const& c : r.control)
-    control.push_back({{"what", c.what}, {"scalar", c.scalar}, {"model", c.model}, {"measured", number(c.measured)}, {"floor", number(c.floor)}, {"points", c.points}});
-  return {{"id", r.id}, {"title", r.title}, {"verdict", r.verdict}, {"printed", r.printed}, {"corrected", r.corrected}, {"note", r.note}, {"scan", r.scan},
-          {"scalar", r.scalar}, {"evidence", evidence}, {"control", control}, {"failures", r.failures}, {"seed", r.seed}, {"redrawn", r.redrawn},
-          {"source", r.source}, {"seconds", number(r.seconds)}};
+    control.push_back({{"what", c.what},
+                       {"scalar", c.scalar},
+                       {"model", c.model},
+                       {"measured", number(c.measured)},
+                       {"floor", number(c.floor)},
+                       {"points", c.points}});
+  return {{"id", r.id},           {"title", r.title},         {"verdict", r.verdict},
+          {"printed", r.printed}, {"corrected", r.corrected}, {"note", r.note},
+          {"scan", r.scan},       {"scalar", r.scalar},       {"evidence", evidence},
+          {"control", control},   {"failures", r.failures},   {"seed", r.seed},
+          {"redrawn", r.redrawn}, {"source", r.source},       {"seconds", number(r.seconds)}};
 }
 
 void tell(Record const& r, bool brief) {
@@ -256,26 +287,35 @@ void tell(Record const& r, bool brief) {
   if (!brief) {
     for (auto const& e : r.evidence) {
       out << "\n    " << e.what << " (" << e.model << "): ";
-      if (e.kind == "order") out << "order " << e.slope << " +- " << e.spread;
-      else if (e.epsilon > 0) out << e.measured / e.epsilon << " epsilon, allowed " << e.bound / e.epsilon;
-      else out << e.measured << " at " << e.points << " points";
-      if (e.kind == "exact" && e.degree > 0) out << ", degree at most " << e.degree << ", a false one passes with probability below " << e.probability;
+      if (e.kind == "order")
+        out << "order " << e.slope << " +- " << e.spread;
+      else if (e.epsilon > 0)
+        out << e.measured / e.epsilon << " epsilon, allowed " << e.bound / e.epsilon;
+      else
+        out << e.measured << " at " << e.points << " points";
+      if (e.kind == "exact" && e.degree > 0)
+        out << ", degree at most " << e.degree << ", a false one passes with probability below "
+            << e.probability;
     }
-    for (auto const& c : r.control) out << "\n    control: " << c.what << " (" << c.model << "): " << c.measured << ", floor " << c.floor;
+    for (auto const& c : r.control)
+      out << "\n    control: " << c.what << " (" << c.model << "): " << c.measured << ", floor " << c.floor;
   }
   out << '\n';
   std::cout << out.str();
-  for (auto const& failure : r.failures) std::cout << "FAILED " << r.scalar << ' ' << r.id << ": " << failure << '\n';
+  for (auto const& failure : r.failures)
+    std::cout << "FAILED " << r.scalar << ' ' << r.id << ": " << failure << '\n';
   std::cout.flush();
 }
 
 /// Removes reports of this chapter's sources that are no more: the ledger would still count them.
 void forget_reports(Options const& options, std::set<std::string> const& written) {
   std::set<std::string> chapters, sources;
-  for (Check const& check : checks::all_checks()) sources.insert(stem_of(check.source)), chapters.insert(chapter_of(stem_of(check.source)));
+  for (Check const& check : checks::all_checks())
+    sources.insert(stem_of(check.source)), chapters.insert(chapter_of(stem_of(check.source)));
   for (auto const& entry : fs::directory_iterator(options.report)) {
     std::string const stem = entry.path().stem().string(), source = stem.substr(0, stem.rfind('_'));
-    if (entry.path().extension() != ".json" || !chapters.contains(chapter_of(stem)) || written.contains(stem)) continue;
+    if (entry.path().extension() != ".json" || !chapters.contains(chapter_of(stem)) || written.contains(stem))
+      continue;
     if (!sources.contains(source)) fs::remove(entry.path());
   }
 }
@@ -285,8 +325,11 @@ std::string listed() {
   std::string list;
   for (Check const& check : checks::all_checks())
     list += (list.empty() ? "[\n" : ",\n") +
-            ordered_json{{"id", check.id}, {"source", "proofs_checks/" + fs::path(check.source).filename().string()}, {"chapter", chapter_of(stem_of(check.source))},
-                         {"columns", checks::columns_of(check.source)}, {"title", check.title}}
+            ordered_json{{"id", check.id},
+                         {"source", "proofs_checks/" + fs::path(check.source).filename().string()},
+                         {"chapter", chapter_of(stem_of(check.source))},
+                         {"columns", checks::columns_of(check.source)},
+                         {"title", check.title}}
                 .dump();
   return list + "\n]";
 }
@@ -298,14 +341,16 @@ T number_after(std::string const& key, std::string const& text, T least, T most)
   T value{};
   auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
-    throw Usage(key + " wants a whole number from " + std::to_string(least) + " to " + std::to_string(most) + ", not '" + text + "'");
+    throw Usage(key + " wants a whole number from " + std::to_string(least) + " to " + std::to_string(most) +
+                ", not '" + text + "'");
   return value;
 }
 
 std::vector<std::string> split(std::string const& text) {
   std::vector<std::string> parts;
   std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ',');) parts.push_back(part == "dec50" ? "50" : part == "dec100" ? "100" : part);
+  for (std::string part; std::getline(in, part, ',');)
+    parts.push_back(part == "dec50" ? "50" : part == "dec100" ? "100" : part);
   return parts;
 }
 
@@ -318,32 +363,50 @@ Options options_from(std::vector<std::string> const& words) {
       o.ids.push_back(key);
       continue;
     }
-    bool const flag = key == "--balls" || key == "--list" || key == "--sources" || key == "--brief" || key == "--quick";
+    bool const flag =
+        key == "--balls" || key == "--list" || key == "--sources" || key == "--brief" || key == "--quick";
     if (auto const equals = key.find('='); equals != std::string::npos)
       value = key.substr(equals + 1), key.resize(equals);
     else if (!flag) {
       if (i + 1 == words.size()) throw Usage("option '" + key + "' needs a value");
       value = words[++i];
     }
-    if (key == "--columns") o.columns = split(value), columns_named = true;
-    else if (key == "--digits") o.digits = number_after(key, value, Arithmetic::fewest_digits, Arithmetic::most_digits);
-    else if (key == "--modulo") o.modulus = number_after<std::uint64_t>(key, value, 0, std::numeric_limits<std::uint64_t>::max());
-    else if (key == "--points") o.points = number_after(key, value, 1, 1'000'000'000);
-    else if (key == "--seed") o.seed = number_after<std::uint64_t>(key, value, 0, std::numeric_limits<std::uint64_t>::max());
-    else if (key == "--report") o.report = value;
-    else if (key == "--source") o.source = value;
-    else if (key == "--balls") o.balls = true;
-    else if (key == "--brief") o.brief = true;
-    else if (key == "--quick") o.quick = true;
-    else if (key == "--list") o.list = true;
-    else if (key == "--sources") o.sources = true;
-    else throw Usage("unknown option '" + key + "'; there are --columns, --digits, --modulo, --balls, --points, --seed, --source, --report, --quick, --brief, --list, --sources");
+    if (key == "--columns")
+      o.columns = split(value), columns_named = true;
+    else if (key == "--digits")
+      o.digits = number_after(key, value, Arithmetic::fewest_digits, Arithmetic::most_digits);
+    else if (key == "--modulo")
+      o.modulus = number_after<std::uint64_t>(key, value, 0, std::numeric_limits<std::uint64_t>::max());
+    else if (key == "--points")
+      o.points = number_after(key, value, 1, 1'000'000'000);
+    else if (key == "--seed")
+      o.seed = number_after<std::uint64_t>(key, value, 0, std::numeric_limits<std::uint64_t>::max());
+    else if (key == "--report")
+      o.report = value;
+    else if (key == "--source")
+      o.source = value;
+    else if (key == "--balls")
+      o.balls = true;
+    else if (key == "--brief")
+      o.brief = true;
+    else if (key == "--quick")
+      o.quick = true;
+    else if (key == "--list")
+      o.list = true;
+    else if (key == "--sources")
+      o.sources = true;
+    else
+      throw Usage("unknown option '" + key +
+                  "'; there are --columns, --digits, --modulo, --balls, --points, --seed, --source, "
+                  "--report, --quick, --brief, --list, --sources");
   }
   if (!columns_named && (o.digits || o.balls)) o.columns.clear();
   if (!columns_named && o.modulus != Arithmetic::mersenne) o.columns = {"prime"};
   for (auto const& column : o.columns)
-    if (column != "all" && std::count(checks::all_columns().begin(), checks::all_columns().end(), column) == 0)
-      throw Usage("unknown column '" + column + "'; there are prime, rational, double, 50, 100, ball and all");
+    if (column != "all" &&
+        std::count(checks::all_columns().begin(), checks::all_columns().end(), column) == 0)
+      throw Usage("unknown column '" + column +
+                  "'; there are prime, rational, double, 50, 100, ball and all");
   try {
     Arithmetic::prime_field(o.modulus);
   } catch (OutsideDomain const& refusal) {
@@ -365,7 +428,8 @@ std::vector<Check const*> chosen(Options const& o) {
   for (auto const& id : o.ids)
     if (std::none_of(out.begin(), out.end(), [&](Check const* check) { return check->id == id; }))
       throw Usage("this program has no check of '" + id + "'; --list tells which it has");
-  if (out.empty()) throw Usage("there is no source '" + o.source + "' in this program; --sources tells which there are");
+  if (out.empty())
+    throw Usage("there is no source '" + o.source + "' in this program; --sources tells which there are");
   return out;
 }
 
@@ -377,7 +441,8 @@ int run_all(Options const& o) {
     auto const columns = columns_for(*check, o);
     if (columns.empty() && !o.ids.empty()) {
       std::string meant;
-      for (auto const& column : checks::columns_of(check->source)) meant += (meant.empty() ? "" : ", ") + column;
+      for (auto const& column : checks::columns_of(check->source))
+        meant += (meant.empty() ? "" : ", ") + column;
       throw Usage(std::string(check->id) + " is not meant for these columns; it has: " + meant);
     }
     for (auto const& column : columns) {

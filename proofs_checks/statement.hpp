@@ -1,10 +1,12 @@
 // STATEMENT(id, title) { ... }: the check of one statement of the thesis.
 //
-// The body is a function of `claim` (claim.hpp) and `draw` (random points, draw.hpp) over the scalar S, whose arithmetic is chosen when
-// the program runs: it is compiled once. It visits each of its models at one random point; the program calls it as often as the column
-// asks for points. `exact_arithmetic<S>()` tells where there are no roots, `ordered_arithmetic<S>()` where numbers have sizes.
+// The body is a function of `claim` (claim.hpp) and `draw` (random points, draw.hpp) over the scalar S, whose
+// arithmetic is chosen when the program runs: it is compiled once. It visits each of its models at one random
+// point; the program calls it as often as the column asks for points. `exact_arithmetic<S>()` tells where
+// there are no roots, `ordered_arithmetic<S>()` where numbers have sizes.
 //
-// A source runs in all columns unless a line of its head names those that it is meant for: COLUMNS("prime rational double").
+// A source runs in all columns unless a line of its head names those that it is meant for: COLUMNS("prime
+// rational double").
 #pragma once
 
 #include <cstdint>
@@ -21,7 +23,7 @@ struct Check {
   void (*body)(Claim<Number>&, Draw&);
 };
 /// All checks of this program, in the order of their registration.
-std::vector<Check>& all_checks();  // run.cpp
+std::vector<Check>& all_checks();    // run.cpp
 bool add_check(Check const& check);  // run.cpp
 
 /// The columns there are: prime, rational, double, 50, 100, ball.
@@ -33,11 +35,11 @@ bool set_columns(char const* source, char const* columns);  // run.cpp
 
 }  // namespace actio::checks
 
-#define STATEMENT(id, title)                                                                                     \
-  template <class S>                                                                                             \
-  static void id(actio::checks::Claim<S>& claim, actio::Draw& draw);                                             \
-  static bool const registered_##id = actio::checks::add_check({#id, title, __FILE__, &id<actio::Number>});      \
-  template <class S>                                                                                             \
+#define STATEMENT(id, title)                                                                                \
+  template <class S>                                                                                        \
+  static void id(actio::checks::Claim<S>& claim, actio::Draw& draw);                                        \
+  static bool const registered_##id = actio::checks::add_check({#id, title, __FILE__, &id<actio::Number>}); \
+  template <class S>                                                                                        \
   static void id([[maybe_unused]] actio::checks::Claim<S>& claim, [[maybe_unused]] actio::Draw& draw)
 
 #define COLUMNS(names) static bool const columns_are_set = actio::checks::set_columns(__FILE__, names)

@@ -1,4 +1,5 @@
-// Models of chapter 9: fluids of even and of varying mass, maps and fields that preserve the volume of a curved body, and jets of solutions.
+// Models of chapter 9: fluids of even and of varying mass, maps and fields that preserve the volume of a
+// curved body, and jets of solutions.
 #pragma once
 
 #include "fields.hpp"
@@ -11,9 +12,7 @@ namespace actio::checks {
 
 /// Calls `visit` for each of the dimensions, at one random point.
 template <class Dims, class Visit>
-void over_points(Dims dimensions, Visit const& visit) {
-  over_dimensions(dimensions, visit);
-}
+void over_points(Dims dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
 /// The plane alone, for what costs much.
 using Plane = std::tuple<Dimensions<2, 2>>;
 
@@ -26,9 +25,7 @@ Cubic<S, m> constant_cubic(S const& value) {
 }
 /// Mass that is the same everywhere, of the type of one that varies.
 template <class S, int n>
-AnyMass<S, n> even_mass(S const& rho) {
-  return {constant_cubic<S, n>(rho - S(2))};
-}
+AnyMass<S, n> even_mass(S const& rho) { return {constant_cubic<S, n>(rho - S(2))}; }
 
 template <class S, int n>
 using AnyFluid = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, Barotropic<AnyFluidLaw<S>>>;
@@ -109,7 +106,8 @@ AnyField<S, n, N> draw_field(Draw& draw) {
   return xi;
 }
 
-/// The map \f$(s\,x^1 + s - 1,\ c\,x^2 + (x^1)^2/3,\ x^3 + x^1x^2/2)\f$ of the body, with determinant s c; and its inverse.
+/// The map \f$(s\,x^1 + s - 1,\ c\,x^2 + (x^1)^2/3,\ x^3 + x^1x^2/2)\f$ of the body, with determinant s c;
+/// and its inverse.
 template <class S, int n>
 struct Stretch {
   S s, c;
@@ -132,7 +130,8 @@ struct Stretch {
     return x;
   }
 };
-/// A curved metric with \f$\sqrt{\det G} = 1 + x^1\f$, whose volume is preserved by stretches with \f$s^2c = 1\f$; with `even` it is 1, and those with s c = 1 do.
+/// A curved metric with \f$\sqrt{\det G} = 1 + x^1\f$, whose volume is preserved by stretches with
+/// \f$s^2c = 1\f$; with `even` it is 1, and those with s c = 1 do.
 template <class S, int n>
 AnyMetric<S, n> draw_stretchable_metric(Draw& draw, bool even = false) {
   auto G = draw_metric<S, n>(draw);
@@ -167,7 +166,8 @@ struct FirstShift {
   }
 };
 
-/// The second jet of a solution through a first jet: of the second derivatives all but the acceleration as given, and the acceleration that the field equations want.
+/// The second jet of a solution through a first jet: of the second derivatives all but the acceleration as
+/// given, and the acceleration that the field equations want.
 template <class Medium, class S, int n, int N>
 SecondJet<S, n, N> of_a_solution(Medium const& medium, SecondJet<S, n, N> j) {
   Matrix<S, n, 1> const x = j.particle();
@@ -184,8 +184,6 @@ SecondJet<S, n, N> draw_second_jet(Draw& draw) {
   return second_jet(phi, draw_event<S, n>(draw));
 }
 template <class S, int n, int N>
-Jet<S, n, N> first(SecondJet<S, n, N> const& j) {
-  return j;
-}
+Jet<S, n, N> first(SecondJet<S, n, N> const& j) { return j; }
 
 }  // namespace actio::checks

@@ -1,17 +1,20 @@
-// A top in any group: a Lagrangian whose flow is no polynomial, and its equations of motion written out by hand, with commutators of matrices and nothing of the library.
+// A top in any group: a Lagrangian whose flow is no polynomial, and its equations of motion written out by
+// hand, with commutators of matrices and nothing of the library.
 //
-// Solved by power series they are the witness for flows, actions and limits. Without its weight W the top is right-invariant.
+// Solved by power series they are the witness for flows, actions and limits. Without its weight W the top is
+// right-invariant.
 #pragma once
 
 #include <utility>
 
-#include "witness/taylor_reference.hpp"
 #include "actio/variational/state.hpp"
 #include "models.hpp"
+#include "witness/taylor_reference.hpp"
 
 namespace actio::checks {
 
-/// The Lagrangian \f$\tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle - \langle W, g\rangle\f$ with its equations of motion.
+/// The Lagrangian \f$\tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle - \langle W, g\rangle\f$ with its
+/// equations of motion.
 template <class S>
 struct TopInAnyGroup {
   SpannedGroup group;

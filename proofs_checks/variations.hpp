@@ -1,4 +1,5 @@
-// Variations of sections and what they are tried on: fields on Y that move space-time too, densities whose action is integrated exactly, and solutions.
+// Variations of sections and what they are tried on: fields on Y that move space-time too, densities whose
+// action is integrated exactly, and solutions.
 #pragma once
 
 #include "fields.hpp"
@@ -12,9 +13,7 @@ namespace actio::checks {
 
 /// Calls `visit(dimensions, name)` at one random point for each of the dimensions.
 template <class S, class All, class Visit>
-void over_points(All const& dimensions, Visit const& visit) {
-  over_dimensions(dimensions, visit);
-}
+void over_points(All const& dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
 /// Few coordinates in all, for what differentiates many times.
 using SmallDimensions = std::tuple<Dimensions<1, 2>, Dimensions<2, 1>>;
 
@@ -41,7 +40,8 @@ AnySection<S, n, N> draw_section_of_degree(Draw& draw, int degree, S const& size
   return phi;
 }
 
-/// A density of third degree in the coordinates of the jet bundle: its action on a box is integrated exactly with few nodes.
+/// A density of third degree in the coordinates of the jet bundle: its action on a box is integrated exactly
+/// with few nodes.
 template <class S, int n, int N>
 AnyDensity<S, n, N> draw_low_density(Draw& draw) {
   auto L = draw_density<S, n, N>(draw);
@@ -50,11 +50,10 @@ AnyDensity<S, n, N> draw_low_density(Draw& draw) {
 
 /// Where \f$v^a{}_\mu\f$ stands among the coordinates of a jet.
 template <int n, int N>
-constexpr int place_of_derivative(int a, int mu) {
-  return n + 1 + N + N * mu + a;
-}
+constexpr int place_of_derivative(int a, int mu) { return n + 1 + N + N * mu + a; }
 
-/// A density whose second derivatives in the velocities have an inverse: the product of the first velocity and the last, four times, and what is small beside it.
+/// A density whose second derivatives in the velocities have an inverse: the product of the first velocity
+/// and the last, four times, and what is small beside it.
 template <class S, int n, int N>
 AnyDensity<S, n, N> draw_regular_density(Draw& draw) {
   static_assert(N <= 2);
@@ -64,8 +63,8 @@ AnyDensity<S, n, N> draw_regular_density(Draw& draw) {
   return L;
 }
 
-/// The density of a medium that is the same everywhere: a cubic in the derivatives alone. Every section of first degree solves its field equations, and the
-/// linearised ones then have constant coefficients.
+/// The density of a medium that is the same everywhere: a cubic in the derivatives alone. Every section of
+/// first degree solves its field equations, and the linearised ones then have constant coefficients.
 template <class S, int n, int N>
 AnyDensity<S, n, N> draw_uniform_density(Draw& draw) {
   auto L = draw_regular_density<S, n, N>(draw);
@@ -126,16 +125,12 @@ template <class S, int D>
 struct ConstantField {
   Matrix<S, D, 1> value;
   template <class V>
-  Matrix<ScalarOf<V>, D, 1> operator()(V const&) const {
-    return value.template cast<ScalarOf<V>>();
-  }
+  Matrix<ScalarOf<V>, D, 1> operator()(V const&) const { return value.template cast<ScalarOf<V>>(); }
 };
 
 /// The point of Y over x in which a section meets its fibre.
 template <class Phi, class S, int rows>
-auto graph(Phi const& phi, Matrix<S, rows, 1> const& x) {
-  return point_of(first_jet(phi, x));
-}
+auto graph(Phi const& phi, Matrix<S, rows, 1> const& x) { return point_of(first_jet(phi, x)); }
 
 /// The components \f$B^\mu\f$ of an n-form \f$B^\mu\,d^nx_\mu\f$ on space-time.
 template <class S, int rows, class Form>
@@ -160,7 +155,8 @@ S coefficient_of(Form const& alpha, Matrix<S, rows, 1> const& x) {
 
 /// \f$p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ by exterior products, on coordinates of jets.
 template <int n, int N, class S, int D>
-S by_exterior_products(Matrix<S, N, n + 1> const& p, S const& Pi, Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) {
+S by_exterior_products(Matrix<S, N, n + 1> const& p, S const& Pi, Matrix<S, D, 1> const& at,
+                       Tangents<S, D, n + 1> const& V) {
   S sum = Pi * determinant(Matrix<S, n + 1, n + 1>(V.template topRows<n + 1>()));
   for (int mu = 0; mu <= n; ++mu) {
     auto const below = [mu]<class T, int E>(Matrix<T, E, 1> const&, Tangents<T, E, n> const& U) -> T {
@@ -206,9 +202,11 @@ Accelerated<S, n, N> not_accelerated(AnySection<S, n, N> const& V) {
   return {V, Matrix<S, N, 1>::Zero(), S(0)};
 }
 
-/// A variation that solves the linearised field equations at a point: the second time derivatives are solved for.
+/// A variation that solves the linearised field equations at a point: the second time derivatives are solved
+/// for.
 template <class S, int n, int N, class L>
-Accelerated<S, n, N> first_variation_at(L const& density, SecondJet<S, n, N> const& j, Accelerated<S, n, N> const& V) {
+Accelerated<S, n, N> first_variation_at(L const& density, SecondJet<S, n, N> const& j,
+                                        Accelerated<S, n, N> const& V) {
   Matrix<S, N, N> mass;
   for (int b = 0; b < N; ++b) {
     SecondJet<S, n, N> unit{};

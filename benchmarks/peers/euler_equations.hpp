@@ -1,4 +1,5 @@
-// The differential equations of the free body, for the methods that solve differential equations: M' = M x w, q' = q (0, w)/2, w = M/I.
+// The differential equations of the free body, for the methods that solve differential equations: M' = M x w,
+// q' = q (0, w)/2, w = M/I.
 #pragma once
 
 #include "peers/stepper.hpp"

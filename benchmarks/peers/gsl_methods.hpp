@@ -20,12 +20,16 @@ inline int gsl_rate(double, double const y[], double rate[], void* equations) {
 class GslStepper final : public Stepper {
  public:
   GslStepper(Task const& task, double h)
-      : equations_(task), y_(task.start()), h_(h), step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 7), gsl_odeiv2_step_free) {}
+      : equations_(task),
+        y_(task.start()),
+        h_(h),
+        step_(gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, 7), gsl_odeiv2_step_free) {}
   void advance(long steps) override {
     gsl_odeiv2_system const system{gsl_rate, nullptr, 7, &equations_};
     Seven error;
     for (; steps > 0; --steps)
-      if (gsl_odeiv2_step_apply(step_.get(), 0, h_, y_.data(), error.data(), nullptr, nullptr, &system) != GSL_SUCCESS)
+      if (gsl_odeiv2_step_apply(step_.get(), 0, h_, y_.data(), error.data(), nullptr, nullptr, &system) !=
+          GSL_SUCCESS)
         throw std::runtime_error("gsl: a step failed");
   }
   Seven state() const override { return y_; }
@@ -38,7 +42,8 @@ class GslStepper final : public Stepper {
 };
 
 inline Method gsl_prince_dormand() {
-  return {"GSL, Prince-Dormand 8(9)", [](Task const& task, double h) { return std::make_unique<GslStepper>(task, h); }};
+  return {"GSL, Prince-Dormand 8(9)",
+          [](Task const& task, double h) { return std::make_unique<GslStepper>(task, h); }};
 }
 
 /// With step control: the states at so many times on the way to the last; not a number where GSL gives up.
@@ -48,7 +53,8 @@ std::array<Seven, count> gsl_adaptive(Task const& task, double time, double tole
   EulerEquations equations(task);
   gsl_odeiv2_system system{gsl_rate, nullptr, 7, &equations};
   std::unique_ptr<gsl_odeiv2_driver, void (*)(gsl_odeiv2_driver*)> const driver(
-      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.1, tolerance, tolerance), gsl_odeiv2_driver_free);
+      gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, 0.1, tolerance, tolerance),
+      gsl_odeiv2_driver_free);
   std::array<Seven, count> states;
   Seven y = task.start();
   double t = 0;

@@ -1,7 +1,8 @@
 // The implicit midpoint rule, with the attitude by Cayley's map: conserves energy, amount and spatial
 // momentum.
 //
-//     M' - M = h m x w,   m = (M + M')/2,   w = m/I;        M' is M turned by Cay(-h w), the attitude is turned by Cay(h w).
+//     M' - M = h m x w, m = (M + M')/2, w = m/I; M' is M turned by Cay(-h w), the attitude is turned by Cay(h
+//     w).
 #pragma once
 
 #include "peers/quaternion.hpp"
@@ -23,7 +24,8 @@ class ImplicitMidpoint {
     for (int iteration = 0; iteration < 20; ++iteration) {
       double const f0 = x - M0 - c_[0] * v * z, f1 = v - M1 - c_[1] * z * x, f2 = z - M2 - c_[2] * x * v;
       // The matrix 1 - A has A01 = c0 z, A02 = c0 v, A10 = c1 z, A12 = c1 x, A20 = c2 v, A21 = c2 x.
-      double const a01 = c_[0] * z, a02 = c_[0] * v, a10 = c_[1] * z, a12 = c_[1] * x, a20 = c_[2] * v, a21 = c_[2] * x;
+      double const a01 = c_[0] * z, a02 = c_[0] * v, a10 = c_[1] * z, a12 = c_[1] * x, a20 = c_[2] * v,
+                   a21 = c_[2] * x;
       double const k00 = 1 - a12 * a21, k01 = a01 + a02 * a21, k02 = a02 + a01 * a12;
       double const k10 = a10 + a12 * a20, k11 = 1 - a02 * a20, k12 = a12 + a02 * a10;
       double const k20 = a20 + a10 * a21, k21 = a21 + a01 * a20, k22 = 1 - a01 * a10;
@@ -35,7 +37,8 @@ class ImplicitMidpoint {
       if (d0 * d0 + d1 * d1 + d2 * d2 <= 1e-18 * (x * x + v * v + z * z)) break;
     }
     y[0] = 2 * x - M0, y[1] = 2 * v - M1, y[2] = 2 * z - M2;
-    double const a = half_ * J_[0] * x, b = half_ * J_[1] * v, c = half_ * J_[2] * z, e = 1 / std::sqrt(1 + a * a + b * b + c * c);
+    double const a = half_ * J_[0] * x, b = half_ * J_[1] * v, c = half_ * J_[2] * z,
+                 e = 1 / std::sqrt(1 + a * a + b * b + c * c);
     turn_attitude(y, e, e * a, e * b, e * c);
     mend_attitude(y);
   }
@@ -46,7 +49,8 @@ class ImplicitMidpoint {
 };
 
 inline Method implicit_midpoint() {
-  return {"implicit midpoint", [](Task const& task, double h) { return stepper(task.start(), ImplicitMidpoint(task, h)); }};
+  return {"implicit midpoint",
+          [](Task const& task, double h) { return stepper(task.start(), ImplicitMidpoint(task, h)); }};
 }
 
 }  // namespace peers

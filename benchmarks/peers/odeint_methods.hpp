@@ -1,4 +1,5 @@
-// Boost.odeint: the Fehlberg pair of orders 7 and 8 and the Dormand-Prince pair of orders 4 and 5, in steps of one length and with step control.
+// Boost.odeint: the Fehlberg pair of orders 7 and 8 and the Dormand-Prince pair of orders 4 and 5, in steps
+// of one length and with step control.
 #pragma once
 
 // The compiler warns of copies of steppers whose memory is not yet initialized, which is as it should be.
@@ -26,11 +27,15 @@ template <class Scheme>
 std::unique_ptr<Stepper> odeint_stepper(Task const& task, double h) {
   return stepper(
       task.start(), [ h, scheme = Scheme(), equations = EulerEquations(task) ](Seven & y) mutable
-      __attribute__((always_inline)) { scheme.do_step([&](Seven const& at, Seven& rate, double) { equations.rate(at, rate); }, y, 0.0, h); });
+      __attribute__((always_inline)) {
+        scheme.do_step([&](Seven const& at, Seven& rate, double) { equations.rate(at, rate); }, y, 0.0, h);
+      });
 }
 
 inline Method odeint_fehlberg() { return {"odeint, Fehlberg 7(8)", odeint_stepper<Fehlberg>}; }
-inline Method odeint_dormand_prince() { return {"odeint, Dormand-Prince 5(4)", odeint_stepper<DormandPrince>}; }
+inline Method odeint_dormand_prince() {
+  return {"odeint, Dormand-Prince 5(4)", odeint_stepper<DormandPrince>};
+}
 
 /// With step control: the states at so many times on the way to the last.
 /// @param tolerance  of a step, absolute and relative
@@ -42,7 +47,8 @@ std::array<Seven, count> odeint_adaptive(Task const& task, double time, double t
   auto scheme = odeint::make_controlled<Fehlberg>(tolerance, tolerance);
   for (Seven& s : states) {
     odeint::integrate_adaptive(
-        scheme, [&](Seven const& at, Seven& rate, double) { equations.rate(at, rate); }, y, 0.0, time / count, 0.1);
+        scheme, [&](Seven const& at, Seven& rate, double) { equations.rate(at, rate); }, y, 0.0, time / count,
+        0.1);
     s = y;
   }
   return states;

@@ -3,14 +3,15 @@
 
 #include <Eigen/Geometry>
 
-#include "actio/rigid_body/body_in_motion.hpp"
 #include "actio/fast_body/space/free_steps.hpp"
+#include "actio/rigid_body/body_in_motion.hpp"
 #include "peers/preprocessed_moser_veselov.hpp"
 
 namespace peers {
 
 inline actio::FreeBody free_body(Task const& task) {
-  return {actio::inertia_from_moments(task.I[0], task.I[1], task.I[2]), {actio::SO<3>{}, Eigen::Vector3d(task.M[0], task.M[1], task.M[2])}};
+  return {actio::inertia_from_moments(task.I[0], task.I[1], task.I[2]),
+          {actio::SO<3>{}, Eigen::Vector3d(task.M[0], task.M[1], task.M[2])}};
 }
 inline Seven seven(actio::FreeState const& s) {
   auto const& M = s.body_momentum.components;
@@ -19,10 +20,13 @@ inline Seven seven(actio::FreeState const& s) {
 }
 
 /// Half turns with the same parameters, without compensation.
-inline std::unique_ptr<Stepper> half_turns(actio::FreeBody const& body, actio::StepParameters<double> const& parameters) {
+inline std::unique_ptr<Stepper> half_turns(actio::FreeBody const& body,
+                                           actio::StepParameters<double> const& parameters) {
   using State = actio::FrameState<double>;
   return stepper(
-      body.start(), [turn = actio::HalfTurn<double>(parameters)](State & p) __attribute__((always_inline)) { turn.step(p); },
+      body.start(),
+      [turn = actio::HalfTurn<double>(parameters)](State & p)
+          __attribute__((always_inline)) { turn.step(p); },
       [body](State const& p) { return seven(body.state(p)); });
 }
 
@@ -38,7 +42,9 @@ inline Method exact_momentum() {
             using State = actio::FrameState<double>;
             auto const body = free_body(task);
             return stepper(
-                body.start(), [turn = actio::HalfTurn<double>(body.step_parameters(h))](State & p) __attribute__((always_inline)) { turn.step(p.direction); },
+                body.start(),
+                [turn = actio::HalfTurn<double>(body.step_parameters(h))](State & p)
+                    __attribute__((always_inline)) { turn.step(p.direction); },
                 [body](State const& p) { return seven(body.state(p)); });
           }};
 }
@@ -53,22 +59,25 @@ class CompensatedStepper final : public Stepper {
   actio::FreeSteps motion_;
 };
 inline Method exact_compensated() {
-  return {"exact, compensated (FreeSteps)", [](Task const& task, double h) { return std::make_unique<CompensatedStepper>(task, h); }};
+  return {"exact, compensated (FreeSteps)",
+          [](Task const& task, double h) { return std::make_unique<CompensatedStepper>(task, h); }};
 }
 
 /// Moser-Veselov, solved once for the orbit; of order 4 and more with modified moments.
 inline Method moser_veselov_once(int order) {
-  return {"Moser-Veselov, order " + std::to_string(order) + ", twist once", [order](Task const& task, double h) {
-            auto const body = free_body(task);
-            return half_turns(body, body.moser_veselov_parameters(h, order));
+  return {"Moser-Veselov, order " + std::to_string(order) + ", twist once",
+          [order](Task const& task, double h) {
+    auto const body = free_body(task);
+    return half_turns(body, body.moser_veselov_parameters(h, order));
           }};
 }
 
-/// Moser-Veselov with the equation for the twist solved in each step, as a body under torques would want it; with modified moments these are worked
-/// out in each step, too.
+/// Moser-Veselov with the equation for the twist solved in each step, as a body under torques would want it;
+/// with modified moments these are worked out in each step, too.
 class TwistEachStep {
  public:
-  TwistEachStep(actio::FreeBody const& body, Task const& task, double h, int order) : polynomials_(task, order), modified_(order > 2), half_(h / 2) {
+  TwistEachStep(actio::FreeBody const& body, Task const& task, double h, int order)
+      : polynomials_(task, order), modified_(order > 2), half_(h / 2) {
     for (int i = 0; i < 3; ++i) J_[i] = 1 / task.I[i];
     amount_ = body.amount();
   }
@@ -92,11 +101,12 @@ class TwistEachStep {
   actio::Three<double> J_;
 };
 inline Method moser_veselov_each_step(int order) {
-  return {"Moser-Veselov, order " + std::to_string(order) + ", twist each step", [order](Task const& task, double h) {
-            // The moments of this task are in ascending order, so the axes of the steps are those of the body.
-            auto const body = free_body(task);
-            return stepper(body.start(), TwistEachStep(body, task, h, order),
-                           [body](actio::FrameState<double> const& p) { return seven(body.state(p)); });
+  return {"Moser-Veselov, order " + std::to_string(order) + ", twist each step",
+          [order](Task const& task, double h) {
+    // The moments of this task are in ascending order, so the axes of the steps are those of the body.
+    auto const body = free_body(task);
+    return stepper(body.start(), TwistEachStep(body, task, h, order),
+                   [body](actio::FrameState<double> const& p) { return seven(body.state(p)); });
           }};
 }
 
@@ -105,9 +115,11 @@ class GeneralStepper final : public Stepper {
  public:
   GeneralStepper(Task const& task, double h)
       : scheme_(actio::inertia_from_moments(task.I[0], task.I[1], task.I[2]), h),
-        body_(actio::release(scheme_.inertia(), actio::identity<double>(actio::SO<3>{}),
-                             actio::body_velocity(scheme_.inertia(), actio::Momentum<actio::SO<3>, double>{
-                                                                         actio::SO<3>{}, Eigen::Vector3d(task.M[0], task.M[1], task.M[2])}))) {}
+        body_(actio::release(
+            scheme_.inertia(), actio::identity<double>(actio::SO<3>{}),
+            actio::body_velocity(scheme_.inertia(),
+                                 actio::Momentum<actio::SO<3>, double>{
+                                     actio::SO<3>{}, Eigen::Vector3d(task.M[0], task.M[1], task.M[2])}))) {}
   void advance(long steps) override {
     for (; steps > 0; --steps) actio::advance(scheme_, body_);
   }
@@ -122,7 +134,8 @@ class GeneralStepper final : public Stepper {
   actio::BodyInMotion<3, double> body_;
 };
 inline Method moser_veselov_general() {
-  return {"Moser-Veselov for SO(n), n = 3", [](Task const& task, double h) { return std::make_unique<GeneralStepper>(task, h); }};
+  return {"Moser-Veselov for SO(n), n = 3",
+          [](Task const& task, double h) { return std::make_unique<GeneralStepper>(task, h); }};
 }
 
 }  // namespace peers

@@ -1,8 +1,8 @@
 // The Moser-Veselov equation as a Riccati equation, solved by the two methods of the textbooks, with LAPACK.
 //
-// X = f^T Lambda = S + P/2, P = hM, S symmetric: X^T X = Lambda^2 is S^2 + (S P - P S)/2 - P^2/4 = Lambda^2, a Riccati equation with A = -P/2, G = 1,
-// Q = Lambda^2 + P^2/4. The solution
-// that grows out of the identity is the stabilising one: the spectrum of A - S = -X is to the left (Cardoso and Leite).
+// X = f^T Lambda = S + P/2, P = hM, S symmetric: X^T X = Lambda^2 is S^2 + (S P - P S)/2 - P^2/4 = Lambda^2,
+// a Riccati equation with A = -P/2, G = 1, Q = Lambda^2 + P^2/4. The solution that grows out of the identity
+// is the stabilising one: the spectrum of A - S = -X is to the left (Cardoso and Leite).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,11 +11,14 @@
 #include <vector>
 
 extern "C" {
-void dgees_(char const* vectors, char const* sorted, int (*select)(double const*, double const*), int const* n, double* a, int const* lda,
-            int* first, double* re, double* im, double* vs, int const* ldvs, double* work, int const* lwork, int* bwork, int* info);
-void dtrsyl_(char const* ta, char const* tb, int const* sign, int const* m, int const* n, double const* a, int const* lda, double const* b,
-             int const* ldb, double* c, int const* ldc, double* scale, int* info);
-void dgesv_(int const* n, int const* nrhs, double* a, int const* lda, int* pivots, double* b, int const* ldb, int* info);
+void dgees_(char const* vectors, char const* sorted, int (*select)(double const*, double const*),
+            int const* n, double* a, int const* lda, int* first, double* re, double* im, double* vs,
+            int const* ldvs, double* work, int const* lwork, int* bwork, int* info);
+void dtrsyl_(char const* ta, char const* tb, int const* sign, int const* m, int const* n, double const* a,
+             int const* lda, double const* b, int const* ldb, double* c, int const* ldc, double* scale,
+             int* info);
+void dgesv_(int const* n, int const* nrhs, double* a, int const* lda, int* pivots, double* b, int const* ldb,
+            int* info);
 }
 
 namespace peers {
@@ -33,7 +36,9 @@ struct Riccati {
     return m;
   }
   /// \f$f\f$ from \f$f^T\Lambda = S + P/2\f$.
-  MatrixXd relative_motion(MatrixXd const& s) const { return lambda.cwiseInverse().asDiagonal() * (s - half); }
+  MatrixXd relative_motion(MatrixXd const& s) const {
+    return lambda.cwiseInverse().asDiagonal() * (s - half);
+  }
 };
 
 namespace detail {
@@ -48,14 +53,15 @@ inline MatrixXd real_schur(MatrixXd& a, bool ordered) {
   std::vector<double> re(static_cast<std::size_t>(n)), im(re), work(static_cast<std::size_t>(room));
   std::vector<int> flags(static_cast<std::size_t>(n));
   int first = 0, info = 0;
-  dgees_("V", ordered ? "S" : "N", &to_the_left, &n, a.data(), &n, &first, re.data(), im.data(), z.data(), &n, work.data(), &room,
-         flags.data(), &info);
+  dgees_("V", ordered ? "S" : "N", &to_the_left, &n, a.data(), &n, &first, re.data(), im.data(), z.data(), &n,
+         work.data(), &room, flags.data(), &info);
   require(info, "dgees");
   return z;
 }
 }  // namespace detail
 
-/// By the ordered real Schur form of the Hamiltonian matrix of size 2n: its invariant subspace to the left is spanned by (1, S).
+/// By the ordered real Schur form of the Hamiltonian matrix of size 2n: its invariant subspace to the left is
+/// spanned by (1, S).
 inline MatrixXd by_ordered_schur(Riccati const& r) {
   int const n = static_cast<int>(r.lambda.size());
   MatrixXd hamiltonian(2 * n, 2 * n);
@@ -70,8 +76,8 @@ inline MatrixXd by_ordered_schur(Riccati const& r) {
   return (s + s.transpose()) / 2;
 }
 
-/// By Newton's method, after Kleinman: each iterate from a Lyapunov equation, solved after Bartels and Stewart. It begins with Lambda, which is
-/// stabilising.
+/// By Newton's method, after Kleinman: each iterate from a Lyapunov equation, solved after Bartels and
+/// Stewart. It begins with Lambda, which is stabilising.
 /// @param iterations  how many it took
 inline MatrixXd by_newton_kleinman(Riccati const& r, int& iterations) {
   int const n = static_cast<int>(r.lambda.size()), plus = 1;

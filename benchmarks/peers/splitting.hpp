@@ -1,4 +1,5 @@
-// Symmetric splitting of the energy into the squares of the three components: each part turns the body about one axis, exactly.
+// Symmetric splitting of the energy into the squares of the three components: each part turns the body about
+// one axis, exactly.
 #pragma once
 
 #include "peers/quaternion.hpp"
@@ -25,7 +26,8 @@ class Splitting {
   template <int i>
   [[gnu::always_inline]] static void turn(Seven& y, double r) {
     constexpr int j = (i + 1) % 3, k = (i + 2) % 3;
-    double const angle = r * y[i], c = std::cos(angle), s = std::sin(angle), c2 = 1 - 2 * s * s, s2 = 2 * s * c;
+    double const angle = r * y[i], c = std::cos(angle), s = std::sin(angle), c2 = 1 - 2 * s * s,
+                 s2 = 2 * s * c;
     double const u = y[j], v = y[k];
     y[j] = c2 * u + s2 * v;
     y[k] = c2 * v - s2 * u;
@@ -41,7 +43,8 @@ class Splitting {
 };
 
 inline Method splitting() {
-  return {"splitting, order 2", [](Task const& task, double h) { return stepper(task.start(), Splitting(task, h)); }};
+  return {"splitting, order 2",
+          [](Task const& task, double h) { return stepper(task.start(), Splitting(task, h)); }};
 }
 
 }  // namespace peers

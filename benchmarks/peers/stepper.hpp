@@ -1,6 +1,7 @@
 // What is compared: methods that take a free body on, step by step.
 //
-// The state of all is the same, body momentum and attitude (unit quaternion, scalar first, body to space), in the axes of the body.
+// The state of all is the same, body momentum and attitude (unit quaternion, scalar first, body to space), in
+// the axes of the body.
 #pragma once
 
 #include <array>
@@ -34,7 +35,8 @@ class Stepper {
 /// A method.
 struct Method {
   std::string name;
-  std::function<std::unique_ptr<Stepper>(Task const&, double h)> make;  ///< may throw where the step is too long for it
+  std::function<std::unique_ptr<Stepper>(Task const&, double h)>
+      make;  ///< may throw where the step is too long for it
 };
 
 /// A stepper from its state, one step, and a way to read the state.
@@ -42,7 +44,8 @@ template <class State, class Step, class Read>
 std::unique_ptr<Stepper> stepper(State state, Step step, Read read) {
   class Made final : public Stepper {
    public:
-    Made(State s, Step step, Read read) : state_(std::move(s)), step_(std::move(step)), read_(std::move(read)) {}
+    Made(State s, Step step, Read read)
+        : state_(std::move(s)), step_(std::move(step)), read_(std::move(read)) {}
     void advance(long steps) override {
       // The state in a local variable, where the compiler may keep it in registers.
       State s = state_;

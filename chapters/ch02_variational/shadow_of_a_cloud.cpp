@@ -1,8 +1,8 @@
 // The shadow of a cloud: what it means that a flow is symplectic.
 //
-// What is shown. Nearby states of a pendulum form a cloud. Its motion bends and stretches it, but its area stays what it
-// was, which is what F^* omega = omega says; under explicit Euler the cloud grows.
-// Read first. The section "Letting the ends move" of chapter 2.
+// What is shown. Nearby states of a pendulum form a cloud. Its motion bends and stretches it, but its area
+// stays what it was, which is what F^* omega = omega says; under explicit Euler the cloud grows. Read first.
+// The section "Letting the ends move" of chapter 2.
 //
 //   v        state (g, xi) in TG                      L      Lagrangian on TG
 //   w        tangent vector to TG at v                theta  Lagrange one-form, p dq
@@ -16,10 +16,13 @@
 using namespace actio;
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a cloud of nearby states changes its shape and preserves its area; under explicit Euler it grows");
+  book::Program program(
+      argc, argv,
+      "a cloud of nearby states changes its shape and preserves its area; under explicit Euler it grows");
 
-  // 1. A pendulum on SO(2), length and gravity 1, its angle counted from below. The cloud is a disc in the plane of angle
-  //    and momentum: a rim, whose states carry its tangent, and in it a sunflower's seeds, the same on every machine.
+  // 1. A pendulum on SO(2), length and gravity 1, its angle counted from below. The cloud is a disc in the
+  //    plane of angle and momentum: a rim, whose states carry its tangent, and in it a sunflower's seeds, the
+  //    same on every machine.
   auto const pendulum = [](auto const& v) {
     auto const& xi = v.velocity.coordinates[0];
     return xi * xi / 2.0 + v.configuration.value(0, 0);  // the cosine of the angle
@@ -32,11 +35,13 @@ int main(int argc, char** argv) {
   long const edge = 240, seeds = 260;
   double const radius = 0.42;
   auto disc = closed_curve(edge, [&](auto const& s) { return at(radius, s); });
-  for (int k = 0; k < seeds; ++k) disc.push_back(at(radius * std::sqrt((k + 0.5) / seeds), k * M_PI * (3 - std::sqrt(5.0))));
+  for (int k = 0; k < seeds; ++k)
+    disc.push_back(at(radius * std::sqrt((k + 0.5) / seeds), k * M_PI * (3 - std::sqrt(5.0))));
   auto const rim = [&](auto const& cloud) { return std::span(cloud).first(edge); };
   double const area = shadows(pendulum, rim(disc)), apart = 1.8;
 
-  // 2. Let time pass, once with the flow and once with explicit Euler at a long step; draw the cloud four times.
+  // 2. Let time pass, once with the flow and once with explicit Euler at a long step; draw the cloud four
+  //    times.
   std::vector<double> angle, above, below;
   for (double q = -3.3; q < 3.3; q += 0.02)
     angle.push_back(q), above.push_back(2 * std::abs(std::cos(q / 2))), below.push_back(-above.back());
@@ -51,18 +56,24 @@ int main(int argc, char** argv) {
       for (int step = 0; epoch > 0 && step * h < apart - h / 2; ++step)
         for (auto& v : cloud) v = flow ? runge_kutta(swing, v, h) : explicit_euler(swing, v, h);
       std::vector<double> q, p;
-      for (auto const& v : cloud) q.push_back(log(value_of(v.configuration)).coordinates[0]), p.push_back(v.velocity.coordinates[0].value);
-      plot.dots(std::span(q).subspan(edge), std::span(p).subspan(edge), "", {.colour = epoch + 1, .radius = 1.2});
+      for (auto const& v : cloud)
+        q.push_back(log(value_of(v.configuration)).coordinates[0]),
+            p.push_back(v.velocity.coordinates[0].value);
+      plot.dots(std::span(q).subspan(edge), std::span(p).subspan(edge), "",
+                {.colour = epoch + 1, .radius = 1.2});
       q[edge] = q[0], p[edge] = p[0];
-      plot.curve(std::span(q).first(edge + 1), std::span(p).first(edge + 1), "time " + book::number(epoch * apart), {.colour = epoch + 1});
+      plot.curve(std::span(q).first(edge + 1), std::span(p).first(edge + 1),
+                 "time " + book::number(epoch * apart), {.colour = epoch + 1});
       double const change = std::abs(shadows(pendulum, rim(cloud)) / area - 1);
       (flow ? preserved : grown) = std::max(flow ? preserved : grown, change);
     }
-    program.picture(flow ? "flow" : "euler", plot.svg(),
-                    flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is sheared and bent; "
-                           "but the flow preserves the area, which is the same all the time."
-                         : "The same cloud under explicit Euler with steps of 0.2. Its area grows, and part of it has "
-                           "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
+    program.picture(
+        flow ? "flow" : "euler", plot.svg(),
+        flow ? "A cloud of states of a pendulum, at four times. Wide swings take longer, so the cloud is "
+               "sheared and bent; "
+               "but the flow preserves the area, which is the same all the time."
+             : "The same cloud under explicit Euler with steps of 0.2. Its area grows, and part of it has "
+               "crossed the dashed line, which no state ever does: those pendulums will go over the top.");
   }
   program.figure("kept", preserved, "largest change of the area, relative");
   program.figure("grown", grown, "the same under explicit Euler");
@@ -71,6 +82,8 @@ int main(int argc, char** argv) {
   double const h = 0.005;
   program.claim(preserved < std::pow(h, 4), "the area of the cloud stays as it is");
   program.claim(grown > 0.4, "under explicit Euler it grows by more than two fifths");
-  program.headline("area of a cloud preserved to " + book::number(preserved, 2) + "; explicit Euler adds " + book::number(100 * grown, 2) + " %", preserved);
+  program.headline("area of a cloud preserved to " + book::number(preserved, 2) + "; explicit Euler adds " +
+                       book::number(100 * grown, 2) + " %",
+                   preserved);
   return program.finish();
 }

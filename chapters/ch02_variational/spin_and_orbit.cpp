@@ -1,9 +1,9 @@
 // A spinning book: reduction seen from inside the book and from outside.
 //
-// What is shown. A free body does not care which way it points, so its motion closes in the algebra (Euler-Poincaré,
-// 2.2.1). Seen from the book the momentum wanders, but never leaves its coadjoint orbit, a sphere, nor its level of the
-// energy: it runs along the curve where the two meet. Seen from space the momentum does not move at all.
-// Read first. The section "When the group is its own symmetry" of chapter 2.
+// What is shown. A free body does not care which way it points, so its motion closes in the algebra
+// (Euler-Poincaré, 2.2.1). Seen from the book the momentum wanders, but never leaves its coadjoint orbit, a
+// sphere, nor its level of the energy: it runs along the curve where the two meet. Seen from space the
+// momentum does not move at all. Read first. The section "When the group is its own symmetry" of chapter 2.
 //
 //   R      attitude in SO(3), body to space            L     Lagrangian on TG, J
 //   Omega  body velocity R^-1 R', 1/s                  l     the same on the algebra, a function of Omega
@@ -35,7 +35,8 @@ X runge_kutta(Rate const& rate, X const& x, double h) {
   return x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
 }
 
-// 1. The book: 24 cm high, 17 cm wide, 3 cm thick, 0.8 kg. Axis 1 along the height, 2 across, 3 through the pages.
+// 1. The book: 24 cm high, 17 cm wide, 3 cm thick, 0.8 kg. Axis 1 along the height, 2 across, 3 through the
+//    pages.
 Vector3d moments_of_inertia() {
   Vector3d const edge(0.24, 0.17, 0.03);
   double const mass = 0.8;
@@ -67,8 +68,8 @@ Motion unreduced(Motion const& m) {  // here the velocity is translated to the i
   return {SO<3>::hat(m.Omega) * m.R, lagrange_acceleration(L, state).coordinates};
 }
 
-// 4. Throw the book with one and the same amount of momentum along many directions, and follow the momentum in the book.
-//    What should be conserved, and its largest change over all throws.
+// 4. Throw the book with one and the same amount of momentum along many directions, and follow the momentum
+//    in the book. What should be conserved, and its largest change over all throws.
 struct Lost {
   double orbit = 0, energy = 0, space = 0;
 };
@@ -100,18 +101,23 @@ Lost throw_all_ways(book::Sphere& sphere) {
   Lost off;
   for (double const sign : {1.0, -1.0})
     for (double const tilt : {0.2, 0.5, 1.0, 2.0}) {
-      sphere.curve(follow({sign, tilt, 0}, off), sign > 0 && tilt < 0.3 ? "round the axis of the smallest moment" : "", {.colour = 2});
-      sphere.curve(follow({0, tilt, sign}, off), sign > 0 && tilt < 0.3 ? "round the axis of the largest moment" : "", {.colour = 1});
+      sphere.curve(follow({sign, tilt, 0}, off),
+                   sign > 0 && tilt < 0.3 ? "round the axis of the smallest moment" : "", {.colour = 2});
+      sphere.curve(follow({0, tilt, sign}, off),
+                   sign > 0 && tilt < 0.3 ? "round the axis of the largest moment" : "", {.colour = 1});
     }
   return off;
 }
 
-// 5. Where the energy is that of the middle axis the level splits the sphere: two great circles through that axis.
+// 5. Where the energy is that of the middle axis the level splits the sphere: two great circles through that
+//    axis.
 void draw_separatrix(book::Sphere& sphere) {
   for (double const sign : {1.0, -1.0}) {
-    Vector3d const across = Vector3d(std::sqrt(1 / I[1] - 1 / I[2]), 0, sign * std::sqrt(1 / I[0] - 1 / I[1])).normalized();
+    Vector3d const across =
+        Vector3d(std::sqrt(1 / I[1] - 1 / I[2]), 0, sign * std::sqrt(1 / I[0] - 1 / I[1])).normalized();
     std::vector<Vector3d> circle;
-    for (int k = 0; k <= 360; ++k) circle.push_back(std::cos(k * M_PI / 180) * Vector3d::UnitY() + std::sin(k * M_PI / 180) * across);
+    for (int k = 0; k <= 360; ++k)
+      circle.push_back(std::cos(k * M_PI / 180) * Vector3d::UnitY() + std::sin(k * M_PI / 180) * across);
     sphere.curve(circle, sign > 0 ? "separatrix, through the middle axis" : "", {.colour = 4, .width = 2.2});
   }
 }
@@ -123,14 +129,17 @@ struct Flip {
   double apart = 0, wrong_space = 0, lowest = p;
 };
 Flip throw_about_middle_axis() {
-  Motion m{Matrix3d::Identity(), (p * Vector3d(0.01, 1, 0.01).normalized()).cwiseQuotient(I)}, wrong = m, whole = m;
+  Motion m{Matrix3d::Identity(), (p * Vector3d(0.01, 1, 0.01).normalized()).cwiseQuotient(I)}, wrong = m,
+                                                                                               whole = m;
   Vector3d const thrown = mu_of(m).components;
   Flip flip;
   for (int k = 0; k * h < duration; ++k) {
     if (k % 32 == 0) flip.time.push_back(k * h);
     for (int i = 0; k % 32 == 0 && i < 3; ++i)
-      flip.inside[i].push_back(Pi_of(m).components[i] / p), flip.outside[i].push_back(mu_of(m).components[i] / p);
-    m = runge_kutta(reduced, m, h), wrong = runge_kutta(wrong_side, wrong, h), whole = runge_kutta(unreduced, whole, h);
+      flip.inside[i].push_back(Pi_of(m).components[i] / p),
+          flip.outside[i].push_back(mu_of(m).components[i] / p);
+    m = runge_kutta(reduced, m, h), wrong = runge_kutta(wrong_side, wrong, h),
+    whole = runge_kutta(unreduced, whole, h);
     flip.apart = std::max(flip.apart, (m.R - whole.R).norm());
     flip.wrong_space = std::max(flip.wrong_space, (mu_of(wrong).components - thrown).norm() / p);
     flip.lowest = std::min(flip.lowest, Pi_of(m).components[1]);
@@ -142,15 +151,18 @@ Flip throw_about_middle_axis() {
 void show_flip(book::Program& program, Flip const& flip) {
   auto plot = book::Plot("time, s", "component / amount of momentum").size(660, 320).y_range(-1.15, 1.15);
   char const* const names[] = {"book, 1", "book, 2", "book, 3"};
-  for (int i = 0; i < 3; ++i) plot.curve(flip.time, flip.inside[i], names[i], {.colour = i == 0 ? 2 : i == 1 ? 4 : 1});
   for (int i = 0; i < 3; ++i)
-    plot.curve(flip.time, flip.outside[i], i ? "" : "space, all three", {.colour = 6, .width = 1.2, .dashed = true});
-  program.picture(
-      "flip", plot.svg(),
-      "One throw about the middle axis, a hundredth off. Seen from the book its momentum turns over again and again; seen from space "
-      "(dashed) it never moves: it is the book that turns over.");
+    plot.curve(flip.time, flip.inside[i], names[i], {.colour = i == 0 ? 2 : i == 1 ? 4 : 1});
+  for (int i = 0; i < 3; ++i)
+    plot.curve(flip.time, flip.outside[i], i ? "" : "space, all three",
+               {.colour = 6, .width = 1.2, .dashed = true});
+  program.picture("flip", plot.svg(),
+                  "One throw about the middle axis, a hundredth off. Seen from the book its momentum turns "
+                  "over again and again; seen from space "
+                  "(dashed) it never moves: it is the book that turns over.");
   program.figure("apart", flip.apart, "reduced and unreduced motion, largest distance of the attitudes");
-  program.figure("wrong_side", flip.wrong_space, "change of the spatial momentum with the sign of right-invariant systems");
+  program.figure("wrong_side", flip.wrong_space,
+                 "change of the spatial momentum with the sign of right-invariant systems");
 }
 
 // 7. What must be so. A step has an error of about (h Omega)^5/120, and all of them may add up; a hundredth
@@ -158,26 +170,31 @@ void show_flip(book::Program& program, Flip const& flip) {
 //    the point on the curve is a hundred times as sensitive.
 void claim_what_must_be_so(book::Program& program, Lost const& off, Flip const& flip) {
   double const allowed = duration / h * std::pow(h * p / I[0], 5) / 120;
-  program.claim(off.orbit < allowed && off.energy < allowed, "the momentum stays on its sphere and on its level of the energy");
+  program.claim(off.orbit < allowed && off.energy < allowed,
+                "the momentum stays on its sphere and on its level of the energy");
   program.claim(off.space < allowed, "the spatial momentum is constant");
-  program.claim(flip.apart < 100 * allowed, "Euler-Poincaré with the attitude reconstructed is the motion of Euler-Lagrange");
-  program.claim(flip.wrong_space > 0.5, "with the sign of the other side the spatial momentum is not conserved");
+  program.claim(flip.apart < 100 * allowed,
+                "Euler-Poincaré with the attitude reconstructed is the motion of Euler-Lagrange");
+  program.claim(flip.wrong_space > 0.5,
+                "with the sign of the other side the spatial momentum is not conserved");
   program.claim(flip.lowest < -0.9 * p, "thrown about the middle axis the book turns over");
 }
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a spinning book: its momentum runs round a sphere as seen from the book, and stands still as seen from space");
+                        "a spinning book: its momentum runs round a sphere as seen from the book, and stands "
+                        "still as seen from space");
   program.say("moments of inertia, kg m^2: ", I[0], ", ", I[1], ", ", I[2]);
 
   auto sphere = book::Sphere(38, 24).axes({"1 height", "2 width", "3 pages"});
   Lost const off = throw_all_ways(sphere);
   draw_separatrix(sphere);
-  program.picture(
-      "orbit", sphere.svg(),
-      "The momentum of a thrown book in the body frame: sixteen throws with the same amount of momentum, so all on one sphere, the "
-      "coadjoint orbit. Each follows a level of the energy. Round the height and through the pages the curves close about the axis; "
-      "about the middle axis, where the great circles cross, nothing stays near.");
+  program.picture("orbit", sphere.svg(),
+                  "The momentum of a thrown book in the body frame: sixteen throws with the same amount of "
+                  "momentum, so all on one sphere, the "
+                  "coadjoint orbit. Each follows a level of the energy. Round the height and through the "
+                  "pages the curves close about the axis; "
+                  "about the middle axis, where the great circles cross, nothing stays near.");
   program.figure("orbit", off.orbit, "largest distance from the sphere, relative");
   program.figure("energy", off.energy, "largest change of the energy, relative");
   program.figure("space", off.space, "largest change of the spatial momentum, relative");
@@ -186,6 +203,8 @@ int main(int argc, char** argv) {
   show_flip(program, flip);
 
   claim_what_must_be_so(program, off, flip);
-  program.headline("spatial momentum conserved to " + book::number(off.space, 2) + ", not with the sign of the other side", off.space);
+  program.headline(
+      "spatial momentum conserved to " + book::number(off.space, 2) + ", not with the sign of the other side",
+      off.space);
   return program.finish();
 }

@@ -1,11 +1,11 @@
 // Three shadows: what is conserved where there are more coordinates than one.
 //
-// What is shown. A flat body adrift in still water has three coordinates and three momenta, and a thin sheet of its states casts three shadows, one in the
-// plane of each pair: each of them changes, their sum does not. The sum is the integral of the Lagrange one-form round the rim, and that it stays is
-// F^* omega = omega.
+// What is shown. A flat body adrift in still water has three coordinates and three momenta, and a thin sheet
+// of its states casts three shadows, one in the plane of each pair: each of them changes, their sum does not.
+// The sum is the integral of the Lagrange one-form round the rim, and that it stays is F^* omega = omega.
 // Read first. The section "Letting the ends move" of chapter 2, and shadow_of_a_cloud.
 //
-//   v        state (g, xi) in TG                      l      reduced Lagrangian, function of the body velocity
+//   v        state (g, xi) in TG l reduced Lagrangian, function of the body velocity
 //   rim      closed curve of states, each a dual      h      step
 //            number that carries its tangent
 #include <algorithm>
@@ -18,32 +18,40 @@
 using namespace actio;
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a body adrift: a sheet of its states has three shadows, each changes, their sum stays");
+  book::Program program(
+      argc, argv, "a body adrift: a sheet of its states has three shadows, each changes, their sum stays");
 
-  // 1. A flat body in still water, on SE(2): easier to push ahead than aside. It does not matter where it is, so its
-  //    acceleration comes from the reduced equation. Its rim is a closed curve through all six dimensions.
+  // 1. A flat body in still water, on SE(2): easier to push ahead than aside. It does not matter where it is,
+  //    so its acceleration comes from the reduced equation. Its rim is a closed curve through all six
+  //    dimensions.
   auto const l = [](auto const& xi) {
     auto const& v = xi.coordinates;
     return (0.5 * v[0] * v[0] + v[1] * v[1] + 3.0 * v[2] * v[2]) / 2.0;
   };
   auto const body = left_invariant(l);
-  auto const glide = [&](auto const& v) { return Ad(v.configuration, euler_poincare_acceleration_left(l, body_velocity(v))); };
+  auto const glide = [&](auto const& v) {
+    return Ad(v.configuration, euler_poincare_acceleration_left(l, body_velocity(v)));
+  };
   auto const adrift = closed_curve(32, [](auto const& s) {
     using S = std::decay_t<decltype(s)>;
     auto const c = cos(s), d = sin(s);
-    Coordinates<SE<2>, S> const configuration(0.15 * c, 0.15 * d, 0.2 * c), speed(0.6 + 0.15 * d, 1.0 + 0.1 * c, 0.3 - 0.1 * d);
+    Coordinates<SE<2>, S> const configuration(0.15 * c, 0.15 * d, 0.2 * c),
+        speed(0.6 + 0.15 * d, 1.0 + 0.1 * c, 0.3 - 0.1 * d);
     auto const g = exp(velocity(SE<2>{}, configuration));
     return State<SE<2>, S>{g, Ad(g, velocity(SE<2>{}, speed))};
   });
 
-  // 2. A shadow's area is the integral of its momentum over its coordinate; that of the angle is about the body's centre.
+  // 2. A shadow's area is the integral of its momentum over its coordinate; that of the angle is about the
+  //    body's centre.
   auto const shadow = [&](auto const& curve, int which) {
     double sum = 0;
     for (auto const& v : curve) {
       auto const mu = legendre(body, value_of(v)).components;
       auto const x = v.configuration.value(0, 2), y = v.configuration.value(1, 2);
       double const turn = change_of(v).configuration.coordinates[0];
-      sum += which == 0 ? (mu[0] - x.value * mu[2] + y.value * mu[1]) * turn : which == 1 ? mu[1] * x.part[0] : mu[2] * y.part[0];
+      sum += which == 0   ? (mu[0] - x.value * mu[2] + y.value * mu[1]) * turn
+             : which == 1 ? mu[1] * x.part[0]
+                          : mu[2] * y.part[0];
     }
     return sum;
   };
@@ -56,7 +64,8 @@ int main(int argc, char** argv) {
       time.push_back(k * h), each[3].push_back(shadows(body, drift));
       for (int which = 0; which < 3; ++which) each[which].push_back(shadow(drift, which));
       body_kept = std::max(body_kept, std::abs(each[3].back() / sum_before - 1));
-      body_split = std::max(body_split, std::abs(each[0].back() + each[1].back() + each[2].back() - each[3].back()));
+      body_split =
+          std::max(body_split, std::abs(each[0].back() + each[1].back() + each[2].back() - each[3].back()));
     }
     for (auto& v : drift) v = runge_kutta(glide, v, h);
   }
@@ -65,11 +74,14 @@ int main(int argc, char** argv) {
     for (auto& v : euler_drift) v = explicit_euler(glide, v, long_step);
   }
   auto plot = book::Plot("time", "area of the shadow");
-  char const* const planes[] = {"angle and its momentum", "x and its momentum", "y and its momentum", "sum of the three"};
-  for (int i = 0; i < 4; ++i) plot.curve(time, each[i], planes[i], {.colour = i + 1, .width = i == 3 ? 2.4 : 1.6});
+  char const* const planes[] = {"angle and its momentum", "x and its momentum", "y and its momentum",
+                                "sum of the three"};
+  for (int i = 0; i < 4; ++i)
+    plot.curve(time, each[i], planes[i], {.colour = i + 1, .width = i == 3 ? 2.4 : 1.6});
   plot.curve(euler_time, euler_sum, "sum under explicit Euler", {.colour = 4, .dashed = true});
   program.picture("shadows", plot.svg(),
-                  "A cloud of a flat body adrift in still water, in three coordinates and three momenta, has a shadow in each of three "
+                  "A cloud of a flat body adrift in still water, in three coordinates and three momenta, has "
+                  "a shadow in each of three "
                   "planes. Area goes from one shadow to the others; the sum stays.");
   program.figure("kept", body_kept, "largest change of the sum of the shadows, relative");
   program.figure("split", body_split, "integral of the one-form less the sum of the shadows");

@@ -1,10 +1,10 @@
 // Momentum conserved: a heavy body on a ball joint, symmetric about the vertical and about nothing else.
 //
-// What is shown. Gravity singles out the vertical, so of all turns of space only those about it are symmetries, and the
-// discrete Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum about the vertical stays what it is,
-// to rounding (discrete Noether, 3.8), at a step so long that the energy is off by a per cent; and the energy, which no
-// theorem conserves, does not run away. Runge-Kutta conserves neither.
-// Read first. The section "What a symmetry conserves" of chapter 3.
+// What is shown. Gravity singles out the vertical, so of all turns of space only those about it are
+// symmetries, and the discrete Euler-Lagrange equations (3.2) are solved for attitudes. Still the momentum
+// about the vertical stays what it is, to rounding (discrete Noether, 3.8), at a step so long that the energy
+// is off by a per cent; and the energy, which no theorem conserves, does not run away. Runge-Kutta conserves
+// neither. Read first. The section "What a symmetry conserves" of chapter 3.
 //
 //   g        attitude in SO(3), body to space         L       Lagrangian on TG, J
 //   xi       spatial velocity g' g^-1, 1/s            action  discrete Lagrangian on pairs of attitudes, J s
@@ -24,7 +24,8 @@ using Vector3d = actio::Vector<double, 3>;
 using Attitude = Element<SO<3>, double>;
 using Moving = State<SO<3>, double>;
 
-// Classical Runge-Kutta for attitude and spatial velocity; the attitude is brought back on the group after the step.
+// Classical Runge-Kutta for attitude and spatial velocity; the attitude is brought back on the group after
+// the step.
 template <class Lagrangian>
 Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
   Moving sum = v, stage = v;
@@ -33,7 +34,8 @@ Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
     auto const acceleration = lagrange_acceleration(L, stage);
     double const share = h * (i == 0 || i == 3 ? 1 : 2) / 6, next = i == 2 ? h : h / 2;
     sum.configuration.value += share * turning, sum.velocity = sum.velocity + share * acceleration;
-    stage.configuration.value = v.configuration.value + next * turning, stage.velocity = v.velocity + next * acceleration;
+    stage.configuration.value = v.configuration.value + next * turning,
+    stage.velocity = v.velocity + next * acceleration;
   }
   sum.configuration = restore(sum.configuration);
   return sum;
@@ -41,8 +43,9 @@ Moving runge_kutta(Lagrangian const& L, Moving const& v, double h) {
 
 // 1. The body: a flat board of 0.6 kg, 40 cm by 20 cm by 1 cm, hung by one end of its long axis, axis 3.
 double const mass = 0.6, length = 0.4, width = 0.2, thickness = 0.01, gravity = 9.81;
-Vector3d const I(mass * (length * length / 3 + thickness * thickness / 12), mass * (length * length / 3 + width * width / 12),
-                 mass * (width * width + thickness * thickness) / 12);
+Vector3d const I(mass*(length* length / 3 + thickness * thickness / 12),
+                 mass*(length* length / 3 + width * width / 12),
+                 mass*(width* width + thickness * thickness) / 12);
 
 // 2. Its Lagrangian on TG: the energy of rotation, in the body frame, less the weight times the height of the
 // middle of the board.
@@ -70,8 +73,8 @@ double energy_above_rest(Moving const& v) {
   return energy(L, v) - hanging;
 }
 
-// What is written down on the way: the largest errors of the momentum so far, the errors of the energy in per cent, and where
-// the long axis points.
+// What is written down on the way: the largest errors of the momentum so far, the errors of the energy in per
+// cent, and where the long axis points.
 struct Record {
   std::vector<double> time, discrete, classical, energy_discrete, energy_classical;
   std::vector<Vector3d> trace;
@@ -82,7 +85,9 @@ struct Record {
 Attitude first_step(Moving const& start) {
   Attitude const g0 = start.configuration;
   auto const mu0 = legendre(L, start);
-  return solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); }, exp(h * start.velocity) * g0).value;
+  return solve_on_group([&](auto const& g) { return D1(action, like(g, g0), g) + like(g, mu0); },
+                        exp(h * start.velocity) * g0)
+      .value;
 }
 
 // Every other step solves (3.2). Runge-Kutta beside it.
@@ -98,11 +103,13 @@ Record follow(Moving const& start) {
     // The momentum with which the step arrives, and the velocity that goes with it.
     auto const Omega = Ad_star(now, legendre_target(action, before, now)).components.cwiseQuotient(I).eval();
     Moving const arrived{now, Ad(now, velocity(turns, Omega))};
-    r.discrete_J = std::max(r.discrete_J, std::abs(discrete_momentum(action, before, now, about_vertical) / J - 1));
+    r.discrete_J =
+        std::max(r.discrete_J, std::abs(discrete_momentum(action, before, now, about_vertical) / J - 1));
     r.classical_J = std::max(r.classical_J, std::abs(noether_momentum(L, classical, about_vertical) / J - 1));
     r.level_J = std::max(r.level_J, std::abs(discrete_momentum(action, before, now, about_level) / J));
     r.time.push_back(k * h), r.discrete.push_back(r.discrete_J), r.classical.push_back(r.classical_J);
-    r.energy_discrete.push_back(100 * energy_error(arrived)), r.energy_classical.push_back(100 * energy_error(classical));
+    r.energy_discrete.push_back(100 * energy_error(arrived)),
+        r.energy_classical.push_back(100 * energy_error(classical));
     if (k < 650) r.trace.push_back(now.value.col(2));
 
     Attitude const next = step_euler_lagrange(action, before, now).value;
@@ -114,24 +121,28 @@ Record follow(Moving const& start) {
 
 // 5. Show where its long axis points, the energy and the momentum.
 void draw(book::Program& program, Record const& r) {
-  program.picture("path", book::Sphere(30, -50).curve(r.trace, "where the long axis points").svg(),
-                  "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the whole picture "
-                  "about the vertical, and it is that of another motion: this is the symmetry, and there is no other.");
+  program.picture(
+      "path", book::Sphere(30, -50).curve(r.trace, "where the long axis points").svg(),
+      "Where the board points in the first 19 seconds, seen from below, straight from step to step. Turn the "
+      "whole picture "
+      "about the vertical, and it is that of another motion: this is the symmetry, and there is no other.");
   program.picture("energy",
                   book::Plot("time, s", "error of the energy, %")
                       .curve(r.time, r.energy_classical, "Runge-Kutta", {.colour = 2})
                       .curve(r.time, r.energy_discrete, "discrete Euler-Lagrange", {.colour = 1, .width = 1})
                       .svg(),
-                  "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes with the swing and does not "
+                  "Energy over 10 000 steps of 0.03 s. The discrete motion has an error that comes and goes "
+                  "with the swing and does not "
                   "add up; that of Runge-Kutta only grows: the method drives the board.");
-  program.picture("momentum",
-                  book::Plot("time, s", "largest error so far, relative")
-                      .log_y()
-                      .size(660, 300)
-                      .curve(r.time, r.classical, "Runge-Kutta", {.colour = 2})
-                      .curve(r.time, r.discrete, "discrete Euler-Lagrange", {.colour = 1})
-                      .svg(),
-                  "The momentum about the vertical over the same steps: rounding on one side, a drift on the other.");
+  program.picture(
+      "momentum",
+      book::Plot("time, s", "largest error so far, relative")
+          .log_y()
+          .size(660, 300)
+          .curve(r.time, r.classical, "Runge-Kutta", {.colour = 2})
+          .curve(r.time, r.discrete, "discrete Euler-Lagrange", {.colour = 1})
+          .svg(),
+      "The momentum about the vertical over the same steps: rounding on one side, a drift on the other.");
 }
 
 // 6. The energy by quarters of the time: what is bounded is as large in each.
@@ -144,8 +155,8 @@ std::vector<double> tabulate_quarters(book::Program& program, Record const& r) {
       return std::max(std::ranges::max(part), -std::ranges::min(part));
     };
     worst.push_back(largest(r.energy_discrete));
-    rows.push_back({book::text(quarter * steps / 4 * h, " to ", (quarter + 1) * steps / 4 * h), book::number(worst.back(), 2),
-                    book::number(largest(r.energy_classical), 2)});
+    rows.push_back({book::text(quarter * steps / 4 * h, " to ", (quarter + 1) * steps / 4 * h),
+                    book::number(worst.back(), 2), book::number(largest(r.energy_classical), 2)});
   }
   program.table("energy", {"seconds", "discrete", "Runge-Kutta"}, rows,
                 "Largest error of the energy in each quarter of the time, in per cent.");
@@ -156,20 +167,24 @@ std::vector<double> tabulate_quarters(book::Program& program, Record const& r) {
 void check(book::Program& program, Record const& r, std::vector<double> const& worst) {
   program.figure("kept", r.discrete_J, "change of the momentum about the vertical, relative");
   program.figure("lost", r.classical_J, "the same by Runge-Kutta");
-  program.figure("level", r.level_J, "change of the momentum about a level axis, which no symmetry conserves, over the vertical one");
+  program.figure(
+      "level", r.level_J,
+      "change of the momentum about a level axis, which no symmetry conserves, over the vertical one");
   program.claim(r.discrete_J < steps * 0x1p-52, "the momentum about the vertical is conserved to rounding");
   program.claim(r.level_J > 1, "that about a level axis is not");
   program.claim(r.classical_J > 0.01, "Runge-Kutta does not conserve it");
-  program.claim(worst[3] < 1.5 * worst[0] && worst[3] < 3, "the error of the energy does not grow, and stays below 3 per cent");
+  program.claim(worst[3] < 1.5 * worst[0] && worst[3] < 3,
+                "the error of the energy does not grow, and stays below 3 per cent");
   program.claim(r.energy_classical.back() > 5 * worst[3], "that of Runge-Kutta does");
-  program.headline(
-      "vertical momentum conserved to " + book::number(r.discrete_J, 2) + "; Runge-Kutta changes it by " + book::number(100 * r.classical_J, 2) + " %",
-      r.discrete_J);
+  program.headline("vertical momentum conserved to " + book::number(r.discrete_J, 2) +
+                       "; Runge-Kutta changes it by " + book::number(100 * r.classical_J, 2) + " %",
+                   r.discrete_J);
 }
 
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
-                        "a board hung by one end and thrown round: what its one symmetry conserves, and what happens to the energy");
+                        "a board hung by one end and thrown round: what its one symmetry conserves, and what "
+                        "happens to the energy");
   Record const r = follow(throw_round());
   draw(program, r);
   check(program, r, tabulate_quarters(program, r));

@@ -22,7 +22,9 @@ Vector<double, 2> casimirs(Momenta const& m) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "the momenta of a submarine stay on their coadjoint orbit; under Runge-Kutta they leave it");
+  book::Program program(
+      argc, argv,
+      "the momenta of a submarine stay on their coadjoint orbit; under Runge-Kutta they leave it");
 
   // 1. The submarine of two_roads_on_se3, cast off the same way.
   Submarine const energy;
@@ -30,9 +32,12 @@ int main(int argc, char** argv) {
   auto const l = natural_chart_lagrangian_left(energy, h);
   auto const xi = velocity(SE<3>{}, energy.cast_off);
   Momenta const cast_off = gradient(energy, xi);
-  auto const error = [&](Momenta const& m) { return (casimirs(m).cwiseQuotient(casimirs(cast_off)) - Vector<double, 2>(1, 1)).cwiseAbs(); };
+  auto const error = [&](Momenta const& m) {
+    return (casimirs(m).cwiseQuotient(casimirs(cast_off)) - Vector<double, 2>(1, 1)).cwiseAbs();
+  };
 
-  // 2. Ten thousand steps of the algorithm on the dual: solve for the relative motion, carry the momentum (3.18); and of Runge-Kutta.
+  // 2. Ten thousand steps of the algorithm on the dual: solve for the relative motion, carry the momentum
+  //    (3.18); and of Runge-Kutta.
   Momenta m = cast_off;
   auto f = exp(-h * xi);
   Motion motion{.xi = energy.cast_off};
@@ -44,7 +49,8 @@ int main(int argc, char** argv) {
     m = lie_poisson_update_left(f, m);
     motion = runge_kutta(energy, motion, h);
     discrete = discrete.cwiseMax(error(m));
-    classical = classical.cwiseMax(error(momentum(SE<3>{}, Vector6d(energy.inertia.cwiseProduct(motion.xi)))));
+    classical =
+        classical.cwiseMax(error(momentum(SE<3>{}, Vector6d(energy.inertia.cwiseProduct(motion.xi)))));
     if (k % 50) continue;
     time.push_back(k * h);
     for (int i = 0; i < 2; ++i) curves[i].push_back(discrete[i]), curves[2 + i].push_back(classical[i]);
@@ -52,15 +58,22 @@ int main(int argc, char** argv) {
 
   // 3. The picture.
   auto plot = book::Plot("time, s", "largest error so far, relative").log_y();
-  char const* const names[] = {"|P|², discrete Lie-Poisson", "Π·P, discrete Lie-Poisson", "|P|², Runge-Kutta", "Π·P, Runge-Kutta"};
-  for (int i = 0; i < 4; ++i) plot.curve(time, curves[i], names[i], {.colour = i / 2 + 1, .dashed = i % 2 == 1});
-  program.picture("casimirs", plot.svg(), "The Casimir functions of the coadjoint orbit, over 10 000 steps of 0.2 s.");
+  char const* const names[] = {"|P|², discrete Lie-Poisson", "Π·P, discrete Lie-Poisson", "|P|², Runge-Kutta",
+                               "Π·P, Runge-Kutta"};
+  for (int i = 0; i < 4; ++i)
+    plot.curve(time, curves[i], names[i], {.colour = i / 2 + 1, .dashed = i % 2 == 1});
+  program.picture("casimirs", plot.svg(),
+                  "The Casimir functions of the coadjoint orbit, over 10 000 steps of 0.2 s.");
 
   // 4. What must be so: a rounding error or two a step, which add up at worst.
-  program.claim(discrete.maxCoeff() < 2 * steps * 0x1p-52, "the discrete Lie-Poisson algorithm conserves both to rounding");
+  program.claim(discrete.maxCoeff() < 2 * steps * 0x1p-52,
+                "the discrete Lie-Poisson algorithm conserves both to rounding");
   program.claim(classical.minCoeff() > 1e-4, "Runge-Kutta does not");
-  program.figure("kept", discrete.maxCoeff(), "change of |P|^2 and Pi . P under the discrete Lie-Poisson algorithm, relative");
+  program.figure("kept", discrete.maxCoeff(),
+                 "change of |P|^2 and Pi . P under the discrete Lie-Poisson algorithm, relative");
   program.figure("lost", classical.maxCoeff(), "the same under Runge-Kutta");
-  program.headline("|P|² and Π·P conserved to " + book::number(discrete.maxCoeff(), 2) + "; Runge-Kutta changes them by " + book::number(100 * classical.maxCoeff(), 2) + " %", discrete.maxCoeff());
+  program.headline("|P|² and Π·P conserved to " + book::number(discrete.maxCoeff(), 2) +
+                       "; Runge-Kutta changes them by " + book::number(100 * classical.maxCoeff(), 2) + " %",
+                   discrete.maxCoeff());
   return program.finish();
 }

@@ -1,13 +1,15 @@
 // Two roads on SE(3): a submarine in still water, stepped with its configuration and without it.
 //
-// What is shown. The water takes part in the motion of a body: pushed aside it weighs more than pushed ahead, and so the
-// submarine tumbles without any force. Its energy does not care where it is (Kirchhoff's equations). One road solves the
-// discrete Euler-Lagrange equations (3.2) for configurations; the other solves (3.11) for relative motions and puts the configurations
-// together afterwards (3.15). They lead to the same configurations, and the second is shorter.
-// Read first. The sections "From pairs to relative motions" and "Nothing is lost" of chapter 3.
+// What is shown. The water takes part in the motion of a body: pushed aside it weighs more than pushed ahead,
+// and so the submarine tumbles without any force. Its energy does not care where it is (Kirchhoff's
+// equations). One road solves the discrete Euler-Lagrange equations (3.2) for configurations; the other
+// solves (3.11) for relative motions and puts the configurations together afterwards (3.15). They lead to the
+// same configurations, and the second is shorter. Read first. The sections "From pairs to relative motions"
+// and "Nothing is lost" of chapter 3.
 //
-//   g        configuration in SE(3), body to space            l     Lagrangian on the algebra, J; reduced discrete Lagrangian, J s
-//   f        relative motion g1^-1 g0                 L     discrete Lagrangian on pairs of configurations, l(g1^-1 g0)
+//   g        configuration in SE(3), body to space l Lagrangian on the algebra, J; reduced discrete
+//            Lagrangian, J s
+//   f        relative motion g1^-1 g0 L discrete Lagrangian on pairs of configurations, l(g1^-1 g0)
 //   xi       turning and gliding                      h     step, s
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/discrete_forms.hpp"
@@ -27,10 +29,12 @@ double const h = 0.2;
 int const steps = 240;
 Configuration const g0 = identity<double>(space);
 
-// 1. The submarine (submarine.hpp) is its own Lagrangian; the discrete one comes from a natural chart (3.25), and the same is a function of two configurations.
+// 1. The submarine (submarine.hpp) is its own Lagrangian; the discrete one comes from a natural chart (3.25),
+//    and the same is a function of two configurations.
 auto weigh_and_discretise(book::Program& program) {
   auto const inertia = energy.inertia;
-  program.say("the water makes it ", inertia[3] / energy.mass, ", ", inertia[4] / energy.mass, ", ", inertia[5] / energy.mass, " times as heavy, axis by axis");
+  program.say("the water makes it ", inertia[3] / energy.mass, ", ", inertia[4] / energy.mass, ", ",
+              inertia[5] / energy.mass, " times as heavy, axis by axis");
   auto const l = natural_chart_lagrangian_left(energy, h);
   return std::pair{l, lift_left(l)};
 }
@@ -62,10 +66,12 @@ Roads take_both_roads(Reduced const& l, Unreduced const& L) {
     }
   });
   double const unreduced_time = book::seconds_of([&] {
-    for (int k = 1; k < steps; ++k) unreduced.push_back(step_euler_lagrange(L, unreduced[k - 1], unreduced[k]).value);
+    for (int k = 1; k < steps; ++k)
+      unreduced.push_back(step_euler_lagrange(L, unreduced[k - 1], unreduced[k]).value);
   });
   double apart = 0;
-  for (int k = 0; k <= steps; ++k) apart = std::max(apart, (reduced[k].value - unreduced[k].value).norm() / reduced[k].value.norm());
+  for (int k = 0; k <= steps; ++k)
+    apart = std::max(apart, (reduced[k].value - unreduced[k].value).norm() / reduced[k].value.norm());
   return {reduced, unreduced, reduced_time, unreduced_time, apart};
 }
 
@@ -99,11 +105,12 @@ void draw_the_path(book::Program& program, Roads const& roads) {
   }
   draw(path, "reduced steps, put together", {.colour = 1}),
       draw(dots, "unreduced steps, every fourth", {.colour = 2, .dots = true, .radius = 2.2});
-  program.picture(
-      "path", plot.svg(),
-      "A submarine cast off ahead (from the left), turning slowly, and left alone for 48 seconds; three of its sections every 4.8 "
-      "seconds. It soon lies across its path and tumbles: a long body that glides ahead is not stable in an ideal fluid. The line comes "
-      "from the reduced equation and reconstruction, the dots from the unreduced one.");
+  program.picture("path", plot.svg(),
+                  "A submarine cast off ahead (from the left), turning slowly, and left alone for 48 "
+                  "seconds; three of its sections every 4.8 "
+                  "seconds. It soon lies across its path and tumbles: a long body that glides ahead is not "
+                  "stable in an ideal fluid. The line comes "
+                  "from the reduced equation and reconstruction, the dots from the unreduced one.");
 }
 
 // 5. The order: halve the step five times, and look where the submarine is after eight seconds.
@@ -123,25 +130,31 @@ double measure_the_order(book::Program& program) {
     orders.push_back({book::number(until / n), book::number(miss)});
   }
   double const order = book::exponent(lengths, misses);
-  program.table("order", {"step, s", "miss, m"}, orders, "Distance of the configuration after eight seconds from that of the Kirchhoff equations.");
+  program.table("order", {"step, s", "miss, m"}, orders,
+                "Distance of the configuration after eight seconds from that of the Kirchhoff equations.");
   return order;
 }
 
-// 6. What must be so. Rounding of the momentum, 16 times a step, moves the configuration by its square in the number of steps.
+// 6. What must be so. Rounding of the momentum, 16 times a step, moves the configuration by its square in the
+//    number of steps.
 void claim_what_must_be_so(book::Program& program, Roads const& roads, double order) {
   double const epsilon = 0x1p-52;
   program.claim(std::abs(lamb(energy.half_axes).sum() - 2) < 1e3 * epsilon, "Lamb's integrals add up to 2");
   program.claim(roads.apart < 16.0 * steps * steps * epsilon, "both roads lead to the same configurations");
   program.claim(std::abs(order - 2) < 0.05, "the order is 2");
   program.figure("apart", roads.apart, "distance of the two roads, relative");
-  program.figure("cost", roads.unreduced_time / roads.reduced_time, book::number(roads.unreduced_time / roads.reduced_time, 2),
+  program.figure("cost", roads.unreduced_time / roads.reduced_time,
+                 book::number(roads.unreduced_time / roads.reduced_time, 2),
                  "time of the unreduced road over that of the reduced one");
   program.figure("order", order, book::number(order, 3), "order of the reduced steps, fitted");
-  program.headline("both roads end in the same configuration, to " + book::number(roads.apart, 2), roads.apart);
+  program.headline("both roads end in the same configuration, to " + book::number(roads.apart, 2),
+                   roads.apart);
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a submarine tumbles through still water: reduced and unreduced steps lead to the same configurations");
+  book::Program program(
+      argc, argv,
+      "a submarine tumbles through still water: reduced and unreduced steps lead to the same configurations");
   auto const [l, L] = weigh_and_discretise(program);
   Roads const roads = take_both_roads(l, L);
   draw_the_path(program, roads);

@@ -1,16 +1,16 @@
 // On its leaf: the relative motions of a spinning brick, seen as points of SO(3).
 //
-// What is shown. A discrete Lagrangian on a group foliates the group, as far as it is regular, into surfaces that no discrete motion leaves: what its
-// Legendre map sends to spheres of momentum. Each rotation is drawn as its rotation vector. The first picture is one leaf, made from its sphere, with
-// ten thousand relative motions of the brick on it; the second a section through all leaves, out to where the Lagrangian is no longer regular and the
-// leaves end.
-// Read first. The section "A Poisson structure on the group" of chapter 4.
+// What is shown. A discrete Lagrangian on a group foliates the group, as far as it is regular, into surfaces
+// that no discrete motion leaves: what its Legendre map sends to spheres of momentum. Each rotation is drawn
+// as its rotation vector. The first picture is one leaf, made from its sphere, with ten thousand relative
+// motions of the brick on it; the second a section through all leaves, out to where the Lagrangian is no
+// longer regular and the leaves end. Read first. The section "A Poisson structure on the group" of chapter 4.
 //
 //   f      relative motion g1^-1 g0           l    reduced discrete Lagrangian Tr((1 - f) Lambda)/h, J s
 //   pi     body momentum -L*_f l'(f), J s     C    Tr(f Lambda f Lambda), the Casimir (5.10)
 #include "actio/forms/forms.hpp"
-#include "actio/groups/rotations.hpp"
 #include "actio/groupoid/poisson_on_group.hpp"
+#include "actio/groups/rotations.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
@@ -48,7 +48,8 @@ double first_change(Vector3d const& direction, F const& value) {
   for (double r = 0.01; r < 3.1; r += 0.01)
     if (value(rotation(r * direction)) * start < 0) {
       double low = r - 0.01, high = r;
-      for (int k = 0; k < 50; ++k) (value(rotation((low + high) / 2 * direction)) * start < 0 ? high : low) = (low + high) / 2;
+      for (int k = 0; k < 50; ++k)
+        (value(rotation((low + high) / 2 * direction)) * start < 0 ? high : low) = (low + high) / 2;
       return low;
     }
   return NAN;
@@ -56,7 +57,9 @@ double first_change(Vector3d const& direction, F const& value) {
 // A point of a picture: the ball of rotation vectors, looked at a little from above.
 struct Projected {
   std::vector<double> x, y;
-  void add(Vector3d const& p) { x.push_back(0.8 * p[0] - 0.6 * p[1]), y.push_back(0.9 * p[2] - 0.26 * p[0] - 0.35 * p[1]); }
+  void add(Vector3d const& p) {
+    x.push_back(0.8 * p[0] - 0.6 * p[1]), y.push_back(0.9 * p[2] - 0.26 * p[0] - 0.35 * p[1]);
+  }
 };
 struct Motion {
   Projected seen;
@@ -91,19 +94,23 @@ void draw_circle(book::Plot& leaf, double radius, Point const& point) {
   leaf.curve(curve.x, curve.y, "", {.colour = 5, .width = 0.7});
 }
 
-// 2. The leaf: the relative motions that belong to a sphere of momenta, along circles of latitude and longitude.
+// 2. The leaf: the relative motions that belong to a sphere of momenta, along circles of latitude and
+//    longitude.
 void draw_leaf(book::Program& program, Motion const& motion) {
   book::Plot leaf("", "");
   leaf.equal().size(620, 520);
   for (int k = 0; k < 6; ++k) {
     draw_circle(leaf, motion.radius, [&](double a) {
-      return Vector3d(std::cos(k * M_PI / 6) * std::cos(a), std::sin(k * M_PI / 6) * std::cos(a), std::sin(a));
+      return Vector3d(std::cos(k * M_PI / 6) * std::cos(a), std::sin(k * M_PI / 6) * std::cos(a),
+                      std::sin(a));
     });
     double const height = -0.83 + 0.333 * k, wide = std::sqrt(1 - height * height);
-    draw_circle(leaf, motion.radius, [&](double a) { return Vector3d(wide * std::cos(a), wide * std::sin(a), height); });
+    draw_circle(leaf, motion.radius,
+                [&](double a) { return Vector3d(wide * std::cos(a), wide * std::sin(a), height); });
   }
   leaf.dots(motion.seen.x, motion.seen.y, "relative motions of the brick", {.colour = 2});
-  program.picture("leaf", leaf.svg(), "A leaf in SO(3), drawn in rotation vectors, and two hundred relative motions in a row.");
+  program.picture("leaf", leaf.svg(),
+                  "A leaf in SO(3), drawn in rotation vectors, and two hundred relative motions in a row.");
 }
 
 // How far the Lagrangian is regular along a direction.
@@ -113,7 +120,8 @@ double edge(Vector3d const& direction) {
 
 // A curve around the identity, at a distance given for each direction.
 template <class Distance>
-void draw_around(book::Plot& section, Distance const& distance, std::string const& name, int colour, double width) {
+void draw_around(book::Plot& section, Distance const& distance, std::string const& name, int colour,
+                 double width) {
   std::vector<double> x, y;
   for (int j = 0; j <= 240; ++j) {
     double const a = 2 * M_PI * j / 240;
@@ -124,41 +132,60 @@ void draw_around(book::Plot& section, Distance const& distance, std::string cons
   section.curve(x, y, name, {.colour = colour, .width = width});
 }
 
-// 3. A section through the leaves: rotations about axes in one plane. Where the second derivative of l has no inverse they end.
+// 3. A section through the leaves: rotations about axes in one plane. Where the second derivative of l has no
+//    inverse they end.
 void draw_section(book::Program& program) {
   book::Plot section("rotation about the first axis", "rotation about the third axis");
   section.equal().size(620, 520);
   for (int k = 1; k <= 6; ++k) {
     double const c = rest - 0.35 * k * k * (rest / 12);
-    draw_around(section, [&](Vector3d const& d) {
-      double const r = first_change(d, [&](Rotation const& g) { return brick.casimir(g) - c; }), end = edge(d);
+    draw_around(
+        section,
+        [&](Vector3d const& d) {
+      double const r = first_change(d, [&](Rotation const& g) { return brick.casimir(g) - c; }),
+                   end = edge(d);
       return r < end ? r : NAN;
-    }, k == 1 ? "leaves" : "", 1, 1);
+        },
+        k == 1 ? "leaves" : "", 1, 1);
   }
   draw_around(section, edge, "no longer regular", 3, 2);
-  program.picture("section", section.svg(), "A section through the leaves, out to where the Lagrangian is no longer regular.");
+  program.picture("section", section.svg(),
+                  "A section through the leaves, out to where the Lagrangian is no longer regular.");
 }
 
-// 4. What must be so. About a principal axis the momentum is I sin(angle)/h, which ends at a quarter of a turn.
+// 4. What must be so. About a principal axis the momentum is I sin(angle)/h, which ends at a quarter of a
+//    turn.
 void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   double const quarter = edge(Vector3d(0, 0, 1));
   program.claim(motion.worst < 20 * steps * 0x1p-52, "the relative motions stay on the leaf to rounding");
-  program.claim(std::abs(quarter - M_PI / 2) < 1e-12, "about a principal axis the structure ends at a quarter of a turn");
+  program.claim(std::abs(quarter - M_PI / 2) < 1e-12,
+                "about a principal axis the structure ends at a quarter of a turn");
   auto const at = rotation({-0.3, 0.2, 0.4});
   Matrix<double, 3, 3> const bracket = legendre_bivector_left(brick, at);
   program.claim(matrix_rank(bracket) == 2, "the bracket has rank 2: the leaves are surfaces");
-  double const differential = (bracket * right_differential([&](auto const& g) {
-                                 auto const m = (g.value * brick.lambda.template cast<typename std::decay_t<decltype(g)>::Scalar>().asDiagonal()).eval();
-                                 return (m * m).eval().trace();
-                               }, at).components).norm() / bracket.norm();
+  double const differential = (bracket * right_differential(
+                                             [&](auto const& g) {
+    auto const m =
+        (g.value * brick.lambda.template cast<typename std::decay_t<decltype(g)>::Scalar>().asDiagonal())
+            .eval();
+    return (m * m).eval().trace();
+                                             },
+                                             at)
+                                             .components)
+                                  .norm() /
+      bracket.norm();
   program.claim(differential < 1e-14, "C has no bracket with anything");
-  program.figure("kept", motion.worst, "change of C along ten thousand steps, relative to its distance from the value at the identity");
+  program.figure(
+      "kept", motion.worst,
+      "change of C along ten thousand steps, relative to its distance from the value at the identity");
   program.figure("bracket_of_C", differential, "bracket of C with any function, relative");
-  program.figure("edge", quarter * 180 / M_PI, book::number(quarter * 180 / M_PI, 4) + "°", "rotation about a principal axis at which the structure ends");
+  program.figure("edge", quarter * 180 / M_PI, book::number(quarter * 180 / M_PI, 4) + "°",
+                 "rotation about a principal axis at which the structure ends");
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "relative motions of a brick stay on a surface in SO(3), the leaf of a Poisson structure");
+  book::Program program(
+      argc, argv, "relative motions of a brick stay on a surface in SO(3), the leaf of a Poisson structure");
   auto const motion = spin();
   draw_leaf(program, motion);
   draw_section(program);

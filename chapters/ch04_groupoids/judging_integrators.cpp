@@ -1,14 +1,14 @@
 // Judging integrators: seven ways to step a spinning body, and what each of them preserves.
 //
-// What is shown. A map is handed to five instruments, which differentiate it with dual numbers and compare what it carries along with what it should
-// have preserved: the symplectic form on T*SO(3), the bracket on so(3)*, the coadjoint orbit, the momentum in
-// space, the way back. Three of the maps stay on their orbit to rounding and are still not Poisson: to
-// conserve the orbit is not enough. What comes from a discrete Lagrangian, or from exact flows, is Poisson.
-// Read first. The section "Judging maps" of chapter 4.
+// What is shown. A map is handed to five instruments, which differentiate it with dual numbers and compare
+// what it carries along with what it should have preserved: the symplectic form on T*SO(3), the bracket on
+// so(3)*, the coadjoint orbit, the momentum in space, the way back. Three of the maps stay on their orbit to
+// rounding and are still not Poisson: to conserve the orbit is not enough. What comes from a discrete
+// Lagrangian, or from exact flows, is Poisson. Read first. The section "Judging maps" of chapter 4.
 //
 //   Pi     momentum in the body frame          h      step, s
-//   p      costate: attitude and momentum in space     defects   0 for what is preserved, at most 1 where nothing cancels
-#include "witness/draw.hpp"
+//   p      costate: attitude and momentum in space defects 0 for what is preserved, at most 1 where nothing
+//          cancels
 #include "actio/groups/rotations.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/momentum_defect.hpp"
@@ -18,6 +18,7 @@
 #include "actio/variational/momentum_map.hpp"
 #include "book/plot.hpp"
 #include "verdicts.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 using rivals::rounding, rivals::shown, rivals::worst;
@@ -53,30 +54,43 @@ Trial eight_motions() {
 Defects worst_defects(Trial const& trial, rivals::Rival<SO<3>> const& rival) {
   auto const step = rival.on_momenta.with_step(h);
   auto const lifted = rival.on_costates.with_step(h);
-  return {.order = rivals::order(trial.body, rival.on_momenta, trial.momenta[0]),
-          .symplectic = worst(trial.costates, [&](auto const& x) { return symplectic_defect(cotangent_bundle, lifted, x); }),
-          .poisson = worst(trial.momenta, [&](auto const& x) { return poisson_defect(body_momenta, step, x); }),
-          .leaf = worst(trial.momenta, [&](auto const& x) { return leaf_defect(body_momenta, rival.on_momenta, h, x); }),
-          .orbit = worst(trial.momenta, [&](auto const& x) { return orbit_defect(step, x); }),
-          .in_space = worst(trial.costates, [&](auto const& x) {
-            return worst(std::vector{0, 1, 2}, [&](int axis) {
-              return momentum_defect(cotangent_bundle, lifted, x, left_translation(basis_velocity<double>(SO<3>{}, axis)));
-            });
+  return {
+      .order = rivals::order(trial.body, rival.on_momenta, trial.momenta[0]),
+      .symplectic = worst(trial.costates,
+                          [&](auto const& x) { return symplectic_defect(cotangent_bundle, lifted, x); }),
+      .poisson = worst(trial.momenta, [&](auto const& x) { return poisson_defect(body_momenta, step, x); }),
+      .leaf = worst(trial.momenta,
+                    [&](auto const& x) { return leaf_defect(body_momenta, rival.on_momenta, h, x); }),
+      .orbit = worst(trial.momenta, [&](auto const& x) { return orbit_defect(step, x); }),
+      .in_space = worst(
+          trial.costates,
+          [&](auto const& x) {
+    return worst(std::vector{0, 1, 2}, [&](int axis) {
+      return momentum_defect(cotangent_bundle, lifted, x,
+                             left_translation(basis_velocity<double>(SO<3>{}, axis)));
+    });
           }),
-          .back = worst(trial.momenta, [&](auto const& x) { return self_adjointness_defect(body_momenta, rival.on_momenta, h, x); })};
+      .back = worst(trial.momenta, [&](auto const& x) {
+        return self_adjointness_defect(body_momenta, rival.on_momenta, h, x);
+      })};
 }
 
 // What each map must preserve, and what it must not.
 void claim_what_it_keeps(book::Program& program, std::string const& name, Defects const& d) {
   bool const classical = name == "Runge-Kutta 4",
              keeps_bracket = name == "Strang splitting" || name == "natural chart" || name == "Moser-Veselov";
-  program.claim(keeps_bracket ? d.poisson < rounding && d.symplectic < rounding : d.poisson > rounding && d.symplectic > rounding,
+  program.claim(keeps_bracket ? d.poisson < rounding && d.symplectic < rounding
+                              : d.poisson > rounding && d.symplectic > rounding,
                 name + (keeps_bracket ? " is Poisson" : " is not Poisson"));
-  program.claim(classical ? std::min({d.leaf, d.orbit, d.in_space}) > rounding : std::max({d.leaf, d.orbit, d.in_space}) < rounding,
-                name + (classical ? " leaves the orbit" : " preserves the orbit and conserves the momentum in space"));
-  program.claim((name == "Runge-Kutta 4" || name == "Lie-Euler" || name == "Munthe-Kaas 4") == (d.back > rounding),
-                name + ": whether it goes back the way it came");
-  program.claim(std::abs(d.order - std::round(d.order)) < 0.15, name + " has the order " + book::number(std::round(d.order)));
+  program.claim(
+      classical ? std::min({d.leaf, d.orbit, d.in_space}) > rounding
+                : std::max({d.leaf, d.orbit, d.in_space}) < rounding,
+      name + (classical ? " leaves the orbit" : " preserves the orbit and conserves the momentum in space"));
+  program.claim(
+      (name == "Runge-Kutta 4" || name == "Lie-Euler" || name == "Munthe-Kaas 4") == (d.back > rounding),
+      name + ": whether it goes back the way it came");
+  program.claim(std::abs(d.order - std::round(d.order)) < 0.15,
+                name + " has the order " + book::number(std::round(d.order)));
 }
 
 // 2. The table: each defect at its worst over the eight. Returns the headline.
@@ -85,16 +99,20 @@ std::pair<std::string, double> judge_all(book::Program& program, Trial const& tr
   std::vector<book::Program::Row> rows;
   for (auto const& rival : trial.contestants) {
     auto const d = worst_defects(trial, rival);
-    rows.push_back({rival.name, book::number(d.order, 2), shown(d.symplectic), shown(d.poisson), shown(d.leaf), shown(d.in_space), shown(d.back)});
+    rows.push_back({rival.name, book::number(d.order, 2), shown(d.symplectic), shown(d.poisson),
+                    shown(d.leaf), shown(d.in_space), shown(d.back)});
     claim_what_it_keeps(program, rival.name, d);
     if (rival.name == "implicit midpoint")
-      headline = {"implicit midpoint preserves the orbit to " + book::number(d.orbit, 1) + " and misses the bracket by " + book::number(d.poisson, 2), d.poisson};
+      headline = {"implicit midpoint preserves the orbit to " + book::number(d.orbit, 1) +
+                      " and misses the bracket by " + book::number(d.poisson, 2),
+                  d.poisson};
   }
-  program.table(
-      "rotations", {"map", "order", "symplectic", "Poisson", "leaf", "momentum", "way back"}, rows,
-      "Defects of one step of 0.2 s on SO(3), at their worst over eight motions; 0 (...) is rounding. Symplectic and momentum: of attitude "
-      "and momentum together. "
-      "Leaf: the share of the motion that points out of the coadjoint orbit. Way back: what is missing after a step of opposite sign.");
+  program.table("rotations", {"map", "order", "symplectic", "Poisson", "leaf", "momentum", "way back"}, rows,
+                "Defects of one step of 0.2 s on SO(3), at their worst over eight motions; 0 (...) is "
+                "rounding. Symplectic and momentum: of attitude "
+                "and momentum together. "
+                "Leaf: the share of the motion that points out of the coadjoint orbit. Way back: what is "
+                "missing after a step of opposite sign.");
   return headline;
 }
 
@@ -107,25 +125,34 @@ void let_the_step_grow(book::Program& program, Trial const& trial) {
   for (std::size_t i = 0; i < trial.contestants.size(); ++i) {
     std::vector<double> leaf, poisson;
     for (double const s : steps) {
-      leaf.push_back(std::max(0x1p-54, leaf_defect(body_momenta, trial.contestants[i].on_momenta, s, trial.momenta[0])));
-      poisson.push_back(std::max(0x1p-54, poisson_defect(body_momenta, trial.contestants[i].on_momenta.with_step(s), trial.momenta[0])));
+      leaf.push_back(
+          std::max(0x1p-54, leaf_defect(body_momenta, trial.contestants[i].on_momenta, s, trial.momenta[0])));
+      poisson.push_back(std::max(
+          0x1p-54,
+          poisson_defect(body_momenta, trial.contestants[i].on_momenta.with_step(s), trial.momenta[0])));
     }
     int const colour = static_cast<int>(i) % 6 + 1;
     chart.dots(leaf, poisson, trial.contestants[i].name, {.colour = colour, .radius = i == 6 ? 4.5 : 3.2});
     growth.curve(steps, poisson, trial.contestants[i].name, {.colour = colour, .dashed = i == 6});
     if (i > 3) continue;
-    // The flow is Poisson, so the defect of one step is no larger than a step misses the flow by: one power more than the order.
+    // The flow is Poisson, so the defect of one step is no larger than a step misses the flow by: one power
+    // more than the order.
     double const power = book::exponent(steps, poisson), least = std::vector{5, 3, 2, 5}[i];
     program.figure("power_" + std::to_string(i), power, book::number(power, 2),
                    trial.contestants[i].name + ": power of the step in its Poisson defect");
-    program.claim(power > least - 0.2, trial.contestants[i].name + ": the Poisson defect falls at least as fast as the error of a step");
+    program.claim(
+        power > least - 0.2,
+        trial.contestants[i].name + ": the Poisson defect falls at least as fast as the error of a step");
   }
-  program.picture("keeping", chart.svg(),
-                  "Each map at steps of 0.025, 0.05, 0.1, 0.2 and 0.4 s, the largest on top. On the left they preserve their orbit, at the "
-                  "bottom the bracket. Being on the left does not take a map "
-                  "to the bottom: there are the maps that come from a discrete Lagrangian or from exact flows.");
+  program.picture(
+      "keeping", chart.svg(),
+      "Each map at steps of 0.025, 0.05, 0.1, 0.2 and 0.4 s, the largest on top. On the left they preserve "
+      "their orbit, at the "
+      "bottom the bracket. Being on the left does not take a map "
+      "to the bottom: there are the maps that come from a discrete Lagrangian or from exact flows.");
   program.picture("growth", growth.svg(),
-                  "The Poisson defect of one step against its length. What is not Poisson is so to a power of the step; the others have "
+                  "The Poisson defect of one step against its length. What is not Poisson is so to a power "
+                  "of the step; the others have "
                   "rounding at every step.");
 }
 

@@ -30,15 +30,14 @@ struct DiagonalBody {
     return {pi.group, pi.components.cwiseQuotient(inertia.template cast<S>())};
   }
   template <Scalar S>
-  Momentum<G, S> rate(Momentum<G, S> const& pi) const {
-    return ad_star(velocity(pi), pi);
-  }
+  Momentum<G, S> rate(Momentum<G, S> const& pi) const { return ad_star(velocity(pi), pi); }
 };
 
 // The fourth-order Runge-Kutta method, for anything that adds up.
 template <class X, class S, class Rate>
 X runge_kutta_4(Rate const& rate, S const& h, X const& x) {
-  X const k1 = rate(x), k2 = rate(X(x + h / S(2) * k1)), k3 = rate(X(x + h / S(2) * k2)), k4 = rate(X(x + h * k3));
+  X const k1 = rate(x), k2 = rate(X(x + h / S(2) * k1)), k3 = rate(X(x + h / S(2) * k2)),
+          k4 = rate(X(x + h * k3));
   return x + h / S(6) * (k1 + S(2) * k2 + S(2) * k3 + k4);
 }
 
@@ -53,7 +52,8 @@ auto midpoint(DiagonalBody<G> body) {
       Momentum<G, T> const from = over<T>(start), to{start.group, y.value};
       return Momentum<Line, T>{{}, (to - from - T(step) * body.rate((from + to) / T(2))).components};
     };
-    return Momentum<G, S>{pi.group, solve_implicit(residual, std::tuple(h, pi), Element<Line, S>{{}, pi.components}).value};
+    return Momentum<G, S>{
+        pi.group, solve_implicit(residual, std::tuple(h, pi), Element<Line, S>{{}, pi.components}).value};
   };
 }
 
@@ -65,7 +65,8 @@ auto lie_euler(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> const& pi) { return exp(h * body.velocity(pi)); };
 }
 
-// Runge-Kutta-Munthe-Kaas, order 4: classical Runge-Kutta for u with k = exp(u), u' = Omega + [u, Omega]/2 + [u, [u, Omega]]/12.
+// Runge-Kutta-Munthe-Kaas, order 4: classical Runge-Kutta for u with k = exp(u), u' = Omega + [u,
+// Omega]/2 + [u, [u, Omega]]/12.
 template <Group G>
 auto munthe_kaas(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> const& pi) {
@@ -73,12 +74,13 @@ auto munthe_kaas(DiagonalBody<G> body) {
       auto const omega = body.velocity(Ad_star(exp(u), pi)), twist = bracket(u, omega);
       return omega + twist / S(2) + bracket(u, twist) / S(12);
     };
-    return exp(runge_kutta_4(rate, h, Velocity<G, S>{pi.group, Coordinates<G, S>::Zero(pi.group.dimension())}));
+    return exp(
+        runge_kutta_4(rate, h, Velocity<G, S>{pi.group, Coordinates<G, S>::Zero(pi.group.dimension())}));
   };
 }
 
-// Strang's splitting: the flow of each Pi_a^2/(2 I_a) is a turn (or a shift) at constant speed; half a step of each forwards, half a step of each
-// backwards.
+// Strang's splitting: the flow of each Pi_a^2/(2 I_a) is a turn (or a shift) at constant speed; half a step
+// of each forwards, half a step of each backwards.
 template <Group G>
 auto strang_splitting(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Momentum<G, S> pi) {
@@ -86,7 +88,8 @@ auto strang_splitting(DiagonalBody<G> body) {
     int const n = pi.group.dimension();
     for (int i = 0; i < 2 * n; ++i) {
       auto const axis = basis_velocity<S>(pi.group, i < n ? i : 2 * n - 1 - i);
-      auto const part = exp(h / S(2) * pair(Momentum<G, S>{pi.group, body.velocity(pi).coordinates}, axis) * axis);
+      auto const part =
+          exp(h / S(2) * pair(Momentum<G, S>{pi.group, body.velocity(pi).coordinates}, axis) * axis);
       k = k * part, pi = Ad_star(part, pi);
     }
     return k;
@@ -134,14 +137,18 @@ auto on_momenta(Motion motion) {
 }
 template <class Motion>
 auto on_costates(Motion motion) {
-  return [motion](auto const& h, auto const& p) { return std::decay_t<decltype(p)>{p.configuration * motion(h, body_momentum(p)), p.momentum}; };
+  return [motion](auto const& h, auto const& p) {
+    return std::decay_t<decltype(p)>{p.configuration * motion(h, body_momentum(p)), p.momentum};
+  };
 }
 
 // Classical Runge-Kutta, with no element of the group for a step: on momenta, and on attitudes with momenta
 // as matrices of numbers; the attitude is brought back on the group.
 template <Group G>
 auto classical(DiagonalBody<G> body) {
-  return [body](auto const& h, auto const& pi) { return runge_kutta_4([&](auto const& m) { return body.rate(m); }, h, pi); };
+  return [body](auto const& h, auto const& pi) {
+    return runge_kutta_4([&](auto const& m) { return body.rate(m); }, h, pi);
+  };
 }
 template <Group G, Scalar S>
 struct Numbers {
@@ -164,7 +171,8 @@ auto classical_on_costates(DiagonalBody<G> body) {
     return Costate<G, S>{configuration, Ad_star(inverse(configuration), end.pi)};
   };
 }
-// The midpoint rule on attitudes too: g1 = g0 + h (g0 + g1)/2 Omega at the middle, which on SO(3) is a Cayley transform.
+// The midpoint rule on attitudes too: g1 = g0 + h (g0 + g1)/2 Omega at the middle, which on SO(3) is a Cayley
+// transform.
 template <Group G>
 auto midpoint_on_costates(DiagonalBody<G> body) {
   return [body]<class S>(S const& h, Costate<G, S> const& p) {

@@ -1,10 +1,11 @@
-// What the programs that judge rival_maps.hpp have in common: the order of a map, the worst of a sample, and how a defect is written.
+// What the programs that judge rival_maps.hpp have in common: the order of a map, the worst of a sample, and
+// how a defect is written.
 #pragma once
 
-#include "witness/reference_solution.hpp"
 #include "book/measure.hpp"
 #include "book/program.hpp"
 #include "rival_maps.hpp"
+#include "witness/reference_solution.hpp"
 
 namespace rivals {
 
@@ -12,7 +13,9 @@ namespace rivals {
 constexpr double rounding = 1000 * 0x1p-52;
 
 // A defect for a table; one that is rounding is 0.
-inline std::string shown(double defect) { return defect < rounding ? "0 (" + book::number(defect, 1) + ")" : book::number(defect, 2); }
+inline std::string shown(double defect) {
+  return defect < rounding ? "0 (" + book::number(defect, 1) + ")" : book::number(defect, 2);
+}
 
 // The largest of something over a sample.
 template <class Points, class Defect>
@@ -24,8 +27,11 @@ double worst(Points const& points, Defect const& defect) {
 
 // The order of a family: its distance from the flow after two seconds, for finer and finer steps.
 template <class G>
-double order(DiagonalBody<G> const& body, Family<Momentum, G> const& family, Momentum<G, double> const& start) {
-  auto const rate = [&](double, auto const& y) { return Coordinates<G, double>(body.rate(momentum(start.group, y)).components); };
+double order(DiagonalBody<G> const& body, Family<Momentum, G> const& family,
+             Momentum<G, double> const& start) {
+  auto const rate = [&](double, auto const& y) {
+    return Coordinates<G, double>(body.rate(momentum(start.group, y)).components);
+  };
   auto const exact = reference_solution(rate, start.components, 0, 2);
   std::vector<double> steps, errors;
   for (int n = 20; n <= 320; n *= 2) {

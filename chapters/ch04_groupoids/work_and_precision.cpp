@@ -1,21 +1,21 @@
 // Work and precision: what higher order costs, and from which accuracy on it pays.
 //
-// What is shown. A step of order 2 on momenta is made into steps of orders 4 and 6 in two ways: by composition, several steps of which some go
-// backwards, and by Galerkin paths, polynomials in the natural chart. Both preserve the coadjoint orbit and
-// the bracket as the step of order 2 does. Each is run on three groups; its error, against power series, is
-// set against how often the Lagrangian was evaluated. Read first. The sections "Momentum, carried along" of
-// chapter 3 and "Higher order" of chapter 4.
+// What is shown. A step of order 2 on momenta is made into steps of orders 4 and 6 in two ways: by
+// composition, several steps of which some go backwards, and by Galerkin paths, polynomials in the natural
+// chart. Both preserve the coadjoint orbit and the bracket as the step of order 2 does. Each is run on three
+// groups; its error, against power series, is set against how often the Lagrangian was evaluated. Read first.
+// The sections "Momentum, carried along" of chapter 3 and "Higher order" of chapter 4.
 //
 //   l        Lagrangian on the algebra              Pi    body momentum
 //   I, b     inertia; momentum of a wheel inside    h     step
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
-#include "witness/taylor_reference.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/galerkin.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
+#include "witness/taylor_reference.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -32,7 +32,8 @@ struct Body {
   T operator()(Velocity<G, T> const& xi) const {
     ++*asked;
     T sum(0);
-    for (int a = 0; a < group.dimension(); ++a) sum += xi.coordinates[a] * (xi.coordinates[a] * (inertia[a] / 2) + T(wheel[a]));
+    for (int a = 0; a < group.dimension(); ++a)
+      sum += xi.coordinates[a] * (xi.coordinates[a] * (inertia[a] / 2) + T(wheel[a]));
     return sum;
   }
   // Pi' = ad*_xi Pi with xi = (Pi - b)/I, by power series.
@@ -77,17 +78,20 @@ std::vector<Runs> study(Body<G> const& body, Coordinates<G, double> const& xi, d
       int const count = static_cast<int>(std::lround(steps));
       *body.asked = 0;
       Coordinates<G, double> end;
-      double const seconds = book::seconds_of([&] { end = take_steps(step, start, std::vector<double>(count, time / count)).momentum.components; });
+      double const seconds = book::seconds_of([&] {
+        end = take_steps(step, start, std::vector<double>(count, time / count)).momentum.components;
+      });
       double const error = (end - truth).norm() / truth.norm();
       if (error < 1e-12) break;  // below, the rounding of many steps may show
       if (error > 1e-3) continue;
-      runs.h.push_back(time / count), runs.work.push_back(double(*body.asked) / time), runs.seconds.push_back(seconds / time), runs.error.push_back(error);
+      runs.h.push_back(time / count), runs.work.push_back(double(*body.asked) / time),
+          runs.seconds.push_back(seconds / time), runs.error.push_back(error);
     }
     all.push_back(runs);
   };
 
-  // 1. The step of order 2, the compositions of it, and the Galerkin steps: each is a callable (state, h). That by the natural chart is the Galerkin
-  // step of degree 1, which takes no logarithm.
+  // 1. The step of order 2, the compositions of it, and the Galerkin steps: each is a callable (state, h).
+  // That by the natural chart is the Galerkin step of degree 1, which takes no logarithm.
   auto const chart = galerkin_step_left<double>(body, 1);
   run("natural chart", 2, chart);
   run("Suzuki, 5 stages", 4, ComposedLeft(chart, suzuki<double>()));
@@ -98,16 +102,21 @@ std::vector<Runs> study(Body<G> const& body, Coordinates<G, double> const& xi, d
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "orders 2, 4 and 6 on three groups: how much work for how much precision");
+  book::Program program(argc, argv,
+                        "orders 2, 4 and 6 on three groups: how much work for how much precision");
   long asked = 0;
   double const accuracy = 1e-7;
   std::vector<book::Program::Row> rows;
   double least_gain = HUGE_VAL, largest_miss = 0, time_gain = 0;
   bool paths_are_cheapest = true;
 
-  auto const report = [&](std::string const& name, std::string const& title, std::string const& what, std::vector<Runs> const& all) {
+  auto const report = [&](std::string const& name, std::string const& title, std::string const& what,
+                          std::vector<Runs> const& all) {
     // 2. Error against work.
-    auto plot = book::Plot("evaluations of the Lagrangian for a unit of time", "error of the momentum, relative").log_x().log_y();
+    auto plot =
+        book::Plot("evaluations of the Lagrangian for a unit of time", "error of the momentum, relative")
+            .log_x()
+            .log_y();
     int const colours[] = {1, 2, 2, 3, 3};
     double best = HUGE_VAL, fastest = HUGE_VAL;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -115,8 +124,10 @@ int main(int argc, char** argv) {
       plot.curve(r.work, r.error, r.name, {.colour = colours[i], .dashed = i == 2 || i == 4});
       double const order = r.fitted_order();
       largest_miss = std::max(largest_miss, std::abs(order - r.order));
-      if (r.order > 2) best = std::min(best, r.at(r.work, accuracy)), fastest = std::min(fastest, r.at(r.seconds, accuracy));
-      rows.push_back({title, r.name, book::number(order), book::number(r.at(r.work, accuracy), 2), book::number(1e3 * r.at(r.seconds, accuracy), 2)});
+      if (r.order > 2)
+        best = std::min(best, r.at(r.work, accuracy)), fastest = std::min(fastest, r.at(r.seconds, accuracy));
+      rows.push_back({title, r.name, book::number(order), book::number(r.at(r.work, accuracy), 2),
+                      book::number(1e3 * r.at(r.seconds, accuracy), 2)});
     }
     program.picture(name, plot.svg(), what);
     paths_are_cheapest = paths_are_cheapest && best == all[4].at(all[4].work, accuracy);
@@ -126,26 +137,37 @@ int main(int argc, char** argv) {
 
   // 3. A gyrostat; a body with a wheel in still water; a body that is sheared and stretched in a plane.
   report("SO3", "SO(3)", "A body with a wheel in it, turning: error against work, on SO(3).",
-         study(Body<SO<3>>{{}, Vector3d(1.0, 1.7, 2.4), Vector3d(0.3, -0.2, 0.5), &asked}, Vector3d(0.9, 0.4, -0.7), 4));
-  Vector6d const heavy{{1.0, 1.7, 2.4, 1.2, 1.9, 2.5}}, wheel{{0.3, -0.2, 0.5, 0, 0, 0}}, cast_off{{0.5, 0.3, -0.4, 0.8, 0.3, -0.2}};
+         study(Body<SO<3>>{{}, Vector3d(1.0, 1.7, 2.4), Vector3d(0.3, -0.2, 0.5), &asked},
+               Vector3d(0.9, 0.4, -0.7), 4));
+  Vector6d const heavy{{1.0, 1.7, 2.4, 1.2, 1.9, 2.5}}, wheel{{0.3, -0.2, 0.5, 0, 0, 0}},
+      cast_off{{0.5, 0.3, -0.4, 0.8, 0.3, -0.2}};
   report("SE3", "SE(3)",
-         "A body with a wheel in it in still water, where it tumbles as it glides: error against work, on SE(3). A curve bends where shorter steps save the "
+         "A body with a wheel in it in still water, where it tumbles as it glides: error against work, on "
+         "SE(3). A curve bends where shorter steps save the "
          "solver an iteration.",
          study(Body<SE<3>>{{}, heavy, wheel, &asked}, cast_off, 4));
-  report("SL2", "SL(2)", "A body that is sheared and stretched in its plane without a change of area: error against work, on SL(2).",
-         study(Body<SL2>{{}, Vector3d(2.0, 1.5, 1.0), Vector3d(0.2, -0.1, 0.3), &asked}, Vector3d(0.3, 0.5, -0.4), 4));
+  report("SL2", "SL(2)",
+         "A body that is sheared and stretched in its plane without a change of area: error against work, on "
+         "SL(2).",
+         study(Body<SL2>{{}, Vector3d(2.0, 1.5, 1.0), Vector3d(0.2, -0.1, 0.3), &asked},
+               Vector3d(0.3, 0.5, -0.4), 4));
 
   // 4. What it takes for seven digits.
   program.table("cost", {"group", "step", "order", "evaluations", "milliseconds"}, rows,
-                "Order, fitted, and what a unit of time costs at an error of " + book::number(accuracy) + ": evaluations of the Lagrangian, and time.");
-  program.figure("gain", least_gain, book::number(least_gain, 2),
-                 "evaluations of order 2 over those of the best of higher order, at the group where it gains least");
+                "Order, fitted, and what a unit of time costs at an error of " + book::number(accuracy) +
+                    ": evaluations of the Lagrangian, and time.");
+  program.figure(
+      "gain", least_gain, book::number(least_gain, 2),
+      "evaluations of order 2 over those of the best of higher order, at the group where it gains least");
   program.figure("time_gain", time_gain, book::number(time_gain, 2), "the same in running time, on SE(3)");
   program.figure("miss", largest_miss, "largest distance of a measured order from what it should be");
   // The longest of the five steps still bend the line a little.
   program.claim(largest_miss < 0.2, "every order is what it should be");
-  program.claim(least_gain > 10, "for seven digits a higher order saves nine evaluations in ten, on every group");
+  program.claim(least_gain > 10,
+                "for seven digits a higher order saves nine evaluations in ten, on every group");
   program.claim(paths_are_cheapest, "Galerkin paths of degree three need the fewest, on every group");
-  program.headline("seven digits of the momentum: order 2 takes " + book::number(least_gain, 2) + " times the evaluations of order 6, or more", least_gain);
+  program.headline("seven digits of the momentum: order 2 takes " + book::number(least_gain, 2) +
+                       " times the evaluations of order 6, or more",
+                   least_gain);
   return program.finish();
 }

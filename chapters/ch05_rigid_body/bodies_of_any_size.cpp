@@ -1,10 +1,10 @@
 // From a water molecule to the space station, and to bodies that turn in four, five and eight dimensions:
 // what the Moser-Veselov scheme conserves.
 //
-// What is shown. Moments of inertia from 1e-47 to 1e8 kg m^2, a planar body whose Lambda has a zero on its diagonal, and bodies on SO(n): over many
-// steps the Casimir |M|^2 and the momentum in space change by rounding alone, and like a random walk. For each body the longest step is
-// computed in closed form; a little beyond it the scheme refuses.
-// Read first. middle_axis_flip.
+// What is shown. Moments of inertia from 1e-47 to 1e8 kg m^2, a planar body whose Lambda has a zero on its
+// diagonal, and bodies on SO(n): over many steps the Casimir |M|^2 and the momentum in space change by
+// rounding alone, and like a random walk. For each body the longest step is computed in closed form; a little
+// beyond it the scheme refuses. Read first. middle_axis_flip.
 //
 //   M   body momentum             longest   the largest step that has a solution, as the angle |omega| h
 //   m   momentum in space         growth    exponent a in: change ~ steps^a (1/2 is a random walk)
@@ -37,7 +37,8 @@ Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, lon
   } catch (StepTooLong const& refusal) {
     found.refused = std::abs(refusal.largest_step / longest - 1) < 1e-9;
   }
-  MoserVeselov<n>(inertia, 0.999 * longest).relative_motion(body.body_momentum);  // throws where there is none
+  MoserVeselov<n>(inertia, 0.999 * longest)
+      .relative_motion(body.body_momentum);  // throws where there is none
 
   // Momenta in units of their size, so that all squares are near 1.
   auto const start = body.spatial_momentum();
@@ -46,7 +47,8 @@ Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, lon
   for (long k = 1, next = 100; k <= count; ++k) {
     advance(scheme, body);
     if (k % 100 && k != next) continue;
-    found.casimir = std::max(found.casimir, std::abs((body.body_momentum.components / size).squaredNorm() - 1));
+    found.casimir =
+        std::max(found.casimir, std::abs((body.body_momentum.components / size).squaredNorm() - 1));
     walked = std::max(walked, (body.spatial_momentum() - start).components.norm() / size);
     found.energy = std::max(found.energy, std::abs(kinetic_energy(inertia, body.body_momentum) / energy - 1));
     if (k == next) found.steps.push_back(k), found.drift.push_back(walked), next = next * 5 / 4;
@@ -59,15 +61,21 @@ Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, lon
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum conserved to rounding");
+  book::Program program(argc, argv,
+                        "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum "
+                        "conserved to rounding");
   std::vector<book::Program::Row> rows;
   double casimir = 0, spatial = 0;
   bool refused = true;
   auto plot = book::Plot("steps", "change of the momentum in space, relative").log_x().log_y().size(660, 340);
-  auto const add = [&](std::string const& name, std::string const& moments, long count, Drift const& found, bool drawn) {
-    rows.push_back({name, moments, book::number(static_cast<double>(count), 1), book::number(found.casimir, 2), book::number(found.spatial, 2), book::number(found.energy, 2),
-                    book::number(found.growth, 2), book::number(found.longest, 6)});
-    casimir = std::max(casimir, found.casimir), spatial = std::max(spatial, found.spatial), refused = refused && found.refused;
+  auto const add =
+      [&](std::string const& name, std::string const& moments, long count, Drift const& found, bool drawn) {
+    rows.push_back({name, moments, book::number(static_cast<double>(count), 1),
+                    book::number(found.casimir, 2), book::number(found.spatial, 2),
+                    book::number(found.energy, 2), book::number(found.growth, 2),
+                    book::number(found.longest, 6)});
+    casimir = std::max(casimir, found.casimir), spatial = std::max(spatial, found.spatial),
+    refused = refused && found.refused;
     if (drawn) plot.curve(found.steps, found.drift, name);
   };
 
@@ -76,7 +84,8 @@ int main(int argc, char** argv) {
     auto const I = body.principal.inertia.moments;
     std::string const unit = body.unit == "ratio" ? "(ratio)" : "kg m²";
     long const count = 100000;
-    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count, drift_of(body.principal.inertia, body.principal_spin(), count),
+    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count,
+        drift_of(body.principal.inertia, body.principal_spin(), count),
         body.name == "water" || body.name == "iss");
   }
 
@@ -91,21 +100,30 @@ int main(int argc, char** argv) {
     for (auto& x : xi) x = uniform(random) - 1.25;
     auto const inertia = inertia_from_lambda<Dynamic, double>(lambda);
     long const count = 40000;
-    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count, drift_of(inertia, velocity(inertia.group, xi), count), true);
+    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count,
+        drift_of(inertia, velocity(inertia.group, xi), count), true);
   }
 
   // 3. What they conserved.
-  program.table("kept", {"body", "moments", "steps", "Casimir", "momentum in space", "energy", "growth", "longest step, rad"}, rows,
-                "Largest relative changes with steps of 0.1 rad; the exponent with which the change of the momentum in space grows; and the longest step there is a solution for.");
+  program.table(
+      "kept",
+      {"body", "moments", "steps", "Casimir", "momentum in space", "energy", "growth", "longest step, rad"},
+      rows,
+      "Largest relative changes with steps of 0.1 rad; the exponent with which the change of the momentum in "
+      "space grows; and the longest step there is a solution for.");
   std::vector<double> const walk_steps{100, 100000}, walk{1e-15, 1e-15 * std::sqrt(1000.0)};
   plot.curve(walk_steps, walk, "square root of the number of steps", {.colour = 6, .dashed = true});
-  program.picture("drift", plot.svg(), "The momentum in space changes like a random walk of rounding errors, for a molecule as for a space station.");
+  program.picture("drift", plot.svg(),
+                  "The momentum in space changes like a random walk of rounding errors, for a molecule as "
+                  "for a space station.");
   program.figure("casimir", casimir, "largest change of the Casimir, all bodies");
   program.figure("spatial", spatial, "largest change of the momentum in space, all bodies");
 
   // 4. What must be so: a random walk of 1e5 roundings is below 1e-13; a hundred times that.
   program.claim(casimir < 1e-11 && spatial < 1e-11, "Casimir and momentum in space stay within 1e-11");
   program.claim(refused, "a thousandth beyond the longest step every body is refused, with that step");
-  program.headline("Casimir conserved to " + book::number(casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)", casimir);
+  program.headline(
+      "Casimir conserved to " + book::number(casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)",
+      casimir);
   return program.finish();
 }

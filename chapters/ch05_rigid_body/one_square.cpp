@@ -1,9 +1,9 @@
 // Bodies in many dimensions: a step for the price of one square of a matrix, and where a drift comes from.
 //
-// What is shown. The fixed point of the section "One square a step" is the scheme that Newton's method solves, to rounding, and a short step takes one square. Over a million
-// steps the momentum's Casimir Tr M^2 walks by rounding at random if each step is solved beyond rounding, and in proportion to the time if it is
-// solved to rounding only: what an iteration leaves out is no noise.
-// Read first. bodies_of_any_size.
+// What is shown. The fixed point of the section "One square a step" is the scheme that Newton's method
+// solves, to rounding, and a short step takes one square. Over a million steps the momentum's Casimir Tr M^2
+// walks by rounding at random if each step is solved beyond rounding, and in proportion to the time if it is
+// solved to rounding only: what an iteration leaves out is no noise. Read first. bodies_of_any_size.
 //
 //   n        dimensions                     f   relative motion of a step
 //   Lambda   second moments, random         M   body momentum, with an angular velocity of norm 1
@@ -73,12 +73,15 @@ int main(int argc, char** argv) {
       auto const before = body.momentum();
       auto const solved = general.relative_motion(before).value;
       fast.step(body);
-      worst = std::max(worst, (fast.last_relative_motion(body).value - solved.value).norm() / (h * std::sqrt(double(n))));
+      worst = std::max(
+          worst, (fast.last_relative_motion(body).value - solved.value).norm() / (h * std::sqrt(double(n))));
     }
     rows.push_back(row);
   }
-  program.table("squares", {"n", "h = 0.01", "h = 0.1"}, rows, "Squares of a matrix that a step takes, the angular velocity having the norm 1.");
-  program.figure("apart", worst, "largest difference from the general solver's relative motion, over the angle of the step");
+  program.table("squares", {"n", "h = 0.01", "h = 0.1"}, rows,
+                "Squares of a matrix that a step takes, the angular velocity having the norm 1.");
+  program.figure("apart", worst,
+                 "largest difference from the general solver's relative motion, over the angle of the step");
 
   // 2. A million steps in eight dimensions.
   auto plot = book::Plot("steps", "change of Tr M^2").log_x().log_y();
@@ -92,18 +95,23 @@ int main(int argc, char** argv) {
     for (long k = 1, next = 100; k <= 1000000; ++k) {
       scheme.step(body);
       largest = std::max(largest, k % 100 ? 0 : std::abs(casimir_change(body, momentum.components)));
-      if (k == next) steps.push_back(double(k)), change.push_back(std::max(largest, 1e-18)), next = next * 4 / 3;
+      if (k == next)
+        steps.push_back(double(k)), change.push_back(std::max(largest, 1e-18)), next = next * 4 / 3;
     }
     bool const to_rounding = sweeps == Sweeps::to_rounding;
     plot.curve(steps, change, to_rounding ? "each step solved to rounding" : "beyond rounding");
-    program.figure(to_rounding ? "drift_to_rounding" : "drift", largest, to_rounding ? "largest change, each step solved to rounding" : "largest change, solved beyond rounding");
+    program.figure(to_rounding ? "drift_to_rounding" : "drift", largest,
+                   to_rounding ? "largest change, each step solved to rounding"
+                               : "largest change, solved beyond rounding");
     if (!to_rounding) random_walk = largest;
   }
   program.picture("drift", plot.svg(), "Largest relative change of Tr M^2 so far, n = 8, steps of 0.1.");
 
   double const eps = std::numeric_limits<double>::epsilon();
-  program.claim(worst < 100 * eps, "fast and general road have the same relative motion, to a hundred epsilon of the angle");
+  program.claim(worst < 100 * eps,
+                "fast and general road have the same relative motion, to a hundred epsilon of the angle");
   program.claim(random_walk < 100 * eps, "a million steps change Tr M^2 by less than a hundred epsilon");
-  program.headline("Tr M^2 conserved to " + book::number(random_walk, 2) + " over a million steps", random_walk);
+  program.headline("Tr M^2 conserved to " + book::number(random_walk, 2) + " over a million steps",
+                   random_walk);
   return program.finish();
 }

@@ -1,4 +1,5 @@
-// Polhodes of two tumbling asteroids: the exact curve of the body momentum, and the steps of the Moser-Veselov scheme on it.
+// Polhodes of two tumbling asteroids: the exact curve of the body momentum, and the steps of the
+// Moser-Veselov scheme on it.
 //
 // What is shown. The momentum runs where a sphere (its amount) and an ellipsoid (the energy) meet. The scheme
 // conserves both, so its steps lie on the exact curve to rounding, at every step length; what the step length
@@ -6,9 +7,9 @@
 // that has the two periods of its light curves; the scheme gives them back, to second order. Read first.
 // middle_axis_flip.
 //
-//   I      principal moments (only their ratios are known), ascending      h      step, in the body's unit of time
-//   M      body momentum, e = M/|M|                                        P_rot  period of M, once round its curve
-//   g      attitude, body to space                                         P_prec mean period of the long axis about the momentum in space
+//   I      principal moments (only their ratios are known), ascending h step, in the body's unit of time
+//   M      body momentum, e = M/|M| P_rot period of M, once round its curve
+//   g      attitude, body to space P_prec mean period of the long axis about the momentum in space
 #include <Eigen/Geometry>
 
 #include "actio/bodies/body_catalogue.hpp"
@@ -20,7 +21,8 @@
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 
-// A point of the unit sphere with the energy of `e0` near `e`: Newton's method for e.D e = e0.D e0 and e.e = 1 with D = 1/I, along the gradients of both.
+// A point of the unit sphere with the energy of `e0` near `e`: Newton's method for e.D e = e0.D e0 and
+// e.e = 1 with D = 1/I, along the gradients of both.
 Vector3d onto_polhode(Vector3d e, Vector3d const& e0, Vector3d const& D) {
   for (int i = 0; i < 8; ++i) {
     Vector3d const a = 2 * e, b = 2 * D.cwiseProduct(e);
@@ -33,12 +35,14 @@ Vector3d onto_polhode(Vector3d e, Vector3d const& e0, Vector3d const& D) {
   return e;
 }
 
-// Both periods of a body whose momentum runs round the short axis, over `turns` times round: from the angle of M and from that of the long axis about m.
+// Both periods of a body whose momentum runs round the short axis, over `turns` times round: from the angle
+// of M and from that of the long axis about m.
 std::pair<double, double> periods(Body const& body, double h, int turns) {
   MoserVeselov<3> const scheme(body.principal.inertia, h);
   auto motion = release(body.principal.inertia, identity<double>(SO<3>{}), body.principal_spin());
   // Space seen along the momentum.
-  Vector3d const axis = Vector3d(motion.spatial_momentum().components).normalized(), across = Eigen::Vector3d(axis).unitOrthogonal(), third = cross(axis, across);
+  Vector3d const axis = Vector3d(motion.spatial_momentum().components).normalized(),
+                 across = Eigen::Vector3d(axis).unitOrthogonal(), third = cross(axis, across);
   auto const round_axis = [](Vector3d const& M) { return std::atan2(M[1], M[0]); };
   auto const round_space = [&](Vector3d const& x) { return std::atan2(x.dot(third), x.dot(across)); };
   auto const unwrapped = [](double now, double before) { return std::remainder(now - before, 2 * M_PI); };
@@ -46,7 +50,8 @@ std::pair<double, double> periods(Body const& body, double h, int turns) {
   double u = round_axis(motion.body_momentum.components), v = round_space(motion.attitude.value.col(0));
   for (;;) {
     advance(scheme, motion);
-    double const u1 = round_axis(motion.body_momentum.components), v1 = round_space(motion.attitude.value.col(0));
+    double const u1 = round_axis(motion.body_momentum.components),
+                 v1 = round_space(motion.attitude.value.col(0));
     double const du = unwrapped(u1, u), dv = unwrapped(v1, v), left = 2 * M_PI * turns - std::abs(turned);
     double const part = std::min(1.0, left / std::abs(du));  // of the last step, what completes the last turn
     turned += du, precessed += part * dv, t += part * h;
@@ -56,7 +61,9 @@ std::pair<double, double> periods(Body const& body, double h, int turns) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "two tumbling asteroids: the steps of the scheme on the exact curve, and the periods that astronomers measured");
+  book::Program program(argc, argv,
+                        "two tumbling asteroids: the steps of the scheme on the exact curve, and the periods "
+                        "that astronomers measured");
 
   // 1. The curves, and forty-eight coarse steps on each.
   double farthest = 0;
@@ -65,7 +72,8 @@ int main(int argc, char** argv) {
     double const h = name[0] == 'a' ? 2.0 : 0.15;
     auto sphere = book::Sphere(name[0] == 'a' ? 50 : 25, 20).axes({"long", "middle", "short"});
     Vector3d const D = body.principal.inertia.moments.cwiseInverse() * body.principal.inertia.moments[2];
-    Vector3d const M0 = body_momentum(body.principal.inertia, body.principal_spin()).components, e0 = M0.normalized();
+    Vector3d const M0 = body_momentum(body.principal.inertia, body.principal_spin()).components,
+                   e0 = M0.normalized();
 
     // The exact curve: follow the flow by small steps along M x omega and come back on the curve.
     std::vector<Vector3d> exact{e0};
@@ -87,10 +95,15 @@ int main(int argc, char** argv) {
       if (k % 10 == 0) farthest = std::max(farthest, (onto_polhode(e, e0, D) - e).norm());
       advance(scheme, motion);
     }
-    sphere.curve(exact, "sphere and ellipsoid: the exact curve", {.colour = 6, .width = 1.4}).dots(dots, "steps of the scheme", {.colour = 2, .radius = 3.2});
-    program.picture(name, sphere.svg(), body.title + ": the direction of its momentum in the body frame, 48 steps of " + book::number(h) + " " + body.time + ".");
+    sphere.curve(exact, "sphere and ellipsoid: the exact curve", {.colour = 6, .width = 1.4})
+        .dots(dots, "steps of the scheme", {.colour = 2, .radius = 3.2});
+    program.picture(name, sphere.svg(),
+                    body.title + ": the direction of its momentum in the body frame, 48 steps of " +
+                        book::number(h) + " " + body.time + ".");
   }
-  program.figure("distance", farthest, "largest distance from the exact curve among every tenth of 100000 steps, the sphere having radius 1");
+  program.figure(
+      "distance", farthest,
+      "largest distance from the exact curve among every tenth of 100000 steps, the sphere having radius 1");
 
   // 2. The periods of Apophis from finer and finer steps.
   Body const apophis = read_body(ACTIO_DATA "/bodies.toml", "apophis");
@@ -99,25 +112,31 @@ int main(int argc, char** argv) {
   std::vector<book::Program::Row> rows;
   for (double h = 2; h > 0.1; h /= 2) {
     auto const [rot, prec] = periods(apophis, h, 2);
-    steps.push_back(h), errors_rotation.push_back(std::abs(rot / rotation - 1)), errors_precession.push_back(std::abs(prec / precession - 1));
+    steps.push_back(h), errors_rotation.push_back(std::abs(rot / rotation - 1)),
+        errors_precession.push_back(std::abs(prec / precession - 1));
     rows.push_back({book::number(h), book::number(rot, 7), book::number(prec, 7)});
   }
   rows.push_back({"measured", book::number(rotation, 7), book::number(precession, 7)});
-  program.table("periods", {"step, h", "rotation, h", "precession, h"}, rows, "Apophis: its two periods, from the scheme and from its light curves (Lee et al. 2022).");
+  program.table("periods", {"step, h", "rotation, h", "precession, h"}, rows,
+                "Apophis: its two periods, from the scheme and from its light curves (Lee et al. 2022).");
   auto plot = book::Plot("step, h", "relative error of the period").log_x().log_y();
-  plot.curve(steps, errors_rotation, "rotation", {.dots = true}).curve(steps, errors_precession, "precession", {.dots = true});
+  plot.curve(steps, errors_rotation, "rotation", {.dots = true})
+      .curve(steps, errors_precession, "precession", {.dots = true});
   std::vector<double> square;
   for (double const h : steps) square.push_back(errors_precession[0] * h * h / 4);
   plot.curve(steps, square, "step squared", {.colour = 6, .dashed = true});
   program.picture("periods", plot.svg(), "How the periods of Apophis come out: to second order in the step.");
-  double const order_rotation = book::exponent(steps, errors_rotation), order_precession = book::exponent(steps, errors_precession);
+  double const order_rotation = book::exponent(steps, errors_rotation),
+               order_precession = book::exponent(steps, errors_precession);
   program.figure("order_rotation", order_rotation, "order of the period of rotation");
   program.figure("order_precession", order_precession, "order of the period of precession");
 
   // 3. What must be so. The published periods have six and seven digits and the catalogue's spin ten.
   program.claim(farthest < 1e-12, "the steps lie on the exact curve to rounding");
-  program.claim(errors_rotation.back() < 1e-3 && errors_precession.back() < 1e-3, "both periods of Apophis come out");
-  program.claim(std::abs(order_rotation - 2) < 0.1 && std::abs(order_precession - 2) < 0.1, "the periods converge with order 2");
+  program.claim(errors_rotation.back() < 1e-3 && errors_precession.back() < 1e-3,
+                "both periods of Apophis come out");
+  program.claim(std::abs(order_rotation - 2) < 0.1 && std::abs(order_precession - 2) < 0.1,
+                "the periods converge with order 2");
   program.headline("steps on the exact polhode to " + book::number(farthest, 2), farthest);
   return program.finish();
 }

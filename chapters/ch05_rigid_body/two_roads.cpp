@@ -1,31 +1,35 @@
-// Two roads to the same motion: the brick of NASA's check case on pairs of attitudes, and on relative motions with the attitude put back afterwards.
+// Two roads to the same motion: the brick of NASA's check case on pairs of attitudes, and on relative motions
+// with the attitude put back afterwards.
 //
-// What is shown. The discrete Euler-Lagrange equations on SO(3) x SO(3) know nothing of a symmetry. The reduced equations solve for the relative motion
-// alone, and reconstruction puts the attitude back: the same numbers to rounding, for the natural-chart scheme and for Moser and Veselov's. Then the check
-// case itself: body rates after 30 s, by both schemes, against a solution by somebody else's code.
-// Read first. Chapter 3, "Nothing is lost"; the sections on the two schemes of chapter 5.
+// What is shown. The discrete Euler-Lagrange equations on SO(3) x SO(3) know nothing of a symmetry. The
+// reduced equations solve for the relative motion alone, and reconstruction puts the attitude back: the same
+// numbers to rounding, for the natural-chart scheme and for Moser and Veselov's. Then the check case itself:
+// body rates after 30 s, by both schemes, against a solution by somebody else's code. Read first. Chapter 3,
+// "Nothing is lost"; the sections on the two schemes of chapter 5.
 //
 //   g      attitude, body to space                h     step, s
 //   f      relative motion g1^-1 g0               p, q, r  body rates, degrees per second
-#include "witness/reference_solution.hpp"
 #include "actio/bodies/body_catalogue.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"
+#include "witness/reference_solution.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 using Rotation = Element<SO<3>, double>;
 
-// Largest distance between attitudes on the two roads over `count` steps. The unreduced road solves (3.2) for `lifted`, a function of two configurations.
+// Largest distance between attitudes on the two roads over `count` steps. The unreduced road solves (3.2) for
+// `lifted`, a function of two configurations.
 template <class Scheme>
-double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int count, std::vector<double>& history) {
+double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int count,
+             std::vector<double>& history) {
   auto const lifted = lift_left(scheme.lagrangian());
   auto const f10 = scheme.relative_motion(body_momentum(scheme.inertia(), spin)).value;
   Rotation const start = identity<double>(SO<3>{});
   Rotation a0 = start, a1 = reconstruct_left(start, f10);  // unreduced: a pair of configurations
-  Rotation b1 = a1, f = f10;                               // reduced: a relative motion, and the configuration it leads to
+  Rotation b1 = a1, f = f10;  // reduced: a relative motion, and the configuration it leads to
   double largest = 0;
   for (int k = 0; k < count; ++k) {
     Rotation const a2 = step_euler_lagrange(lifted, a0, a1).value;
@@ -51,7 +55,9 @@ Vector3d rates_after(Scheme const& scheme, Velocity<SO<3>, double> const& spin, 
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a tumbling brick on two roads, pairs of attitudes and relative motions: the same motion to rounding");
+  book::Program program(
+      argc, argv,
+      "a tumbling brick on two roads, pairs of attitudes and relative motions: the same motion to rounding");
 
   // 1. The brick of the check case, and its two schemes.
   Body const brick = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
@@ -61,29 +67,43 @@ int main(int argc, char** argv) {
   for (int k = 1; k <= count; ++k) time.push_back(k * h);
 
   // 2. Reconstruction against the unreduced run.
-  double const chart = apart(NaturalChartScheme<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_chart);
-  double const mv = apart(MoserVeselov<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_mv);
-  program.figure("apart_chart", chart, "natural charts: the two roads apart after 30 s, largest entry of the attitude");
+  double const chart =
+      apart(NaturalChartScheme<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_chart);
+  double const mv =
+      apart(MoserVeselov<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_mv);
+  program.figure("apart_chart", chart,
+                 "natural charts: the two roads apart after 30 s, largest entry of the attitude");
   program.figure("apart_mv", mv, "Moser-Veselov: the same");
-  auto roads = book::Plot("time, s", "distance of the two roads so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
+  auto roads =
+      book::Plot("time, s", "distance of the two roads so far").log_y().size(660, 320).y_range(1e-17, 1e-10);
   roads.curve(time, history_chart, "natural charts").curve(time, history_mv, "Moser-Veselov");
-  program.picture("roads", roads.svg(), "The attitude from pairs of configurations and from relative motions with reconstruction: what lies between them is rounding.");
+  program.picture("roads", roads.svg(),
+                  "The attitude from pairs of configurations and from relative motions with reconstruction: "
+                  "what lies between them is rounding.");
 
   // 3. The truth at 30 s, by the Prince-Dormand method of the GNU Scientific Library.
   Vector3d const I = brick.principal.inertia.moments;
-  auto const euler = [&](double, Vector3d const& w) { return Vector3d(cross(I.cwiseProduct(w), w).cwiseQuotient(I)); };
-  Vector3d const truth = reference_solution(euler, Vector3d(brick.principal_spin().coordinates), 0, 30) * (180 / M_PI);
+  auto const euler = [&](double, Vector3d const& w) {
+    return Vector3d(cross(I.cwiseProduct(w), w).cwiseQuotient(I));
+  };
+  Vector3d const truth =
+      reference_solution(euler, Vector3d(brick.principal_spin().coordinates), 0, 30) * (180 / M_PI);
   Vector3d const nasa(12.61842377, -17.3974441, 31.11960301);
 
   // 4. Both schemes at five steps and more.
   std::vector<double> steps, errors_chart, errors_mv;
   std::vector<book::Program::Row> rows;
   auto const row = [](std::string const& name, Vector3d const& w, std::string const& error) {
-    return book::Program::Row{name, book::number(w[0], 10), book::number(w[1], 10), book::number(w[2], 10), error};
+    return book::Program::Row{name, book::number(w[0], 10), book::number(w[1], 10), book::number(w[2], 10),
+                              error};
   };
   for (double step : {0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625}) {
-    Vector3d const a = rates_after(NaturalChartScheme<3>(brick.principal.inertia, step), brick.principal_spin(), 30), b = rates_after(MoserVeselov<3>(brick.principal.inertia, step), brick.principal_spin(), 30);
-    steps.push_back(step), errors_chart.push_back((a - truth).norm()), errors_mv.push_back((b - truth).norm());
+    Vector3d const a = rates_after(NaturalChartScheme<3>(brick.principal.inertia, step),
+                                   brick.principal_spin(), 30),
+                   b = rates_after(MoserVeselov<3>(brick.principal.inertia, step), brick.principal_spin(),
+                                   30);
+    steps.push_back(step), errors_chart.push_back((a - truth).norm()),
+        errors_mv.push_back((b - truth).norm());
     if (step == 0.2 || step == 0.00625) {
       rows.push_back(row("natural charts, h = " + book::number(step), a, book::number(errors_chart.back())));
       rows.push_back(row("Moser-Veselov, h = " + book::number(step), b, book::number(errors_mv.back())));
@@ -91,9 +111,12 @@ int main(int argc, char** argv) {
   }
   rows.push_back(row("NASA's reference tool", nasa, book::number((nasa - truth).norm())));
   rows.push_back(row("converged", truth, ""));
-  program.table("check_case", {"method", "p", "q", "r", "error"}, rows, "Body rates of the tumbling brick after 30 s, degrees per second. Converged: rk8pd of the GNU Scientific Library.");
+  program.table("check_case", {"method", "p", "q", "r", "error"}, rows,
+                "Body rates of the tumbling brick after 30 s, degrees per second. Converged: rk8pd of the "
+                "GNU Scientific Library.");
   auto plot = book::Plot("step, s", "error of the body rates after 30 s, degrees per second").log_x().log_y();
-  plot.curve(steps, errors_chart, "natural charts", {.dots = true}).curve(steps, errors_mv, "Moser-Veselov", {.dots = true});
+  plot.curve(steps, errors_chart, "natural charts", {.dots = true})
+      .curve(steps, errors_mv, "Moser-Veselov", {.dots = true});
   program.picture("orders", plot.svg(), "Both schemes are of order two.");
 
   double const order_chart = book::exponent(steps, errors_chart), order_mv = book::exponent(steps, errors_mv);
@@ -102,10 +125,13 @@ int main(int argc, char** argv) {
   double const known = (truth - Vector3d(12.6183907759, -17.3974747616, 31.1195888869)).norm();
   program.figure("known", known, "our converged rates against the published digits of another converged run");
 
-  // 5. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and the attitude adds those up again.
+  // 5. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and
+  //    the attitude adds those up again.
   program.claim(chart < 1e-10 && mv < 1e-10, "the two roads agree to rounding");
-  program.claim(std::abs(order_chart - 2) < 0.05 && std::abs(order_mv - 2) < 0.05, "both schemes are of order two");
+  program.claim(std::abs(order_chart - 2) < 0.05 && std::abs(order_mv - 2) < 0.05,
+                "both schemes are of order two");
   program.claim(known < 1e-8, "the converged rates are those known");
-  program.headline("two roads apart by " + book::number(std::max(chart, mv), 2) + " after 300 steps", std::max(chart, mv));
+  program.headline("two roads apart by " + book::number(std::max(chart, mv), 2) + " after 300 steps",
+                   std::max(chart, mv));
   return program.finish();
 }

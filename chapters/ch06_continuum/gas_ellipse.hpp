@@ -1,6 +1,8 @@
-// A round cloud of polytropic gas, pulled long and set turning, that spreads into empty space: x = A(t) X with |X| <= 1.
+// A round cloud of polytropic gas, pulled long and set turning, that spreads into empty space: x = A(t) X
+// with |X| <= 1.
 //
-// Mass (1 - |X|^2)^(1/(gamma-1)), stored energy K (1 - |X|^2) J^(1-gamma)/(gamma-1) per unit mass, so that the pressure is K (rho/J)^gamma; then
+// Mass (1 - |X|^2)^(1/(gamma-1)), stored energy K (1 - |X|^2) J^(1-gamma)/(gamma-1) per unit mass, so that
+// the pressure is K (rho/J)^gamma; then
 //
 //   A'' = b (det A)^(1-gamma) A^-T,   b = 2 K gamma/(gamma-1).
 #pragma once
@@ -13,7 +15,8 @@ struct EllipticGas {
 
   double b() const { return 2 * K * gamma / (gamma - 1); }
   auto medium() const {
-    return actio::Continuum{actio::Euclidean<2>{}, actio::Euclidean<2>{}, GradedMass{1 / (gamma - 1)}, GradedEnergy{actio::Barotropic{actio::Polytropic<double>{K, gamma}}}};
+    return actio::Continuum{actio::Euclidean<2>{}, actio::Euclidean<2>{}, GradedMass{1 / (gamma - 1)},
+                            GradedEnergy{actio::Barotropic{actio::Polytropic<double>{K, gamma}}}};
   }
   // A'' from A, over any scalar: the inverse transposed by its minors.
   template <class S>

@@ -1,24 +1,25 @@
-// Graded bodies: balls whose stiffness fades to nothing at the rim, and their linear motions x = A(t) X, which are exact for every stored energy.
+// Graded bodies: balls whose stiffness fades to nothing at the rim, and their linear motions x = A(t) X,
+// which are exact for every stored energy.
 //
-// The mass per volume is (1 - |X|^2)^k and the stored energy per unit mass (1 - |X|^2) w(F). Where F = A(t) is the same everywhere, so is dw/dF, and of the
-// divergence of the stress only the grading is left: d_i [(1 - |X|^2)^(k+1)] = -2 (k+1) (1 - |X|^2)^k X_i. All of it is mass times X, and
+// The mass per volume is (1 - |X|^2)^k and the stored energy per unit mass (1 - |X|^2) w(F). Where F = A(t)
+// is the same everywhere, so is dw/dF, and of the divergence of the stress only the grading is left: d_i
+// [(1 - |X|^2)^(k+1)] = -2 (k+1) (1 - |X|^2)^k X_i. All of it is mass times X, and
 //
 //   A'' = -2 (k+1) dw/dA
 //
-// solves the field equations at every point, with no force on the rim. A gas that spreads into empty space is of this kind, with k = 1/(gamma - 1).
+// solves the field equations at every point, with no force on the rim. A gas that spreads into empty space is
+// of this kind, with k = 1/(gamma - 1).
 #pragma once
 
 #include <cmath>
 #include <vector>
 
-#include "witness/taylor_reference.hpp"
 #include "actio/continuum/continuum.hpp"
+#include "witness/taylor_reference.hpp"
 
 // 1 - |X|^2, the square of the half chord through X.
 template <class V>
-typename V::Scalar fading(V const& X) {
-  return typename V::Scalar(1) - X.dot(X);
-}
+typename V::Scalar fading(V const& X) { return typename V::Scalar(1) - X.dot(X); }
 
 // Mass per volume of the body; with k = 0 it is `Homogeneous`.
 struct GradedMass {
@@ -35,7 +36,8 @@ template <class Energy>
 struct GradedEnergy {
   Energy w;
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  S operator()(actio::Matrix<S, n, 1> const& X, BodyMetric const& G, SpaceMetric const& g, actio::Matrix<S, N, n> const& F) const {
+  S operator()(actio::Matrix<S, n, 1> const& X, BodyMetric const& G, SpaceMetric const& g,
+               actio::Matrix<S, N, n> const& F) const {
     return fading(X) * w(X, G, g, F);
   }
 };
@@ -82,7 +84,9 @@ struct LinearMotion {
 
 // The linear motion that has this state at the time `start`. Each round of the rate gives one power more.
 template <int n, class S, class Acceleration>
-LinearMotion<S, n> linear_motion(Acceleration const& acceleration, actio::Matrix<S, 2 * n * n, 1> const& state, double start = 0, int powers = 26) {
+LinearMotion<S, n> linear_motion(Acceleration const& acceleration,
+                                 actio::Matrix<S, 2 * n * n, 1> const& state, double start = 0,
+                                 int powers = 26) {
   using actio::Taylor;
   auto const rate = state_rate<n>(acceleration);
   actio::Matrix<Taylor<S>, 2 * n * n, 1> series;

@@ -1,15 +1,17 @@
-// A rubber ball, pulled long and let go: its stresses, by every road the chapter has, and a material that forgets which side is out.
+// A rubber ball, pulled long and let go: its stresses, by every road the chapter has, and a material that
+// forgets which side is out.
 //
-// What is shown. The ball is stiff inside and soft at its surface, so that x = A(t) X is an exact motion of it whatever the material. Its first Piola-Kirchhoff
-// stress is minus its momenta, and is Cauchy's stress carried back to the body. That needs an energy that knows the deformation through the Green tensor
-// alone; with one that does not, Piola's transformation fails, and the angular momentum of the ball with it. Blown up and let go, a
-// neo-Hookean ball bounces for ever. One of St Venant and Kirchhoff collapses into its centre, for its energy has no objection.
-// Read first. gas_ellipse; graded_body.hpp proves the motion exact.
-#include "witness/draw.hpp"
-#include "actio/jets/field_equations.hpp"
+// What is shown. The ball is stiff inside and soft at its surface, so that x = A(t) X is an exact motion of
+// it whatever the material. Its first Piola-Kirchhoff stress is minus its momenta, and is Cauchy's stress
+// carried back to the body. That needs an energy that knows the deformation through the Green tensor alone;
+// with one that does not, Piola's transformation fails, and the angular momentum of the ball with it. Blown
+// up and let go, a neo-Hookean ball bounces for ever. One of St Venant and Kirchhoff collapses into its
+// centre, for its energy has no objection. Read first. gas_ellipse; graded_body.hpp proves the motion exact.
 #include "actio/continuum/stresses.hpp"
+#include "actio/jets/field_equations.hpp"
 #include "book/plot.hpp"
 #include "graded_body.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 using Matrix3d = actio::Matrix<double, 3, 3>;
@@ -18,10 +20,12 @@ using Matrix3d = actio::Matrix<double, 3, 3>;
 OfGreenTensor const neo_hookean{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}};
 OfGreenTensor const st_venant_kirchhoff{StVenantKirchhoff<double>{2.0, 1.0}};
 
-// Rubber with fibres that are fixed in space rather than in the body: it knows F^1_2, and not through the Green tensor.
+// Rubber with fibres that are fixed in space rather than in the body: it knows F^1_2, and not through the
+// Green tensor.
 struct Lopsided {
   template <class BodyMetric, class SpaceMetric, class S>
-  S operator()(Matrix<S, 3, 1> const& X, BodyMetric const& G, SpaceMetric const& g, Matrix<S, 3, 3> const& F) const {
+  S operator()(Matrix<S, 3, 1> const& X, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<S, 3, 3> const& F) const {
     return neo_hookean(X, G, g, F) + F(0, 1) * F(0, 1) * 0.1;
   }
 };
@@ -30,7 +34,9 @@ struct Lopsided {
 template <class Energy>
 struct Ball {
   Energy w;
-  auto medium() const { return Continuum{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{}, GradedEnergy{w}}; }
+  auto medium() const {
+    return Continuum{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{}, GradedEnergy{w}};
+  }
   template <class S>
   Matrix<S, 3, 3> operator()(Matrix<S, 3, 3> const& A) const {
     Jet<S, 3, 3> centre{Event<S, 3>::Zero(), Matrix<S, 3, 1>::Zero(), Matrix<S, 3, 4>::Zero()};
@@ -50,7 +56,10 @@ Misses misses(Ball<Energy> const& ball, LinearState<double, 3> state) {
   auto const medium = ball.medium();
   Draw draw(7);
   Misses most;
-  auto const turning = [](auto const& s) { return Matrix3d(part_of<3>(s, 0) * part_of<3>(s, 1).transpose() - part_of<3>(s, 1) * part_of<3>(s, 0).transpose()); };
+  auto const turning = [](auto const& s) {
+    return Matrix3d(part_of<3>(s, 0) * part_of<3>(s, 1).transpose() -
+                    part_of<3>(s, 1) * part_of<3>(s, 0).transpose());
+  };
   auto const first = turning(state);
   for (int k = 0; k < 24; ++k) {
     state = taylor_reference(state_rate<3>(ball), state, 0.25);
@@ -60,8 +69,10 @@ Misses misses(Ball<Energy> const& ball, LinearState<double, 3> state) {
     x.tail<3>() = draw.vector<double, Vector<double, 3>>(3) / 2;
     auto const jet = second_jet(motion, x);
     Jet<double, 3, 3> const& one = jet;
-    Matrix3d const P = first_piola_kirchhoff_stress(medium, one), sigma = cauchy_stress(medium, one), p = momenta(medium, one).template rightCols<3>();
-    Matrix3d const carried = piola_transformation(medium.G(x), medium.g(x), one.gradient(), sigma), spatial = P * one.gradient().transpose();
+    Matrix3d const P = first_piola_kirchhoff_stress(medium, one), sigma = cauchy_stress(medium, one),
+                   p = momenta(medium, one).template rightCols<3>();
+    Matrix3d const carried = piola_transformation(medium.G(x), medium.g(x), one.gradient(), sigma),
+                   spatial = P * one.gradient().transpose();
     most.equation = std::max(most.equation, euler_lagrange(medium, jet).norm() / jet.acceleration().norm());
     most.momenta = std::max(most.momenta, (P + p).norm() / P.norm());
     most.piola = std::max(most.piola, (P - carried).norm() / P.norm());
@@ -79,9 +90,11 @@ Swing swing(Ball<std::remove_const_t<decltype(neo_hookean)>> const& ball, double
   auto const medium = ball.medium();
   Swing s;
   for (double t = 0; t <= 8; t += 0.04) {
-    auto const jet = first_jet(linear_motion<3>(ball, state, 0, 2), Event<double, 3>(Event<double, 3>::Zero()));
+    auto const jet =
+        first_jet(linear_motion<3>(ball, state, 0, 2), Event<double, 3>(Event<double, 3>::Zero()));
     s.time.push_back(t), s.length.push_back(jet.v(0, 1)), s.width.push_back(jet.v(1, 2));
-    s.cauchy.push_back(cauchy_stress(medium, jet)(0, 0)), s.piola.push_back(first_piola_kirchhoff_stress(medium, jet)(0, 0));
+    s.cauchy.push_back(cauchy_stress(medium, jet)(0, 0)),
+        s.piola.push_back(first_piola_kirchhoff_stress(medium, jet)(0, 0));
     state = taylor_reference(state_rate<3>(ball), state, 0.04);
   }
   return s;
@@ -103,7 +116,9 @@ Breath breath(Ball<Energy> const& ball, double blown_up) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a rubber ball swings: its stresses by every road, and a material that lets it turn inside out");
+  book::Program program(
+      argc, argv,
+      "a rubber ball swings: its stresses by every road, and a material that lets it turn inside out");
   Ball const rubber{neo_hookean};
   Ball const stiff{st_venant_kirchhoff};
   Ball const lopsided{Lopsided{}};
@@ -113,26 +128,38 @@ int main(int argc, char** argv) {
   auto const thrown = linear_state<double, 3>(A0, V0);
   std::vector<book::Program::Row> rows;
   auto const show = [&](char const* name, Misses const& m) {
-    rows.push_back({name, book::number(m.equation, 2), book::number(m.momenta, 2), book::number(m.piola, 2), book::number(m.symmetry, 2), book::number(m.turning, 2)});
+    rows.push_back({name, book::number(m.equation, 2), book::number(m.momenta, 2), book::number(m.piola, 2),
+                    book::number(m.symmetry, 2), book::number(m.turning, 2)});
     return m;
   };
-  Misses const a = show("neo-Hookean", misses(rubber, thrown)), b = show("St Venant and Kirchhoff", misses(stiff, thrown)), c = show("lopsided", misses(lopsided, thrown));
+  Misses const a = show("neo-Hookean", misses(rubber, thrown)),
+               b = show("St Venant and Kirchhoff", misses(stiff, thrown)),
+               c = show("lopsided", misses(lopsided, thrown));
   program.table("roads", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
-                "A ball that is thrown and turns: what is left of the field equations; the first Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; asymmetry of that stress carried to space; change of the angular momentum. All relative.");
+                "A ball that is thrown and turns: what is left of the field equations; the first "
+                "Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; "
+                "asymmetry of that stress carried to space; change of the angular momentum. All relative.");
 
   Swing const s = swing(rubber, 1.6);
   auto axes = book::Plot("time, radii over the speed of shear waves", "half axes; stress over mass density");
-  axes.curve(s.time, s.length, "half length").curve(s.time, s.width, "half width").curve(s.time, s.piola, "first Piola-Kirchhoff stress", {.dashed = true}).curve(s.time, s.cauchy, "Cauchy stress", {.dashed = true});
+  axes.curve(s.time, s.length, "half length")
+      .curve(s.time, s.width, "half width")
+      .curve(s.time, s.piola, "first Piola-Kirchhoff stress", {.dashed = true})
+      .curve(s.time, s.cauchy, "Cauchy stress", {.dashed = true});
   program.picture("swing", axes.svg(),
-                  "A neo-Hookean ball pulled to 1.6 times its length and let go; stresses at its centre along it, over the mass density.");
+                  "A neo-Hookean ball pulled to 1.6 times its length and let go; stresses at its centre "
+                  "along it, over the mass density.");
   Breath const bounces = breath(rubber, 1.6), collapses = breath(stiff, 1.6);
   auto radii = book::Plot("time, radii over the speed of shear waves", "radius");
-  radii.curve(bounces.time, bounces.radius, "neo-Hookean").curve(collapses.time, collapses.radius, "St Venant and Kirchhoff");
+  radii.curve(bounces.time, bounces.radius, "neo-Hookean")
+      .curve(collapses.time, collapses.radius, "St Venant and Kirchhoff");
   program.picture("breath", radii.svg(),
                   "Blown up to 1.6 times its radius and let go. Below zero the ball is inside out.");
 
-  double const exact = std::max(a.equation, b.equation), roads = std::max({a.momenta, b.momenta, a.piola, b.piola, a.symmetry, b.symmetry});
-  double const smallest = *std::ranges::min_element(bounces.radius), inside_out = *std::ranges::min_element(collapses.radius);
+  double const exact = std::max(a.equation, b.equation),
+               roads = std::max({a.momenta, b.momenta, a.piola, b.piola, a.symmetry, b.symmetry});
+  double const smallest = *std::ranges::min_element(bounces.radius),
+               inside_out = *std::ranges::min_element(collapses.radius);
   program.figure("equation", exact, "field equations over acceleration");
   program.figure("roads", roads, "largest difference between the roads to the first Piola-Kirchhoff stress");
   program.figure("turning", std::max(a.turning, b.turning), "change of the angular momentum");
@@ -140,11 +167,14 @@ int main(int argc, char** argv) {
   program.figure("lopsided_turning", c.turning, "lopsided: change of the angular momentum");
   program.figure("smallest", smallest, "smallest radius of the neo-Hookean ball");
   program.figure("inside_out", inside_out, "smallest radius of the other");
-  program.claim(exact < 1e-12 && c.equation < 1e-12, "the field equations vanish on the motion, whatever the material");
+  program.claim(exact < 1e-12 && c.equation < 1e-12,
+                "the field equations vanish on the motion, whatever the material");
   program.claim(roads < 1e-13 && c.momenta < 1e-13, "all roads lead to one stress");
   program.claim(a.turning < 1e-12 && b.turning < 1e-12, "angular momentum is kept");
-  program.claim(c.piola > 1e-3 && c.turning > 1e-3, "where the energy knows more than the Green tensor, neither holds");
-  program.claim(smallest > 0 && inside_out < 0, "the neo-Hookean ball bounces, that of St Venant and Kirchhoff turns inside out");
+  program.claim(c.piola > 1e-3 && c.turning > 1e-3,
+                "where the energy knows more than the Green tensor, neither holds");
+  program.claim(smallest > 0 && inside_out < 0,
+                "the neo-Hookean ball bounces, that of St Venant and Kirchhoff turns inside out");
   program.headline("first Piola-Kirchhoff stress by three roads to " + book::number(roads, 2), roads);
   return program.finish();
 }

@@ -1,15 +1,17 @@
-// The Cartan form from the boundary of a varied action: what theorem 6.2.1 says, on a gas that spreads into empty space.
+// The Cartan form from the boundary of a varied action: what theorem 6.2.1 says, on a gas that spreads into
+// empty space.
 //
-// What is shown. Vary the action on a box of space-time, with dual numbers and nothing else. On an exact solution all that is left of its derivative is an
-// integral over the boundary of the box, that of the Cartan form; for variations that move space-time too, only if the form has its last term. On a motion that
-// solves nothing the rest is the integral of the Euler-Lagrange derivative inside. And two first variations of the solution have no flux through the boundary.
-// Read first. gas_ellipse.
-#include "witness/draw.hpp"
+// What is shown. Vary the action on a box of space-time, with dual numbers and nothing else. On an exact
+// solution all that is left of its derivative is an integral over the boundary of the box, that of the Cartan
+// form; for variations that move space-time too, only if the form has its last term. On a motion that solves
+// nothing the rest is the integral of the Euler-Lagrange derivative inside. And two first variations of the
+// solution have no flux through the boundary. Read first. gas_ellipse.
 #include "actio/jets/cartan.hpp"
 #include "actio/jets/prolongation.hpp"
 #include "actio/jets/tilted_section.hpp"
 #include "book/plot.hpp"
 #include "gas_ellipse.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -24,7 +26,8 @@ auto variation(double across, double upward) {
   return [=]<class T>(Matrix<T, 5, 1> const& at) {
     T const t = at[0], x = at[1], y = at[2], u = at[3], w = at[4];
     Matrix<T, 5, 1> V;
-    V << (x * y + t * 0.5 + 0.2) * across, (y - x * x + t) * across, (t * x + 0.3) * across, (u * w + t * x * 2.0 + 0.4) * upward, (w - u * u * t + y) * upward;
+    V << (x * y + t * 0.5 + 0.2) * across, (y - x * x + t) * across, (t * x + 0.3) * across,
+        (u * w + t * x * 2.0 + 0.4) * upward, (w - u * u * t + y) * upward;
     return V;
   };
 }
@@ -57,18 +60,24 @@ Terms terms(Phi const& phi, V const& field, int count) {
   auto const vertical_form = [&]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, 3> const& T) -> S {
     return affine_form<2, 2>(momenta(medium, jet_at<2, 2>(at)), S(0), at, T);
   };
-  auto const through = [&](auto const& form) { return boundary_integral(pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form)), box, degree); };
-  return {action_variation(medium, phi, field, box, degree), integral(inside, box.low, box.high, degree), through(cartan_form<2, 2>(medium)), through(vertical_form)};
+  auto const through = [&](auto const& form) {
+    return boundary_integral(pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form)), box,
+                             degree);
+  };
+  return {action_variation(medium, phi, field, box, degree), integral(inside, box.low, box.high, degree),
+          through(cartan_form<2, 2>(medium)), through(vertical_form)};
 }
 
-// ---- 2. The flux of two variations: of ellipses that begin a little otherwise, and of one that is no first variation.
+// ---- 2. The flux of two variations: of ellipses that begin a little otherwise, and of one that is no first
+// variation.
 LinearMotion<double, 2> neighbour(std::uint64_t seed) {
   Draw draw(seed);
   auto state = thrown_gas().cast<Dual<double>>().eval();
   for (auto& s : state) s.part[0] = draw.number<double>();
   // The series of a dual motion: its rates of change are a linear motion again.
   LinearMotion<double, 2> variation{middle, {}};
-  for (auto const& term : linear_motion<2>(gas, state, middle).terms) variation.terms.emplace_back(term.unaryExpr([](Dual<double> const& a) { return a.part[0]; }));
+  for (auto const& term : linear_motion<2>(gas, state, middle).terms)
+    variation.terms.emplace_back(term.unaryExpr([](Dual<double> const& a) { return a.part[0]; }));
   return variation;
 }
 template <class V, class W>
@@ -76,7 +85,8 @@ double flux(V const& first, W const& second) {
   auto const medium = gas.medium();
   auto const phi = solution();
   auto const form = multisymplectic_form<2, 2>(medium);
-  // A vertical variation along the solution as a tangent vector of the jet bundle: no change of x, its own value and slopes.
+  // A vertical variation along the solution as a tangent vector of the jet bundle: no change of x, its own
+  // value and slopes.
   auto const lifted = [](auto const& variation, auto const& x) {
     auto jet = first_jet(variation, x);
     jet.x.setZero();
@@ -91,45 +101,64 @@ double flux(V const& first, W const& second) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "the action of a spreading gas is varied: what is left on the boundary is the Cartan form");
+  book::Program program(
+      argc, argv, "the action of a spreading gas is varied: what is left on the boundary is the Cartan form");
   std::vector<book::Program::Row> rows;
   auto const show = [&](std::string const& name, Terms const& t) {
-    rows.push_back({name, book::number(t.derivative, 6), book::number(t.inside, 3), book::number(t.boundary, 6), book::number(t.without_last, 6),
+    rows.push_back({name, book::number(t.derivative, 6), book::number(t.inside, 3),
+                    book::number(t.boundary, 6), book::number(t.without_last, 6),
                     book::number(std::abs(t.derivative - t.inside - t.boundary), 2)});
     return t;
   };
   auto const places = show("solution, places vary", terms(solution(), variation(0, 1), nodes));
   auto const all = show("solution, space-time too", terms(solution(), variation(1, 1), nodes));
   auto const wrong = show("pushed about, space-time too", terms(pushed_about(), variation(1, 1), nodes));
-  program.table("terms", {"motion and variation", "dS", "inside", "boundary", "without its last term", "what is left"}, rows,
-                "The derivative of the action on a box of space-time, the integral of the Euler-Lagrange derivative inside, and that of the Cartan form over the boundary.");
+  program.table("terms",
+                {"motion and variation", "dS", "inside", "boundary", "without its last term", "what is left"},
+                rows,
+                "The derivative of the action on a box of space-time, the integral of the Euler-Lagrange "
+                "derivative inside, and that of the Cartan form over the boundary.");
 
   std::vector<double> counts, misses;
   for (int count = 2; count <= nodes; count += 2) {
     auto const t = terms(solution(), variation(1, 1), count);
     counts.push_back(count), misses.push_back(std::abs((t.derivative - t.boundary) / all.boundary));
   }
-  program.picture("nodes", book::Plot("nodes of Gauss's rule along a side", "relative difference").log_y().curve(counts, misses, "derivative of the action less boundary integral", {.width = 1.8}).svg(),
-                  "Both sides of the theorem are integrals: they meet as the rule of quadrature gets better, to rounding.");
+  program.picture(
+      "nodes",
+      book::Plot("nodes of Gauss's rule along a side", "relative difference")
+          .log_y()
+          .curve(counts, misses, "derivative of the action less boundary integral", {.width = 1.8})
+          .svg(),
+      "Both sides of the theorem are integrals: they meet as the rule of quadrature gets better, to "
+      "rounding.");
 
-  double const theorem = std::abs((all.derivative - all.boundary) / all.boundary), missing = std::abs((all.derivative - all.without_last) / all.boundary);
-  double const vertical = std::abs((places.derivative - places.without_last) / places.boundary), off = std::abs(wrong.inside / wrong.boundary);
+  double const theorem = std::abs((all.derivative - all.boundary) / all.boundary),
+               missing = std::abs((all.derivative - all.without_last) / all.boundary);
+  double const vertical = std::abs((places.derivative - places.without_last) / places.boundary),
+               off = std::abs(wrong.inside / wrong.boundary);
   double const whole = std::abs((wrong.derivative - wrong.inside - wrong.boundary) / wrong.boundary);
-  program.figure("theorem", theorem, "solution, all varied: derivative of the action less boundary integral, relative");
+  program.figure("theorem", theorem,
+                 "solution, all varied: derivative of the action less boundary integral, relative");
   program.figure("missing", missing, "the same with the form that vertical variations give");
   program.figure("vertical", vertical, "that form where places alone vary");
   program.figure("off", off, "pushed about: what is inside, over the boundary integral");
   program.figure("whole", whole, "pushed about: derivative less inside less boundary, relative");
 
-  auto const random = [](auto const& x) { return Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[1] * x[2], x[0] * x[1] - x[2]); };
+  auto const random = [](auto const& x) {
+    return Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 2, 1>(x[1] * x[2], x[0] * x[1] - x[2]);
+  };
   double const kept = std::abs(flux(neighbour(1), neighbour(2))), lost = std::abs(flux(neighbour(1), random));
   program.figure("flux", kept, "flux of two neighbouring ellipses through the boundary");
   program.figure("flux_lost", lost, "the same with one that is no first variation");
 
-  program.claim(theorem < 1e-12 && whole < 1e-12, "derivative of the action = inside + boundary, to rounding");
-  program.claim(vertical < 1e-12 && missing > 1e-2, "vertical variations see all of the Cartan form but its last term");
+  program.claim(theorem < 1e-12 && whole < 1e-12,
+                "derivative of the action = inside + boundary, to rounding");
+  program.claim(vertical < 1e-12 && missing > 1e-2,
+                "vertical variations see all of the Cartan form but its last term");
   program.claim(off > 1e-2, "a motion that solves nothing has something inside");
   program.claim(kept < 1e-12 && lost > 1e-3, "two first variations have no flux through the boundary");
-  program.headline("derivative of the action equals the boundary integral to " + book::number(theorem, 2), theorem);
+  program.headline("derivative of the action equals the boundary integral to " + book::number(theorem, 2),
+                   theorem);
   return program.finish();
 }

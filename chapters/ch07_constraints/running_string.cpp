@@ -1,9 +1,12 @@
-// Strings that cannot stretch: the multiplier is the tension, and it comes out of where the string is and how it moves.
+// Strings that cannot stretch: the multiplier is the tension, and it comes out of where the string is and how
+// it moves.
 //
-// What is shown. A string that runs along itself keeps its shape, whatever the shape is, and the tension is the mass per length times the speed squared. Hung
-// up, a string is a catenary; set running it stays one, with the same added to its tension. Both are exact solutions of the constrained field equations, n = 1,
-// N = 2. The tension is found again from the field equations at single points, and from a boundary value problem that knows place and velocity alone.
-// Read first. The chapter up to the extended bundle; strings.hpp, the strings; tensions.hpp, what the equations make of a tension.
+// What is shown. A string that runs along itself keeps its shape, whatever the shape is, and the tension is
+// the mass per length times the speed squared. Hung up, a string is a catenary; set running it stays one,
+// with the same added to its tension. Both are exact solutions of the constrained field equations, n = 1,
+// N = 2. The tension is found again from the field equations at single points, and from a boundary value
+// problem that knows place and velocity alone. Read first. The chapter up to the extended bundle;
+// strings.hpp, the strings; tensions.hpp, what the equations make of a tension.
 //
 //   s      length along the string, m            rho    mass per length, kg/m
 //   phi    place, m                              T      tension, N: the multiplier of (1 - |phi_s|^2)/2
@@ -21,7 +24,8 @@ double const rho = 0.05, gravity = 9.81, end = 1.6;  // the chains reach from s 
 Running<Loop> const loop{{3, 0.9}, 6, rho};
 Running<Catenary> const still{{1}, 0, rho}, swift{{1}, 10, rho};
 
-// ---- 1. A loop in free space that runs along itself, and a chain that hangs between two points, at rest and running from one to the other.
+// ---- 1. A loop in free space that runs along itself, and a chain that hangs between two points, at rest and
+// running from one to the other.
 std::string picture_of_loop() {
   double const l = loop.X.length;
   auto plot = book::Plot("x, m", "y, m").equal().size(560, 470);
@@ -37,7 +41,8 @@ std::string picture_of_loop() {
       auto const p = loop(Event<double, 1>(0.05 * k, l * i / 24));
       u.push_back(p[0]), w.push_back(p[1]);
     }
-    plot.dots(u, w, "six of its points after " + book::number(0.05 * k) + " s", {.colour = k + 1, .radius = 4.0 - 0.7 * k});
+    plot.dots(u, w, "six of its points after " + book::number(0.05 * k) + " s",
+              {.colour = k + 1, .radius = 4.0 - 0.7 * k});
   }
   return plot.svg();
 }
@@ -55,12 +60,14 @@ std::string picture_of_swift() {
   return plot.svg();
 }
 
-// ---- 2. What the equations leave of the strings, and of two with a tension that is wrong. The result is what is left of those that run.
+// ---- 2. What the equations leave of the strings, and of two with a tension that is wrong. The result is
+// what is left of those that run.
 double show_equations(book::Program& program) {
   double const l = loop.X.length;
   Tension<Loop> const of_loop{loop, 0}, half{loop, 0, 0.5};
   Tension<Catenary> const of_still{still, gravity}, of_swift{swift, gravity}, of_rest{swift, gravity, 0};
-  double const left[] = {residual(of_loop, 0, l), residual(of_still, -end, end), residual(of_swift, -end, end)};
+  double const left[] = {residual(of_loop, 0, l), residual(of_still, -end, end),
+                         residual(of_swift, -end, end)};
   double const error[] = {apart(of_loop, 0, l), apart(of_still, -end, end), apart(of_swift, -end, end)};
   double const slack = residual(half, 0, l), forgotten = residual(of_rest, -end, end);
   auto const cell = [](double value) { return book::number(value, 2); };
@@ -70,18 +77,24 @@ double show_equations(book::Program& program) {
                  {"chain that runs", cell(left[2]), cell(error[2])},
                  {"loop with half the tension", cell(slack), "–"},
                  {"chain that runs, with the tension of rest", cell(forgotten), "–"}},
-                "What is left of the field equations, over the largest force in them, and the relative error of the tension found at single points. "
+                "What is left of the field equations, over the largest force in them, and the relative error "
+                "of the tension found at single points. "
                 "The last two are controls.");
-  program.claim(std::max({left[0], left[1], left[2]}) < 1e-12, "the field equations and the constraint hold to rounding");
-  program.claim(std::max({error[0], error[1], error[2]}) < 1e-10, "the tension found at single points is the exact one");
-  program.claim(std::min(slack, forgotten) > 0.1, "a wrong tension leaves a force as large as those in balance");
+  program.claim(std::max({left[0], left[1], left[2]}) < 1e-12,
+                "the field equations and the constraint hold to rounding");
+  program.claim(std::max({error[0], error[1], error[2]}) < 1e-10,
+                "the tension found at single points is the exact one");
+  program.claim(std::min(slack, forgotten) > 0.1,
+                "a wrong tension leaves a force as large as those in balance");
   return std::max(left[0], left[2]);
 }
 
-// ---- 3. The largest relative error of the tension found from place and velocity alone: at points s round the loop, or along the chain.
+// ---- 3. The largest relative error of the tension found from place and velocity alone: at points s round
+// the loop, or along the chain.
 double error_round(Points const& s) {
   double worst = 0;
-  for (double const T : tension_from_boundary_values(loop, s, true)) worst = std::max(worst, std::abs(T / (rho * loop.v * loop.v) - 1));
+  for (double const T : tension_from_boundary_values(loop, s, true))
+    worst = std::max(worst, std::abs(T / (rho * loop.v * loop.v) - 1));
   return worst;
 }
 double error_along(Points const& s) {
@@ -104,14 +117,19 @@ void show_boundary_values(book::Program& program) {
   program.figure("round", worst, "relative error of the loop's tension, found from its place and velocity");
   program.figure("order", order, "order at which the chain's tension is found so");
   program.figure("finest", errors.back(), "relative error on the finest grid");
-  program.claim(worst < 1e-10 && std::abs(order - 2) < 0.1, "place and velocity give the tension, to second order in the grid");
+  program.claim(worst < 1e-10 && std::abs(order - 2) < 0.1,
+                "place and velocity give the tension, to second order in the grid");
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a string that cannot stretch: it runs along itself in any shape, and its tension is the multiplier");
+  book::Program program(
+      argc, argv,
+      "a string that cannot stretch: it runs along itself in any shape, and its tension is the multiplier");
   std::string const speed = book::number(loop.v) + " m/s.";
-  program.picture("loop", picture_of_loop(), "A loop of string in free space. It stands still and its points run round it at " + speed);
-  program.picture("chain", picture_of_swift(), "The tension of a chain along a catenary, at rest and running. Its shape is the same.");
+  program.picture("loop", picture_of_loop(),
+                  "A loop of string in free space. It stands still and its points run round it at " + speed);
+  program.picture("chain", picture_of_swift(),
+                  "The tension of a chain along a catenary, at rest and running. Its shape is the same.");
 
   double const left = show_equations(program), pull = rho * loop.v * loop.v;
   program.figure("loop_tension", pull, book::number(pull) + " N", "tension of the loop");

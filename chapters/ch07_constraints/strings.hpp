@@ -1,19 +1,23 @@
-// Strings that cannot stretch and run along themselves: their shapes, their motion phi(t, s) = X(s - vt) and its tension.
+// Strings that cannot stretch and run along themselves: their shapes, their motion phi(t, s) = X(s - vt) and
+// its tension.
 //
-// A shape X is a curve by arc length s, over any scalar. Run along it at the speed v and phi_tt = v^2 X''. The tension rho v^2 then solves
+// A shape X is a curve by arc length s, over any scalar. Run along it at the speed v and phi_tt = v^2 X''.
+// The tension rho v^2 then solves
 //
 //   rho (phi_tt - g) = (T phi_s)_s
 //
-// without gravity, whatever the shape; with gravity the catenary does, and rho g times the height above its directrix is added.
+// without gravity, whatever the shape; with gravity the catenary does, and rho g times the height above its
+// directrix is added.
 #pragma once
 
 #include <cmath>
 #include <type_traits>
 
-#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/jets/jet.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 
-// A closed loop with three lobes, by its direction angle 2 pi s/l + a sin(6 pi s/l): of unit speed by construction, and closed.
+// A closed loop with three lobes, by its direction angle 2 pi s/l + a sin(6 pi s/l): of unit speed by
+// construction, and closed.
 struct Loop {
   double length, a;
   double angle(double s) const { return 2 * M_PI * s / length + a * std::sin(6 * M_PI * s / length); }
@@ -25,7 +29,8 @@ struct Loop {
     actio::Vector<double, 2> sum(0, 0);
     int const pieces = 16;
     for (int p = 0; p < pieces; ++p)
-      for (int i = 0; i < 10; ++i) sum += rule.weights[i] * s / pieces * direction((p + rule.nodes[i]) * s / pieces);
+      for (int i = 0; i < 10; ++i)
+        sum += rule.weights[i] * s / pieces * direction((p + rule.nodes[i]) * s / pieces);
     return sum;
   }
   // The shape over truncated polynomials, from the place and two derivatives.
@@ -34,7 +39,8 @@ struct Loop {
     if constexpr (std::is_same_v<T, double>) {
       return place(s);
     } else {
-      actio::Vector<double, 2> const X = place(s.value), X1 = direction(s.value), X2 = turning(s.value) * actio::Vector<double, 2>(-X1[1], X1[0]);
+      actio::Vector<double, 2> const X = place(s.value), X1 = direction(s.value),
+                                     X2 = turning(s.value) * actio::Vector<double, 2>(-X1[1], X1[0]);
       return {chain(s, X[0], X1[0], X2[0]), chain(s, X[1], X1[1], X2[1])};
     }
   }
@@ -57,9 +63,7 @@ struct Running {
   Shape X;
   double v, rho;  // speed along itself, mass per length
   template <class V>
-  auto operator()(V const& x) const {
-    return X(typename V::Scalar(x[1] - x[0] * v));
-  }
+  auto operator()(V const& x) const { return X(typename V::Scalar(x[1] - x[0] * v)); }
 };
 
 // Its tension: rho v^2, and with gravity rho g times the height above the directrix.

@@ -1,6 +1,8 @@
-// The tension of a string that runs, held to the field equations and found from its motion alone in two ways: at a single point, and along the string.
+// The tension of a string that runs, held to the field equations and found from its motion alone in two ways:
+// at a single point, and along the string.
 //
-// The motion is phi(t, s), s the length; the equations are rho (phi_tt - g) = (T phi_s)_s and |phi_s| = 1, with gravity downwards along the second axis.
+// The motion is phi(t, s), s the length; the equations are rho (phi_tt - g) = (T phi_s)_s and |phi_s| = 1,
+// with gravity downwards along the second axis.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +13,8 @@
 #include "actio/numbers/linear.hpp"
 #include "strings.hpp"
 
-// The largest of what the constrained field equations leave, over the largest force that they balance: rho |phi_tt| and the weight.
+// The largest of what the constrained field equations leave, over the largest force that they balance: rho
+// |phi_tt| and the weight.
 template <class Shape>
 double residual(Tension<Shape> const& tension, double low, double high) {
   actio::HeavyString<double, 2> const string{tension.phi.rho, {0, -tension.g}};
@@ -26,13 +29,15 @@ double residual(Tension<Shape> const& tension, double low, double high) {
   return worst / scale;
 }
 
-// The tension at a point from the field equations alone: rho (phi_tt - g) = T phi_ss + T_s phi_s is two equations for T and T_s.
+// The tension at a point from the field equations alone: rho (phi_tt - g) = T phi_ss + T_s phi_s is two
+// equations for T and T_s.
 template <class Shape>
 double tension_from_equations(Running<Shape> const& phi, double g, actio::Event<double, 1> const& x) {
   auto const j = actio::second_jet(phi, x);
   actio::Matrix<double, 2, 2> both;
   both << j.w[1].col(1), j.v.col(1);
-  return actio::solve_linear(both, actio::Vector<double, 2>(phi.rho * (j.acceleration() + actio::Vector<double, 2>(0, g))))[0];
+  return actio::solve_linear(
+      both, actio::Vector<double, 2>(phi.rho * (j.acceleration() + actio::Vector<double, 2>(0, g))))[0];
 }
 // The largest relative error of the tension that is found so.
 template <class Shape>
@@ -45,10 +50,12 @@ double apart(Tension<Shape> const& tension, double low, double high) {
   return worst;
 }
 
-// The tension from place and velocity: differentiating the constraint twice in time leaves T'' - |phi_ss|^2 T = -rho |phi_st|^2. Second differences
-// on the even grid s, round a loop or between two ends, each a step beyond the grid, where T is known.
+// The tension from place and velocity: differentiating the constraint twice in time leaves T'' - |phi_ss|^2
+// T = -rho |phi_st|^2. Second differences on the even grid s, round a loop or between two ends, each a step
+// beyond the grid, where T is known.
 template <class Shape>
-std::vector<double> tension_from_boundary_values(Running<Shape> const& phi, std::vector<double> const& s, bool closed, double first = 0, double last = 0) {
+std::vector<double> tension_from_boundary_values(Running<Shape> const& phi, std::vector<double> const& s,
+                                                 bool closed, double first = 0, double last = 0) {
   int const count = static_cast<int>(s.size());
   double const h = s[1] - s[0];
   actio::Matrix<double> A = actio::Matrix<double>::Zero(count, count);

@@ -1,7 +1,9 @@
-// The steady flow of Taylor and Green, cells of fluid that turn beside one another: velocity, motion of the particles, and paths and pressure in closed form.
+// The steady flow of Taylor and Green, cells of fluid that turn beside one another: velocity, motion of the
+// particles, and paths and pressure in closed form.
 //
-// The velocity u = (sin y1 cos y2, -cos y1 sin y2) has the stream function sin y1 sin y2, which a particle keeps: k = sin X1 sin X2. Its path is given by
-// Jacobi's elliptic functions of the parameter m = 1 - k^2, with the period 4 K(m), K the complete elliptic integral. The pressure is (cos 2 y1 + cos 2 y2)/4.
+// The velocity u = (sin y1 cos y2, -cos y1 sin y2) has the stream function sin y1 sin y2, which a particle
+// keeps: k = sin X1 sin X2. Its path is given by Jacobi's elliptic functions of the parameter m = 1 - k^2,
+// with the period 4 K(m), K the complete elliptic integral. The pressure is (cos 2 y1 + cos 2 y2)/4.
 #pragma once
 
 #include <gsl/gsl_sf_elljac.h>
@@ -23,7 +25,8 @@ struct Cells {
   }
 };
 
-// The motion of its particles: classical Runge-Kutta steps up to the plain time, and from there what infinitesimals t has by the Taylor polynomial.
+// The motion of its particles: classical Runge-Kutta steps up to the plain time, and from there what
+// infinitesimals t has by the Taylor polynomial.
 struct Motion {
   static constexpr double step = 2e-3;
   template <class V>
@@ -46,7 +49,8 @@ struct Motion {
 };
 inline Place place_of(Place const& X, double t) { return Motion{}(actio::Vector<double, 3>(t, X[0], X[1])); }
 
-// A particle's place by Jacobi's functions: cos y1 = sqrt(m) sn t, cos y2 = -sqrt(m) cd t, for one that starts on cos X1 = 0, cos X2 = -sqrt(m).
+// A particle's place by Jacobi's functions: cos y1 = sqrt(m) sn t, cos y2 = -sqrt(m) cd t, for one that
+// starts on cos X1 = 0, cos X2 = -sqrt(m).
 inline Place by_elliptic_functions(double k, double t) {
   double const m = 1 - k * k;
   double sn, cn, dn;

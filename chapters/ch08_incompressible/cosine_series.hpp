@@ -1,4 +1,5 @@
-// Poisson's equation in a square by cosines: the sum of second derivatives is given in the square from 0 to pi, and the slope at its walls is zero.
+// Poisson's equation in a square by cosines: the sum of second derivatives is given in the square from 0 to
+// pi, and the slope at its walls is zero.
 #pragma once
 
 #include <cmath>
@@ -18,7 +19,8 @@ struct CosineSeries {
   }
 };
 
-// The solution of mean zero for a source, `source(y1, y2)`: its coefficients are sums over nodes in the middle of even intervals.
+// The solution of mean zero for a source, `source(y1, y2)`: its coefficients are sums over nodes in the
+// middle of even intervals.
 template <class Source>
 CosineSeries solve_poisson(Source const& source) {
   CosineSeries p;
@@ -29,7 +31,8 @@ CosineSeries solve_poisson(Source const& source) {
       double const here = source(node(i), node(k));
       for (int a = 0; a < modes; ++a)
         for (int b = a == 0; b < modes; ++b)
-          p.c[a][b] -= here * std::cos(a * node(i)) * std::cos(b * node(k)) * (a ? 2 : 1) * (b ? 2 : 1) / (count * count) / (a * a + b * b);
+          p.c[a][b] -= here * std::cos(a * node(i)) * std::cos(b * node(k)) * (a ? 2 : 1) * (b ? 2 : 1) /
+                       (count * count) / (a * a + b * b);
     }
   return p;
 }

@@ -1,14 +1,16 @@
 // Gerstner's wave: an exact motion of heavy water with a free surface, and its pressure as the multiplier.
 //
-// What is shown. Every particle goes round a circle, the smaller the deeper, and the surface is a trochoid. Labels are chosen for this simple form and not
-// for their volume: the water's volume per label is 1 - e^(2kb), and that is what the metric of the body says. With it J = 1, exactly and at all times. The multiplier
-// that the field equations then ask for depends on b alone; so a line of particles that begins as a surface of equal pressure is one for ever, and any of them may be the free surface.
+// What is shown. Every particle goes round a circle, the smaller the deeper, and the surface is a trochoid.
+// Labels are chosen for this simple form and not for their volume: the water's volume per label is
+// 1 - e^(2kb), and that is what the metric of the body says. With it J = 1, exactly and at all times. The
+// multiplier that the field equations then ask for depends on b alone; so a line of particles that begins as
+// a surface of equal pressure is one for ever, and any of them may be the free surface.
 //
 //   (a, b)  labels of a particle, b <= b0 < 0      k  wave number, c = sqrt(gravity/k) speed of the wave
 //   phi = (a + r sin s, b - r cos s) with r = e^(kb)/k and s = k(a + ct)
-#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "actio/jets/field_equations.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 
@@ -58,17 +60,21 @@ struct Pressure {
   }
 };
 
-// dP/da and dP/db from the material equation of the motion alone: the force of the density without a multiplier, through F.
+// dP/da and dP/db from the material equation of the motion alone: the force of the density without a
+// multiplier, through F.
 Vector<double, 2> required_slope(Vector<double, 3> const& x) {
   auto const j = second_jet(Wave{}, x);
   water.constraint.examine(static_cast<Jet<double, 2, 2> const&>(j));
   Vector<double, 2> const force = -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
-  return -(j.gradient().transpose() * force) / water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
+  return -(j.gradient().transpose() * force) /
+         water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
 }
 double pressure_by_multiplier(double surface, double t, double a, double b) {
   static auto const rule = gauss_quadrature<double>(16);
   double sum = 0;
-  for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * (b - surface) * required_slope({t, a, surface + rule.nodes[i] * (b - surface)})[1];
+  for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+    sum +=
+        rule.weights[i] * (b - surface) * required_slope({t, a, surface + rule.nodes[i] * (b - surface)})[1];
   return sum;
 }
 
@@ -87,13 +93,18 @@ void draw_wave(book::Program& program) {
       }
       orbit_x.push_back(NAN), orbit_y.push_back(NAN);
     }
-    plot.curve(x, y, b == -0.1 ? "lines of equal pressure, the uppermost free" : "", {.colour = 1}).curve(orbit_x, orbit_y, b == -0.1 ? "paths of particles" : "", {.colour = 6, .width = 1});
+    plot.curve(x, y, b == -0.1 ? "lines of equal pressure, the uppermost free" : "", {.colour = 1})
+        .curve(orbit_x, orbit_y, b == -0.1 ? "paths of particles" : "", {.colour = 6, .width = 1});
   }
-  program.picture("wave", plot.svg(), "Gerstner's wave: every line of particles is a trochoid on which the pressure is the same, every path is a circle.");
+  program.picture("wave", plot.svg(),
+                  "Gerstner's wave: every line of particles is a trochoid on which the pressure is the same, "
+                  "every path is a circle.");
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "Gerstner's wave: an exact motion with a free surface, its pressure as the multiplier of the constraint");
+  book::Program program(argc, argv,
+                        "Gerstner's wave: an exact motion with a free surface, its pressure as the "
+                        "multiplier of the constraint");
   draw_wave(program);
 
   // The field equations of the extended bundle, and the pressure that the motion alone asks for.
@@ -106,15 +117,20 @@ int main(int argc, char** argv) {
     for (double const t : {0.0, 0.7, 1.9})
       for (double const a : {-1.0, 0.3, 2.0}) {
         Vector<double, 3> const x(t, a, b);
-        Vector<double, 3> const E = euler_lagrange(water, second_jet(with_pressure(Wave{}, Pressure{surface}, Labels{}), x));
-        field = std::max(field, E.head<2>().cwiseAbs().maxCoeff()), constraint = std::max(constraint, std::abs(E[2]));
+        Vector<double, 3> const E =
+            euler_lagrange(water, second_jet(with_pressure(Wave{}, Pressure{surface}, Labels{}), x));
+        field = std::max(field, E.head<2>().cwiseAbs().maxCoeff()),
+        constraint = std::max(constraint, std::abs(E[2]));
         along_surface = std::max(along_surface, std::abs(required_slope({t, a, surface})[0]));
         worst = std::max(worst, std::abs(pressure_by_multiplier(surface, t, a, b) - Pressure{surface}(x)));
       }
     pressure_error = std::max(pressure_error, worst);
-    rows.push_back({book::number(b), book::number(std::exp(k * b) / k), book::number(Pressure{surface}(Vector<double, 3>(0, 0, b)), 8), book::number(worst, 2)});
+    rows.push_back({book::number(b), book::number(std::exp(k * b) / k),
+                    book::number(Pressure{surface}(Vector<double, 3>(0, 0, b)), 8), book::number(worst, 2)});
   }
-  program.table("pressure", {"b", "radius of the paths", "pressure", "largest error by the multiplier"}, rows, "Pressure under the surface b = -0.1, in units of the density times gravity over the wave number.");
+  program.table(
+      "pressure", {"b", "radius of the paths", "pressure", "largest error by the multiplier"}, rows,
+      "Pressure under the surface b = -0.1, in units of the density times gravity over the wave number.");
   program.figure("field", field, "largest force that is left over in the field equations");
   program.figure("constraint", constraint, "largest deviation of J from 1");
   program.figure("along_surface", along_surface, "largest slope of the pressure along the free surface");

@@ -1,14 +1,17 @@
-// Cells of fluid that turn beside one another: where the particles go, what becomes of a patch of dye, and the pressure that keeps its area, got in two ways.
+// Cells of fluid that turn beside one another: where the particles go, what becomes of a patch of dye, and
+// the pressure that keeps its area, got in two ways.
 //
-// What is shown. In the steady flow of Taylor and Green a particle goes round its cell in a time that an elliptic integral gives. The motion alone tells the
-// pressure: on the body as the multiplier of the constraint J = 1, from the material equation (8.9), integrated from particle to particle; in space from the
-// velocity, by the equation of the pressure (8.14) with its slope at the walls. The two meet where the particles are. Read first. cells.hpp has the flow.
+// What is shown. In the steady flow of Taylor and Green a particle goes round its cell in a time that an
+// elliptic integral gives. The motion alone tells the pressure: on the body as the multiplier of the
+// constraint J = 1, from the material equation (8.9), integrated from particle to particle; in space from the
+// velocity, by the equation of the pressure (8.14) with its slope at the walls. The two meet where the
+// particles are. Read first. cells.hpp has the flow.
 //
 //   X  particle, its place at t = 0     y  place              P  pressure on the body
 //   phi(t, X)  place of a particle      u  velocity in space  p  pressure in space
-#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/incompressible/ideal_fluid.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 #include "book/plot.hpp"
 #include "book/program.hpp"
 #include "cells.hpp"
@@ -17,7 +20,8 @@
 using namespace actio;
 using std::numbers::pi;
 
-// ---- 1. Particles on their paths, and the lines of equal pressure. The result is the largest distance of a particle from its place by elliptic functions.
+// ---- 1. Particles on their paths, and the lines of equal pressure. The result is the largest distance of a
+// particle from its place by elliptic functions.
 double draw_paths(book::Plot& plot) {
   double worst = 0;
   for (double const k : {0.05, 0.3, 0.6, 0.85}) {
@@ -44,7 +48,8 @@ void draw_isobars(book::Plot& plot) {
     std::vector<double> x, y;
     for (int branch = 0; branch < 2; ++branch) {
       for (int i = 0; i <= 400; ++i) {
-        double const at = pi * i / 400, rest = c - std::cos(2 * at), half = std::acos(std::clamp(rest, -1.0, 1.0)) / 2;
+        double const at = pi * i / 400, rest = c - std::cos(2 * at),
+                     half = std::acos(std::clamp(rest, -1.0, 1.0)) / 2;
         x.push_back(at), y.push_back(std::abs(rest) > 1.016 ? NAN : branch ? pi - half : half);
       }
       x.push_back(NAN), y.push_back(NAN);
@@ -57,7 +62,8 @@ void show_paths(book::Program& program) {
   double const worst = draw_paths(plot);
   draw_isobars(plot);
   program.picture("paths", plot.svg(),
-                  "One cell: particles on their paths, and the lines of equal pressure, which is highest in the corners and lowest in the middle.");
+                  "One cell: particles on their paths, and the lines of equal pressure, which is highest in "
+                  "the corners and lowest in the middle.");
   program.figure("path_error", worst, "largest distance of a particle from its place by elliptic functions");
   program.claim(worst < 1e-10, "particles are where elliptic functions have them");
 }
@@ -79,15 +85,19 @@ void show_dye(book::Program& program) {
     }
     plot.curve(x, y, "t = " + book::number(t));
   }
-  program.picture("dye", plot.svg(), "The edge of a patch of dye at four times: the constraint keeps its area, and nothing keeps its shape.");
+  program.picture("dye", plot.svg(),
+                  "The edge of a patch of dye at four times: the constraint keeps its area, and nothing "
+                  "keeps its shape.");
   program.figure("volume", worst, "largest deviation of J from 1 around the patch");
   program.claim(worst < 1e-9, "the motion keeps areas");
 }
 
-// ---- 3. The pressure of a particle less that of another: the multiplier's derivatives along the straight line between them on the body.
+// ---- 3. The pressure of a particle less that of another: the multiplier's derivatives along the straight
+// line between them on the body.
 double multiplier_between(Place const& from, Place const& to, double t) {
   static auto const rule = gauss_quadrature<double>(24);
-  auto const fluid = incompressible(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{}, NoStoredEnergy{}});
+  auto const fluid =
+      incompressible(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{}, NoStoredEnergy{}});
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
     Place const X = from + rule.nodes[i] * (to - from);
@@ -96,9 +106,12 @@ double multiplier_between(Place const& from, Place const& to, double t) {
   }
   return sum;
 }
-// The same in space: (8.14) in one cell, with no slope at the walls as the fluid asks there. And both beside the closed form.
+// The same in space: (8.14) in one cell, with no slope at the walls as the fluid asks there. And both beside
+// the closed form.
 void compare_pressures(book::Program& program) {
-  auto const p = solve_poisson([](double y1, double y2) { return pressure_source(Euclidean<2>{}, Cells{}, Vector<double, 3>(0, y1, y2)); });
+  auto const p = solve_poisson([](double y1, double y2) {
+    return pressure_source(Euclidean<2>{}, Cells{}, Vector<double, 3>(0, y1, y2));
+  });
   Place const first(0.7, 1.2);
   std::vector<book::Program::Row> rows;
   double by_multiplier = 0, by_poisson = 0;
@@ -107,20 +120,28 @@ void compare_pressures(book::Program& program) {
       Place const here = place_of(first, t), there = place_of(X, t);
       double const exact = pressure_at(there) - pressure_at(here);
       double const multiplier = multiplier_between(first, X, t) - exact, poisson = p(there) - p(here) - exact;
-      by_multiplier = std::max(by_multiplier, std::abs(multiplier)), by_poisson = std::max(by_poisson, std::abs(poisson));
+      by_multiplier = std::max(by_multiplier, std::abs(multiplier)),
+      by_poisson = std::max(by_poisson, std::abs(poisson));
       std::string const particle = "(" + book::number(X[0]) + ", " + book::number(X[1]) + ")";
-      rows.push_back({book::number(t), particle, book::number(exact, 8), book::number(multiplier, 2), book::number(poisson, 2)});
+      rows.push_back({book::number(t), particle, book::number(exact, 8), book::number(multiplier, 2),
+                      book::number(poisson, 2)});
     }
-  program.table("pressures", {"t", "particle", "pressure", "error by the multiplier", "error by (8.14)"}, rows,
-                "Pressure of a particle less that of the particle (0.7, 1.2): on the body by the multiplier, in space by the equation of the pressure.");
+  program.table("pressures", {"t", "particle", "pressure", "error by the multiplier", "error by (8.14)"},
+                rows,
+                "Pressure of a particle less that of the particle (0.7, 1.2): on the body by the multiplier, "
+                "in space by the equation of the pressure.");
   program.figure("by_multiplier", by_multiplier, "largest error of the pressure by the multiplier");
   program.figure("by_poisson", by_poisson, "largest error of the pressure by (8.14)");
   program.claim(by_multiplier < 1e-7 && by_poisson < 1e-12, "the two pressures agree with the closed form");
-  program.headline("pressure by multiplier and by Poisson's equation agree to " + book::number(by_multiplier, 2), by_multiplier);
+  program.headline(
+      "pressure by multiplier and by Poisson's equation agree to " + book::number(by_multiplier, 2),
+      by_multiplier);
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "cells of fluid: paths by elliptic functions, a patch of dye, and the pressure by two roads");
+  book::Program program(
+      argc, argv,
+      "cells of fluid: paths by elliptic functions, a patch of dye, and the pressure by two roads");
   show_paths(program);
   show_dye(program);
   compare_pressures(program);

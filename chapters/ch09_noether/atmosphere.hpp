@@ -1,7 +1,9 @@
-// An atmosphere that turns about a sphere as a whole, labelled by mass or by place, and the fields of labels and of space that are tried on it.
+// An atmosphere that turns about a sphere as a whole, labelled by mass or by place, and the fields of labels
+// and of space that are tried on it.
 //
-// The gas has the pressure P = K rho/J^2 of a polytropic gas of exponent 2 and turns with the angular velocity Omega. The pressure holds it at its latitudes:
-// the density is 1 + s (1/3 - z^2), z the sine of the latitude and s = Omega^2/(4K) (radius 1). Coordinates are z and the longitude l, of sphere and body.
+// The gas has the pressure P = K rho/J^2 of a polytropic gas of exponent 2 and turns with the angular
+// velocity Omega. The pressure holds it at its latitudes: the density is 1 + s (1/3 - z^2), z the sine of the
+// latitude and s = Omega^2/(4K) (radius 1). Coordinates are z and the longitude l, of sphere and body.
 #pragma once
 
 #include <array>
@@ -42,7 +44,8 @@ struct PlacedEnergy {
   double K;
   Density density;
   template <class G, class g, class T>
-  T operator()(actio::Matrix<T, 2, 1> const& x, G const& body, g const& space, actio::Matrix<T, 2, 2> const& F) const {
+  T operator()(actio::Matrix<T, 2, 1> const& x, G const& body, g const& space,
+               actio::Matrix<T, 2, 2> const& F) const {
     return density(x) * K / actio::jacobian(body, space, F);
   }
 };
@@ -60,7 +63,8 @@ struct Atmosphere {
   double Omega, K;
   double s() const { return Omega * Omega / (4 * K); }
   auto by_mass() const {
-    return actio::Continuum{LaidOut{{s()}}, Sphere{}, actio::Homogeneous<double>{1}, actio::Barotropic{actio::WholePolytropic<double, 1>{K}}};
+    return actio::Continuum{LaidOut{{s()}}, Sphere{}, actio::Homogeneous<double>{1},
+                            actio::Barotropic{actio::WholePolytropic<double, 1>{K}}};
   }
   auto by_place() const { return actio::Continuum{Sphere{}, Sphere{}, Density{s()}, PlacedEnergy{K, {s()}}}; }
 };
@@ -73,14 +77,17 @@ inline double place_of_mass(double Z, double s) {
 
 // Places on the unit sphere, and the circle that has this mass south of it.
 using Path = std::vector<std::array<double, 3>>;
-inline std::array<double, 3> on_sphere(double z, double l) { return {std::sqrt(1 - z * z) * std::cos(l), std::sqrt(1 - z * z) * std::sin(l), z}; }
+inline std::array<double, 3> on_sphere(double z, double l) {
+  return {std::sqrt(1 - z * z) * std::cos(l), std::sqrt(1 - z * z) * std::sin(l), z};
+}
 inline Path circle_of_mass(double Z, double s) {
   Path circle;
   for (int i = 0; i <= 120; ++i) circle.push_back(on_sphere(place_of_mass(Z, s), i * std::numbers::pi / 60));
   return circle;
 }
 
-// A loop of particles that goes along a latitude in three waves, and its circulation in an atmosphere that turns.
+// A loop of particles that goes along a latitude in three waves, and its circulation in an atmosphere that
+// turns.
 struct WavyLatitude {
   double z0, wave;
   template <class T>
@@ -88,7 +95,9 @@ struct WavyLatitude {
     using std::sin;
     return {z0 + wave * sin(3 * a), a};
   }
-  double circulation(double Omega) const { return 2 * std::numbers::pi * Omega * (1 - z0 * z0 - wave * wave / 2); }
+  double circulation(double Omega) const {
+    return 2 * std::numbers::pi * Omega * (1 - z0 * z0 - wave * wave / 2);
+  }
 };
 
 // A stream function that is smooth on the sphere; `zonal` leaves only what depends on the latitude.
@@ -103,7 +112,8 @@ struct Stream {
     return actio::Matrix<T, 1, 1>(value);
   }
 };
-// Rotation of the sphere about its axis (0) or about the horizontal axis at l = 0 (1); 2: both components kept where one must change, which is no rotation.
+// Rotation of the sphere about its axis (0) or about the horizontal axis at l = 0 (1); 2: both components
+// kept where one must change, which is no rotation.
 struct Spin {
   int kind;
   template <class V>

@@ -1,19 +1,21 @@
-// A round cloud of gas that spreads into empty space, x = A(t) X with |X| <= 1, and the energy of its body cell by cell.
+// A round cloud of gas that spreads into empty space, x = A(t) X with |X| <= 1, and the energy of its body
+// cell by cell.
 //
-// The cloud has the mass 1 - |X|^2 and the pressure (rho/J)^2, and moves exactly when A'' = 4 (det A)^-1 A^-T, an ordinary differential equation for A. Its
-// body is described by polar coordinates r, theta, whose metric is not constant. A cell is a box of these: it has energy in it, the rate of that, and what
-// flows out through its faces.
+// The cloud has the mass 1 - |X|^2 and the pressure (rho/J)^2, and moves exactly when A'' = 4 (det A)^-1
+// A^-T, an ordinary differential equation for A. Its body is described by polar coordinates r, theta, whose
+// metric is not constant. A cell is a box of these: it has energy in it, the rate of that, and what flows out
+// through its faces.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "witness/reference_solution.hpp"
-#include "actio/jets/action.hpp"
 #include "actio/continuum/continuum.hpp"
+#include "actio/jets/action.hpp"
 #include "actio/noether/current_divergence.hpp"
 #include "actio/noether/time_translation.hpp"
+#include "witness/reference_solution.hpp"
 
 struct Polar {
   template <class V>
@@ -30,13 +32,16 @@ struct Mass {
 // Energy rho(x)/J per mass: the pressure is (rho/J)^2.
 struct Energy {
   template <class G, class g, class T>
-  T operator()(actio::Matrix<T, 2, 1> const& x, G const& body, g const& space, actio::Matrix<T, 2, 2> const& F) const {
+  T operator()(actio::Matrix<T, 2, 1> const& x, G const& body, g const& space,
+               actio::Matrix<T, 2, 2> const& F) const {
     return Mass{}(x) / actio::jacobian(body, space, F);
   }
 };
 using Gas = actio::Continuum<Polar, actio::Euclidean<2>, Mass, Energy>;
 
-inline actio::Matrix<double, 2, 2> acceleration(actio::Matrix<double, 2, 2> const& A) { return actio::inverse_matrix(A).transpose() * (4 / actio::determinant(A)); }
+inline actio::Matrix<double, 2, 2> acceleration(actio::Matrix<double, 2, 2> const& A) {
+  return actio::inverse_matrix(A).transpose() * (4 / actio::determinant(A));
+}
 
 // The motion to second order about a time: all that second jets see. A, its rate V, and the rate of that, B.
 struct Cloud {
@@ -78,7 +83,9 @@ struct Cell {
 };
 inline double energy_in(Gas const& gas, Cloud const& phi, Cell const& cell) {
   using Event = actio::Event<double, 2>;
-  auto const density = [&](Corner const& x) { return actio::energy_density(gas, actio::first_jet(phi, Event(phi.t, x[0], x[1]))); };
+  auto const density = [&](Corner const& x) {
+    return actio::energy_density(gas, actio::first_jet(phi, Event(phi.t, x[0], x[1])));
+  };
   return actio::integral(density, cell.low, cell.high, 23);
 }
 // Its rate: the derivative of the energy density along the motion.
@@ -96,7 +103,8 @@ inline double outflow(Gas const& gas, Cloud const& phi, Cell const& cell) {
   for (int k = 0; k < 2; ++k)
     for (bool upper : {false, true}) {
       double const at = (upper ? cell.high : cell.low)[k];
-      if (k == 0 && (at == 0 || at == 1)) continue;  // the face at the centre has no length, and at the rim there is no gas
+      if (k == 0 && (at == 0 || at == 1))
+        continue;  // the face at the centre has no length, and at the rim there is no gas
       auto const q = [&](Point const& along_face) {
         actio::Event<double, 2> x(phi.t, along_face[0], along_face[0]);
         x[1 + k] = at;
@@ -111,6 +119,9 @@ inline double outflow(Gas const& gas, Cloud const& phi, Cell const& cell) {
 constexpr int rings = 6, sectors = 24;
 inline Cell cell_of(int ring, int sector) {
   using std::numbers::pi;
-  return {{double(ring) / rings, 2 * pi * sector / sectors}, {double(ring + 1) / rings, 2 * pi * (sector + 1) / sectors}};
+  return {{double(ring) / rings, 2 * pi * sector / sectors},
+          {double(ring + 1) / rings, 2 * pi * (sector + 1) / sectors}};
 }
-inline Cell whole_ring(int ring) { return {cell_of(ring, 0).low, {cell_of(ring, 0).high[0], 2 * std::numbers::pi}}; }
+inline Cell whole_ring(int ring) {
+  return {cell_of(ring, 0).low, {cell_of(ring, 0).high[0], 2 * std::numbers::pi}};
+}

@@ -1,10 +1,13 @@
-// An atmosphere that turns about a sphere as a whole: an exact motion of a barotropic gas, and the currents of its symmetries.
+// An atmosphere that turns about a sphere as a whole: an exact motion of a barotropic gas, and the currents
+// of its symmetries.
 //
-// What is shown. Labels are chosen so that the mass of the body is its area. Then every stream function has a closed current, every loop of particles keeps its
-// circulation, and each rotation of the sphere has a current of angular momentum; with labels by place only the relabellings along latitudes are left.
-// Read first. atmosphere.hpp, the gas and its motion.
+// What is shown. Labels are chosen so that the mass of the body is its area. Then every stream function has a
+// closed current, every loop of particles keeps its circulation, and each rotation of the sphere has a
+// current of angular momentum; with labels by place only the relabellings along latitudes are left. Read
+// first. atmosphere.hpp, the gas and its motion.
 //
-//   z, l   sine of the latitude, longitude      M   speed at the equator over that of sound at rest, M^2 = Omega^2/(2K) = 2 s
+//   z, l sine of the latitude, longitude M speed at the equator over that of sound at rest,
+//   M^2 = Omega^2/(2K) = 2 s
 //   Z      label by mass, of which (1 + Z)/2 lies south of z
 #include <random>
 
@@ -30,7 +33,8 @@ double largest(F const& f) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> z(-0.95, 0.95), l(0, 2 * pi), t(0, 10);
   double most = 0;
-  for (int i = 0; i < 400; ++i) most = std::max(most, std::abs(f(second_jet(phi, Event<double, 2>(t(random), z(random), l(random))))));
+  for (int i = 0; i < 400; ++i)
+    most = std::max(most, std::abs(f(second_jet(phi, Event<double, 2>(t(random), z(random), l(random))))));
   return most;
 }
 
@@ -43,8 +47,9 @@ double remainder_of(Medium const& gas) {
 // ---- 2. The currents: the largest divergence of one over the largest of what its parts are.
 template <class Medium, class Xi>
 double leak(Medium const& gas, Xi const& xi) {
-  return largest([&](auto const& j) { return current_divergence(gas, xi, j); }) /
-         largest([&](auto const& j) { return noether_current(gas, xi, static_cast<Jet<double, 2, 2> const&>(j)).norm(); });
+  return largest([&](auto const& j) { return current_divergence(gas, xi, j); }) / largest([&](auto const& j) {
+           return noether_current(gas, xi, static_cast<Jet<double, 2, 2> const&>(j)).norm();
+         });
 }
 template <class Medium>
 double leak_of_stream(Medium const& gas, bool zonal) {
@@ -53,8 +58,10 @@ double leak_of_stream(Medium const& gas, bool zonal) {
 double leak_of_spin(int kind) { return leak(air.by_mass(), motion_of_space<2>(Spin{kind})); }
 // The result is the largest of those that should be none, and the smallest of those that should not.
 std::pair<double, double> show_currents(book::Program& program) {
-  double const all = leak_of_stream(air.by_mass(), false), zonal = leak_of_stream(air.by_place(), true), broken = leak_of_stream(air.by_place(), false);
-  double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2), closed = std::max({all, zonal, axis, across});
+  double const all = leak_of_stream(air.by_mass(), false), zonal = leak_of_stream(air.by_place(), true),
+               broken = leak_of_stream(air.by_place(), false);
+  double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2),
+               closed = std::max({all, zonal, axis, across});
   program.table("currents", {"field", "labels", "divergence over current"},
                 {{"any stream function", "by mass", number(all)},
                  {"stream function of the latitude", "by place", number(zonal)},
@@ -86,8 +93,9 @@ void show_circulation(book::Program& program) {
   add("30 degrees", 0.5, 0);
   add("60 degrees", std::sqrt(0.75), 0);
   add("wave about 30 degrees", 0.5, 0.2);
-  program.table("circulation", {"loop of particles", "at t = 0", "at t = 7", "closed form"}, rows,
-                "Circulation along loops of particles: by the trapezoidal rule with 64 points, and in closed form.");
+  program.table(
+      "circulation", {"loop of particles", "at t = 0", "at t = 7", "closed form"}, rows,
+      "Circulation along loops of particles: by the trapezoidal rule with 64 points, and in closed form.");
   program.figure("circulation_error", worst, "largest relative error of a circulation");
   program.claim(worst < 1e-13, "circulations are constant and have their closed forms");
 }
@@ -99,7 +107,8 @@ std::string profile() {
   auto plot = book::Plot("latitude, degrees", "density over its mean");
   for (double const M : {0.0, 0.8, 1.2, 1.6}) {
     std::vector<double> density;
-    for (double const d : latitude) density.push_back(Density{M * M / 2}(Vector<double, 2>(std::sin(d * pi / 180), 0)));
+    for (double const d : latitude)
+      density.push_back(Density{M * M / 2}(Vector<double, 2>(std::sin(d * pi / 180), 0)));
     plot.curve(latitude, density, "M = " + number(M));
   }
   return plot.svg();
@@ -108,25 +117,36 @@ std::string sphere() {
   auto sphere = book::Sphere(20, 24).axes({"", "", "N"});
   for (double const M : {0.0, 1.6})
     for (double const Z : {-std::sqrt(0.75), -0.5, 0.5, std::sqrt(0.75)}) {
-      std::string const name = M == 0 ? "a quarter and 7 % of the mass towards the pole, at rest" : "the same, M = 1.6";
-      sphere.curve(circle_of_mass(Z, M * M / 2), Z > 0.6 ? name : "", {.colour = M == 0 ? 6 : 2, .width = 1.6, .dashed = M == 0});
+      std::string const name =
+          M == 0 ? "a quarter and 7 % of the mass towards the pole, at rest" : "the same, M = 1.6";
+      sphere.curve(circle_of_mass(Z, M * M / 2), Z > 0.6 ? name : "",
+                   {.colour = M == 0 ? 6 : 2, .width = 1.6, .dashed = M == 0});
     }
   for (double const turned : {0.0, 1.2}) {
     Path loop;
-    for (int i = 0; i < 60; ++i) loop.push_back(on_sphere(0.05 + 0.22 * std::sin(i * pi / 30), -0.6 + turned + 0.35 * std::cos(i * pi / 30)));
-    sphere.dots(loop, turned == 0 ? "a loop of particles" : "the same loop later", {.colour = turned == 0 ? 1 : 3, .radius = 2});
+    for (int i = 0; i < 60; ++i)
+      loop.push_back(
+          on_sphere(0.05 + 0.22 * std::sin(i * pi / 30), -0.6 + turned + 0.35 * std::cos(i * pi / 30)));
+    sphere.dots(loop, turned == 0 ? "a loop of particles" : "the same loop later",
+                {.colour = turned == 0 ? 1 : 3, .radius = 2});
   }
   return sphere.svg();
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "an atmosphere that turns about a sphere: an exact motion, and the currents of its symmetries");
+  book::Program program(
+      argc, argv,
+      "an atmosphere that turns about a sphere: an exact motion, and the currents of its symmetries");
   double const field = std::max(remainder_of(air.by_mass()), remainder_of(air.by_place()));
   program.figure("field_equations", field, "largest remainder of the field equations at 400 points");
   auto const [closed, open] = show_currents(program);
   show_circulation(program);
-  program.picture("profile", profile(), "Density by latitude of an atmosphere that turns as a whole, M times as fast at the equator as sound in the gas at rest.");
-  program.picture("sphere", sphere(), "Circles that hold the same mass at rest and at M = 1.6, and a loop of particles that is carried along.");
+  program.picture("profile", profile(),
+                  "Density by latitude of an atmosphere that turns as a whole, M times as fast at the "
+                  "equator as sound in the gas at rest.");
+  program.picture("sphere", sphere(),
+                  "Circles that hold the same mass at rest and at M = 1.6, and a loop of particles that is "
+                  "carried along.");
   program.claim(field < 1e-11, "the motion is exact");
   program.claim(closed < 1e-11, "the currents of the symmetries are closed");
   program.claim(open > 1e-3, "and those of fields that are no symmetries are not");

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # mutate.sh BUILD JOBS [N...]: do the checks notice an error in the library?
 #
-# Each line of proofs_checks/mutate/mutations.tsv (or those with the numbers N) is planted alone in a copy of the sources; the
-# executables that are expected to catch it are rebuilt there and run, checks over the prime field and in double. A line has five
-# columns, separated by tabs; lines that begin with # are remarks:
+# Each line of proofs_checks/mutate/mutations.tsv (or those with the numbers N) is planted alone in a copy of
+# the sources; the executables that are expected to catch it are rebuilt there and run, checks over the prime
+# field and in double. A line has five columns, separated by tabs; lines that begin with # are remarks:
 #
 #   file          path from the top of the tree
 #   from          text that occurs there exactly once, within one line
 #   to            what takes its place: another sign, side or index; it must compile
-#   executables   one or several, separated by commas: checks_ch03_2 (the checks of proofs_checks/ch03_2.cpp), test_reduction (unit
+#   executables   one or several, separated by commas: checks_ch03_2 (the checks of proofs_checks/ch03_2.cpp),
+#                 test_reduction (unit
 #                 tests). They are tried in this order until one fails.
 #   description   what is wrong now, in words
 #

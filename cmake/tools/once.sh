@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # once.sh STAMP [--keep FILE] INPUT... -- COMMAND...
 #
-# Runs COMMAND and notes in STAMP what it was run on. With ACTIO_ONCE=1 a command whose line and inputs are the same as when it
-# last succeeded is not run again. --keep leaves the standard output in FILE as well.
+# Runs COMMAND and notes in STAMP what it was run on. With ACTIO_ONCE=1 a command whose line and inputs are
+# the same as when it last succeeded is not run again. --keep leaves the standard output in FILE as well.
 set -euo pipefail
 
 stamp=$1
@@ -19,7 +19,8 @@ while [[ $1 != -- ]]; do
 done
 shift
 
-# What the command sees: its own words, and the files it was said to read. A folder that is not there holds none.
+# What the command sees: its own words, and the files it was said to read. A folder that is not there holds
+# none.
 hash_inputs() { { find "${inputs[@]}" -type f -print0 2>/dev/null || true; } | LC_ALL=C sort -z | xargs -0 -r sha256sum; }
 key=$( (printf '%s\n' "$@" && hash_inputs) | sha256sum)
 if [[ ${ACTIO_ONCE:-} == 1 && -f $stamp && $(<"$stamp") == "$key" ]]; then

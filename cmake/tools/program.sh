@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# program.sh BUILD NAME: runs a chapter program; its words go to NAME.txt beside its report, where the book finds them.
+# program.sh BUILD NAME: runs a chapter program; its words go to NAME.txt beside its report, where the book
+# finds them.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 name=$2

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# scenes.sh BUILD: runs every scene of data/scenes with the built command, for the book: BUILD/report/scenes/NAME holds what the run left, NAME.txt what it said,
-# and systems.json and keys.json what the command knows of its systems and of their keys. Then every program of data/scenes in Python, where the module is built: BUILD/report/python/NAME.txt.
+# scenes.sh BUILD: runs every scene of data/scenes with the built command, for the book:
+# BUILD/report/scenes/NAME holds what the run left, NAME.txt what it said, and systems.json and keys.json what
+# the command knows of its systems and of their keys. Then every program of data/scenes in Python, where the
+# module is built: BUILD/report/python/NAME.txt.
 set -euo pipefail
 build=$(cd "$1" && pwd)
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -15,8 +17,8 @@ ran=0 current=0 failed=()
 cd "$root"
 for scene in data/scenes/*.toml; do
   name=$(basename "$scene" .toml)
-  # From the folder of the reports, so that what a run says of its own folder is a name and no path of this machine.
-  # shellcheck disable=SC2016
+  # From the folder of the reports, so that what a run says of its own folder is a name and no path of this
+  # machine. shellcheck disable=SC2016
   if bash cmake/tools/once.sh "$reports/$name.stamp" --keep "$reports/$name.txt" "$scene" "$build/bin/actio" -- \
     bash -c 'cd "$1" && exec "$2" run "$3" --out "$4" --force --plots' scene "$reports" "$build/bin/actio" "$root/$scene" "$name" >"$reports/$name.log" 2>&1; then
     if grep -q '^current:' "$reports/$name.log"; then current=$((current + 1)); else ran=$((ran + 1)); fi

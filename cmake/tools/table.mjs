@@ -1,4 +1,5 @@
-// node table.mjs BUILD [WIDTH]: the table of the chapter programs and the counts of the ledger, from the reports in BUILD/report.
+// node table.mjs BUILD [WIDTH]: the table of the chapter programs and the counts of the ledger, from the
+// reports in BUILD/report.
 import fs from 'node:fs';
 import path from 'node:path';
 

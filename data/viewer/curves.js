@@ -1,4 +1,5 @@
-// Curves over time: a panel for each quantity, all with the same times. A drag looks closer, a click goes there.
+// Curves over time: a panel for each quantity, all with the same times. A drag looks closer, a click goes
+// there.
 
 const raised = (n) => String(n).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"["0123456789".indexOf(c)] || "⁻");
 /** A number for a reader: 0.25, −3, 4.2·10⁻⁸. */

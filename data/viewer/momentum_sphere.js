@@ -1,4 +1,5 @@
-// The angular momentum as the body sees it: it moves on a sphere, along the curve where the sphere meets the ellipsoid of energy.
+// The angular momentum as the body sees it: it moves on a sphere, along the curve where the sphere meets the
+// ellipsoid of energy.
 
 class MomentumView {
   constructor(canvas, motion, changed) {

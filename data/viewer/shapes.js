@@ -1,5 +1,6 @@
-// What a body looks like: its own parts where the catalogue knows them, otherwise a box or an ellipsoid with the same principal moments.
-// A shape is a list of faces in the frame of the scene, each with points, outward normal and colour; sizes are in the unit of the scene.
+// What a body looks like: its own parts where the catalogue knows them, otherwise a box or an ellipsoid with
+// the same principal moments. A shape is a list of faces in the frame of the scene, each with points, outward
+// normal and colour; sizes are in the unit of the scene.
 
 /** Squared radii of gyration along the principal axes: (I2 + I3 - I1) / 2 and so on, per unit of mass. */
 function spreads(body) {

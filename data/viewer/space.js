@@ -1,4 +1,5 @@
-// The body as it turns, seen from space: its axes, its angular momentum and velocity, and the way of one axis.
+// The body as it turns, seen from space: its axes, its angular momentum and velocity, and the way of one
+// axis.
 
 /** As a lift: nearer to the eye than any body. */
 const seenThrough = 10;

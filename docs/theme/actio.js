@@ -10,7 +10,8 @@
   }
 
   // ---- Search: the index is loaded when somebody first types.
-  // The input is a combobox: the arrow keys move through its list of options, and the focus stays where one types.
+  // The input is a combobox: the arrow keys move through its list of options, and the focus stays where one
+  // types.
   function search() {
     var input = document.getElementById('book-search');
     if (!input) return;

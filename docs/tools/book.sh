@@ -3,9 +3,9 @@
 #
 #   docs/tools/book.sh BUILD_DIR [--strict] [--force] [--draft]
 #
-# --strict  reports must be there: a figure that neither this build nor the release has measured fails the book instead of being shown as not run
-# --force   write it even if nothing changed since the last time
-# --draft   show Doxygen's warnings, but write the book all the same
+# --strict reports must be there: a figure that neither this build nor the release has measured fails the book
+# instead of being shown as not run --force write it even if nothing changed since the last time --draft show
+# Doxygen's warnings, but write the book all the same
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

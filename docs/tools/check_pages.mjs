@@ -1,6 +1,7 @@
-// check_pages.mjs BOOK [--whole]: what every page of the book has, whoever opens it: an entry of the tree that
-// the tree finds, the way past it, a table of contents for narrow screens; and what none has: a path of the
-// machine that made it, a backslash in a caption; in a whole book, the place of a figure that was not measured.
+// check_pages.mjs BOOK [--whole]: what every page of the book has, whoever opens it: an entry of the tree
+// that the tree finds, the way past it, a table of contents for narrow screens; and what none has: a path of
+// the machine that made it, a backslash in a caption; in a whole book, the place of a figure that was not
+// measured.
 import fs from 'node:fs';
 import path from 'node:path';
 import vm from 'node:vm';
@@ -66,7 +67,8 @@ for (const page of names) {
          /<figcaption>([\s\S]*?)<\/figcaption>|<div class="caption">([\s\S]*?)<\/div>/g))
     if (/\\/.test(text(caption[1] ?? caption[2])))
       errors.add(page, 1, `a caption with a backslash: ${text(caption[1] ?? caption[2]).trim()}`);
-  // A figure comes from this build or from the release; where neither has it, somebody must measure and record it.
+  // A figure comes from this build or from the release; where neither has it, somebody must measure and
+  // record it.
   const empty = whole ? [...html.matchAll(/<(\w+) class="(?:[^"]* )?(?:unmeasured|notrun)(?: [^"]*)?"[^>]*?(?: title="([^"]*)")?>([^<]*)/g)] : [];
   if (empty.length)
     errors.add(

@@ -1,8 +1,9 @@
-// Expands the book's own commands in its pages (docs/pages, chapters/*/chapter.md) from the reports of the build.
+// Expands the book's own commands in its pages (docs/pages, chapters/*/chapter.md) from the reports of the
+// build.
 //
-// A command becomes a token that Doxygen carries through unchanged; finish.mjs puts the token's HTML in its place. So
-// tables, boxes and pictures are never parsed as Markdown, and a box may hold anything a page may hold. The vocabulary is
-// in docs/WRITING.md. Errors name file and line of the page as written.
+// A command becomes a token that Doxygen carries through unchanged; finish.mjs puts the token's HTML in its
+// place. So tables, boxes and pictures are never parsed as Markdown, and a box may hold anything a page may
+// hold. The vocabulary is in docs/WRITING.md. Errors name file and line of the page as written.
 import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
@@ -139,12 +140,14 @@ const caption = (p, line, text) => {
 };
 const notRun = what => `<span class="notrun">${what} not run</span>`;
 const optional = program => program.split('_')[0] in optionalPrograms;
-// A figure that waits for a run of its program is a dash; the page says so once, and each table or picture where it would stand.
+// A figure that waits for a run of its program is a dash; the page says so once, and each table or picture
+// where it would stand.
 const notMeasured = program => `<span class="unmeasured" title="waits for a run of ${escapeHtml(program)}">–</span>`;
 const notDrawn = (program, what) => `<p class="notrun">${what} waits for a run of <code>${escapeHtml(program)}</code></p>`;
 
-// A program that not every build runs has its source, or its name is wrong; a report of this build, or one of the release, or it is not measured yet. A figure that
-// an older or a short report lacks is that of the release.
+// A program that not every build runs has its source, or its name is wrong; a report of this build, or one of
+// the release, or it is not measured yet. A figure that an older or a short report lacks is that of the
+// release.
 book.optionalSource = program => {
   const [, kind, stem] = /^([a-z]+)_(.+)$/.exec(program) ?? [];
   const file = optionalPrograms[kind] && `${optionalPrograms[kind]}/${stem}.cpp`;

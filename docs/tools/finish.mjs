@@ -1,5 +1,6 @@
-// Finishes the pages that Doxygen wrote: puts the generated parts in place of their tokens, resolves links to sources and
-// statements, and sets every formula with KaTeX. A formula that does not parse, or a link that leads nowhere, fails the book.
+// Finishes the pages that Doxygen wrote: puts the generated parts in place of their tokens, resolves links to
+// sources and statements, and sets every formula with KaTeX. A formula that does not parse, or a link that
+// leads nowhere, fails the book.
 import fs from 'node:fs';
 import path from 'node:path';
 import { createRequire } from 'node:module';

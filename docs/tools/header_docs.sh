@@ -1,10 +1,11 @@
 #!/bin/sh
 # Doxygen filter for headers. Line numbers stay.
-# The plain comment at the head of a file becomes the description of the file, and a declaration that has no comment of
-# its own, but a name from docs/vocabulary.txt, gets the sentence that stands there.
+# The plain comment at the head of a file becomes the description of the file, and a declaration that has no
+# comment of its own, but a name from docs/vocabulary.txt, gets the sentence that stands there.
 exec awk -v name="${1##*/}" '
   function plain(t) { gsub(/&/, "\\&amp;", t); gsub(/</, "\\&lt;", t); gsub(/>/, "\\&gt;", t); gsub(/[@#%*]/, "\\\\&", t); return t }
-  # The name that the declaration starting at line i declares: what stands before its first parenthesis, or after "using", or before = { ;
+  # The name that the declaration starting at line i declares: what stands before its first parenthesis, or
+  # after "using", or before = { ;
   function declared(i,   j, text, head) {
     text = ""
     for (j = i; j <= n && j < i + 5; ++j) {
@@ -43,7 +44,8 @@ exec awk -v name="${1##*/}" '
       # The body of a free function is indented like the members of a struct, and declares nothing.
       if (text ~ /^[a-zA-Z\[]/) within = text ~ /(^|> )(struct|class) / ? "type" : text ~ /^namespace/ ? "" : "function"
       if (text ~ /\\ref [A-Za-z_]+:/) { match(text, /\\ref [A-Za-z_]+:/); word = substr(text, RSTART + 5, RLENGTH - 6); text = substr(text, 1, RSTART + RLENGTH - 2) " \"" word "\"" substr(text, RSTART + RLENGTH - 1) }
-      # A declaration starts where the indent is that of a namespace or of a struct, after anything but a comment or its own template head.
+      # A declaration starts where the indent is that of a namespace or of a struct, after anything but a
+      # comment or its own template head.
       if ((text ~ /^[^ ]/ || within == "type") && text ~ /^(  )?(template|static|friend|inline|constexpr|using|auto|explicit|\[\[|[A-Z][A-Za-z0-9_]*[<& (]|int|double|bool|std::)/ && text !~ /\/\/\/</ && text !~ /using [A-Za-z_0-9:<>, ]*;/ &&
           line[i-1] !~ /^ *(\/\/\/|template|requires|\*\/)/ && text !~ /^ *(template *<.*> *)?(struct|class|concept|namespace) /) {
         word = declared(i)

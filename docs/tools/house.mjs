@@ -1,7 +1,9 @@
-// The page "The house": the modules of the library, the arrows between them and their sizes, read from where they are declared.
+// The page "The house": the modules of the library, the arrows between them and their sizes, read from where
+// they are declared.
 //
-// Modules and arrows are the lines `actio_module(NAME USES ...)` of CMakeLists.txt, which the test `layering` holds every #include to;
-// what a module holds is the \brief of its folder in docs/rooms.dox; sizes are counted in the sources.
+// Modules and arrows are the lines `actio_module(NAME USES ...)` of CMakeLists.txt, which the test `layering`
+// holds every #include to; what a module holds is the \brief of its folder in docs/rooms.dox; sizes are
+// counted in the sources.
 import fs from 'node:fs';
 import path from 'node:path';
 import { boxed, escapeHtml, walk } from './lib.mjs';

@@ -1,5 +1,5 @@
-// The keys of a scene, in the book: a reference page made from what `actio list keys --json` says, and the tables of
-// the pages of the systems.
+// The keys of a scene, in the book: a reference page made from what `actio list keys --json` says, and the
+// tables of the pages of the systems.
 import fs from 'node:fs';
 import path from 'node:path';
 import { mathematics } from './small_print.mjs';

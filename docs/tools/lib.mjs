@@ -1,4 +1,5 @@
-// What the book's tools share: the registry of statements, the reports, and how a number, a statement or a verdict is written.
+// What the book's tools share: the registry of statements, the reports, and how a number, a statement or a
+// verdict is written.
 import fs from 'node:fs';
 import path from 'node:path';
 

@@ -1,4 +1,5 @@
-// Scenes and the systems they are made of, in HTML: cards of scenes that were run, and a reference page for each system.
+// Scenes and the systems they are made of, in HTML: cards of scenes that were run, and a reference page for
+// each system.
 import fs from 'node:fs';
 import path from 'node:path';
 import { escapeHtml, labelled, number, prose, walk } from './lib.mjs';

@@ -8,7 +8,8 @@ const opt = options({ html: '' });
 const lunrFile = '/usr/share/javascript/lunr/lunr.min.js';
 const lunr = createRequire(import.meta.url)(lunrFile);
 
-// Formulas are left out: nobody types them, and their text is not what one sees. Their Greek letters can be found.
+// Formulas are left out: nobody types them, and their text is not what one sees. Their Greek letters can be
+// found.
 const plain = html => html.replace(/<!--f-->[\s\S]*?<!--\/f-->/g, ' ')
   .replace(/<(script|style|svg)\b[\s\S]*?<\/\1>/g, ' ').replace(/<[^>]+>/g, ' ')
   .replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&nbsp;/g, ' ')

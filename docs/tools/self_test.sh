@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The book on trial: a small project is written, its book must come out whole; then one thing at a time is broken, and the
-# book must refuse it with the place and the reason.
+# The book on trial: a small project is written, its book must come out whole; then one thing at a time is
+# broken, and the book must refuse it with the place and the reason.
 set -uo pipefail
 docs=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=$(mktemp -d)

@@ -1,4 +1,5 @@
-// actio check: runs the theorem checks, which are programs beside this one, and tells how each statement fared.
+// actio check: runs the theorem checks, which are programs beside this one, and tells how each statement
+// fared.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -62,7 +63,8 @@ std::map<std::string, fs::path> programs_beside() {
   static std::regex const name("checks_ch0*([0-9]+)");
   std::map<std::string, fs::path> out;
   std::error_code none;
-  for (fs::directory_iterator it(folder_of_this_program(), none), end; !none && it != end; it.increment(none)) {
+  for (fs::directory_iterator it(folder_of_this_program(), none), end; !none && it != end;
+       it.increment(none)) {
     std::smatch match;
     std::string const file = it->path().filename().string();
     if (!std::regex_match(file, match, name)) continue;
@@ -77,8 +79,10 @@ std::string how_to_build(std::vector<std::string> const& chapters) {
     targets += fmt::format(" checks_ch{:0>2}", chapter);
     places += (places.empty() ? "" : ", ") + chapter;
   }
-  return fmt::format("actio check: the checks of chapter {} are not beside this command, in {}; in the folder of the sources, `ninja -C build{}` builds them",
-                     places, folder_of_this_program().string(), targets);
+  return fmt::format(
+      "actio check: the checks of chapter {} are not beside this command, in {}; in the folder of the "
+      "sources, `ninja -C build{}` builds them",
+      places, folder_of_this_program().string(), targets);
 }
 
 /// The statements that a program has checks of.
@@ -108,7 +112,8 @@ void read_reports(fs::path const& folder, Results& results) {
       result.note = record.value("note", "");
       std::string const scalar = record.at("scalar").get<std::string>();
       result.scalars.insert(scalar);
-      for (auto const& failure : record.at("failures")) result.failures.push_back(scalar + ": " + failure.get<std::string>());
+      for (auto const& failure : record.at("failures"))
+        result.failures.push_back(scalar + ": " + failure.get<std::string>());
     }
   }
 }
@@ -129,10 +134,15 @@ int run_checks(fs::path const& program, std::vector<std::string> const& ids, Res
   } catch (nlohmann::json::exception const& error) {
     throw FileError(program.string() + ": its report cannot be read: " + error.what());
   }
-  bool const explained = std::any_of(here.begin(), here.end(), [](auto const& entry) { return !entry.second.failures.empty(); });
+  bool const explained =
+      std::any_of(here.begin(), here.end(), [](auto const& entry) { return !entry.second.failures.empty(); });
   for (auto const& id : ids)
-    if (!here.count(id)) here[id].failures.push_back(fmt::format("{} ended with status {} and told nothing of it", program.filename().string(), outcome.status));
-  if (outcome.status != 0 && !explained) fmt::print(stderr, "{} ended with status {}:\n{}", program.filename().string(), outcome.status, outcome.output);
+    if (!here.count(id))
+      here[id].failures.push_back(fmt::format("{} ended with status {} and told nothing of it",
+                                              program.filename().string(), outcome.status));
+  if (outcome.status != 0 && !explained)
+    fmt::print(stderr, "{} ended with status {}:\n{}", program.filename().string(), outcome.status,
+               outcome.output);
   results.merge(here);
   return 0;
 }
@@ -142,7 +152,8 @@ int run_checks(fs::path const& program, std::vector<std::string> const& ids, Res
 /// @return whether it is well
 bool tell(Statement const& statement, Result const& result, std::size_t width, bool why) {
   bool const well = result.failures.empty();
-  fmt::print("{:<{}}  {:<10}  {}\n", statement.id, width, well ? result.verdict : "FAILED", result.title.empty() ? statement.subject : result.title);
+  fmt::print("{:<{}}  {:<10}  {}\n", statement.id, width, well ? result.verdict : "FAILED",
+             result.title.empty() ? statement.subject : result.title);
   if (well && why && result.verdict != "holds")
     fmt::print("{}", verdict_in_words(result.printed, result.corrected, result.note));
   std::fflush(stdout);
@@ -159,7 +170,8 @@ int check(std::vector<std::string> const& ids) {
   std::size_t width = 0;
   for (auto const* const statement : wanted(ids)) {
     auto& chapter = by_chapter[statement->chapter];
-    if (chapter.empty()) (programs.count(statement->chapter) ? chapters : missing).push_back(statement->chapter);
+    if (chapter.empty())
+      (programs.count(statement->chapter) ? chapters : missing).push_back(statement->chapter);
     chapter.push_back(statement);
     width = std::max(width, statement->id.size());
   }
@@ -170,7 +182,8 @@ int check(std::vector<std::string> const& ids) {
   for (auto const& chapter : chapters) {
     auto const held = held_by(programs.at(chapter));
     std::vector<std::string> here;
-    for (auto const* const statement : by_chapter[chapter]) (held.count(statement->id) ? here : stale).push_back(statement->id);
+    for (auto const* const statement : by_chapter[chapter])
+      (held.count(statement->id) ? here : stale).push_back(statement->id);
     Results results;
     if (!here.empty() && run_checks(programs.at(chapter), here, results) == 130) return 130;
     for (auto const& id : here) {
@@ -178,10 +191,15 @@ int check(std::vector<std::string> const& ids) {
       scalars.insert(results[id].scalars.begin(), results[id].scalars.end());
     }
   }
-  fmt::print(stderr, "{} passed, {} failed{}\n", well, failed, scalars.empty() ? "" : ", over " + listed({scalars.begin(), scalars.end()}));
+  fmt::print(stderr, "{} passed, {} failed{}\n", well, failed,
+             scalars.empty() ? "" : ", over " + listed({scalars.begin(), scalars.end()}));
   if (failed) return 1;
   if (!missing.empty()) throw FileError(how_to_build(missing));
-  if (!stale.empty()) throw FileError(fmt::format("actio check: the programs in {} are older than the sources and have no check of {}; build them again", folder_of_this_program().string(), listed(stale)));
+  if (!stale.empty())
+    throw FileError(
+        fmt::format("actio check: the programs in {} are older than the sources and have no check of {}; "
+                    "build them again",
+                    folder_of_this_program().string(), listed(stale)));
   return 0;
 }
 

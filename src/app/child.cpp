@@ -14,7 +14,9 @@
 namespace actio::app {
 namespace {
 
-[[noreturn]] void fail(std::string const& what) { throw scene::FileError(what + ": " + std::strerror(errno)); }
+[[noreturn]] void fail(std::string const& what) {
+  throw scene::FileError(what + ": " + std::strerror(errno));
+}
 
 /// All that comes out of a pipe until its other end is closed.
 std::string drain(int pipe) {
@@ -48,9 +50,11 @@ ChildOutcome run_child(std::vector<std::string> const& words) {
   std::string output = child > 0 ? drain(ends[0]) : "";
   ::close(ends[0]);
   int status = 0;
-  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+  while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
   std::signal(SIGINT, before);
-  if (child < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127)) throw scene::FileError(words[0] + ": cannot be started");
+  if (child < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127))
+    throw scene::FileError(words[0] + ": cannot be started");
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), std::move(output)};
 }
 

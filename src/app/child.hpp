@@ -13,7 +13,8 @@ struct ChildOutcome {
   std::string output;  ///< all that it wrote, standard error included
 };
 
-/// Runs a program, the first of the words, with the others as its arguments. While it runs, Ctrl-C is for it alone.
+/// Runs a program, the first of the words, with the others as its arguments. While it runs, Ctrl-C is for it
+/// alone.
 /// @throws scene::FileError  where it cannot be started
 ChildOutcome run_child(std::vector<std::string> const& words);
 

@@ -1,4 +1,5 @@
-// What the command actio can be told to do. Each function does it, says what went wrong on standard error by throwing, and returns the exit status.
+// What the command actio can be told to do. Each function does it, says what went wrong on standard error by
+// throwing, and returns the exit status.
 #pragma once
 
 #include <string>
@@ -11,9 +12,9 @@ struct Scene;
 namespace actio::app {
 
 struct RunArguments {
-  std::string scene, out;            ///< out: the scene's name beside it where empty
-  std::vector<std::string> set;      ///< KEY=VALUE
-  std::vector<std::string> unset;    ///< KEY
+  std::string scene, out;          ///< out: the scene's name beside it where empty
+  std::vector<std::string> set;    ///< KEY=VALUE
+  std::vector<std::string> unset;  ///< KEY
   bool quiet = false, dry_run = false, plots = false, force = false;
 };
 int run(RunArguments const& arguments);
@@ -22,8 +23,8 @@ int plan(scene::Scene& scene, RunArguments const& arguments, std::string const& 
 
 struct ResumeArguments {
   std::string folder;
-  std::string until;                 ///< a later end than the scene has; empty: none
-  int jobs = 0;                      ///< of a sweep; 0: as many as the machine has cores
+  std::string until;  ///< a later end than the scene has; empty: none
+  int jobs = 0;       ///< of a sweep; 0: as many as the machine has cores
   bool quiet = false, plots = false;
 };
 int resume(ResumeArguments const& arguments);
@@ -37,10 +38,10 @@ int plot(PlotArguments const& arguments);
 
 struct SweepArguments {
   std::string scene, out;
-  std::string resume;                ///< the folder of a sweep that goes on; the scene is not given then
-  std::vector<std::string> over;     ///< KEY=a,b,c
+  std::string resume;             ///< the folder of a sweep that goes on; the scene is not given then
+  std::vector<std::string> over;  ///< KEY=a,b,c
   std::vector<std::string> set, unset;
-  int jobs = 0;                      ///< 0: as many as the machine has cores
+  int jobs = 0;  ///< 0: as many as the machine has cores
   bool quiet = false, force = false, dry_run = false, plots = false;
 };
 int sweep(SweepArguments const& arguments);
@@ -50,7 +51,8 @@ int resume_sweep(ResumeArguments const& arguments);
 bool is_sweep(std::string const& folder);
 
 /// What KEY=VALUE and KEY of the command line say, as overrides of a scene: what is taken out first.
-std::vector<std::string> overrides(std::vector<std::string> const& set, std::vector<std::string> const& unset, bool plots);
+std::vector<std::string> overrides(std::vector<std::string> const& set, std::vector<std::string> const& unset,
+                                   bool plots);
 
 struct NewArguments {
   std::string name,  ///< of a system, of a scene that the program carries, or of a body

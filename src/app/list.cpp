@@ -23,7 +23,8 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// A row for each name and meaning: what several systems have alike is there once, with all of them in its second cell.
+/// A row for each name and meaning: what several systems have alike is there once, with all of them in its
+/// second cell.
 void add(Rows& rows, std::vector<std::string> row) {
   for (auto& there : rows)
     if (there[0] == row[0] && std::equal(there.begin() + 2, there.end(), row.begin() + 2, row.end())) {
@@ -54,7 +55,8 @@ Rows list_of_methods() {
 }
 Rows list_of_quantities() {
   Rows rows;
-  for (auto const& [quantity, system] : all_quantities()) add(rows, {quantity->name, system->name, quantity->meaning});
+  for (auto const& [quantity, system] : all_quantities())
+    add(rows, {quantity->name, system->name, quantity->meaning});
   return rows;
 }
 Rows list_of_bodies() {
@@ -120,11 +122,16 @@ int list(std::string const& what, bool json) {
     return 0;
   }
   Rows rows;
-  if (what == "systems") rows = list_of_systems();
-  else if (what == "groups") rows = list_of_groups();
-  else if (what == "methods") rows = list_of_methods();
-  else if (what == "quantities") rows = list_of_quantities();
-  else if (what == "bodies") rows = list_of_bodies();
+  if (what == "systems")
+    rows = list_of_systems();
+  else if (what == "groups")
+    rows = list_of_groups();
+  else if (what == "methods")
+    rows = list_of_methods();
+  else if (what == "quantities")
+    rows = list_of_quantities();
+  else if (what == "bodies")
+    rows = list_of_bodies();
   else if (what == "keys")
     rows = list_of_keys();
   else if (what == "scenes")

@@ -1,4 +1,5 @@
-// The command actio: scenes, run and looked at. Here are its arguments; what it does is in the files beside this one.
+// The command actio: scenes, run and looked at. Here are its arguments; what it does is in the files beside
+// this one.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -19,10 +20,12 @@ namespace {
 using Action = std::function<int()>;
 
 constexpr char const* exit_statuses =
-    "Exit status: 0 done, 1 a theorem check failed, 2 the scene or the command line is wrong, 3 the numerics\n"
+    "Exit status: 0 done, 1 a theorem check failed, 2 the scene or the command line is wrong, 3 the "
+    "numerics\n"
     "failed (for instance a step too long for the method), 4 the disk or a file failed, 130 interrupted.";
 
-CLI::App* add_part(CLI::App& command, std::string const& name, std::string const& meaning, std::string const& footer, Action& action, Action part) {
+CLI::App* add_part(CLI::App& command, std::string const& name, std::string const& meaning,
+                   std::string const& footer, Action& action, Action part) {
   CLI::App* const added = command.add_subcommand(name, meaning);
   added->footer(footer);
   added->set_help_flag("-h,--help", "this text");
@@ -33,42 +36,72 @@ CLI::App* add_part(CLI::App& command, std::string const& name, std::string const
 std::string not_empty(std::string& text) { return text.empty() ? "a name is expected, found ''" : ""; }
 
 void add_run(CLI::App& command, app::RunArguments& run, Action& action) {
-  auto* const part = add_part(command, "run", "run a scene",
-                              "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives series.csv, summary.json and scene.toml, in which every default is written out.",
-                              action, [&run] { return app::run(run); });
-  part->add_option(
-          "SCENE", run.scene,
-          "a scene, in TOML; or the name of one that comes with actio, as apophis (actio list scenes); - reads it from standard input")
+  auto* const part =
+      add_part(command, "run", "run a scene",
+               "Example: actio run apophis.toml --out results --set method.step=0.5\n\nThe folder receives "
+               "series.csv, summary.json and scene.toml, in which every default is written out.",
+               action, [&run] { return app::run(run); });
+  part->add_option("SCENE", run.scene,
+                   "a scene, in TOML; or the name of one that comes with actio, as apophis (actio list "
+                   "scenes); - reads it from standard input")
       ->required()
       ->check(CLI::Validator(not_empty, ""));
-  part->add_option("--out", run.out, "the folder for what the run leaves; otherwise the scene's name beside it")->type_name("DIR")->check(CLI::Validator(not_empty, ""));
-  part->add_option("--set", run.set, "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")->type_name("KEY=VALUE")->allow_extra_args(false);
-  part->add_option("--unset", run.unset, "take a key out of the scene")->type_name("KEY")->allow_extra_args(false);
+  part->add_option("--out", run.out,
+                   "the folder for what the run leaves; otherwise the scene's name beside it")
+      ->type_name("DIR")
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_option(
+          "--set", run.set,
+          "override a key of the scene; the value in TOML, a bare word being a text; as often as you like")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  part->add_option("--unset", run.unset, "take a key out of the scene")
+      ->type_name("KEY")
+      ->allow_extra_args(false);
   part->add_flag("--quiet", run.quiet, "no progress")->disable_flag_override();
-  part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing")->disable_flag_override();
-  part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion")->disable_flag_override();
-  part->add_flag("--force", run.force, "replace the run that is in the folder: the files that actio wrote, and nothing else")->disable_flag_override();
+  part->add_flag("--dry-run", run.dry_run, "check the scene and print the plan, and run nothing")
+      ->disable_flag_override();
+  part->add_flag("--plots", run.plots, "draw pictures and a page to play the motion")
+      ->disable_flag_override();
+  part->add_flag("--force", run.force,
+                 "replace the run that is in the folder: the files that actio wrote, and nothing else")
+      ->disable_flag_override();
 }
 
 void add_resume(CLI::App& command, app::ResumeArguments& resume, Action& action) {
-  auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint, or with a sweep", "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit for bit. Of a sweep, members that are done are kept.", action,
-                              [&resume] { return app::resume(resume); });
-  part->add_option("DIR", resume.folder, "the folder of the run, or of the sweep")->required()->check(CLI::Validator(not_empty, ""));
-  part->add_option("--until", resume.until, "go on to a later time than the scene says, and write it into scene.toml")->type_name("T")->check(CLI::Validator(not_empty, ""));
+  auto* const part = add_part(command, "resume", "go on with a run from its last checkpoint, or with a sweep",
+                              "Example: actio resume apophis\n\nThe joined run equals an unbroken one bit "
+                              "for bit. Of a sweep, members that are done are kept.",
+                              action, [&resume] { return app::resume(resume); });
+  part->add_option("DIR", resume.folder, "the folder of the run, or of the sweep")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
+  part->add_option("--until", resume.until,
+                   "go on to a later time than the scene says, and write it into scene.toml")
+      ->type_name("T")
+      ->check(CLI::Validator(not_empty, ""));
   app::add_jobs_option(*part, resume.jobs, "of a sweep: runs at the same time; otherwise one for each core");
-  part->add_flag("--plots", resume.plots, "draw pictures and a page to play the motion")->disable_flag_override();
+  part->add_flag("--plots", resume.plots, "draw pictures and a page to play the motion")
+      ->disable_flag_override();
   part->add_flag("--quiet", resume.quiet, "no progress")->disable_flag_override();
 }
 
 void add_plot(CLI::App& command, app::PlotArguments& plot, Action& action) {
-  auto* const part = add_part(command, "plot", "draw the pictures of a run: finished, interrupted, or going on",
-                              "Example: actio plot apophis\n\nThe folder receives plots/*.svg and plots/index.html, of the rows that are there.", action, [&plot] { return app::plot(plot); });
-  part->add_option("DIR", plot.folder, "the folder of the run")->required()->check(CLI::Validator(not_empty, ""));
+  auto* const part =
+      add_part(command, "plot", "draw the pictures of a run: finished, interrupted, or going on",
+               "Example: actio plot apophis\n\nThe folder receives plots/*.svg and plots/index.html, of the "
+               "rows that are there.",
+               action, [&plot] { return app::plot(plot); });
+  part->add_option("DIR", plot.folder, "the folder of the run")
+      ->required()
+      ->check(CLI::Validator(not_empty, ""));
   part->add_flag("--quiet", plot.quiet, "no progress")->disable_flag_override();
 }
 
 void add_sweep(CLI::App& command, app::SweepArguments& sweep, Action& action) {
-  auto* const part = add_part(command, "sweep", "run a scene for each of many values, into one table", "Example: actio sweep apophis.toml --over method.step=0.1,0.2,0.4", action, [&sweep] { return app::sweep(sweep); });
+  auto* const part = add_part(command, "sweep", "run a scene for each of many values, into one table",
+                              "Example: actio sweep apophis.toml --over method.step=0.1,0.2,0.4", action,
+                              [&sweep] { return app::sweep(sweep); });
   app::add_sweep_options(*part, sweep);
 }
 
@@ -118,18 +151,23 @@ void add_questions(CLI::App& command, Questions& asked, Action& action) {
                    "a system, group, method, quantity, body, material, key of a scene, scene or statement")
       ->required()
       ->check(CLI::Validator(not_empty, ""));
-  part = add_part(command, "check", "run the theorem checks", "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no check, 4 the checks are not built.", action,
-                  [&asked] { return asked.list_statements ? app::list_statements() : app::check(asked.ids); });
+  part = add_part(
+      command, "check", "run the theorem checks",
+      "Example: actio check thm_3_2_1\n\nExit status: 0 all pass, 1 one fails, 2 an id is unknown or has no "
+      "check, 4 the checks are not built.",
+      action, [&asked] { return asked.list_statements ? app::list_statements() : app::check(asked.ids); });
   part->add_option(
       "ID", asked.ids,
       "statements of the thesis, for example thm_3_2_1, \"(3.10)\" or \"Theorem 3.2.1\"; none: all");
-  part->add_flag("--list", asked.list_statements, "list the statements that have a check, and run none")->disable_flag_override();
+  part->add_flag("--list", asked.list_statements, "list the statements that have a check, and run none")
+      ->disable_flag_override();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App command{"Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at", "actio"};
+  CLI::App command{
+      "Mechanics on Lie groups, step by step, from one action principle: scenes, run and looked at", "actio"};
   command.require_subcommand(1);
   command.formatter(std::make_shared<app::Help>());
   command.set_help_flag("-h,--help", "this text");

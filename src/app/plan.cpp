@@ -19,14 +19,20 @@ namespace {
 
 constexpr std::size_t plan_width = 100, label = 12;
 
-void tell(std::string const& name, std::string const& text) { fmt::print("{:<{}}{}\n", name, label, wrapped(text, plan_width, label)); }
+void tell(std::string const& name, std::string const& text) {
+  fmt::print("{:<{}}{}\n", name, label, wrapped(text, plan_width, label));
+}
 
-std::string plural(long count, std::string const& one) { return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s"); }
+std::string plural(long count, std::string const& one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
 
 std::string method_of(Scene const& scene) {
   SceneTable const method = scene.file.section("method");
   std::string out = method.has("name") ? method.text("name") : "";
-  if (method.has("order")) out += method.is_text("order") ? ", order \"" + method.text("order") + "\"" : fmt::format(", order {}", method.integer("order", 0, 1000));
+  if (method.has("order"))
+    out += method.is_text("order") ? ", order \"" + method.text("order") + "\""
+                                   : fmt::format(", order {}", method.integer("order", 0, 1000));
   return out;
 }
 
@@ -34,7 +40,8 @@ std::string rows_of(Schedule const& schedule) {
   long const rows = schedule.rows();
   std::string out = plural(rows, "row") + fmt::format(", at t = {}", schedule.time(0));
   if (rows == 2) out += fmt::format(" and {}", schedule.time(1));
-  if (rows > 2) out += fmt::format(", {}{}{}", schedule.time(1), rows == 3 ? ", " : ", ..., ", schedule.time(rows - 1));
+  if (rows > 2)
+    out += fmt::format(", {}{}{}", schedule.time(1), rows == 3 ? ", " : ", ..., ", schedule.time(rows - 1));
   return out;
 }
 
@@ -48,9 +55,12 @@ std::string steps_of(Scene const& scene) {
 void tell_quantities(Scene const& scene) {
   std::vector<std::string> asked, needed, skipped;
   for (auto const& quantity : scene.simulation.quantities.counts()) {
-    if (quantity.asked) asked.push_back(quantity.name);
-    else if (scene.simulation.quantities.needed(quantity.name)) needed.push_back(quantity.name);
-    else skipped.push_back(quantity.name);
+    if (quantity.asked)
+      asked.push_back(quantity.name);
+    else if (scene.simulation.quantities.needed(quantity.name))
+      needed.push_back(quantity.name);
+    else
+      skipped.push_back(quantity.name);
   }
   tell("computed", listed(asked));
   if (!needed.empty()) tell("needed", listed(needed) + " (for what is computed; in no column)");
@@ -60,9 +70,11 @@ void tell_quantities(Scene const& scene) {
 std::string files_of(Scene const& scene, RunArguments const& arguments, Estimate const& taken) {
   std::vector<std::string> files;
   std::size_t const columns = 1 + scene.simulation.quantities.row_size();
-  std::string const shape = plural(scene.schedule.rows(), "row") + " of " + plural(static_cast<long>(columns), "column");
+  std::string const shape =
+      plural(scene.schedule.rows(), "row") + " of " + plural(static_cast<long>(columns), "column");
   for (auto const& format : scene.formats)
-    files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape, size_text(format == "csv" ? taken.csv : taken.hdf5)));
+    files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape,
+                                size_text(format == "csv" ? taken.csv : taken.hdf5)));
   files.insert(files.end(), {"summary.json", "scene.toml", "checkpoint"});
   if (scene.plots || arguments.plots) files.push_back("plots/");
   return listed(files);
@@ -71,14 +83,17 @@ std::string files_of(Scene const& scene, RunArguments const& arguments, Estimate
 /// `about 3 s`, `less than a second`
 std::string time_of(Estimate const& taken) {
   if (taken.seconds < 0) return "not known: the first step fails";
-  return taken.seconds < 1 ? "less than a second" : "about " + duration_text(taken.seconds) + ", by what the first steps and some rows take";
+  return taken.seconds < 1
+             ? "less than a second"
+             : "about " + duration_text(taken.seconds) + ", by what the first steps and some rows take";
 }
 
 /// What is free where the folder is, or will be.
 double free_space(std::string const& out) {
   std::error_code error;
   std::filesystem::path place = std::filesystem::absolute(out, error);
-  while (!place.empty() && !std::filesystem::exists(place, error) && place != place.root_path()) place = place.parent_path();
+  while (!place.empty() && !std::filesystem::exists(place, error) && place != place.root_path())
+    place = place.parent_path();
   auto const space = std::filesystem::space(place, error);
   return error ? -1 : static_cast<double>(space.available);
 }
@@ -89,7 +104,10 @@ void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out
   double needed = 0;
   for (auto const& format : scene.formats) needed += format == "csv" ? taken.csv : taken.hdf5;
   tell("disk", size_text(free) + " free");
-  if (needed > free) tell("remark", fmt::format("the disk has room for {}, and the files take about {}: fewer rows (run.every) or quantities take less, --out names another place", size_text(free), size_text(needed)));
+  if (needed > free)
+    tell("remark", fmt::format("the disk has room for {}, and the files take about {}: fewer rows "
+                               "(run.every) or quantities take less, --out names another place",
+                               size_text(free), size_text(needed)));
 }
 
 }  // namespace
@@ -109,7 +127,8 @@ int plan(Scene& scene, RunArguments const& arguments, std::string const& out) {
   tell("files", files_of(scene, arguments, taken));
   tell_disk(scene, taken, out);
   std::error_code none;
-  if (std::filesystem::exists(out, none) && !std::filesystem::is_empty(out, none) && !arguments.force) tell("remark", "the folder is not empty; a run needs --force to replace what is in it");
+  if (std::filesystem::exists(out, none) && !std::filesystem::is_empty(out, none) && !arguments.force)
+    tell("remark", "the folder is not empty; a run needs --force to replace what is in it");
   fmt::print("The scene is in order; nothing was run.\n");
   return 0;
 }

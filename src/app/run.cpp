@@ -10,19 +10,24 @@ using namespace scene;
 
 namespace {
 
-/// The run may not take the place of the scene that it is read from, unless that is what it would write there.
+/// The run may not take the place of the scene that it is read from, unless that is what it would write
+/// there.
 void keep_the_scene(RunArguments const& arguments, std::string const& out, Scene const& scene) {
   std::error_code none;
-  if (arguments.scene != "-" && std::filesystem::equivalent(arguments.scene, out + "/scene.toml", none) && SceneFile::read(arguments.scene).written() != scene.file.written())
-    throw SceneError({out}, "the copy of the scene would be written over the scene itself; --out names another folder");
+  if (arguments.scene != "-" && std::filesystem::equivalent(arguments.scene, out + "/scene.toml", none) &&
+      SceneFile::read(arguments.scene).written() != scene.file.written())
+    throw SceneError(
+        {out}, "the copy of the scene would be written over the scene itself; --out names another folder");
 }
 
 }  // namespace
 
 int run(RunArguments const& arguments) {
   open_standard_streams();
-  Scene scene = Scene::read(scene_of(arguments.scene, overrides(arguments.set, arguments.unset, arguments.plots)));
-  std::string const out = arguments.out.empty() ? folder_beside(arguments.scene, arguments.dry_run) : arguments.out;
+  Scene scene =
+      Scene::read(scene_of(arguments.scene, overrides(arguments.set, arguments.unset, arguments.plots)));
+  std::string const out =
+      arguments.out.empty() ? folder_beside(arguments.scene, arguments.dry_run) : arguments.out;
   if (arguments.dry_run) {
     if (!scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
     return plan(scene, arguments, out);

@@ -14,12 +14,18 @@ namespace {
 
 /// `apophis: 101 rows to t = 25 in 0.2 s; drift: energy 1.1e-16`
 std::string closing_line(Scene const& scene, RunFolder const& folder, RunReport const& report) {
-  std::string line = fmt::format("{}: {} rows to t = {} in {:.3g} s", folder.path(), report.rows, scene.schedule.time(scene.schedule.rows() - 1), report.seconds);
-  for (std::size_t k = 0; k < report.drift.size(); ++k) line += fmt::format("{} {} {:.1e}", k == 0 ? "; drift:" : ",", report.drift[k].name, report.drift[k].relative);
+  std::string line = fmt::format("{}: {} rows to t = {} in {:.3g} s", folder.path(), report.rows,
+                                 scene.schedule.time(scene.schedule.rows() - 1), report.seconds);
+  for (std::size_t k = 0; k < report.drift.size(); ++k)
+    line += fmt::format("{} {} {:.1e}", k == 0 ? "; drift:" : ",", report.drift[k].name,
+                        report.drift[k].relative);
   for (std::size_t k = 0; k < report.error.size(); ++k)
-    line += fmt::format("{} {} {:.1e}{}", k == 0 ? "; error:" : ",", report.error[k].name, report.error[k].error, report.error[k].name == "attitude" ? " rad" : "");
-  if (!report.error.empty()) line += " (estimated)";
-  else if (report.error_how.starts_with("not estimated")) line += "; error: " + report.error_how;
+    line += fmt::format("{} {} {:.1e}{}", k == 0 ? "; error:" : ",", report.error[k].name,
+                        report.error[k].error, report.error[k].name == "attitude" ? " rad" : "");
+  if (!report.error.empty())
+    line += " (estimated)";
+  else if (report.error_how.starts_with("not estimated"))
+    line += "; error: " + report.error_how;
   return line;
 }
 
@@ -30,10 +36,15 @@ int run_to_end(Scene& scene, RunFolder const& folder, bool resume, bool quiet) {
   options.quiet = quiet, options.checkpoint_interval = checkpoint_interval();
   for (auto const& remark : scene.simulation.remarks) say(stderr, remark + "\n");
   RunReport const report = run_scene(scene, folder.path(), resume, options);
-  if (report.ending == Ending::interrupted) say(stderr, fmt::format("{}; actio resume {} goes on from there\n", report.message, in_shell(folder.path())));
-  else if (!report.message.empty()) say(stderr, report.message + "\n");
-  else if (!quiet) say(stdout, closing_line(scene, folder, report) + "\n");
-  if (scene.plots && (report.ending == Ending::done || report.ending == Ending::interrupted)) draw(scene, folder.path(), quiet);
+  if (report.ending == Ending::interrupted)
+    say(stderr,
+        fmt::format("{}; actio resume {} goes on from there\n", report.message, in_shell(folder.path())));
+  else if (!report.message.empty())
+    say(stderr, report.message + "\n");
+  else if (!quiet)
+    say(stdout, closing_line(scene, folder, report) + "\n");
+  if (scene.plots && (report.ending == Ending::done || report.ending == Ending::interrupted))
+    draw(scene, folder.path(), quiet);
   return static_cast<int>(report.ending);
 }
 

@@ -1,4 +1,5 @@
-// actio show: all that is known of a name. A name that several things have, or several systems, is told for each.
+// actio show: all that is known of a name. A name that several things have, or several systems, is told for
+// each.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,9 +50,12 @@ std::string in_toml(Eigen::Vector3d const& v) { return fmt::format("[{}, {}, {}]
 
 std::string about(Body const& body) {
   Account account(body.name, "a body: " + body.title);
-  account.tell("moments", in_toml(body.principal.inertia.moments) + (body.unit == "ratio" ? ", of which only the ratios are known" : " " + body.unit));
+  account.tell("moments",
+               in_toml(body.principal.inertia.moments) +
+                   (body.unit == "ratio" ? ", of which only the ratios are known" : " " + body.unit));
   if (!body.principal.axes.isIdentity(0)) {
-    account.tell("axes", "of these moments, in the frame of the catalogue, which is that of a scene with this body:");
+    account.tell("axes",
+                 "of these moments, in the frame of the catalogue, which is that of a scene with this body:");
     for (int k = 0; k < 3; ++k) account.tell("", in_toml(body.principal.axes.col(k)));
   }
   account.tell("unit of time", body.time);
@@ -64,7 +68,9 @@ std::string about(Body const& body) {
   account.tell("new scene", fmt::format("actio new rigid_body --body {0} --out {0}.toml", body.name));
   if (find_scene(body.name))
     account.tell("its scene", fmt::format("actio run {}, which comes with actio", body.name));
-  account.scene(fmt::format("[system]\nkind = \"rigid_body\"\nbody = \"{}\"\n[initial]\nangular_velocity = {}   # rad/{}\n", body.name, in_toml(body.spin.coordinates), body.time));
+  account.scene(fmt::format(
+      "[system]\nkind = \"rigid_body\"\nbody = \"{}\"\n[initial]\nangular_velocity = {}   # rad/{}\n",
+      body.name, in_toml(body.spin.coordinates), body.time));
   return account.text();
 }
 
@@ -156,10 +162,14 @@ std::string about(MethodOf const& entry) {
 std::string columns_of(Quantity const& quantity) {
   using Kind = Quantity::Kind;
   switch (quantity.kind) {
-    case Kind::matrix: return fmt::format("{0}_11 {0}_12 ... row by row", quantity.name);
-    case Kind::skew: return fmt::format("{0}_12 {0}_13 ... {0}_23 ..., the upper triangle row by row", quantity.name);
-    case Kind::list: return fmt::format("{}_k for each of its numbers k", quantity.name);
-    default: break;
+    case Kind::matrix:
+      return fmt::format("{0}_11 {0}_12 ... row by row", quantity.name);
+    case Kind::skew:
+      return fmt::format("{0}_12 {0}_13 ... {0}_23 ..., the upper triangle row by row", quantity.name);
+    case Kind::list:
+      return fmt::format("{}_k for each of its numbers k", quantity.name);
+    default:
+      break;
   }
   std::string out;
   for (auto const& end : column_ends(quantity.kind)) out += (out.empty() ? "" : " ") + quantity.name + end;
@@ -174,7 +184,8 @@ std::string about(QuantityOf const& entry) {
   account.tell("unit", q.unit);
   account.tell("columns", columns_of(q));
   account.tell("needs", q.needs.empty() ? "the state alone" : listed(q.needs));
-  account.tell("conserved", q.conserved ? "yes: the motion keeps it, and its drift is in summary.json" : "no");
+  account.tell("conserved",
+               q.conserved ? "yes: the motion keeps it, and its drift is in summary.json" : "no");
   account.tell("statement", statement_in_words(q.statement));
   return account.text();
 }

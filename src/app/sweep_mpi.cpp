@@ -3,9 +3,9 @@
 //     mpirun -n 16 actio-mpi apophis.toml --over method.step=0.1,0.2,0.5
 //     mpirun -n 16 actio-mpi --resume apophis
 //
-// Each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has finished another, so that none waits for slow ones. What
-// a member tells goes to rank 0, which writes the table. Members run in other processes (SweepCrew) that were made before MPI began and know
-// nothing of it.
+// Each rank takes the next member from one counter, in a window of memory on rank 0, as soon as it has
+// finished another, so that none waits for slow ones. What a member tells goes to rank 0, which writes the
+// table. Members run in other processes (SweepCrew) that were made before MPI began and know nothing of it.
 #include <mpi.h>
 
 #include <algorithm>
@@ -22,13 +22,14 @@ using namespace actio::scene;
 
 namespace {
 
-/// What the ranks share: the counter, results on their way to rank 0, and what rank 0 says. Nothing here waits without a pause, so that a rank that is idle leaves
-/// its core to others.
+/// What the ranks share: the counter, results on their way to rank 0, and what rank 0 says. Nothing here
+/// waits without a pause, so that a rank that is idle leaves its core to others.
 class Ranks : public SweepSharing {
  public:
   Ranks() {
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_), MPI_Comm_size(MPI_COMM_WORLD, &size_);
-    MPI_Win_allocate(rank_ == 0 ? sizeof(long) : 0, sizeof(long), MPI_INFO_NULL, MPI_COMM_WORLD, &counter_, &window_);
+    MPI_Win_allocate(rank_ == 0 ? sizeof(long) : 0, sizeof(long), MPI_INFO_NULL, MPI_COMM_WORLD, &counter_,
+                     &window_);
     MPI_Win_lock_all(MPI_MODE_NOCHECK, window_);
     set_counter();
   }
@@ -55,14 +56,17 @@ class Ranks : public SweepSharing {
     std::vector<MemberResult> out;
     MPI_Status status;
     for (int there = 1;;) {
-      MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);  // this also lets the counter be read by others
+      MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there,
+                 &status);  // this also lets the counter be read by others
       if (!there) return out;
       int bytes = 0;
       MPI_Get_count(&status, MPI_BYTE, &bytes);
       std::string text(static_cast<std::size_t>(bytes), '\0');
       MPI_Recv(text.data(), bytes, MPI_BYTE, status.MPI_SOURCE, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-      if (text.empty()) ++left_;
-      else out.push_back(MemberResult::unpacked(text));
+      if (text.empty())
+        ++left_;
+      else
+        out.push_back(MemberResult::unpacked(text));
     }
   }
 
@@ -100,7 +104,8 @@ class Ranks : public SweepSharing {
     wait(request);
   }
   static void wait(MPI_Request& request) {
-    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    for (int done = 0; MPI_Test(&request, &done, MPI_STATUS_IGNORE), !done;)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 
   int rank_ = 0, size_ = 1, left_ = 0;
@@ -113,7 +118,11 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
   int status = 0;
   Ranks ranks;
   try {
-    status = run_sweep(plan, crew, ranks, {.quiet = arguments.quiet, .force = arguments.force, .resume = !arguments.resume.empty(), .dry_run = arguments.dry_run});
+    status = run_sweep(plan, crew, ranks,
+                       {.quiet = arguments.quiet,
+                        .force = arguments.force,
+                        .resume = !arguments.resume.empty(),
+                        .dry_run = arguments.dry_run});
   } catch (SceneError const& error) {
     say(stderr, error.what() + std::string("\n"));
     status = 2;
@@ -121,7 +130,8 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
     say(stderr, error.what() + std::string("\n"));
     status = 4;
   }
-  // Others may have been ended and will never answer: to take leave of them would wait for ever. The table is written.
+  // Others may have been ended and will never answer: to take leave of them would wait for ever. The table is
+  // written.
   if (interrupted() && ranks.speaks()) MPI_Abort(MPI_COMM_WORLD, status);
   return status;
 }
@@ -131,11 +141,16 @@ int sweep(SweepPlan const& plan, SweepCrew& crew, app::SweepArguments const& arg
 int main(int argc, char** argv) {
   open_standard_streams();
   app::SweepArguments arguments;
-  if (auto const status = app::read_sweep_arguments(argc, argv, "actio-mpi", "Run a scene for each of many values, into one table, on all ranks of mpirun.", arguments)) return *status;
+  if (auto const status = app::read_sweep_arguments(
+          argc, argv, "actio-mpi",
+          "Run a scene for each of many values, into one table, on all ranks of mpirun.", arguments))
+    return *status;
   try {
     SweepPlan const plan = app::sweep_plan(arguments);
     listen_for_interrupts();
-    SweepCrew crew([&](MemberTask task, long member) { return work_on_member(plan, task, member, SweepCrew::told_to_stop); }, std::max(1, arguments.jobs));
+    SweepCrew crew([&](MemberTask task,
+                       long member) { return work_on_member(plan, task, member, SweepCrew::told_to_stop); },
+                   std::max(1, arguments.jobs));
     MPI_Init(&argc, &argv);
     int const status = sweep(plan, crew, arguments);
     MPI_Finalize();

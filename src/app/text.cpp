@@ -12,7 +12,8 @@ namespace {
 
 /// Letters that are seen: bytes that continue a letter of UTF-8 do not count.
 std::size_t letters(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 }  // namespace
@@ -26,7 +27,8 @@ std::string aligned(std::vector<std::vector<std::string>> const& rows, std::stri
   std::string out;
   for (auto const& row : rows) {
     std::string line = indent;
-    for (std::size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(i + 1 < row.size() ? widths[i] - letters(row[i]) + 2 : 0, ' ');
+    for (std::size_t i = 0; i < row.size(); ++i)
+      line += row[i] + std::string(i + 1 < row.size() ? widths[i] - letters(row[i]) + 2 : 0, ' ');
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";
   }
@@ -39,8 +41,10 @@ std::string wrapped(std::string const& text, std::size_t width, std::size_t inde
   while (at < text.size()) {
     std::size_t const end = std::min(text.find(' ', at), text.size());
     std::string const word = text.substr(at, end - at);
-    if (line > indent && line + 1 + letters(word) > width) out += "\n" + std::string(indent, ' '), line = indent;
-    else if (!out.empty()) out += ' ', ++line;
+    if (line > indent && line + 1 + letters(word) > width)
+      out += "\n" + std::string(indent, ' '), line = indent;
+    else if (!out.empty())
+      out += ' ', ++line;
     out += word, line += letters(word);
     at = end + 1;
   }
@@ -48,7 +52,10 @@ std::string wrapped(std::string const& text, std::size_t width, std::size_t inde
 }
 
 std::string in_shell(std::string const& name) {
-  auto const plain = [](unsigned char c) { return c >= 0x80 || std::isalnum(c) || std::string_view("_./+,:=@%-").find(static_cast<char>(c)) != std::string_view::npos; };
+  auto const plain = [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) ||
+           std::string_view("_./+,:=@%-").find(static_cast<char>(c)) != std::string_view::npos;
+  };
   auto const control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
   std::string const safe = name.starts_with('-') ? "./" + name : name;
   if (!safe.empty() && std::all_of(safe.begin(), safe.end(), plain)) return safe;
@@ -56,10 +63,15 @@ std::string in_shell(std::string const& name) {
   std::string out = escaped ? "$'" : "'";
   for (char const c : safe) {
     auto const byte = static_cast<unsigned char>(c);
-    if (control(byte)) out += {'\\', static_cast<char>('0' + byte / 64), static_cast<char>('0' + byte / 8 % 8), static_cast<char>('0' + byte % 8)};
-    else if (c == '\'') out += escaped ? "\\'" : "'\\''";
-    else if (c == '\\' && escaped) out += "\\\\";
-    else out += c;
+    if (control(byte))
+      out += {'\\', static_cast<char>('0' + byte / 64), static_cast<char>('0' + byte / 8 % 8),
+              static_cast<char>('0' + byte % 8)};
+    else if (c == '\'')
+      out += escaped ? "\\'" : "'\\''";
+    else if (c == '\\' && escaped)
+      out += "\\\\";
+    else
+      out += c;
   }
   return out + "'";
 }
@@ -87,11 +99,16 @@ class Formula {
  private:
   void one() {
     char const c = tex_[at_];
-    if (c == '\\') command();
-    else if (c == '^' || c == '_') ++at_, script(c);
-    else if (c == '{') out_ += argument();
-    else if (c == '~') space(), ++at_;
-    else put(std::string(1, c)), ++at_;
+    if (c == '\\')
+      command();
+    else if (c == '^' || c == '_')
+      ++at_, script(c);
+    else if (c == '{')
+      out_ += argument();
+    else if (c == '~')
+      space(), ++at_;
+    else
+      put(std::string(1, c)), ++at_;
   }
 
   void command() {
@@ -99,8 +116,10 @@ class Formula {
     while (end < tex_.size() && std::isalpha(static_cast<unsigned char>(tex_[end]))) ++end;
     if (end == at_) {  // \, \; \! \{ \\ and the like
       char const c = tex_[at_++];
-      if (c == '{' || c == '}' || c == '|') put(c == '|' ? "|" : std::string(1, c));
-      else if (c != '!') space();
+      if (c == '{' || c == '}' || c == '|')
+        put(c == '|' ? "|" : std::string(1, c));
+      else if (c != '!')
+        space();
       return;
     }
     std::string const name(tex_.substr(at_, end - at_));
@@ -108,7 +127,8 @@ class Formula {
     while (at_ < tex_.size() && tex_[at_] == ' ') ++at_;
     named(name);
     // TeX leaves out the space after a command; before a sign it is easier to read with it.
-    if (at_ > end && at_ < tex_.size() && std::string_view("=+-<>").find(tex_[at_]) != std::string_view::npos) space();
+    if (at_ > end && at_ < tex_.size() && std::string_view("=+-<>").find(tex_[at_]) != std::string_view::npos)
+      space();
   }
 
   void named(std::string const& name) {
@@ -164,7 +184,9 @@ class Formula {
   /// In brackets where it is more than a name or a number.
   static std::string enclosed(std::string const& text) {
     std::size_t const sign = !text.empty() && text.front() == '-' ? 1 : 0;
-    bool const simple = std::all_of(text.begin() + static_cast<long>(sign), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '.'; }) || text == "*";
+    bool const simple = std::all_of(text.begin() + static_cast<long>(sign), text.end(),
+                                    [](unsigned char c) { return std::isalnum(c) || c == '.'; }) ||
+                        text == "*";
     return simple ? text : "(" + text + ")";
   }
 
@@ -174,7 +196,9 @@ class Formula {
   }
   void put(std::string text) {
     if (text.empty()) return;
-    if (apart_ && (std::isalnum(static_cast<unsigned char>(text.front())) || text.front() == '<' || text.front() == '|')) space();
+    if (apart_ && (std::isalnum(static_cast<unsigned char>(text.front())) || text.front() == '<' ||
+                   text.front() == '|'))
+      space();
     if (text.front() == ' ' && !out_.empty() && out_.back() == ' ') text.erase(0, 1);
     out_ += text, apart_ = false;
   }

@@ -8,10 +8,12 @@
 
 namespace actio::app {
 
-/// Rows of cells with their columns aligned, two spaces between; nothing after the last. `indent` stands before each row.
+/// Rows of cells with their columns aligned, two spaces between; nothing after the last. `indent` stands
+/// before each row.
 std::string aligned(std::vector<std::vector<std::string>> const& rows, std::string const& indent = "");
 
-/// Text whose lines hold at most `width` letters, broken between words; lines after the first begin with `indent` spaces.
+/// Text whose lines hold at most `width` letters, broken between words; lines after the first begin with
+/// `indent` spaces.
 std::string wrapped(std::string const& text, std::size_t width, std::size_t indent);
 
 /// A name as a shell takes it: `apophis`, `'my run'`, `./-n`; with control characters as $'a\nb'.

@@ -19,7 +19,9 @@ constexpr std::size_t width = 100;
 /// `--out DIR`, `SCENE`
 std::string written(CLI::Option const& option) {
   std::string const name = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
-  return option.get_positional() || option.get_type_size() == 0 || option.get_type_name().empty() ? name : name + " " + option.get_type_name();
+  return option.get_positional() || option.get_type_size() == 0 || option.get_type_name().empty()
+             ? name
+             : name + " " + option.get_type_name();
 }
 /// `SCENE`, `[ID...]`, `KIND`
 std::string in_usage(CLI::Option const& option) {
@@ -29,13 +31,16 @@ std::string in_usage(CLI::Option const& option) {
 }
 
 std::vector<CLI::Option const*> options_of(CLI::App const& app, bool positional) {
-  auto options = app.get_options([positional](CLI::Option const* option) { return option->get_positional() == positional; });
-  std::stable_partition(options.begin(), options.end(), [&](CLI::Option const* option) { return option != app.get_help_ptr(); });
+  auto options = app.get_options(
+      [positional](CLI::Option const* option) { return option->get_positional() == positional; });
+  std::stable_partition(options.begin(), options.end(),
+                        [&](CLI::Option const* option) { return option != app.get_help_ptr(); });
   return options;
 }
 
 std::string usage_of(CLI::App const& app) {
-  std::string line = app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name() + " COMMAND ...";
+  std::string line = app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name()
+                                      : app.get_name() + " COMMAND ...";
   for (auto const* const option : options_of(app, true)) line += " " + in_usage(*option);
   for (auto const* const option : options_of(app, false))
     if (option->get_required()) line += " " + written(*option);
@@ -56,10 +61,12 @@ std::string Help::make_help(CLI::App const* app, std::string, CLI::AppFormatMode
   meaning[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(meaning[0])));
   std::string out = "usage: " + usage_of(*app) + "\n\n" + meaning + ".\n";
   std::vector<std::vector<std::string>> rows;
-  for (auto const* const part : app->get_subcommands([](CLI::App const*) { return true; })) rows.push_back({part->get_name(), part->get_description()});
+  for (auto const* const part : app->get_subcommands([](CLI::App const*) { return true; }))
+    rows.push_back({part->get_name(), part->get_description()});
   out += paragraph(rows), rows.clear();
   for (bool const positional : {true, false})
-    for (auto const* const option : options_of(*app, positional)) rows.push_back({written(*option), option->get_description()});
+    for (auto const* const option : options_of(*app, positional))
+      rows.push_back({written(*option), option->get_description()});
   out += paragraph(rows);
   if (!app->get_footer().empty()) out += "\n" + app->get_footer() + "\n";
   return out;
@@ -67,7 +74,8 @@ std::string Help::make_help(CLI::App const* app, std::string, CLI::AppFormatMode
 
 namespace {
 
-/// The option that a message of CLI11 is about: it begins with the name, or with that of a flag without its dashes.
+/// The option that a message of CLI11 is about: it begins with the name, or with that of a flag without its
+/// dashes.
 CLI::Option const* option_in(CLI::App const& app, std::string const& message) {
   CLI::Option const* found = nullptr;
   for (auto const* const option : app.get_options()) {
@@ -97,18 +105,22 @@ std::string unknown_option(CLI::App const& command, CLI::App const& part, std::s
   for (auto const* const other : command.get_subcommands([](CLI::App const*) { return true; }))
     for (auto const* const option : options_of(*other, false))
       if (option->get_name() == name) elsewhere.push_back(other->get_name());
-  if (&part == &command && !elsewhere.empty()) return fmt::format("'{}' belongs after the command: actio {} ... {}", name, elsewhere.front(), name);
+  if (&part == &command && !elsewhere.empty())
+    return fmt::format("'{}' belongs after the command: actio {} ... {}", name, elsewhere.front(), name);
   std::string const near = did_you_mean(name, known);
-  return fmt::format("unknown option '{}'{}", name, near.empty() && !elsewhere.empty() ? "; actio " + elsewhere.front() + " has it" : near);
+  return fmt::format("unknown option '{}'{}", name,
+                     near.empty() && !elsewhere.empty() ? "; actio " + elsewhere.front() + " has it" : near);
 }
 
 /// A word that is one too many.
 std::string unknown_word(CLI::App const& command, CLI::App const& part, std::string const& word) {
   if (&part != &command) return fmt::format("'{}' is one too many; usage: {}", word, usage_of(part));
   std::vector<std::string> known{"--help", "--version"};
-  for (auto const* const other : command.get_subcommands([](CLI::App const*) { return true; })) known.push_back(other->get_name());
+  for (auto const* const other : command.get_subcommands([](CLI::App const*) { return true; }))
+    known.push_back(other->get_name());
   bool const scene = word.ends_with(".toml");
-  return fmt::format("unknown command '{}'{}", word, scene ? "; did you mean 'actio run " + word + "'?" : did_you_mean(word, known));
+  return fmt::format("unknown command '{}'{}", word,
+                     scene ? "; did you mean 'actio run " + word + "'?" : did_you_mean(word, known));
 }
 
 }  // namespace
@@ -119,14 +131,21 @@ std::string usage_error(CLI::App const& command, CLI::ParseError const& error) {
   CLI::App const& part = chosen.empty() || !before.empty() ? command : *chosen.front();
   std::string const name = &part == &command ? "actio" : "actio " + part.get_name();
   auto const left = part.remaining();
-  auto const option = std::find_if(left.begin(), left.end(), [](std::string const& word) { return word.size() > 1 && word[0] == '-'; });
+  auto const option = std::find_if(left.begin(), left.end(),
+                                   [](std::string const& word) { return word.size() > 1 && word[0] == '-'; });
   std::string what = error.what();
   CLI::Option const* const known = option_in(part, what);
-  if (option != left.end()) what = unknown_option(command, part, *option);
-  else if (dynamic_cast<CLI::RequiredError const*>(&error) && known) what = known->get_positional() ? example_of(known->get_name()) : written(*known) + " is needed";
-  else if (!left.empty()) what = unknown_word(command, part, left.front());
+  if (option != left.end())
+    what = unknown_option(command, part, *option);
+  else if (dynamic_cast<CLI::RequiredError const*>(&error) && known)
+    what = known->get_positional() ? example_of(known->get_name()) : written(*known) + " is needed";
+  else if (!left.empty())
+    what = unknown_word(command, part, left.front());
   else if (dynamic_cast<CLI::ArgumentMismatch const*>(&error) && known)
-    what = known->get_expected_min() == 0 ? known->get_name() + " takes no value" : known->count() > 0 && !known->results().empty() ? known->get_name() + " is there twice" : written(*known) + ": " + known->get_type_name() + " is missing";
+    what = known->get_expected_min() == 0 ? known->get_name() + " takes no value"
+           : known->count() > 0 && !known->results().empty()
+               ? known->get_name() + " is there twice"
+               : written(*known) + ": " + known->get_type_name() + " is missing";
   return fmt::format("{}: {} ({} --help)", name, scene::printable(what), name);
 }
 

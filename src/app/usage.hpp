@@ -13,7 +13,8 @@ class Help : public CLI::Formatter {
   std::string make_help(CLI::App const* app, std::string name, CLI::AppFormatMode mode) const override;
 };
 
-/// What is wrong with the line, in one line, with what would be right; `command` is the whole command, parsed as far as it went.
+/// What is wrong with the line, in one line, with what would be right; `command` is the whole command, parsed
+/// as far as it went.
 std::string usage_error(CLI::App const& command, CLI::ParseError const& error);
 
 }  // namespace actio::app

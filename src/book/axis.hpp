@@ -31,7 +31,9 @@ struct Axis {
     if (fixed) return;
     double const from = scaled(low), to = scaled(high);
     double const smallest = log ? 0.02 : 1e-12 * std::max(std::abs(low), std::abs(high));
-    double const room = to - from > smallest ? 0.03 * (to - from) : log ? 0.5 : std::max(std::abs(low), 1.0) / 2;
+    double const room = to - from > smallest ? 0.03 * (to - from)
+                        : log                ? 0.5
+                                             : std::max(std::abs(low), 1.0) / 2;
     low = unscaled(from - room), high = unscaled(to + room);
   }
   /// A value as its length along the axis is counted, and back.
@@ -40,10 +42,12 @@ struct Axis {
   double unscaled(double value) const { return log ? std::pow(10.0, value) : value; }
   /// From 0 at the beginning to 1 at the end; not a number where the value has no place.
   double position(double value) const {
-    return takes(value) ? (scaled(value) - scaled(low)) / (scaled(high) - scaled(low)) : std::numeric_limits<double>::quiet_NaN();
+    return takes(value) ? (scaled(value) - scaled(low)) / (scaled(high) - scaled(low))
+                        : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// Distance between ticks: 1, 2 or 5 times a power of ten, whole decades on a logarithmic axis; about six in all.
+  /// Distance between ticks: 1, 2 or 5 times a power of ten, whole decades on a logarithmic axis; about six
+  /// in all.
   double spacing() const {
     double const raw = (scaled(high) - scaled(low)) / 6;
     double const power = std::pow(10.0, std::floor(std::log10(raw)));
@@ -64,7 +68,8 @@ struct Axis {
         }
       return out;
     }
-    for (double k = std::ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; ++k) out.push_back(unscaled(k * step));
+    for (double k = std::ceil(from / step - 1e-9); k * step <= to + 1e-9 * step; ++k)
+      out.push_back(unscaled(k * step));
     return out;
   }
   /// A tick for a reader: 0.25, −3, 10⁻¹², 2·10⁻⁸.
@@ -73,7 +78,9 @@ struct Axis {
     int const exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
     bool const decades = log && scaled(high) - scaled(low) > 4;
     double const largest = std::max(std::abs(low), std::abs(high));
-    bool const plain = decades ? std::abs(exponent) < 2 : log ? std::abs(exponent) < 4 : largest >= 1e-3 && largest < 1e5;
+    bool const plain = decades ? std::abs(exponent) < 2
+                       : log   ? std::abs(exponent) < 4
+                               : largest >= 1e-3 && largest < 1e5;
     std::string const shown = number(plain ? value : value / std::pow(10.0, exponent), 6);
     std::string out = shown[0] == '-' ? "−" + shown.substr(1) : shown;
     return plain ? out : (out == "1" ? "" : out == "−1" ? "−" : out + "·") + power_of_ten(exponent);

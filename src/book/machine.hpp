@@ -1,7 +1,7 @@
 // The machine on which something was measured: said by every program that reports a time.
 //
-// A time means nothing without it. `report_machine` prints it and puts it into the report: the table "machine", and the figures "processor" and "date"
-// for use in a sentence.
+// A time means nothing without it. `report_machine` prints it and puts it into the report: the table
+// "machine", and the figures "processor" and "date" for use in a sentence.
 #pragma once
 
 #include <chrono>

@@ -15,7 +15,8 @@ double seconds_of(Work const& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The exponent a of y ~ x^a: slope of the least squares line through the logarithms. The order of a method, from steps and errors.
+/// The exponent a of y ~ x^a: slope of the least squares line through the logarithms. The order of a method,
+/// from steps and errors.
 inline double exponent(std::vector<double> const& x, std::vector<double> const& y) {
   double const n = static_cast<double>(x.size());
   double su = 0, sv = 0, suu = 0, suv = 0;

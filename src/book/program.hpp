@@ -1,7 +1,8 @@
 // What a program of a chapter says to its reader.
 //
-// A program prints sentences and tables, and the same figures, tables and pictures go into a report, from which the book is
-// made: no number on a page is copied by hand. What the program claims it checks: where a claim fails, so does the program.
+// A program prints sentences and tables, and the same figures, tables and pictures go into a report, from
+// which the book is made: no number on a page is copied by hand. What the program claims it checks: where a
+// claim fails, so does the program.
 //
 //   book::Program program(argc, argv, "a box thrown about its middle axis turns over, again and again");
 //   program.say("The box turns over every ", period, " seconds.");
@@ -11,7 +12,8 @@
 //   program.headline("energy kept to " + book::number(drift), drift);
 //   return program.finish();
 //
-// The report is NAME.json in the folder given by `--report DIR`; without it, in ../report/programs beside the program.
+// The report is NAME.json in the folder given by `--report DIR`; without it, in ../report/programs beside the
+// program.
 #pragma once
 
 #include <chrono>
@@ -67,9 +69,7 @@ class Program {
 
   /// A line of text: words and numbers.
   template <class... Parts>
-  void say(Parts const&... parts) {
-    std::cout << text(parts...) << '\n';
-  }
+  void say(Parts const&... parts) { std::cout << text(parts...) << '\n'; }
 
   /// A measured number that the chapter may quote by name. A number that is not finite fails the program.
   void figure(std::string const& name, double value, std::string const& meaning = "");
@@ -77,18 +77,21 @@ class Program {
   void figure(std::string const& name, double value, std::string const& shown, std::string const& meaning);
 
   /// A table, printed and reported.
-  void table(std::string const& name, Row const& header, std::vector<Row> const& rows, std::string const& caption = "");
+  void table(std::string const& name, Row const& header, std::vector<Row> const& rows,
+             std::string const& caption = "");
 
   /// A picture (SVG text, from plot.hpp or sphere.hpp), written beside the report.
   void picture(std::string const& name, std::string const& svg, std::string const& caption);
 
-  /// What the program asserts, in words: "the energy stays within 1e-12". Where it is not so, the program fails.
+  /// What the program asserts, in words: "the energy stays within 1e-12". Where it is not so, the program
+  /// fails.
   void claim(bool holds, std::string const& what);
 
   /// The one measured figure that stands for the program in the table of all programs.
   void headline(std::string const& text, double value);
 
-  /// Writes the report. The result is what `main` returns: 0, or 1 where a claim failed or nothing stands for the program.
+  /// Writes the report. The result is what `main` returns: 0, or 1 where a claim failed or nothing stands for
+  /// the program.
   int finish();
 
  protected:

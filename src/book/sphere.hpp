@@ -1,8 +1,7 @@
 // Curves on a sphere, seen from afar: what lies behind is dashed and pale.
 //
-//   auto sphere = book::Sphere(30, 20).axes({"1", "2", "3"});      // seen from 30 degrees east, 20 degrees north
-//   sphere.curve(exact).dots(momenta, "every step");
-//   program.picture("polhode", sphere.svg(), "...");
+//   auto sphere = book::Sphere(30, 20).axes({"1", "2", "3"}); // seen from 30 degrees east, 20 degrees north
+//   sphere.curve(exact).dots(momenta, "every step"); program.picture("polhode", sphere.svg(), "...");
 //
 // Points are brought to the unit sphere, so that momenta of any unit may be given as they are.
 #pragma once
@@ -14,7 +13,8 @@
 
 namespace book {
 
-/// Curves on the unit sphere in orthographic projection; every function returns the sphere, so that calls can be joined.
+/// Curves on the unit sphere in orthographic projection; every function returns the sphere, so that calls can
+/// be joined.
 class Sphere {
  public:
   /// A point or direction in space.
@@ -59,7 +59,9 @@ class Sphere {
 
   static double dot(Vector const& a, Vector const& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
   double depth(Vector const& p) const { return dot(p, eye_); }
-  svg::Point place(Vector const& p) const { return {centre + radius * dot(p, right_), centre - radius * dot(p, up_)}; }
+  svg::Point place(Vector const& p) const {
+    return {centre + radius * dot(p, right_), centre - radius * dot(p, up_)};
+  }
 
   /// Draws a curve in pieces: those behind the sphere, dashed, and those before it.
   void add(Curve const& c, std::string& behind, std::string& before) const;

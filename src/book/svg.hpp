@@ -1,7 +1,8 @@
 // The elements of a picture: text of SVG, the look of its lines, and long curves made short.
 //
-// Colours are variables of the page (--plot-1 to --plot-6, --plot-axis, --plot-grid, --plot-text), so that a picture placed in
-// a page follows its light or dark theme; alone, a picture follows the preference of the one who looks at it.
+// Colours are variables of the page (--plot-1 to --plot-6, --plot-axis, --plot-grid, --plot-text), so that a
+// picture placed in a page follows its light or dark theme; alone, a picture follows the preference of the
+// one who looks at it.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +45,12 @@ inline std::string pixel(double x) {
 /// A text with the signs that mean something in XML written out.
 inline std::string escape(std::string_view text) {
   std::string out;
-  for (char const c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+  for (char const c : text)
+    out += c == '&'   ? "&amp;"
+           : c == '<' ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '"' ? "&quot;"
+                      : std::string(1, c);
   return out;
 }
 
@@ -52,39 +58,48 @@ inline std::string escape(std::string_view text) {
 inline std::string picture(double width, double height, std::string const& elements) {
   static constexpr char const* light[] = {"#1c5d99", "#c2571a", "#2c7a4b", "#8a3d86", "#9a7b00", "#5c6670"};
   static constexpr char const* dark[] = {"#7fb4e6", "#f0a06a", "#7fd0a0", "#d79ad3", "#e2c65a", "#98a1aa"};
-  auto const colours = [](auto const& list, std::string const& axis, std::string const& grid, std::string const& text) {
+  auto const colours =
+      [](auto const& list, std::string const& axis, std::string const& grid, std::string const& text) {
     std::string out = ".plot{";
-    for (int i = 0; i < 6; ++i) out += "--c" + std::to_string(i + 1) + ":var(--plot-" + std::to_string(i + 1) + "," + list[i] + ");";
-    return out + "--axis:var(--plot-axis," + axis + ");--grid:var(--plot-grid," + grid + ");--text:var(--plot-text," + text + ")}";
+    for (int i = 0; i < 6; ++i)
+      out += "--c" + std::to_string(i + 1) + ":var(--plot-" + std::to_string(i + 1) + "," + list[i] + ");";
+    return out + "--axis:var(--plot-axis," + axis + ");--grid:var(--plot-grid," + grid +
+           ");--text:var(--plot-text," + text + ")}";
   };
   std::string style = colours(light, "#5c6670", "#e6e2d9", "#22272d");
   style += "@media(prefers-color-scheme:dark){" + colours(dark, "#98a1aa", "#2c3137", "#d8dbde") + "}";
-  style += ".plot text{fill:var(--text);font-size:12px}.plot .axis{stroke:var(--axis);fill:none}.plot .grid{stroke:var(--grid);fill:none}";
+  style +=
+      ".plot text{fill:var(--text);font-size:12px}.plot .axis{stroke:var(--axis);fill:none}.plot "
+      ".grid{stroke:var(--grid);fill:none}";
   for (int i = 1; i <= 6; ++i) {
     auto const n = std::to_string(i);
     // Piece by piece: GCC 12 warns of the sum of these without reason.
-    for (char const* const text : {".plot .line", "{stroke:var(--c", ");fill:none}.plot .dot", "{fill:var(--c"})
+    for (char const* const text :
+         {".plot .line", "{stroke:var(--c", ");fill:none}.plot .dot", "{fill:var(--c"})
       style += text, style += n;
     style += ");stroke:none}";
   }
   auto const size = pixel(width) + " " + pixel(height);
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"" + pixel(width) + "\" height=\"" + pixel(height) +
-         "\" viewBox=\"0 0 " + size + "\" font-family=\"sans-serif\">\n<style>" + style + "</style>\n" + elements + "</svg>\n";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"" + pixel(width) + "\" height=\"" +
+         pixel(height) + "\" viewBox=\"0 0 " + size + "\" font-family=\"sans-serif\">\n<style>" + style +
+         "</style>\n" + elements + "</svg>\n";
 }
 
 /// A text at a place. @param anchor  start, middle or end  @param more  further attributes
-inline std::string label(Point at, std::string_view text, std::string_view anchor = "start", std::string_view more = "") {
-  return "<text x=\"" + pixel(at.x) + "\" y=\"" + pixel(at.y) + "\" text-anchor=\"" + std::string(anchor) + "\"" + std::string(more) + ">" +
-         escape(text) + "</text>\n";
+inline std::string label(Point at, std::string_view text, std::string_view anchor = "start",
+                         std::string_view more = "") {
+  return "<text x=\"" + pixel(at.x) + "\" y=\"" + pixel(at.y) + "\" text-anchor=\"" + std::string(anchor) +
+         "\"" + std::string(more) + ">" + escape(text) + "</text>\n";
 }
 
 /// A straight line; `look` is its class: axis or grid.
 inline std::string segment(Point a, Point b, std::string_view look) {
-  return "<line class=\"" + std::string(look) + "\" x1=\"" + pixel(a.x) + "\" y1=\"" + pixel(a.y) + "\" x2=\"" + pixel(b.x) + "\" y2=\"" +
-         pixel(b.y) + "\"/>\n";
+  return "<line class=\"" + std::string(look) + "\" x1=\"" + pixel(a.x) + "\" y1=\"" + pixel(a.y) +
+         "\" x2=\"" + pixel(b.x) + "\" y2=\"" + pixel(b.y) + "\"/>\n";
 }
 
-/// Leaves out the points that lie within `tolerance` pixels of the line through those that stay (Ramer, Douglas and Peucker).
+/// Leaves out the points that lie within `tolerance` pixels of the line through those that stay (Ramer,
+/// Douglas and Peucker).
 inline std::vector<Point> straighten(std::span<Point const> points, double tolerance) {
   if (points.size() < 3) return {points.begin(), points.end()};
   std::vector<bool> kept(points.size());
@@ -113,7 +128,8 @@ inline std::vector<Point> straighten(std::span<Point const> points, double toler
   return out;
 }
 
-/// Of a curve that runs to the right, no more than four points in each half pixel: first, lowest, highest, last.
+/// Of a curve that runs to the right, no more than four points in each half pixel: first, lowest, highest,
+/// last.
 inline std::vector<Point> thin(std::span<Point const> points) {
   if (!std::ranges::is_sorted(points, {}, &Point::x)) return {points.begin(), points.end()};
   std::vector<Point> out;
@@ -138,8 +154,8 @@ inline std::string curve(std::span<Point const> points, Look const& look) {
   if (look.dots) {
     for (auto const& p : points)
       if (std::isfinite(p.x) && std::isfinite(p.y))
-        out +=
-            "<circle class=\"dot" + colour + "\" cx=\"" + pixel(p.x) + "\" cy=\"" + pixel(p.y) + "\" r=\"" + pixel(look.radius) + "\"/>\n";
+        out += "<circle class=\"dot" + colour + "\" cx=\"" + pixel(p.x) + "\" cy=\"" + pixel(p.y) +
+               "\" r=\"" + pixel(look.radius) + "\"/>\n";
     return out;
   }
   std::string path;
@@ -155,8 +171,9 @@ inline std::string curve(std::span<Point const> points, Look const& look) {
     }
     i = end + 1;
   }
-  return "<path class=\"line" + colour + "\" stroke-width=\"" + pixel(look.width) + "\" stroke-linejoin=\"round\"" +
-         (look.dashed ? " stroke-dasharray=\"6 4\"" : "") + " d=\"" + path + "\"/>\n";
+  return "<path class=\"line" + colour + "\" stroke-width=\"" + pixel(look.width) +
+         "\" stroke-linejoin=\"round\"" + (look.dashed ? " stroke-dasharray=\"6 4\"" : "") + " d=\"" + path +
+         "\"/>\n";
 }
 
 }  // namespace svg

@@ -48,7 +48,8 @@ py::tuple handed_over(MemoryRun&& run, py::object raised) {
   about["summary"] = run.summary, about["scene"] = run.scene;
   std::size_t const columns = run.columns.size();
   int const ending = static_cast<int>(run.report.ending);
-  return py::make_tuple(rows(std::move(run.table), columns), about, ending, run.report.message, std::move(raised));
+  return py::make_tuple(rows(std::move(run.table), columns), about, ending, run.report.message,
+                        std::move(raised));
 }
 
 /// The exception that waits in this thread, with its traceback; None where there is none.

@@ -64,8 +64,10 @@ void refuse_what_is_no_run(std::string const& folder) {
 
 MemoryRun run_in_memory(SceneFile file, std::vector<Change> const& changes, Watch watch) {
   for (auto const& change : changes) {
-    if (change.drop) file.drop(change.text);
-    else file.change(change.text);
+    if (change.drop)
+      file.drop(change.text);
+    else
+      file.change(change.text);
   }
   Scene scene = Scene::read(std::move(file));
   std::size_t const columns = 1 + scene.simulation.quantities.row_size();

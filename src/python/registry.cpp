@@ -28,7 +28,8 @@ py::list bodies() {
     py::dict one;
     one["name"] = body.name, one["title"] = body.title;
     one["moments"] = numbers(body.principal.inertia.moments), one["unit"] = body.unit;
-    one["axes"] = rows(body.principal.axes), one["spin"] = numbers(body.spin.coordinates), one["time"] = body.time;
+    one["axes"] = rows(body.principal.axes), one["spin"] = numbers(body.spin.coordinates),
+    one["time"] = body.time;
     one["source"] = body.source, one["derived"] = body.derived;
     out.append(one);
   }

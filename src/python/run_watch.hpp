@@ -10,8 +10,8 @@
 
 namespace actio::python {
 
-/// Called without the lock of the interpreter, which it takes when it needs it. What Python raises waits in the
-/// thread.
+/// Called without the lock of the interpreter, which it takes when it needs it. What Python raises waits in
+/// the thread.
 class RunWatch {
  public:
   /// @param told  called with the fraction and the time; a result that is true ends the run. May be None.

@@ -1,7 +1,7 @@
 // The arithmetic of the run: what the four operations on a Number (number.hpp) mean while it is in force.
 //
-// One arithmetic is in force at a time, for the whole program: this serves programs of a single thread. What was made under one
-// arithmetic is not to be used under another.
+// One arithmetic is in force at a time, for the whole program: this serves programs of a single thread. What
+// was made under one arithmetic is not to be used under another.
 #pragma once
 
 #include <cstdint>
@@ -66,7 +66,8 @@ class Arithmetic {
   std::string name() const;
 
  private:
-  Arithmetic(ArithmeticKind kind, int bits, std::uint64_t parameter) : kind_(kind), bits_(bits), parameter_(parameter) {}
+  Arithmetic(ArithmeticKind kind, int bits, std::uint64_t parameter)
+      : kind_(kind), bits_(bits), parameter_(parameter) {}
   ArithmeticKind kind_;
   int bits_;
   std::uint64_t parameter_;  // the modulus, or the decimal digits

@@ -1,4 +1,5 @@
-// Balls, by Arb: a centre and a radius that holds every error. Whole numbers below 2^53 in size stand in the number itself.
+// Balls, by Arb: a centre and a radius that holds every error. Whole numbers below 2^53 in size stand in the
+// number itself.
 #include <arb.h>
 
 #include <cmath>
@@ -46,7 +47,10 @@ void ball_operation(Operation op, Number& z, Number const& x, Number const& y) {
   bool const whole_x = !NumberParts::in_cell(x), whole_y = !NumberParts::in_cell(y);
   constexpr std::int64_t limit = std::int64_t(1) << 53;
   if (whole_x && whole_y && op != Operation::divide) {
-    __int128 const a = whole(x), b = whole(y), result = op == Operation::add ? a + b : op == Operation::subtract ? a - b : a * b;
+    __int128 const a = whole(x), b = whole(y),
+                   result = op == Operation::add        ? a + b
+                            : op == Operation::subtract ? a - b
+                                                        : a * b;
     if (result > -limit && result < limit) return NumberParts::set(z, static_cast<std::int64_t>(result), 0);
   }
   if (whole_y && whole(y) == 0 && (op == Operation::add || op == Operation::subtract)) {
@@ -63,10 +67,17 @@ void ball_operation(Operation op, Number& z, Number const& x, Number const& y) {
   Argument const a(x), b(y);
   Cell* const cell = free_cells<Cell>().take();
   switch (op) {
-    case Operation::add: arb_add(cell->value, a.at, b.at, precision()); break;
-    case Operation::subtract: arb_sub(cell->value, a.at, b.at, precision()); break;
-    case Operation::multiply: arb_mul(cell->value, a.at, b.at, precision()); break;
-    default: arb_div(cell->value, a.at, b.at, precision());
+    case Operation::add:
+      arb_add(cell->value, a.at, b.at, precision());
+      break;
+    case Operation::subtract:
+      arb_sub(cell->value, a.at, b.at, precision());
+      break;
+    case Operation::multiply:
+      arb_mul(cell->value, a.at, b.at, precision());
+      break;
+    default:
+      arb_div(cell->value, a.at, b.at, precision());
   }
   put(z, cell);
 }
@@ -76,18 +87,41 @@ Number ball_function(Function f, Number const& x) {
   Cell* const cell = free_cells<Cell>().take();
   arb_ptr const out = cell->value;
   switch (f) {
-    case Function::sqrt: arb_sqrt(out, of.at, precision()); break;
-    case Function::exp: arb_exp(out, of.at, precision()); break;
-    case Function::log: arb_log(out, of.at, precision()); break;
-    case Function::sin: arb_sin(out, of.at, precision()); break;
-    case Function::cos: arb_cos(out, of.at, precision()); break;
-    case Function::tan: arb_tan(out, of.at, precision()); break;
-    case Function::asin: arb_asin(out, of.at, precision()); break;
-    case Function::acos: arb_acos(out, of.at, precision()); break;
-    case Function::atan: arb_atan(out, of.at, precision()); break;
-    case Function::sinh: arb_sinh(out, of.at, precision()); break;
-    case Function::cosh: arb_cosh(out, of.at, precision()); break;
-    default: arb_tanh(out, of.at, precision());
+    case Function::sqrt:
+      arb_sqrt(out, of.at, precision());
+      break;
+    case Function::exp:
+      arb_exp(out, of.at, precision());
+      break;
+    case Function::log:
+      arb_log(out, of.at, precision());
+      break;
+    case Function::sin:
+      arb_sin(out, of.at, precision());
+      break;
+    case Function::cos:
+      arb_cos(out, of.at, precision());
+      break;
+    case Function::tan:
+      arb_tan(out, of.at, precision());
+      break;
+    case Function::asin:
+      arb_asin(out, of.at, precision());
+      break;
+    case Function::acos:
+      arb_acos(out, of.at, precision());
+      break;
+    case Function::atan:
+      arb_atan(out, of.at, precision());
+      break;
+    case Function::sinh:
+      arb_sinh(out, of.at, precision());
+      break;
+    case Function::cosh:
+      arb_cosh(out, of.at, precision());
+      break;
+    default:
+      arb_tanh(out, of.at, precision());
   }
   Number z;
   put(z, cell);
@@ -111,7 +145,8 @@ Number ball_atan2(Number const& y, Number const& x) {
 }
 
 bool ball_less(Number const& x, Number const& y, bool or_equal) {
-  if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y)) return or_equal ? whole(x) <= whole(y) : whole(x) < whole(y);
+  if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y))
+    return or_equal ? whole(x) <= whole(y) : whole(x) < whole(y);
   if (&x == &y) return or_equal && ball_is_finite(x);
   Argument const a(x), b(y);
   if (or_equal ? arb_le(a.at, b.at) : arb_lt(a.at, b.at)) return true;
@@ -138,10 +173,13 @@ void ball_from_large(Number& z, std::int64_t n) {
   put(z, cell);
 }
 double ball_to_double(Number const& x) {
-  return NumberParts::in_cell(x) ? arf_get_d(arb_midref(value(x)), ARF_RND_NEAR) : static_cast<double>(whole(x));
+  return NumberParts::in_cell(x) ? arf_get_d(arb_midref(value(x)), ARF_RND_NEAR)
+                                 : static_cast<double>(whole(x));
 }
 bool ball_is_finite(Number const& x) { return !NumberParts::in_cell(x) || arb_is_finite(value(x)); }
-bool ball_holds_zero(Number const& x) { return NumberParts::in_cell(x) ? arb_contains_zero(value(x)) : whole(x) == 0; }
+bool ball_holds_zero(Number const& x) {
+  return NumberParts::in_cell(x) ? arb_contains_zero(value(x)) : whole(x) == 0;
+}
 
 Number ball_bound(Number const& x, bool upper) {
   Argument const of(x);

@@ -23,7 +23,8 @@ bool is_zero(Number const& x) { return !NumberParts::in_cell(x) && whole(x) == 0
 /// A free cell of the precision in force.
 Cell* fresh() {
   Cell* const cell = free_cells<Cell>().take();
-  if (mpfr_get_prec(cell->value) != current_arithmetic().bits()) mpfr_set_prec(cell->value, current_arithmetic().bits());
+  if (mpfr_get_prec(cell->value) != current_arithmetic().bits())
+    mpfr_set_prec(cell->value, current_arithmetic().bits());
   return cell;
 }
 void put(Number& z, Cell* cell) { NumberParts::set(z, reinterpret_cast<std::int64_t>(cell), decimal_cell); }
@@ -48,9 +49,15 @@ bool whole_operation(Operation op, Number& z, std::int64_t a, std::int64_t b) {
   constexpr std::int64_t limit = std::int64_t(1) << 53;
   __int128 result = 0;
   switch (op) {
-    case Operation::add: result = static_cast<__int128>(a) + b; break;
-    case Operation::subtract: result = static_cast<__int128>(a) - b; break;
-    case Operation::multiply: result = static_cast<__int128>(a) * b; break;
+    case Operation::add:
+      result = static_cast<__int128>(a) + b;
+      break;
+    case Operation::subtract:
+      result = static_cast<__int128>(a) - b;
+      break;
+    case Operation::multiply:
+      result = static_cast<__int128>(a) * b;
+      break;
     default:
       if (b == 0 || a % b != 0) return false;
       result = a / b;
@@ -75,7 +82,8 @@ void decimal_operation(Operation op, Number& z, Number const& x, Number const& y
       return;
     }
   } else if (op == Operation::multiply) {
-    if ((is_zero(x) && mpfr_number_p(value(y))) || (is_zero(y) && mpfr_number_p(value(x)))) return NumberParts::set(z, 0, 0);
+    if ((is_zero(x) && mpfr_number_p(value(y))) || (is_zero(y) && mpfr_number_p(value(x))))
+      return NumberParts::set(z, 0, 0);
   }
   // MPFR may write over its arguments: a cell that z has is used again.
   bool const again = NumberParts::in_cell(z);
@@ -84,25 +92,29 @@ void decimal_operation(Operation op, Number& z, Number const& x, Number const& y
   switch (op) {
     case Operation::add:
       if (whole_y)
-        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_add_si(out, out, whole(y), nearest) : mpfr_add_si(out, value(x), whole(y), nearest);
+        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
+            mpfr_add_si(out, out, whole(y), nearest) : mpfr_add_si(out, value(x), whole(y), nearest);
       else
         whole_x ? mpfr_add_si(out, value(y), whole(x), nearest) : mpfr_add(out, value(x), value(y), nearest);
       break;
     case Operation::subtract:
       if (whole_y)
-        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_sub_si(out, out, whole(y), nearest) : mpfr_sub_si(out, value(x), whole(y), nearest);
+        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
+            mpfr_sub_si(out, out, whole(y), nearest) : mpfr_sub_si(out, value(x), whole(y), nearest);
       else
         whole_x ? mpfr_si_sub(out, whole(x), value(y), nearest) : mpfr_sub(out, value(x), value(y), nearest);
       break;
     case Operation::multiply:
       if (whole_y)
-        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_mul_si(out, out, whole(y), nearest) : mpfr_mul_si(out, value(x), whole(y), nearest);
+        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
+            mpfr_mul_si(out, out, whole(y), nearest) : mpfr_mul_si(out, value(x), whole(y), nearest);
       else
         whole_x ? mpfr_mul_si(out, value(y), whole(x), nearest) : mpfr_mul(out, value(x), value(y), nearest);
       break;
     default:
       if (whole_y)
-        whole_x ? mpfr_set_si(out, whole(x), nearest), mpfr_div_si(out, out, whole(y), nearest) : mpfr_div_si(out, value(x), whole(y), nearest);
+        whole_x                                      ? mpfr_set_si(out, whole(x), nearest),
+            mpfr_div_si(out, out, whole(y), nearest) : mpfr_div_si(out, value(x), whole(y), nearest);
       else
         whole_x ? mpfr_si_div(out, whole(x), value(y), nearest) : mpfr_div(out, value(x), value(y), nearest);
   }
@@ -114,18 +126,41 @@ Number decimal_function(Function f, Number const& x) {
   Cell* const cell = fresh();
   mpfr_ptr const out = cell->value;
   switch (f) {
-    case Function::sqrt: mpfr_sqrt(out, of.at, nearest); break;
-    case Function::exp: mpfr_exp(out, of.at, nearest); break;
-    case Function::log: mpfr_log(out, of.at, nearest); break;
-    case Function::sin: mpfr_sin(out, of.at, nearest); break;
-    case Function::cos: mpfr_cos(out, of.at, nearest); break;
-    case Function::tan: mpfr_tan(out, of.at, nearest); break;
-    case Function::asin: mpfr_asin(out, of.at, nearest); break;
-    case Function::acos: mpfr_acos(out, of.at, nearest); break;
-    case Function::atan: mpfr_atan(out, of.at, nearest); break;
-    case Function::sinh: mpfr_sinh(out, of.at, nearest); break;
-    case Function::cosh: mpfr_cosh(out, of.at, nearest); break;
-    default: mpfr_tanh(out, of.at, nearest);
+    case Function::sqrt:
+      mpfr_sqrt(out, of.at, nearest);
+      break;
+    case Function::exp:
+      mpfr_exp(out, of.at, nearest);
+      break;
+    case Function::log:
+      mpfr_log(out, of.at, nearest);
+      break;
+    case Function::sin:
+      mpfr_sin(out, of.at, nearest);
+      break;
+    case Function::cos:
+      mpfr_cos(out, of.at, nearest);
+      break;
+    case Function::tan:
+      mpfr_tan(out, of.at, nearest);
+      break;
+    case Function::asin:
+      mpfr_asin(out, of.at, nearest);
+      break;
+    case Function::acos:
+      mpfr_acos(out, of.at, nearest);
+      break;
+    case Function::atan:
+      mpfr_atan(out, of.at, nearest);
+      break;
+    case Function::sinh:
+      mpfr_sinh(out, of.at, nearest);
+      break;
+    case Function::cosh:
+      mpfr_cosh(out, of.at, nearest);
+      break;
+    default:
+      mpfr_tanh(out, of.at, nearest);
   }
   Number z;
   put(z, cell);
@@ -149,7 +184,8 @@ Number decimal_atan2(Number const& y, Number const& x) {
 }
 
 bool decimal_less(Number const& x, Number const& y, bool or_equal) {
-  if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y)) return or_equal ? whole(x) <= whole(y) : whole(x) < whole(y);
+  if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y))
+    return or_equal ? whole(x) <= whole(y) : whole(x) < whole(y);
   Argument const a(x), b(y);
   return (or_equal ? mpfr_lessequal_p(a.at, b.at) : mpfr_less_p(a.at, b.at)) != 0;
 }

@@ -1,9 +1,11 @@
-// Random numbers, vectors and elements of groups: the same on every machine and, up to rounding, over every scalar.
+// Random numbers, vectors and elements of groups: the same on every machine and, up to rounding, over every
+// scalar.
 //
-// A number is k/65537 with k uniform in -65536, ..., 65536. Over the rationals these are exactly the fractions that the
-// probability of a false zero is counted with (131073 equally likely numbers); in floating point they are the same fractions, and
-// since 65537 is an odd prime they fill all digits, so that rounding is not hidden by short numbers. No distribution of the
-// standard library is used: their algorithms differ from one implementation to the next.
+// A number is k/65537 with k uniform in -65536, ..., 65536. Over the rationals these are exactly the
+// fractions that the probability of a false zero is counted with (131073 equally likely numbers); in floating
+// point they are the same fractions, and since 65537 is an odd prime they fill all digits, so that rounding
+// is not hidden by short numbers. No distribution of the standard library is used: their algorithms differ
+// from one implementation to the next.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +31,8 @@ struct Draw {
     return bits % count;
   }
 
-  /// A number in (-1, 1). One whose arithmetic is chosen at run time may have a set of its own to draw from: `Number::drawn`.
+  /// A number in (-1, 1). One whose arithmetic is chosen at run time may have a set of its own to draw from:
+  /// `Number::drawn`.
   template <Scalar S>
   S number() {
     if constexpr (ChosenAtRunTime<Base<S>>)
@@ -56,7 +59,8 @@ struct Draw {
   Momentum<G, S> momentum(G const& group, std::type_identity_t<S> const& size = S(1)) {
     return {group, vector<S, Coordinates<G, S>>(group.dimension()) * size};
   }
-  /// The retraction of a velocity of that size: with the default, inside the chart of every group of the library.
+  /// The retraction of a velocity of that size: with the default, inside the chart of every group of the
+  /// library.
   template <Scalar S, Group G>
   Element<G, S> element(G const& group, std::type_identity_t<S> const& size = ratio<S>(1, 2)) {
     return retract(velocity<S>(group, size));

@@ -1,7 +1,9 @@
-// The free body by power series in the time, in any number of digits: the witness for everything that moves one faster.
+// The free body by power series in the time, in any number of digits: the witness for everything that moves
+// one faster.
 //
-// Euler's equations M' = M x omega and q' = q (0, omega)/2, omega = M/I, are of second degree: each coefficient is a sum of products of the ones before it.
-// Nothing here knows of orbits, half turns or elliptic functions.
+// Euler's equations M' = M x omega and q' = q (0, omega)/2, omega = M/I, are of second degree: each
+// coefficient is a sum of products of the ones before it. Nothing here knows of orbits, half turns or
+// elliptic functions.
 #pragma once
 
 #include <algorithm>
@@ -26,11 +28,13 @@ struct EulerState {
 /// @param start     state at time 0
 /// @param duration  time; negative to go back
 /// @throws NotFinite  where a number is none
-/// Accuracy: a few epsilon for each series, of which there is about one for each radian, magnified as the motion magnifies errors.
+/// Accuracy: a few epsilon for each series, of which there is about one for each radian, magnified as the
+/// motion magnifies errors.
 template <Real S>
 EulerState<S> euler_series(Eigen::Matrix<S, 3, 1> const& moments, EulerState<S> start, S const& duration) {
   using std::exp, std::log;
-  if (!is_finite(start.momentum) || !is_finite(start.attitude) || !is_finite(duration)) throw NotFinite("euler_series");
+  if (!is_finite(start.momentum) || !is_finite(start.attitude) || !is_finite(duration))
+    throw NotFinite("euler_series");
   int const terms = std::max(16, static_cast<int>(1.2 * std::numeric_limits<S>::digits10));
   std::vector<Eigen::Matrix<S, 3, 1>> M(terms + 1), omega(terms + 1);
   std::vector<Eigen::Matrix<S, 4, 1>> q(terms + 1);
@@ -64,7 +68,9 @@ EulerState<S> euler_series(Eigen::Matrix<S, 3, 1> const& moments, EulerState<S> 
     bool const whole = step == magnitude(rest);
     S const t = rest < S(0) ? S(-step) : step;
     start = {M[terms], q[terms]};
-    for (int n = terms; n-- > 0;) start.momentum = (start.momentum * t + M[n]).eval(), start.attitude = (start.attitude * t + q[n]).eval();
+    for (int n = terms; n-- > 0;)
+      start.momentum = (start.momentum * t + M[n]).eval(),
+      start.attitude = (start.attitude * t + q[n]).eval();
     if (!is_finite(start.momentum) || !is_finite(start.attitude)) throw NotFinite("euler_series");
     reached = whole ? duration : S(reached + t);
   }

@@ -30,7 +30,8 @@ inline float rounded_up(float degree) { return degree < 16777216.0f ? degree : d
 bool literal_zero(Number const& x) { return NumberParts::word(x) == 0 && NumberParts::mark(x) == 0; }
 
 inline DegreeBound degree_of_sum(DegreeBound const& x, DegreeBound const& y) {
-  if (x.denominator == 0 && y.denominator == 0) return {x.numerator < y.numerator ? y.numerator : x.numerator, 0};
+  if (x.denominator == 0 && y.denominator == 0)
+    return {x.numerator < y.numerator ? y.numerator : x.numerator, 0};
   float const a = x.numerator + y.denominator, b = y.numerator + x.denominator;
   return {rounded_up(a < b ? b : a), rounded_up(x.denominator + y.denominator)};
 }
@@ -44,8 +45,9 @@ inline Number field_number(std::uint64_t residue, DegreeBound const& degree) {
 inline Number field_sum(Number const& x, Number const& y) {
   if (literal_zero(x)) return y;
   if (literal_zero(y)) return x;
-  return field_number(prime_field::sum(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
-                      degree_of_sum(NumberParts::degree(x), NumberParts::degree(y)));
+  return field_number(
+      prime_field::sum(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
+      degree_of_sum(NumberParts::degree(x), NumberParts::degree(y)));
 }
 inline Number field_opposite(Number const& x) {
   if (NumberParts::word(x) == 0) return x;
@@ -54,72 +56,99 @@ inline Number field_opposite(Number const& x) {
 inline Number field_difference(Number const& x, Number const& y) {
   if (literal_zero(x)) return field_opposite(y);
   if (literal_zero(y)) return x;
-  return field_number(prime_field::difference(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
+  return field_number(prime_field::difference(NumberParts::residue(x), NumberParts::residue(y),
+                                              arithmetic_in_force.modulus()),
                       degree_of_sum(NumberParts::degree(x), NumberParts::degree(y)));
 }
 inline Number field_product(Number const& x, Number const& y) {
   if (literal_zero(x) || literal_zero(y)) return Number();
-  return field_number(prime_field::product(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
-                      degree_of_product(NumberParts::degree(x), NumberParts::degree(y)));
+  return field_number(
+      prime_field::product(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
+      degree_of_product(NumberParts::degree(x), NumberParts::degree(y)));
 }
 Number field_quotient(Number const& x, Number const& y) {
   if (NumberParts::word(y) == 0) throw DivisionByZero();
   if (literal_zero(x)) return x;
   std::uint64_t const p = arithmetic_in_force.modulus();
   DegreeBound const below = NumberParts::degree(y);
-  return field_number(prime_field::product(NumberParts::residue(x), prime_field::inverse(NumberParts::residue(y), p), p),
-                      degree_of_product(NumberParts::degree(x), {below.denominator, below.numerator}));
+  return field_number(
+      prime_field::product(NumberParts::residue(x), prime_field::inverse(NumberParts::residue(y), p), p),
+      degree_of_product(NumberParts::degree(x), {below.denominator, below.numerator}));
 }
 Number field_root(Number const& x) {
   std::uint64_t const p = arithmetic_in_force.modulus(), square = NumberParts::residue(x);
   if (p % 4 != 3)
-    throw NotInThisField("sqrt", "a modulus that is 3 mod 4 is needed for roots, such as 2^61 - 1; remainder", static_cast<double>(p % 4), 3);
+    throw NotInThisField("sqrt", "a modulus that is 3 mod 4 is needed for roots, such as 2^61 - 1; remainder",
+                         static_cast<double>(p % 4), 3);
   std::uint64_t const root = prime_field::root(square, p);
   if (prime_field::product(root, root, p) != square)
-    throw NotASquare("sqrt", "a number modulo p has a root where it is a square, half of all are; squares at hand", 0, 1);
+    throw NotASquare(
+        "sqrt", "a number modulo p has a root where it is a square, half of all are; squares at hand", 0, 1);
   if (NumberParts::degree(x).numerator != 0 || NumberParts::degree(x).denominator != 0) roots.insert(square);
   return field_number(root, NumberParts::degree(x));
 }
 
 [[noreturn]] void no_order() {
-  throw NoOrder("numbers modulo a prime have no order: a claim that compares belongs to rational numbers, digits or balls");
+  throw NoOrder(
+      "numbers modulo a prime have no order: a claim that compares belongs to rational numbers, digits or "
+      "balls");
 }
 [[noreturn]] void not_here(char const* function, Number const& x) {
-  throw NotInThisField(function, "double, decimal digits and balls have this function, " +
-                                     std::string(arithmetic_in_force.kind() == Kind::prime ? "a prime field has not"
-                                                                                         : "the rational numbers have not"),
-                       x.convert_to<double>(), 0);
+  throw NotInThisField(
+      function,
+      "double, decimal digits and balls have this function, " +
+          std::string(arithmetic_in_force.kind() == Kind::prime ? "a prime field has not"
+                                                                : "the rational numbers have not"),
+      x.convert_to<double>(), 0);
 }
 
 inline double hardware_function(Function f, double x) {
   switch (f) {
-    case Function::sqrt: return std::sqrt(x);
-    case Function::exp: return std::exp(x);
-    case Function::log: return std::log(x);
-    case Function::sin: return std::sin(x);
-    case Function::cos: return std::cos(x);
-    case Function::tan: return std::tan(x);
-    case Function::asin: return std::asin(x);
-    case Function::acos: return std::acos(x);
-    case Function::atan: return std::atan(x);
-    case Function::sinh: return std::sinh(x);
-    case Function::cosh: return std::cosh(x);
-    default: return std::tanh(x);
+    case Function::sqrt:
+      return std::sqrt(x);
+    case Function::exp:
+      return std::exp(x);
+    case Function::log:
+      return std::log(x);
+    case Function::sin:
+      return std::sin(x);
+    case Function::cos:
+      return std::cos(x);
+    case Function::tan:
+      return std::tan(x);
+    case Function::asin:
+      return std::asin(x);
+    case Function::acos:
+      return std::acos(x);
+    case Function::atan:
+      return std::atan(x);
+    case Function::sinh:
+      return std::sinh(x);
+    case Function::cosh:
+      return std::cosh(x);
+    default:
+      return std::tanh(x);
   }
 }
 constexpr char const* name_of(Function f) {
-  constexpr char const* names[] = {"sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"};
+  constexpr char const* names[] = {"sqrt", "exp",  "log",  "sin",  "cos",  "tan",
+                                   "asin", "acos", "atan", "sinh", "cosh", "tanh"};
   return names[static_cast<int>(f)];
 }
 
 Number function(Function f, Number const& x) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return Number(hardware_function(f, NumberParts::hardware(x)));
-    case Kind::decimal: return detail::decimal_function(f, x);
-    case Kind::ball: return detail::ball_function(f, x);
-    default: break;
+    case Kind::hardware:
+      return Number(hardware_function(f, NumberParts::hardware(x)));
+    case Kind::decimal:
+      return detail::decimal_function(f, x);
+    case Kind::ball:
+      return detail::ball_function(f, x);
+    default:
+      break;
   }
-  if (f == Function::sqrt) return arithmetic_in_force.kind() == Kind::prime ? field_root(x) : detail::rational_root(x);
+  if (f == Function::sqrt)
+    return arithmetic_in_force.kind() == Kind::prime ? field_root(x) : detail::rational_root(x);
   // What they are at zero, or at one, needs no field of its own.
   bool const at_zero = x == Number(0);
   switch (f) {
@@ -131,7 +160,8 @@ Number function(Function f, Number const& x) {
     case Function::log:
       if (x == Number(1)) return Number(0);
       break;
-    case Function::acos: break;
+    case Function::acos:
+      break;
     default:
       if (at_zero) return Number(0);
   }
@@ -141,9 +171,12 @@ Number function(Function f, Number const& x) {
 /// z = x op y where numbers may stand in cells.
 void operation(Operation op, Number& z, Number const& x, Number const& y) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::rational: return detail::rational_operation(op, z, x, y);
-    case Kind::decimal: return detail::decimal_operation(op, z, x, y);
-    default: return detail::ball_operation(op, z, x, y);
+    case Kind::rational:
+      return detail::rational_operation(op, z, x, y);
+    case Kind::decimal:
+      return detail::decimal_operation(op, z, x, y);
+    default:
+      return detail::ball_operation(op, z, x, y);
   }
 }
 
@@ -153,7 +186,9 @@ void operation(Operation op, Number& z, Number const& x, Number const& y) {
 
 void Number::set_whole(std::int64_t n) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: word_ = std::bit_cast<std::int64_t>(static_cast<double>(n)); return;
+    case Kind::hardware:
+      word_ = std::bit_cast<std::int64_t>(static_cast<double>(n));
+      return;
     case Kind::prime: {
       std::int64_t const p = static_cast<std::int64_t>(arithmetic_in_force.modulus()), r = n % p;
       word_ = r < 0 ? r + p : r;
@@ -198,25 +233,35 @@ void Number::set_double(double x) {
   }
 }
 
-Number Number::fraction(std::int64_t numerator, std::int64_t denominator) { return Number(numerator) / Number(denominator); }
+Number Number::fraction(std::int64_t numerator, std::int64_t denominator) {
+  return Number(numerator) / Number(denominator);
+}
 
 Number Number::field_draw(std::uint64_t residue) { return field_number(residue, {1, 0}); }
 
 Number Number::rounding() {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return Number(std::numeric_limits<double>::epsilon());
+    case Kind::hardware:
+      return Number(std::numeric_limits<double>::epsilon());
     case Kind::decimal:
-    case Kind::ball: return pow(Number(2), Number(1 - arithmetic_in_force.bits()));
-    default: return Number();
+    case Kind::ball:
+      return pow(Number(2), Number(1 - arithmetic_in_force.bits()));
+    default:
+      return Number();
   }
 }
 
 void Number::copy_cell(Number const& x) {
   void const* const cell = NumberParts::cell(x);
   switch (x.mark_) {
-    case detail::decimal_cell: word_ = reinterpret_cast<std::int64_t>(detail::copied_decimal(cell)); return;
-    case detail::rational_cell: word_ = reinterpret_cast<std::int64_t>(detail::copied_rational(cell)); return;
-    default: word_ = reinterpret_cast<std::int64_t>(detail::copied_ball(cell));
+    case detail::decimal_cell:
+      word_ = reinterpret_cast<std::int64_t>(detail::copied_decimal(cell));
+      return;
+    case detail::rational_cell:
+      word_ = reinterpret_cast<std::int64_t>(detail::copied_rational(cell));
+      return;
+    default:
+      word_ = reinterpret_cast<std::int64_t>(detail::copied_ball(cell));
   }
 }
 void Number::assign_cell(Number const& x) {
@@ -228,10 +273,17 @@ void Number::assign_cell(Number const& x) {
 void Number::release_cell() noexcept {
   void* const cell = reinterpret_cast<void*>(word_);
   switch (mark_) {
-    case detail::decimal_cell: detail::release_decimal(cell); break;
-    case detail::rational_cell: detail::release_rational(cell); break;
-    case detail::ball_cell: detail::release_ball(cell); break;
-    default: break;
+    case detail::decimal_cell:
+      detail::release_decimal(cell);
+      break;
+    case detail::rational_cell:
+      detail::release_rational(cell);
+      break;
+    case detail::ball_cell:
+      detail::release_ball(cell);
+      break;
+    default:
+      break;
   }
   word_ = 0, mark_ = 0;
 }
@@ -358,8 +410,10 @@ bool compared(Number const& x, Number const& y, bool or_equal) {
       int const sign = detail::rational_compare(x, y);
       return or_equal ? sign <= 0 : sign < 0;
     }
-    case Kind::decimal: return detail::decimal_less(x, y, or_equal);
-    default: return detail::ball_less(x, y, or_equal);
+    case Kind::decimal:
+      return detail::decimal_less(x, y, or_equal);
+    default:
+      return detail::ball_less(x, y, or_equal);
   }
 }
 }  // namespace
@@ -368,22 +422,30 @@ bool operator<(Number const& x, Number const& y) { return compared(x, y, false);
 bool operator<=(Number const& x, Number const& y) { return compared(x, y, true); }
 bool operator==(Number const& x, Number const& y) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return NumberParts::hardware(x) == NumberParts::hardware(y);
-    case Kind::prime: return NumberParts::residue(x) == NumberParts::residue(y);
-    case Kind::rational: return detail::rational_compare(x, y) == 0;
-    case Kind::decimal: return detail::decimal_equal(x, y);
-    default: return detail::ball_equal(x, y);
+    case Kind::hardware:
+      return NumberParts::hardware(x) == NumberParts::hardware(y);
+    case Kind::prime:
+      return NumberParts::residue(x) == NumberParts::residue(y);
+    case Kind::rational:
+      return detail::rational_compare(x, y) == 0;
+    case Kind::decimal:
+      return detail::decimal_equal(x, y);
+    default:
+      return detail::ball_equal(x, y);
   }
 }
 
 Number magnitude(Number const& x) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return Number(std::abs(NumberParts::hardware(x)));
+    case Kind::hardware:
+      return Number(std::abs(NumberParts::hardware(x)));
     case Kind::prime:
       degree_seen = std::max(degree_seen, NumberParts::degree(x).numerator);
       return Number(NumberParts::word(x) != 0 ? 1 : 0);
-    case Kind::ball: return detail::ball_magnitude(x);
-    default: return x < Number() ? -x : x;
+    case Kind::ball:
+      return detail::ball_magnitude(x);
+    default:
+      return x < Number() ? -x : x;
   }
 }
 Number abs(Number const& x) {
@@ -392,15 +454,23 @@ Number abs(Number const& x) {
 }
 bool is_finite(Number const& x) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return std::isfinite(NumberParts::hardware(x));
-    case Kind::decimal: return detail::decimal_is_finite(x);
-    case Kind::ball: return detail::ball_is_finite(x);
-    default: return true;
+    case Kind::hardware:
+      return std::isfinite(NumberParts::hardware(x));
+    case Kind::decimal:
+      return detail::decimal_is_finite(x);
+    case Kind::ball:
+      return detail::ball_is_finite(x);
+    default:
+      return true;
   }
 }
 
-Number Number::lower() const { return arithmetic_in_force.kind() == Kind::ball ? detail::ball_bound(*this, false) : *this; }
-Number Number::upper() const { return arithmetic_in_force.kind() == Kind::ball ? detail::ball_bound(*this, true) : *this; }
+Number Number::lower() const {
+  return arithmetic_in_force.kind() == Kind::ball ? detail::ball_bound(*this, false) : *this;
+}
+Number Number::upper() const {
+  return arithmetic_in_force.kind() == Kind::ball ? detail::ball_bound(*this, true) : *this;
+}
 bool Number::holds_zero() const {
   return arithmetic_in_force.kind() == Kind::ball ? detail::ball_holds_zero(*this) : *this == Number();
 }
@@ -422,18 +492,26 @@ Number tanh(Number const& x) { return function(Function::tanh, x); }
 
 Number atan2(Number const& y, Number const& x) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return Number(std::atan2(NumberParts::hardware(y), NumberParts::hardware(x)));
-    case Kind::decimal: return detail::decimal_atan2(y, x);
-    case Kind::ball: return detail::ball_atan2(y, x);
-    default: not_here("atan2", y);
+    case Kind::hardware:
+      return Number(std::atan2(NumberParts::hardware(y), NumberParts::hardware(x)));
+    case Kind::decimal:
+      return detail::decimal_atan2(y, x);
+    case Kind::ball:
+      return detail::ball_atan2(y, x);
+    default:
+      not_here("atan2", y);
   }
 }
 Number pow(Number const& x, Number const& exponent) {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return Number(std::pow(NumberParts::hardware(x), NumberParts::hardware(exponent)));
-    case Kind::decimal: return detail::decimal_pow(x, exponent);
-    case Kind::ball: return detail::ball_pow(x, exponent);
-    default: break;
+    case Kind::hardware:
+      return Number(std::pow(NumberParts::hardware(x), NumberParts::hardware(exponent)));
+    case Kind::decimal:
+      return detail::decimal_pow(x, exponent);
+    case Kind::ball:
+      return detail::ball_pow(x, exponent);
+    default:
+      break;
   }
   // By repeated squaring. Modulo p an exponent is a small whole number, or the opposite of one.
   std::int64_t e = NumberParts::word(exponent);
@@ -466,11 +544,16 @@ Number ldexp(Number const& x, int n) {
 
 double Number::as_double() const {
   switch (arithmetic_in_force.kind()) {
-    case Kind::hardware: return NumberParts::hardware(*this);
-    case Kind::prime: return word_ == 0 || word_ == 1 ? static_cast<double>(word_) : std::nan("");
-    case Kind::rational: return detail::rational_to_double(*this);
-    case Kind::decimal: return detail::decimal_to_double(*this);
-    default: return detail::ball_to_double(*this);
+    case Kind::hardware:
+      return NumberParts::hardware(*this);
+    case Kind::prime:
+      return word_ == 0 || word_ == 1 ? static_cast<double>(word_) : std::nan("");
+    case Kind::rational:
+      return detail::rational_to_double(*this);
+    case Kind::decimal:
+      return detail::decimal_to_double(*this);
+    default:
+      return detail::ball_to_double(*this);
   }
 }
 std::string Number::text() const {

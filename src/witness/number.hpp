@@ -1,12 +1,13 @@
 // Number: a scalar whose arithmetic is chosen when the program runs.
 //
-// A formula is compiled once and evaluated in hardware double, in decimal digits of any number, over the rationals, over a prime
-// field or in balls, whichever is in force (arithmetic.hpp). A number has 16 bytes. Doubles, elements of the field, fractions of two
-// 64-bit integers and small whole numbers of any arithmetic stand in them; what does not fit stands in a cell, taken from a list
-// of free ones.
+// A formula is compiled once and evaluated in hardware double, in decimal digits of any number, over the
+// rationals, over a prime field or in balls, whichever is in force (arithmetic.hpp). A number has 16 bytes.
+// Doubles, elements of the field, fractions of two 64-bit integers and small whole numbers of any arithmetic
+// stand in them; what does not fit stands in a cell, taken from a list of free ones.
 //
-// A field element carries an upper bound of its degree as a rational function of the random draws (DegreeBound), found by
-// running the formula: a draw has degree one, constants have degree zero, sums and products have what their terms allow.
+// A field element carries an upper bound of its degree as a rational function of the random draws
+// (DegreeBound), found by running the formula: a draw has degree one, constants have degree zero, sums and
+// products have what their terms allow.
 #pragma once
 
 #include <bit>
@@ -34,7 +35,8 @@ namespace detail {
 struct NumberParts;
 }
 
-/// A number of the arithmetic in force. See arithmetic.hpp for who may use it: one thread, and only under the arithmetic it was made in.
+/// A number of the arithmetic in force. See arithmetic.hpp for who may use it: one thread, and only under the
+/// arithmetic it was made in.
 class Number {
  public:
   /// Zero.
@@ -51,7 +53,9 @@ class Number {
     if (mark_ < 0) [[unlikely]]
       copy_cell(x);
   }
-  [[gnu::always_inline]] Number(Number&& x) noexcept : word_(x.word_), mark_(x.mark_) { x.word_ = 0, x.mark_ = 0; }
+  [[gnu::always_inline]] Number(Number&& x) noexcept : word_(x.word_), mark_(x.mark_) {
+    x.word_ = 0, x.mark_ = 0;
+  }
   [[gnu::always_inline]] Number& operator=(Number const& x) {
     if (mark_ >= 0 && x.mark_ >= 0) [[likely]]
       word_ = x.word_, mark_ = x.mark_;
@@ -70,15 +74,19 @@ class Number {
       release_cell();
   }
 
-  /// The next number of a sequence of random draws: uniform over the prime field, a fraction k/64 with |k| at most 64 over the
-  /// rationals, elsewhere the fraction k/65537 that double has.
+  /// The next number of a sequence of random draws: uniform over the prime field, a fraction k/64 with |k| at
+  /// most 64 over the rationals, elsewhere the fraction k/65537 that double has.
   /// @param draw  a source with `below(count)`, draw.hpp
   template <class Draw>
   static Number drawn(Draw& draw) {
     switch (current_arithmetic().kind()) {
-      case ArithmeticKind::prime: return field_draw(draw.below(current_arithmetic().modulus()));
-      case ArithmeticKind::rational: return fraction(static_cast<std::int64_t>(draw.below(129)) - 64, 64);
-      default: return fraction(static_cast<std::int64_t>(draw.below(Draw::numerators)) - (Draw::denominator - 1), Draw::denominator);
+      case ArithmeticKind::prime:
+        return field_draw(draw.below(current_arithmetic().modulus()));
+      case ArithmeticKind::rational:
+        return fraction(static_cast<std::int64_t>(draw.below(129)) - 64, 64);
+      default:
+        return fraction(static_cast<std::int64_t>(draw.below(Draw::numerators)) - (Draw::denominator - 1),
+                        Draw::denominator);
     }
   }
   /// The quotient of two whole numbers, the second positive.
@@ -120,9 +128,7 @@ class Number {
   /// As double, for printing and for choosing; other types see \ref to_double.
   /// @throws NoOrder  over a prime field, but for 0 and 1
   template <std::same_as<double> T>
-  T convert_to() const {
-    return as_double();
-  }
+  T convert_to() const { return as_double(); }
   /// For a message, to nine digits.
   std::string text() const;
   /// Upper bound of the degree as a rational function of the draws; zero outside the prime fields.
@@ -130,8 +136,9 @@ class Number {
   /// The representative between 0 and p - 1.
   /// @throws NoOrder  outside the prime fields
   std::uint64_t residue() const;
-  /// Upper bound for the degrees of the solution of A X = B, numerator and denominator, by Cramer's rule: rows are cleared of their denominators, and a
-  /// dual number is a triangular block of plain ones. Zero outside the prime fields.
+  /// Upper bound for the degrees of the solution of A X = B, numerator and denominator, by Cramer's rule:
+  /// rows are cleared of their denominators, and a dual number is a triangular block of plain ones. Zero
+  /// outside the prime fields.
   template <class A, class B>
   static double degree_of_solution(A const& a, B const& b) {
     if (current_arithmetic().kind() != ArithmeticKind::prime) return 0;
@@ -151,7 +158,8 @@ class Number {
     for (int i = 0; i < static_cast<int>(x.rows()); ++i)
       for (int j = 0; j < static_cast<int>(x.cols()); ++j) bound(x(i, j), degree);
   }
-  /// A number that is not larger, and one that is not smaller, rounded to the arithmetic's digits; both the number itself but for a ball.
+  /// A number that is not larger, and one that is not smaller, rounded to the arithmetic's digits; both the
+  /// number itself but for a ball.
   Number lower() const;
   Number upper() const;  ///< see lower()
   /// Whether a ball holds zero; elsewhere whether the number is zero.
@@ -167,7 +175,8 @@ class Number {
   // In each of them two words of zero are the number zero.
   std::int64_t word_, mark_;
 
-  // Of the coefficients of a scalar: the degrees of their denominators together, and by how much a numerator is above its denominator at most.
+  // Of the coefficients of a scalar: the degrees of their denominators together, and by how much a numerator
+  // is above its denominator at most.
   struct Terms {
     double denominators = 0, excess = 0;
     void add(Terms const& other) {
@@ -259,16 +268,18 @@ bool is_finite(Number const& x);
 inline bool isfinite(Number const& x) { return is_finite(x); }
 inline Number square_root(Number const& x) { return sqrt(x); }
 
-/// How many different numbers of the prime field had a root taken since \ref forget_roots: each doubles the degree of an identity, and
-/// halves the points that count.
+/// How many different numbers of the prime field had a root taken since \ref forget_roots: each doubles the
+/// degree of an identity, and halves the points that count.
 int roots_taken();
 /// Starts the count of \ref roots_taken anew.
 void forget_roots();
-/// The largest degree of a numerator among the field numbers whose \ref magnitude was asked for since \ref forget_degrees.
+/// The largest degree of a numerator among the field numbers whose \ref magnitude was asked for since
+/// \ref forget_degrees.
 double largest_degree();
 /// Starts the search for \ref largest_degree anew.
 void forget_degrees();
-/// How many products and quotients there were since the program began: the measure of a budget that no machine changes.
+/// How many products and quotients there were since the program began: the measure of a budget that no
+/// machine changes.
 std::uint64_t operations_done();
 /// How many cells have ever been allocated for numbers that do not fit into 16 bytes.
 std::uint64_t cells_allocated();
@@ -287,4 +298,3 @@ struct std::numeric_limits<actio::Number> {
   static actio::Number quiet_NaN() { return actio::Number(std::numeric_limits<double>::quiet_NaN()); }
   static actio::Number min() { return actio::Number(std::numeric_limits<double>::min()); }
 };
-

@@ -38,7 +38,8 @@ struct NumberParts {
   static std::int64_t mark_of(DegreeBound const& d) { return std::bit_cast<std::int64_t>(d); }
 };
 
-/// The four operations of the arithmetics whose numbers may stand in cells: z is x op y, and may be one of them.
+/// The four operations of the arithmetics whose numbers may stand in cells: z is x op y, and may be one of
+/// them.
 enum class Operation { add, subtract, multiply, divide };
 
 void rational_operation(Operation op, Number& z, Number const& x, Number const& y);

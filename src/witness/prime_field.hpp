@@ -11,7 +11,8 @@ namespace actio::prime_field {
 inline std::uint64_t product(std::uint64_t a, std::uint64_t b, std::uint64_t p) {
   unsigned __int128 const whole = static_cast<unsigned __int128>(a) * b;
   if (p != Arithmetic::mersenne) return static_cast<std::uint64_t>(whole % p);
-  std::uint64_t const folded = (static_cast<std::uint64_t>(whole) & p) + static_cast<std::uint64_t>(whole >> 61);
+  std::uint64_t const folded =
+      (static_cast<std::uint64_t>(whole) & p) + static_cast<std::uint64_t>(whole >> 61);
   return folded >= p ? folded - p : folded;
 }
 /// a + b modulo p.
@@ -20,7 +21,9 @@ inline std::uint64_t sum(std::uint64_t a, std::uint64_t b, std::uint64_t p) {
   return s >= p ? s - p : s;
 }
 /// a - b modulo p.
-inline std::uint64_t difference(std::uint64_t a, std::uint64_t b, std::uint64_t p) { return a >= b ? a - b : a + p - b; }
+inline std::uint64_t difference(std::uint64_t a, std::uint64_t b, std::uint64_t p) {
+  return a >= b ? a - b : a + p - b;
+}
 
 /// \f$a^e\f$ modulo p.
 std::uint64_t power(std::uint64_t a, std::uint64_t e, std::uint64_t p);

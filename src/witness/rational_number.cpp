@@ -42,7 +42,8 @@ void settle(Number& z, Cell* cell) {
 }
 void set_wide(mpz_ptr z, Wide const& x) {
   bool const negative = x < 0;
-  unsigned __int128 const size = negative ? -static_cast<unsigned __int128>(x) : static_cast<unsigned __int128>(x);
+  unsigned __int128 const size =
+      negative ? -static_cast<unsigned __int128>(x) : static_cast<unsigned __int128>(x);
   mpz_set_ui(z, static_cast<std::uint64_t>(size >> 64));
   mpz_mul_2exp(z, z, 64);
   mpz_add_ui(z, z, static_cast<std::uint64_t>(size));
@@ -95,19 +96,30 @@ void rational_operation(Operation op, Number& z, Number const& x, Number const& 
   if (!NumberParts::in_cell(x) && !NumberParts::in_cell(y)) {
     std::int64_t const a = numerator(x), b = denominator(x), c = numerator(y), d = denominator(y);
     switch (op) {
-      case Operation::add: return add_small(z, a, b, c, d);
-      case Operation::subtract: return add_small(z, a, b, -c, d);
-      case Operation::multiply: return multiply_small(z, a, b, c, d);
-      default: return multiply_small(z, a, b, c < 0 ? -d : d, size_of(c));
+      case Operation::add:
+        return add_small(z, a, b, c, d);
+      case Operation::subtract:
+        return add_small(z, a, b, -c, d);
+      case Operation::multiply:
+        return multiply_small(z, a, b, c, d);
+      default:
+        return multiply_small(z, a, b, c < 0 ? -d : d, size_of(c));
     }
   }
   Argument const left(x), right(y);
   Cell* const cell = free_cells<Cell>().take();
   switch (op) {
-    case Operation::add: mpq_add(cell->value, left.at, right.at); break;
-    case Operation::subtract: mpq_sub(cell->value, left.at, right.at); break;
-    case Operation::multiply: mpq_mul(cell->value, left.at, right.at); break;
-    default: mpq_div(cell->value, left.at, right.at);
+    case Operation::add:
+      mpq_add(cell->value, left.at, right.at);
+      break;
+    case Operation::subtract:
+      mpq_sub(cell->value, left.at, right.at);
+      break;
+    case Operation::multiply:
+      mpq_mul(cell->value, left.at, right.at);
+      break;
+    default:
+      mpq_div(cell->value, left.at, right.at);
   }
   settle(z, cell);
 }
@@ -148,8 +160,10 @@ double rational_to_double(Number const& x) {
 
 Number rational_root(Number const& x) {
   Argument const square(x);
-  if (mpq_sgn(square.at) < 0 || !mpz_perfect_square_p(mpq_numref(square.at)) || !mpz_perfect_square_p(mpq_denref(square.at)))
-    throw NotASquare("sqrt", "the square of a rational number is needed over the rationals", rational_to_double(x), 0);
+  if (mpq_sgn(square.at) < 0 || !mpz_perfect_square_p(mpq_numref(square.at)) ||
+      !mpz_perfect_square_p(mpq_denref(square.at)))
+    throw NotASquare("sqrt", "the square of a rational number is needed over the rationals",
+                     rational_to_double(x), 0);
   Cell* const cell = free_cells<Cell>().take();
   mpz_sqrt(mpq_numref(cell->value), mpq_numref(square.at));
   mpz_sqrt(mpq_denref(cell->value), mpq_denref(square.at));

@@ -1,28 +1,30 @@
-// Reference solutions of differential equations by power series: y' = f(y) with as many terms as the digits of the scalar ask for. In 50 or 100 digits they
-// are the witness that has nothing in common with the schemes it judges.
+// Reference solutions of differential equations by power series: y' = f(y) with as many terms as the digits
+// of the scalar ask for. In 50 or 100 digits they are the witness that has nothing in common with the schemes
+// it judges.
 #pragma once
 
 #include "actio/numbers/taylor.hpp"
 
 namespace actio {
 
-/// How many terms a scalar wants: where the work for a unit of time is least, (terms)^3 / (step) with a step of (radius) epsilon^(1/terms).
+/// How many terms a scalar wants: where the work for a unit of time is least, (terms)^3 / (step) with a step
+/// of (radius) epsilon^(1/terms).
 template <Real S>
-int taylor_terms() {
-  return std::max(12, static_cast<int>(0.8 * decimal_digits<S>()));
-}
+int taylor_terms() { return std::max(12, static_cast<int>(0.8 * decimal_digits<S>())); }
 
 /// y(duration), where y' = f(y) and y(0) = `start`, by power series whose remainder is below rounding.
 ///
-/// @param f         column of numbers -> its rate of change, callable at `Taylor<S>`; smooth along the solution
+/// @param f         column of numbers -> its rate of change, callable at `Taylor<S>`; smooth along the
+///                  solution
 /// @param start     column of numbers
 /// @param duration  time; negative to go back
 /// @throws NotFinite      where f is no number
-/// @throws OutsideDomain  where a step would be shorter than 1e-7 of the duration, which is what happens at a singularity: the time reached and
-///                        the time asked for
-/// Accuracy: a few epsilon of the largest component for each step, magnified as the flow magnifies errors.
+/// @throws OutsideDomain  where a step would be shorter than 1e-7 of the duration, which is what happens at a
+///                        singularity: the time reached and the time asked for Accuracy: a few epsilon of the
+///                        largest component for each step, magnified as the flow magnifies errors.
 template <Real S, int n, class F>
-Matrix<S, n, 1> taylor_reference(F const& f, Matrix<S, n, 1> const& start, std::type_identity_t<S> const& duration) {
+Matrix<S, n, 1> taylor_reference(F const& f, Matrix<S, n, 1> const& start,
+                                 std::type_identity_t<S> const& duration) {
   using std::log, std::exp;
   int const terms = taylor_terms<S>(), size = static_cast<int>(start.size());
   Matrix<S, n, 1> y = start;
@@ -59,7 +61,8 @@ Matrix<S, n, 1> taylor_reference(F const& f, Matrix<S, n, 1> const& start, std::
     bool const last = step == rest || step == -rest;
     S const signed_step = rest < S(0) ? S(-step) : step;
     if (!last && step < (duration < S(0) ? S(-duration) : duration) / S(10000000))
-      throw OutsideDomain("taylor_reference", "the solution must be smooth up to the end; time reached", to_double(reached), to_double(duration));
+      throw OutsideDomain("taylor_reference", "the solution must be smooth up to the end; time reached",
+                          to_double(reached), to_double(duration));
     for (int i = 0; i < size; ++i) y[i] = series[i].at(signed_step);
     reached = last ? S(duration) : S(reached + signed_step);
   }

@@ -26,13 +26,15 @@ std::size_t count(std::string const& text, std::string const& what) {
 
 BOOST_AUTO_TEST_CASE(straighten_leaves_out_only_what_lies_on_the_line) {
   std::vector<Point> spiral;
-  for (int i = 0; i < 3000; ++i) spiral.push_back({(50 + 0.03 * i) * std::cos(0.01 * i), (50 + 0.03 * i) * std::sin(0.01 * i)});
+  for (int i = 0; i < 3000; ++i)
+    spiral.push_back({(50 + 0.03 * i) * std::cos(0.01 * i), (50 + 0.03 * i) * std::sin(0.01 * i)});
   double const tolerance = 0.15;
   auto const kept = book::svg::straighten(spiral, tolerance);
   BOOST_TEST(kept.size() < spiral.size() / 5);
   for (auto const& p : spiral) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < kept.size(); ++k) nearest = std::min(nearest, distance_to_segment(p, kept[k - 1], kept[k]));
+    for (std::size_t k = 1; k < kept.size(); ++k)
+      nearest = std::min(nearest, distance_to_segment(p, kept[k - 1], kept[k]));
     BOOST_TEST(nearest <= tolerance * 1.001);
   }
 }
@@ -100,8 +102,10 @@ BOOST_AUTO_TEST_CASE(tick_labels_read_as_numbers) {
 
 BOOST_AUTO_TEST_CASE(a_curve_of_one_value_or_none_has_a_range) {
   std::vector<double> const x{0, 1}, same{7, 7}, none;
-  for (auto const& svg : {book::Plot("x", "y").curve(x, same).svg(), book::Plot("x", "y").log_y().curve(x, same).svg(),
-                          book::Plot("x", "y").curve(none, none).svg(), book::Plot("x", "y").log_x().log_y().curve(none, none).svg()}) {
+  for (auto const& svg :
+       {book::Plot("x", "y").curve(x, same).svg(), book::Plot("x", "y").log_y().curve(x, same).svg(),
+        book::Plot("x", "y").curve(none, none).svg(),
+        book::Plot("x", "y").log_x().log_y().curve(none, none).svg()}) {
     BOOST_TEST(svg.find("nan") == std::string::npos);
     BOOST_TEST(svg.find("inf") == std::string::npos);
   }
@@ -114,10 +118,12 @@ BOOST_AUTO_TEST_CASE(curves_of_unequal_length_are_refused) {
 
 BOOST_AUTO_TEST_CASE(what_is_behind_the_sphere_is_dashed) {
   std::vector<std::array<double, 3>> equator;
-  for (int i = 0; i <= 360; ++i) equator.push_back({std::cos(i * 0.0174532925), std::sin(i * 0.0174532925), 0});
+  for (int i = 0; i <= 360; ++i)
+    equator.push_back({std::cos(i * 0.0174532925), std::sin(i * 0.0174532925), 0});
   auto const svg = book::Sphere(0, 20).curve(equator, "", {.colour = 2}).svg();
   auto const back = svg.substr(0, svg.find("</g>")), front = svg.substr(svg.find("</g>"));
   BOOST_TEST(count(back, "class=\"line2\"") == 1u);
-  BOOST_TEST(back.find("class=\"line2\" stroke-width=\"1.6\" stroke-linejoin=\"round\" stroke-dasharray") != std::string::npos);
+  BOOST_TEST(back.find("class=\"line2\" stroke-width=\"1.6\" stroke-linejoin=\"round\" stroke-dasharray") !=
+             std::string::npos);
   BOOST_TEST(count(front, "class=\"line2\"") == 1u);
 }

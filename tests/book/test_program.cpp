@@ -9,7 +9,8 @@ namespace {
 
 /// A program that was called with `--report` and a fresh folder.
 struct Called {
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("actio_book_" + std::to_string(std::rand()));
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("actio_book_" + std::to_string(std::rand()));
   std::string name = "bin/ch03_sample", option = "--report", where = folder.string();
   char* argv[3] = {name.data(), option.data(), where.data()};
   book::Program program{3, argv, "shows \"quotes\"\nand lines"};

@@ -27,14 +27,21 @@ inline std::string number(double x) {
 /// A body, how it turns, and what is wanted of it.
 struct BodyN {
   Numbers lambda, velocity;
-  std::string method = "moser_veselov", step = {}, until = "2", every = "0.5", quantities = "\"momentum\"", attitude = {}, order = {};
+  std::string method = "moser_veselov", step = {}, until = "2", every = "0.5", quantities = "\"momentum\"",
+              attitude = {}, order = {};
   int n() const { return static_cast<int>(lambda.size()); }
   std::string text() const {
-    return "[system]\nkind = \"rigid_body_n\"\nlambda = " + listed(lambda) + "\n[initial]\nangular_velocity = " + listed(velocity) + "\n" + (attitude.empty() ? "" : "attitude = " + attitude + "\n") +
-           "[method]\nname = \"" + method + "\"\n" + (order.empty() ? "" : "order = " + order + "\n") + (step.empty() ? "" : "step = " + step + "\n") + "[run]\nuntil = " + until + "\nevery = " + every + "\n[output]\nquantities = [" + quantities + "]\n";
+    return "[system]\nkind = \"rigid_body_n\"\nlambda = " + listed(lambda) +
+           "\n[initial]\nangular_velocity = " + listed(velocity) + "\n" +
+           (attitude.empty() ? "" : "attitude = " + attitude + "\n") + "[method]\nname = \"" + method +
+           "\"\n" + (order.empty() ? "" : "order = " + order + "\n") +
+           (step.empty() ? "" : "step = " + step + "\n") + "[run]\nuntil = " + until + "\nevery = " + every +
+           "\n[output]\nquantities = [" + quantities + "]\n";
   }
 };
-inline BodyN body_in_four(std::string method = "moser_veselov") { return {{1, 2, 3, 4}, {0.9, -0.2, 0.3, 0.1, 0.4, -0.5}, std::move(method)}; }
+inline BodyN body_in_four(std::string method = "moser_veselov") {
+  return {{1, 2, 3, 4}, {0.9, -0.2, 0.3, 0.1, 0.4, -0.5}, std::move(method)};
+}
 inline BodyN body_in_eight(std::string method = "moser_veselov") {
   BodyN body{{}, {}, std::move(method)};
   for (int i = 0; i < 8; ++i) body.lambda.push_back(1 + i / 4.0);

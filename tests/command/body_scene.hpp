@@ -13,21 +13,26 @@ struct BodyScene {
   std::string system, initial, method, run, quantities;
 
   std::string text() const {
-    return "[system]\n" + system + "\n[initial]\n" + initial + "\n[method]\n" + method + "\n[run]\n" + run + "\n[output]\nquantities = [" + quantities + "]\n";
+    return "[system]\n" + system + "\n[initial]\n" + initial + "\n[method]\n" + method + "\n[run]\n" + run +
+           "\n[output]\nquantities = [" + quantities + "]\n";
   }
 };
 
 /// What a run left.
 struct Left {
   Outcome outcome;
-  Table table;                   ///< empty where there is no series
-  std::string scene, summary;    ///< scene.toml and summary.json
+  Table table;                 ///< empty where there is no series
+  std::string scene, summary;  ///< scene.toml and summary.json
 };
 inline Left run(BodyScene const& scene) {
   Folder const folder;
-  Left left{actio({"run", "--quiet", "--out", folder / "out", folder.write("scene.toml", scene.text())}), {}, "", ""};
+  Left left{actio({"run", "--quiet", "--out", folder / "out", folder.write("scene.toml", scene.text())}),
+            {},
+            "",
+            ""};
   // The folder's name is another each time.
-  for (std::string const name = folder / "scene.toml"; left.outcome.err.find(name) != std::string::npos;) left.outcome.err.replace(left.outcome.err.find(name), name.size(), "scene.toml");
+  for (std::string const name = folder / "scene.toml"; left.outcome.err.find(name) != std::string::npos;)
+    left.outcome.err.replace(left.outcome.err.find(name), name.size(), "scene.toml");
   if (std::filesystem::exists(folder / "out/series.csv")) left.table = read_csv(folder / "out/series.csv");
   left.scene = contents(folder / "out/scene.toml"), left.summary = contents(folder / "out/summary.json");
   return left;
@@ -43,12 +48,17 @@ inline std::vector<double> last(Left const& left) {
 inline double apart(std::vector<double> const& a, std::vector<double> const& b) {
   if (a.size() != b.size() || a.empty()) return INFINITY;
   double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::isfinite(a[i] - b[i]) ? std::abs(a[i] - b[i]) : INFINITY);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    most = std::max(most, std::isfinite(a[i] - b[i]) ? std::abs(a[i] - b[i]) : INFINITY);
   return most;
 }
-inline bool contains(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
+inline bool contains(std::string const& text, std::string const& part) {
+  return text.find(part) != std::string::npos;
+}
 
 /// The order that errors at steps h, h/2, h/4, ... show: of the last pair.
-inline double order_of(std::vector<double> const& errors) { return std::log2(errors[errors.size() - 2] / errors.back()); }
+inline double order_of(std::vector<double> const& errors) {
+  return std::log2(errors[errors.size() - 2] / errors.back());
+}
 
 }  // namespace command

@@ -13,9 +13,11 @@ namespace command {
 
 Outcome shell(std::string const& line) {
   Folder const folder;
-  std::string const whole = "ACTIO='" ACTIO_COMMAND "'\n{ " + line + "\n} >'" + folder / "out" + "' 2>'" + folder / "err" + "' </dev/null";
+  std::string const whole = "ACTIO='" ACTIO_COMMAND "'\n{ " + line + "\n} >'" + folder / "out" + "' 2>'" +
+                            folder / "err" + "' </dev/null";
   int const status = std::system(whole.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(folder / "out"), contents(folder / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(folder / "out"),
+          contents(folder / "err")};
 }
 
 Outcome actio(std::vector<std::string> const& arguments, std::string const& before) {
@@ -73,7 +75,8 @@ Table read_csv(std::string const& path) {
       if (end == at) throw std::runtime_error(path + ": no number in '" + line + "'");
       if (*end != ',') break;
     }
-    if (row.size() != table.columns.size()) throw std::runtime_error(path + ": a row of another length: '" + line + "'");
+    if (row.size() != table.columns.size())
+      throw std::runtime_error(path + ": a row of another length: '" + line + "'");
     table.rows.push_back(row);
   }
   return table;
@@ -107,8 +110,10 @@ std::string apophis(std::map<std::string, std::string> const& changes) {
       "formats = [\"csv\"]\n");
   for (std::string line; std::getline(lines, line);) {
     auto const change = changes.find(line.substr(0, line.find(' ')));
-    if (change == changes.end()) out += line + "\n";
-    else if (!change->second.empty()) out += change->first + " = " + change->second + "\n";
+    if (change == changes.end())
+      out += line + "\n";
+    else if (!change->second.empty())
+      out += change->first + " = " + change->second + "\n";
   }
   return out;
 }

@@ -10,9 +10,9 @@ namespace command {
 
 /// How a command ended.
 struct Outcome {
-  int status;        ///< of exit; 128 + signal where one ended it
-  std::string out;   ///< standard output
-  std::string err;   ///< standard error
+  int status;       ///< of exit; 128 + signal where one ended it
+  std::string out;  ///< standard output
+  std::string err;  ///< standard error
 };
 
 /// Runs `actio` with these arguments.
@@ -51,7 +51,8 @@ struct Table {
 /// Reads it strictly: every row whole, every number a number.
 Table read_csv(std::string const& path);
 
-/// A scene of Apophis that is in order; each replacement changes a line `key = ...` (or takes it away where the text is empty).
+/// A scene of Apophis that is in order; each replacement changes a line `key = ...` (or takes it away where
+/// the text is empty).
 std::string apophis(std::map<std::string, std::string> const& changes = {});
 
 }  // namespace command

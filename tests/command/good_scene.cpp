@@ -38,12 +38,15 @@ std::size_t GoodScene::section_of(std::size_t line) const {
   return line;
 }
 
-Malformed GoodScene::with(std::string const& key, std::string const& value, std::string const& says, unsigned offset) const {
+Malformed GoodScene::with(std::string const& key, std::string const& value, std::string const& says,
+                          unsigned offset) const {
   return with_line_instead(key, key + " = " + value, static_cast<unsigned>(key.size()) + 4 + offset, says);
 }
-Malformed GoodScene::overridden(std::string const& path, std::string const& value, std::string const& says, unsigned offset) const {
+Malformed GoodScene::overridden(std::string const& path, std::string const& value, std::string const& says,
+                                unsigned offset) const {
   std::string const argument = path + "=" + value;
-  return {name + ", --set " + argument.substr(0, 60), text(), {argument}, 1, static_cast<unsigned>(path.size()) + 2 + offset, says};
+  return {name + ", --set " + argument.substr(0, 60),      text(), {argument}, 1,
+          static_cast<unsigned>(path.size()) + 2 + offset, says};
 }
 Malformed GoodScene::without(std::string const& key) const {
   auto lines = lines_;
@@ -59,16 +62,24 @@ Malformed GoodScene::without_section(std::string const& section, std::string con
   std::size_t end = begin;
   while (end < lines.size() && !is_header(lines[end])) ++end;
   lines.erase(lines.begin() + static_cast<long>(begin) - 1, lines.begin() + static_cast<long>(end));
-  return {name + ", without [" + section + "]", joined(lines), {}, static_cast<unsigned>(lines.size()), 1, says};
+  return {
+      name + ", without [" + section + "]", joined(lines), {}, static_cast<unsigned>(lines.size()), 1, says};
 }
-Malformed GoodScene::with_line(std::string const& section, std::string const& line, unsigned column, std::string const& says) const {
+Malformed GoodScene::with_line(std::string const& section, std::string const& line, unsigned column,
+                               std::string const& says) const {
   auto lines = lines_;
   std::size_t const header = line_of("[" + section + "]");
   if (header == 0) throw std::logic_error(name + " has no [" + section + "]");
   lines.insert(lines.begin() + static_cast<long>(header), line);
-  return {name + ", in [" + section + "]: " + line.substr(0, 60), joined(lines), {}, static_cast<unsigned>(header) + 1, column, says};
+  return {name + ", in [" + section + "]: " + line.substr(0, 60),
+          joined(lines),
+          {},
+          static_cast<unsigned>(header) + 1,
+          column,
+          says};
 }
-Malformed GoodScene::with_line_instead(std::string const& key, std::string const& line, unsigned column, std::string const& says) const {
+Malformed GoodScene::with_line_instead(std::string const& key, std::string const& line, unsigned column,
+                                       std::string const& says) const {
   auto lines = lines_;
   std::size_t const at = line_of(key);
   if (at == 0) throw std::logic_error(name + " has no " + key);
@@ -82,7 +93,11 @@ Malformed GoodScene::with_byte(char byte, std::mt19937& random) const {
   while (lines[line].empty());
   std::size_t const at = random() % (lines[line].size() + 1);
   lines[line].insert(at, 1, byte);
-  return {name + ", byte " + std::to_string(static_cast<unsigned char>(byte)) + " in line " + std::to_string(line + 1), joined(lines), {}, static_cast<unsigned>(line) + 1,
+  return {name + ", byte " + std::to_string(static_cast<unsigned char>(byte)) + " in line " +
+              std::to_string(line + 1),
+          joined(lines),
+          {},
+          static_cast<unsigned>(line) + 1,
           byte == '\xff' ? static_cast<unsigned>(at) + 1 : 0};
 }
 

@@ -15,9 +15,11 @@ hid_t good(hid_t result, std::string const& what) {
 
 /// One text, or the texts of a list with commas between them.
 herr_t read_attribute(hid_t object, char const* name, H5A_info_t const*, void* out) {
-  hid_t const attribute = H5Aopen(object, name, H5P_DEFAULT), type = H5Aget_type(attribute), space = H5Aget_space(attribute);
+  hid_t const attribute = H5Aopen(object, name, H5P_DEFAULT), type = H5Aget_type(attribute),
+              space = H5Aget_space(attribute);
   std::vector<char*> texts(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  bool const read = H5Tis_variable_str(type) > 0 && H5Tget_cset(type) == H5T_CSET_UTF8 && H5Aread(attribute, type, texts.data()) >= 0;
+  bool const read = H5Tis_variable_str(type) > 0 && H5Tget_cset(type) == H5T_CSET_UTF8 &&
+                    H5Aread(attribute, type, texts.data()) >= 0;
   std::string joined;
   if (read) {
     for (char const* text : texts) joined += (joined.empty() ? "" : ",") + std::string(text);
@@ -43,25 +45,31 @@ struct DataSet {
 
 DataSet read_data_set(hid_t file, std::string const& name) {
   hid_t const set = good(H5Dopen2(file, name.c_str(), H5P_DEFAULT), name), space = H5Dget_space(set);
-  DataSet out{name, std::vector<unsigned long long>(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space))), {}, attributes(set)};
+  DataSet out{name,
+              std::vector<unsigned long long>(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space))),
+              {},
+              attributes(set)};
   std::vector<hsize_t> extent(out.extent.size());
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   out.extent.assign(extent.begin(), extent.end());
   out.numbers.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  good(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.numbers.data()), "the numbers of " + name);
+  good(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.numbers.data()),
+       "the numbers of " + name);
   H5Sclose(space), H5Dclose(set);
   return out;
 }
 
 std::vector<std::string> names_in(hid_t file) {
   std::vector<std::string> out;
-  auto const see = [](hid_t, char const* name, H5L_info_t const*, void* names) -> herr_t { return static_cast<std::vector<std::string>*>(names)->push_back(name), 0; };
+  auto const see = [](hid_t, char const* name, H5L_info_t const*, void* names) -> herr_t {
+    return static_cast<std::vector<std::string>*>(names)->push_back(name), 0;
+  };
   good(H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, see, &out), "the names");
   return out;
 }
 
-/// A file that is closed with all that was opened in it, also where reading fails: the library would take what is
-/// still open for the file as it is then.
+/// A file that is closed with all that was opened in it, also where reading fails: the library would take
+/// what is still open for the file as it is then.
 struct OpenFile {
   hid_t id;
   explicit OpenFile(std::string const& path) {
@@ -88,7 +96,8 @@ Hdf5Table read_hdf5(std::string const& path, bool writing) {
 
   std::size_t rows = sets.at(0).extent.at(0);
   for (auto const& set : sets) {
-    if (!writing && set.extent[0] != rows) throw std::runtime_error("HDF5: " + set.name + " has another number of rows");
+    if (!writing && set.extent[0] != rows)
+      throw std::runtime_error("HDF5: " + set.name + " has another number of rows");
     rows = std::min<std::size_t>(rows, set.extent[0]);
     table.extents[set.name] = set.extent, table.attributes[set.name] = set.attributes;
   }
@@ -100,7 +109,9 @@ Hdf5Table read_hdf5(std::string const& path, bool writing) {
       std::size_t const to = std::min(columns.find(',', from), columns.size());
       table.columns.push_back(columns.substr(from, to - from)), from = to + 1;
     }
-    for (std::size_t i = 0; i < rows; ++i) table.rows[i].insert(table.rows[i].end(), set.numbers.begin() + static_cast<long>(i * width), set.numbers.begin() + static_cast<long>((i + 1) * width));
+    for (std::size_t i = 0; i < rows; ++i)
+      table.rows[i].insert(table.rows[i].end(), set.numbers.begin() + static_cast<long>(i * width),
+                           set.numbers.begin() + static_cast<long>((i + 1) * width));
   }
   return table;
 }

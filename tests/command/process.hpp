@@ -36,7 +36,8 @@ class Process {
     int status = 0;
     ::waitpid(id_, &status, 0);
     id_ = -1;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(folder_ / "out"), contents(folder_ / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(folder_ / "out"),
+            contents(folder_ / "err")};
   }
 
  private:
@@ -88,20 +89,24 @@ struct Killed {
   std::string err;
 };
 
-/// Runs a scene into `out`, kills it that often at random instants, and resumes it each time; then lets it end.
+/// Runs a scene into `out`, kills it that often at random instants, and resumes it each time; then lets it
+/// end.
 /// @param seconds  that the unbroken run takes: the kills are spread over them
-inline Killed run_with_kills(std::string const& scene, std::string const& out, int kills, double seconds, std::mt19937& random) {
+inline Killed run_with_kills(std::string const& scene, std::string const& out, int kills, double seconds,
+                             std::mt19937& random) {
   Killed killed;
   std::uniform_real_distribution<double> instant(0, 1.5 * seconds / kills);
   bool begun = false;
   for (int k = 0; k < kills; ++k) {
-    Process process(begun ? std::vector<std::string>{"resume", out, "--quiet"} : std::vector<std::string>{"run", scene, "--out", out, "--quiet", "--force"});
+    Process process(begun ? std::vector<std::string>{"resume", out, "--quiet"}
+                          : std::vector<std::string>{"run", scene, "--out", out, "--quiet", "--force"});
     sleep_for(instant(random));
     process.send(SIGKILL);
     if (process.wait().status == 128 + SIGKILL) ++killed.in_the_middle;
     begun = std::filesystem::exists(out + "/scene.toml");
   }
-  Process last(begun ? std::vector<std::string>{"resume", out, "--quiet"} : std::vector<std::string>{"run", scene, "--out", out, "--quiet", "--force"});
+  Process last(begun ? std::vector<std::string>{"resume", out, "--quiet"}
+                     : std::vector<std::string>{"run", scene, "--out", out, "--quiet", "--force"});
   Outcome const outcome = last.wait();
   killed.status = outcome.status, killed.err = outcome.err;
   return killed;

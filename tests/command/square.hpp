@@ -15,12 +15,15 @@ using Numbers = std::vector<double>;
 /// Row by row.
 using Square = std::vector<Numbers>;
 
-inline std::string index(int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); }
+inline std::string index(int i, int j) {
+  return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j);
+}
 /// One row of a skew quantity, in full.
 inline Square skew(Table const& table, std::string const& name, int n, std::size_t row) {
   Square m(n, Numbers(n, 0));
   for (int i = 1; i <= n; ++i)
-    for (int j = i + 1; j <= n; ++j) m[i - 1][j - 1] = table[name + index(i, j)][row], m[j - 1][i - 1] = -m[i - 1][j - 1];
+    for (int j = i + 1; j <= n; ++j)
+      m[i - 1][j - 1] = table[name + index(i, j)][row], m[j - 1][i - 1] = -m[i - 1][j - 1];
   return m;
 }
 inline Square matrix(Table const& table, std::string const& name, int n, std::size_t row) {

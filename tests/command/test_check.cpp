@@ -1,4 +1,5 @@
-// actio check: runs the programs with the theorem checks that stand beside it. Here these are scripts that answer as such programs do.
+// actio check: runs the programs with the theorem checks that stand beside it. Here these are scripts that
+// answer as such programs do.
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -20,11 +21,14 @@ long lines_in(std::string const& text) { return std::count(text.begin(), text.en
 class Beside {
  public:
   Beside() { fs::copy_file(ACTIO_COMMAND, folder_ / "actio"); }
-  Outcome check(std::string const& arguments) const { return command::shell("'" + (folder_ / "actio") + "' check " + arguments); }
+  Outcome check(std::string const& arguments) const {
+    return command::shell("'" + (folder_ / "actio") + "' check " + arguments);
+  }
   std::string operator/(std::string const& name) const { return folder_ / name; }
 
   /// A program with these checks, over one scalar; those in `failing` fail.
-  void program(std::string const& name, std::vector<std::string> const& ids, std::vector<std::string> const& failing = {}) const {
+  void program(std::string const& name, std::vector<std::string> const& ids,
+               std::vector<std::string> const& failing = {}) const {
     std::ostringstream script;
     script << "#!/bin/sh\n"
               "if [ \"$1\" = --list ]; then\n";
@@ -35,7 +39,9 @@ class Beside {
               "status=0 comma=\n{ printf '['\n";
     for (auto const& id : ids) {
       bool const fails = std::count(failing.begin(), failing.end(), id) > 0;
-      script << "case \" $* \" in *' " << id << " '*)\n  printf '%s{\"id\":\"" << id << "\",\"title\":\"title of " << id << "\",\"verdict\":\"holds\",\"scalar\":\"double\",\"failures\":["
+      script << "case \" $* \" in *' " << id << " '*)\n  printf '%s{\"id\":\"" << id
+             << "\",\"title\":\"title of " << id
+             << "\",\"verdict\":\"holds\",\"scalar\":\"double\",\"failures\":["
              << (fails ? "\"measured 3, allowed 2\"" : "") << "]}' \"$comma\"; comma=,\n";
       if (fails) script << "  status=201\n";
       script << "esac\n";
@@ -61,7 +67,8 @@ BOOST_AUTO_TEST_CASE(checks_that_pass_have_a_line_each_and_status_0) {
   beside.program("checks_ch03", {"eq_3_1", "thm_3_2_1", "eq_3_2"});
   auto const outcome = beside.check("thm_3_2_1 eq_3_1");
   BOOST_TEST(outcome.status == 0, outcome.err);
-  BOOST_TEST(outcome.out == "thm_3_2_1  holds       title of thm_3_2_1\neq_3_1     holds       title of eq_3_1\n");
+  BOOST_TEST(outcome.out ==
+             "thm_3_2_1  holds       title of thm_3_2_1\neq_3_1     holds       title of eq_3_1\n");
   BOOST_TEST(has(outcome.err, "2 passed, 0 failed, over double"));
 }
 
@@ -106,7 +113,9 @@ BOOST_AUTO_TEST_CASE(a_statement_named_twice_is_checked_once) {
 
 BOOST_AUTO_TEST_CASE(a_program_that_dies_is_a_failure) {
   Beside const beside;
-  beside.write("checks_ch03", "#!/bin/sh\n[ \"$1\" = --list ] && { echo '{\"id\":\"eq_3_1\"}'; exit 0; }\necho torn >&2\nkill -SEGV $$\n");
+  beside.write("checks_ch03",
+               "#!/bin/sh\n[ \"$1\" = --list ] && { echo '{\"id\":\"eq_3_1\"}'; exit 0; }\necho torn "
+               ">&2\nkill -SEGV $$\n");
   auto const outcome = beside.check("eq_3_1");
   BOOST_TEST(outcome.status == 1);
   BOOST_TEST(has(outcome.out, "eq_3_1  FAILED"));
@@ -126,7 +135,9 @@ BOOST_AUTO_TEST_CASE(reports_go_to_a_folder_that_is_gone_afterwards) {
   Beside const beside;
   beside.program("checks_ch03", {"eq_3_1"});
   BOOST_TEST(beside.check("eq_3_1").status == 0);
-  std::string const words = command::contents(beside / "checks_ch03.log"), folder = words.substr(words.find("--report ") + 9, words.size() - words.find("--report ") - 10);
+  std::string const words = command::contents(beside / "checks_ch03.log"),
+                    folder = words.substr(words.find("--report ") + 9,
+                                          words.size() - words.find("--report ") - 10);
   BOOST_TEST(!folder.empty());
   BOOST_TEST(folder.front() == '/');
   BOOST_TEST(!fs::exists(folder));
@@ -136,7 +147,8 @@ BOOST_AUTO_TEST_CASE(an_unknown_statement_is_status_2_with_the_nearest) {
   Beside const beside;
   auto const outcome = beside.check("thm_321");
   BOOST_TEST(outcome.status == 2);
-  BOOST_TEST(outcome.err == "actio check: unknown statement 'thm_321'; did you mean 'thm_3_2_1'? (actio check --list)\n");
+  BOOST_TEST(outcome.err ==
+             "actio check: unknown statement 'thm_321'; did you mean 'thm_3_2_1'? (actio check --list)\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_statement_without_a_check_is_status_2_and_says_what_it_is_about) {
@@ -147,7 +159,8 @@ BOOST_AUTO_TEST_CASE(a_statement_without_a_check_is_status_2_and_says_what_it_is
     if (id == "id" || id[0] == '#' || has("\n" + listed, "\n" + id + " ")) continue;
     auto const outcome = command::actio({"check", id});
     BOOST_TEST(outcome.status == 2);
-    BOOST_TEST(outcome.err.starts_with("actio check: " + id + " is a statement of the thesis ("), outcome.err);
+    BOOST_TEST(outcome.err.starts_with("actio check: " + id + " is a statement of the thesis ("),
+               outcome.err);
     BOOST_TEST(has(outcome.err, "but has no check yet"));
     return;
   }
@@ -184,7 +197,9 @@ BOOST_AUTO_TEST_CASE(without_ids_everything_that_is_built_runs) {
   std::vector<std::string> ids;
   std::istringstream listed(command::actio({"check", "--list"}).out);
   for (std::string line; std::getline(listed, line);) ids.push_back(line.substr(0, line.find(' ')));
-  for (std::string const chapter : {"ch01", "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "ch09", "ch10"}) beside.program("checks_" + chapter, ids);
+  for (std::string const chapter :
+       {"ch01", "ch02", "ch03", "ch04", "ch05", "ch06", "ch07", "ch08", "ch09", "ch10"})
+    beside.program("checks_" + chapter, ids);
   auto const outcome = beside.check("");
   BOOST_TEST(outcome.status == 0, outcome.err);
   BOOST_TEST(lines_in(outcome.out) == static_cast<long>(ids.size()));

@@ -20,9 +20,12 @@ std::set<std::string> lines_of(std::string const& text) {
 
 /// What bash offers where the last of the words is being typed; `folder` is where it stands.
 std::set<std::string> offered(std::vector<std::string> const& words, std::string const& folder = "/") {
-  std::string line = "cd '" + folder + "'; bash -c 'source \"" + script + "\"; COMP_WORDS=(\"" + ACTIO_COMMAND + "\"";
+  std::string line =
+      "cd '" + folder + "'; bash -c 'source \"" + script + "\"; COMP_WORDS=(\"" + ACTIO_COMMAND + "\"";
   for (auto const& word : words) line += " \"" + word + "\"";
-  line += "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _actio; for reply in \"${COMPREPLY[@]}\"; do echo \"$reply\"; done'";
+  line +=
+      "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _actio; for reply in \"${COMPREPLY[@]}\"; do echo "
+      "\"$reply\"; done'";
   auto const outcome = command::shell(line);
   BOOST_TEST(outcome.err == "");
   return lines_of(outcome.out);
@@ -75,11 +78,15 @@ BOOST_AUTO_TEST_CASE(scenes_and_folders_are_completed) {
   folder.write("apophis.toml", "");
   folder.write("notes.txt", "");
   std::filesystem::create_directory(folder / "old run");
-  BOOST_TEST(offered({"run", ""}, folder / "") == (Names{"apophis.toml", "old run"}), boost::test_tools::per_element());
+  BOOST_TEST(offered({"run", ""}, folder / "") == (Names{"apophis.toml", "old run"}),
+             boost::test_tools::per_element());
   BOOST_TEST(offered({"resume", ""}, folder / "") == Names{"old run"}, boost::test_tools::per_element());
-  BOOST_TEST(offered({"run", "apophis.toml", "--out", ""}, folder / "") == Names{"old run"}, boost::test_tools::per_element());
-  BOOST_TEST(offered({"run", "--out", "=", "o"}, folder / "") == Names{"old run"}, boost::test_tools::per_element());
-  BOOST_TEST(offered({"run", "--out", "="}, folder / "") == Names{"old run"}, boost::test_tools::per_element());
+  BOOST_TEST(offered({"run", "apophis.toml", "--out", ""}, folder / "") == Names{"old run"},
+             boost::test_tools::per_element());
+  BOOST_TEST(offered({"run", "--out", "=", "o"}, folder / "") == Names{"old run"},
+             boost::test_tools::per_element());
+  BOOST_TEST(offered({"run", "--out", "="}, folder / "") == Names{"old run"},
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()
@@ -98,10 +105,13 @@ BOOST_AUTO_TEST_CASE(every_option_of_the_help_and_every_exit_status_is_in_the_pa
   for (std::size_t at; (at = text.find("\\-")) != std::string::npos;) text.replace(at, 2, "-");
   for (auto const& part : parts) {
     BOOST_TEST(text.find("\n.B " + part + "\n") != std::string::npos, part);
-    for (auto const& option : options_in(command::actio({part, "--help"}).out)) BOOST_TEST(text.find(option) != std::string::npos, option);
+    for (auto const& option : options_in(command::actio({part, "--help"}).out))
+      BOOST_TEST(text.find(option) != std::string::npos, option);
   }
-  for (auto const& option : options_in(command::actio({"--help"}).out)) BOOST_TEST(text.find(option) != std::string::npos, option);
-  for (auto const& status : {"0", "1", "2", "3", "4", "130"}) BOOST_TEST(text.find(std::string("\n.TP\n.B ") + status + "\n") != std::string::npos, status);
+  for (auto const& option : options_in(command::actio({"--help"}).out))
+    BOOST_TEST(text.find(option) != std::string::npos, option);
+  for (auto const& status : {"0", "1", "2", "3", "4", "130"})
+    BOOST_TEST(text.find(std::string("\n.TP\n.B ") + status + "\n") != std::string::npos, status);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

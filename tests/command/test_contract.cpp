@@ -41,8 +41,11 @@ std::string complaint(std::string const& text, int status = 2) {
 bool bitwise_equal(Table const& a, Table const& b) { return a.columns == b.columns && a.rows == b.rows; }
 
 std::string const minimal =
-    "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.5, 1, -0.25]\n[run]\nuntil = 2\n[output]\nquantities = [\"body_momentum\", \"attitude\"]\n";
-std::string with(std::string text, std::string const& part, std::string const& other) { return text.replace(text.find(part), part.size(), other); }
+    "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 3]\n[initial]\nangular_velocity = [0.5, 1, "
+    "-0.25]\n[run]\nuntil = 2\n[output]\nquantities = [\"body_momentum\", \"attitude\"]\n";
+std::string with(std::string text, std::string const& part, std::string const& other) {
+  return text.replace(text.find(part), part.size(), other);
+}
 
 }  // namespace
 
@@ -53,12 +56,15 @@ BOOST_AUTO_TEST_CASE(an_initial_angular_velocity_sets_the_momentum_to_its_image_
   BOOST_TEST(table["body_momentum_x"][0] == 0.5);
   BOOST_TEST(table["body_momentum_y"][0] == 2.0);
   BOOST_TEST(table["body_momentum_z"][0] == -0.75);
-  BOOST_TEST(bitwise_equal(table, series_of(with(minimal, "angular_velocity = [0.5, 1, -0.25]", "angular_momentum = [0.5, 2, -0.75]"))));
+  BOOST_TEST(bitwise_equal(table, series_of(with(minimal, "angular_velocity = [0.5, 1, -0.25]",
+                                                 "angular_momentum = [0.5, 2, -0.75]"))));
 }
 
 BOOST_AUTO_TEST_CASE(velocity_and_momentum_exclude_each_other_and_one_is_needed) {
-  BOOST_TEST(has(complaint(with(minimal, "[run]", "angular_momentum = [1, 1, 1]\n[run]")), "exclude each other"));
-  BOOST_TEST(has(complaint(with(minimal, "angular_velocity = [0.5, 1, -0.25]", "")), "[initial] needs 'angular_velocity' or 'angular_momentum'"));
+  BOOST_TEST(
+      has(complaint(with(minimal, "[run]", "angular_momentum = [1, 1, 1]\n[run]")), "exclude each other"));
+  BOOST_TEST(has(complaint(with(minimal, "angular_velocity = [0.5, 1, -0.25]", "")),
+                 "[initial] needs 'angular_velocity' or 'angular_momentum'"));
 }
 
 BOOST_AUTO_TEST_CASE(the_attitude_is_the_identity_where_it_is_left_out) {
@@ -79,7 +85,9 @@ BOOST_AUTO_TEST_CASE(a_quaternion_that_is_not_normalised_is_refused_with_the_val
 
 BOOST_AUTO_TEST_CASE(a_quaternion_off_by_less_than_a_billionth_is_normalised_and_that_is_said) {
   Folder const folder;
-  auto const outcome = actio({"run", folder.write("scene.toml", apophis({{"attitude", "[1.0000000009, 0, 0, 0]"}, {"quantities", "[\"attitude\"]"}}))});
+  auto const outcome =
+      actio({"run", folder.write("scene.toml", apophis({{"attitude", "[1.0000000009, 0, 0, 0]"},
+                                                        {"quantities", "[\"attitude\"]"}}))});
   BOOST_TEST(outcome.status == 0);
   BOOST_TEST(has(outcome.err, "normalised"));
   BOOST_TEST(command::read_csv(folder / "scene/series.csv")["attitude_w"][0] == 1.0);
@@ -87,8 +95,11 @@ BOOST_AUTO_TEST_CASE(a_quaternion_off_by_less_than_a_billionth_is_normalised_and
 
 BOOST_AUTO_TEST_CASE(an_inertia_is_three_moments_or_a_symmetric_matrix) {
   // The same body, its principal axes turned by a quarter: x is y and y is -x.
-  auto const principal = series_of(minimal), full = series_of(with(minimal, "[1, 2, 3]", "[[1, 0, 0], [0, 2, 0], [0, 0, 3]]"));
-  for (std::size_t i = 1; i < principal.columns.size(); ++i) BOOST_TEST(std::abs(principal.rows[1][i] - full.rows[1][i]) <= 64 * std::numeric_limits<double>::epsilon());  // both are some roundings from the flow
+  auto const principal = series_of(minimal),
+             full = series_of(with(minimal, "[1, 2, 3]", "[[1, 0, 0], [0, 2, 0], [0, 0, 3]]"));
+  for (std::size_t i = 1; i < principal.columns.size(); ++i)
+    BOOST_TEST(std::abs(principal.rows[1][i] - full.rows[1][i]) <=
+               64 * std::numeric_limits<double>::epsilon());  // both are some roundings from the flow
   BOOST_TEST(has(complaint(with(minimal, "[1, 2, 3]", "[[1, 0.5, 0], [0, 2, 0], [0, 0, 3]]")), "inertia"));
 }
 
@@ -100,18 +111,21 @@ BOOST_AUTO_TEST_CASE(a_body_that_breaks_the_triangle_inequality_is_refused_with_
   BOOST_TEST(has(said, "bound "), said);
 }
 
-BOOST_AUTO_TEST_CASE(body_and_inertia_exclude_each_other) { BOOST_TEST(has(complaint(apophis({{"body", "\"apophis\"\ninertia = [1, 2, 3]"}})), "exclude each other")); }
+BOOST_AUTO_TEST_CASE(body_and_inertia_exclude_each_other) {
+  BOOST_TEST(has(complaint(apophis({{"body", "\"apophis\"\ninertia = [1, 2, 3]"}})), "exclude each other"));
+}
 
 BOOST_AUTO_TEST_CASE(unknown_keys_are_refused_in_every_section_with_the_nearest_known_one) {
   struct Mistake {
     std::string key, line, meant;
   };
-  for (auto const& [key, line, meant] : std::vector<Mistake>{{"title", "titel = \"x\"", "title"},
-                                                             {"body", "bdy = \"apophis\"", "body"},
-                                                             {"attitude", "atitude = [1, 0, 0, 0]", "attitude"},
-                                                             {"order", "oder = 2", "order"},
-                                                             {"until", "untill = 3", "until"},
-                                                             {"formats", "format = [\"csv\"]", "formats"}}) {
+  for (auto const& [key, line, meant] :
+       std::vector<Mistake>{{"title", "titel = \"x\"", "title"},
+                            {"body", "bdy = \"apophis\"", "body"},
+                            {"attitude", "atitude = [1, 0, 0, 0]", "attitude"},
+                            {"order", "oder = 2", "order"},
+                            {"until", "untill = 3", "until"},
+                            {"formats", "format = [\"csv\"]", "formats"}}) {
     std::string const before = apophis({{key, ""}}), whole = apophis();
     // In the place of the line that it is a slip of.
     std::size_t const at = whole.find("\n" + key + " = ") + 1;
@@ -120,44 +134,63 @@ BOOST_AUTO_TEST_CASE(unknown_keys_are_refused_in_every_section_with_the_nearest_
     BOOST_TEST(has(said, ":1: unknown key of ["), said);
     BOOST_TEST(has(said, "'" + line.substr(0, line.find(' ')) + "'; did you mean '" + meant + "'?"), said);
   }
-  BOOST_TEST(has(complaint(with(apophis(), "[method]", "[methods]")), "unknown section 'methods'; did you mean 'method'?"));
+  BOOST_TEST(has(complaint(with(apophis(), "[method]", "[methods]")),
+                 "unknown section 'methods'; did you mean 'method'?"));
 }
 
 BOOST_AUTO_TEST_CASE(names_that_are_unknown_are_pointed_at_with_the_nearest_known_one) {
-  BOOST_TEST(complaint(apophis({{"kind", "\"rigid_bdy\""}})) == ":5:8: unknown system 'rigid_bdy'; did you mean 'rigid_body'? (actio list systems)\n");
-  BOOST_TEST(complaint(apophis({{"body", "\"apofis\""}})) == ":6:8: unknown body 'apofis'; did you mean 'apophis'? (actio list bodies)\n");
-  BOOST_TEST(complaint(apophis({{"name", "\"moser_veselof\""}})) == ":13:8: unknown method 'moser_veselof'; did you mean 'moser_veselov'? (actio list methods)\n");
-  BOOST_TEST(has(complaint(apophis({{"formats", "[\"cvs\"]"}})), "unknown format 'cvs'; did you mean 'csv'?"));
+  BOOST_TEST(complaint(apophis({{"kind", "\"rigid_bdy\""}})) ==
+             ":5:8: unknown system 'rigid_bdy'; did you mean 'rigid_body'? (actio list systems)\n");
+  BOOST_TEST(complaint(apophis({{"body", "\"apofis\""}})) ==
+             ":6:8: unknown body 'apofis'; did you mean 'apophis'? (actio list bodies)\n");
+  BOOST_TEST(complaint(apophis({{"name", "\"moser_veselof\""}})) ==
+             ":13:8: unknown method 'moser_veselof'; did you mean 'moser_veselov'? (actio list methods)\n");
+  BOOST_TEST(
+      has(complaint(apophis({{"formats", "[\"cvs\"]"}})), "unknown format 'cvs'; did you mean 'csv'?"));
 }
 
 BOOST_AUTO_TEST_CASE(the_orders_of_the_scheme_of_moser_and_veselov_are_2_4_6_8_10_and_exact) {
-  for (std::string const order : {"2", "4", "6", "8", "10", "\"exact\""}) BOOST_TEST(series_of(apophis({{"order", order}})).rows.size() == 101u, order);
-  for (std::string const order : {"3", "12", "0", "-2", "\"precise\"", "2.0", "[2]", "\"2\""}) BOOST_TEST(has(complaint(apophis({{"order", order}})), "order"), order);
+  for (std::string const order : {"2", "4", "6", "8", "10", "\"exact\""})
+    BOOST_TEST(series_of(apophis({{"order", order}})).rows.size() == 101u, order);
+  for (std::string const order : {"3", "12", "0", "-2", "\"precise\"", "2.0", "[2]", "\"2\""})
+    BOOST_TEST(has(complaint(apophis({{"order", order}})), "order"), order);
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_computed_that_was_not_asked_for) {
   Folder const folder;
-  BOOST_TEST(actio({"run", folder.write("scene.toml", apophis({{"quantities", "[\"body_momentum\"]"}}))}).status == 0);
-  BOOST_TEST(command::read_csv(folder / "scene/series.csv").columns == (std::vector<std::string>{"t", "body_momentum_x", "body_momentum_y", "body_momentum_z"}), boost::test_tools::per_element());
+  BOOST_TEST(
+      actio({"run", folder.write("scene.toml", apophis({{"quantities", "[\"body_momentum\"]"}}))}).status ==
+      0);
+  BOOST_TEST(command::read_csv(folder / "scene/series.csv").columns ==
+                 (std::vector<std::string>{"t", "body_momentum_x", "body_momentum_y", "body_momentum_z"}),
+             boost::test_tools::per_element());
   std::string const summary = command::contents(folder / "scene/summary.json");
-  for (auto const& name : {"attitude", "angular_velocity", "spatial_momentum", "energy", "casimir"}) BOOST_TEST(has(summary, std::string("\"") + name + "\": 0"), name);
+  for (auto const& name : {"attitude", "angular_velocity", "spatial_momentum", "energy", "casimir"})
+    BOOST_TEST(has(summary, std::string("\"") + name + "\": 0"), name);
 }
 
 BOOST_AUTO_TEST_CASE(columns_are_in_the_order_of_the_request) {
-  BOOST_TEST(series_of(apophis({{"quantities", "[\"energy\", \"attitude\"]"}})).columns == (std::vector<std::string>{"t", "energy", "attitude_w", "attitude_x", "attitude_y", "attitude_z"}),
-             boost::test_tools::per_element());
+  BOOST_TEST(
+      series_of(apophis({{"quantities", "[\"energy\", \"attitude\"]"}})).columns ==
+          (std::vector<std::string>{"t", "energy", "attitude_w", "attitude_x", "attitude_y", "attitude_z"}),
+      boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(the_method_may_be_left_out_and_the_default_is_written_back) {
   Folder const folder;
   BOOST_TEST(actio({"run", folder.write("scene.toml", minimal)}).status == 0);
   std::string const copy = command::contents(folder / "scene/scene.toml");
-  for (auto const& line : {"[scene]\n", "title = \"scene\"\n", "seed = 1\n", "name = \"moser_veselov\"\n", "order = \"exact\"\n", "step = ", "attitude = [1.0, 0.0, 0.0, 0.0]\n", "formats = [\"csv\"]\n", "plots = false\n"})
+  for (auto const& line :
+       {"[scene]\n", "title = \"scene\"\n", "seed = 1\n", "name = \"moser_veselov\"\n", "order = \"exact\"\n",
+        "step = ", "attitude = [1.0, 0.0, 0.0, 0.0]\n", "formats = [\"csv\"]\n", "plots = false\n"})
     BOOST_TEST(has(copy, line), line);
 }
 
 BOOST_AUTO_TEST_CASE(the_copy_of_a_scene_runs_again_and_leaves_the_same) {
-  for (std::string const& text : {minimal, apophis(), apophis({{"order", "2"}}), apophis({{"order", "2"}, {"step", ""}, {"every", "0.3"}}), apophis({{"every", ""}, {"until", "at = [0.5, 1, 7.25]"}}).replace(0, 0, "")}) {
+  for (std::string const& text :
+       {minimal, apophis(), apophis({{"order", "2"}}),
+        apophis({{"order", "2"}, {"step", ""}, {"every", "0.3"}}),
+        apophis({{"every", ""}, {"until", "at = [0.5, 1, 7.25]"}}).replace(0, 0, "")}) {
     Folder const folder;
     std::string scene = text;
     if (std::size_t const at = scene.find("until = at"); at != std::string::npos) scene.erase(at, 8);
@@ -172,7 +205,9 @@ BOOST_AUTO_TEST_CASE(the_copy_of_a_scene_runs_again_and_leaves_the_same) {
 
 BOOST_AUTO_TEST_CASE(overrides_are_in_the_copy_of_the_scene) {
   Folder const folder;
-  BOOST_TEST(actio({"run", folder.write("scene.toml", minimal), "--set", "run.until=3", "--set", "system.inertia=[2, 3, 4]"}).status == 0);
+  BOOST_TEST(actio({"run", folder.write("scene.toml", minimal), "--set", "run.until=3", "--set",
+                    "system.inertia=[2, 3, 4]"})
+                 .status == 0);
   std::string const copy = command::contents(folder / "scene/scene.toml");
   BOOST_TEST(has(copy, "until = 3\n"));
   BOOST_TEST(has(copy, "inertia = [2, 3, 4]\n"));
@@ -180,11 +215,15 @@ BOOST_AUTO_TEST_CASE(overrides_are_in_the_copy_of_the_scene) {
 
 BOOST_AUTO_TEST_CASE(an_override_takes_a_toml_value_or_a_bare_word) {
   std::string const bodies = apophis({{"quantities", "[\"angular_velocity\"]"}});
-  auto const word = series_of(bodies, {"--set", "system.body=toutatis"}), text = series_of(bodies, {"--set", "system.body=\"toutatis\""}), file = series_of(with(bodies, "\"apophis\"", "\"toutatis\""));
+  auto const word = series_of(bodies, {"--set", "system.body=toutatis"}),
+             text = series_of(bodies, {"--set", "system.body=\"toutatis\""}),
+             file = series_of(with(bodies, "\"apophis\"", "\"toutatis\""));
   BOOST_TEST(bitwise_equal(word, text));
   BOOST_TEST(bitwise_equal(word, file));
   BOOST_TEST(!bitwise_equal(word, series_of(bodies)));
-  BOOST_TEST(series_of(bodies, {"--set", "run.every=5", "--set", "output.quantities=[\"energy\", \"casimir\"]"}).columns.size() == 3u);
+  BOOST_TEST(
+      series_of(bodies, {"--set", "run.every=5", "--set", "output.quantities=[\"energy\", \"casimir\"]"})
+          .columns.size() == 3u);
   BOOST_TEST(series_of(bodies, {"--set", "run.every = 5"}).rows.size() == 6u);
 }
 
@@ -194,12 +233,14 @@ BOOST_AUTO_TEST_CASE(errors_of_an_override_point_at_the_argument) {
   struct Wrong {
     std::string argument, said;
   };
-  for (auto const& [argument, said] : std::vector<Wrong>{{"system.body=apofis", ":1:13: unknown body 'apofis'; did you mean 'apophis'? (actio list bodies)\n"},
-                                                         {"method.step=-1", ":1:13: step: a number > 0 is expected, found -1\n"},
-                                                         {"method.stp=1", ":1:8: unknown key of [method] 'stp'; did you mean 'step'?"},
-                                                         {"output.quantities=[\"energy\", \"enrgy\"]", ":1:30: unknown quantity 'enrgy'"},
-                                                         {"run.until=[1", ":1:"},
-                                                         {"method.step=nan", "finite"}}) {
+  for (auto const& [argument, said] :
+       std::vector<Wrong>{{"system.body=apofis",
+                           ":1:13: unknown body 'apofis'; did you mean 'apophis'? (actio list bodies)\n"},
+                          {"method.step=-1", ":1:13: step: a number > 0 is expected, found -1\n"},
+                          {"method.stp=1", ":1:8: unknown key of [method] 'stp'; did you mean 'step'?"},
+                          {"output.quantities=[\"energy\", \"enrgy\"]", ":1:30: unknown quantity 'enrgy'"},
+                          {"run.until=[1", ":1:"},
+                          {"method.step=nan", "finite"}}) {
     auto const outcome = actio({"run", scene, "--set", argument});
     BOOST_TEST(outcome.status == 2);
     BOOST_TEST(outcome.err.starts_with("--set " + argument + ":1:"), outcome.err);
@@ -210,7 +251,8 @@ BOOST_AUTO_TEST_CASE(errors_of_an_override_point_at_the_argument) {
 BOOST_AUTO_TEST_CASE(a_run_is_left_beside_the_scene_under_its_name) {
   Folder const folder;
   BOOST_TEST(actio({"run", folder.write("two words.toml", minimal)}).status == 0);
-  for (auto const& name : {"series.csv", "summary.json", "scene.toml"}) BOOST_TEST(std::filesystem::exists(folder / "two words/" + name), name);
+  for (auto const& name : {"series.csv", "summary.json", "scene.toml"})
+    BOOST_TEST(std::filesystem::exists(folder / "two words/" + name), name);
 }
 
 BOOST_AUTO_TEST_CASE(a_folder_that_is_not_empty_is_refused_unless_it_is_forced) {

@@ -11,12 +11,16 @@ using command::apophis, command::contents;
 namespace {
 
 /// Some tenths of a second of steps, and rows enough.
-std::map<std::string, std::string> const long_run{{"order", "2"}, {"step", "0.25"}, {"until", "10000000.0"}, {"every", "1000.0"}};
+std::map<std::string, std::string> const long_run{
+    {"order", "2"}, {"step", "0.25"}, {"until", "10000000.0"}, {"every", "1000.0"}};
 /// Steps for minutes, and no row between the first and the last.
-std::map<std::string, std::string> const without_rows{{"order", "2"}, {"step", "0.25"}, {"until", "2.5e9"}, {"every", ""}};
+std::map<std::string, std::string> const without_rows{
+    {"order", "2"}, {"step", "0.25"}, {"until", "2.5e9"}, {"every", ""}};
 
 bool holds(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
-std::size_t lines_of(std::string const& text) { return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')); }
+std::size_t lines_of(std::string const& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
 
 /// The number that summary.json has under a name.
 double in_summary(std::string const& folder, std::string const& name) {
@@ -59,7 +63,8 @@ BOOST_AUTO_TEST_CASE(steps_without_rows_are_interrupted_and_kept_between_rows) {
   double steps = 0;
   for (int part = 0; part < 2; ++part) {
     {  // Killed after some checkpoints.
-      command::Process process(part == 0 ? std::vector<std::string>{"run", scene} : std::vector<std::string>{"resume", out});
+      command::Process process(part == 0 ? std::vector<std::string>{"run", scene}
+                                         : std::vector<std::string>{"resume", out});
       BOOST_REQUIRE(command::appears(out + "/checkpoint"));
       command::sleep_for(0.4);
       process.send(SIGKILL);
@@ -81,13 +86,15 @@ BOOST_AUTO_TEST_CASE(steps_without_rows_are_interrupted_and_kept_between_rows) {
 
 BOOST_AUTO_TEST_CASE(a_full_disk_keeps_whole_rows_and_the_run_goes_on_when_there_is_room) {
   command::Folder const folder;
-  std::string const scene = folder.write("apophis.toml", apophis()), out = folder / "apophis", whole = folder / "whole";
+  std::string const scene = folder.write("apophis.toml", apophis()), out = folder / "apophis",
+                    whole = folder / "whole";
   BOOST_REQUIRE(command::actio({"run", scene, "--out", whole}).status == 0);
   std::string const all = contents(whole + "/series.csv");
   // From too little for the copy of the scene up to the last block of the table.
   int kept = 0;
   for (std::size_t blocks = 0; blocks <= all.size() / 512; ++blocks) {
-    auto const outcome = command::actio({"run", scene, "--force"}, "ulimit -f " + std::to_string(blocks) + ";");
+    auto const outcome =
+        command::actio({"run", scene, "--force"}, "ulimit -f " + std::to_string(blocks) + ";");
     BOOST_TEST(outcome.status == 4);
     if (blocks > 0) {  // and room for the complaint, which is in a file, too
       BOOST_TEST(lines_of(outcome.err) == 1u, outcome.err);
@@ -117,7 +124,8 @@ BOOST_AUTO_TEST_CASE(nobody_has_to_listen) {
   BOOST_TEST((lines_of(heard.err) == 1 && lines_of(heard.out) == 1));
   std::string const all = contents(folder / "whole/series.csv");
   for (char const* streams : {"</dev/null >/dev/full 2>/dev/full", "<&- >&- 2>&-", "2>&1 | true"}) {
-    std::string const line = "('" ACTIO_COMMAND "' run '" + scene + "' --force; echo $? >'" + folder / "status" + "') ";
+    std::string const line =
+        "('" ACTIO_COMMAND "' run '" + scene + "' --force; echo $? >'" + folder / "status" + "') ";
     [[maybe_unused]] int const shell = std::system((line + streams).c_str());
     BOOST_TEST(contents(folder / "status") == "0\n", streams);
     BOOST_TEST((contents(folder / "long/series.csv") == all), streams);
@@ -135,7 +143,8 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_or_written_fails_with_its_name
   BOOST_TEST(contents(file) == "kept");
   if (::geteuid() == 0) return;  // whom no permission stops
   std::filesystem::create_directory(folder / "closed");
-  std::filesystem::permissions(folder / "closed", std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  std::filesystem::permissions(folder / "closed",
+                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   BOOST_TEST(command::actio({"run", scene, "--out", folder / "closed"}).status == 4);
   BOOST_TEST(command::actio({"run", scene, "--out", folder / "closed/out"}).status == 4);
 }
@@ -166,7 +175,10 @@ BOOST_AUTO_TEST_CASE(the_scene_that_is_read_is_not_written_over) {
 
 BOOST_AUTO_TEST_CASE(a_step_too_long_leaves_nothing_and_says_the_longest) {
   command::Folder const folder;
-  std::string const scene = folder.write("apophis.toml", apophis({{"order", "2"}, {"step", "50.0"}, {"every", "50.0"}, {"until", "100.0"}})), out = folder / "apophis";
+  std::string const scene = folder.write(
+                        "apophis.toml",
+                        apophis({{"order", "2"}, {"step", "50.0"}, {"every", "50.0"}, {"until", "100.0"}})),
+                    out = folder / "apophis";
   auto const dry = command::actio({"run", scene, "--dry-run"});
   BOOST_TEST(dry.status == 3);
   BOOST_TEST(!std::filesystem::exists(out));

@@ -1,4 +1,5 @@
-// The error that a run tells of itself, against the true one; drift in natural units; rows between steps; steps that a top is not meant for.
+// The error that a run tells of itself, against the true one; drift in natural units; rows between steps;
+// steps that a top is not meant for.
 #include <boost/test/unit_test.hpp>
 
 #include <random>
@@ -12,11 +13,13 @@ using namespace command;
 
 /// A number of summary.json: the first with this name after `section`; NaN where there is none.
 double figure(std::string const& summary, std::string const& section, std::string const& name) {
-  std::size_t const begin = summary.find("\"" + section + "\": {"), end = summary.find('}', begin), at = summary.find("\"" + name + "\": ", begin);
+  std::size_t const begin = summary.find("\"" + section + "\": {"), end = summary.find('}', begin),
+                    at = summary.find("\"" + name + "\": ", begin);
   return begin == std::string::npos || at > end ? NAN : std::stod(summary.substr(at + name.size() + 4));
 }
 
-/// The largest errors of attitude (radians) and momentum (of the largest modulus) of one table against another, row by row.
+/// The largest errors of attitude (radians) and momentum (of the largest modulus) of one table against
+/// another, row by row.
 struct Errors {
   double attitude = 0, momentum = 0;
 };
@@ -42,8 +45,11 @@ Errors errors_in_n(Table const& found, Table const& truth, int n) {
   double attitude = 0, momentum = 0, modulus = 0;
   for (std::size_t row = 0; row < truth.rows.size(); ++row) {
     Square const M = skew(truth, "momentum", n, row);
-    attitude = std::max(attitude, difference(matrix(found, "attitude", n, row), matrix(truth, "attitude", n, row)) / std::sqrt(2.0));
-    momentum = std::max(momentum, difference(skew(found, "momentum", n, row), M)), modulus = std::max(modulus, norm(M));
+    attitude =
+        std::max(attitude, difference(matrix(found, "attitude", n, row), matrix(truth, "attitude", n, row)) /
+                               std::sqrt(2.0));
+    momentum = std::max(momentum, difference(skew(found, "momentum", n, row), M)),
+    modulus = std::max(modulus, norm(M));
   }
   return {attitude, momentum / modulus};
 }
@@ -51,18 +57,23 @@ Errors errors_in_n(Table const& found, Table const& truth, int n) {
 /// A run with its table and its summary.
 Left left_by(std::string const& scene) {
   Folder const folder;
-  Left left{actio({"run", "--quiet", "--out", folder / "out", folder.write("scene.toml", scene)}), {}, "", ""};
+  Left left{
+      actio({"run", "--quiet", "--out", folder / "out", folder.write("scene.toml", scene)}), {}, "", ""};
   if (left.outcome.status == 0) left.table = read_csv(folder / "out/series.csv");
   left.scene = contents(folder / "out/scene.toml"), left.summary = contents(folder / "out/summary.json");
   return left;
 }
 
 void hold(std::string const& what, std::string const& summary, Errors const& truth) {
-  for (auto const& [name, error] : {std::pair<std::string, double>{"attitude", truth.attitude}, {"momentum", truth.momentum}}) {
+  for (auto const& [name, error] :
+       {std::pair<std::string, double>{"attitude", truth.attitude}, {"momentum", truth.momentum}}) {
     double const told = figure(summary, "error", name);
-    BOOST_TEST_MESSAGE(what << ": " << name << " off by " << error << ", estimated " << told << ", ratio " << told / error);
-    BOOST_TEST(error > 1e-12, what << ": the error of the " << name << " is too small to be told from rounding: " << error);
-    BOOST_TEST((told < 3 * error && told > error / 3), what << ": " << name << " off by " << error << ", estimated " << told);
+    BOOST_TEST_MESSAGE(what << ": " << name << " off by " << error << ", estimated " << told << ", ratio "
+                            << told / error);
+    BOOST_TEST(error > 1e-12,
+               what << ": the error of the " << name << " is too small to be told from rounding: " << error);
+    BOOST_TEST((told < 3 * error && told > error / 3),
+               what << ": " << name << " off by " << error << ", estimated " << told);
   }
 }
 
@@ -71,22 +82,32 @@ BodyScene top(std::mt19937& random, std::string const& method) {
   std::uniform_real_distribution<double> u(0, 1);
   auto const list = [](std::vector<double> const& x) { return listed(x); };
   BodyScene scene;
-  scene.system = "kind = 'heavy_top'\nmass = " + number(1 + u(random)) + "\ninertia = " + list({0.5 + 0.3 * u(random), 0.5 + 0.3 * u(random), 0.4 + 0.3 * u(random)}) +
-                 "\ncentre_of_mass = " + list({0.2 * u(random), 0.2 * u(random), 0.3}) + "\ngravity = [0, 0, -9.81]";
+  scene.system =
+      "kind = 'heavy_top'\nmass = " + number(1 + u(random)) +
+      "\ninertia = " + list({0.5 + 0.3 * u(random), 0.5 + 0.3 * u(random), 0.4 + 0.3 * u(random)}) +
+      "\ncentre_of_mass = " + list({0.2 * u(random), 0.2 * u(random), 0.3}) + "\ngravity = [0, 0, -9.81]";
   scene.initial = "angular_velocity = " + list({u(random), 2 * u(random), 4 + u(random)});
-  scene.method = method, scene.run = "until = 4\nevery = 0.125", scene.quantities = "'attitude', 'body_momentum'";
+  scene.method = method, scene.run = "until = 4\nevery = 0.125",
+  scene.quantities = "'attitude', 'body_momentum'";
   return scene;
 }
 
 /// Hung up by a point, axle level: what is conserved beside the energy is zero.
 BodyScene wheel() {
-  return {"kind = 'heavy_top'\nmass = 2\ninertia = [0.04, 0.04, 0.08]\ncentre_of_mass = [0, 0, 0.2]\ngravity = [0, 0, -9.81]",
-          "attitude = [0.7071067811865476, 0.7071067811865476, 0, 0]\nangular_velocity = [0, 0, 40]", "", "until = 10\nevery = 0.02", "'energy', 'vertical_momentum', 'casimir', 'attitude'"};
+  return {
+      "kind = 'heavy_top'\nmass = 2\ninertia = [0.04, 0.04, 0.08]\ncentre_of_mass = [0, 0, 0.2]\ngravity = "
+      "[0, 0, -9.81]",
+      "attitude = [0.7071067811865476, 0.7071067811865476, 0, 0]\nangular_velocity = [0, 0, 40]", "",
+      "until = 10\nevery = 0.02", "'energy', 'vertical_momentum', 'casimir', 'attitude'"};
 }
 /// Let go from the level: its energy is zero.
 BodyScene pendulum() {
-  return {"kind = 'heavy_top'\nmass = 1\ninertia = [0.1, 0.1, 0.1]\ncentre_of_mass = [1, 0, 0]\ngravity = [0, 0, -9.81]", "angular_velocity = [0, 0, 0]", "", "until = 10\nevery = 0.02",
-          "'energy', 'vertical_momentum', 'casimir', 'body_momentum', 'angular_velocity', 'direction_of_gravity'"};
+  return {
+      "kind = 'heavy_top'\nmass = 1\ninertia = [0.1, 0.1, 0.1]\ncentre_of_mass = [1, 0, 0]\ngravity = [0, 0, "
+      "-9.81]",
+      "angular_velocity = [0, 0, 0]", "", "until = 10\nevery = 0.02",
+      "'energy', 'vertical_momentum', 'casimir', 'body_momentum', 'angular_velocity', "
+      "'direction_of_gravity'"};
 }
 
 }  // namespace
@@ -96,17 +117,31 @@ BOOST_AUTO_TEST_SUITE(error_estimate)
 BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_systems) {
   std::mt19937 random(11);
   // Tops, against a sixteenth of the step in order 4.
-  for (auto const& [order, step] : {std::pair("2", "0.015625"), {"4", "0.03125"}, {"2", "0.0078125"}, {"4", "0.041666666666666664"}, {"2", "0.03125"}, {"4", "0.03125"}, {"2", "0.015625"}, {"4", "0.041666666666666664"}}) {
+  for (auto const& [order, step] : {std::pair("2", "0.015625"),
+                                    {"4", "0.03125"},
+                                    {"2", "0.0078125"},
+                                    {"4", "0.041666666666666664"},
+                                    {"2", "0.03125"},
+                                    {"4", "0.03125"},
+                                    {"2", "0.015625"},
+                                    {"4", "0.041666666666666664"}}) {
     BodyScene scene = top(random, std::string("order = ") + order + "\nstep = " + step);
     Left const found = run(scene);
     BOOST_TEST(found.outcome.status == 0, found.outcome.err);
     scene.method = "order = 4\nstep = 0.001953125";
-    hold(std::string("top, order ") + order + ", step " + step, found.summary, errors_in_space(found.table, run(scene).table));
+    hold(std::string("top, order ") + order + ", step " + step, found.summary,
+         errors_in_space(found.table, run(scene).table));
   }
   // Bodies in three to six dimensions, against a sixteenth of the step in order 6.
   std::uniform_real_distribution<double> u(0, 1);
-  for (auto const& [method, order, step] : {std::tuple("moser_veselov", "2", "0.0625"), {"moser_veselov", "4", "0.0625"}, {"moser_veselov", "6", "0.125"}, {"moser_veselov", "2", "0.03125"}, {"moser_veselov", "4", "0.125"},
-                                            {"moser_veselov", "6", "0.0625"}, {"natural_chart", "2", "0.0625"}, {"natural_chart", "4", "0.125"}}) {
+  for (auto const& [method, order, step] : {std::tuple("moser_veselov", "2", "0.0625"),
+                                            {"moser_veselov", "4", "0.0625"},
+                                            {"moser_veselov", "6", "0.125"},
+                                            {"moser_veselov", "2", "0.03125"},
+                                            {"moser_veselov", "4", "0.125"},
+                                            {"moser_veselov", "6", "0.0625"},
+                                            {"natural_chart", "2", "0.0625"},
+                                            {"natural_chart", "4", "0.125"}}) {
     int const n = 3 + static_cast<int>(4 * u(random));
     BodyN body{{}, {}, method, step, "12", "0.5", "\"attitude\", \"momentum\"", {}, order};
     for (int i = 0; i < n; ++i) body.lambda.push_back(0.5 + 3 * u(random));
@@ -114,12 +149,16 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_syste
     Left const found = left_by(body.text() + "error_estimate = true\n");
     BOOST_TEST(found.outcome.status == 0, found.outcome.err);
     body.method = "moser_veselov", body.order = "6", body.step = "0.0078125";
-    hold(std::string(method) + " on SO(" + std::to_string(n) + "), order " + order + ", step " + step, found.summary, errors_in_n(found.table, left_by(body.text()).table, n));
+    hold(std::string(method) + " on SO(" + std::to_string(n) + "), order " + order + ", step " + step,
+         found.summary, errors_in_n(found.table, left_by(body.text()).table, n));
   }
   // Free bodies in space, against the exact motion.
-  for (std::string const method : {"order = 2\nstep = 0.0625", "order = 4\nstep = 0.25", "name = 'natural_chart'\norder = 2\nstep = 0.0625", "name = 'natural_chart'\norder = 4\nstep = 0.25"}) {
-    BodyScene scene{"kind = 'rigid_body'\ninertia = " + listed({1, 1.5 + u(random), 2.6 + u(random) / 2}), "angular_velocity = " + listed({u(random), 1, u(random)}), method, "until = 20\nevery = 0.25",
-                    "'attitude', 'body_momentum'"};
+  for (std::string const method : {"order = 2\nstep = 0.0625", "order = 4\nstep = 0.25",
+                                   "name = 'natural_chart'\norder = 2\nstep = 0.0625",
+                                   "name = 'natural_chart'\norder = 4\nstep = 0.25"}) {
+    BodyScene scene{"kind = 'rigid_body'\ninertia = " + listed({1, 1.5 + u(random), 2.6 + u(random) / 2}),
+                    "angular_velocity = " + listed({u(random), 1, u(random)}), method,
+                    "until = 20\nevery = 0.25", "'attitude', 'body_momentum'"};
     Left const found = run(scene);
     scene.method = "order = 'exact'";
     Left const exact = run(scene);
@@ -131,13 +170,20 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_syste
 
 BOOST_AUTO_TEST_CASE(a_default_in_n_dimensions_reaches_a_millionth_until_the_end) {
   for (std::string const until : {"10", "1000"}) {
-    BodyN body{{0.5, 1, 1.7, 2.9, 4.1}, {0.3, 0.2, -0.4, 0.1, 0.5, 0.2, -0.3, 0.4, 0.1, -0.2}, "moser_veselov", {}, until, until, "\"attitude\", \"momentum\""};
+    BodyN body{{0.5, 1, 1.7, 2.9, 4.1},
+               {0.3, 0.2, -0.4, 0.1, 0.5, 0.2, -0.3, 0.4, 0.1, -0.2},
+               "moser_veselov",
+               {},
+               until,
+               until,
+               "\"attitude\", \"momentum\""};
     Left const found = left_by(body.text());
     BOOST_TEST(contains(found.scene, "order = 6"), found.scene);
     BOOST_TEST(contains(found.scene, "error_estimate = true"), found.scene);
     body.step = "0.015625";
     Errors const truth = errors_in_n(found.table, left_by(body.text()).table, 5);
-    BOOST_TEST_MESSAGE("five dimensions, until " << until << ": attitude off by " << truth.attitude << ", momentum by " << truth.momentum);
+    BOOST_TEST_MESSAGE("five dimensions, until " << until << ": attitude off by " << truth.attitude
+                                                 << ", momentum by " << truth.momentum);
     BOOST_TEST(truth.attitude < 1e-6);
     BOOST_TEST(truth.momentum < 1e-6);
     BOOST_TEST(figure(found.summary, "error", "attitude") < 1e-6);
@@ -146,23 +192,30 @@ BOOST_AUTO_TEST_CASE(a_default_in_n_dimensions_reaches_a_millionth_until_the_end
 
 BOOST_AUTO_TEST_CASE(it_is_told_at_the_end_and_left_out_where_it_is_not_wanted) {
   Folder const folder;
-  BodyScene scene{"kind = 'rigid_body'\ninertia = [1, 2, 3]", "angular_velocity = [0.1, 1, 0.1]", "order = 2\nstep = 0.125", "until = 10\nevery = 0.25", "'energy'"};
+  BodyScene scene{"kind = 'rigid_body'\ninertia = [1, 2, 3]", "angular_velocity = [0.1, 1, 0.1]",
+                  "order = 2\nstep = 0.125", "until = 10\nevery = 0.25", "'energy'"};
   auto const told = actio({"run", "--out", folder / "a", folder.write("a.toml", scene.text())});
   BOOST_TEST(contains(told.out, "; error: momentum "), told.out);
   BOOST_TEST(!contains(told.out, "attitude"), told.out);  // which the scene does not ask for
-  auto const none = actio({"run", "--out", folder / "b", folder.write("b.toml", scene.text() + "error_estimate = false\n")});
+  auto const none = actio(
+      {"run", "--out", folder / "b", folder.write("b.toml", scene.text() + "error_estimate = false\n")});
   BOOST_TEST(!contains(none.out, "error"), none.out);
   BOOST_TEST(contains(contents(folder / "b/summary.json"), "left out by output.error_estimate"));
   // The numbers are the same.
   BOOST_TEST(contents(folder / "a/series.csv") == contents(folder / "b/series.csv"));
   BodyN chart{{1, 2, 3, 4}, {0.9, -0.2, 0.3, 0.1, 0.4, -0.5}, "natural_chart"};
-  BOOST_TEST(contains(left_by(chart.text()).summary, "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"));
+  BOOST_TEST(contains(
+      left_by(chart.text()).summary,
+      "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"));
 }
 
 BOOST_AUTO_TEST_CASE(drift_is_measured_in_a_unit_of_the_quantity_where_that_starts_at_zero) {
   for (auto scene : {wheel(), pendulum()})
     for (bool aside : {false, true}) {
-      if (aside) scene.initial.insert(0, contains(scene.initial, "attitude") ? "" : "attitude = [0.7071067811865475, 0.7071067811865475, 0, 0]\n");
+      if (aside)
+        scene.initial.insert(0, contains(scene.initial, "attitude")
+                                    ? ""
+                                    : "attitude = [0.7071067811865475, 0.7071067811865475, 0, 0]\n");
       Left const left = run(scene);
       BOOST_TEST(left.outcome.status == 0, left.outcome.err);
       for (std::string const name : {"energy", "vertical_momentum", "casimir_gamma", "casimir_cross"}) {
@@ -180,13 +233,15 @@ BOOST_AUTO_TEST_CASE(a_drift_that_is_real_is_told_as_large_as_it_is) {
   double difference = 0, unit = 0;
   for (std::size_t row = 0; row < t.rows.size(); ++row) {
     double kinetic = 0;
-    for (std::string const c : {"_x", "_y", "_z"}) kinetic += t["body_momentum" + c][row] * t["angular_velocity" + c][row] / 2;
+    for (std::string const c : {"_x", "_y", "_z"})
+      kinetic += t["body_momentum" + c][row] * t["angular_velocity" + c][row] / 2;
     difference = std::max(difference, std::abs(t["energy"][row] - t["energy"][0]));
     unit = std::max(unit, kinetic + std::abs(9.81 * t["direction_of_gravity_x"][row]));
   }
   BOOST_TEST_MESSAGE("pendulum, order 2: energy drifts by " << difference / unit);
   BOOST_TEST((difference / unit > 1e-7 && difference / unit < 1e-4), difference / unit);
-  BOOST_TEST(figure(left.summary, "drift", "energy") == difference / unit, boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(figure(left.summary, "drift", "energy") == difference / unit,
+             boost::test_tools::tolerance(1e-6));
   BOOST_TEST(figure(left.summary, "drift_units", "energy") == unit, boost::test_tools::tolerance(1e-12));
 }
 
@@ -197,7 +252,9 @@ BOOST_AUTO_TEST_CASE(a_step_that_a_top_is_not_meant_for_is_refused_and_a_long_on
     scene.method = "step = " + step;
     Left const left = run(scene);
     BOOST_TEST(left.outcome.status == 3, step);
-    BOOST_TEST(contains(left.outcome.err, "and the scheme is meant for at most 1 rad; the longest that would do is "), left.outcome.err);
+    BOOST_TEST(contains(left.outcome.err,
+                        "and the scheme is meant for at most 1 rad; the longest that would do is "),
+               left.outcome.err);
     std::string const said = left.outcome.err, before = "the largest that meets the rows is ";
     BOOST_REQUIRE(contains(said, before));
     scene.method = "step = " + said.substr(said.find(before) + before.size());
@@ -212,9 +269,14 @@ BOOST_AUTO_TEST_CASE(a_step_that_a_top_is_not_meant_for_is_refused_and_a_long_on
 }
 
 BOOST_AUTO_TEST_CASE(rows_at_any_times_are_reached_by_a_shorter_step_of_the_same_scheme) {
-  for (BodyScene scene : {wheel(), BodyScene{"kind = 'rigid_body_n'\nlambda = [0.5, 1, 1.7, 2.9]", "angular_velocity = [0.3, 0.2, -0.4, 0.1, 0.5, 0.2]", "", "", "'attitude', 'momentum'"},
-                          BodyScene{"kind = 'rigid_body'\ninertia = [1, 2, 3]", "angular_velocity = [0.1, 1, 0.1]", "order = 4\nSTEP", "", "'attitude', 'body_momentum'"},
-                          BodyScene{"kind = 'rigid_body'\ninertia = [1, 2, 3]", "angular_velocity = [0.1, 1, 0.1]", "name = 'natural_chart'\norder = 4\nSTEP", "", "'body_momentum'"}}) {
+  for (BodyScene scene :
+       {wheel(),
+        BodyScene{"kind = 'rigid_body_n'\nlambda = [0.5, 1, 1.7, 2.9]",
+                  "angular_velocity = [0.3, 0.2, -0.4, 0.1, 0.5, 0.2]", "", "", "'attitude', 'momentum'"},
+        BodyScene{"kind = 'rigid_body'\ninertia = [1, 2, 3]", "angular_velocity = [0.1, 1, 0.1]",
+                  "order = 4\nSTEP", "", "'attitude', 'body_momentum'"},
+        BodyScene{"kind = 'rigid_body'\ninertia = [1, 2, 3]", "angular_velocity = [0.1, 1, 0.1]",
+                  "name = 'natural_chart'\norder = 4\nSTEP", "", "'body_momentum'"}}) {
     auto const method = [&](std::string const& step) {
       std::string const all = scene.method;
       return contains(all, "STEP") ? all.substr(0, all.find("STEP")) + step : step;
@@ -225,12 +287,16 @@ BOOST_AUTO_TEST_CASE(rows_at_any_times_are_reached_by_a_shorter_step_of_the_same
     Left const found = run(odd), truth = run(fine);
     BOOST_TEST(found.outcome.status == 0, found.outcome.err);
     BOOST_TEST(truth.outcome.status == 0, truth.outcome.err);
-    BOOST_TEST(contains(found.outcome.err, "a shorter step of the same scheme goes to each row between two steps"), found.outcome.err);
+    BOOST_TEST(
+        contains(found.outcome.err, "a shorter step of the same scheme goes to each row between two steps"),
+        found.outcome.err);
     BOOST_TEST(contains(found.scene, "between_steps = true"), found.scene);
     BOOST_REQUIRE(found.table.rows.size() == 4u);
     double size = 0;
     for (double const x : truth.table.rows[0]) size = std::max(size, std::abs(x));
-    for (std::size_t row : {0u, 1u, 3u}) BOOST_TEST(apart(found.table.rows[row], truth.table.rows[row]) <= 2e-5 * size, odd.system << ", row " << row);
+    for (std::size_t row : {0u, 1u, 3u})
+      BOOST_TEST(apart(found.table.rows[row], truth.table.rows[row]) <= 2e-5 * size,
+                 odd.system << ", row " << row);
     // The steps go on as if a row had not been asked for.
     BodyScene fewer = odd;
     fewer.run = "at = [3.14159265, 4]\nbetween_steps = true";

@@ -29,8 +29,8 @@ command::Hdf5Table read_plainly(std::string const& path) {
     throw std::runtime_error(path + ": h5ls or h5dump cannot open it");
   return command::read_hdf5(path, true);
 }
-/// The same while the file is written: a reader that meets a write in its midst is told of a wrong checksum, and
-/// looks again.
+/// The same while the file is written: a reader that meets a write in its midst is told of a wrong checksum,
+/// and looks again.
 command::Hdf5Table read_while_it_is_written(std::string const& path, int& again) {
   for (int left = 20;; --left, ++again) try {
       return read_plainly(path);

@@ -9,11 +9,16 @@ namespace {
 constexpr double eps = 2.220446049250313e-16;
 
 /// The benchmark of Bruls and Cardona.
-BodyScene const benchmark{"kind = 'heavy_top'\nmass = 15\ninertia = [0.234375, 0.46875, 0.234375]\ncentre_of_mass = [0, 1, 0]\ngravity = [0, 0, -9.81]", "angular_velocity = [0, 150, -4.61538]",
-                          "order = 4\nstep = 5e-4", "until = 1", "'angular_velocity'"};
+BodyScene const benchmark{
+    "kind = 'heavy_top'\nmass = 15\ninertia = [0.234375, 0.46875, 0.234375]\ncentre_of_mass = [0, 1, "
+    "0]\ngravity = [0, 0, -9.81]",
+    "angular_velocity = [0, 150, -4.61538]", "order = 4\nstep = 5e-4", "until = 1", "'angular_velocity'"};
 /// A top without any symmetry.
-BodyScene const crooked{"kind = 'heavy_top'\nmass = 1.5\ninertia = [0.7, 1.1, 0.9]\ncentre_of_mass = [0.1, -0.15, 0.2]\ngravity = [1, 2, -9]",
-                        "attitude = [0.5, 0.5, -0.5, 0.5]\nangular_velocity = [1.5, -1, 2]", "", "until = 2\nevery = 0.25", "'angular_velocity', 'attitude', 'vertical_momentum', 'energy', 'casimir', 'direction_of_gravity'"};
+BodyScene const crooked{
+    "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.7, 1.1, 0.9]\ncentre_of_mass = [0.1, -0.15, 0.2]\ngravity "
+    "= [1, 2, -9]",
+    "attitude = [0.5, 0.5, -0.5, 0.5]\nangular_velocity = [1.5, -1, 2]", "", "until = 2\nevery = 0.25",
+    "'angular_velocity', 'attitude', 'vertical_momentum', 'energy', 'casimir', 'direction_of_gravity'"};
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(heavy_top_scene)
@@ -53,20 +58,27 @@ BOOST_AUTO_TEST_CASE(what_is_kept_is_kept_in_every_row) {
   BOOST_TEST(t.rows.size() == 9u);
   for (std::size_t k = 0; k < t.rows.size(); ++k) {
     BOOST_TEST(std::abs(t["casimir_gamma"][k] - 1) <= 16 * eps);
-    // M.Gamma, with the direction of gravity for Gamma, is the momentum about the vertical, with the other sign.
+    // M.Gamma, with the direction of gravity for Gamma, is the momentum about the vertical, with the other
+    // sign.
     BOOST_TEST(std::abs(t["casimir_cross"][k] + t["vertical_momentum"][k]) <= 32 * eps * 3);
     BOOST_TEST(std::abs(t["vertical_momentum"][k] - t["vertical_momentum"][0]) <= 1e-13);
     BOOST_TEST(std::abs(t["energy"][k] - t["energy"][0]) <= 1e-8);
-    double const x = t["direction_of_gravity_x"][k], y = t["direction_of_gravity_y"][k], z = t["direction_of_gravity_z"][k];
+    double const x = t["direction_of_gravity_x"][k], y = t["direction_of_gravity_y"][k],
+                 z = t["direction_of_gravity_z"][k];
     BOOST_TEST(std::abs(x * x + y * y + z * z - 1) <= 16 * eps);
   }
-  for (std::string const name : {"vertical_momentum", "energy", "casimir_gamma", "casimir_cross"}) BOOST_TEST(contains(left.summary, "\"" + name + "\": "));
+  for (std::string const name : {"vertical_momentum", "energy", "casimir_gamma", "casimir_cross"})
+    BOOST_TEST(contains(left.summary, "\"" + name + "\": "));
 }
 
 BOOST_AUTO_TEST_CASE(the_energy_is_kinetic_and_potential_about_the_fixed_point) {
-  // A bob of 2 on an arm of 0.5 along the second axis, with the moments of a ball of 0.1 about its centre; at rest with the arm upright, and let go with a spin.
-  BodyScene const scene{"kind = 'heavy_top'\nmass = 2\ninertia = [0.1, 0.1, 0.1]\ncentre_of_mass = [0, 0.5, 0]\ngravity = [0, -10, 0]", "angular_velocity = [3, 4, 0]", "", "until = 0.1",
-                        "'energy', 'body_momentum', 'direction_of_gravity', 'vertical_momentum'"};
+  // A bob of 2 on an arm of 0.5 along the second axis, with the moments of a ball of 0.1 about its centre; at
+  // rest with the arm upright, and let go with a spin.
+  BodyScene const scene{
+      "kind = 'heavy_top'\nmass = 2\ninertia = [0.1, 0.1, 0.1]\ncentre_of_mass = [0, 0.5, 0]\ngravity = [0, "
+      "-10, 0]",
+      "angular_velocity = [3, 4, 0]", "", "until = 0.1",
+      "'energy', 'body_momentum', 'direction_of_gravity', 'vertical_momentum'"};
   auto const left = command::run(scene);
   BOOST_TEST(left.outcome.status == 0, left.outcome.err);
   auto const& row = left.table.rows.front();
@@ -77,20 +89,28 @@ BOOST_AUTO_TEST_CASE(the_energy_is_kinetic_and_potential_about_the_fixed_point) 
 
 BOOST_AUTO_TEST_CASE(a_full_tensor_and_its_moments_tell_the_same) {
   auto full = crooked;
-  full.system = "kind = 'heavy_top'\nmass = 1.5\ninertia = [[0.7, 0, 0], [0, 1.1, 0], [0, 0, 0.9]]\ncentre_of_mass = [0.1, -0.15, 0.2]\ngravity = [1, 2, -9]";
+  full.system =
+      "kind = 'heavy_top'\nmass = 1.5\ninertia = [[0.7, 0, 0], [0, 1.1, 0], [0, 0, 0.9]]\ncentre_of_mass = "
+      "[0.1, -0.15, 0.2]\ngravity = [1, 2, -9]";
   BOOST_TEST(apart(last(command::run(full)), last(command::run(crooked))) <= 1e-13);
-  // On an axis of a body given by moments nothing is turned; the same body by its tensor is turned to ascending moments and back.
+  // On an axis of a body given by moments nothing is turned; the same body by its tensor is turned to
+  // ascending moments and back.
   auto turned = benchmark;
-  turned.system = "kind = 'heavy_top'\nmass = 15\ninertia = [[0.234375, 0, 0], [0, 0.46875, 0], [0, 0, 0.234375]]\ncentre_of_mass = [0, 1, 0]\ngravity = [0, 0, -9.81]";
+  turned.system =
+      "kind = 'heavy_top'\nmass = 15\ninertia = [[0.234375, 0, 0], [0, 0.46875, 0], [0, 0, "
+      "0.234375]]\ncentre_of_mass = [0, 1, 0]\ngravity = [0, 0, -9.81]";
   BOOST_TEST(apart(last(command::run(turned)), last(command::run(benchmark))) <= 1e-11);
 }
 
 BOOST_AUTO_TEST_CASE(without_gravity_it_is_the_free_body_about_the_fixed_point) {
   auto top = crooked, lever = crooked;
-  top.system = "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.7, 1.1, 0.9]\ncentre_of_mass = [0, 0, 0.2]\ngravity = [0, 0, 0]";
+  top.system =
+      "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.7, 1.1, 0.9]\ncentre_of_mass = [0, 0, 0.2]\ngravity = "
+      "[0, 0, 0]";
   top.quantities = lever.quantities = "'angular_velocity', 'attitude'";
   // 0.7 + 1.5 * 0.04 and so on.
-  BodyScene const free{"kind = 'rigid_body'\ninertia = [0.76, 1.16, 0.9]", top.initial, "", top.run, top.quantities};
+  BodyScene const free{"kind = 'rigid_body'\ninertia = [0.76, 1.16, 0.9]", top.initial, "", top.run,
+                       top.quantities};
   auto const found = command::run(top);
   BOOST_TEST(found.outcome.status == 0, found.outcome.err);
   BOOST_TEST(contains(found.summary, "no gravity: free motion, exact flow"));
@@ -102,7 +122,9 @@ BOOST_AUTO_TEST_CASE(without_gravity_it_is_the_free_body_about_the_fixed_point) 
   BOOST_TEST(!contains(kicked.summary, "no gravity"));
   BOOST_TEST(apart(last(found), last(kicked)) <= 1000 * eps);
   // So does a top held at its centre of mass.
-  lever.system = "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.76, 1.16, 0.9]\ncentre_of_mass = [0, 0, 0]\ngravity = [0, 0, -9]";
+  lever.system =
+      "kind = 'heavy_top'\nmass = 1.5\ninertia = [0.76, 1.16, 0.9]\ncentre_of_mass = [0, 0, 0]\ngravity = "
+      "[0, 0, -9]";
   auto const held = command::run(lever);
   BOOST_TEST(contains(held.summary, "no gravity: free motion, exact flow"));
   BOOST_TEST(apart(last(found), last(held)) <= 64 * eps * 6);

@@ -51,7 +51,8 @@ BOOST_AUTO_TEST_CASE(every_list_has_names_and_says_what_they_mean) {
 
 BOOST_AUTO_TEST_CASE(columns_are_aligned) {
   std::set<std::size_t> second;
-  for (auto const& line : lines_of(actio({"list", "bodies"}).out)) second.insert(line.find_first_not_of(' ', line.find(' ')));
+  for (auto const& line : lines_of(actio({"list", "bodies"}).out))
+    second.insert(line.find_first_not_of(' ', line.find(' ')));
   BOOST_TEST(second.size() == 1u);
 }
 
@@ -76,15 +77,19 @@ BOOST_AUTO_TEST_CASE(whatever_is_listed_can_be_shown) {
 }
 
 BOOST_AUTO_TEST_CASE(the_contract_is_in_the_lists) {
-  auto const systems = names_in("systems"), bodies = names_in("bodies"), quantities = names_in("quantities"), groups = names_in("groups"), methods = names_in("methods");
+  auto const systems = names_in("systems"), bodies = names_in("bodies"), quantities = names_in("quantities"),
+             groups = names_in("groups"), methods = names_in("methods");
   auto const all_of = [](std::vector<std::string> const& wanted, std::vector<std::string> const& list) {
     for (auto const& name : wanted) BOOST_TEST(std::count(list.begin(), list.end(), name) >= 1, name);
   };
   all_of({"rigid_body"}, systems);
   all_of({"apophis", "toutatis", "water", "t_handle", "iss", "nesc_brick"}, bodies);
-  all_of({"attitude", "angular_velocity", "body_momentum", "spatial_momentum", "energy", "casimir"}, quantities);
+  all_of({"attitude", "angular_velocity", "body_momentum", "spatial_momentum", "energy", "casimir"},
+         quantities);
   all_of({"moser_veselov", "natural_chart"}, methods);
-  all_of({"R^n", "SO(n)", "SE(2)", "SE(3)", "GL(n)", "SL(n)", "U(n)", "SU(n)", "Sp(2n)", "Aff(1)", "Heisenberg", "direct_product", "semidirect_product", "spanned_group"}, groups);
+  all_of({"R^n", "SO(n)", "SE(2)", "SE(3)", "GL(n)", "SL(n)", "U(n)", "SU(n)", "Sp(2n)", "Aff(1)",
+          "Heisenberg", "direct_product", "semidirect_product", "spanned_group"},
+         groups);
 }
 
 BOOST_AUTO_TEST_CASE(a_list_that_is_not_there_names_those_that_are) {
@@ -103,21 +108,25 @@ BOOST_AUTO_TEST_CASE(a_list_that_is_not_there_names_those_that_are) {
 BOOST_AUTO_TEST_CASE(an_unknown_name_is_answered_with_the_nearest) {
   auto const outcome = actio({"show", "enrgy"});
   BOOST_TEST(outcome.status == 2);
-  BOOST_TEST(outcome.err.starts_with("actio show: unknown name 'enrgy'; did you mean 'energy'?"), outcome.err);
+  BOOST_TEST(outcome.err.starts_with("actio show: unknown name 'enrgy'; did you mean 'energy'?"),
+             outcome.err);
   BOOST_TEST(has(actio({"show", "apofis"}).err, "did you mean 'apophis'?"));
 }
 
 BOOST_AUTO_TEST_CASE(a_name_of_several_systems_is_told_for_each) {
   std::string const systems = actio({"list", "systems"}).out, shown = actio({"show", "energy"}).out;
-  for (auto const& line : lines_of(systems)) BOOST_TEST(has(shown, "energy, a quantity of " + line.substr(0, line.find(' ')) + "\n"), line);
+  for (auto const& line : lines_of(systems))
+    BOOST_TEST(has(shown, "energy, a quantity of " + line.substr(0, line.find(' ')) + "\n"), line);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_is_told_with_a_spin_that_runs_when_pasted) {
   for (auto const& body : names_in("bodies")) {
     std::string const shown = actio({"show", body}).out;
-    for (auto const& part : {"moments", "unit of time", "spin", "source", "derived"}) BOOST_TEST(has(shown, part), body << " " << part);
+    for (auto const& part : {"moments", "unit of time", "spin", "source", "derived"})
+      BOOST_TEST(has(shown, part), body << " " << part);
     command::Folder const folder;
-    std::string const scene = folder.write("scene.toml", scene_in(shown) + "[run]\nuntil = 1\n[output]\nquantities = [\"energy\"]\n");
+    std::string const scene = folder.write(
+        "scene.toml", scene_in(shown) + "[run]\nuntil = 1\n[output]\nquantities = [\"energy\"]\n");
     auto const outcome = actio({"run", scene, "--dry-run"});
     BOOST_TEST(outcome.status == 0, body << ": " << outcome.err);
   }
@@ -138,16 +147,24 @@ BOOST_AUTO_TEST_CASE(every_system_has_a_small_scene_that_runs_as_it_is) {
 
 BOOST_AUTO_TEST_CASE(a_system_is_told_with_its_parameters_methods_and_quantities) {
   std::string const shown = actio({"show", "rigid_body"}).out;
-  for (auto const& part : {"system.inertia", "initial.angular_velocity", "moser_veselov", "order exact, 2, 4, 6, 8, 10", "natural_chart", "spatial_momentum"}) BOOST_TEST(has(shown, part), part);
+  for (auto const& part : {"system.inertia", "initial.angular_velocity", "moser_veselov",
+                           "order exact, 2, 4, 6, 8, 10", "natural_chart", "spatial_momentum"})
+    BOOST_TEST(has(shown, part), part);
 }
 
 BOOST_AUTO_TEST_CASE(a_quantity_is_told_with_formula_unit_columns_and_needs) {
   std::string const shown = actio({"show", "angular_velocity"}).out;
-  for (auto const& part : {"omega = I^-1 M", "1/time", "angular_velocity_x angular_velocity_y angular_velocity_z", "body_momentum", "conserved"}) BOOST_TEST(has(shown, part), part);
-  for (auto const& quantity : names_in("quantities")) BOOST_TEST(!has(actio({"show", quantity}).out, "\\"), quantity << ": TeX is left");
+  for (auto const& part :
+       {"omega = I^-1 M", "1/time", "angular_velocity_x angular_velocity_y angular_velocity_z",
+        "body_momentum", "conserved"})
+    BOOST_TEST(has(shown, part), part);
+  for (auto const& quantity : names_in("quantities"))
+    BOOST_TEST(!has(actio({"show", quantity}).out, "\\"), quantity << ": TeX is left");
 }
 
-BOOST_AUTO_TEST_CASE(statements_that_are_named_are_told_in_words) { BOOST_TEST(has(actio({"show", "energy"}).out, "eq_5_1: rigid body Lagrangian as kinetic energy")); }
+BOOST_AUTO_TEST_CASE(statements_that_are_named_are_told_in_words) {
+  BOOST_TEST(has(actio({"show", "energy"}).out, "eq_5_1: rigid body Lagrangian as kinetic energy"));
+}
 
 BOOST_AUTO_TEST_CASE(statements_are_found_as_readers_of_the_thesis_write_them) {
   for (auto const& word :
@@ -196,9 +213,8 @@ BOOST_AUTO_TEST_CASE(a_statement_is_told_with_its_verdict_where_there_is_a_ledge
   };
   BOOST_TEST(has(show("eq_3_1"), "actio check eq_3_1 finds its verdict"));
   BOOST_TEST(has(show("eq_3_1"), "ch03.html#eq_3_1 of the book"));
-  folder.write(
-      "report/statements.json",
-      R"json({"statements": [{"id": "eq_3_1", "verdict": "corrected", "printed": "\\sum_{k=1}^N",
+  folder.write("report/statements.json",
+               R"json({"statements": [{"id": "eq_3_1", "verdict": "corrected", "printed": "\\sum_{k=1}^N",
  "corrected": "\\sum_{k=0}^{N-1}", "note": "The first is left out."}]})json");
   folder.write("book/ch03.html", "<h2 id=\"eq_3_1\">");
   std::string const shown = show("eq_3_1");
@@ -211,11 +227,13 @@ BOOST_AUTO_TEST_CASE(a_statement_is_told_with_its_verdict_where_there_is_a_ledge
 }
 
 BOOST_AUTO_TEST_CASE(groups_are_found_however_they_are_written) {
-  for (auto const& word : {"SO(n)", "so", "SO3", "SO(3)", "so(7)"}) BOOST_TEST(actio({"show", word}).out.starts_with("SO(n), a group"), word);
+  for (auto const& word : {"SO(n)", "so", "SO3", "SO(3)", "so(7)"})
+    BOOST_TEST(actio({"show", word}).out.starts_with("SO(n), a group"), word);
   BOOST_TEST(actio({"show", "SU2"}).out.starts_with("SU(2), a group"));
   BOOST_TEST(actio({"show", "su5"}).out.starts_with("SU(n), a group"));
   BOOST_TEST(actio({"show", "Sp(4)"}).out.starts_with("Sp(2n), a group"));
-  for (auto const& part : {"SE(2), a group", "SE(3), a group"}) BOOST_TEST(has(actio({"show", "se"}).out, part), part);
+  for (auto const& part : {"SE(2), a group", "SE(3), a group"})
+    BOOST_TEST(has(actio({"show", "se"}).out, part), part);
   BOOST_TEST(actio({"show", "se7"}).status == 2);
 }
 
@@ -227,14 +245,16 @@ BOOST_AUTO_TEST_CASE(the_header_of_a_group_is_there_and_has_its_type) {
       std::string label, value;
       words >> label >> value;
       if (label == "header") header = command::contents(ACTIO_DATA "/../src/" + value);
-      if (label == "type") type = value.substr(std::string("actio::").size(), value.find('<') - std::string("actio::").size());
+      if (label == "type")
+        type = value.substr(std::string("actio::").size(), value.find('<') - std::string("actio::").size());
     }
     BOOST_TEST(has(header, "struct " + type), group);
   }
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_coloured_in_a_pipe) {
-  for (auto const& arguments : {std::vector<std::string>{"show", "energy"}, {"list", "systems"}, {"--help"}}) BOOST_TEST(!has(actio(arguments).out, "\x1b"));
+  for (auto const& arguments : {std::vector<std::string>{"show", "energy"}, {"list", "systems"}, {"--help"}})
+    BOOST_TEST(!has(actio(arguments).out, "\x1b"));
 }
 
 BOOST_AUTO_TEST_CASE(a_terminal_has_bold_headings_unless_NO_COLOR_is_set) {

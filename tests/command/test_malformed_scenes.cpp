@@ -1,4 +1,5 @@
-// Hundreds of scenes with one fault each: every one is refused with the place of its fault, at once, and leaves nothing behind.
+// Hundreds of scenes with one fault each: every one is refused with the place of its fault, at once, and
+// leaves nothing behind.
 #include <sys/resource.h>
 
 #include <cstdlib>
@@ -17,7 +18,9 @@ unsigned seed() {
 }
 
 std::vector<command::GoodScene> good_scenes() {
-  auto const scene = [](std::string const& name) { return command::GoodScene(name, command::contents(ACTIO_DATA "/scenes/" + name + ".toml")); };
+  auto const scene = [](std::string const& name) {
+    return command::GoodScene(name, command::contents(ACTIO_DATA "/scenes/" + name + ".toml"));
+  };
   return {{"made up", command::apophis()}, scene("thin_rod"), scene("so4_body"), scene("nodding_top")};
 }
 
@@ -25,7 +28,9 @@ std::vector<command::GoodScene> good_scenes() {
 double work() {
   rusage used = {};
   ::getrusage(RUSAGE_CHILDREN, &used);
-  auto const seconds = [](timeval const& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  auto const seconds = [](timeval const& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
   return seconds(used.ru_utime) + seconds(used.ru_stime);
 }
 
@@ -50,7 +55,9 @@ std::string misses(command::Malformed const& fault) {
   double const seconds = work() - before;
 
   std::string const file = fault.set.empty() ? path : "--set " + fault.set.back();
-  std::string place = fault.line ? file + ":" + std::to_string(fault.line) + ":" : fault.set.empty() ? file + ":" : "--set ";
+  std::string place = fault.line          ? file + ":" + std::to_string(fault.line) + ":"
+                      : fault.set.empty() ? file + ":"
+                                          : "--set ";
   if (fault.line && fault.column) place += std::to_string(fault.column) + ": ";
   std::string wrong;
   if (outcome.status != 2) wrong += "the status is " + std::to_string(outcome.status) + "; ";
@@ -60,7 +67,8 @@ std::string misses(command::Malformed const& fault) {
   if (outcome.err.size() > 2000) wrong += "it is very long; ";
   if (!outcome.out.empty()) wrong += "something was printed; ";
   if (seconds > 1) wrong += "it took " + std::to_string(seconds) + " s; ";
-  if (std::distance(std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()), {}) != 1) wrong += "files were left; ";
+  if (std::distance(std::filesystem::directory_iterator(std::filesystem::path(path).parent_path()), {}) != 1)
+    wrong += "files were left; ";
   return wrong.empty() ? "" : fault.fault + ": " + wrong + "\n    " + outcome.err.substr(0, 400);
 }
 
@@ -71,7 +79,8 @@ BOOST_AUTO_TEST_SUITE(malformed_scenes)
 BOOST_AUTO_TEST_CASE(the_scenes_that_faults_are_planted_in_are_in_order) {
   for (auto const& scene : good_scenes()) {
     command::Folder const folder;
-    auto const outcome = command::actio({"run", folder.write("scene.toml", scene.text()), "--set", "run.until=1", "--quiet"});
+    auto const outcome =
+        command::actio({"run", folder.write("scene.toml", scene.text()), "--set", "run.until=1", "--quiet"});
     BOOST_TEST(outcome.status == 0, scene.name << ": " << outcome.err);
   }
 }
@@ -83,7 +92,8 @@ BOOST_AUTO_TEST_CASE(every_fault_is_refused_at_its_place_and_leaves_nothing) {
     std::string const wrong = misses(fault);
     BOOST_TEST(wrong.empty(), wrong);
   }
-  BOOST_TEST_MESSAGE(faults.size() << " malformed scenes, seed " << seed() << " (ACTIO_TEST_SEED): each refused at its place");
+  BOOST_TEST_MESSAGE(faults.size() << " malformed scenes, seed " << seed()
+                                   << " (ACTIO_TEST_SEED): each refused at its place");
 }
 
 BOOST_AUTO_TEST_CASE(what_a_complaint_offers_instead_is_taken_as_it_is_written) {
@@ -100,13 +110,15 @@ BOOST_AUTO_TEST_CASE(what_a_complaint_offers_instead_is_taken_as_it_is_written) 
                                {"quantities", "[\"enrgy\"]", "did you mean '", "'?"}}) {
       if (!scene.has(offer.key) || (offer.key == "step" && scene.is_exact())) continue;
       command::Folder const folder;
-      auto const refused = command::actio({"run", folder.write("scene.toml", scene.with(offer.key, offer.wrong).text)});
+      auto const refused =
+          command::actio({"run", folder.write("scene.toml", scene.with(offer.key, offer.wrong).text)});
       auto const at = refused.err.find(offer.before);
       BOOST_REQUIRE_MESSAGE(at != std::string::npos, scene.name << ": " << refused.err);
       std::string value = refused.err.substr(at + offer.before.size());
       value = value.substr(0, offer.key == "step" ? value.find_first_of(",\n") : value.find(offer.after));
       if (offer.key == "quantities") value = "[\"" + value + "\"]";
-      auto const taken = command::actio({"run", folder.write("scene.toml", scene.with(offer.key, value).text), "--set", "run.until=1", "--quiet"});
+      auto const taken = command::actio({"run", folder.write("scene.toml", scene.with(offer.key, value).text),
+                                         "--set", "run.until=1", "--quiet"});
       BOOST_TEST(taken.status == 0, scene.name << ", " << offer.key << " = " << value << ": " << taken.err);
     }
 }

@@ -29,7 +29,11 @@ bool begins(command::Table const& whole, command::Table const& part) {
 
 /// A run of many rows, in steps.
 std::string many_rows(long rows, std::string const& formats) {
-  return apophis({{"order", "2"}, {"step", "0.25"}, {"until", std::to_string(rows / 4)}, {"every", "0.25"}, {"formats", formats}});
+  return apophis({{"order", "2"},
+                  {"step", "0.25"},
+                  {"until", std::to_string(rows / 4)},
+                  {"every", "0.25"},
+                  {"formats", formats}});
 }
 
 }  // namespace
@@ -38,11 +42,16 @@ BOOST_AUTO_TEST_SUITE(output)
 
 BOOST_AUTO_TEST_CASE(the_time_comes_first_and_then_the_quantities_in_the_order_of_the_scene) {
   Folder const folder;
-  auto const outcome = command::actio({"run", folder.write("apophis.toml", apophis({{"quantities", "[\"energy\", \"attitude\", \"angular_velocity\"]"}})), "--quiet"});
+  auto const outcome = command::actio(
+      {"run",
+       folder.write("apophis.toml",
+                    apophis({{"quantities", "[\"energy\", \"attitude\", \"angular_velocity\"]"}})),
+       "--quiet"});
   BOOST_TEST(outcome.status == 0, outcome.err);
   std::string const text = command::contents(folder / "apophis/series.csv");
   BOOST_TEST(text.substr(0, text.find('\n')) ==
-             "t,energy,attitude_w,attitude_x,attitude_y,attitude_z,angular_velocity_x,angular_velocity_y,angular_velocity_z");
+             "t,energy,attitude_w,attitude_x,attitude_y,attitude_z,angular_velocity_x,angular_velocity_y,"
+             "angular_velocity_z");
 }
 
 BOOST_AUTO_TEST_CASE(numbers_are_written_with_17_significant_digits) {
@@ -61,7 +70,8 @@ BOOST_AUTO_TEST_CASE(numbers_are_written_with_17_significant_digits) {
 
 BOOST_AUTO_TEST_CASE(both_formats_hold_the_same_numbers_bit_for_bit) {
   Folder const folder;
-  auto const outcome = command::actio({"run", folder.write("apophis.toml", many_rows(20000, both)), "--quiet"});
+  auto const outcome =
+      command::actio({"run", folder.write("apophis.toml", many_rows(20000, both)), "--quiet"});
   BOOST_TEST(outcome.status == 0, outcome.err);
   auto const csv = command::read_csv(folder / "apophis/series.csv");
   auto const hdf5 = command::read_hdf5(folder / "apophis/series.h5");
@@ -74,7 +84,9 @@ BOOST_AUTO_TEST_CASE(both_formats_hold_the_same_numbers_bit_for_bit) {
 BOOST_AUTO_TEST_CASE(an_hdf5_file_has_a_data_set_for_each_quantity_and_tells_what_it_is) {
   Folder const folder;
   std::string const title = "\"Apophis, \\u00fcber Jahre\"";
-  auto const outcome = command::actio({"run", folder.write("apophis.toml", apophis({{"formats", "[\"hdf5\"]"}, {"title", title}})), "--quiet"});
+  auto const outcome = command::actio(
+      {"run", folder.write("apophis.toml", apophis({{"formats", "[\"hdf5\"]"}, {"title", title}})),
+       "--quiet"});
   BOOST_TEST(outcome.status == 0, outcome.err);
   BOOST_TEST(!std::filesystem::exists(folder / "apophis/series.csv"));
   auto const table = command::read_hdf5(folder / "apophis/series.h5");
@@ -99,9 +111,13 @@ BOOST_AUTO_TEST_CASE(an_hdf5_file_has_a_data_set_for_each_quantity_and_tells_wha
 BOOST_AUTO_TEST_CASE(rows_can_be_watched_while_the_run_goes_on) {
   Folder const folder;
   // A row takes about a millisecond, so that no buffer is full before the run is stopped.
-  std::string const scene = folder.write("apophis.toml", apophis({{"order", "2"}, {"step", "0.25"}, {"until", "1e9"}, {"every", "25000"}, {"formats", both}}));
+  std::string const scene = folder.write(
+      "apophis.toml",
+      apophis({{"order", "2"}, {"step", "0.25"}, {"until", "1e9"}, {"every", "25000"}, {"formats", both}}));
   command::Outcome outcome;
-  std::thread run([&] { outcome = command::actio({"run", scene, "--quiet"}, "timeout --preserve-status -s INT 3"); });
+  std::thread run([&] {
+    outcome = command::actio({"run", scene, "--quiet"}, "timeout --preserve-status -s INT 3");
+  });
   std::size_t csv = 0, hdf5 = 0;
   for (int look = 0; look < 100 && (csv < 2 || hdf5 < 2); ++look) {
     std::this_thread::sleep_for(std::chrono::milliseconds(25));
@@ -125,12 +141,14 @@ BOOST_AUTO_TEST_CASE(the_memory_of_a_run_does_not_grow_with_its_rows) {
   for (std::string const format : {"[\"csv\"]", "[\"hdf5\"]"}) {
     auto const peak = [&](long rows) {
       Folder const folder;
-      auto const outcome = command::actio({"run", folder.write("apophis.toml", many_rows(rows, format)), "--quiet"}, "/usr/bin/time -f %M");
+      auto const outcome = command::actio(
+          {"run", folder.write("apophis.toml", many_rows(rows, format)), "--quiet"}, "/usr/bin/time -f %M");
       BOOST_TEST(outcome.status == 0, outcome.err);
       return std::stod(outcome.err) / 1024;
     };
     double const few = peak(20000), many = peak(1000000);
-    BOOST_TEST_MESSAGE(format << ": peak memory " << few << " MB for 2e4 rows, " << many << " MB for 1e6 rows of five numbers, which are 38 MB");
+    BOOST_TEST_MESSAGE(format << ": peak memory " << few << " MB for 2e4 rows, " << many
+                              << " MB for 1e6 rows of five numbers, which are 38 MB");
     // Blocks that wait for the writer and the caches of HDF5 may still fill up; a tenth of the rows may not.
     BOOST_TEST(many <= few + 4);
   }
@@ -143,17 +161,24 @@ BOOST_AUTO_TEST_CASE(a_full_disk_is_said_and_leaves_the_rows_before_it_whole) {
   auto const whole = command::read_csv(folder / "whole/series.csv");
   for (std::string const format : {"csv", "hdf5"}) {
     std::string const out = folder / format, name = format == "csv" ? "series.csv" : "series.h5";
-    auto const outcome = command::actio({"run", scene, "--quiet", "--out", out, "--set", "output.formats=[\"" + format + "\"]"}, "ulimit -f 4000;");
+    auto const outcome = command::actio(
+        {"run", scene, "--quiet", "--out", out, "--set", "output.formats=[\"" + format + "\"]"},
+        "ulimit -f 4000;");
     BOOST_TEST(outcome.status == 4);
     BOOST_TEST(outcome.err == out + "/" + name + ": cannot be written: File too large\n");
-    auto const part = format == "csv" ? command::read_csv(out + "/" + name) : command::read_hdf5(out + "/" + name);
-    if (format == "hdf5") BOOST_TEST(std::system(("h5ls '" + out + "/" + name + "' >/dev/null").c_str()) == 0);
+    auto const part =
+        format == "csv" ? command::read_csv(out + "/" + name) : command::read_hdf5(out + "/" + name);
+    if (format == "hdf5")
+      BOOST_TEST(std::system(("h5ls '" + out + "/" + name + "' >/dev/null").c_str()) == 0);
     BOOST_TEST(begins(whole, part));
-    // What fitted into the 512-byte blocks of the shell is there: in CSV up to a row, which takes at most 25 bytes a number, in HDF5 up to the
-    // chunks of the three data sets that are written at once, and those before that are not told of yet, 128 kB at most.
+    // What fitted into the 512-byte blocks of the shell is there: in CSV up to a row, which takes at most 25
+    // bytes a number, in HDF5 up to the chunks of the three data sets that are written at once, and those
+    // before that are not told of yet, 128 kB at most.
     double const room = 4000 * 512;
-    if (format == "csv") BOOST_TEST(static_cast<double>(std::filesystem::file_size(out + "/" + name)) >= room - 5 * 25);
-    else BOOST_TEST(40.0 * static_cast<double>(part.rows.size()) >= room - 5 * 65536);
+    if (format == "csv")
+      BOOST_TEST(static_cast<double>(std::filesystem::file_size(out + "/" + name)) >= room - 5 * 25);
+    else
+      BOOST_TEST(40.0 * static_cast<double>(part.rows.size()) >= room - 5 * 65536);
   }
 }
 

@@ -9,7 +9,11 @@ using command::apophis, command::contents;
 namespace {
 
 /// Some tenths of a second of steps, with attitude.
-std::map<std::string, std::string> const steps{{"order", "2"}, {"step", "0.25"}, {"until", "6000000.0"}, {"every", "500.0"}, {"quantities", "[\"attitude\", \"energy\"]"}};
+std::map<std::string, std::string> const steps{{"order", "2"},
+                                               {"step", "0.25"},
+                                               {"until", "6000000.0"},
+                                               {"every", "500.0"},
+                                               {"quantities", "[\"attitude\", \"energy\"]"}};
 
 /// A scene of about a second.
 struct Long {
@@ -19,23 +23,35 @@ struct Long {
 std::vector<Long> const& long_scenes() {
   static std::vector<Long> const scenes{
       {"rigid_body, order 2, with attitude", apophis(steps)},
-      {"rigid_body, exact", apophis({{"until", "50000.0"}, {"every", "0.25"}, {"quantities", "[\"attitude\", \"spatial_momentum\"]"}})},
-      {"rigid_body, natural chart of order 4", apophis({{"name", "\"natural_chart\""}, {"order", "4"}, {"until", "100000.0"}, {"every", "2.5"}, {"quantities", "[\"attitude\", \"energy\"]"}})},
+      {"rigid_body, exact", apophis({{"until", "50000.0"},
+                                     {"every", "0.25"},
+                                     {"quantities", "[\"attitude\", \"spatial_momentum\"]"}})},
+      {"rigid_body, natural chart of order 4", apophis({{"name", "\"natural_chart\""},
+                                                        {"order", "4"},
+                                                        {"until", "100000.0"},
+                                                        {"every", "2.5"},
+                                                        {"quantities", "[\"attitude\", \"energy\"]"}})},
       {"rigid_body_n",
-       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4, 5.5]\n[initial]\nangular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, -0.1, 0.2, 0.7, -0.3, 0.1]\n"
-       "[method]\norder = 4\nstep = 0.1\n[run]\nuntil = 8000\nevery = 0.8\n[output]\nquantities = [\"attitude\", \"momentum\", \"casimir\"]\n"},
+       "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4, 5.5]\n[initial]\nangular_velocity = [0.1, "
+       "0.2, 0.3, 0.4, 0.5, -0.1, 0.2, 0.7, -0.3, 0.1]\n"
+       "[method]\norder = 4\nstep = 0.1\n[run]\nuntil = 8000\nevery = 0.8\n[output]\nquantities = "
+       "[\"attitude\", \"momentum\", \"casimir\"]\n"},
       {"heavy_top",
-       "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0.1, 0, 0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
-       "[method]\norder = 4\nstep = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\nquantities = [\"attitude\", \"body_momentum\", \"energy\"]\n"},
+       "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0.1, 0, "
+       "0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
+       "[method]\norder = 4\nstep = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\nquantities = "
+       "[\"attitude\", \"body_momentum\", \"energy\"]\n"},
   };
   return scenes;
 }
 
 /// Every file of a folder with its bytes and the time of its last change.
-std::map<std::string, std::pair<std::string, std::filesystem::file_time_type>> all_of(std::string const& folder) {
+std::map<std::string, std::pair<std::string, std::filesystem::file_time_type>> all_of(
+    std::string const& folder) {
   std::map<std::string, std::pair<std::string, std::filesystem::file_time_type>> out;
   for (auto const& entry : std::filesystem::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) out[entry.path().string()] = {contents(entry.path().string()), entry.last_write_time()};
+    if (entry.is_regular_file())
+      out[entry.path().string()] = {contents(entry.path().string()), entry.last_write_time()};
   return out;
 }
 
@@ -51,11 +67,15 @@ struct Interrupted {
     auto const outcome = process.wait();
     BOOST_REQUIRE_MESSAGE(outcome.status == 130, outcome.err);
   }
-  void change(std::string const& name, std::string const& text) const { std::ofstream(out + "/" + name, std::ios::binary) << text; }
+  void change(std::string const& name, std::string const& text) const {
+    std::ofstream(out + "/" + name, std::ios::binary) << text;
+  }
   command::Outcome resume() const { return command::actio({"resume", out}); }
 };
 
-bool says(command::Outcome const& outcome, std::string const& text) { return outcome.err.find(text) != std::string::npos; }
+bool says(command::Outcome const& outcome, std::string const& text) {
+  return outcome.err.find(text) != std::string::npos;
+}
 
 }  // namespace
 
@@ -66,16 +86,20 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_again_and_again_equals_an_unbroken_one
   std::mt19937 random(seed);
   for (auto const& [name, text] : long_scenes()) {
     command::Folder const folder;
-    std::string const scene = folder.write("scene.toml", text), unbroken = folder / "unbroken", broken = folder / "broken";
+    std::string const scene = folder.write("scene.toml", text), unbroken = folder / "unbroken",
+                      broken = folder / "broken";
     auto const began = std::chrono::steady_clock::now();
-    auto const whole = command::actio({"run", scene, "--out", unbroken, "--quiet"}, "ACTIO_CHECKPOINT_SECONDS=0.03");
+    auto const whole =
+        command::actio({"run", scene, "--out", unbroken, "--quiet"}, "ACTIO_CHECKPOINT_SECONDS=0.03");
     BOOST_REQUIRE_MESSAGE(whole.status == 0, whole.err);
     double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     auto const killed = command::run_with_kills(scene, broken, 5, seconds, random);
-    BOOST_TEST_MESSAGE(name << ": " << killed.in_the_middle << " of 5 kills met a run of " << seconds << " s; ACTIO_SEED=" << seed);
+    BOOST_TEST_MESSAGE(name << ": " << killed.in_the_middle << " of 5 kills met a run of " << seconds
+                            << " s; ACTIO_SEED=" << seed);
     BOOST_TEST(killed.status == 0, killed.err);
     BOOST_TEST(killed.in_the_middle >= 1, "no kill met the run; ACTIO_SEED=" << seed);
-    BOOST_TEST((contents(unbroken + "/series.csv") == contents(broken + "/series.csv")), name << ": the tables differ; ACTIO_SEED=" << seed);
+    BOOST_TEST((contents(unbroken + "/series.csv") == contents(broken + "/series.csv")),
+               name << ": the tables differ; ACTIO_SEED=" << seed);
     BOOST_TEST(command::summary_without_times(unbroken) == command::summary_without_times(broken));
   }
 }
@@ -86,13 +110,15 @@ BOOST_AUTO_TEST_CASE(a_finished_run_is_said_to_be_finished_and_not_touched) {
   auto const before = all_of(folder / "apophis");
   auto const outcome = command::actio({"resume", folder / "apophis/"});
   BOOST_TEST(outcome.status == 0, outcome.err);
-  BOOST_TEST(outcome.out == folder / "apophis" + ": the run is finished, with 101 rows to t = 25; nothing is left to do\n");
+  BOOST_TEST(outcome.out ==
+             folder / "apophis" + ": the run is finished, with 101 rows to t = 25; nothing is left to do\n");
   BOOST_TEST((all_of(folder / "apophis") == before));
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_folder_of_a_run_is_wrong_use) {
   command::Folder const folder;
-  auto const missing = command::actio({"resume", folder / "nowhere"}), file = command::actio({"resume", folder.write("file", "")});
+  auto const missing = command::actio({"resume", folder / "nowhere"}),
+             file = command::actio({"resume", folder.write("file", "")});
   std::filesystem::create_directory(folder / "empty");
   auto const empty = command::actio({"resume", folder / "empty"});
   BOOST_TEST(missing.status == 2);
@@ -111,7 +137,8 @@ BOOST_AUTO_TEST_CASE(a_run_that_was_killed_before_its_first_checkpoint_starts_an
   std::ofstream(folder / "apophis/series.csv") << "t,bo";
   auto const outcome = command::actio({"resume", folder / "apophis"});
   BOOST_TEST(outcome.status == 0);
-  BOOST_TEST(outcome.err == folder / "apophis" + ": there is no checkpoint yet; the run starts anew from its scene.toml\n");
+  BOOST_TEST(outcome.err ==
+             folder / "apophis" + ": there is no checkpoint yet; the run starts anew from its scene.toml\n");
   BOOST_TEST((contents(folder / "apophis/series.csv") == whole));
 }
 
@@ -123,8 +150,10 @@ BOOST_AUTO_TEST_CASE(a_damaged_checkpoint_is_refused_wherever_it_is_damaged) {
   for (int k = 0; k < 12; ++k) {
     std::string damaged = sound;
     std::size_t const at = random() % sound.size();
-    if (k % 3 == 0) damaged.resize(at);
-    else damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
+    if (k % 3 == 0)
+      damaged.resize(at);
+    else
+      damaged[at] = static_cast<char>(damaged[at] ^ (1 << random() % 8));
     run.change("checkpoint", damaged);
     auto const outcome = run.resume();
     BOOST_TEST(outcome.status == 4, "byte " << at << ", ACTIO_SEED=" << seed);
@@ -151,7 +180,9 @@ BOOST_AUTO_TEST_CASE(a_table_that_was_cut_or_is_missing_is_refused_and_not_fille
   run.change("series.csv", cut);
   auto outcome = run.resume();
   BOOST_TEST(outcome.status == 4);
-  BOOST_TEST(says(outcome, std::to_string(cut.size()) + " bytes, where the checkpoint needs " + std::to_string(table.size())), outcome.err);
+  BOOST_TEST(says(outcome, std::to_string(cut.size()) + " bytes, where the checkpoint needs " +
+                               std::to_string(table.size())),
+             outcome.err);
   BOOST_TEST((contents(run.out + "/series.csv") == cut));
   std::filesystem::remove(run.out + "/series.csv");
   outcome = run.resume();
@@ -167,7 +198,8 @@ BOOST_AUTO_TEST_CASE(no_two_processes_run_in_one_folder) {
   std::string const scene = folder.write("long.toml", apophis(steps)), out = folder / "long";
   command::Process process({"run", scene, "--quiet"});
   BOOST_REQUIRE(command::appears(out + "/checkpoint"));
-  for (auto const& arguments : std::vector<std::vector<std::string>>{{"resume", out}, {"run", scene, "--force"}}) {
+  for (auto const& arguments :
+       std::vector<std::vector<std::string>>{{"resume", out}, {"run", scene, "--force"}}) {
     auto const second = command::actio(arguments);
     BOOST_TEST(second.status == 4);
     BOOST_TEST(second.err == out + ": another process of actio runs in this folder\n");

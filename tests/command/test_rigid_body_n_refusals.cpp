@@ -23,7 +23,8 @@ BOOST_AUTO_TEST_CASE(a_step_too_long_is_refused_with_the_largest_that_would_do) 
       // That step, and not one a hundredth longer.
       for (double const factor : {1 - 1e-6, 1.01}) {
         body.step = body.until = body.every = number(largest * factor);
-        auto const second = command::actio({"run", folder.write("second.toml", body.text()), "--out", folder / (factor < 1 ? "taken" : "refused")});
+        auto const second = command::actio({"run", folder.write("second.toml", body.text()), "--out",
+                                            folder / (factor < 1 ? "taken" : "refused")});
         BOOST_TEST(second.status == (factor < 1 ? 0 : 3), second.err);
       }
     }
@@ -35,15 +36,24 @@ BOOST_AUTO_TEST_CASE(what_no_body_has_is_refused_at_its_place) {
   };
   std::string const good = body_in_four().text();
   for (auto const& [from, to, message] : std::vector<Refusal>{
-           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, -1, 4]", ":3:10: inertia: Lambda_1 + Lambda_3 must be positive"},
-           {"lambda = [1, 2, 3, 4]", "lambda = [1, -2, 3, 4]", ":3:10: inertia: Lambda_1 + Lambda_2 must be positive"},
-           {"lambda = [1, 2, 3, 4]", "lambda = [0, 0, 0, 0]", ":3:10: inertia: Lambda_1 + Lambda_2 must be positive"},
-           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, nan, 4]", ":3:17: lambda: a finite number is expected, found nan"},
-           {"lambda = [1, 2, 3, 4]", "lambda = [1e308, 1e308, 1e308, 1e308]", ":3:10: inertia: sums of Lambda"},
-           {"lambda = [1, 2, 3, 4]", "lambda = [1]", ":3:10: lambda: from 2 to 512 numbers are expected, found 1"},
-           {"lambda = [1, 2, 3, 4]", "lambda = []", ":3:10: lambda: from 2 to 512 numbers are expected, found 0"},
-           {"lambda = [1, 2, 3, 4]", "lambda = " + listed(Numbers(513, 1.0)), ":3:10: lambda: from 2 to 512 numbers are expected, found 513"},
-           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, 3]", "angular_velocity: the upper triangle of a matrix with 3 rows is expected, 3 numbers, found 6"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, -1, 4]",
+            ":3:10: inertia: Lambda_1 + Lambda_3 must be positive"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, -2, 3, 4]",
+            ":3:10: inertia: Lambda_1 + Lambda_2 must be positive"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [0, 0, 0, 0]",
+            ":3:10: inertia: Lambda_1 + Lambda_2 must be positive"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, nan, 4]",
+            ":3:17: lambda: a finite number is expected, found nan"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1e308, 1e308, 1e308, 1e308]",
+            ":3:10: inertia: sums of Lambda"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1]",
+            ":3:10: lambda: from 2 to 512 numbers are expected, found 1"},
+           {"lambda = [1, 2, 3, 4]", "lambda = []",
+            ":3:10: lambda: from 2 to 512 numbers are expected, found 0"},
+           {"lambda = [1, 2, 3, 4]", "lambda = " + listed(Numbers(513, 1.0)),
+            ":3:10: lambda: from 2 to 512 numbers are expected, found 513"},
+           {"lambda = [1, 2, 3, 4]", "lambda = [1, 2, 3]",
+            "angular_velocity: the upper triangle of a matrix with 3 rows is expected, 3 numbers, found 6"},
            {"lambda = [1, 2, 3, 4]", "body = \"apophis\"", "unknown key of [system] 'body'"},
            {"lambda = [1, 2, 3, 4]\n", "", "[system] needs 'lambda'"},
            {"angular_velocity = [", "angular_velocity = [inf, ", ":5:21: "},
@@ -51,17 +61,25 @@ BOOST_AUTO_TEST_CASE(what_no_body_has_is_refused_at_its_place) {
            {"[0.90000000000000002,", "[1e200,", "the numbers are too large"},
            {"angular_velocity", "angular_momentum", "unknown key of [initial] 'angular_momentum'"},
            {"[method]", "attitude = [1, 0, 0, 0]\n[method]", ":6:"},
-           {"[method]", "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]", "4 rows are expected, found 3"},
-           {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, -1]]\n[method]", ":6:12: attitude: a rotation is expected, with determinant 1"},
+           {"[method]", "attitude = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]",
+            "4 rows are expected, found 3"},
+           {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, -1]]\n[method]",
+            ":6:12: attitude: a rotation is expected, with determinant 1"},
            {"[method]", "attitude = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.00001]]\n[method]",
-            ":6:12: attitude: a rotation is expected; the largest entry of g^T g - 1 is 2e-05 where 1e-9 is taken; normalised it is [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
-           {"[method]", "attitude = [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]\n[method]", "the largest entry of g^T g - 1 is 1 where"},
-           {"[method]", "attitude = [[1e300, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n[method]", "a rotation is expected"},
+            ":6:12: attitude: a rotation is expected; the largest entry of g^T g - 1 is 2e-05 where 1e-9 is "
+            "taken; normalised it is [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"},
+           {"[method]", "attitude = [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]]\n[method]",
+            "the largest entry of g^T g - 1 is 1 where"},
+           {"[method]", "attitude = [[1e300, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]\n[method]",
+            "a rotation is expected"},
            {"name = \"moser_veselov\"", "name = \"variational\"", ":7:8: unknown method 'variational'"},
-           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\norder = 3", ":8:9: order: moser_veselov takes 2, 4 or 6, found 3"},
-           {"name = \"moser_veselov\"", "name = \"natural_chart\"\norder = \"exact\"", ":8:9: order: natural_chart takes 2, 4 or 6, found \"exact\""},
+           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\norder = 3",
+            ":8:9: order: moser_veselov takes 2, 4 or 6, found 3"},
+           {"name = \"moser_veselov\"", "name = \"natural_chart\"\norder = \"exact\"",
+            ":8:9: order: natural_chart takes 2, 4 or 6, found \"exact\""},
            {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = -0.1", ":8:8: step: a number > 0"},
-           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = 0.03", "the nearest step that would do is"},
+           {"name = \"moser_veselov\"", "name = \"moser_veselov\"\nstep = 0.03",
+            "the nearest step that would do is"},
            {"\"momentum\"", "\"angular_velocity\"", "unknown quantity 'angular_velocity'"},
        }) {
     Folder const folder;

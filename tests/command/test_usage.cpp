@@ -1,4 +1,5 @@
-// What the command says to a line that it cannot take: status 2, one line, and what would be right. And its help.
+// What the command says to a line that it cannot take: status 2, one line, and what would be right. And its
+// help.
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -23,26 +24,41 @@ BOOST_AUTO_TEST_SUITE(usage)
 BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_what_would_be_right) {
   for (auto const& [arguments, said] : std::vector<Wrong>{
            {{"rnu"}, "actio: unknown command 'rnu'; did you mean 'run'? (actio --help)\n"},
-           {{"apophis.toml"}, "actio: unknown command 'apophis.toml'; did you mean 'actio run apophis.toml'? (actio --help)\n"},
+           {{"apophis.toml"},
+            "actio: unknown command 'apophis.toml'; did you mean 'actio run apophis.toml'? (actio --help)\n"},
            {{"help"}, "actio: unknown command 'help'; did you mean '--help'? (actio --help)\n"},
            {{"--verison"}, "actio: unknown option '--verison'; did you mean '--version'? (actio --help)\n"},
-           {{"--quiet", "run", "a.toml"}, "actio: '--quiet' belongs after the command: actio run ... --quiet (actio --help)\n"},
+           {{"--quiet", "run", "a.toml"},
+            "actio: '--quiet' belongs after the command: actio run ... --quiet (actio --help)\n"},
            {{"run"}, "actio run: which scene? For example: actio run apophis.toml (actio run --help)\n"},
            {{"run", ""}, "actio run: SCENE: a name is expected, found '' (actio run --help)\n"},
-           {{"run", "--dry", "a.toml"}, "actio run: unknown option '--dry'; did you mean '--dry-run'? (actio run --help)\n"},
-           {{"run", "--outt", "d", "a.toml"}, "actio run: unknown option '--outt'; did you mean '--out'? (actio run --help)\n"},
-           {{"run", "a.toml", "--jobs", "2"}, "actio run: unknown option '--jobs'; actio resume has it (actio run --help)\n"},
-           {{"run", "a.toml", "b.toml"}, "actio run: 'b.toml' is one too many; usage: actio run SCENE [OPTIONS] (actio run --help)\n"},
+           {{"run", "--dry", "a.toml"},
+            "actio run: unknown option '--dry'; did you mean '--dry-run'? (actio run --help)\n"},
+           {{"run", "--outt", "d", "a.toml"},
+            "actio run: unknown option '--outt'; did you mean '--out'? (actio run --help)\n"},
+           {{"run", "a.toml", "--jobs", "2"},
+            "actio run: unknown option '--jobs'; actio resume has it (actio run --help)\n"},
+           {{"run", "a.toml", "b.toml"},
+            "actio run: 'b.toml' is one too many; usage: actio run SCENE [OPTIONS] (actio run --help)\n"},
            {{"run", "a.toml", "--out"}, "actio run: --out DIR: DIR is missing (actio run --help)\n"},
-           {{"run", "a.toml", "--out", "d", "--out", "e"}, "actio run: --out is there twice (actio run --help)\n"},
+           {{"run", "a.toml", "--out", "d", "--out", "e"},
+            "actio run: --out is there twice (actio run --help)\n"},
            {{"run", "a.toml", "--quiet=yes"}, "actio run: --quiet takes no value (actio run --help)\n"},
-           {{"resume"}, "actio resume: which folder? One that a run left, for example: actio resume apophis (actio resume --help)\n"},
+           {{"resume"},
+            "actio resume: which folder? One that a run left, for example: actio resume apophis (actio "
+            "resume --help)\n"},
            {{"sweep", "a.toml"}, "actio sweep: --over KEY=VALUES is needed (actio sweep --help)\n"},
-           {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "0"}, "actio sweep: --jobs: a whole number from 1 on is expected, found '0' (actio sweep --help)\n"},
-           {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "-1"}, "actio sweep: --jobs: a whole number from 1 on is expected, found '-1' (actio sweep --help)\n"},
-           {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "many"}, "actio sweep: --jobs: a whole number from 1 on is expected, found 'many' (actio sweep --help)\n"},
-           {{"show"}, "actio show: which name? For example: actio show energy; actio list tells the names (actio show --help)\n"},
-           {{"check", "--lst"}, "actio check: unknown option '--lst'; did you mean '--list'? (actio check --help)\n"},
+           {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "0"},
+            "actio sweep: --jobs: a whole number from 1 on is expected, found '0' (actio sweep --help)\n"},
+           {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "-1"},
+            "actio sweep: --jobs: a whole number from 1 on is expected, found '-1' (actio sweep --help)\n"},
+           {{"sweep", "a.toml", "--over", "method.step=1,2", "--jobs", "many"},
+            "actio sweep: --jobs: a whole number from 1 on is expected, found 'many' (actio sweep --help)\n"},
+           {{"show"},
+            "actio show: which name? For example: actio show energy; actio list tells the names (actio show "
+            "--help)\n"},
+           {{"check", "--lst"},
+            "actio check: unknown option '--lst'; did you mean '--list'? (actio check --help)\n"},
        }) {
     auto const outcome = actio(arguments);
     BOOST_TEST(outcome.status == 2, said);
@@ -52,7 +68,12 @@ BOOST_AUTO_TEST_CASE(a_line_that_cannot_be_taken_is_answered_in_one_line_with_wh
 }
 
 BOOST_AUTO_TEST_CASE(what_was_typed_cannot_command_the_terminal) {
-  for (auto const& arguments : {std::vector<std::string>{"\x1b[31m"}, {"show", "\x1b[31m"}, {"list", "\x1b[31m"}, {"check", "\x1b[31m"}, {"run", "a", "\x1b[31m"}, {"run", "--\x1b[31m"}}) {
+  for (auto const& arguments : {std::vector<std::string>{"\x1b[31m"},
+                                {"show", "\x1b[31m"},
+                                {"list", "\x1b[31m"},
+                                {"check", "\x1b[31m"},
+                                {"run", "a", "\x1b[31m"},
+                                {"run", "--\x1b[31m"}}) {
     auto const outcome = actio(arguments);
     BOOST_TEST(outcome.status == 2);
     BOOST_TEST(!has(outcome.err, "\x1b"));
@@ -63,7 +84,10 @@ BOOST_AUTO_TEST_CASE(what_was_typed_cannot_command_the_terminal) {
 BOOST_AUTO_TEST_CASE(options_stand_before_and_after_the_scene) {
   command::Folder const folder;
   std::string const scene = folder.write("a.toml", command::apophis());
-  for (auto const& arguments : {std::vector<std::string>{"run", "--dry-run", scene}, {"run", scene, "--dry-run"}, {"run", "--out=" + (folder / "b"), scene, "--dry-run"}, {"run", "--dry-run", "--", scene}})
+  for (auto const& arguments : {std::vector<std::string>{"run", "--dry-run", scene},
+                                {"run", scene, "--dry-run"},
+                                {"run", "--out=" + (folder / "b"), scene, "--dry-run"},
+                                {"run", "--dry-run", "--", scene}})
     BOOST_TEST(actio(arguments).status == 0);
 }
 
@@ -94,7 +118,8 @@ BOOST_AUTO_TEST_CASE(every_part_has_a_help_with_an_example) {
 BOOST_AUTO_TEST_CASE(the_version_is_that_of_the_project) {
   auto const outcome = actio({"--version"});
   BOOST_TEST(outcome.status == 0);
-  BOOST_TEST(has(command::contents(ACTIO_DATA "/../CMakeLists.txt"), "project(actio VERSION " + outcome.out.substr(6, outcome.out.size() - 7) + " "));
+  BOOST_TEST(has(command::contents(ACTIO_DATA "/../CMakeLists.txt"),
+                 "project(actio VERSION " + outcome.out.substr(6, outcome.out.size() - 7) + " "));
 }
 
 BOOST_AUTO_TEST_CASE(an_override_without_a_value_is_pointed_at) {
@@ -103,7 +128,8 @@ BOOST_AUTO_TEST_CASE(an_override_without_a_value_is_pointed_at) {
   for (std::string const argument : {"method.step", "=3", ""}) {
     auto const outcome = actio({"run", scene, "--set", argument});
     BOOST_TEST(outcome.status == 2);
-    BOOST_TEST(outcome.err == "--set " + argument + ":1:1: KEY=VALUE is expected, for example method.step=0.1\n");
+    BOOST_TEST(outcome.err ==
+               "--set " + argument + ":1:1: KEY=VALUE is expected, for example method.step=0.1\n");
   }
 }
 

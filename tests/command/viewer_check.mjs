@@ -1,6 +1,8 @@
-// viewer_check.mjs PAGE: runs the script of a page on a stand-in for a browser, and holds it to some laws. Prints what it measured; status 1 where a law is broken.
+// viewer_check.mjs PAGE: runs the script of a page on a stand-in for a browser, and holds it to some laws.
+// Prints what it measured; status 1 where a law is broken.
 //
-// The stand-in takes every call and answers with more of itself, but it looks at the numbers that are drawn: each of them is finite.
+// The stand-in takes every call and answers with more of itself, but it looks at the numbers that are drawn:
+// each of them is finite.
 import fs from 'node:fs';
 import vm from 'node:vm';
 

@@ -12,12 +12,11 @@ namespace {
 /// A density that refuses places below the ground.
 struct AboveGround {
   template <class T>
-  T operator()(Jet<T, 1, 2> const& j) const {
-    return j.v(0, 0) * j.v(0, 0) + j.y[1];
-  }
+  T operator()(Jet<T, 1, 2> const& j) const { return j.v(0, 0) * j.v(0, 0) + j.y[1]; }
   template <class S>
   void examine(Jet<S, 1, 2> const& j) const {
-    if (!(base_value(j.y[1]) > 0)) throw OutsideDomain("AboveGround", "height is positive", to_double(base_value(j.y[1])), 0);
+    if (!(base_value(j.y[1]) > 0))
+      throw OutsideDomain("AboveGround", "height is positive", to_double(base_value(j.y[1])), 0);
   }
 };
 
@@ -37,7 +36,9 @@ BOOST_AUTO_TEST_CASE(a_string_that_runs_round_a_circle_has_the_tension_of_its_sp
     T const s = x[1] - x[0] * v;
     return Matrix<T, 2, 1>(cos(s), sin(s));
   };
-  auto const tension = [=]<class V>(V const&) { return Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(rho * v * v)); };
+  auto const tension = [=]<class V>(V const&) {
+    return Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(rho * v * v));
+  };
   HeavyString<double, 2> const string{rho, {0, 0}};
   Inextensible const constraint{Euclidean<2>{}};
   Event<double, 1> const x(0.3, 0.8);
@@ -45,7 +46,9 @@ BOOST_AUTO_TEST_CASE(a_string_that_runs_round_a_circle_has_the_tension_of_its_sp
   BOOST_TEST(all.cwiseAbs().maxCoeff() < 16 * epsilon<double>() * rho * v * v);
   // The same from (7.2), where the multiplier has the other sign.
   auto const minus = [&](auto const& at) { return (-tension(at)).eval(); };
-  BOOST_TEST(constrained_field_equations(string, constraint, second_jet(circle, x), first_jet(minus, x)).cwiseAbs().maxCoeff() < 16 * epsilon<double>() * rho * v * v);
+  BOOST_TEST(constrained_field_equations(string, constraint, second_jet(circle, x), first_jet(minus, x))
+                 .cwiseAbs()
+                 .maxCoeff() < 16 * epsilon<double>() * rho * v * v);
 }
 
 BOOST_AUTO_TEST_CASE(a_string_that_has_shrunk_to_a_point_is_not_regular) {
@@ -82,14 +85,18 @@ BOOST_AUTO_TEST_CASE(a_constraint_without_a_derivative_says_so) {
 
 BOOST_AUTO_TEST_CASE(the_augmented_density_refuses_what_its_parts_refuse) {
   AugmentedDensity const density{AboveGround{}, Inextensible{Euclidean<2>{}}};
-  auto const lambda = []<class V>(V const&) { return Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(1)); };
+  auto const lambda = []<class V>(V const&) {
+    return Matrix<typename V::Scalar, 1, 1>(typename V::Scalar(1));
+  };
   auto const at_height = [](double height) {
     return [height]<class V>(V const& x) { return Matrix<typename V::Scalar, 2, 1>(x[1], x[0] + height); };
   };
   Event<double, 1> const x(0, 0);
   BOOST_CHECK_NO_THROW(euler_lagrange(density, ExtendedSection{at_height(1), lambda}, x));
   BOOST_CHECK_THROW(euler_lagrange(density, ExtendedSection{at_height(-1), lambda}, x), OutsideDomain);
-  BOOST_CHECK_THROW(constrained_field_equations(AboveGround{}, Inextensible{Euclidean<2>{}}, second_jet(at_height(-1), x), first_jet(lambda, x)), OutsideDomain);
+  BOOST_CHECK_THROW(constrained_field_equations(AboveGround{}, Inextensible{Euclidean<2>{}},
+                                                second_jet(at_height(-1), x), first_jet(lambda, x)),
+                    OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(a_jet_of_the_extended_bundle_falls_into_its_parts) {

@@ -12,7 +12,9 @@ namespace {
 template <class S, int m>
 using Column = Matrix<S, m, 1>;
 
-auto const sphere = []<class T>(Column<T, 3> const& q) { return Column<T, 1>(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - T(1)); };
+auto const sphere = []<class T>(Column<T, 3> const& q) {
+  return Column<T, 1>(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - T(1));
+};
 auto const height = []<class T>(Column<T, 3> const& q) { return T(q[0] * T(3) + q[1] * T(4)); };
 
 }  // namespace
@@ -49,22 +51,29 @@ BOOST_AUTO_TEST_CASE(a_point_where_the_constraint_is_not_regular_is_refused_with
 
 BOOST_AUTO_TEST_CASE(dependent_constraints_are_refused_whatever_their_units) {
   // The same constraint twice, in units that differ by thirty orders of magnitude.
-  auto const twice = []<class T>(Column<T, 3> const& q) { return Column<T, 2>(sphere(q)[0] * T(1e-15), sphere(q)[0] * T(1e15)); };
+  auto const twice = []<class T>(Column<T, 3> const& q) {
+    return Column<T, 2>(sphere(q)[0] * T(1e-15), sphere(q)[0] * T(1e15));
+  };
   auto const f = constrained<2>(height, twice);
   BOOST_CHECK_THROW(f.multiplier(Column<double, 3>(0.6, 0.7, 0.3)), NotRegular);
   // And two that are independent, in such units.
-  auto const both = []<class T>(Column<T, 3> const& q) { return Column<T, 2>(sphere(q)[0] * T(1e-15), q[2] * T(1e15)); };
+  auto const both = []<class T>(Column<T, 3> const& q) {
+    return Column<T, 2>(sphere(q)[0] * T(1e-15), q[2] * T(1e15));
+  };
   BOOST_CHECK_NO_THROW(constrained<2>(height, both).require_regular(Column<double, 3>(0.6, 0.8, 0)));
 }
 
 BOOST_AUTO_TEST_CASE(more_constraints_than_dimensions_are_refused) {
-  auto const four = []<class T>(Column<T, 3> const& q) { return Column<T, 4>(q[0], q[1], q[2], T(q[0] + q[1])); };
+  auto const four = []<class T>(Column<T, 3> const& q) {
+    return Column<T, 4>(q[0], q[1], q[2], T(q[0] + q[1]));
+  };
   BOOST_CHECK_THROW(constrained<4>(height, four).multiplier(Column<double, 3>(1, 2, 3)), NotRegular);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused) {
   auto const f = constrained<1>(height, sphere);
-  double const nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  double const nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
   BOOST_CHECK_THROW(f.multiplier(Column<double, 3>(nan, 0, 0)), NotFinite);
   BOOST_CHECK_THROW(f.multiplier(Column<double, 3>(0, infinity, 0)), NotFinite);
 }

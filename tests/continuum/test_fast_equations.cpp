@@ -1,8 +1,9 @@
-// The field equations written out for homogeneous media in Euclidean spaces are those of the general road, and numbers that carry a divergence are dual numbers of dual numbers.
+// The field equations written out for homogeneous media in Euclidean spaces are those of the general road,
+// and numbers that carry a divergence are dual numbers of dual numbers.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/continuum/elastic_equation.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -17,7 +18,8 @@ SecondJet<S, n, n> second_jet_near_rest(Draw& draw) {
   for (int mu = 0; mu <= n; ++mu) {
     j.v.col(mu) = draw.vector<S, Matrix<S, n, 1>>(n) * ratio<S>(1, 5);
     if (mu > 0) j.v(mu - 1, mu) += S(1);
-    for (int nu = 0; nu <= mu; ++nu) j.w[mu].col(nu) = draw.vector<S, Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
+    for (int nu = 0; nu <= mu; ++nu)
+      j.w[mu].col(nu) = draw.vector<S, Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
   }
   return j;
 }
@@ -27,7 +29,8 @@ struct Fibres {
   template <class T, int n>
   T operator()(Matrix<T, n, n> const& C) const {
     T const stretch = C(0, 0) - Base<T>(1);
-    return stretch * stretch * stretch / Base<T>(7) + C.trace() * C(0, n - 1) + C(0, 0) / C(n - 1, n - 1) + C(n - 1, 0) * C(n - 1, 0);
+    return stretch * stretch * stretch / Base<T>(7) + C.trace() * C(0, n - 1) + C(0, 0) / C(n - 1, n - 1) +
+           C(n - 1, 0) * C(n - 1, 0);
   }
 };
 
@@ -39,12 +42,17 @@ void agree(Energy const& energy, char const* name) {
     auto const j = second_jet_near_rest<S, n>(draw);
     auto const fast = elastic_equation(medium, j);
     auto const general = euler_lagrange(medium, j), by_terms = euler_lagrange_by_terms(medium, j);
-    // Both sum some hundred products of moderate numbers, of which logarithms and inverse powers of J, not far from 1, are the largest.
-    S const gap = magnitude(Matrix<S, n, 1>(fast - general)), bound = S(500) * epsilon<S>() * (S(1) + magnitude(general));
-    BOOST_TEST((gap <= bound), name << ", n = " << n << ": " << to_double(gap) << " over " << to_double(bound));
+    // Both sum some hundred products of moderate numbers, of which logarithms and inverse powers of J, not
+    // far from 1, are the largest.
+    S const gap = magnitude(Matrix<S, n, 1>(fast - general)),
+            bound = S(500) * epsilon<S>() * (S(1) + magnitude(general));
+    BOOST_TEST((gap <= bound),
+               name << ", n = " << n << ": " << to_double(gap) << " over " << to_double(bound));
     S const between = magnitude(Matrix<S, n, 1>(general - by_terms));
-    BOOST_TEST((between <= bound), name << ", n = " << n << ", one evaluation and term by term: " << to_double(between) << " over " << to_double(bound));
-    BOOST_TEST((magnitude(general) > ratio<S>(1, 100)), name << ", n = " << n << ": the equation says something");
+    BOOST_TEST((between <= bound), name << ", n = " << n << ", one evaluation and term by term: "
+                                        << to_double(between) << " over " << to_double(bound));
+    BOOST_TEST((magnitude(general) > ratio<S>(1, 100)),
+               name << ", n = " << n << ": the equation says something");
   }
 }
 
@@ -67,7 +75,8 @@ void all_agree() {
 template <class T>
 T medley(T const& a, T const& b, T const& c) {
   using std::abs, std::atan2, std::cos, std::exp, std::log, std::pow, std::sin, std::sqrt;
-  T x = a * b / c - 2 * a + b / 3 - (1 - c) + 5 / b + sqrt(c) + square_root(b) + exp(a) * log(b) + sin(c) - cos(a) + pow(b, 2.5);
+  T x = a * b / c - 2 * a + b / 3 - (1 - c) + 5 / b + sqrt(c) + square_root(b) + exp(a) * log(b) + sin(c) -
+        cos(a) + pow(b, 2.5);
   x += atan2(a, b) + atan2(-b, a) * atan2(c, -a);
   x -= abs(-c) * abs(a);
   x *= a + 1;
@@ -87,18 +96,22 @@ BOOST_AUTO_TEST_CASE(equations_written_out_are_those_of_the_general_road) {
 }
 
 BOOST_AUTO_TEST_CASE(they_are_in_fifty_digits) {
-  agree<dec50, 3>(OfGreenTensor{MooneyRivlin{ratio<dec50>(4, 5), ratio<dec50>(7, 5), LogarithmicVolume<dec50>{ratio<dec50>(7, 5)}}}, "Mooney-Rivlin");
+  agree<dec50, 3>(OfGreenTensor{MooneyRivlin{ratio<dec50>(4, 5), ratio<dec50>(7, 5),
+                                             LogarithmicVolume<dec50>{ratio<dec50>(7, 5)}}},
+                  "Mooney-Rivlin");
 }
 
 BOOST_AUTO_TEST_CASE(they_are_exactly_over_the_rationals) {
-  agree<rational, 2>(OfGreenTensor{StVenantKirchhoff<rational>{ratio<rational>(7, 5), ratio<rational>(4, 5)}}, "St Venant-Kirchhoff");
+  agree<rational, 2>(OfGreenTensor{StVenantKirchhoff<rational>{ratio<rational>(7, 5), ratio<rational>(4, 5)}},
+                     "St Venant-Kirchhoff");
   agree<rational, 2>(OfGreenTensor{Fibres{}}, "a law of one's own");
 }
 
 BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused) {
   Draw draw(3);
   auto j = second_jet_near_rest<double, 3>(draw);
-  Continuum const solid{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{}, OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};
+  Continuum const solid{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{},
+                        OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};
   j.v.col(1) *= -1;
   BOOST_CHECK_THROW(elastic_equation(solid, j), NotOrientationPreserving);
   j.v.col(1) *= -1;

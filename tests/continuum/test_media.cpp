@@ -1,11 +1,12 @@
-// Laws of continuous media: metrics as types and as matrices, Christoffel symbols, materials at rest, under small strains, turned, and compressed.
+// Laws of continuous media: metrics as types and as matrices, Christoffel symbols, materials at rest, under
+// small strains, turned, and compressed.
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
 
-#include "witness/draw.hpp"
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -25,7 +26,8 @@ SecondJet<S, n, n> any_second_jet(Draw& draw) {
   for (int mu = 0; mu <= n; ++mu) {
     j.v.col(mu) = draw.vector<S, Matrix<S, n, 1>>(n) * size;
     if (mu > 0) j.v(mu - 1, mu) += S(1);
-    for (int nu = 0; nu <= mu; ++nu) j.w[mu].col(nu) = draw.vector<S, Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
+    for (int nu = 0; nu <= mu; ++nu)
+      j.w[mu].col(nu) = draw.vector<S, Matrix<S, n, 1>>(n), j.w[nu].col(mu) = j.w[mu].col(nu);
   }
   return j;
 }
@@ -38,14 +40,13 @@ Jet<S, n, n> strained(Square<S, n> const& F) {
   return j;
 }
 
-/// The identity as a matrix that is the same everywhere, and as a function that the compiler knows nothing about.
+/// The identity as a matrix that is the same everywhere, and as a function that the compiler knows nothing
+/// about.
 template <class S, int n>
 ConstantMetric<S, n> const constant_identity{Square<S, n>::Identity()};
 struct IdentitySomehow {
   template <class T, int n>
-  Square<T, n> operator()(Matrix<T, n, 1> const&) const {
-    return Square<T, n>::Identity();
-  }
+  Square<T, n> operator()(Matrix<T, n, 1> const&) const { return Square<T, n>::Identity(); }
 };
 
 /// The unit sphere in angles.
@@ -59,7 +60,8 @@ struct Sphere {
   }
 };
 
-/// The largest difference between what two media make of the same motion: momenta, field equations, and all the forms of them.
+/// The largest difference between what two media make of the same motion: momenta, field equations, and all
+/// the forms of them.
 template <class A, class B, int n>
 rational gap(A const& a, B const& b, SecondJet<rational, n, n> const& j) {
   Jet<rational, n, n> const& first = j;
@@ -93,8 +95,10 @@ BOOST_AUTO_TEST_CASE(a_flat_space_as_a_type_as_a_matrix_and_as_a_function_are_on
 
 BOOST_AUTO_TEST_CASE(a_flat_metric_stores_nothing) {
   static_assert(std::is_empty_v<Euclidean<3>> && std::is_empty_v<Kronecker<3>>);
-  static_assert(is_constant_metric<Euclidean<3>> && is_constant_metric<ConstantMetric<double, 3>> && !is_constant_metric<Sphere>);
-  Continuum const flat{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{1}, Barotropic{WholeTait<double, 6>{1}}};
+  static_assert(is_constant_metric<Euclidean<3>> && is_constant_metric<ConstantMetric<double, 3>> &&
+                !is_constant_metric<Sphere>);
+  Continuum const flat{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{1},
+                       Barotropic{WholeTait<double, 6>{1}}};
   // Two numbers, and an empty object or two that must have an address.
   BOOST_TEST(sizeof(flat) <= 3 * sizeof(double));
 }
@@ -128,7 +132,8 @@ BOOST_AUTO_TEST_CASE(divergences_and_lie_derivatives_on_the_sphere_are_the_known
   BOOST_TEST(magnitude(lie_derivative(Sphere{}, around, y)) == 0);
   // Half of its trace is the divergence.
   Square<double, 2> const g = Sphere{}(y);
-  BOOST_TEST(std::abs((stretched(0, 0) / g(0, 0) + stretched(1, 1) / g(1, 1)) / 2 - divergence(Sphere{}, down, y)) < 16 * eps);
+  BOOST_TEST(std::abs((stretched(0, 0) / g(0, 0) + stretched(1, 1) / g(1, 1)) / 2 -
+                      divergence(Sphere{}, down, y)) < 16 * eps);
 }
 
 namespace {
@@ -139,7 +144,8 @@ Square<S, n> hooke(Square<S, n> const& strain, S const& lambda, S const& mu) {
   return Square<S, n>::Identity() * (lambda * strain.trace()) + strain * (S(2) * mu);
 }
 
-/// A law of a solid: stress-free and without energy at rest, linear elasticity with these moduli under small strains, and blind to turns.
+/// A law of a solid: stress-free and without energy at rest, linear elasticity with these moduli under small
+/// strains, and blind to turns.
 template <int n, class S, class Law>
 void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
   Continuum const body{Euclidean<n>{}, Euclidean<n>{}, Homogeneous<S>{S(3)}, OfGreenTensor{law}};
@@ -153,7 +159,8 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
   for (int sample = 0; sample < 4; ++sample) {
     // The derivative of the stress at rest along H is Hooke's stress of the symmetric part of H.
     Square<S, n> H, A;
-    for (int i = 0; i < n; ++i) H.col(i) = draw.vector<S, Matrix<S, n, 1>>(n), A.col(i) = draw.vector<S, Matrix<S, n, 1>>(n);
+    for (int i = 0; i < n; ++i)
+      H.col(i) = draw.vector<S, Matrix<S, n, 1>>(n), A.col(i) = draw.vector<S, Matrix<S, n, 1>>(n);
     Square<Dual<S>, n> moved = one.template cast<Dual<S>>();
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < n; ++i) moved(a, i).part[0] = H(a, i);
@@ -165,14 +172,20 @@ void is_a_solid(Law const& law, S const& lambda, S const& mu, double bound) {
     BOOST_TEST(size(rate - expected) <= bound);
 
     // A turn by Cayley's map: exact over the rationals.
-    Square<S, n> const spin = A - A.transpose(), turn = solve_linear(Square<S, n>(one - spin), Square<S, n>(one + spin)), F = one + H / S(5);
-    auto const kept = [&](Square<S, n> const& at) { return body.W(Matrix<S, n, 1>(Matrix<S, n, 1>::Zero()), Kronecker<n>{}, Kronecker<n>{}, at); };
+    Square<S, n> const spin = A - A.transpose(),
+                       turn = solve_linear(Square<S, n>(one - spin), Square<S, n>(one + spin)),
+                       F = one + H / S(5);
+    auto const kept = [&](Square<S, n> const& at) {
+      return body.W(Matrix<S, n, 1>(Matrix<S, n, 1>::Zero()), Kronecker<n>{}, Kronecker<n>{}, at);
+    };
     BOOST_TEST(std::abs(to_double(S(kept(turn * F) - kept(F)))) <= bound);
     // The stress turns with the body: sigma(QF) = Q sigma(F) Q^T.
-    Square<S, n> const sigma = cauchy_stress(body, strained<S, n>(F)), turned = cauchy_stress(body, strained<S, n>(turn * F));
+    Square<S, n> const sigma = cauchy_stress(body, strained<S, n>(F)),
+                       turned = cauchy_stress(body, strained<S, n>(turn * F));
     BOOST_TEST(size(turned - turn * sigma * turn.transpose()) <= bound);
     // And Cauchy's stress is Piola and Kirchhoff's, transformed.
-    BOOST_TEST(size(piola_transformation(Kronecker<n>{}, Kronecker<n>{}, F, sigma) - first_piola_kirchhoff_stress(body, strained<S, n>(F))) <= bound);
+    BOOST_TEST(size(piola_transformation(Kronecker<n>{}, Kronecker<n>{}, F, sigma) -
+                    first_piola_kirchhoff_stress(body, strained<S, n>(F))) <= bound);
   }
 }
 
@@ -185,7 +198,8 @@ BOOST_AUTO_TEST_CASE(solids_are_free_of_stress_at_rest_and_obey_hooke_nearby) {
   is_a_solid<2>(StVenantKirchhoff<S>{lambda, mu}, lambda, mu, 0);
   is_a_solid<2>(NeoHookean<S, PowerVolume<2>>{mu, {}}, S(4 * mu), mu, 0);
   // lambda = 4 U'' - 2 mu with U'' = (m + 1) (c1 + 2 c2), mu = 2 (c1 + c2).
-  is_a_solid<3>(MooneyRivlin<S, PowerVolume<1>>{c1, c2, {}}, S(8 * (c1 + 2 * c2) - 4 * (c1 + c2)), S(2 * (c1 + c2)), 0);
+  is_a_solid<3>(MooneyRivlin<S, PowerVolume<1>>{c1, c2, {}}, S(8 * (c1 + 2 * c2) - 4 * (c1 + c2)),
+                S(2 * (c1 + c2)), 0);
   // With logarithms, in double: stresses of size 10, some hundred operations.
   is_a_solid<2>(NeoHookean{1.25, LogarithmicVolume<double>{7.0 / 3}}, 7.0 / 3, 1.25, 1000 * eps);
 }
@@ -194,7 +208,11 @@ BOOST_AUTO_TEST_CASE(fluids_have_the_pressures_that_their_names_say) {
   double const J = 1.3, rho = 2.5, K = 0.8, gamma = 1.4;
   Matrix<double, 2, 2> F;
   F << 1.3, 0.4, 0, 1;
-  auto const pressure = [&](auto const& law) { return material_pressure(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{rho}, Barotropic{law}}, strained<double, 2>(F)); };
+  auto const pressure = [&](auto const& law) {
+    return material_pressure(
+        Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{rho}, Barotropic{law}},
+        strained<double, 2>(F));
+  };
   BOOST_TEST(std::abs(pressure(Polytropic<double>{K, gamma}) - rho * K * std::pow(J, -gamma)) < 16 * eps);
   BOOST_TEST(std::abs(pressure(WholePolytropic<double, 2>{K}) - rho * K * std::pow(J, -3)) < 16 * eps);
   BOOST_TEST(std::abs(pressure(Tait<double>{K, 7.15}) - rho * K * (std::pow(J, -7.15) - 1)) < 16 * eps);
@@ -215,7 +233,8 @@ BOOST_AUTO_TEST_CASE(a_fluid_stays_at_rest_and_its_stress_is_its_pressure) {
   using S = rational;
   auto const j = any_second_jet<S, 2>(draw);
   Jet<S, 2, 2> const& first = j;
-  Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<S>{S(2)}, Barotropic{WholeTait<S, 2>{S(3)}}};
+  Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<S>{S(2)},
+                        Barotropic{WholeTait<S, 2>{S(3)}}};
   Square<S, 2> const push = Square<S, 2>::Identity() * material_pressure(fluid, first);
   BOOST_TEST(magnitude((cauchy_stress(fluid, first) + push).eval()) == S(0));
   BOOST_TEST(magnitude((euler_lagrange(fluid, j) + fluid_equation(fluid, j)).eval()) == S(0));

@@ -1,4 +1,5 @@
-// What media refuse, and what does not compile: each refusal names the point, what was measured and the bound.
+// What media refuse, and what does not compile: each refusal names the point, what was measured and the
+// bound.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/continuum/continuum_equations.hpp"
@@ -20,9 +21,7 @@ SecondJet<S, 2, 2> jet_with(Matrix<S, 2, 2> const& F) {
   return j;
 }
 template <class S>
-SecondJet<S, 2, 2> at_rest() {
-  return jet_with<S>(Matrix<S, 2, 2>::Identity());
-}
+SecondJet<S, 2, 2> at_rest() { return jet_with<S>(Matrix<S, 2, 2>::Identity()); }
 
 /// A metric of this value.
 template <class S>
@@ -45,7 +44,9 @@ void all_refuse(Medium const& medium, SecondJet<S, 2, 2> const& j, Judge const& 
   BOOST_CHECK_EXCEPTION(first_piola_kirchhoff_stress(medium, first), E, judge);
   BOOST_CHECK_EXCEPTION(cauchy_stress(medium, first), E, judge);
 }
-bool says(Error const& error, std::string const& text) { return std::string(error.what()).find(text) != std::string::npos; }
+bool says(Error const& error, std::string const& text) {
+  return std::string(error.what()).find(text) != std::string::npos;
+}
 
 Homogeneous<double> const mass{2.0};
 Barotropic<WholePolytropic<double, 2>> const gas{{1.0}};
@@ -54,24 +55,43 @@ std::string const particle = "(0.3, -0.4)", place = "(0.5, 0.25)";
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_symmetric_is_no_metric) {
-  auto const judge = [&](std::string const& where) { return [where](NotAMetric const& e) { return says(e, where) && says(e, "symmetric") && e.measured > 0.2 && e.bound < 1e-13; }; };
-  all_refuse<NotAMetric>(Continuum{metric(1.0, 0.5, 0.2, 1.0), Euclidean<2>{}, mass, gas}, at_rest<double>(), judge("body at " + particle));
-  all_refuse<NotAMetric>(Continuum{Euclidean<2>{}, metric(1.0, 0.5, 0.2, 1.0), mass, gas}, at_rest<double>(), judge("space at " + place));
+  auto const judge = [&](std::string const& where) {
+    return [where](NotAMetric const& e) {
+      return says(e, where) && says(e, "symmetric") && e.measured > 0.2 && e.bound < 1e-13;
+    };
+  };
+  all_refuse<NotAMetric>(Continuum{metric(1.0, 0.5, 0.2, 1.0), Euclidean<2>{}, mass, gas}, at_rest<double>(),
+                         judge("body at " + particle));
+  all_refuse<NotAMetric>(Continuum{Euclidean<2>{}, metric(1.0, 0.5, 0.2, 1.0), mass, gas}, at_rest<double>(),
+                         judge("space at " + place));
 }
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_positive_is_no_metric) {
-  auto const judge = [&](std::string const& where) { return [where](NotAMetric const& e) { return says(e, where) && says(e, "positive definite") && e.measured <= e.bound; }; };
-  all_refuse<NotAMetric>(Continuum{metric(1.0, 2.0, 2.0, 1.0), Euclidean<2>{}, mass, gas}, at_rest<double>(), judge("body at " + particle));
-  all_refuse<NotAMetric>(Continuum{Euclidean<2>{}, metric(1.0, 1.0, 1.0, 1.0), mass, gas}, at_rest<double>(), judge("space at " + place));
-  all_refuse<NotAMetric>(Continuum{Euclidean<2>{}, metric(-1.0, 0.0, 0.0, -1.0), mass, gas}, at_rest<double>(), judge("space at " + place));
+  auto const judge = [&](std::string const& where) {
+    return [where](NotAMetric const& e) {
+      return says(e, where) && says(e, "positive definite") && e.measured <= e.bound;
+    };
+  };
+  all_refuse<NotAMetric>(Continuum{metric(1.0, 2.0, 2.0, 1.0), Euclidean<2>{}, mass, gas}, at_rest<double>(),
+                         judge("body at " + particle));
+  all_refuse<NotAMetric>(Continuum{Euclidean<2>{}, metric(1.0, 1.0, 1.0, 1.0), mass, gas}, at_rest<double>(),
+                         judge("space at " + place));
+  all_refuse<NotAMetric>(Continuum{Euclidean<2>{}, metric(-1.0, 0.0, 0.0, -1.0), mass, gas},
+                         at_rest<double>(), judge("space at " + place));
   double const none = std::nan("");
-  all_refuse<NotFinite>(Continuum{Euclidean<2>{}, metric(none, 0.0, 0.0, 1.0), mass, gas}, at_rest<double>(), [](NotFinite const& e) { return says(e, place); });
+  all_refuse<NotFinite>(Continuum{Euclidean<2>{}, metric(none, 0.0, 0.0, 1.0), mass, gas}, at_rest<double>(),
+                        [](NotFinite const& e) { return says(e, place); });
 }
 
 BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused_with_its_jacobian) {
-  auto const judge = [](double J) { return [J](NotOrientationPreserving const& e) { return says(e, particle) && e.measured == J && e.bound == 0; }; };
+  auto const judge = [](double J) {
+    return [J](NotOrientationPreserving const& e) {
+      return says(e, particle) && e.measured == J && e.bound == 0;
+    };
+  };
   Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, mass, gas};
-  Continuum const solid{Euclidean<2>{}, Euclidean<2>{}, mass, OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{1.0}}}};
+  Continuum const solid{Euclidean<2>{}, Euclidean<2>{}, mass,
+                        OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{1.0}}}};
   for (double const J : {0.0, -2.0}) {
     Matrix<double, 2, 2> F;
     F << 1, 0.5, 0, J;
@@ -79,22 +99,28 @@ BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_is_refused_with_its_jacobian) {
     all_refuse<NotOrientationPreserving>(fluid, j, judge(J));
     all_refuse<NotOrientationPreserving>(solid, j, judge(J));
     BOOST_CHECK_EXCEPTION(fluid_equation(fluid, j), NotOrientationPreserving, judge(J));
-    BOOST_CHECK_EXCEPTION(material_pressure(fluid, static_cast<Jet<double, 2, 2> const&>(j)), NotOrientationPreserving, judge(J));
+    BOOST_CHECK_EXCEPTION(material_pressure(fluid, static_cast<Jet<double, 2, 2> const&>(j)),
+                          NotOrientationPreserving, judge(J));
     // A solid whose energy does not see it has momenta there, and no Cauchy stress.
-    Continuum const soft{Euclidean<2>{}, Euclidean<2>{}, mass, OfGreenTensor{StVenantKirchhoff<double>{1, 1}}};
+    Continuum const soft{Euclidean<2>{}, Euclidean<2>{}, mass,
+                         OfGreenTensor{StVenantKirchhoff<double>{1, 1}}};
     BOOST_CHECK_NO_THROW(euler_lagrange(soft, j));
-    BOOST_CHECK_EXCEPTION(cauchy_stress(soft, static_cast<Jet<double, 2, 2> const&>(j)), NotOrientationPreserving, judge(J));
+    BOOST_CHECK_EXCEPTION(cauchy_stress(soft, static_cast<Jet<double, 2, 2> const&>(j)),
+                          NotOrientationPreserving, judge(J));
   }
   Matrix<double, 2, 2> F;
   F << std::nan(""), 0, 0, 1;
-  all_refuse<NotOrientationPreserving>(fluid, jet_with<double>(F), [](NotOrientationPreserving const& e) { return std::isnan(e.measured); });
+  all_refuse<NotOrientationPreserving>(
+      fluid, jet_with<double>(F), [](NotOrientationPreserving const& e) { return std::isnan(e.measured); });
 }
 
 BOOST_AUTO_TEST_CASE(mass_that_is_not_positive_is_refused) {
   // 1 - 5 x^1 at x^1 = 3/10.
   LinearDensity<double, 2> const rho{1.0, {-5.0, 0.0}};
   all_refuse<NotAMassDensity>(Continuum{Euclidean<2>{}, Euclidean<2>{}, rho, gas}, at_rest<double>(),
-                              [](NotAMassDensity const& e) { return says(e, particle) && std::abs(e.measured + 0.5) < 1e-15 && e.bound == 0; });
+                              [](NotAMassDensity const& e) {
+    return says(e, particle) && std::abs(e.measured + 0.5) < 1e-15 && e.bound == 0;
+  });
 }
 
 BOOST_AUTO_TEST_CASE(an_energy_without_derivative_at_rest_is_refused_with_the_point) {
@@ -106,7 +132,8 @@ BOOST_AUTO_TEST_CASE(an_energy_without_derivative_at_rest_is_refused_with_the_po
     return sqrt(E.cwiseProduct(E).sum());
   };
   Continuum const solid{Euclidean<2>{}, Euclidean<2>{}, mass, OfGreenTensor{cone}};
-  all_refuse<NoDerivative>(solid, at_rest<double>(), [](NoDerivative const& e) { return says(e, "(0, 0.3, -0.4)"); });
+  all_refuse<NoDerivative>(solid, at_rest<double>(),
+                           [](NoDerivative const& e) { return says(e, "(0, 0.3, -0.4)"); });
   Matrix<double, 2, 2> F;
   F << 1.1, 0, 0, 1;
   BOOST_CHECK_NO_THROW(euler_lagrange(solid, jet_with<double>(F)));
@@ -127,33 +154,50 @@ BOOST_AUTO_TEST_CASE(an_energy_without_derivative_at_rest_is_refused_with_the_po
 
 BOOST_AUTO_TEST_CASE(an_irrational_volume_is_refused_over_the_rationals) {
   using S = rational;
-  auto const judge = [](std::string const& where) { return [where](NotASquare const& e) { return says(e, where) && e.measured == 2 && e.bound == 0; }; };
+  auto const judge = [](std::string const& where) {
+    return [where](NotASquare const& e) { return says(e, where) && e.measured == 2 && e.bound == 0; };
+  };
   auto const two = metric(S(2), S(0), S(0), S(1));
   Barotropic<WholePolytropic<S, 2>> const W{{S(1)}};
-  all_refuse<NotASquare>(Continuum{two, Euclidean<2>{}, Homogeneous<S>{S(2)}, W}, at_rest<S>(), judge("body at " + particle));
-  all_refuse<NotASquare>(Continuum{Euclidean<2>{}, two, Homogeneous<S>{S(2)}, W}, at_rest<S>(), judge(particle));
+  all_refuse<NotASquare>(Continuum{two, Euclidean<2>{}, Homogeneous<S>{S(2)}, W}, at_rest<S>(),
+                         judge("body at " + particle));
+  all_refuse<NotASquare>(Continuum{Euclidean<2>{}, two, Homogeneous<S>{S(2)}, W}, at_rest<S>(),
+                         judge(particle));
   // A solid has no use for the volume of space until it is asked for its Cauchy stress.
-  Continuum const solid{Euclidean<2>{}, two, Homogeneous<S>{S(2)}, OfGreenTensor{StVenantKirchhoff<S>{S(1), S(1)}}};
+  Continuum const solid{Euclidean<2>{}, two, Homogeneous<S>{S(2)},
+                        OfGreenTensor{StVenantKirchhoff<S>{S(1), S(1)}}};
   BOOST_CHECK_NO_THROW(euler_lagrange(solid, at_rest<S>()));
-  BOOST_CHECK_EXCEPTION(cauchy_stress(solid, static_cast<Jet<S, 2, 2> const&>(at_rest<S>())), NotASquare, judge("space at " + place));
+  BOOST_CHECK_EXCEPTION(cauchy_stress(solid, static_cast<Jet<S, 2, 2> const&>(at_rest<S>())), NotASquare,
+                        judge("space at " + place));
 }
 
 BOOST_AUTO_TEST_CASE(dimensions_that_do_not_fit_do_not_compile) {
-  using Fluid = Continuum<Euclidean<2>, Euclidean<3>, Homogeneous<double>, Barotropic<WholePolytropic<double, 2>>>;
-  using Membrane = Continuum<Euclidean<2>, Euclidean<3>, Homogeneous<double>, OfGreenTensor<StVenantKirchhoff<double>>>;
-  using Planar = Continuum<Euclidean<2>, Euclidean<2>, Homogeneous<double>, OfGreenTensor<StVenantKirchhoff<double>>>;
-  using Constant = Continuum<ConstantMetric<double, 2>, ConstantMetric<double, 2>, Homogeneous<double>, OfGreenTensor<StVenantKirchhoff<double>>>;
+  using Fluid =
+      Continuum<Euclidean<2>, Euclidean<3>, Homogeneous<double>, Barotropic<WholePolytropic<double, 2>>>;
+  using Membrane =
+      Continuum<Euclidean<2>, Euclidean<3>, Homogeneous<double>, OfGreenTensor<StVenantKirchhoff<double>>>;
+  using Planar =
+      Continuum<Euclidean<2>, Euclidean<2>, Homogeneous<double>, OfGreenTensor<StVenantKirchhoff<double>>>;
+  using Constant = Continuum<ConstantMetric<double, 2>, ConstantMetric<double, 2>, Homogeneous<double>,
+                             OfGreenTensor<StVenantKirchhoff<double>>>;
   // A surface in space may be a solid; a fluid has a Jacobian, so that body and space are of one dimension.
   static_assert(DensityOver<Membrane, double, 2, 3>);
   static_assert(!DensityOver<Fluid, double, 2, 3>);
-  static_assert(!DensityOver<Planar, double, 3, 3> && !DensityOver<Planar, double, 2, 3> && !DensityOver<Constant, double, 3, 3>);
+  static_assert(!DensityOver<Planar, double, 3, 3> && !DensityOver<Planar, double, 2, 3> &&
+                !DensityOver<Constant, double, 3, 3>);
   static_assert(DensityOver<Planar, double, 2, 2> && DensityOver<Constant, double, 2, 2>);
 
-  auto const field_equations = []<class Medium, int n, int N>(Medium const& medium, SecondJet<double, n, N> const& j) {
-    return requires { euler_lagrange(medium, j); } && requires { medium_equation(medium, j); } && requires { solid_equation(medium, j); };
+  auto const field_equations =
+      []<class Medium, int n, int N>(Medium const& medium, SecondJet<double, n, N> const& j) {
+    return requires { euler_lagrange(medium, j); } && requires { medium_equation(medium, j); } &&
+           requires { solid_equation(medium, j); };
   };
-  auto const cauchy = []<class Medium, int n, int N>(Medium const& medium, Jet<double, n, N> const& j) { return requires { cauchy_stress(medium, j); }; };
-  auto const pressure = []<class Medium, int n, int N>(Medium const& medium, Jet<double, n, N> const& j) { return requires { material_pressure(medium, j); }; };
+  auto const cauchy = []<class Medium, int n, int N>(Medium const& medium, Jet<double, n, N> const& j) {
+    return requires { cauchy_stress(medium, j); };
+  };
+  auto const pressure = []<class Medium, int n, int N>(Medium const& medium, Jet<double, n, N> const& j) {
+    return requires { material_pressure(medium, j); };
+  };
   Membrane const membrane{};
   Planar const planar{};
   Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, mass, gas};

@@ -1,4 +1,5 @@
-// The free body by power series in the time, component by component: the witness that judges it. Nothing of the library's bodies is in it.
+// The free body by power series in the time, component by component: the witness that judges it. Nothing of
+// the library's bodies is in it.
 #pragma once
 
 #include <array>
@@ -14,12 +15,13 @@ struct FreePath {
   std::array<S, 4> attitude;
 };
 
-/// \f$\dot M_1 = (1/I_3-1/I_2)M_2M_3\f$ and so on, \f$\dot q = \tfrac12q\,(0,\omega)\f$, \f$\omega_i = M_i/I_i\f$: series in the time, until the remainder is
-/// below 10^-digits.
+/// \f$\dot M_1 = (1/I_3-1/I_2)M_2M_3\f$ and so on, \f$\dot q = \tfrac12q\,(0,\omega)\f$,
+/// \f$\omega_i = M_i/I_i\f$: series in the time, until the remainder is below 10^-digits.
 template <class S>
 class FreeBodyWitness {
  public:
-  FreeBodyWitness(std::array<double, 3> const& moments, int digits) : digits_(digits), terms_(static_cast<int>(1.15 * digits) + 2) {
+  FreeBodyWitness(std::array<double, 3> const& moments, int digits)
+      : digits_(digits), terms_(static_cast<int>(1.15 * digits) + 2) {
     for (int i = 0; i < 3; ++i) I_[i] = S(moments[i]);
     for (auto& c : m_) c.resize(terms_ + 1);
     for (auto& c : w_) c.resize(terms_ + 1);
@@ -47,7 +49,8 @@ class FreeBodyWitness {
  private:
   static S size(S const& x) { return x < S(0) ? S(-x) : x; }
 
-  /// The series from here, in units in which the largest component of the momentum and that of the angular velocity are 1.
+  /// The series from here, in units in which the largest component of the momentum and that of the angular
+  /// velocity are 1.
   void expand(FreePath<S> const& path, bool back) {
     size_ = S(0), rate_ = S(0);
     for (int i = 0; i < 3; ++i) {

@@ -16,11 +16,15 @@ struct FreeProblem {
   double time;
 
   FreeBody body() const {
-    return FreeBody(inertia_from_moments(moments[0], moments[1], moments[2]), {SO<3>{}, Eigen::Vector3d(momentum[0], momentum[1], momentum[2])});
+    return FreeBody(inertia_from_moments(moments[0], moments[1], moments[2]),
+                    {SO<3>{}, Eigen::Vector3d(momentum[0], momentum[1], momentum[2])});
   }
   double amount() const { return std::hypot(momentum[0], momentum[1], momentum[2]); }
   /// The largest component of the angular velocity at the start.
-  double rate() const { return std::max({std::abs(momentum[0] / moments[0]), std::abs(momentum[1] / moments[1]), std::abs(momentum[2] / moments[2])}); }
+  double rate() const {
+    return std::max({std::abs(momentum[0] / moments[0]), std::abs(momentum[1] / moments[1]),
+                     std::abs(momentum[2] / moments[2])});
+  }
 };
 
 template <class S>
@@ -42,7 +46,9 @@ template <class S, class T>
 Apart apart(FreePath<S> const& a, FreePath<T> const& b, double amount) {
   Apart d{0, 0};
   double other = 0;
-  for (int i = 0; i < 3; ++i) d.momentum = std::max(d.momentum, std::abs(static_cast<double>(a.momentum[i] - S(b.momentum[i]))) / amount);
+  for (int i = 0; i < 3; ++i)
+    d.momentum =
+        std::max(d.momentum, std::abs(static_cast<double>(a.momentum[i] - S(b.momentum[i]))) / amount);
   for (int i = 0; i < 4; ++i) {
     d.attitude = std::max(d.attitude, std::abs(static_cast<double>(a.attitude[i] - S(b.attitude[i]))));
     other = std::max(other, std::abs(static_cast<double>(a.attitude[i] + S(b.attitude[i]))));
@@ -64,21 +70,28 @@ template <class S>
 FreePath<S> exact_path(FreeProblem const& p) {
   using std::sqrt;
   int first = 0;
-  while ((p.moments[(first + 1) % 3] - p.moments[first % 3]) * (p.moments[(first + 2) % 3] - p.moments[(first + 1) % 3]) < 0) ++first;
+  while ((p.moments[(first + 1) % 3] - p.moments[first % 3]) *
+             (p.moments[(first + 2) % 3] - p.moments[(first + 1) % 3]) <
+         0)
+    ++first;
   Three<S> I, u;
   S square(0);
-  for (int i = 0; i < 3; ++i) I[i] = S(p.moments[(i + first) % 3]), u[i] = S(p.momentum[(i + first) % 3]), square += u[i] * u[i];
+  for (int i = 0; i < 3; ++i)
+    I[i] = S(p.moments[(i + first) % 3]), u[i] = S(p.momentum[(i + first) % 3]), square += u[i] * u[i];
   S const amount = sqrt(square);
   for (S& x : u) x /= amount;
   FrameState<S> state{u, {S(1), S(0), S(0), S(0)}};
   HalfTurn<S>(exact_flow<S>(InverseMoments<S>(I), u, S(p.time) / S(2) * amount)).leap(state);
   FreePath<S> path;
   path.attitude[0] = state.attitude[0];
-  for (int i = 0; i < 3; ++i) path.momentum[(i + first) % 3] = amount * state.direction[i], path.attitude[1 + (i + first) % 3] = state.attitude[1 + i];
+  for (int i = 0; i < 3; ++i)
+    path.momentum[(i + first) % 3] = amount * state.direction[i],
+                                path.attitude[1 + (i + first) % 3] = state.attitude[1 + i];
   return path;
 }
 
-/// How far the answer moves, in all, when each of the seven numbers of the question moves by one unit in its last place. No code can be asked to know more.
+/// How far the answer moves, in all, when each of the seven numbers of the question moves by one unit in its
+/// last place. No code can be asked to know more.
 /// @param answer_to  gives the answer to a question, in more digits than double has
 template <class S, class Answers>
 double condition(FreeProblem const& p, FreePath<S> const& answer, Answers const& answer_to) {
@@ -89,7 +102,8 @@ double condition(FreeProblem const& p, FreePath<S> const& answer, Answers const&
     sum += apart(answer_to(moved), answer, p.amount()).larger();
   };
   auto const up = [](double& x) { x = std::nextafter(x, 2 * x); };
-  for (int i = 0; i < 3; ++i) ask([&](FreeProblem& m) { up(m.moments[i]); }), ask([&](FreeProblem& m) { up(m.momentum[i]); });
+  for (int i = 0; i < 3; ++i)
+    ask([&](FreeProblem& m) { up(m.moments[i]); }), ask([&](FreeProblem& m) { up(m.momentum[i]); });
   ask([&](FreeProblem& m) { up(m.time); });
   return sum;
 }
@@ -116,27 +130,34 @@ inline double units_off(FreeProblem const& p, FreePath<long double> const& answe
 struct ConservationErrors {
   double casimir, energy, spatial, length;
 };
-inline ConservationErrors conservation_errors(Three<double> const& moments, CompensatedState<double> const& now, FrameState<double> const& start) {
+inline ConservationErrors conservation_errors(Three<double> const& moments,
+                                              CompensatedState<double> const& now,
+                                              FrameState<double> const& start) {
   using Quad = __float128;
   Three<Quad> u, from;
   Four<Quad> q;
-  for (int i = 0; i < 3; ++i) u[i] = Quad(now.state.direction[i]) + now.compensation.direction[i], from[i] = start.direction[i];
+  for (int i = 0; i < 3; ++i)
+    u[i] = Quad(now.state.direction[i]) + now.compensation.direction[i], from[i] = start.direction[i];
   for (int i = 0; i < 4; ++i) q[i] = Quad(now.state.attitude[i]) + now.compensation.attitude[i];
   Quad energy = 0, before = 0, length = 0;
   for (int i = 0; i < 3; ++i) energy += u[i] * u[i] / moments[i], before += from[i] * from[i] / moments[i];
   for (int i = 0; i < 4; ++i) length += q[i] * q[i];
-  Four<Quad> const in_space = compose(compose(q, Four<Quad>{0, u[0], u[1], u[2]}), Four<Quad>{q[0], -q[1], -q[2], -q[3]});
+  Four<Quad> const in_space =
+      compose(compose(q, Four<Quad>{0, u[0], u[1], u[2]}), Four<Quad>{q[0], -q[1], -q[2], -q[3]});
   double spatial = 0;
-  for (int i = 0; i < 3; ++i) spatial = std::max(spatial, std::abs(static_cast<double>(in_space[1 + i] / length - from[i])));
-  return {std::abs(static_cast<double>(dot(u, u) / dot(from, from) - 1)), std::abs(static_cast<double>(energy / before - 1)), spatial,
+  for (int i = 0; i < 3; ++i)
+    spatial = std::max(spatial, std::abs(static_cast<double>(in_space[1 + i] / length - from[i])));
+  return {std::abs(static_cast<double>(dot(u, u) / dot(from, from) - 1)),
+          std::abs(static_cast<double>(energy / before - 1)), spatial,
           std::abs(static_cast<double>(length - 1))};
 }
 /// The same of what a motion gives away, from the attitude 1.
 inline ConservationErrors conservation_errors(FreeSteps const& motion, Three<double> const& moments) {
   auto const now = path_of(motion.state()), start = path_of(motion.body().at(0));
   double const L = motion.body().amount();
-  return conservation_errors(moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
-              {{start.momentum[0] / L, start.momentum[1] / L, start.momentum[2] / L}, start.attitude});
+  return conservation_errors(
+      moments, {{{now.momentum[0] / L, now.momentum[1] / L, now.momentum[2] / L}, now.attitude}, {{}, {}}},
+      {{start.momentum[0] / L, start.momentum[1] / L, start.momentum[2] / L}, start.attitude});
 }
 
 /// Problems at random, most of them nasty.
@@ -144,7 +165,8 @@ class HardProblems {
  public:
   explicit HardProblems(std::uint64_t seed) : random_(seed) {}
 
-  /// @param longest  as the angle that the fastest component at the start would turn the body by; times are log-uniform from a thousandth
+  /// @param longest  as the angle that the fastest component at the start would turn the body by; times are
+  ///                 log-uniform from a thousandth
   FreeProblem next(double longest) {
     FreeProblem p;
     p.moments = draw_moments();
@@ -160,7 +182,8 @@ class HardProblems {
  private:
   using Triple = std::array<double, 3>;
 
-  /// From second moments of the mass, which may be any: round, long, nearly symmetric, nearly spherical, flat, symmetric.
+  /// From second moments of the mass, which may be any: round, long, nearly symmetric, nearly spherical,
+  /// flat, symmetric.
   Triple draw_moments() {
     Triple l;
     switch (random_() % 6) {
@@ -202,7 +225,8 @@ class HardProblems {
       case 3: {
         std::array<int, 3> o = {0, 1, 2};
         std::sort(o.begin(), o.end(), [&](int a, int b) { return I[a] < I[b]; });
-        double const x = std::sqrt((I[o[2]] - I[o[1]]) * I[o[0]]), z = std::sqrt((I[o[1]] - I[o[0]]) * I[o[2]]), n = std::hypot(x, z),
+        double const x = std::sqrt((I[o[2]] - I[o[1]]) * I[o[0]]),
+                     z = std::sqrt((I[o[1]] - I[o[0]]) * I[o[2]]), n = std::hypot(x, z),
                      phase = between(0, 6.3);
         m[o[0]] = sign() * (n > 0 ? x / n : 1) * std::sin(phase) * (1 + sign() * decades(-17, -1));
         m[o[1]] = std::cos(phase);

@@ -1,9 +1,10 @@
-// Many free bodies in lanes, held to one body at a time, to the exact motion, and to somebody else's solution of the differential equations.
+// Many free bodies in lanes, held to one body at a time, to the exact motion, and to somebody else's solution
+// of the differential equations.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/reference_solution.hpp"
-#include "actio/fast_body/space/body_batch.hpp"
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/fast_body/space/body_batch.hpp"
+#include "witness/reference_solution.hpp"
 
 using namespace actio;
 using Eigen::Vector3d;
@@ -54,9 +55,12 @@ Cast all_kinds() {
 }
 
 // q and -q are one attitude.
-double apart(Attitude const& a, Attitude const& b) { return std::min((a.value - b.value).norm(), (a.value + b.value).norm()); }
+double apart(Attitude const& a, Attitude const& b) {
+  return std::min((a.value - b.value).norm(), (a.value + b.value).norm());
+}
 
-// A step rounds some twenty numbers of size 1 or less; what that adds to the energy shifts the phase from then on, by no more than the angle of a step each.
+// A step rounds some twenty numbers of size 1 or less; what that adds to the energy shifts the phase from
+// then on, by no more than the angle of a step each.
 double room(double steps, double angle) { return 20 * eps * steps * (1 + steps * angle / 2); }
 
 struct Distance {
@@ -95,9 +99,13 @@ BOOST_AUTO_TEST_CASE(each_body_moves_as_it_does_alone_and_exactly) {
         for (int k = 0; k < steps; ++k) turn.step(state);
         return body.state(state);
       });
-      auto const exact = farthest(batch, cast, [&](std::size_t i) { return FreeBody(cast.inertias[i], cast.momenta[i], cast.attitudes[i]).at(steps * h); });
-      BOOST_TEST_MESSAGE("bodies in lanes (" << name_of(machine) << "), h = " << h << ": from the loop over one body " << alone.momentum << ", "
-                                             << alone.attitude << "; from the exact motion " << exact.momentum << ", " << exact.attitude);
+      auto const exact = farthest(batch, cast, [&](std::size_t i) {
+        return FreeBody(cast.inertias[i], cast.momenta[i], cast.attitudes[i]).at(steps * h);
+      });
+      BOOST_TEST_MESSAGE("bodies in lanes (" << name_of(machine) << "), h = " << h
+                                             << ": from the loop over one body " << alone.momentum << ", "
+                                             << alone.attitude << "; from the exact motion " << exact.momentum
+                                             << ", " << exact.attitude);
       double const angle = std::min(1.0, std::abs(h));
       BOOST_TEST(exact.momentum <= room(steps, angle));
       BOOST_TEST(exact.attitude <= room(steps, angle));
@@ -130,9 +138,12 @@ BOOST_AUTO_TEST_CASE(long_steps_stay_on_the_orbit) {
     HalfTurn<double> const turn(body.step_parameters(1));
     auto u = body.start().direction;
     for (long k = 0; k < steps; ++k) turn.step(u);
-    control = std::max(control, std::abs(kinetic_energy(cast.inertias[i], body.state({u, {1, 0, 0, 0}}).body_momentum) / before - 1));
+    control = std::max(
+        control,
+        std::abs(kinetic_energy(cast.inertias[i], body.state({u, {1, 0, 0, 0}}).body_momentum) / before - 1));
   }
-  BOOST_TEST_MESSAGE("long steps, 300 of them: energy off by " << error << " at most; by " << control << " where the axis is not set right");
+  BOOST_TEST_MESSAGE("long steps, 300 of them: energy off by " << error << " at most; by " << control
+                                                               << " where the axis is not set right");
   BOOST_TEST(error <= 20 * eps * std::sqrt(static_cast<double>(steps)));
   BOOST_TEST(control > 1e-3);
 }
@@ -183,12 +194,20 @@ BOOST_AUTO_TEST_CASE(what_free_motion_conserves_stays) {
     if (cast.momenta[i].components.norm() == 0) continue;
     Moment const before = cast.momenta[i], after = batch.momentum(i);
     length = std::max(length, std::abs(after.components.norm() / before.components.norm() - 1));
-    energy = std::max(energy, std::abs(kinetic_energy(cast.inertias[i], after) / kinetic_energy(cast.inertias[i], before) - 1));
-    auto const in_space = [](Attitude const& q, Moment const& M) { return SU2::Ad<double>(q.value, M.components); };
-    space = std::max(space, (in_space(batch.attitude(i), after) - in_space(cast.attitudes[i], before)).norm() / before.components.norm());
+    energy = std::max(
+        energy,
+        std::abs(kinetic_energy(cast.inertias[i], after) / kinetic_energy(cast.inertias[i], before) - 1));
+    auto const in_space = [](Attitude const& q, Moment const& M) {
+      return SU2::Ad<double>(q.value, M.components);
+    };
+    space =
+        std::max(space, (in_space(batch.attitude(i), after) - in_space(cast.attitudes[i], before)).norm() /
+                            before.components.norm());
   }
-  BOOST_TEST_MESSAGE("bodies in lanes after " << steps << " steps: amount " << length << ", energy " << energy << ", spatial momentum " << space);
-  // Amount and spatial momentum are set right when they are read. The energy walks, by some twenty roundings a step.
+  BOOST_TEST_MESSAGE("bodies in lanes after " << steps << " steps: amount " << length << ", energy " << energy
+                                              << ", spatial momentum " << space);
+  // Amount and spatial momentum are set right when they are read. The energy walks, by some twenty roundings
+  // a step.
   BOOST_TEST(length <= 4 * eps);
   BOOST_TEST(space <= 16 * eps);
   BOOST_TEST(energy <= 20 * eps * std::sqrt(static_cast<double>(steps)));
@@ -200,10 +219,12 @@ BOOST_AUTO_TEST_CASE(no_unit_is_too_small_or_too_large) {
     for (double const pace : {1e-12, 1.0, 1e6}) {
       Cast cast, plain;
       cast.add(unit * I, pace * spin), plain.add(I, spin);
-      BodyBatch batch(cast.inertias, cast.momenta, cast.attitudes, 0.1 / pace), same(plain.inertias, plain.momenta, plain.attitudes, 0.1);
+      BodyBatch batch(cast.inertias, cast.momenta, cast.attitudes, 0.1 / pace),
+          same(plain.inertias, plain.momenta, plain.attitudes, 0.1);
       BOOST_TEST(batch.refused().empty());
       batch.step(50), same.step(50);
-      BOOST_TEST((batch.momentum(0).components / unit / pace - same.momentum(0).components).norm() <= room(50, 0.1));
+      BOOST_TEST((batch.momentum(0).components / unit / pace - same.momentum(0).components).norm() <=
+                 room(50, 0.1));
       BOOST_TEST(apart(batch.attitude(0), same.attitude(0)) <= room(50, 0.1));
     }
 }
@@ -214,7 +235,8 @@ BOOST_AUTO_TEST_CASE(a_bad_body_is_named_and_loses_no_other) {
   cast.attitudes[5].value *= 2;
   cast.inertias[7].moments = {1, 1, 3};
   cast.inertias[9].moments[0] = -1;
-  BodyBatch batch(cast.inertias, cast.momenta, cast.attitudes, 0.1), whole(good.inertias, good.momenta, good.attitudes, 0.1);
+  BodyBatch batch(cast.inertias, cast.momenta, cast.attitudes, 0.1),
+      whole(good.inertias, good.momenta, good.attitudes, 0.1);
   BOOST_REQUIRE(batch.refused().size() == 4u);
   std::size_t const bad[] = {2, 5, 7, 9};
   for (int k = 0; k < 4; ++k) {

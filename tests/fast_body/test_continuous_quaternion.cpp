@@ -1,4 +1,5 @@
-// The sign of the quaternion counts the turns: an evaluation at a far time gives the quaternion that small steps arrive at, not its negative.
+// The sign of the quaternion counts the turns: an evaluation at a far time gives the quaternion that small
+// steps arrive at, not its negative.
 #include <boost/test/unit_test.hpp>
 
 #include "hard_bodies.hpp"
@@ -61,7 +62,9 @@ BOOST_AUTO_TEST_CASE(both_ways_round_and_next_to_the_separatrix) {
 BOOST_AUTO_TEST_CASE(a_full_turn_of_a_sphere_is_minus_one) {
   FreeProblem const p{{2, 2, 2}, {0, 0, 2}, 0};
   double const turn = 2 * JacobiFunctions<double>::pi();
-  for (int const turns : {1, 2, 7}) BOOST_TEST(p.body().at(turns * turn).attitude.value[0] == (turns % 2 ? -1 : 1), boost::test_tools::tolerance(1e-12));
+  for (int const turns : {1, 2, 7})
+    BOOST_TEST(p.body().at(turns * turn).attitude.value[0] == (turns % 2 ? -1 : 1),
+               boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(momenta_alone_are_the_same_to_the_bit) {
@@ -69,7 +72,8 @@ BOOST_AUTO_TEST_CASE(momenta_alone_are_the_same_to_the_bit) {
   for (int trial = 0; trial < 2000; ++trial) {
     auto const p = problems.next(1e4);
     auto const body = p.body();
-    BOOST_TEST((body.body_momentum_at(p.time).components == body.at(p.time).body_momentum.components), "problem " << trial);
+    BOOST_TEST((body.body_momentum_at(p.time).components == body.at(p.time).body_momentum.components),
+               "problem " << trial);
   }
 }
 

@@ -6,9 +6,9 @@
 #include <boost/math/special_functions/ellint_rj.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 
-#include "witness/taylor_reference.hpp"
-#include "hard_bodies.hpp"
 #include "../rigid_body/random_bodies.hpp"
+#include "hard_bodies.hpp"
+#include "witness/taylor_reference.hpp"
 
 using namespace actio;
 
@@ -16,12 +16,11 @@ namespace {
 using testing::FreePath, testing::FreeProblem;
 
 template <class S>
-double unit_of() {
-  return to_double(epsilon<S>());
-}
+double unit_of() { return to_double(epsilon<S>()); }
 enum class Road { chosen, series, elliptic };
 
-// A problem in the numbers of S, from a start that is the same real number in all of them. The middle moment is the second.
+// A problem in the numbers of S, from a start that is the same real number in all of them. The middle moment
+// is the second.
 template <class S>
 StepParameters<S> parameters_on(FreeProblem const& p, Road road, S& amount, Three<S>& u) {
   using std::sqrt;
@@ -42,7 +41,8 @@ FreePath<S> arrive(FreeProblem const& p, Road road = Road::chosen) {
   S amount(0);
   FrameState<S> state{{}, {S(1), S(0), S(0), S(0)}};
   HalfTurn<S>(parameters_on<S>(p, road, amount, state.direction)).leap(state);
-  return {{amount * state.direction[0], amount * state.direction[1], amount * state.direction[2]}, state.attitude};
+  return {{amount * state.direction[0], amount * state.direction[1], amount * state.direction[2]},
+          state.attitude};
 }
 /// \f$s_1t^2\f$, by which the road is chosen.
 double reach(FreeProblem const& p) {
@@ -53,7 +53,8 @@ double reach(FreeProblem const& p) {
 void sort_axes(FreeProblem& p) {
   auto const between = [&] { return (p.moments[1] - p.moments[0]) * (p.moments[2] - p.moments[1]) >= 0; };
   while (!between())
-    std::rotate(p.moments.begin(), p.moments.begin() + 1, p.moments.end()), std::rotate(p.momentum.begin(), p.momentum.begin() + 1, p.momentum.end());
+    std::rotate(p.moments.begin(), p.moments.begin() + 1, p.moments.end()),
+        std::rotate(p.momentum.begin(), p.momentum.begin() + 1, p.momentum.end());
 }
 // Where the time has to be for s1 t^2 to be this.
 FreeProblem at_reach(FreeProblem p, double wanted) {
@@ -80,7 +81,10 @@ template <class S>
 double error_in_units(FreeProblem const& p, Road road = Road::chosen) {
   constexpr int digits = std::numeric_limits<S>::digits10 + 3;
   using W = std::conditional_t<std::is_same_v<S, double>, dec50, S>;
-  return testing::apart(testing::witness_of<W>(p, std::is_same_v<S, double> ? 25 : digits), arrive<S>(p, road), p.amount()).larger() / unit_of<S>();
+  return testing::apart(testing::witness_of<W>(p, std::is_same_v<S, double> ? 25 : digits),
+                        arrive<S>(p, road), p.amount())
+             .larger() /
+         unit_of<S>();
 }
 template <class S>
 void follows_the_unit(char const* name) {
@@ -90,7 +94,8 @@ void follows_the_unit(char const* name) {
       p.time = time;
       double const error = error_in_units<S>(p);
       worst = std::max(worst, error);
-      // 16 roundings, and of the phase as many for each radian; the witness has a few of its own for each of its steps.
+      // 16 roundings, and of the phase as many for each radian; the witness has a few of its own for each of
+      // its steps.
       BOOST_TEST(error <= 16 * (1 + 2 * time));
     }
   BOOST_TEST_MESSAGE("exact flow, " << name << ": errors up to " << worst << " units in the last place");
@@ -100,7 +105,8 @@ void follows_the_unit(char const* name) {
 BOOST_AUTO_TEST_SUITE(exact_flow)
 
 BOOST_AUTO_TEST_CASE(the_witness_is_the_reference_solution) {
-  // The witness' own recurrences beside the general Taylor method, which is given Euler's equations and nothing else.
+  // The witness' own recurrences beside the general Taylor method, which is given Euler's equations and
+  // nothing else.
   FreeProblem const p{{0.6, 0.8, 1.0}, {0.9, 0.3, -0.5}, 1.5};
   actio::Vector<dec50, 7> y;
   y << dec50(0.9), dec50(0.3), dec50(-0.5), 1, 0, 0, 0;
@@ -115,32 +121,45 @@ BOOST_AUTO_TEST_CASE(the_witness_is_the_reference_solution) {
   };
   auto const end = taylor_reference<dec50>(rate, y, dec50(1.5));
   auto const witness = testing::witness_of<dec50>(p, 53);
-  for (int i = 0; i < 3; ++i) BOOST_TEST(to_double(magnitude(dec50(end[i] - witness.momentum[i]))) <= 64 * unit_of<dec50>());
-  for (int i = 0; i < 4; ++i) BOOST_TEST(to_double(magnitude(dec50(end[3 + i] - witness.attitude[i]))) <= 64 * unit_of<dec50>());
+  for (int i = 0; i < 3; ++i)
+    BOOST_TEST(to_double(magnitude(dec50(end[i] - witness.momentum[i]))) <= 64 * unit_of<dec50>());
+  for (int i = 0; i < 4; ++i)
+    BOOST_TEST(to_double(magnitude(dec50(end[3 + i] - witness.attitude[i]))) <= 64 * unit_of<dec50>());
   // Back again, and in long double.
   testing::FreeBodyWitness<dec50> undo(p.moments, 53);
-  BOOST_TEST(testing::apart(undo.after(witness, dec50(-1.5)), testing::start_of<dec50>(p), 1).larger() <= 64 * unit_of<dec50>());
+  BOOST_TEST(testing::apart(undo.after(witness, dec50(-1.5)), testing::start_of<dec50>(p), 1).larger() <=
+             64 * unit_of<dec50>());
   BOOST_TEST(testing::apart(witness, testing::witness_of<long double>(p, 20), 1).larger() <= 64 * 1.1e-19);
 }
 
 BOOST_AUTO_TEST_CASE(errors_follow_the_unit_in_the_last_place_double) { follows_the_unit<double>("double"); }
-BOOST_AUTO_TEST_CASE(errors_follow_the_unit_in_the_last_place_50_digits) { follows_the_unit<dec50>("50 digits"); }
-BOOST_AUTO_TEST_CASE(errors_follow_the_unit_in_the_last_place_100_digits) { follows_the_unit<dec100>("100 digits"); }
+BOOST_AUTO_TEST_CASE(errors_follow_the_unit_in_the_last_place_50_digits) {
+  follows_the_unit<dec50>("50 digits");
+}
+BOOST_AUTO_TEST_CASE(errors_follow_the_unit_in_the_last_place_100_digits) {
+  follows_the_unit<dec100>("100 digits");
+}
 
 BOOST_AUTO_TEST_CASE(the_series_ends_where_it_may) {
   // On both sides of the switch, by both roads.
   for (FreeProblem const& shape : shapes())
     for (double const part : {0.25, 0.9, 0.999, 1.001}) {
       FreeProblem const p = at_reach(shape, part * detail::short_enough);
-      // A nearly spherical body turns ten thousand times meanwhile: the phase is rounded in both roads, but not in the same way.
+      // A nearly spherical body turns ten thousand times meanwhile: the phase is rounded in both roads, but
+      // not in the same way.
       double const angle = 1 + p.time * p.rate();
       for (Road const road : {Road::series, Road::elliptic})
         if (angle < 1e3) {
           BOOST_TEST(error_in_units<double>(p, road) <= 16 * angle);
         }
-      BOOST_TEST(testing::apart(arrive<double>(p, Road::series), arrive<double>(p, Road::elliptic), p.amount()).larger() <= 16 * angle * unit_of<double>());
-      BOOST_TEST(testing::apart(arrive<dec50>(p, Road::series), arrive<dec50>(p, Road::elliptic), p.amount()).larger() <= 16 * angle * unit_of<dec50>());
-      BOOST_TEST(testing::apart(arrive<dec100>(p, Road::series), arrive<dec100>(p, Road::elliptic), p.amount()).larger() <= 16 * angle * unit_of<dec100>());
+      BOOST_TEST(
+          testing::apart(arrive<double>(p, Road::series), arrive<double>(p, Road::elliptic), p.amount())
+              .larger() <= 16 * angle * unit_of<double>());
+      BOOST_TEST(testing::apart(arrive<dec50>(p, Road::series), arrive<dec50>(p, Road::elliptic), p.amount())
+                     .larger() <= 16 * angle * unit_of<dec50>());
+      BOOST_TEST(
+          testing::apart(arrive<dec100>(p, Road::series), arrive<dec100>(p, Road::elliptic), p.amount())
+              .larger() <= 16 * angle * unit_of<dec100>());
     }
 }
 
@@ -158,23 +177,27 @@ BOOST_AUTO_TEST_CASE(a_hundred_nasty_bodies_in_fifty_digits) {
     double const open = testing::condition(p, rough) / unit_of<double>();
     worst = std::max(worst, error_in_units<dec50>(p) / (1 + open));
   }
-  BOOST_TEST_MESSAGE("exact flow, 100 nasty bodies in 50 digits: at most " << worst << " (1 + condition) units in the last place");
+  BOOST_TEST_MESSAGE("exact flow, 100 nasty bodies in 50 digits: at most "
+                     << worst << " (1 + condition) units in the last place");
   BOOST_TEST(worst <= 16);
 }
 
 BOOST_AUTO_TEST_CASE(the_elliptic_functions_are_those_of_boost) {
-  // In 50 digits, of which k = sqrt(1 - k'^2) costs as many as k' is small; ours are asked in double and in 50 digits.
+  // In 50 digits, of which k = sqrt(1 - k'^2) costs as many as k' is small; ours are asked in double and in
+  // 50 digits.
   using boost::math::policies::policy;
   for (double const complement : {1.0, 0.99, 0.5, 0.1, 1e-3, 1e-8, 1e-16, 1e-20}) {
     JacobiFunctions<double> const ours(complement);
     JacobiFunctions<dec50> const many{dec50(complement)};
     dec50 const k = sqrt(dec50(1 - dec50(complement))), K = many.quarter_period();
     BOOST_TEST(std::abs(ours.quarter_period() / to_double(K) - 1) <= 4 * unit_of<double>());
-    for (double const part : {-0.999999, -0.7, 0.0, 1e-12, 1e-3, 0.3, 0.49999, 0.50001, 0.9, 0.999, 0.99999999}) {
+    for (double const part :
+         {-0.999999, -0.7, 0.0, 1e-12, 1e-3, 0.3, 0.49999, 0.50001, 0.9, 0.999, 0.99999999}) {
       double const u = part * ours.quarter_period();
       dec50 cn, dn, sn = boost::math::jacobi_elliptic(k, dec50(u), &cn, &dn);
       auto const [s, c, d] = ours.at(u);
-      // Relative to the function; of cn to the smaller of its value next to zero by a rounding of u, which is k'. Errors of K enter by its size.
+      // Relative to the function; of cn to the smaller of its value next to zero by a rounding of u, which is
+      // k'. Errors of K enter by its size.
       double const room = 16 * unit_of<double>() * (1 + std::abs(u)), conjugate = std::sqrt(complement);
       BOOST_TEST(std::abs(s - to_double(sn)) <= room * std::abs(to_double(sn)));
       BOOST_TEST(std::abs(d - to_double(dn)) <= room * to_double(dn));
@@ -184,13 +207,15 @@ BOOST_AUTO_TEST_CASE(the_elliptic_functions_are_those_of_boost) {
       BOOST_TEST(to_double(magnitude(dec50(fine.sn - sn))) <= lost * (1 + std::abs(u)));
       BOOST_TEST(to_double(magnitude(dec50(fine.cn - cn))) <= lost * (1 + std::abs(u)));
       // dn of Boost is cos/cos and cancels next to the quarter period; dn^2 = cn^2 + k'^2 sn^2 does not.
-      BOOST_TEST(to_double(magnitude(dec50(fine.dn - sqrt(dec50(cn * cn + dec50(complement) * sn * sn))))) <= lost * (1 + std::abs(u)));
+      BOOST_TEST(to_double(magnitude(dec50(fine.dn - sqrt(dec50(cn * cn + dec50(complement) * sn * sn))))) <=
+                 lost * (1 + std::abs(u)));
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(elliptic_functions_next_to_k_equal_to_one) {
-  // K = log(4/k') + ..., and halfway sn^2 = 1/(1 + k'), cn^2 = k'/(1 + k'), dn^2 = k': for every modulus, without anybody's code.
+  // K = log(4/k') + ..., and halfway sn^2 = 1/(1 + k'), cn^2 = k'/(1 + k'), dn^2 = k': for every modulus,
+  // without anybody's code.
   for (int const decades : {0, 4, 30, 100, 250}) {
     auto const check = [&]<class S>(S const& complement) {
       using std::log, std::sqrt;
@@ -204,7 +229,8 @@ BOOST_AUTO_TEST_CASE(elliptic_functions_next_to_k_equal_to_one) {
       auto const end = f.at(K);
       BOOST_TEST(to_double(magnitude(S(end.dn / k - S(1)))) <= room);
       BOOST_TEST(to_double(magnitude(end.cn)) <= room * to_double(k));
-      if (decades >= 100) BOOST_TEST(to_double(magnitude(S(K - log(S(S(4) / k))))) <= 8 * unit_of<S>() * to_double(K));
+      if (decades >= 100)
+        BOOST_TEST(to_double(magnitude(S(K - log(S(S(4) / k))))) <= 8 * unit_of<S>() * to_double(K));
     };
     check(std::pow(10.0, -decades));
     check(dec50(boost::multiprecision::pow(dec50(10), -decades)));
@@ -224,19 +250,25 @@ BOOST_AUTO_TEST_CASE(the_integral_of_the_third_kind_is_that_of_boost) {
         auto const [s, c, d] = f.at(u);
         double const ours = elliptic_integral_third_kind<double>(s, c * c, d * d, 1 - complement, g);
         // R_J of the same arguments in 50 digits.
-        dec50 const S = s, expected = S * S * S / 3 * boost::math::ellint_rj(dec50(dec50(c) * c), dec50(dec50(d) * d), dec50(1), dec50(1 + dec50(g) * s * s));
+        dec50 const S = s, expected = S * S * S / 3 *
+                                      boost::math::ellint_rj(dec50(dec50(c) * c), dec50(dec50(d) * d),
+                                                             dec50(1), dec50(1 + dec50(g) * s * s));
         BOOST_TEST(std::abs(ours / to_double(expected) - 1) <= 32 * unit_of<double>());
-        dec50 const many =
-            elliptic_integral_third_kind<dec50>(S, dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1 - dec50(complement)), dec50(g));
+        dec50 const many = elliptic_integral_third_kind<dec50>(S, dec50(1 - S * S),
+                                                               dec50(1 - S * S * (1 - dec50(complement))),
+                                                               dec50(1 - dec50(complement)), dec50(g));
         dec50 const same =
-            S * S * S / 3 * boost::math::ellint_rj(dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1), dec50(1 + dec50(g) * S * S));
+            S * S * S / 3 *
+            boost::math::ellint_rj(dec50(1 - S * S), dec50(1 - S * S * (1 - dec50(complement))), dec50(1),
+                                   dec50(1 + dec50(g) * S * S));
         BOOST_TEST(to_double(magnitude(dec50(many / same - 1))) <= 64 * unit_of<dec50>());
         // Legendre's form (F - Pi)/g, where the difference does not cancel; next to k = 1 it has the error of
         // 1 - k^2 sin^2.
         if (g >= 0.01 && part >= 0.1) {
           long double const k = std::sqrt(1 - static_cast<long double>(complement)),
                             phi = std::atan2(static_cast<long double>(s), static_cast<long double>(c));
-          long double const pi_ = boost::math::ellint_3(k, -static_cast<long double>(g), phi), F = boost::math::ellint_1(k, phi);
+          long double const pi_ = boost::math::ellint_3(k, -static_cast<long double>(g), phi),
+                            F = boost::math::ellint_1(k, phi);
           BOOST_TEST(std::abs(ours / static_cast<double>((F - pi_) / g) - 1) <= 1e-13 + 1e-17 / complement);
         }
       }
@@ -244,7 +276,8 @@ BOOST_AUTO_TEST_CASE(the_integral_of_the_third_kind_is_that_of_boost) {
   for (double const g : {0.0, 1e-3, 1.0, 1e5})
     for (double const u : {1.0, 2.0, 5.0, 15.0}) {
       double const s = std::tanh(u), c = 1 / std::cosh(u);
-      double const closed = elliptic_integral_third_kind_on_separatrix<double>(u, s, g), general = elliptic_integral_third_kind<double>(s, c * c, c * c, 1.0, g);
+      double const closed = elliptic_integral_third_kind_on_separatrix<double>(u, s, g),
+                   general = elliptic_integral_third_kind<double>(s, c * c, c * c, 1.0, g);
       BOOST_TEST(std::abs(closed / general - 1) <= 32 * unit_of<double>());
     }
 }

@@ -1,28 +1,32 @@
-// Moments with which the Moser-Veselov scheme is of any order: against the polynomials of Hairer and Vilmart over the rationals, and by the orders that come
-// out.
+// Moments with which the Moser-Veselov scheme is of any order: against the polynomials of Hairer and Vilmart
+// over the rationals, and by the orders that come out.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
+#include "../rigid_body/random_bodies.hpp"
 #include "actio/fast_body/space/exact_flow.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
-#include "../rigid_body/random_bodies.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
 namespace {
 
-// What Hairer and Vilmart print for 1/I_i -> (1 + h^2 s3 + h^4 s5)/I_i + h^2 d3 + h^4 d5, with C = |M|^2/2 and H the energy.
+// What Hairer and Vilmart print for 1/I_i -> (1 + h^2 s3 + h^4 s5)/I_i + h^2 d3 + h^4 d5, with C = |M|^2/2
+// and H the energy.
 template <class S>
 struct PrintedTerms {
   S s3, d3, s5, d5;
 
   PrintedTerms(Three<S> const& I, S const& C, S const& H) {
-    S const det = I[0] * I[1] * I[2], I1 = I[0] + I[1] + I[2], I2 = I[0] * I[0] + I[1] * I[1] + I[2] * I[2], J1 = S(1) / I[0] + S(1) / I[1] + S(1) / I[2],
+    S const det = I[0] * I[1] * I[2], I1 = I[0] + I[1] + I[2], I2 = I[0] * I[0] + I[1] * I[1] + I[2] * I[2],
+            J1 = S(1) / I[0] + S(1) / I[1] + S(1) / I[2],
             J2 = S(1) / (I[0] * I[0]) + S(1) / (I[1] * I[1]) + S(1) / (I[2] * I[2]), mixed = I1 * J1 - S(3);
     s3 = I1 / (S(6) * det) * C - J1 / S(3) * H;
     d3 = -C / (S(3) * det) + I1 / (S(6) * det) * H;
-    s5 = (I2 / det - J1) / (S(30) * det) * C * C + (S(1) - mixed) / (S(30) * det) * C * H + (S(3) * I1 / det + S(2) * J2) / S(60) * H * H;
-    d5 = -I1 / (S(60) * det * det) * C * C + (J1 / (S(10) * det) - I2 / (S(60) * det * det)) * C * H - (S(9) + mixed) / (S(60) * det) * H * H;
+    s5 = (I2 / det - J1) / (S(30) * det) * C * C + (S(1) - mixed) / (S(30) * det) * C * H +
+         (S(3) * I1 / det + S(2) * J2) / S(60) * H * H;
+    d5 = -I1 / (S(60) * det * det) * C * C + (J1 / (S(10) * det) - I2 / (S(60) * det * det)) * C * H -
+         (S(9) + mixed) / (S(60) * det) * H * H;
   }
 };
 
@@ -38,7 +42,8 @@ struct Model {
   Three<S> u;
   explicit Model(bool round_third) {
     using std::sqrt;
-    u = round_third ? Three<S>{ratio<S>(3, 10), ratio<S>(-4, 10), ratio<S>(9, 10)} : Three<S>{ratio<S>(18, 10), ratio<S>(4, 10), ratio<S>(-9, 10)};
+    u = round_third ? Three<S>{ratio<S>(3, 10), ratio<S>(-4, 10), ratio<S>(9, 10)}
+                    : Three<S>{ratio<S>(18, 10), ratio<S>(4, 10), ratio<S>(-9, 10)};
     S const size = sqrt(dot(u, u));
     for (S& x : u) x /= size;
   }
@@ -60,7 +65,8 @@ BOOST_AUTO_TEST_CASE(the_first_terms_are_those_of_hairer_and_vilmart_exactly) {
     ModifiedInertiaSeries<rational> const series(body, Orbit<rational>(body, u), 3);
     // |M| = 1, so that t = h/2.
     rational const H = (body.J[0] * u[0] * u[0] + body.J[1] * u[1] * u[1] + body.J[2] * u[2] * u[2]) / 2;
-    PrintedTerms<rational> const printed(I, rational(1, 2), H), other(I, rational(1, 2), H + rational(1, 1000));
+    PrintedTerms<rational> const printed(I, rational(1, 2), H),
+        other(I, rational(1, 2), H + rational(1, 1000));
     BOOST_TEST((series.s.coefficient(0) == 1));
     BOOST_TEST((series.d.coefficient(0) == 0));
     BOOST_TEST((series.s.coefficient(1) / 4 == printed.s3));
@@ -116,8 +122,8 @@ BOOST_AUTO_TEST_CASE(orders_two_to_ten_come_out) {
         steps.push_back(1.0 / count), errors.push_back(to_double(error));
       }
       auto const fit = testing::fit_order(steps, errors);
-      BOOST_TEST_MESSAGE("order " << order << (third ? ", round axis 3" : ", round axis 1") << ": observed " << fit.slope << ", least error "
-                                  << errors.back());
+      BOOST_TEST_MESSAGE("order " << order << (third ? ", round axis 3" : ", round axis 1") << ": observed "
+                                  << fit.slope << ", least error " << errors.back());
       BOOST_TEST(std::abs(fit.slope - order) < 0.05);
     }
   }

@@ -1,8 +1,9 @@
-// The step on SO(n) by squares: held to the general solver, to the equations themselves, and to what it must refuse.
+// The step on SO(n) by squares: held to the general solver, to the equations themselves, and to what it must
+// refuse.
 #include <boost/test/unit_test.hpp>
 
-#include "../rigid_body/random_bodies.hpp"
 #include <Eigen/LU>
+#include "../rigid_body/random_bodies.hpp"
 
 #include "actio/fast_body/any_dimension/moser_veselov_n.hpp"
 
@@ -39,12 +40,17 @@ Element<SO<n_>, double> random_attitude(std::mt19937& random, int n) {
   return restore(restore(g));
 }
 double difference(MatrixXd const& a, MatrixXd const& b) { return (a - b).norm(); }
-double difference(Momentum<SO<n_>, double> const& a, Momentum<SO<n_>, double> const& b) { return (a.components - b.components).norm(); }
-double orthogonality(MatrixXd const& f) { return (f * f.transpose() - MatrixXd::Identity(f.rows(), f.cols())).norm(); }
+double difference(Momentum<SO<n_>, double> const& a, Momentum<SO<n_>, double> const& b) {
+  return (a.components - b.components).norm();
+}
+double orthogonality(MatrixXd const& f) {
+  return (f * f.transpose() - MatrixXd::Identity(f.rows(), f.cols())).norm();
+}
 
-/// By how much two solvers may differ in f, in the norm of Frobenius. The general one leaves 4 roundings of the largest angle in each of n(n-1)
-/// entries, and restores f to the rounding of
-/// its entries, which adds products over n: together 8 n roundings; sweeps leave less. `condition` is how much the equation makes of that.
+/// By how much two solvers may differ in f, in the norm of Frobenius. The general one leaves 4 roundings of
+/// the largest angle in each of n(n-1) entries, and restores f to the rounding of its entries, which adds
+/// products over n: together 8 n roundings; sweeps leave less. `condition` is how much the equation makes of
+/// that.
 double solver_rounding(int n, double condition = 1) { return 8 * n * eps * condition; }
 
 double farthest = 0;  ///< largest difference seen of two relative motions, over the bound
@@ -84,7 +90,9 @@ BOOST_AUTO_TEST_CASE(is_the_general_step) {
         BOOST_TEST(body.steps() == (n > 16 ? 2 : 25));
       }
     }
-  BOOST_TEST_MESSAGE("step by squares against the general solver, n = 2 to 33: largest difference of f over its bound " << farthest);
+  BOOST_TEST_MESSAGE(
+      "step by squares against the general solver, n = 2 to 33: largest difference of f over its bound "
+      << farthest);
 }
 
 BOOST_AUTO_TEST_CASE(a_lambda_of_zero_or_less_is_no_obstacle) {
@@ -117,7 +125,8 @@ BOOST_AUTO_TEST_CASE(solves_the_equations_themselves) {
       for (int k = 0; k < 60; ++k) {
         MatrixXd const m0 = inertia.group.hat(body.momentum().components), g0 = body.attitude().value;
         scheme.step_with_attitude(body);
-        MatrixXd const f = scheme.last_relative_motion(body).value, m1 = inertia.group.hat(body.momentum().components);
+        MatrixXd const f = scheme.last_relative_motion(body).value,
+                       m1 = inertia.group.hat(body.momentum().components);
         // f has entries near 1 on the diagonal: a rounding each, and one of a sum of n products.
         BOOST_TEST(orthogonality(f) <= 4 * std::sqrt(n) * eps);
         BOOST_TEST(difference(f.transpose() * lambda - lambda * f, h * m0) <= 4 * n * eps * lambda.norm());
@@ -149,7 +158,8 @@ BOOST_AUTO_TEST_CASE(plain_copy_is_the_fast_copy) {
   std::mt19937 random(testing::seed + 4);
   for (int n : {3, 4, 6, 8, 10, 16, 30}) {
     auto const [inertia, pi] = random_case(random, n);
-    FastMoserVeselov const fast(inertia, 0.1, Sweeps::to_rounding, Machine::avx2), plain(inertia, 0.1, Sweeps::to_rounding, Machine::plain);
+    FastMoserVeselov const fast(inertia, 0.1, Sweeps::to_rounding, Machine::avx2),
+        plain(inertia, 0.1, Sweeps::to_rounding, Machine::plain);
     auto a = fast.release(pi);
     for (int k = 0; k < 40; ++k) {
       auto b = plain.release(a.attitude(), a.momentum());
@@ -176,7 +186,9 @@ BOOST_AUTO_TEST_CASE(keeps_the_spectrum_of_moser_and_veselov) {
       std::vector<double> values;
       for (double z : {0.5, 1.5})
         for (double s : {0.3, 1.0})
-          values.push_back((h * MatrixXd(inertia.group.hat(components)) - z * MatrixXd::Identity(n, n) - s * squared).determinant());
+          values.push_back(
+              (h * MatrixXd(inertia.group.hat(components)) - z * MatrixXd::Identity(n, n) - s * squared)
+                  .determinant());
       return values;
     };
     auto const before = determinants(body.momentum().components);
@@ -230,7 +242,8 @@ BOOST_AUTO_TEST_CASE(knows_no_units) {
       for (int time : {-30, 30}) {
         auto const other = inertia_from_lambda<n_, double>(VectorXd(inertia.lambda * std::ldexp(1.0, mass)));
         FastMoserVeselov const scaled(other, std::ldexp(0.125, time));
-        auto same = scaled.release(momentum(pi.group, VectorXd(pi.components * std::ldexp(1.0, mass - time))));
+        auto same =
+            scaled.release(momentum(pi.group, VectorXd(pi.components * std::ldexp(1.0, mass - time))));
         for (int k = 0; k < 50; ++k) scaled.step_with_attitude(same);
         BOOST_TEST((same.momentum().components * std::ldexp(1.0, time - mass) == body.momentum().components));
         BOOST_TEST((same.attitude().value == body.attitude().value));
@@ -244,8 +257,8 @@ BOOST_AUTO_TEST_CASE(steps_up_to_the_largest_and_no_further) {
     BOOST_TEST_CONTEXT("n = " << n) {
       auto const [inertia, pi] = random_case(random, n);
       double const largest = largest_step(inertia, pi);
-      // Next to the limit the equation has the condition of a root of a square. Beyond Newton's reach, where mixing still gets: nine tenths of the
-      // way.
+      // Next to the limit the equation has the condition of a root of a square. Beyond Newton's reach, where
+      // mixing still gets: nine tenths of the way.
       double const below = n <= 24 ? 0.999 : 0.9;
       FastMoserVeselov const long_step(inertia, below * largest), too_long(inertia, 1.001 * largest);
       auto body = long_step.release(pi);
@@ -253,12 +266,14 @@ BOOST_AUTO_TEST_CASE(steps_up_to_the_largest_and_no_further) {
       long_step.step_with_attitude(body);
       MatrixXd const f = long_step.last_relative_motion(body).value;
       BOOST_TEST(orthogonality(f) <= 1e3 * n * eps);
-      BOOST_TEST(difference(f * m0 * f.transpose(), inertia.group.hat(body.momentum().components)) <= 1e3 * n * eps * m0.norm());
+      BOOST_TEST(difference(f * m0 * f.transpose(), inertia.group.hat(body.momentum().components)) <=
+                 1e3 * n * eps * m0.norm());
       if (n <= 24) long_step.step_with_attitude(body);
 
       auto refused = too_long.release(pi);
-      BOOST_CHECK_EXCEPTION(too_long.step_with_attitude(refused), StepTooLong,
-                            [&](StepTooLong const& e) { return std::abs(e.largest_step / largest - 1) < 1e-6; });
+      BOOST_CHECK_EXCEPTION(too_long.step_with_attitude(refused), StepTooLong, [&](StepTooLong const& e) {
+        return std::abs(e.largest_step / largest - 1) < 1e-6;
+      });
       BOOST_CHECK_THROW(too_long.step(refused), StepTooLong);
       // The body is as it was.
       BOOST_TEST((refused.momentum().components == pi.components));
@@ -304,7 +319,8 @@ BOOST_AUTO_TEST_CASE(rests_where_nothing_turns) {
 }
 
 BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_use) {
-  double const nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  double const nan = std::numeric_limits<double>::quiet_NaN(),
+               infinite = std::numeric_limits<double>::infinity();
   std::mt19937 random(testing::seed + 11);
   auto const [inertia, pi] = random_case(random, 5);
   BOOST_CHECK_THROW(FastMoserVeselov(inertia, 0.0), OutsideDomain);
@@ -322,7 +338,8 @@ BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_use) {
 
   auto g = random_attitude(random, 5);
   g.value.row(2) *= -1;
-  BOOST_CHECK_EXCEPTION(scheme.release(g, pi), OutsideDomain, [](OutsideDomain const& e) { return e.measured == -1; });
+  BOOST_CHECK_EXCEPTION(scheme.release(g, pi), OutsideDomain,
+                        [](OutsideDomain const& e) { return e.measured == -1; });
   g.value.row(2) *= -1.001;
   BOOST_CHECK_THROW(scheme.release(g, pi), OutsideDomain);
   g.value(0, 0) = nan;

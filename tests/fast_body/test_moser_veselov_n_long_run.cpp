@@ -29,10 +29,12 @@ Matrix times(Matrix const& a, Matrix const& b, int n) {
   for (int i = 0; i < n; ++i)
     for (int k = 0; k < n; ++k)
       for (int j = 0; j < n; ++j)
-        c[static_cast<std::size_t>(i * n + j)] += a[static_cast<std::size_t>(i * n + k)] * b[static_cast<std::size_t>(k * n + j)];
+        c[static_cast<std::size_t>(i * n + j)] +=
+            a[static_cast<std::size_t>(i * n + k)] * b[static_cast<std::size_t>(k * n + j)];
   return c;
 }
-/// \f$\mathrm{Tr}M^2\f$, \f$\mathrm{Tr}M^4\f$, \f$\mathrm{Tr}M^2\Lambda^2\f$ and the energy: a function of the last two kinds for all n.
+/// \f$\mathrm{Tr}M^2\f$, \f$\mathrm{Tr}M^4\f$, \f$\mathrm{Tr}M^2\Lambda^2\f$ and the energy: a function of
+/// the last two kinds for all n.
 std::array<Long, 4> conserved_traces(RotatingBody const& body, Inertia<n_> const& inertia) {
   int const n = body.size();
   Matrix const m = whole(body), m2 = times(m, m, n), m4 = times(m2, m2, n);
@@ -67,9 +69,12 @@ Drift drift_of(Sweeps sweeps, unsigned seed, double angle, long count) {
     squares += body.squares();
     if (k % 1000 && k != next) continue;
     auto const now = conserved_traces(body, inertia);
-    for (std::size_t a = 0; a < now.size(); ++a) worst = std::max(worst, static_cast<double>(std::abs(now[a] / start[a] - 1)));
+    for (std::size_t a = 0; a < now.size(); ++a)
+      worst = std::max(worst, static_cast<double>(std::abs(now[a] / start[a] - 1)));
     largest = std::max(largest, static_cast<double>(std::abs(now[0] / start[0] - 1)));
-    if (k == next) steps.push_back(static_cast<double>(k)), changes.push_back(std::max(largest, 1e-19)), next = next * 3 / 2;
+    if (k == next)
+      steps.push_back(static_cast<double>(k)), changes.push_back(std::max(largest, 1e-19)),
+          next = next * 3 / 2;
   }
   auto const g = body.attitude().value;
   return {largest,
@@ -88,13 +93,15 @@ BOOST_AUTO_TEST_CASE(isospectral_integrals_stay_over_a_million_steps) {
   constexpr double eps = std::numeric_limits<double>::epsilon(), angle = 0.1;
   constexpr long count = 1000000;
   for (unsigned seed : {1u, 2u, 3u}) {
-    Drift const fast = drift_of(Sweeps::to_rounding, seed, angle, count), slow = drift_of(Sweeps::beyond_rounding, seed, angle, count);
+    Drift const fast = drift_of(Sweeps::to_rounding, seed, angle, count),
+                slow = drift_of(Sweeps::beyond_rounding, seed, angle, count);
     BOOST_TEST_MESSAGE("SO(8), 0.1 rad a step, 1e6 steps, beyond rounding: trace of M^2 "
-                       << slow.trace << " (growth exponent " << slow.growth << "), worst integral " << slow.worst << ", momentum in space "
-                       << slow.spatial << ", attitude " << slow.orthogonality << ", squares a step " << slow.squares
-                       << "; to rounding: trace " << fast.trace << " (" << fast.growth << "), squares " << fast.squares);
-    // A rounding of e changes M by angle x eps; over 28 planes and as a random walk that is the first bound, with 4 for integrals of the fourth
-    // degree.
+                       << slow.trace << " (growth exponent " << slow.growth << "), worst integral "
+                       << slow.worst << ", momentum in space " << slow.spatial << ", attitude "
+                       << slow.orthogonality << ", squares a step " << slow.squares << "; to rounding: trace "
+                       << fast.trace << " (" << fast.growth << "), squares " << fast.squares);
+    // A rounding of e changes M by angle x eps; over 28 planes and as a random walk that is the first bound,
+    // with 4 for integrals of the fourth degree.
     double const walk = angle * eps * std::sqrt(count / 28.0);
     BOOST_TEST(slow.trace <= walk);
     BOOST_TEST(slow.worst <= 4 * walk);

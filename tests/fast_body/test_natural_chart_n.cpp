@@ -30,19 +30,22 @@ BOOST_AUTO_TEST_CASE(solves_the_equations_themselves) {
         for (int k = 0; k < 20; ++k) {
           MatrixXd const m0 = hat(body.momentum()), g0 = body.attitude().value;
           scheme.step_with_attitude(body);
-          MatrixXd const f = scheme.last_relative_motion(body).value, m1 = hat(body.momentum()), g1 = body.attitude().value;
+          MatrixXd const f = scheme.last_relative_motion(body).value, m1 = hat(body.momentum()),
+                         g1 = body.attitude().value;
           // Entries of f and g near 1: a rounding each, and one of a sum of n products.
           BOOST_TEST(difference(f * f.transpose(), MatrixXd::Identity(n, n)) <= 4 * n * eps);
           BOOST_TEST(difference(f * m0 * f.transpose(), m1) <= 4 * n * eps * m0.norm());
           BOOST_TEST(difference(g1 * f, g0) <= 4 * n * eps);
-          // The mean of the momentum over the step, by Simpson's rule on 64 pieces: J log(f^T). What the rule leaves out is (h/64)^4/180 of it and less.
+          // The mean of the momentum over the step, by Simpson's rule on 64 pieces: J log(f^T). What the rule
+          // leaves out is (h/64)^4/180 of it and less.
           MatrixXd const z = -matrix_logarithm(f);
           MatrixXd piece = matrix_exponential(MatrixXd(-z / 64)), turned = m0, sum = m0;
           for (int s = 1; s <= 64; ++s) {
             turned = MatrixXd(piece * turned * piece.transpose());
             sum += (s == 64 ? 1 : s % 2 ? 4 : 2) * turned;
           }
-          MatrixXd const momentum = (MatrixXd(inertia.lambda.asDiagonal()) * z + z * MatrixXd(inertia.lambda.asDiagonal())) / h;
+          MatrixXd const momentum =
+              (MatrixXd(inertia.lambda.asDiagonal()) * z + z * MatrixXd(inertia.lambda.asDiagonal())) / h;
           double const left_out = std::pow(2 * h / 64, 4) / 180;
           BOOST_TEST(difference(sum / 192, momentum) <= (left_out + 1e3 * eps / std::abs(h)) * m0.norm());
         }
@@ -63,7 +66,8 @@ BOOST_AUTO_TEST_CASE(keeps_the_spectrum_of_the_momentum) {
     for (long k = 0; k < steps; ++k) {
       scheme.step_with_attitude(body);
       turned = std::max(turned, (body.momentum() - pi).components.norm() / pi.components.norm());
-      energy = std::max(energy, std::abs(kinetic_energy(inertia, body.momentum()) / kinetic_energy(inertia, pi) - 1));
+      energy = std::max(energy,
+                        std::abs(kinetic_energy(inertia, body.momentum()) / kinetic_energy(inertia, pi) - 1));
     }
     // Were all roundings of f - 1, h eps each, to pull the same way.
     double const bound = n * eps * (h * steps + n);
@@ -72,7 +76,8 @@ BOOST_AUTO_TEST_CASE(keeps_the_spectrum_of_the_momentum) {
     BOOST_TEST(difference(g.transpose() * g, MatrixXd::Identity(n, n)) <= bound);
     BOOST_TEST(difference(g * hat(body.momentum()) * g.transpose(), hat(pi)) <= bound * hat(pi).norm());
     BOOST_TEST(turned > 0.1);  // it did move
-    // A scheme of order 2: the energy is off by the square of the angle of a step at most, and does not leave.
+    // A scheme of order 2: the energy is off by the square of the angle of a step at most, and does not
+    // leave.
     BOOST_TEST(energy <= h * h);
     BOOST_TEST(energy > 1e-6 * h * h);
   }
@@ -118,7 +123,9 @@ BOOST_AUTO_TEST_CASE(knows_no_units) {
   for (int k = 0; k < 50; ++k) scheme.step_with_attitude(body);
   for (int mass : {-156, 156})
     for (int time : {-30, 30}) {
-      FastNaturalChart scaled(inertia_from_lambda<n_, double>(VectorXd(inertia.lambda * std::ldexp(1.0, mass))), std::ldexp(0.125, time));
+      FastNaturalChart scaled(
+          inertia_from_lambda<n_, double>(VectorXd(inertia.lambda * std::ldexp(1.0, mass))),
+          std::ldexp(0.125, time));
       auto same = scaled.release(momentum(pi.group, VectorXd(pi.components * std::ldexp(1.0, mass - time))));
       for (int k = 0; k < 50; ++k) scaled.step_with_attitude(same);
       BOOST_TEST((same.momentum().components * std::ldexp(1.0, time - mass) == body.momentum().components));
@@ -161,14 +168,18 @@ BOOST_AUTO_TEST_CASE(steps_up_to_the_largest_and_no_further) {
       for (double too_long : {7.0, 1e5}) {
         FastNaturalChart scheme(inertia, too_long);
         auto body = scheme.release(pi);
-        BOOST_CHECK_EXCEPTION(scheme.step_with_attitude(body), StepTooLong, [&](StepTooLong const& e) { largest = e.largest_step; return e.measured == too_long; });
+        BOOST_CHECK_EXCEPTION(scheme.step_with_attitude(body), StepTooLong, [&](StepTooLong const& e) {
+          largest = e.largest_step;
+          return e.measured == too_long;
+        });
         // The body is as it was.
         BOOST_TEST((body.momentum().components == pi.components));
         BOOST_TEST(body.steps() == 0);
         // The angle of the fastest plane is then about half a turn, where the chart ends.
         BOOST_TEST(largest > 2);
         BOOST_TEST(largest < 5);
-        FastNaturalChart would_do(inertia, largest), a_little_more(inertia, largest * (n <= 16 ? 1.001 : 1.06));
+        FastNaturalChart would_do(inertia, largest),
+            a_little_more(inertia, largest * (n <= 16 ? 1.001 : 1.06));
         BOOST_CHECK_NO_THROW(would_do.step_with_attitude(body));
         auto refused = a_little_more.release(pi);
         BOOST_CHECK_THROW(a_little_more.step(refused), StepTooLong);
@@ -184,7 +195,9 @@ BOOST_AUTO_TEST_CASE(about_a_principal_plane_half_a_turn_is_the_limit) {
   auto const pi = body_momentum(inertia, velocity(inertia.group, spin));
   FastNaturalChart too_long(inertia, 5);
   auto body = too_long.release(pi);
-  BOOST_CHECK_EXCEPTION(too_long.step(body), StepTooLong, [&](StepTooLong const& e) { return std::abs(e.largest_step * 0.7 / std::numbers::pi - 1) < 1e-5; });
+  BOOST_CHECK_EXCEPTION(too_long.step(body), StepTooLong, [&](StepTooLong const& e) {
+    return std::abs(e.largest_step * 0.7 / std::numbers::pi - 1) < 1e-5;
+  });
 }
 
 BOOST_AUTO_TEST_CASE(rests_where_nothing_turns_and_where_all_moments_are_equal) {

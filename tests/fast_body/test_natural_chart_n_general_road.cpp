@@ -15,17 +15,20 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 template <int n>
 void agrees_with_the_general_road(std::mt19937& random, double h) {
   auto const [inertia, pi] = random_case(random, n);
-  NaturalChartScheme<n> const general(inertia_from_lambda<n, double>(Eigen::Matrix<double, n, 1>(inertia.lambda)), h);
+  NaturalChartScheme<n> const general(
+      inertia_from_lambda<n, double>(Eigen::Matrix<double, n, 1>(inertia.lambda)), h);
   FastNaturalChart scheme(inertia, h);
   auto body = scheme.release(pi);
   for (int k = 0; k < 3; ++k) {
     Momentum<SO<n>, double> const before{{}, body.momentum().components};
     auto const f = general.relative_motion(before).value;
     scheme.step_with_attitude(body);
-    // The general road ends where each residual is within 16 roundings of its row, for n > 4 after a logarithm with a few roundings more; n rows.
+    // The general road ends where each residual is within 16 roundings of its row, for n > 4 after a
+    // logarithm with a few roundings more; n rows.
     double const bound = 16 * n * eps;
     BOOST_TEST(difference(scheme.last_relative_motion(body).value, f.value) <= bound);
-    BOOST_TEST((general.momentum_after(f).components - body.momentum().components).norm() <= 2 * bound * before.components.norm());
+    BOOST_TEST((general.momentum_after(f).components - body.momentum().components).norm() <=
+               2 * bound * before.components.norm());
   }
 }
 

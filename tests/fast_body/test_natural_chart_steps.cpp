@@ -4,11 +4,11 @@
 
 #include <Eigen/Geometry>
 
+#include "../rigid_body/random_bodies.hpp"
 #include "actio/fast_body/space/natural_chart_steps.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "hard_bodies.hpp"
-#include "../rigid_body/random_bodies.hpp"
 
 using namespace actio;
 using Eigen::Vector3d;
@@ -24,7 +24,8 @@ Element<SU2, double> const upright = identity<double>(SU2{});
 
 Vector3d vector(Three<double> const& x) { return {x[0], x[1], x[2]}; }
 double apart(FreeState const& a, FreeState const& b) {
-  return (a.body_momentum.components - b.body_momentum.components).norm() + (a.attitude.value - b.attitude.value).norm();
+  return (a.body_momentum.components - b.body_momentum.components).norm() +
+         (a.attitude.value - b.attitude.value).norm();
 }
 }  // namespace
 
@@ -34,13 +35,16 @@ BOOST_AUTO_TEST_CASE(the_closed_form_of_the_momentum_is_chi) {
   std::mt19937 random(testing::seed);
   for (int trial = 0; trial < 30; ++trial) {
     auto const [body, turn] = testing::random_body<3>(random);
-    // Angles on either side of the one where a series gives way to the cotangent, and up to the end of the chart.
+    // Angles on either side of the one where a series gives way to the cotangent, and up to the end of the
+    // chart.
     for (double const angle : {1e-9, 1e-3, 0.3, 0.4999, 0.5001, 1.0, 2.0, 3.1}) {
       auto const v = velocity(SO<3>{}, Vector3d(turn.coordinates.normalized() * angle));
       auto const& I = body.moments;
-      Vector3d const closed = vector(NaturalChartStep({I[0], I[1], I[2]}).momentum({v.coordinates[0], v.coordinates[1], v.coordinates[2]}));
+      Vector3d const closed = vector(NaturalChartStep({I[0], I[1], I[2]})
+                                         .momentum({v.coordinates[0], v.coordinates[1], v.coordinates[2]}));
       // The matrix functions of the general road take some ten products.
-      BOOST_TEST((closed - NaturalChartScheme<3>(body, 1.0).momentum_of(v).components).norm() <= 50 * eps * magnitude(I) * angle);
+      BOOST_TEST((closed - NaturalChartScheme<3>(body, 1.0).momentum_of(v).components).norm() <=
+                 50 * eps * magnitude(I) * angle);
     }
   }
 }
@@ -61,7 +65,8 @@ BOOST_AUTO_TEST_CASE(its_steps_are_those_of_the_general_road) {
       auto const s = fast.state();
       auto const& q = s.attitude.value;
       Eigen::Matrix3d const R = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-      double const room = 200 * k * eps;  // a residual of tens of epsilon over the least moment a step on the general road
+      double const room =
+          200 * k * eps;  // a residual of tens of epsilon over the least moment a step on the general road
       BOOST_TEST((s.body_momentum.components - pi.components).norm() <= room * size);
       BOOST_TEST((R - g.value).norm() <= room);
     }
@@ -70,7 +75,8 @@ BOOST_AUTO_TEST_CASE(its_steps_are_those_of_the_general_road) {
 
 BOOST_AUTO_TEST_CASE(orders_two_four_and_six_are_measured_against_the_exact_motion) {
   FreeBody const body(inertia, start, upright);
-  for (auto const& [order, fractions] : {std::pair(2, std::vector<double>{1}), std::pair(4, suzuki<double>()), std::pair(6, kahan_li<double>())}) {
+  for (auto const& [order, fractions] : {std::pair(2, std::vector<double>{1}), std::pair(4, suzuki<double>()),
+                                         std::pair(6, kahan_li<double>())}) {
     std::vector<double> steps, errors;
     for (int const count : {20, 28, 40, 56}) {
       NaturalChartSteps motion(inertia, start, upright, 10.0 / count, fractions);
@@ -78,7 +84,8 @@ BOOST_AUTO_TEST_CASE(orders_two_four_and_six_are_measured_against_the_exact_moti
       steps.push_back(10.0 / count), errors.push_back(apart(motion.state(), body.at(10)));
     }
     auto const fit = testing::fit_order(steps, errors);
-    BOOST_TEST_MESSAGE("natural chart, order " << order << ": measured " << fit.slope << ", errors " << errors.front() << " to " << errors.back());
+    BOOST_TEST_MESSAGE("natural chart, order " << order << ": measured " << fit.slope << ", errors "
+                                               << errors.front() << " to " << errors.back());
     BOOST_TEST(std::abs(fit.slope - order) < 0.2);
   }
 }
@@ -97,7 +104,8 @@ BOOST_AUTO_TEST_CASE(amount_and_momentum_in_space_are_kept_to_rounding_over_many
 }
 
 BOOST_AUTO_TEST_CASE(momenta_alone_are_the_same_to_the_bit_and_the_attitude_is_then_unknown) {
-  NaturalChartSteps both(inertia, start, upright, 0.1), alone(inertia, start, upright, 0.1), one(inertia, start, upright, 0.1);
+  NaturalChartSteps both(inertia, start, upright, 0.1), alone(inertia, start, upright, 0.1),
+      one(inertia, start, upright, 0.1);
   both.advance(500), alone.advance_momentum(500);
   for (int k = 0; k < 500; ++k) one.advance();
   BOOST_TEST((both.body_momentum().components == alone.body_momentum().components));
@@ -127,7 +135,8 @@ BOOST_AUTO_TEST_CASE(steps_beyond_half_a_turn_are_refused_with_the_longest_that_
         BOOST_ERROR("problem " << trial << ": took a step of many turns");
       } catch (StepTooLong const& error) {
         BOOST_CHECK_NO_THROW(NaturalChartSteps(body, M, upright, error.largest_step, fractions).advance());
-        BOOST_CHECK_THROW(NaturalChartSteps(body, M, upright, 1.000001 * error.largest_step, fractions), StepTooLong);
+        BOOST_CHECK_THROW(NaturalChartSteps(body, M, upright, 1.000001 * error.largest_step, fractions),
+                          StepTooLong);
       }
   }
 }
@@ -137,7 +146,8 @@ BOOST_AUTO_TEST_CASE(units_do_not_matter) {
   usual.advance(100);
   for (int const k : {-900, -156, 30, 400}) {
     auto const size = std::ldexp(1.0, k);
-    NaturalChartSteps other(inertia_from_moments<double>((inertia.moments * size).eval()), size * start, upright, 0.25);
+    NaturalChartSteps other(inertia_from_moments<double>((inertia.moments * size).eval()), size * start,
+                            upright, 0.25);
     other.advance(100);
     BOOST_TEST((other.state().attitude.value == usual.state().attitude.value));
     BOOST_TEST((other.body_momentum().components == size * usual.body_momentum().components));
@@ -145,7 +155,8 @@ BOOST_AUTO_TEST_CASE(units_do_not_matter) {
 }
 
 BOOST_AUTO_TEST_CASE(rest_and_next_to_rest_and_input_that_has_no_answer) {
-  NaturalChartSteps rest(inertia, {SO<3>{}, Vector3d::Zero()}, upright, 1e100), slow(inertia, 1e-300 * start, upright, 1);
+  NaturalChartSteps rest(inertia, {SO<3>{}, Vector3d::Zero()}, upright, 1e100),
+      slow(inertia, 1e-300 * start, upright, 1);
   rest.advance(10), slow.advance(10);
   BOOST_TEST((rest.state().attitude.value == upright.value));
   BOOST_TEST((slow.body_momentum().components / 1e-300 - start.components).norm() <= 8 * eps);

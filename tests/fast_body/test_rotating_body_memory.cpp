@@ -58,7 +58,8 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_broken_off_and_taken_up_has_the_bits_of_an_un
 }
 
 BOOST_AUTO_TEST_CASE(a_body_of_another_size_is_not_restored) {
-  auto const small = inertia_from_lambda<n_, double>(Eigen::VectorXd::LinSpaced(4, 1, 2)), large = inertia_from_lambda<n_, double>(Eigen::VectorXd::LinSpaced(5, 1, 2));
+  auto const small = inertia_from_lambda<n_, double>(Eigen::VectorXd::LinSpaced(4, 1, 2)),
+             large = inertia_from_lambda<n_, double>(Eigen::VectorXd::LinSpaced(5, 1, 2));
   auto body = FastMoserVeselov(small, 0.1).release(momentum(small.group, Eigen::VectorXd::Ones(6)));
   testing::Bytes bytes;
   body.remember(bytes);

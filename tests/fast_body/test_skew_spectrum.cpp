@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include "actio/numbers/eigenvalues.hpp"
 #include "actio/fast_body/any_dimension/skew_spectrum.hpp"
+#include "actio/numbers/eigenvalues.hpp"
 
 using namespace actio;
 using Eigen::MatrixXd;
@@ -52,7 +52,8 @@ BOOST_AUTO_TEST_CASE(planes_that_rest_have_modulus_zero) {
   // Turned at random, two planes of seven turn: 3 and 2 times, in a space of which the rest is still.
   MatrixXd a = MatrixXd::Zero(14, 14);
   a(0, 1) = 3, a(1, 0) = -3, a(2, 3) = 2, a(3, 2) = -2;
-  MatrixXd const x = random_skew(random, 14), g = (MatrixXd::Identity(14, 14) - x).inverse() * (MatrixXd::Identity(14, 14) + x);
+  MatrixXd const x = random_skew(random, 14),
+                 g = (MatrixXd::Identity(14, 14) - x).inverse() * (MatrixXd::Identity(14, 14) + x);
   VectorXd const moduli = skew_spectrum(g * a * g.transpose());
   BOOST_TEST((moduli.head(10).array() == 0).all());
   BOOST_TEST(std::abs(moduli[10] - 2) <= 14 * eps * 3);

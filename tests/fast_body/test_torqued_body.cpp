@@ -3,10 +3,10 @@
 
 #include <Eigen/Geometry>
 
-#include "witness/reference_solution.hpp"
-#include "actio/reduction/composition.hpp"
-#include "actio/fast_body/space/torqued_batch.hpp"
 #include "../rigid_body/random_bodies.hpp"
+#include "actio/fast_body/space/torqued_batch.hpp"
+#include "actio/reduction/composition.hpp"
+#include "witness/reference_solution.hpp"
 
 using namespace actio;
 using Eigen::Vector3d;
@@ -24,7 +24,8 @@ struct Start {
   Attitude attitude{SU2{}, Vector4d(1, 0.2, 0.3, -0.4).normalized()};
 
   template <class Torque>
-  FreeState after(double duration, int steps, Torque const& torque, Splitting const& method = strang_splitting()) const {
+  FreeState after(double duration, int steps, Torque const& torque,
+                  Splitting const& method = strang_splitting()) const {
     TorquedBody body(inertia, momentum, attitude, torque, duration / steps, method);
     body.step(steps);
     return body.state();
@@ -43,7 +44,8 @@ double apart(FreeState const& a, FreeState const& b) {
   return (together(a) - together(turned)).norm();
 }
 
-// M' = M x w + 3 mu/r^3 n x I n, q' = q w/2, with the direction n to the centre brought to the body by a matrix.
+// M' = M x w + 3 mu/r^3 n x I n, q' = q w/2, with the direction n to the centre brought to the body by a
+// matrix.
 FreeState solved(Start const& start, double duration, double strength, double rate) {
   Vector3d const I = start.inertia.moments, n0 = towards.normalized(), ahead = normal.cross(n0).normalized();
   auto const equations = [&](double t, Seven const& y) {
@@ -51,14 +53,17 @@ FreeState solved(Start const& start, double duration, double strength, double ra
     Eigen::Matrix3d const R = Eigen::Quaterniond(y[3], y[4], y[5], y[6]).normalized().toRotationMatrix();
     Vector3d const n = R.transpose() * (std::cos(rate * t) * n0 + std::sin(rate * t) * ahead);
     Seven change;
-    change << M.cross(w) + strength * n.cross(I.cwiseProduct(n)), -0.5 * q.dot(w), 0.5 * (y[3] * w + q.cross(w));
+    change << M.cross(w) + strength * n.cross(I.cwiseProduct(n)), -0.5 * q.dot(w),
+        0.5 * (y[3] * w + q.cross(w));
     return change;
   };
   Seven const end = reference_solution(equations, together({start.momentum, start.attitude}), 0, duration);
   return {{SO<3>{}, end.head<3>()}, {SU2{}, end.tail<4>()}};
 }
 
-std::vector<Splitting> methods() { return {strang_splitting(), composed_splitting("Suzuki", 4, suzuki<double>()), blanes_moan_splitting()}; }
+std::vector<Splitting> methods() {
+  return {strang_splitting(), composed_splitting("Suzuki", 4, suzuki<double>()), blanes_moan_splitting()};
+}
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(torqued_body)
@@ -69,21 +74,32 @@ BOOST_AUTO_TEST_CASE(the_series_leave_out_nothing_beyond_rounding) {
     double const Y = y * X * X / 4, W = w * X;
     auto const truth = ShortSeries<dec50>::by_recursion<30>(dec50(X), dec50(Y), dec50(W));
     auto const found = series(X, Y, W);
-    double const off[] = {to_double(dec50(found.lever - truth.lever)), to_double(dec50(found.square - truth.square)), to_double(dec50(found.mean - truth.mean))};
+    double const off[] = {to_double(dec50(found.lever - truth.lever)),
+                          to_double(dec50(found.square - truth.square)),
+                          to_double(dec50(found.mean - truth.mean))};
     for (double const x : off) BOOST_TEST(std::abs(x) <= 2 * eps);
   };
   for (double const y : {0.0, 0.5, 1.0})
     for (double const w : {0.0, 0.5, 1.0})
       for (double const part : {0.0, 0.3, 1.0}) {
-        compare([](double X, double Y, double W) { return ShortSeries<double>::by_table<5>(detail::short_table<5, double>(), X, Y, W); }, part * short_reach<5>, y, w);
-        compare([](double X, double Y, double W) { return ShortSeries<double>::by_table<8>(detail::short_table<8, double>(), X, Y, W); }, part * short_reach<8>, y, w);
+        compare(
+            [](double X, double Y, double W) {
+          return ShortSeries<double>::by_table<5>(detail::short_table<5, double>(), X, Y, W);
+            },
+            part * short_reach<5>, y, w);
+        compare(
+            [](double X, double Y, double W) {
+          return ShortSeries<double>::by_table<8>(detail::short_table<8, double>(), X, Y, W);
+            },
+            part * short_reach<8>, y, w);
       }
 }
 
 BOOST_AUTO_TEST_CASE(orders_two_and_four_are_measured) {
   Start const start;
   for (double const rate : {0.0, 0.7}) {
-    auto const torque = rate == 0 ? gravity_gradient(start.inertia, 1.5, towards) : gravity_gradient_in_orbit(start.inertia, rate, towards, normal);
+    auto const torque = rate == 0 ? gravity_gradient(start.inertia, 1.5, towards)
+                                  : gravity_gradient_in_orbit(start.inertia, rate, towards, normal);
     double const duration = 8;
     FreeState const truth = solved(start, duration, torque.strength, rate);
     for (auto const& method : methods()) {
@@ -93,8 +109,10 @@ BOOST_AUTO_TEST_CASE(orders_two_and_four_are_measured) {
         errors.push_back(apart(start.after(duration, count, torque, method), truth));
       }
       auto const fit = testing::fit_order(steps, errors);
-      BOOST_TEST_MESSAGE(method.name << ", mean motion " << rate << ": order " << fit.slope << ", errors " << errors.front() << " to " << errors.back());
-      // Steps are long enough that rounding does not end it, and where the leading terms nearly cancel the next ones still show.
+      BOOST_TEST_MESSAGE(method.name << ", mean motion " << rate << ": order " << fit.slope << ", errors "
+                                     << errors.front() << " to " << errors.back());
+      // Steps are long enough that rounding does not end it, and where the leading terms nearly cancel the
+      // next ones still show.
       BOOST_TEST(std::abs(fit.slope - method.order) < (method.name == "Blanes-Moan" ? 0.1 : 0.05));
     }
   }
@@ -120,8 +138,12 @@ BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step) {
 BOOST_AUTO_TEST_CASE(energy_stays_bounded_over_many_steps_and_the_momentum_along_the_direction_stays) {
   Start const start;
   auto const torque = gravity_gradient(start.inertia, 1.5, towards);
-  auto const energy = [&](FreeState const& s) { return kinetic_energy(start.inertia, s.body_momentum) + torque.potential(s.attitude); };
-  auto const along = [&](FreeState const& s) { return s.spatial_momentum().components.dot(towards.normalized()); };
+  auto const energy = [&](FreeState const& s) {
+    return kinetic_energy(start.inertia, s.body_momentum) + torque.potential(s.attitude);
+  };
+  auto const along = [&](FreeState const& s) {
+    return s.spatial_momentum().components.dot(towards.normalized());
+  };
   FreeState const first{start.momentum, start.attitude};
   for (auto const& method : {strang_splitting(), blanes_moan_splitting()}) {
     TorquedBody body(start.inertia, start.momentum, start.attitude, torque, 0.1, method);
@@ -142,13 +164,16 @@ BOOST_AUTO_TEST_CASE(energy_stays_bounded_over_many_steps_and_the_momentum_along
     // The torque has no component along n. Kicks and drifts conserve it, to a random walk of roundings.
     BOOST_TEST(lost <= 100 * eps * std::sqrt(1e5 * static_cast<double>(method.drifts.size())));
   }
-  // A control: one kick too late, the first order and no longer its own inverse. It is symplectic too, but the energy is off by more.
-  TorquedBody lopsided(start.inertia, start.momentum, start.attitude, torque, 0.1, Splitting{"lopsided", 1, {1, 0}, {1}});
+  // A control: one kick too late, the first order and no longer its own inverse. It is symplectic too, but
+  // the energy is off by more.
+  TorquedBody lopsided(start.inertia, start.momentum, start.attitude, torque, 0.1,
+                       Splitting{"lopsided", 1, {1, 0}, {1}});
   TorquedBody strang(start.inertia, start.momentum, start.attitude, torque, 0.1);
   double one = 0, two = 0;
   for (int k = 0; k < 100; ++k) {
     lopsided.step(), strang.step();
-    one = std::max(one, std::abs(energy(lopsided.state()) - energy(first))), two = std::max(two, std::abs(energy(strang.state()) - energy(first)));
+    one = std::max(one, std::abs(energy(lopsided.state()) - energy(first))),
+    two = std::max(two, std::abs(energy(strang.state()) - energy(first)));
   }
   BOOST_TEST(one > 4 * two);
 }
@@ -163,24 +188,35 @@ BOOST_AUTO_TEST_CASE(without_a_torque_the_motion_is_the_free_one_whatever_the_st
     // Each of the three ways to compute a drift, and the changes between them.
     for (double const h : {0.01, 0.1, 0.2, 0.4, 1.0, 10.0, -0.3}) {
       int const steps = 20;
-      TorquedBody none(inertia, momentum, attitude, [](Four<double> const&, double) { return Three<double>{0, 0, 0}; }, h);
-      TorquedBody ball(sphere, momentum, attitude, gravity_gradient(sphere, 2, towards), h, blanes_moan_splitting());
+      TorquedBody none(
+          inertia, momentum, attitude,
+          [](Four<double> const&, double) {
+        return Three<double>{0, 0, 0};
+          },
+          h);
+      TorquedBody ball(sphere, momentum, attitude, gravity_gradient(sphere, 2, towards), h,
+                       blanes_moan_splitting());
       none.step(steps), ball.step(steps);
-      double const angle = std::abs(h) * spin.coordinates.norm(), room = 20 * eps * steps * (1 + steps * angle);
-      BOOST_TEST(apart(none.state(), FreeBody(inertia, momentum, attitude).at(steps * h)) <= room * (1 + momentum.components.norm()));
-      BOOST_TEST(apart(ball.state(), FreeBody(sphere, momentum, attitude).at(steps * h)) <= 6 * room * (1 + momentum.components.norm()));
+      double const angle = std::abs(h) * spin.coordinates.norm(),
+                   room = 20 * eps * steps * (1 + steps * angle);
+      BOOST_TEST(apart(none.state(), FreeBody(inertia, momentum, attitude).at(steps * h)) <=
+                 room * (1 + momentum.components.norm()));
+      BOOST_TEST(apart(ball.state(), FreeBody(sphere, momentum, attitude).at(steps * h)) <=
+                 6 * room * (1 + momentum.components.norm()));
     }
   }
 }
 
-// Moments that differ in the last of ten digits: a unit of inertia that is no power of two would round the difference away.
+// Moments that differ in the last of ten digits: a unit of inertia that is no power of two would round the
+// difference away.
 BOOST_AUTO_TEST_CASE(a_long_body_keeps_the_difference_of_its_moments) {
   Start long_body;
   long_body.inertia = inertia_from_moments(1e-6, 1.0, 1 + 1e-6);
   long_body.momentum.components = {1e-6, 0.3, 0.9};
   double const duration = 100;
   auto const none = [](Four<double> const&, double) { return Three<double>{0, 0, 0}; };
-  FreeState const stepped = long_body.after(duration, 4000, none), free = FreeBody(long_body.inertia, long_body.momentum, long_body.attitude).at(duration);
+  FreeState const stepped = long_body.after(duration, 4000, none),
+                  free = FreeBody(long_body.inertia, long_body.momentum, long_body.attitude).at(duration);
   // 4000 steps have a few roundings each; the body turns about its long axis as fast as about the others, so
   // that nothing magnifies them but the time.
   BOOST_TEST(apart(stepped, free) <= 4000 * 8 * eps);
@@ -200,16 +236,21 @@ BOOST_AUTO_TEST_CASE(a_body_at_rest_begins_to_swing) {
 BOOST_AUTO_TEST_CASE(the_order_of_the_axes_and_the_way_of_saying_the_torque_do_not_matter) {
   Start const start;
   for (int shift = 0; shift < 3; ++shift) {
-    auto const turned = [&](Vector3d const& x) { return Vector3d(x[shift], x[(shift + 1) % 3], x[(shift + 2) % 3]); };
+    auto const turned = [&](Vector3d const& x) {
+      return Vector3d(x[shift], x[(shift + 1) % 3], x[(shift + 2) % 3]);
+    };
     Start other;
     other.inertia = inertia_from_moments<double>(turned(start.inertia.moments));
     other.momentum.components = turned(start.momentum.components);
     other.attitude.value.tail<3>() = turned(start.attitude.value.tail<3>());
     auto const torque = gravity_gradient_in_orbit(other.inertia, 0.7, turned(towards), turned(normal));
-    auto const end = other.after(5, 100, torque), plain = start.after(5, 100, gravity_gradient_in_orbit(start.inertia, 0.7, towards, normal));
+    auto const end = other.after(5, 100, torque),
+               plain = start.after(5, 100, gravity_gradient_in_orbit(start.inertia, 0.7, towards, normal));
     BOOST_TEST((end.body_momentum.components - turned(plain.body_momentum.components)).norm() <= 1e-12);
     BOOST_TEST((end.attitude.value.tail<3>() - turned(plain.attitude.value.tail<3>())).norm() <= 1e-12);
-    BOOST_TEST(apart(end, other.after(5, 100, [&](Four<double> const& q, double t) { return torque(q, t); })) <= 1e-12);
+    BOOST_TEST(apart(end, other.after(5, 100, [&](Four<double> const& q, double t) {
+                 return torque(q, t);
+               })) <= 1e-12);
   }
 }
 
@@ -224,14 +265,16 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_one_body_does) {
     momenta.push_back(body_momentum(inertia, velocity(SO<3>{}, spin)));
     attitudes.push_back({SU2{}, Vector4d::Random().normalized()});
     std::size_t const i = inertias.size();
-    torques.push_back(i < 12 ? gravity_gradient(inertia, 1 + 0.1 * static_cast<double>(i), towards)
-                             : gravity_gradient_in_orbit(inertia, 0.02 * static_cast<double>(i), towards, normal));
+    torques.push_back(
+        i < 12 ? gravity_gradient(inertia, 1 + 0.1 * static_cast<double>(i), towards)
+               : gravity_gradient_in_orbit(inertia, 0.02 * static_cast<double>(i), towards, normal));
   };
   for (int i = 0; i < 16; ++i) {
     auto const drawn = testing::random_body<3>(random);
     body(drawn.inertia, drawn.spin.coordinates);
   }
-  for (auto const& I : {Vector3d(1, 1, 1), Vector3d(1, 1, 2), Vector3d(2, 1, 1), Vector3d(1, 1e-3, 1)}) body(inertia_from_moments<double>(I), {0.3, 0.4, -0.2});
+  for (auto const& I : {Vector3d(1, 1, 1), Vector3d(1, 1, 2), Vector3d(2, 1, 1), Vector3d(1, 1e-3, 1)})
+    body(inertia_from_moments<double>(I), {0.3, 0.4, -0.2});
   body(inertias[0], {0, 0, 0});
   body(inertias[1], {20, 30, 10});  // too fast for the series of the others
   for (Machine const machine : {Machine::plain, best_machine()})
@@ -246,7 +289,8 @@ BOOST_AUTO_TEST_CASE(lanes_do_what_one_body_does) {
         alone.step(steps);
         most = std::max(most, apart(batch.state(i), alone.state()) / (1 + momenta[i].components.norm()));
       }
-      BOOST_TEST_MESSAGE("torqued bodies in lanes (" << name_of(machine) << "), " << method.name << ": from one body alone " << most);
+      BOOST_TEST_MESSAGE("torqued bodies in lanes (" << name_of(machine) << "), " << method.name
+                                                     << ": from one body alone " << most);
       // Roundings differ where multiplications are fused: twenty a drift, magnified by the angle turned
       // since, up to two a step here.
       BOOST_TEST(most <= 20 * eps * steps * static_cast<double>(method.drifts.size()) * (1 + steps * 0.1));
@@ -271,17 +315,27 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   auto const torque = gravity_gradient(start.inertia, 1.5, towards);
   auto const still = [](Four<double> const&, double) { return Three<double>{0, 0, 0}; };
   BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.0), OutsideDomain);
-  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, std::nan("")), NotFinite);
-  BOOST_CHECK_THROW(TorquedBody(start.inertia, {SO<3>{}, Vector3d(1, NAN, 0)}, start.attitude, still, 0.1), NotFinite);
-  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, {SU2{}, Vector4d(0, 0, 0, 0)}, still, 0.1), OutsideDomain);
-  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.1, Splitting{"none", 1, {1}, {}}), OutsideDomain);
+  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, start.attitude, still, std::nan("")),
+                    NotFinite);
+  BOOST_CHECK_THROW(TorquedBody(start.inertia, {SO<3>{}, Vector3d(1, NAN, 0)}, start.attitude, still, 0.1),
+                    NotFinite);
+  BOOST_CHECK_THROW(TorquedBody(start.inertia, start.momentum, {SU2{}, Vector4d(0, 0, 0, 0)}, still, 0.1),
+                    OutsideDomain);
+  BOOST_CHECK_THROW(
+      TorquedBody(start.inertia, start.momentum, start.attitude, still, 0.1, Splitting{"none", 1, {1}, {}}),
+      OutsideDomain);
   BOOST_CHECK_THROW(composed_splitting("half", 2, {0.5}), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient(start.inertia, -1, towards), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient(start.inertia, 1, Vector3d::Zero()), OutsideDomain);
   BOOST_CHECK_THROW(gravity_gradient_in_orbit(start.inertia, 1, towards, towards), OutsideDomain);
 
   // A torque that is no number leaves the body where it was.
-  TorquedBody body(start.inertia, start.momentum, start.attitude, [](Four<double> const&, double t) { return Three<double>{0, t > 0.45 ? NAN : 0.1, 0}; }, 0.1);
+  TorquedBody body(
+      start.inertia, start.momentum, start.attitude,
+      [](Four<double> const&, double t) {
+    return Three<double>{0, t > 0.45 ? NAN : 0.1, 0};
+      },
+      0.1);
   body.step(3);
   auto const before = body.state();
   BOOST_CHECK_THROW(body.step(10), NotFinite);
@@ -292,7 +346,8 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   std::vector<Moment> momenta(6, start.momentum);
   momenta[1].components[2] = INFINITY;
   inertias[4].moments[1] = 5;
-  TorquedBatch batch(inertias, momenta, std::vector<Attitude>(6, start.attitude), std::vector<GravityGradient>(6, torque), 0.1);
+  TorquedBatch batch(inertias, momenta, std::vector<Attitude>(6, start.attitude),
+                     std::vector<GravityGradient>(6, torque), 0.1);
   BOOST_REQUIRE(batch.refused().size() == 2u);
   BOOST_TEST(batch.refused()[0].index == 1u);
   BOOST_TEST(batch.refused()[1].index == 4u);

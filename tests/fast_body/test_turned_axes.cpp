@@ -1,4 +1,5 @@
-// A body that is described in a frame other than that of its principal axes moves as the same body described along them.
+// A body that is described in a frame other than that of its principal axes moves as the same body described
+// along them.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/fast_body/space/free_steps.hpp"
@@ -17,8 +18,11 @@ struct TwoFrames {
   PrincipalInertia turned;
   FreeState start, turned_start;
 
-  TwoFrames(Eigen::Vector3d const& moments, Eigen::Matrix3d const& axes, Eigen::Vector3d const& momentum, Eigen::Vector4d const& q)
-      : inertia(inertia_from_moments<double>(moments)), turned(inertia, axes), start{{SO<3>{}, momentum}, {SU2{}, q.normalized()}},
+  TwoFrames(Eigen::Vector3d const& moments, Eigen::Matrix3d const& axes, Eigen::Vector3d const& momentum,
+            Eigen::Vector4d const& q)
+      : inertia(inertia_from_moments<double>(moments)),
+        turned(inertia, axes),
+        start{{SO<3>{}, momentum}, {SU2{}, q.normalized()}},
         turned_start(seen(start)) {}
 
   Eigen::Vector4d turn() const { return quaternion_of_rotation<double>(turned.axes); }
@@ -30,19 +34,24 @@ struct TwoFrames {
   /// How far two states of the other frame are apart: relative for the momentum.
   double apart(FreeState const& a, FreeState const& b) const {
     double const amount = start.body_momentum.components.norm();
-    return std::max((a.body_momentum.components - b.body_momentum.components).norm() / amount, (a.attitude.value - b.attitude.value).norm());
+    return std::max((a.body_momentum.components - b.body_momentum.components).norm() / amount,
+                    (a.attitude.value - b.attitude.value).norm());
   }
 };
 
-/// Frames of catalogue bodies, of a nearly symmetric one and of a sphere; the last is a mere exchange of axes.
+/// Frames of catalogue bodies, of a nearly symmetric one and of a sphere; the last is a mere exchange of
+/// axes.
 std::vector<TwoFrames> frames() {
-  Eigen::Matrix3d const slanted = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(),
-                        over = Eigen::AngleAxisd(3.0, Eigen::Vector3d(0.2, 0.1, 1).normalized()).toRotationMatrix();
+  Eigen::Matrix3d const
+      slanted = Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix(),
+      over = Eigen::AngleAxisd(3.0, Eigen::Vector3d(0.2, 0.1, 1).normalized()).toRotationMatrix();
   Eigen::Matrix3d exchanged;
   exchanged << 0, 0, 1, 1, 0, 0, 0, 1, 0;
   Eigen::Vector4d const q(0.8, -0.1, 0.5, 0.3);
-  return {{{0.6, 0.8, 1}, slanted, {1.8, 0.4, -0.9}, q}, {{1, 0.6, 0.8}, over, {0.1, 1.2, 0.3}, q},
-          {{1, 1, 1.5}, slanted, {0.3, 0.4, 1}, q},      {{1, 1, 1}, over, {0.3, 0.4, 1}, q},
+  return {{{0.6, 0.8, 1}, slanted, {1.8, 0.4, -0.9}, q},
+          {{1, 0.6, 0.8}, over, {0.1, 1.2, 0.3}, q},
+          {{1, 1, 1.5}, slanted, {0.3, 0.4, 1}, q},
+          {{1, 1, 1}, over, {0.3, 0.4, 1}, q},
           {{0.8, 1, 0.6}, exchanged, {0.2, 1, 0.4}, q}};
 }
 /// Rounding: a few epsilon for each radian that the body may have turned by, and for the turn itself.
@@ -55,7 +64,8 @@ BOOST_AUTO_TEST_SUITE(turned_axes)
 
 BOOST_AUTO_TEST_CASE(a_free_body_speaks_in_its_frame) {
   for (auto const& f : frames()) {
-    FreeBody const body(f.inertia, f.start.body_momentum, f.start.attitude), turned(f.turned, f.turned_start.body_momentum, f.turned_start.attitude);
+    FreeBody const body(f.inertia, f.start.body_momentum, f.start.attitude),
+        turned(f.turned, f.turned_start.body_momentum, f.turned_start.attitude);
     for (double const t : {0.0, 0.3, -7.0, 40.0}) {
       BOOST_TEST(f.apart(f.seen(body.at(t)), turned.at(t)) <= room(f, std::abs(t)));
       BOOST_TEST(turned.body_momentum_at(t).components == turned.at(t).body_momentum.components);
@@ -93,7 +103,8 @@ BOOST_AUTO_TEST_CASE(torques_are_those_of_the_frame_of_the_body) {
     BOOST_TEST(f.apart(expected, moved(f.turned, f.turned_start, any)) <= room(f, 1));
     // The gradient of gravity is made of the principal moments.
     auto const gradient = gravity_gradient(f.inertia, 0.5, down);
-    BOOST_TEST(f.apart(f.seen(moved(f.inertia, f.start, gradient)), moved(f.turned, f.turned_start, gradient)) <= room(f, 1));
+    BOOST_TEST(f.apart(f.seen(moved(f.inertia, f.start, gradient)),
+                       moved(f.turned, f.turned_start, gradient)) <= room(f, 1));
   }
 }
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# fuzz.sh FOLDER [SECONDS]: compiles the reader of scenes with clang's sanitisers into FOLDER, and feeds it with what libFuzzer makes of the corpus here.
+# fuzz.sh FOLDER [SECONDS]: compiles the reader of scenes with clang's sanitisers into FOLDER, and feeds it
+# with what libFuzzer makes of the corpus here.
 #
-# Status: 0 where nothing was found; 1 where something was, which is kept in FOLDER/found; 2 where clang is missing and cannot be installed.
-# ACTIO_FUZZ_SECONDS is how long, 600 otherwise; ACTIO_FUZZ_SEED the seed.
+# Status: 0 where nothing was found; 1 where something was, which is kept in FOLDER/found; 2 where clang is
+# missing and cannot be installed. ACTIO_FUZZ_SECONDS is how long, 600 otherwise; ACTIO_FUZZ_SEED the seed.
 set -euo pipefail
 folder=$1
 seconds=${2:-${ACTIO_FUZZ_SECONDS:-600}}

@@ -1,6 +1,8 @@
-// The reader of scenes, fed with anything: it answers with a scene or with one line that points at the place, and takes no time over it.
+// The reader of scenes, fed with anything: it answers with a scene or with one line that points at the place,
+// and takes no time over it.
 //
-// The bytes are a scene; lines at the end that begin with `--set ` are overrides. Where they begin with `=`, the rest is a formula. A sanitiser watches, and what is checked here besides holds for every input.
+// The bytes are a scene; lines at the end that begin with `--set ` are overrides. Where they begin with `=`,
+// the rest is a formula. A sanitiser watches, and what is checked here besides holds for every input.
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -58,14 +60,17 @@ void reads_back(SceneFile const& file) {
 void is_in_order(SceneError const& error) {
   std::string const what = error.what();
   require(what == printable(what), "a complaint is no line for a terminal", what);
-  require(what.starts_with("scene.toml") || what.starts_with("--set "), "a complaint names no file and no argument", what);
+  require(what.starts_with("scene.toml") || what.starts_with("--set "),
+          "a complaint names no file and no argument", what);
   require(what.size() < 2000, "a complaint is very long", what);
 }
 
 void read_formula(std::string const& text) {
   try {
     Expression formula(text, {"X", "Y", "Z"}, {{"scene.toml", 1, 1}, true});
-    for (double const x : {0.0, -1.5, 1e300}) require(std::isfinite(formula(std::vector<double>{x, 1, -x})), "the value of a formula is no number", text);
+    for (double const x : {0.0, -1.5, 1e300})
+      require(std::isfinite(formula(std::vector<double>{x, 1, -x})), "the value of a formula is no number",
+              text);
   } catch (SceneError const& error) {
     is_in_order(error);
   }
@@ -79,11 +84,13 @@ void read(Input const& input) {
     reads_back(scene.file);
     // The copy of a scene is a scene that is in order, and complete.
     Scene const copy = Scene::read(SceneFile::parse(scene.file.written(), "scene.toml"));
-    require(copy.file.written() == scene.file.written(), "the copy of a scene is another scene", scene.file.written());
+    require(copy.file.written() == scene.file.written(), "the copy of a scene is another scene",
+            scene.file.written());
   } catch (SceneError const& error) {
     is_in_order(error);
   } catch (NumericsError const& error) {
-    require(std::string(error.what()) == printable(error.what()), "a complaint is no line for a terminal", error.what());
+    require(std::string(error.what()) == printable(error.what()), "a complaint is no line for a terminal",
+            error.what());
   }
 }
 
@@ -93,8 +100,10 @@ extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size
   using Clock = std::chrono::steady_clock;
   auto const begun = Clock::now();
   std::string_view const bytes(reinterpret_cast<char const*>(data), size);
-  if (bytes.starts_with('=')) read_formula(std::string(bytes.substr(1)));
-  else read(input_of(bytes));
+  if (bytes.starts_with('='))
+    read_formula(std::string(bytes.substr(1)));
+  else
+    read(input_of(bytes));
   double const seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   // A second on a machine that does nothing else, ten where it is busy and every access is watched.
   require(seconds < 10, "the reader takes its time", std::to_string(seconds) + " s");

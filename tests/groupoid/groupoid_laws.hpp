@@ -7,7 +7,8 @@
 
 namespace actio::testing {
 
-/// By how much the laws of a groupoid are broken at three arrows in a row, and which is broken the most. Rounding, where they hold.
+/// By how much the laws of a groupoid are broken at three arrows in a row, and which is broken the most.
+/// Rounding, where they hold.
 struct BrokenLaw {
   std::string law = "none";
   double by = 0;
@@ -27,7 +28,9 @@ BrokenLaw groupoid_laws(Gamma const& gamma, A const& g, A const& h, A const& k) 
   same("g unit = g", gamma.compose(g, gamma.unit(gamma.target(g))), g);
   same("g inverse(g) = unit", gamma.compose(g, gamma.inverse(g)), gamma.unit(gamma.source(g)));
   same("inverse(g) g = unit", gamma.compose(gamma.inverse(g), g), gamma.unit(gamma.target(g)));
-  same("near_unit(x, 0) = unit", gamma.near_unit(gamma.source(g), Fibre<Gamma, double>(Fibre<Gamma, double>::Zero(gamma.dimension()))), gamma.unit(gamma.source(g)));
+  same("near_unit(x, 0) = unit",
+       gamma.near_unit(gamma.source(g), Fibre<Gamma, double>(Fibre<Gamma, double>::Zero(gamma.dimension()))),
+       gamma.unit(gamma.source(g)));
   return worst;
 }
 

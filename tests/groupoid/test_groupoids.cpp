@@ -1,15 +1,15 @@
 // Groupoids: their laws, the step on them, the map that a function generates, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
-#include "actio/groups/motions.hpp"
 #include "actio/groupoid/action_groupoid.hpp"
 #include "actio/groupoid/gauge_groupoid.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "actio/groupoid/opposite_groupoid.hpp"
 #include "actio/groupoid/pair_groupoid.hpp"
+#include "actio/groups/motions.hpp"
 #include "groupoid_laws.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 using namespace actio::testing;
@@ -45,7 +45,9 @@ BOOST_AUTO_TEST_CASE(laws_hold_on_every_groupoid) {
   auto const r = [&] { return draw.element<double>(SO<3>{}); };
   for (int repeat = 0; repeat < 20; ++repeat) {
     Turn const a = r(), b = r(), c = r(), d = r();
-    auto const good = [](BrokenLaw const& worst) { BOOST_TEST(worst.by <= 32 * eps, worst.law << " is broken by " << worst.by); };
+    auto const good = [](BrokenLaw const& worst) {
+      BOOST_TEST(worst.by <= 32 * eps, worst.law << " is broken by " << worst.by);
+    };
     using PairOf = Arrow<PairGroupoid<SO<3>>, double>;
     good(groupoid_laws(PairGroupoid<SO<3>>{}, PairOf{a, b}, PairOf{b, c}, PairOf{c, d}));
     good(groupoid_laws(GroupAsGroupoid<SO<3>>{}, a, b, c));
@@ -64,7 +66,8 @@ BOOST_AUTO_TEST_CASE(a_broken_law_is_found) {
   Draw draw(12);
   using Carried = Arrow<ActionGroupoid<SO<3>>, double>;
   Vector<double> const v = column(draw, 3);
-  Carried const x{draw.element<double>(SO<3>{}), v}, y{draw.element<double>(SO<3>{}), v}, z{draw.element<double>(SO<3>{}), v};
+  Carried const x{draw.element<double>(SO<3>{}), v}, y{draw.element<double>(SO<3>{}), v},
+      z{draw.element<double>(SO<3>{}), v};
   auto const worst = groupoid_laws(Forgetful{}, x, y, z);
   BOOST_TEST(worst.by > 0.01);
 }
@@ -81,7 +84,8 @@ BOOST_AUTO_TEST_CASE(a_step_solves_the_equation_and_the_generated_map_joins_its_
     BOOST_TEST(lagrange_equations(gamma, heavy, g, next.value).norm() <= 64 * eps * scale);
     BOOST_TEST(next.report.evaluations <= 6);
     auto const image = generated_map(gamma, heavy, legendre_at_target(gamma, heavy, g), guess);
-    BOOST_TEST((image.components - legendre_at_target(gamma, heavy, next.value).components).norm() <= 64 * eps * scale);
+    BOOST_TEST((image.components - legendre_at_target(gamma, heavy, next.value).components).norm() <=
+               64 * eps * scale);
     g = next.value;
   }
 }
@@ -95,15 +99,18 @@ BOOST_AUTO_TEST_CASE(the_two_legendre_maps_of_a_group_are_its_two_differentials)
     return sum;
   };
   auto const f = draw.element<double>(SE<3>{});
-  BOOST_TEST((legendre_at_target(gamma, l, f).components - left_differential(l, f).components).norm() <= 64 * eps);
-  BOOST_TEST((legendre_at_source(gamma, l, f).components - right_differential(l, f).components).norm() <= 64 * eps);
+  BOOST_TEST((legendre_at_target(gamma, l, f).components - left_differential(l, f).components).norm() <=
+             64 * eps);
+  BOOST_TEST((legendre_at_source(gamma, l, f).components - right_differential(l, f).components).norm() <=
+             64 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
   ActionGroupoid<SO<3>> const gamma;
   Draw draw(15);
   Arrow<ActionGroupoid<SO<3>>, double> const guess{identity<double>(SO<3>{}), column(draw, 3)};
-  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(1, std::nan(""), 0), guess), NotFinite);
+  BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(1, std::nan(""), 0), guess),
+                    NotFinite);
   // More momentum than any relative motion has: the trace Lagrangian is bounded.
   BOOST_CHECK_THROW(arrow_with_source_covector(gamma, heavy, Vector<double, 3>(0, 0, 1000), guess), Error);
   auto const flat = [](auto const& g) { return g.element.value(0, 0) * 0; };

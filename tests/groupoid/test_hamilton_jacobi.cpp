@@ -1,12 +1,13 @@
-// Hamilton-Jacobi theory as a reader uses it: exact generating functions against closed forms, the series against its first terms, the integrators it makes, refusals.
+// Hamilton-Jacobi theory as a reader uses it: exact generating functions against closed forms, the series
+// against its first terms, the integrators it makes, refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
+#include "actio/groupoid/generating_series.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"
-#include "witness/reference_solution.hpp"
-#include "actio/groupoid/generating_series.hpp"
 #include "actio/reduction/natural_chart.hpp"
+#include "witness/draw.hpp"
+#include "witness/reference_solution.hpp"
 
 using namespace actio;
 using Matrix3d = actio::Matrix<double, 3, 3>;
@@ -16,7 +17,9 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-QuadraticLagrangian<SO<3>, double> body(double i1, double i2, double i3) { return {SO<3>{}, Matrix3d(Vector3d(i1, i2, i3).asDiagonal())}; }
+QuadraticLagrangian<SO<3>, double> body(double i1, double i2, double i3) {
+  return {SO<3>{}, Matrix3d(Vector3d(i1, i2, i3).asDiagonal())};
+}
 /// A body with a rotor in it: no symmetry, and the motion is not that of a reversed film.
 QuadraticLagrangian<SO<3>, double> gyrostat() {
   Matrix3d a;
@@ -101,7 +104,8 @@ BOOST_AUTO_TEST_CASE(odd_terms_vanish_and_the_first_even_one_is_the_square_of_th
   using Vector2 = Matrix<rational, 2, 1>;
   Matrix2 m;
   for (int i = 0; i < 4; ++i) m(i) = draw.number<rational>() / 4;
-  QuadraticLagrangian<Aff1, rational> const l(group, Matrix2(Matrix2::Identity() + m * m.transpose()), draw.momentum<rational>(group).components);
+  QuadraticLagrangian<Aff1, rational> const l(group, Matrix2(Matrix2::Identity() + m * m.transpose()),
+                                              draw.momentum<rational>(group).components);
   auto const series = generating_series(l, 3);
   BOOST_TEST(series.sigma[1].terms.empty());
   BOOST_TEST(series.sigma[3].terms.empty());
@@ -128,7 +132,9 @@ BOOST_AUTO_TEST_CASE(a_truncation_after_order_k_makes_an_integrator_of_order_k_p
       }
       x.push_back(std::log(until / n)), y.push_back(std::log((at - exact).components.norm()));
     }
-    BOOST_TEST_CONTEXT("order " << order) { BOOST_TEST(std::abs((y[1] - y[0]) / (x[1] - x[0]) - (order + 2)) < 0.1); }
+    BOOST_TEST_CONTEXT("order " << order) {
+      BOOST_TEST(std::abs((y[1] - y[0]) / (x[1] - x[0]) - (order + 2)) < 0.1);
+    }
   }
 }
 
@@ -144,7 +150,8 @@ BOOST_AUTO_TEST_CASE(both_sides_have_their_own_step) {
   auto const right = hamilton_jacobi_step_right(at_time(other, t), -pi, inverse(start));
   BOOST_TEST((left.g.value - inverse(right.g).value).norm() < 100 * eps / t);
   BOOST_TEST((left.final + right.final).components.norm() < 100 * eps / t);
-  BOOST_TEST(std::abs(hamilton_jacobi_left(series, l, left.g, t) - hamilton_jacobi_right(other, mirrored, right.g, t)) < 100 * eps / t);
+  BOOST_TEST(std::abs(hamilton_jacobi_left(series, l, left.g, t) -
+                      hamilton_jacobi_right(other, mirrored, right.g, t)) < 100 * eps / t);
 }
 
 BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
@@ -154,8 +161,10 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   auto const S = at_time(generating_series(l, 2), 0.5);
   BOOST_CHECK_THROW(hamilton_jacobi_step_left(S, momentum(SO<3>{}, Vector3d(0, nan, 0)), g), NotFinite);
   BOOST_CHECK_THROW(hamilton_jacobi_step_right(S, momentum(SO<3>{}, Vector3d(0, HUGE_VAL, 0)), g), NotFinite);
-  BOOST_CHECK_THROW(hamilton_jacobi_step_left(at_time(generating_series(l, 2), 0.0), some_momentum(), g), Error);
-  BOOST_CHECK_THROW(hamilton_jacobi_step_left(at_time(generating_series(l, 2), nan), some_momentum(), g), NotFinite);
+  BOOST_CHECK_THROW(hamilton_jacobi_step_left(at_time(generating_series(l, 2), 0.0), some_momentum(), g),
+                    Error);
+  BOOST_CHECK_THROW(hamilton_jacobi_step_left(at_time(generating_series(l, 2), nan), some_momentum(), g),
+                    NotFinite);
   BOOST_CHECK_THROW(generating_series(l, -1), OutsideDomain);
   BOOST_CHECK_THROW(ExactGeneratingFunction{l}(g, 0.0), OutsideDomain);
   BOOST_CHECK_THROW(free_motion_left(l, momentum(SO<3>{}, Vector3d(nan, 0, 0)), 1.0), NotFinite);
@@ -164,10 +173,14 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
   Matrix3d skewed = l.a;
   skewed(0, 1) += 0.1;
   BOOST_CHECK_THROW((QuadraticLagrangian<SO<3>, double>(SO<3>{}, skewed)), OutsideDomain);
-  BOOST_CHECK_THROW((QuadraticLagrangian<SO<3>, double>(SO<3>{}, Matrix3d(Vector3d(1, 2, 0).asDiagonal()))), Singular);
-  BOOST_CHECK_THROW((QuadraticLagrangian<SO<3>, double>(SO<3>{}, Matrix3d(Vector3d(1, 2, nan).asDiagonal()))), NotFinite);
+  BOOST_CHECK_THROW((QuadraticLagrangian<SO<3>, double>(SO<3>{}, Matrix3d(Vector3d(1, 2, 0).asDiagonal()))),
+                    Singular);
+  BOOST_CHECK_THROW((QuadraticLagrangian<SO<3>, double>(SO<3>{}, Matrix3d(Vector3d(1, 2, nan).asDiagonal()))),
+                    NotFinite);
   // Half a turn and more in one step: beyond the logarithm, whatever the series.
-  BOOST_CHECK_THROW(hamilton_jacobi_step_left(at_time(generating_series(l, 2), 20.0), some_momentum(), exp(-2.0 * l.velocity_of(some_momentum()))), Error);
+  BOOST_CHECK_THROW(hamilton_jacobi_step_left(at_time(generating_series(l, 2), 20.0), some_momentum(),
+                                              exp(-2.0 * l.velocity_of(some_momentum()))),
+                    Error);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,8 @@
 // Rotations by angles up to pi, in 50 digits, and how far their logarithm is off.
 #pragma once
 
-#include "witness/draw.hpp"
 #include "actio/groups/rotations.hpp"
+#include "witness/draw.hpp"
 
 namespace actio::testing {
 
@@ -32,8 +32,8 @@ Coordinates<SO<n>, dec50> in_a_random_frame(Draw& draw, dec50 const& first, dec5
   return Ad(frame, velocity(SO<n>{}, v)).coordinates;
 }
 
-/// exp(v) computed in 50 digits and rounded to double, so that the only error of its logarithm is that of one rounding and of `log` itself.
-/// The error of `log`, relative to v.
+/// exp(v) computed in 50 digits and rounded to double, so that the only error of its logarithm is that of one
+/// rounding and of `log` itself. The error of `log`, relative to v.
 template <Group G>
 double error_of_log(G const& group, Coordinates<G, dec50> const& v) {
   auto const g = exp(velocity(group, v));

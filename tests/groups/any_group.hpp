@@ -1,4 +1,5 @@
-// A group of which only the scalars are known at compile time: the laws are compiled once for each scalar, not for each group.
+// A group of which only the scalars are known at compile time: the laws are compiled once for each scalar,
+// not for each group.
 #pragma once
 
 #include <memory>
@@ -40,20 +41,34 @@ struct AlgebraicPart : Base, AlgebraicPrimitives<T> {
   using Stored = Storage<G, T>;
   using Column = Coordinates<G, T>;
   Matrix identity(T*) const override { return primitive::identity<T>(this->group); }
-  Matrix compose(Matrix const& a, Matrix const& b) const override { return primitive::compose(this->group, Stored(a), Stored(b)); }
+  Matrix compose(Matrix const& a, Matrix const& b) const override {
+    return primitive::compose(this->group, Stored(a), Stored(b));
+  }
   Matrix inverse(Matrix const& a) const override { return primitive::inverse(this->group, Stored(a)); }
-  Vector Ad(Matrix const& a, Vector const& v) const override { return primitive::Ad(this->group, Stored(a), Column(v)); }
-  Vector bracket(Vector const& v, Vector const& w) const override { return primitive::bracket(this->group, Column(v), Column(w)); }
+  Vector Ad(Matrix const& a, Vector const& v) const override {
+    return primitive::Ad(this->group, Stored(a), Column(v));
+  }
+  Vector bracket(Vector const& v, Vector const& w) const override {
+    return primitive::bracket(this->group, Column(v), Column(w));
+  }
   Matrix retract(Vector const& v) const override { return primitive::retract(this->group, Column(v)); }
-  Matrix near_identity(Vector const& v) const override { return primitive::near_identity(this->group, Column(v)); }
+  Matrix near_identity(Vector const& v) const override {
+    return primitive::near_identity(this->group, Column(v));
+  }
 };
 template <class G, class Base, class T>
 struct ExponentialPart : Base, ExponentialPrimitives<T> {
   using Base::Base;
   using Stored = Storage<G, T>;
-  AnyMatrix<T> exp(AnyVector<T> const& v) const override { return primitive::exp(this->group, Coordinates<G, T>(v)); }
-  AnyVector<T> log(AnyMatrix<T> const& a) const override { return primitive::log_of<G, T>(this->group, Stored(a)); }
-  AnyMatrix<T> restore(AnyMatrix<T> const& a) const override { return primitive::restore(this->group, Stored(a)); }
+  AnyMatrix<T> exp(AnyVector<T> const& v) const override {
+    return primitive::exp(this->group, Coordinates<G, T>(v));
+  }
+  AnyVector<T> log(AnyMatrix<T> const& a) const override {
+    return primitive::log_of<G, T>(this->group, Stored(a));
+  }
+  AnyMatrix<T> restore(AnyMatrix<T> const& a) const override {
+    return primitive::restore(this->group, Stored(a));
+  }
 };
 
 /// Infinitesimals to first order, in the batches of `differential.hpp`, and to second order.
@@ -73,7 +88,8 @@ struct AnyGroup {
   explicit AnyGroup(G const& group) : dimension_(group.dimension()) {
     using Algebraic = AlgebraicPart<G, AlgebraicPart<G, AlgebraicPart<G, Holder<G>, S>, First<S>>, Second<S>>;
     if constexpr (Real<S>) {
-      auto const all = std::make_shared<ExponentialPart<G, ExponentialPart<G, Algebraic, S>, First<S>>>(group);
+      auto const all =
+          std::make_shared<ExponentialPart<G, ExponentialPart<G, Algebraic, S>, First<S>>>(group);
       algebraic = {all.get(), all.get(), all.get()};
       exponential = {all.get(), all.get()};
       owner = all;
@@ -86,33 +102,19 @@ struct AnyGroup {
 
   int dimension() const { return dimension_; }
   template <class T>
-  AnyMatrix<T> identity() const {
-    return at<T>().identity(static_cast<T*>(nullptr));
-  }
+  AnyMatrix<T> identity() const { return at<T>().identity(static_cast<T*>(nullptr)); }
   template <class T>
-  AnyMatrix<T> compose(AnyMatrix<T> const& a, AnyMatrix<T> const& b) const {
-    return at<T>().compose(a, b);
-  }
+  AnyMatrix<T> compose(AnyMatrix<T> const& a, AnyMatrix<T> const& b) const { return at<T>().compose(a, b); }
   template <class T>
-  AnyMatrix<T> inverse(AnyMatrix<T> const& a) const {
-    return at<T>().inverse(a);
-  }
+  AnyMatrix<T> inverse(AnyMatrix<T> const& a) const { return at<T>().inverse(a); }
   template <class T>
-  AnyVector<T> Ad(AnyMatrix<T> const& a, AnyVector<T> const& v) const {
-    return at<T>().Ad(a, v);
-  }
+  AnyVector<T> Ad(AnyMatrix<T> const& a, AnyVector<T> const& v) const { return at<T>().Ad(a, v); }
   template <class T>
-  AnyVector<T> bracket(AnyVector<T> const& v, AnyVector<T> const& w) const {
-    return at<T>().bracket(v, w);
-  }
+  AnyVector<T> bracket(AnyVector<T> const& v, AnyVector<T> const& w) const { return at<T>().bracket(v, w); }
   template <class T>
-  AnyMatrix<T> retract(AnyVector<T> const& v) const {
-    return at<T>().retract(v);
-  }
+  AnyMatrix<T> retract(AnyVector<T> const& v) const { return at<T>().retract(v); }
   template <class T>
-  AnyMatrix<T> near_identity(AnyVector<T> const& v) const {
-    return at<T>().near_identity(v);
-  }
+  AnyMatrix<T> near_identity(AnyVector<T> const& v) const { return at<T>().near_identity(v); }
   template <class T>
   AnyMatrix<T> exp(AnyVector<T> const& v) const {
     return std::get<ExponentialPrimitives<T> const*>(exponential)->exp(v);
@@ -133,13 +135,13 @@ struct AnyGroup {
     G group;
   };
   template <class T>
-  AlgebraicPrimitives<T> const& at() const {
-    return *std::get<AlgebraicPrimitives<T> const*>(algebraic);
-  }
+  AlgebraicPrimitives<T> const& at() const { return *std::get<AlgebraicPrimitives<T> const*>(algebraic); }
 
   int dimension_;
   std::shared_ptr<void const> owner;
-  std::tuple<AlgebraicPrimitives<S> const*, AlgebraicPrimitives<First<S>> const*, AlgebraicPrimitives<Second<S>> const*> algebraic;
+  std::tuple<AlgebraicPrimitives<S> const*, AlgebraicPrimitives<First<S>> const*,
+             AlgebraicPrimitives<Second<S>> const*>
+      algebraic;
   std::tuple<ExponentialPrimitives<S> const*, ExponentialPrimitives<First<S>> const*> exponential;
 };
 

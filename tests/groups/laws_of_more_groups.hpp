@@ -1,4 +1,5 @@
-// The laws, run over the groups that come in families. Their orders are chosen at run time, so that each family is compiled once for a scalar.
+// The laws, run over the groups that come in families. Their orders are chosen at run time, so that each
+// family is compiled once for a scalar.
 #pragma once
 
 #include "actio/groups/direct_product.hpp"
@@ -59,7 +60,8 @@ void laws_of_products_and_spans() {
   hold<S>("SL(3) x (U(1) x Sp(2))", DirectProduct{SL<>(3), DirectProduct{U<>(1), Sp<>(2)}});
   hold<S>("SL(2) |x R^2", SemidirectProduct{SL<>(2)});
   hold<S>("SL(3) |x R^3", SemidirectProduct{SL<>(3)});
-  hold<S>("SL(3) from its span", from_span("SL(3)", SL<>(3)), edge<S>(from_span("SL(3)", SL<>(3)), {0, 0, 3, 0, -3}));
+  hold<S>("SL(3) from its span", from_span("SL(3)", SL<>(3)),
+          edge<S>(from_span("SL(3)", SL<>(3)), {0, 0, 3, 0, -3}));
   hold<S>("SU(3) from its span", from_span("SU(3)", SU<>(3)));
   hold<S>("SU(2) from its span, by factors", from_span("SU(2)", SU<>(2), Retraction::elementary));
 }

@@ -1,5 +1,5 @@
-// The laws, run over the groups of the library: in double, and over numbers whose arithmetic is chosen when the program runs. The groups come in parts,
-// so that no unit takes long to compile.
+// The laws, run over the groups of the library: in double, and over numbers whose arithmetic is chosen when
+// the program runs. The groups come in parts, so that no unit takes long to compile.
 #pragma once
 
 #include <boost/test/unit_test.hpp>
@@ -26,7 +26,8 @@ inline constexpr std::uint64_t seed = 20240131;
 /// Runs laws over Number: exactly over the rationals, and in 50 and 100 digits.
 template <class Run>
 void in_each_arithmetic(Run const& run) {
-  for (Arithmetic const& arithmetic : {Arithmetic::rationals(), Arithmetic::decimal(50), Arithmetic::decimal(100)}) {
+  for (Arithmetic const& arithmetic :
+       {Arithmetic::rationals(), Arithmetic::decimal(50), Arithmetic::decimal(100)}) {
     WithArithmetic const in_force(arithmetic);
     BOOST_TEST_CONTEXT(arithmetic.name()) run();
   }
@@ -39,7 +40,8 @@ void hold(std::string const& name, G const& group, std::vector<Edge<S>> const& e
     BOOST_TEST(f.holds(), name << ": " << f.text());
     if (!(f.measured * std::max(1.0, worst.allowed) <= worst.measured * std::max(1.0, f.allowed))) worst = f;
   }
-  BOOST_TEST_MESSAGE(name << ", worst: " << (worst.law.empty() ? "every residual is exactly zero" : worst.text()));
+  BOOST_TEST_MESSAGE(name << ", worst: "
+                          << (worst.law.empty() ? "every residual is exactly zero" : worst.text()));
 }
 
 /// Coordinates from fractions with the denominator 7, the first shifted by `first`.
@@ -145,13 +147,9 @@ void laws_of_larger_matrices() {
 }
 /// SO(5), by itself because its logarithm takes long to compile.
 template <Scalar S>
-void laws_in_five_dimensions() {
-  hold<S>("SO(5)", SO<5>{}, nearly_half_a_turn<S>(SO<5>{}));
-}
+void laws_in_five_dimensions() { hold<S>("SO(5)", SO<5>{}, nearly_half_a_turn<S>(SO<5>{})); }
 /// SE(3) from its span.
 template <Scalar S>
-void laws_of_a_span() {
-  hold<S>("SE(3) from its span", spanned_motions());
-}
+void laws_of_a_span() { hold<S>("SE(3) from its span", spanned_motions()); }
 
 }  // namespace actio::laws

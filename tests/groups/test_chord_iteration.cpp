@@ -1,10 +1,10 @@
 // The chord iteration, extrapolated starts, and numbers in pairs.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/predictor_corrector.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 

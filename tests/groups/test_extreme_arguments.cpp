@@ -1,11 +1,12 @@
-// Where series and squares go wrong if one is not careful: strong contractions, large angles, matrices of any size of entries.
+// Where series and squares go wrong if one is not careful: strong contractions, large angles, matrices of any
+// size of entries.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/eigenvalues.hpp"
-#include "actio/groups/group.hpp"
 #include "actio/groups/affine_line.hpp"
+#include "actio/groups/group.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/rotations.hpp"
+#include "actio/numbers/eigenvalues.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio;
@@ -31,7 +32,8 @@ BOOST_AUTO_TEST_CASE(a_large_angle_stays_on_the_group_or_is_refused) {
     try {
       Matrix<double, 4, 4> const r = exp(velocity(SO<4>{}, v)).value;
       // The angle itself is known to a rounding of its size; what restore leaves is the square of that.
-      BOOST_TEST(magnitude((r.transpose() * r - Matrix<double, 4, 4>::Identity()).eval()) < 16 * eps + 16 * std::pow(angle * eps, 2));
+      BOOST_TEST(magnitude((r.transpose() * r - Matrix<double, 4, 4>::Identity()).eval()) <
+                 16 * eps + 16 * std::pow(angle * eps, 2));
     } catch (Error const&) {
       BOOST_TEST(angle * eps > 1e-3);
     }
@@ -53,7 +55,9 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_any_size_and_no_others) {
 }
 
 BOOST_AUTO_TEST_CASE(a_reference_starts_from_zero_and_refuses_no_tolerance) {
-  auto const f = [](double t, Matrix<double, 1, 1> const&) { return Matrix<double, 1, 1>(1e-47 * std::cos(t)); };
+  auto const f = [](double t, Matrix<double, 1, 1> const&) {
+    return Matrix<double, 1, 1>(1e-47 * std::cos(t));
+  };
   Matrix<double, 1, 1> const zero(0.0);
   BOOST_TEST(std::abs(reference_solution(f, zero, 0, 30)[0] / (1e-47 * std::sin(30)) - 1) < 1e-11);
   BOOST_CHECK_THROW(reference_solution(f, zero, 0, 1, std::nan("")), OutsideDomain);

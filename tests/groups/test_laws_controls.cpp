@@ -8,8 +8,25 @@ namespace {
 using namespace actio;
 
 enum class Fault {
-  none, compose, identity, inverse, Ad_side, Ad_scale, Ad_curved, bracket_sign, bracket_symmetric, bracket_jacobi, bracket_curved, near_identity, retract_offset,
-  retract_first_order, exp_first_order, log_scale, restore_scale, restore_far, restore_nothing
+  none,
+  compose,
+  identity,
+  inverse,
+  Ad_side,
+  Ad_scale,
+  Ad_curved,
+  bracket_sign,
+  bracket_symmetric,
+  bracket_jacobi,
+  bracket_curved,
+  near_identity,
+  retract_offset,
+  retract_first_order,
+  exp_first_order,
+  log_scale,
+  restore_scale,
+  restore_far,
+  restore_nothing
 };
 
 /// SE(2) with a fault.

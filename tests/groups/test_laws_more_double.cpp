@@ -1,7 +1,9 @@
 #include "laws_of_more_groups.hpp"
 
 BOOST_AUTO_TEST_CASE(laws_of_families_hold_over_double) { actio::laws::laws_of_families<double>(); }
-BOOST_AUTO_TEST_CASE(laws_of_products_and_spans_hold_over_double) { actio::laws::laws_of_products_and_spans<double>(); }
+BOOST_AUTO_TEST_CASE(laws_of_products_and_spans_hold_over_double) {
+  actio::laws::laws_of_products_and_spans<double>();
+}
 
 using namespace actio;
 
@@ -37,21 +39,26 @@ BOOST_AUTO_TEST_CASE(the_order_of_a_group_is_checked) {
 
 BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_in_the_group_has_no_logarithm_and_is_not_restored) {
   Square const two = Square::Identity(4, 4) * 2;
-  Square off_blocks = Square::Identity(4, 4), lying = Square::Identity(4, 4), orthogonal = Square::Identity(4, 4);
+  Square off_blocks = Square::Identity(4, 4), lying = Square::Identity(4, 4),
+         orthogonal = Square::Identity(4, 4);
   off_blocks(0, 3) = 0.5, lying(3, 0) = 0.5;
-  // A turn in the plane of the real and imaginary parts of different coordinates is orthogonal and not complex linear.
+  // A turn in the plane of the real and imaginary parts of different coordinates is orthogonal and not
+  // complex linear.
   orthogonal.topLeftCorner(2, 2) << 0, -1, 1, 0;
   auto const all = [&](Any const& group, Square const& bad) {
     BOOST_TEST(refuses([&] { log(element(group, bad)); }));
     BOOST_TEST(refuses([&] { restore(element(group, bad)); }));
   };
-  all(Any(U<>(2)), two), all(Any(U<>(2)), orthogonal), all(Any(SU<>(2)), two), all(Any(SL<>(4)), two), all(Any(Sp<>(4)), two), all(Any(Sp<>(4)), off_blocks);
-  all(Any(DirectProduct{SL<>(2), SL<>(2)}), off_blocks), all(Any(DirectProduct{SL<>(2), SL<>(2)}), two), all(Any(SemidirectProduct{SL<>(3)}), lying);
+  all(Any(U<>(2)), two), all(Any(U<>(2)), orthogonal), all(Any(SU<>(2)), two), all(Any(SL<>(4)), two),
+      all(Any(Sp<>(4)), two), all(Any(Sp<>(4)), off_blocks);
+  all(Any(DirectProduct{SL<>(2), SL<>(2)}), off_blocks), all(Any(DirectProduct{SL<>(2), SL<>(2)}), two),
+      all(Any(SemidirectProduct{SL<>(3)}), lying);
   // On U(2), but not on SU(2): a turn of both phases by 1.
   Square phases = Square::Identity(4, 4) * std::cos(1);
   for (int k = 0; k < 2; ++k) phases(2 + k, k) = std::sin(1), phases(k, 2 + k) = -std::sin(1);
   all(Any(SU<>(2)), phases);
-  BOOST_TEST((log(element(Any(U<>(2)), phases)).coordinates.head(2) - actio::Vector<double, 2>(1, 1)).isZero(16 * eps));
+  BOOST_TEST((log(element(Any(U<>(2)), phases)).coordinates.head(2) - actio::Vector<double, 2>(1, 1))
+                 .isZero(16 * eps));
   // A reflection has determinant -1; a singular matrix has none that counts.
   Square reflection = Square::Identity(3, 3);
   reflection(0, 0) = -1;
@@ -67,7 +74,8 @@ BOOST_AUTO_TEST_CASE(a_matrix_that_is_not_in_the_group_has_no_logarithm_and_is_n
 
 BOOST_AUTO_TEST_CASE(a_logarithm_ends_at_the_negative_axis) {
   actio::Vector<double> const half = M_PI * actio::Vector<double>::Unit(8, 0);
-  for (Any const& group : {Any(SU<>(3)), Any(from_span("SU(3)", SU<>(3)))}) BOOST_TEST(refuses([&] { log(exp(velocity(group, half))); }));
+  for (Any const& group : {Any(SU<>(3)), Any(from_span("SU(3)", SU<>(3)))})
+    BOOST_TEST(refuses([&] { log(exp(velocity(group, half))); }));
   Square negative = Square::Identity(4, 4);
   negative.diagonal() << -2, 1, -0.5, 1;
   BOOST_TEST(refuses([&] { log(element(Any(Sp<>(4)), negative)); }));
@@ -90,7 +98,8 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused) {
   for (double const bad : {std::nan(""), HUGE_VAL}) {
     Square a = Square::Identity(4, 4);
     a(1, 2) = bad;
-    for (Any const& group : {Any(U<>(2)), Any(SU<>(2)), Any(SL<>(4)), Any(Sp<>(4)), Any(DirectProduct{SL<>(2), SL<>(2)}), Any(SemidirectProduct{SL<>(3)})}) {
+    for (Any const& group : {Any(U<>(2)), Any(SU<>(2)), Any(SL<>(4)), Any(Sp<>(4)),
+                             Any(DirectProduct{SL<>(2), SL<>(2)}), Any(SemidirectProduct{SL<>(3)})}) {
       actio::Vector<double> const v = actio::Vector<double>::Constant(group.dimension(), bad);
       BOOST_CHECK_THROW(log(element(group, a)), NotFinite);
       BOOST_CHECK_THROW(restore(element(group, a)), NotFinite);
@@ -99,5 +108,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_is_refused) {
     }
   }
   // An eigenvalue 4 of the matrix is where Cayley's transform of its half ends.
-  BOOST_CHECK_THROW(retract(velocity(Any(SL<>(3)), actio::Vector<double>(4 * actio::Vector<double>::Unit(8, 0)))), Singular);
+  BOOST_CHECK_THROW(
+      retract(velocity(Any(SL<>(3)), actio::Vector<double>(4 * actio::Vector<double>::Unit(8, 0)))),
+      Singular);
 }

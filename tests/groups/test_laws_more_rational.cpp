@@ -17,16 +17,16 @@ Q unitary_defect(Square const& a) {
   product.diagonal().array() -= Q(1);
   Q worst = magnitude(product);
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) worst = std::max({worst, magnitude(Q(a(i, j) - a(n + i, n + j))), magnitude(Q(a(n + i, j) + a(i, n + j)))});
+    for (int j = 0; j < n; ++j)
+      worst =
+          std::max({worst, magnitude(Q(a(i, j) - a(n + i, n + j))), magnitude(Q(a(n + i, j) + a(i, n + j)))});
   return worst;
 }
 Q special_unitary_defect(Square const& a) {
   auto const d = complex_determinant(a);
   return std::max({unitary_defect(a), magnitude(Q(d.re - Q(1))), magnitude(d.im)});
 }
-Q special_linear_defect(Square const& a) {
-  return magnitude(Q(determinant_by_elimination(a) - Q(1)));
-}
+Q special_linear_defect(Square const& a) { return magnitude(Q(determinant_by_elimination(a) - Q(1))); }
 Q symplectic_defect(Square const& a) {
   int const n = static_cast<int>(a.rows()) / 2;
   Square form = Square::Zero(2 * n, 2 * n);
@@ -48,14 +48,19 @@ Q defect_of_retractions(Any const& group, Q (*defect)(Square const&)) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(retractions_stay_in_the_group_over_the_rationals) {
-  for (int const n : {1, 2, 3}) BOOST_TEST(defect_of_retractions(Any(U<>(n)), unitary_defect) == 0, "U(" << n << ")");
-  for (int const n : {2, 3}) BOOST_TEST(defect_of_retractions(Any(SU<>(n)), special_unitary_defect) == 0, "SU(" << n << ")");
-  for (int const n : {2, 3, 4, 5}) BOOST_TEST(defect_of_retractions(Any(SL<>(n)), special_linear_defect) == 0, "SL(" << n << ")");
-  for (int const n : {2, 4, 6}) BOOST_TEST(defect_of_retractions(Any(Sp<>(n)), symplectic_defect) == 0, "Sp(" << n << ")");
+  for (int const n : {1, 2, 3})
+    BOOST_TEST(defect_of_retractions(Any(U<>(n)), unitary_defect) == 0, "U(" << n << ")");
+  for (int const n : {2, 3})
+    BOOST_TEST(defect_of_retractions(Any(SU<>(n)), special_unitary_defect) == 0, "SU(" << n << ")");
+  for (int const n : {2, 3, 4, 5})
+    BOOST_TEST(defect_of_retractions(Any(SL<>(n)), special_linear_defect) == 0, "SL(" << n << ")");
+  for (int const n : {2, 4, 6})
+    BOOST_TEST(defect_of_retractions(Any(Sp<>(n)), symplectic_defect) == 0, "Sp(" << n << ")");
   BOOST_TEST(defect_of_retractions(Any(from_span("SL(3)", SL<>(3))), special_linear_defect) == 0);
   BOOST_TEST(defect_of_retractions(Any(from_span("SU(3)", SU<>(3))), special_unitary_defect) == 0);
   BOOST_TEST(defect_of_retractions(Any(from_span("Sp(4)", Sp<>(4))), symplectic_defect) == 0);
-  BOOST_TEST(defect_of_retractions(Any(from_span("Sp(4)", Sp<>(4), Retraction::elementary)), symplectic_defect) == 0);
+  BOOST_TEST(defect_of_retractions(Any(from_span("Sp(4)", Sp<>(4), Retraction::elementary)),
+                                   symplectic_defect) == 0);
   BOOST_TEST(defect_of_retractions(Any(DirectProduct{SL<>(2), SL<>(3)}), special_linear_defect) == 0);
 
   // Cayley's transform alone leaves SL(3) and SU(3), but not their larger relatives.

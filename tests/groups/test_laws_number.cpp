@@ -3,9 +3,15 @@
 
 using namespace actio;
 
-BOOST_AUTO_TEST_CASE(laws_in_the_plane_hold_in_each_arithmetic) { laws::in_each_arithmetic(laws::laws_in_the_plane<Number>); }
-BOOST_AUTO_TEST_CASE(laws_in_space_hold_in_each_arithmetic) { laws::in_each_arithmetic(laws::laws_in_space<Number>); }
+BOOST_AUTO_TEST_CASE(laws_in_the_plane_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_in_the_plane<Number>);
+}
+BOOST_AUTO_TEST_CASE(laws_in_space_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_in_space<Number>);
+}
 BOOST_AUTO_TEST_CASE(laws_of_small_matrices_hold_in_each_arithmetic) {
   laws::in_each_arithmetic(laws::laws_of_small_matrices<Number>);
 }
-BOOST_AUTO_TEST_CASE(laws_of_a_span_hold_in_each_arithmetic) { laws::in_each_arithmetic(laws::laws_of_a_span<Number>); }
+BOOST_AUTO_TEST_CASE(laws_of_a_span_hold_in_each_arithmetic) {
+  laws::in_each_arithmetic(laws::laws_of_a_span<Number>);
+}

@@ -3,6 +3,7 @@
 
 namespace actio::laws {
 
-template std::vector<Finding> check_any<double>(AnyGroup<double> const&, std::uint64_t, std::vector<Edge<double>> const&);
+template std::vector<Finding> check_any<double>(AnyGroup<double> const&, std::uint64_t,
+                                                std::vector<Edge<double>> const&);
 
 }  // namespace actio::laws

@@ -1,3 +1,5 @@
 #include "laws_of_the_groups.hpp"
 
-BOOST_AUTO_TEST_CASE(laws_of_small_matrices_hold_over_double) { actio::laws::laws_of_small_matrices<double>(); }
+BOOST_AUTO_TEST_CASE(laws_of_small_matrices_hold_over_double) {
+  actio::laws::laws_of_small_matrices<double>();
+}

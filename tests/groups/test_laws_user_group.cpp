@@ -32,7 +32,8 @@ struct Slip : Similarities {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_group_written_by_a_reader_keeps_the_laws) {
-  actio::laws::hold<double>("similarities of the plane", Similarities{}, {{actio::Vector<double, 4>(-1, 2, 3, 4)}});
+  actio::laws::hold<double>("similarities of the plane", Similarities{},
+                            {{actio::Vector<double, 4>(-1, 2, 3, 4)}});
   actio::WithArithmetic const rationals(actio::Arithmetic::rationals());
   actio::laws::hold<actio::Number>("similarities of the plane", Similarities{});
 }
@@ -50,5 +51,6 @@ BOOST_AUTO_TEST_CASE(groups_given_by_a_basis_keep_the_laws) {
   shift << 0, 1, 0, 0;
   actio::laws::hold<double>("Aff(1) from its span", actio::SpannedGroup("Aff(1)", {stretch, shift}));
   // A basis that is neither orthogonal nor of unit size.
-  actio::laws::hold<double>("Aff(1) from another basis", actio::SpannedGroup("Aff(1)", {M(2 * stretch + shift), M(3 * shift - stretch)}));
+  actio::laws::hold<double>("Aff(1) from another basis",
+                            actio::SpannedGroup("Aff(1)", {M(2 * stretch + shift), M(3 * shift - stretch)}));
 }

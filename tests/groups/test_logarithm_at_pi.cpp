@@ -16,7 +16,8 @@ bool refuses(G const& group, M const& value, double measured = M_PI) {
   try {
     log(Element<G, typename M::Scalar>{group, value});
   } catch (OutsideDomain const& refusal) {
-    return std::abs(refusal.measured - measured) < 1e-7 && std::string(refusal.what()).find("(3.19)") != std::string::npos;
+    return std::abs(refusal.measured - measured) < 1e-7 &&
+           std::string(refusal.what()).find("(3.19)") != std::string::npos;
   }
   return false;
 }
@@ -36,7 +37,8 @@ BOOST_AUTO_TEST_CASE(log_refuses_at_pi) {
     tried += 7;
     refused += refuses(SO<2>{}, half_a_turn(SO<2>{}, Coordinates<SO<2>, dec50>(pi)));
     refused += refuses(SO<3>{}, half_a_turn(SO<3>{}, Coordinates<SO<3>, dec50>(direction<3>(draw) * pi)));
-    refused += refuses(SU2{}, half_a_turn(SU2{}, Coordinates<SU2, dec50>(direction<3>(draw) * pi * 2)), 2 * M_PI);
+    refused +=
+        refuses(SU2{}, half_a_turn(SU2{}, Coordinates<SU2, dec50>(direction<3>(draw) * pi * 2)), 2 * M_PI);
     Coordinates<SE<2>, dec50> plane;
     plane << pi, direction<2>(draw);
     refused += refuses(SE<2>{}, half_a_turn(SE<2>{}, plane));

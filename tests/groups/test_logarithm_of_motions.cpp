@@ -1,4 +1,5 @@
-// The logarithm of a motion of the plane and of space, from the identity to within 1e-8 of half a turn: against 50 digits.
+// The logarithm of a motion of the plane and of space, from the identity to within 1e-8 of half a turn:
+// against 50 digits.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/motions.hpp"

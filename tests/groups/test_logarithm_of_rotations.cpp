@@ -1,4 +1,5 @@
-// The logarithm of a rotation from the identity to within 1e-8 of the edge of its chart: against closed forms and against 50 digits.
+// The logarithm of a rotation from the identity to within 1e-8 of the edge of its chart: against closed forms
+// and against 50 digits.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/groups/rotations.hpp"
@@ -32,7 +33,8 @@ BOOST_AUTO_TEST_CASE(log_of_quaternions_is_good_to_rounding_up_to_two_pi) {
       Element<SU2, double> const rounded{{}, q.value.cast<double>()};
       auto const expected = log(over<dec50>(rounded)).coordinates;
       Coordinates<SU2, dec50> const found = log(rounded).coordinates.cast<dec50>();
-      worst = std::max(worst, to_double(magnitude((found - expected).eval())) / to_double(magnitude(expected)));
+      worst =
+          std::max(worst, to_double(magnitude((found - expected).eval())) / to_double(magnitude(expected)));
     }
   BOOST_TEST_MESSAGE("log on SU(2): worst error " << worst / eps << " epsilon");
   BOOST_TEST(worst < 16 * eps);
@@ -43,7 +45,9 @@ BOOST_AUTO_TEST_CASE(log_of_a_turn_about_an_axis_is_the_angle_times_the_axis) {
   Matrix<dec100, 3, 3> r;
   r << c, -s, dec100(0), s, c, dec100(0), dec100(0), dec100(0), dec100(1);
   auto const v = log(Element<SO<3>, dec100>{{}, r}).coordinates;
-  BOOST_TEST(to_double(magnitude(Coordinates<SO<3>, dec100>(v - Coordinates<SO<3>, dec100>(dec100(0), dec100(0), angle)))) < 1e-98);
+  BOOST_TEST(to_double(magnitude(Coordinates<SO<3>, dec100>(
+                 v - Coordinates<SO<3>, dec100>(dec100(0), dec100(0), angle)))) < 1e-98);
   auto const q = log(Element<SU2, dec100>{{}, {c, s * 3 / 5, dec100(0), s * 4 / 5}}).coordinates;
-  BOOST_TEST(to_double(magnitude(Coordinates<SU2, dec100>(q - Coordinates<SU2, dec100>(angle * 6 / 5, dec100(0), angle * 8 / 5)))) < 1e-98);
+  BOOST_TEST(to_double(magnitude(Coordinates<SU2, dec100>(
+                 q - Coordinates<SU2, dec100>(angle * 6 / 5, dec100(0), angle * 8 / 5)))) < 1e-98);
 }

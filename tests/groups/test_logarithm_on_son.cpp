@@ -13,7 +13,9 @@ BOOST_AUTO_TEST_CASE(log_on_SO4_and_SO5_is_good_to_rounding_for_all_pairs_of_ang
   dec50 const half = acos(dec50(0)), tiny = dec50("1e-9");
   for (int k = 0; k <= 8; ++k) {
     dec50 const a = angle_before_pi(k);
-    std::vector<std::pair<dec50, dec50>> pairs = {{a, dec50(1) / 3}, {a, dec50(0)}, {a, tiny}, {a, -half}, {half, half}, {half, -half}, {half, dec50(0)}};
+    std::vector<std::pair<dec50, dec50>> pairs = {{a, dec50(1) / 3}, {a, dec50(0)}, {a, tiny},
+                                                  {a, -half},        {half, half},  {half, -half},
+                                                  {half, dec50(0)}};
     if (k == 0) pairs.insert(pairs.end(), {{a, a}, {a, -a}, {a, a + tiny}, {a, a + dec50("1e-16")}});
     for (auto const& [first, second] : pairs)
       for (int repeat = 0; repeat < 10; ++repeat) {
@@ -26,7 +28,8 @@ BOOST_AUTO_TEST_CASE(log_on_SO4_and_SO5_is_good_to_rounding_for_all_pairs_of_ang
   BOOST_TEST(worst5 < 64 * eps);  // the Schur form brings more roundings than the pair of quaternions
 }
 
-// Where both angles come within d of pi the logarithm magnifies rounding by 1/d; its exponential is the rotation all the same.
+// Where both angles come within d of pi the logarithm magnifies rounding by 1/d; its exponential is the
+// rotation all the same.
 BOOST_AUTO_TEST_CASE(two_angles_next_to_pi_cost_what_they_must) {
   Draw draw(5);
   for (int repeat = 0; repeat < 20; ++repeat) {

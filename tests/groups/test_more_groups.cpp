@@ -1,4 +1,5 @@
-// The groups that come in families: the retraction of a span, the factors of a product, and faults that the laws find.
+// The groups that come in families: the retraction of a span, the factors of a product, and faults that the
+// laws find.
 #include "laws_of_more_groups.hpp"
 
 using namespace actio;
@@ -13,27 +14,36 @@ double const eps = epsilon<double>();
 
 BOOST_AUTO_TEST_CASE(a_span_finds_its_retraction) {
   auto const chosen = [](auto const& group) { return from_span("", group).retraction(); };
-  for (bool const by_cayley : {chosen(SO<3>{}) == Retraction::cayley, chosen(SO<4>{}) == Retraction::cayley, chosen(SE<3>{}) == Retraction::cayley,
-                               chosen(Aff1{}) == Retraction::cayley, chosen(SL2{}) == Retraction::cayley, chosen(GL<2>{}) == Retraction::cayley,
-                               chosen(Heisenberg{}) == Retraction::cayley, chosen(U<>(3)) == Retraction::cayley, chosen(SU<>(2)) == Retraction::cayley,
-                               chosen(Sp<>(4)) == Retraction::cayley, chosen(SemidirectProduct{Sp<>(4)}) == Retraction::cayley})
+  for (bool const by_cayley :
+       {chosen(SO<3>{}) == Retraction::cayley, chosen(SO<4>{}) == Retraction::cayley,
+        chosen(SE<3>{}) == Retraction::cayley, chosen(Aff1{}) == Retraction::cayley,
+        chosen(SL2{}) == Retraction::cayley, chosen(GL<2>{}) == Retraction::cayley,
+        chosen(Heisenberg{}) == Retraction::cayley, chosen(U<>(3)) == Retraction::cayley,
+        chosen(SU<>(2)) == Retraction::cayley, chosen(Sp<>(4)) == Retraction::cayley,
+        chosen(SemidirectProduct{Sp<>(4)}) == Retraction::cayley})
     BOOST_TEST(by_cayley);
-  for (bool const by_factors : {chosen(SL<>(3)) == Retraction::elementary, chosen(SL<>(4)) == Retraction::elementary, chosen(SU<>(3)) == Retraction::elementary,
-                                chosen(DirectProduct{SU<>(3), U<>(1)}) == Retraction::elementary, chosen(SemidirectProduct{SL<>(3)}) == Retraction::elementary})
+  for (bool const by_factors :
+       {chosen(SL<>(3)) == Retraction::elementary, chosen(SL<>(4)) == Retraction::elementary,
+        chosen(SU<>(3)) == Retraction::elementary,
+        chosen(DirectProduct{SU<>(3), U<>(1)}) == Retraction::elementary,
+        chosen(SemidirectProduct{SL<>(3)}) == Retraction::elementary})
     BOOST_TEST(by_factors);
   // The choice can be made by hand, where it does no harm.
   BOOST_TEST((from_span("SO(3)", SO<3>{}, Retraction::elementary).retraction() == Retraction::elementary));
-  BOOST_CHECK_EXCEPTION(from_span("SL(3)", SL<>(3), Retraction::cayley), OutsideDomain, [](OutsideDomain const& e) { return e.measured > e.bound; });
+  BOOST_CHECK_EXCEPTION(from_span("SL(3)", SL<>(3), Retraction::cayley), OutsideDomain,
+                        [](OutsideDomain const& e) { return e.measured > e.bound; });
   // diag(1, 1, -2) spans a group of its own, whose algebra does not contain its cube: no rational map from
   // these powers leads into it.
   WholeMatrix weights = WholeMatrix::Zero(3, 3);
   weights.diagonal() << 1, 1, -2;
-  BOOST_CHECK_EXCEPTION(SpannedGroup("weights", {weights}), OutsideDomain, [](OutsideDomain const& e) { return e.measured == 1 && e.bound == 0; });
+  BOOST_CHECK_EXCEPTION(SpannedGroup("weights", {weights}), OutsideDomain,
+                        [](OutsideDomain const& e) { return e.measured == 1 && e.bound == 0; });
   // A Jordan block of four rows needs its cube beside it.
   WholeMatrix shift = WholeMatrix::Zero(4, 4);
   shift(0, 1) = shift(1, 2) = shift(2, 3) = 1;
   BOOST_CHECK_THROW(SpannedGroup("shift", {shift}), OutsideDomain);
-  BOOST_TEST((SpannedGroup("shift and its cube", {shift, WholeMatrix(shift * shift * shift)}).retraction() == Retraction::cayley));
+  BOOST_TEST((SpannedGroup("shift and its cube", {shift, WholeMatrix(shift * shift * shift)}).retraction() ==
+              Retraction::cayley));
 }
 
 BOOST_AUTO_TEST_CASE(a_product_is_the_pair_of_its_factors) {
@@ -47,7 +57,8 @@ BOOST_AUTO_TEST_CASE(a_product_is_the_pair_of_its_factors) {
   auto const v = log(gh);
   BOOST_TEST(magnitude((v.coordinates.head<3>() - log(g).coordinates).eval()) == 0);
   BOOST_TEST(magnitude((v.coordinates.tail<3>() - log(h).coordinates).eval()) == 0);
-  BOOST_TEST(magnitude(bracket(basis_velocity<double>(Product{}, 1), basis_velocity<double>(Product{}, 4)).coordinates) == 0);
+  BOOST_TEST(magnitude(bracket(basis_velocity<double>(Product{}, 1), basis_velocity<double>(Product{}, 4))
+                           .coordinates) == 0);
 }
 
 namespace {
@@ -84,16 +95,15 @@ struct Spoilt : SL<> {
     return inverse_matrix(a);
   }
   template <Real S>
-  Vector<S> log(Matrix<S> const& a) const {
-    return logarithm_in_algebra<Spoilt, S>(*this, a);
-  }
+  Vector<S> log(Matrix<S> const& a) const { return logarithm_in_algebra<Spoilt, S>(*this, a); }
   template <Real S>
   Matrix<S> restore(Matrix<S> const& a) const {
     return fault == Fault::unscaled_restore ? a : SL<>::restore(a);
   }
 };
 
-/// Whether the laws over double hold, but for those with that word in their names, one of which is broken by far.
+/// Whether the laws over double hold, but for those with that word in their names, one of which is broken by
+/// far.
 bool breaks_only_laws_of(std::string const& word, Fault fault) {
   bool met = false;
   for (auto const& f : laws::check<double>(Spoilt(fault), laws::seed)) {

@@ -1,10 +1,11 @@
-// The ideal fluid seen from space: accelerations, divergences, the source and the walls of the equation of the pressure, curvature.
+// The ideal fluid seen from space: accelerations, divergences, the source and the walls of the equation of
+// the pressure, curvature.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/incompressible/bracket_of_fields.hpp"
 #include "actio/incompressible/ideal_fluid.hpp"
 #include "actio/incompressible/incompressible_equations.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -48,7 +49,8 @@ BOOST_AUTO_TEST_CASE(the_plane_rotates_with_the_pressure_of_a_paraboloid) {
   BOOST_TEST(laplacian(Euclidean<2>{}, p, at) == 2);
   // Through the circle f = |y|^2 - r^2 it rises by grad p . grad f = 2 |y|^2.
   auto const wall = [](auto const& y) { return y[0] * y[0] + y[1] * y[1]; };
-  BOOST_TEST(std::abs(pressure_slope_at_wall(Euclidean<2>{}, rotation, wall, at) - 2 * at.tail<2>().squaredNorm()) < 8 * eps);
+  BOOST_TEST(std::abs(pressure_slope_at_wall(Euclidean<2>{}, rotation, wall, at) -
+                      2 * at.tail<2>().squaredNorm()) < 8 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(the_sphere_rotates_with_a_pressure_that_feels_its_curvature) {
@@ -64,7 +66,9 @@ BOOST_AUTO_TEST_CASE(the_sphere_rotates_with_a_pressure_that_feels_its_curvature
   BOOST_TEST((acceleration + gradient(Sphere{}, p, at)).norm() < 8 * eps);
   BOOST_TEST(std::abs(pressure_source(Sphere{}, Meridians{}, at) - laplacian(Sphere{}, p, at)) < 64 * eps);
   // Ricci's tensor of the unit sphere is its metric.
-  BOOST_TEST((ricci_tensor(Sphere{}, Vector<double, 2>(theta, 1.1)) - Sphere{}(Vector<double, 2>(theta, 1.1))).cwiseAbs().maxCoeff() < 64 * eps);
+  BOOST_TEST((ricci_tensor(Sphere{}, Vector<double, 2>(theta, 1.1)) - Sphere{}(Vector<double, 2>(theta, 1.1)))
+                 .cwiseAbs()
+                 .maxCoeff() < 64 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(at_the_pole_polar_coordinates_have_no_inverse_metric) {
@@ -72,7 +76,9 @@ BOOST_AUTO_TEST_CASE(at_the_pole_polar_coordinates_have_no_inverse_metric) {
 }
 
 BOOST_AUTO_TEST_CASE(the_bracket_of_translation_and_rotation_is_a_translation) {
-  auto const turn = [](auto const& y) { return (Matrix<typename std::remove_cvref_t<decltype(y)>::Scalar, 2, 1>() << -y[1], y[0]).finished(); };
+  auto const turn = [](auto const& y) {
+    return (Matrix<typename std::remove_cvref_t<decltype(y)>::Scalar, 2, 1>() << -y[1], y[0]).finished();
+  };
   auto const shift = [](auto const& y) {
     using T = typename std::remove_cvref_t<decltype(y)>::Scalar;
     return Matrix<T, 2, 1>(T(1.0), T(0.0));
@@ -89,7 +95,8 @@ BOOST_AUTO_TEST_CASE(the_motion_alone_tells_the_slope_of_the_pressure) {
     T const a = x[0] + 1.0;
     return Matrix<T, 2, 1>(T(x[1] * a), T(x[2] / a));
   };
-  auto const fluid = incompressible(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{1}, NoStoredEnergy{}});
+  auto const fluid =
+      incompressible(Continuum{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<double>{1}, NoStoredEnergy{}});
   auto const slope = required_pressure_gradient(fluid, second_jet(stretch, Vector<double, 3>(1, 0.5, 0.8)));
   // a'' = 0 and (1/a)'' = 2/a^3 = 1/4: the force on x2 alone, -x2/4 through F = 1/2.
   BOOST_TEST(std::abs(slope[0]) < 8 * eps);
@@ -98,5 +105,6 @@ BOOST_AUTO_TEST_CASE(the_motion_alone_tells_the_slope_of_the_pressure) {
     using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
     return Matrix<T, 2, 1>(T(x[1]), T(x[1] * 2.0));
   };
-  BOOST_CHECK_THROW(required_pressure_gradient(fluid, second_jet(flat, Vector<double, 3>(1, 0.5, 0.8))), NotOrientationPreserving);
+  BOOST_CHECK_THROW(required_pressure_gradient(fluid, second_jet(flat, Vector<double, 3>(1, 0.5, 0.8))),
+                    NotOrientationPreserving);
 }

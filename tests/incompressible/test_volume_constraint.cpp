@@ -12,12 +12,15 @@ using Flat = Euclidean<2>;
 VolumeConstraint<Flat, Flat> const volume_kept{};
 
 /// The jet of a linear map at rest.
-Jet<double, 2, 2> jet_of(Matrix<double, 2, 2> const& F, Vector<double, 2> const& velocity = Vector<double, 2>::Zero()) {
+Jet<double, 2, 2> jet_of(Matrix<double, 2, 2> const& F,
+                         Vector<double, 2> const& velocity = Vector<double, 2>::Zero()) {
   Jet<double, 2, 2> j{{0, 0.3, -0.2}, F * Vector<double, 2>(0.3, -0.2), {}};
   j.v << velocity, F;
   return j;
 }
-Matrix<double, 2, 2> matrix(double a, double b, double c, double d) { return (Matrix<double, 2, 2>() << a, b, c, d).finished(); }
+Matrix<double, 2, 2> matrix(double a, double b, double c, double d) {
+  return (Matrix<double, 2, 2>() << a, b, c, d).finished();
+}
 
 auto const fluid = incompressible(Continuum{Flat{}, Flat{}, Homogeneous<double>{2}, NoStoredEnergy{}});
 
@@ -56,8 +59,10 @@ BOOST_AUTO_TEST_CASE(a_body_turned_inside_out_or_flattened_is_refused_with_its_v
     BOOST_TEST(std::string(error.what()).find("volume constraint") != std::string::npos);
   }
   BOOST_CHECK_THROW(momenta(fluid, with_multiplier(matrix(1, 2, 2, 4), 1)), NotOrientationPreserving);
-  BOOST_CHECK_THROW(legendre(fluid, with_multiplier(Matrix<double, 2, 2>::Zero(), 1)), NotOrientationPreserving);
-  BOOST_CHECK_THROW(incompressible_momenta(fluid, with_multiplier(matrix(1, 0, 0, -2), 1)), NotOrientationPreserving);
+  BOOST_CHECK_THROW(legendre(fluid, with_multiplier(Matrix<double, 2, 2>::Zero(), 1)),
+                    NotOrientationPreserving);
+  BOOST_CHECK_THROW(incompressible_momenta(fluid, with_multiplier(matrix(1, 0, 0, -2), 1)),
+                    NotOrientationPreserving);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_none_and_metrics_that_are_none_are_refused) {
@@ -73,7 +78,8 @@ BOOST_AUTO_TEST_CASE(the_constraint_is_regular_where_the_volume_is_positive_and_
 }
 
 BOOST_AUTO_TEST_CASE(the_pressure_of_the_multiplier_pushes_outwards) {
-  // A square of fluid at rest under pressure 5: the momenta of space are the pressure times the normals' areas.
+  // A square of fluid at rest under pressure 5: the momenta of space are the pressure times the normals'
+  // areas.
   auto const z = legendre(fluid, with_multiplier(Matrix<double, 2, 2>::Identity(), 5));
   BOOST_TEST(z.p(0, 1) == 5);
   BOOST_TEST(z.p(1, 2) == 5);
@@ -83,7 +89,8 @@ BOOST_AUTO_TEST_CASE(the_pressure_of_the_multiplier_pushes_outwards) {
 }
 
 BOOST_AUTO_TEST_CASE(two_pressures_add) {
-  auto const gas = Continuum{Flat{}, Flat{}, Homogeneous<double>{2}, Barotropic{WholePolytropic<double, 1>{3}}};
+  auto const gas =
+      Continuum{Flat{}, Flat{}, Homogeneous<double>{2}, Barotropic{WholePolytropic<double, 1>{3}}};
   auto const both = pressures(gas, with_multiplier(matrix(2, 0, 0, 0.5), 7));
   // W = 3/J: the pressure is 2 * 3 at J = 1.
   BOOST_TEST(both.stored == 6);

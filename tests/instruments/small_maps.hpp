@@ -18,15 +18,14 @@ struct DiagonalBody {
     return {pi.group, pi.components.cwiseQuotient(inertia.template cast<S>())};
   }
   template <Scalar S>
-  Momentum<G, S> rate(Momentum<G, S> const& pi) const {
-    return ad_star(velocity(pi), pi);
-  }
+  Momentum<G, S> rate(Momentum<G, S> const& pi) const { return ad_star(velocity(pi), pi); }
 };
 
 /// One step of the classical Runge-Kutta method for the body momentum.
 template <Group G, Scalar S>
 Momentum<G, S> runge_kutta(DiagonalBody<G> const& body, S const& h, Momentum<G, S> const& pi) {
-  auto const k1 = body.rate(pi), k2 = body.rate(pi + h / S(2) * k1), k3 = body.rate(pi + h / S(2) * k2), k4 = body.rate(pi + h * k3);
+  auto const k1 = body.rate(pi), k2 = body.rate(pi + h / S(2) * k1), k3 = body.rate(pi + h / S(2) * k2),
+             k4 = body.rate(pi + h * k3);
   return pi + h / S(6) * (k1 + S(2) * k2 + S(2) * k3 + k4);
 }
 
@@ -43,7 +42,8 @@ Momentum<G, S> implicit_midpoint(DiagonalBody<G> const& body, S const& h, Moment
   return {pi.group, solve_implicit(residual, std::tuple(h, pi), Element<Space, S>{{}, pi.components}).value};
 }
 
-/// The classical splitting into the flows of the Hamiltonians \f$\Pi_a^2/2I_a\f$, each exact, forwards and backwards by half a step.
+/// The classical splitting into the flows of the Hamiltonians \f$\Pi_a^2/2I_a\f$, each exact, forwards and
+/// backwards by half a step.
 template <ExponentialGroup G, Real S>
 Momentum<G, S> splitting(DiagonalBody<G> const& body, S const& h, Momentum<G, S> pi) {
   int const n = pi.group.dimension();
@@ -55,7 +55,8 @@ Momentum<G, S> splitting(DiagonalBody<G> const& body, S const& h, Momentum<G, S>
   return pi;
 }
 
-/// The reduced discrete Lagrangian of the body, \f$\frac1{2h}\langle I\log f, \log f\rangle\f$, which any h but zero may enter.
+/// The reduced discrete Lagrangian of the body, \f$\frac1{2h}\langle I\log f, \log f\rangle\f$, which any h
+/// but zero may enter.
 template <Group G, class T>
 auto chart_lagrangian(DiagonalBody<G> const& body, T const& h) {
   return [body, h](auto const& f) {

@@ -38,8 +38,11 @@ Matrix<double> natural(At const& at) {
 // The step with the solver running at dual numbers, and with one update after it.
 auto const by_solver = [](auto const& x) { return step_euler_poincare_left(l, x).value; };
 auto const by_update = [](auto const& x) {
-  return solve_implicit([](auto const& next, auto const& x) { return left_differential(l, next) - like(next, right_differential(l, x)); },
-                        x, x);
+  return solve_implicit(
+      [](auto const& next, auto const& x) {
+    return left_differential(l, next) - like(next, right_differential(l, x));
+      },
+      x, x);
 };
 
 }  // namespace
@@ -47,7 +50,8 @@ auto const by_update = [](auto const& x) {
 BOOST_AUTO_TEST_CASE(both_ways_have_the_tangent_of_the_equation) {
   auto const next = by_solver(f);
   Matrix<double> const expected = euler_poincare_tangent_left(l, f, next);
-  // The equation is solved to 16 epsilon of a motion, and a second derivative is inverted whose entries differ as the inertia does, sixfold.
+  // The equation is solved to 16 epsilon of a motion, and a second derivative is inverted whose entries
+  // differ as the inertia does, sixfold.
   double const room = 16 * 6 * 6 * eps * magnitude(expected);
   RelativeMotionsLeft const space(l);
   auto const solver = tangent_of_map(space, by_solver, f), update = tangent_of_map(space, by_update, f);
@@ -61,13 +65,16 @@ BOOST_AUTO_TEST_CASE(both_ways_have_the_tangent_of_the_equation) {
 
 BOOST_AUTO_TEST_CASE(discrete_lagrangians_keep_their_brackets) {
   BOOST_TEST(poisson_defect(RelativeMotionsLeft(l), by_update, f) < 1000 * eps);
-  // Left and right motions of one function are inverse to each other and have one bracket, up to its sign. That of another function is none of their
-  // business.
+  // Left and right motions of one function are inverse to each other and have one bracket, up to its sign.
+  // That of another function is none of their business.
   BOOST_TEST(poisson_defect(RelativeMotionsRight(l), by_update, f) < 1000 * eps);
   BOOST_TEST(poisson_defect(RelativeMotionsLeft(Twisted{0.5}), by_update, f) > 1e-3);
   auto const right = [](auto const& x) {
-    return solve_implicit([](auto const& next, auto const& x) { return right_differential(l, next) - like(next, left_differential(l, x)); },
-                          x, x);
+    return solve_implicit(
+        [](auto const& next, auto const& x) {
+      return right_differential(l, next) - like(next, left_differential(l, x));
+        },
+        x, x);
   };
   BOOST_TEST(poisson_defect(RelativeMotionsRight(l), right, f) < 1000 * eps);
 }

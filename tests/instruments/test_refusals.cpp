@@ -42,12 +42,17 @@ BOOST_AUTO_TEST_CASE(a_point_that_is_no_number_is_refused) {
     BOOST_CHECK_THROW(self_adjointness_defect(momenta, wait, 0.1, broken), NotFinite);
     BOOST_CHECK_THROW(self_adjointness_defect(momenta, wait, bad, fine), NotFinite);
     BOOST_CHECK_THROW(reversibility_defect(momenta, stay, broken, stay), NotFinite);
-    BOOST_CHECK_THROW(symplectic_defect(CotangentBundle{}, stay, Costate<SO<3>, double>{costate.configuration, broken}), NotFinite);
+    BOOST_CHECK_THROW(
+        symplectic_defect(CotangentBundle{}, stay, Costate<SO<3>, double>{costate.configuration, broken}),
+        NotFinite);
     auto twisted = costate;
     twisted.configuration.value(1, 2) = bad;
     BOOST_CHECK_THROW(symplectic_defect(CotangentBundle{}, stay, twisted), NotFinite);
-    BOOST_CHECK_THROW(momentum_defect(CotangentBundle{}, stay, twisted, left_translation(basis_velocity<double>(SO<3>{}, 0))), NotFinite);
-    BOOST_CHECK_THROW(momentum_defect(CotangentBundle{}, stay, costate, left_translation(velocity(SO<3>{}, Vector3d(0, bad, 0)))),
+    BOOST_CHECK_THROW(momentum_defect(CotangentBundle{}, stay, twisted,
+                                      left_translation(basis_velocity<double>(SO<3>{}, 0))),
+                      NotFinite);
+    BOOST_CHECK_THROW(momentum_defect(CotangentBundle{}, stay, costate,
+                                      left_translation(velocity(SO<3>{}, Vector3d(0, bad, 0)))),
                       NotFinite);
   }
 }
@@ -67,7 +72,9 @@ BOOST_AUTO_TEST_CASE(a_map_to_no_number_is_refused) {
   BOOST_CHECK_THROW(self_adjointness_defect(
                         momenta, [&](auto const&, auto const& x) { return lost(x); }, 0.1, fine),
                     NotFinite);
-  BOOST_CHECK_THROW(casimir_defect(momenta, stay, fine, [](auto const& mu) { return mu.components[0] * no_number; }), NotFinite);
+  BOOST_CHECK_THROW(
+      casimir_defect(momenta, stay, fine, [](auto const& mu) { return mu.components[0] * no_number; }),
+      NotFinite);
   // A map with a value and no derivative: the root of zero.
   auto const pointed = [](auto const& x) {
     using std::sqrt;
@@ -87,8 +94,8 @@ BOOST_AUTO_TEST_CASE(a_map_to_no_number_is_refused) {
 
 BOOST_AUTO_TEST_CASE(a_momentum_of_the_wrong_length_is_refused) {
   auto const group = plane_turns();
-  Momentum<SpannedGroup, double> const short_of_one{group, Vector<double>::Zero(0)}, one_too_many{group, Vector<double>::Ones(2)},
-      right{group, Vector<double>::Ones(1)};
+  Momentum<SpannedGroup, double> const short_of_one{group, Vector<double>::Zero(0)},
+      one_too_many{group, Vector<double>::Ones(2)}, right{group, Vector<double>::Ones(1)};
   BOOST_TEST(poisson_defect(momenta, stay, right) == 0);
   BOOST_CHECK_THROW(poisson_defect(momenta, stay, short_of_one), OutsideDomain);
   BOOST_CHECK_EXCEPTION(poisson_defect(momenta, stay, one_too_many), OutsideDomain,

@@ -23,12 +23,17 @@ BOOST_AUTO_TEST_CASE(the_unreduced_step_is_symplectic_and_a_step_straight_on_is_
   DiagonalBody<SO<3>> const body{Vector3d(1, 2, 4)};
   auto const top = [&](auto const& g0, auto const& g1) {  // with a weight
     using S = typename std::decay_t<decltype(g0)>::Scalar;
-    return S(chart_lagrangian(body, h)(relative_motion_left(g0, g1)) - (g0.value(2, 2) + g1.value(2, 2)) * ratio<S>(1, 8));
+    return S(chart_lagrangian(body, h)(relative_motion_left(g0, g1)) -
+             (g0.value(2, 2) + g1.value(2, 2)) * ratio<S>(1, 8));
   };
   auto const g0 = exp(velocity(SO<3>{}, Vector3d(0.3, -0.8, 0.5)));
   PairArrow<SO<3>, double> const x{g0, g0 * exp(velocity(SO<3>{}, Vector3d(0.2, -0.1, 0.15)))};
-  auto const flow = [&](auto const& y) { return std::decay_t<decltype(y)>{y.second, step_euler_lagrange(top, y.first, y.second).value}; };
-  auto const straight_on = [](auto const& y) { return std::decay_t<decltype(y)>{y.second, y.second * inverse(y.first) * y.second}; };
+  auto const flow = [&](auto const& y) {
+    return std::decay_t<decltype(y)>{y.second, step_euler_lagrange(top, y.first, y.second).value};
+  };
+  auto const straight_on = [](auto const& y) {
+    return std::decay_t<decltype(y)>{y.second, y.second * inverse(y.first) * y.second};
+  };
   PairsOfConfigurations const space{top};
   BOOST_TEST(symplectic_defect(space, flow, x) < 1000 * eps);
   BOOST_TEST(poisson_defect(space, flow, x) < 1000 * eps);

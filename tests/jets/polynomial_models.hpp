@@ -1,8 +1,9 @@
-// A section, a density and a form that the tests of jets are written on: polynomials with whole coefficients, over any scalar.
+// A section, a density and a form that the tests of jets are written on: polynomials with whole coefficients,
+// over any scalar.
 #pragma once
 
-#include "actio/jets/cartan.hpp"
 #include "actio/continuum/continuum.hpp"
+#include "actio/jets/cartan.hpp"
 
 namespace actio::testing {
 
@@ -24,23 +25,23 @@ struct Motion {
 struct Density {
   template <class T, int n, int N>
   T operator()(Jet<T, n, N> const& j) const {
-    T sum = j.v(0, 0) * j.v(0, 0) + j.v(N - 1, 0) * j.v(N - 1, 0) * 2 - j.v(0, n) * j.v(0, n) * j.v(N - 1, 1) + j.x[1] * j.y[0] * j.v(N - 1, n);
+    T sum = j.v(0, 0) * j.v(0, 0) + j.v(N - 1, 0) * j.v(N - 1, 0) * 2 -
+            j.v(0, n) * j.v(0, n) * j.v(N - 1, 1) + j.x[1] * j.y[0] * j.v(N - 1, n);
     return sum + j.y[0] * j.y[N - 1] * j.v(0, 0) * j.v(0, 1) + j.x[0] * j.y[N - 1];
   }
 };
 
 /// A point that no coordinate of is zero.
 template <class S>
-Matrix<S, 3, 1> event() {
-  return {ratio<S>(1, 3), ratio<S>(-1, 7), ratio<S>(2, 5)};
-}
+Matrix<S, 3, 1> event() { return {ratio<S>(1, 3), ratio<S>(-1, 7), ratio<S>(2, 5)}; }
 
 /// A 2-form on 4-space with coefficients of second degree.
 struct TwoForm {
   template <class S>
   S operator()(Matrix<S, 4, 1> const& at, Tangents<S, 4, 2> const& V) const {
     auto const minor = [&V](int i, int k) { return S(V(i, 0) * V(k, 1) - V(i, 1) * V(k, 0)); };
-    return minor(0, 1) * at[2] * at[3] + minor(1, 3) * at[0] * at[1] - minor(0, 2) * at[3] * at[3] + minor(2, 3) * at[1];
+    return minor(0, 1) * at[2] * at[3] + minor(1, 3) * at[0] * at[1] - minor(0, 2) * at[3] * at[3] +
+           minor(2, 3) * at[1];
   }
 };
 

@@ -13,9 +13,7 @@ namespace {
 using Q = rational;
 
 template <class S>
-Box<S, 1> box() {
-  return {{ratio<S>(-1, 2), ratio<S>(1, 3)}, {ratio<S>(3, 2), S(2)}};
-}
+Box<S, 1> box() { return {{ratio<S>(-1, 2), ratio<S>(1, 3)}, {ratio<S>(3, 2), S(2)}}; }
 
 template <class S>
 S power(S const& x, int k) {
@@ -35,7 +33,8 @@ S by_hand(int k) {
 template <class S>
 S by_rule(int k, int degree) {
   auto const b = box<S>();
-  return integral([k](Matrix<S, 2, 1> const& x) { return S(power(x[0], k) * power(x[1], k)); }, b.low, b.high, degree);
+  return integral([k](Matrix<S, 2, 1> const& x) { return S(power(x[0], k) * power(x[1], k)); }, b.low, b.high,
+                  degree);
 }
 
 /// A section over one space dimension.
@@ -78,7 +77,8 @@ BOOST_AUTO_TEST_CASE(quadrature_is_exact_to_its_degree_and_not_one_beyond) {
     // An odd number of equally spaced nodes gives one degree for nothing.
     int const beyond = degree % 2 == 0 ? degree + 2 : degree + 1;
     BOOST_TEST(by_rule<Q>(beyond, degree) != by_hand<Q>(beyond));
-    BOOST_TEST(std::abs(by_rule<double>(degree, degree) / by_hand<double>(degree) - 1) < 100 * epsilon<double>());
+    BOOST_TEST(std::abs(by_rule<double>(degree, degree) / by_hand<double>(degree) - 1) <
+               100 * epsilon<double>());
     // Gauss's rule with s nodes: 2s - 1 and no more.
     int const most = 2 * (degree / 2 + 1) - 1;
     BOOST_TEST(std::abs(by_rule<double>(most, degree) / by_hand<double>(most) - 1) < 100 * epsilon<double>());
@@ -88,8 +88,12 @@ BOOST_AUTO_TEST_CASE(quadrature_is_exact_to_its_degree_and_not_one_beyond) {
 
 BOOST_AUTO_TEST_CASE(boundary_integrals_obey_stokes) {
   // On boxes of two and of three dimensions, with coefficients of second degree.
-  auto const line = []<class S>(Matrix<S, 2, 1> const& x, Tangents<S, 2, 1> const& V) { return S(x[0] * x[1] * V(0, 0) + (x[0] * x[0] - x[1]) * V(1, 0)); };
-  auto const d_line = [&](Matrix<Q, 2, 1> const& x) { return exterior_derivative(line)(x, Tangents<Q, 2, 2>(Tangents<Q, 2, 2>::Identity())); };
+  auto const line = []<class S>(Matrix<S, 2, 1> const& x, Tangents<S, 2, 1> const& V) {
+    return S(x[0] * x[1] * V(0, 0) + (x[0] * x[0] - x[1]) * V(1, 0));
+  };
+  auto const d_line = [&](Matrix<Q, 2, 1> const& x) {
+    return exterior_derivative(line)(x, Tangents<Q, 2, 2>(Tangents<Q, 2, 2>::Identity()));
+  };
   auto const b = box<Q>();
   Q const through = boundary_integral(line, b, 2);
   BOOST_TEST(through == integral(d_line, b.low, b.high, 2));
@@ -99,7 +103,9 @@ BOOST_AUTO_TEST_CASE(boundary_integrals_obey_stokes) {
     m << Matrix<S, 3, 1>(x[0] * x[1], x[1] * x[1] + x[2], x[2] * x[0] + x[1]), V;
     return determinant(m);
   };
-  auto const d_surface = [&](Matrix<Q, 3, 1> const& x) { return exterior_derivative(surface)(x, Tangents<Q, 3, 3>(Tangents<Q, 3, 3>::Identity())); };
+  auto const d_surface = [&](Matrix<Q, 3, 1> const& x) {
+    return exterior_derivative(surface)(x, Tangents<Q, 3, 3>(Tangents<Q, 3, 3>::Identity()));
+  };
   Box<Q, 2> const cube{{Q(0), ratio<Q>(-1, 3), ratio<Q>(1, 5)}, {Q(1), Q(2), Q(3)}};
   BOOST_TEST(boundary_integral(surface, cube, 2) == integral(d_surface, cube.low, cube.high, 2));
 }
@@ -122,7 +128,9 @@ BOOST_AUTO_TEST_CASE(a_section_that_is_not_tilted_has_its_own_jets_and_action) {
 
 BOOST_AUTO_TEST_CASE(a_tilted_section_has_the_jets_of_the_section_it_makes) {
   // t and x exchanged for u: x = (2u + w, w - u), and the section y = (t x, t + x^2) written on it.
-  auto const straight = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 2, 1>(x[0] * x[1], x[0] + x[1] * x[1]); };
+  auto const straight = [](auto const& x) {
+    return Matrix<ScalarOf<decltype(x)>, 2, 1>(x[0] * x[1], x[0] + x[1] * x[1]);
+  };
   auto const map = [&]<class V>(V const& u) {
     using T = ScalarOf<V>;
     Matrix<T, 2, 1> const x(u[0] * 2 + u[1], u[1] - u[0]);
@@ -139,7 +147,12 @@ BOOST_AUTO_TEST_CASE(a_tilted_section_has_the_jets_of_the_section_it_makes) {
 BOOST_AUTO_TEST_CASE(the_variation_of_the_action_is_the_limit_of_its_differences) {
   // Differences about zero have an error of second order in the step: four times less for half of it.
   auto const rate = action_variation(Density{}, Line{}, Tilt{}, box<double>(), 12);
-  auto const error = [&](double h) { return std::abs((tilted_action(Density{}, tilted(h), box<double>(), 24) - tilted_action(Density{}, tilted(-h), box<double>(), 24)) / (2 * h) - rate); };
+  auto const error = [&](double h) {
+    return std::abs((tilted_action(Density{}, tilted(h), box<double>(), 24) -
+                     tilted_action(Density{}, tilted(-h), box<double>(), 24)) /
+                        (2 * h) -
+                    rate);
+  };
   double const coarse = error(2e-3), fine = error(1e-3);
   BOOST_TEST(coarse / fine > 3.9);
   BOOST_TEST(coarse / fine < 4.1);
@@ -158,7 +171,8 @@ BOOST_AUTO_TEST_CASE(the_variation_of_the_action_is_exact_over_the_rationals) {
     auto const B = boundary_current(Density{}, j, Tilt{}(point_of(j)));
     return S(B[0] * V(1, 0) - B[1] * V(0, 0));
   };
-  BOOST_TEST(action_variation(Density{}, Line{}, Tilt{}, b, 12) == integral(bulk, b.low, b.high, 12) + boundary_integral(current, b, 12));
+  BOOST_TEST(action_variation(Density{}, Line{}, Tilt{}, b, 12) ==
+             integral(bulk, b.low, b.high, 12) + boundary_integral(current, b, 12));
 }
 
 BOOST_AUTO_TEST_CASE(a_map_that_covers_no_embedding_is_refused) {
@@ -168,5 +182,7 @@ BOOST_AUTO_TEST_CASE(a_map_that_covers_no_embedding_is_refused) {
     point << -u[0], u[1], u[0], u[1];
     return point;
   };
-  BOOST_CHECK_EXCEPTION(tilted_jet(reflected, x), NotAnEmbedding, [](NotAnEmbedding const& e) { return e.measured == -1 && e.bound == 0 && std::string(e.what()).find("(0.25, 0.5)") != std::string::npos; });
+  BOOST_CHECK_EXCEPTION(tilted_jet(reflected, x), NotAnEmbedding, [](NotAnEmbedding const& e) {
+    return e.measured == -1 && e.bound == 0 && std::string(e.what()).find("(0.25, 0.5)") != std::string::npos;
+  });
 }

@@ -1,4 +1,5 @@
-// Derivatives of densities are those of closed forms, and the Euler-Lagrange derivative from one evaluation is the one that (6.12) writes term by term.
+// Derivatives of densities are those of closed forms, and the Euler-Lagrange derivative from one evaluation
+// is the one that (6.12) writes term by term.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/jets/field_equations.hpp"
@@ -37,12 +38,14 @@ struct Quotient {
   }
 };
 
-/// The density \f$\tfrac12\dot\phi^2 - \tfrac12c\,\phi_x^2 - \tfrac14x\,\phi^4\f$ of a wave equation with a term of third degree.
+/// The density \f$\tfrac12\dot\phi^2 - \tfrac12c\,\phi_x^2 - \tfrac14x\,\phi^4\f$ of a wave equation with a
+/// term of third degree.
 struct Wave {
   template <class T>
   T operator()(Jet<T, 1, 1> const& j) const {
     T const square = j.y[0] * j.y[0];
-    return j.v(0, 0) * j.v(0, 0) / T(2) - j.v(0, 1) * j.v(0, 1) * T(3) / T(2) - j.x[1] * square * square / T(4);
+    return j.v(0, 0) * j.v(0, 0) / T(2) - j.v(0, 1) * j.v(0, 1) * T(3) / T(2) -
+           j.x[1] * square * square / T(4);
   }
 };
 
@@ -83,9 +86,11 @@ BOOST_AUTO_TEST_CASE(partial_and_total_derivatives_are_those_of_closed_forms) {
   // The partial derivative by the place of the body leaves y and v alone, the total one takes them along.
   rational const quarter = y * y * y * y / 4;
   BOOST_TEST((partial_x(Wave{}, first) == Event<rational, 1>(rational(0), -quarter)));
-  rational const along_body = -quarter - j.x[1] * y * y * y * j.v(0, 1) + j.v(0, 0) * j.w[0](0, 1) - 3 * j.v(0, 1) * j.w[1](0, 1);
+  rational const along_body =
+      -quarter - j.x[1] * y * y * y * j.v(0, 1) + j.v(0, 0) * j.w[0](0, 1) - 3 * j.v(0, 1) * j.w[1](0, 1);
   BOOST_TEST((total_derivative(1, Wave{}, j) == along_body));
   // Of a matrix, entry by entry.
-  auto const gradient = total_derivative(0, [](auto const& z) { return z.v; }, j);
+  auto const gradient = total_derivative(
+      0, [](auto const& z) { return z.v; }, j);
   BOOST_TEST((gradient == j.w[0]));
 }

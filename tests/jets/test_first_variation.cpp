@@ -26,7 +26,9 @@ struct Other {
 };
 
 auto current_of = []<class V, class W>(V const& v, W const& w) {
-  return [v, w]<class T>(Matrix<T, 3, 1> const& x) { return multisymplectic_current(Density{}, first_jet(Motion{}, x), first_jet(v, x), first_jet(w, x)); };
+  return [v, w]<class T>(Matrix<T, 3, 1> const& x) {
+    return multisymplectic_current(Density{}, first_jet(Motion{}, x), first_jet(v, x), first_jet(w, x));
+  };
 };
 
 /// A density that has two derivatives and no third where the strain vanishes.
@@ -44,7 +46,9 @@ struct PowerOfStrain {
 BOOST_AUTO_TEST_CASE(the_linearised_equations_are_the_limit_of_differences) {
   auto const x = event<Q>();
   auto const moved = [&](Q const& h) {
-    return euler_lagrange(Density{}, [h](auto const& u) { return (Motion{}(u) + One{}(u) * ScalarOf<decltype(u)>(h)).eval(); }, x);
+    return euler_lagrange(
+        Density{}, [h](auto const& u) { return (Motion{}(u) + One{}(u)*ScalarOf<decltype(u)>(h)).eval(); },
+        x);
   };
   // A cubic in h: two pairs of differences give its linear term without an error.
   auto const slope = [&](Q const& h) { return ((moved(h) - moved(-h)) / (h + h)).eval(); };
@@ -57,7 +61,8 @@ BOOST_AUTO_TEST_CASE(the_linearised_equations_are_the_limit_of_differences) {
 BOOST_AUTO_TEST_CASE(the_divergence_of_the_current_is_greens_identity) {
   auto const x = event<Q>();
   auto const j = second_jet(Motion{}, x), v = second_jet(One{}, x), w = second_jet(Other{}, x);
-  Q const right = v.y.dot(linearised_euler_lagrange(Density{}, j, w)) - w.y.dot(linearised_euler_lagrange(Density{}, j, v));
+  Q const right = v.y.dot(linearised_euler_lagrange(Density{}, j, w)) -
+                  w.y.dot(linearised_euler_lagrange(Density{}, j, v));
   BOOST_TEST(divergence(current_of(One{}, Other{}), x) == right);
   BOOST_TEST(right != 0);
   BOOST_TEST(divergence(current_of(One{}, One{}), x) == 0);
@@ -98,5 +103,7 @@ BOOST_AUTO_TEST_CASE(the_boundary_current_of_a_vertical_variation_has_the_moment
 BOOST_AUTO_TEST_CASE(a_density_without_a_third_derivative_refuses_to_be_linearised_there) {
   auto const flat = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0]); };
   auto const j = second_jet(flat, Vector<double, 2>(0.25, 0.5));
-  BOOST_CHECK_EXCEPTION(linearised_euler_lagrange(PowerOfStrain{}, j, j), NoDerivative, [](NoDerivative const& e) { return std::string(e.what()).find("(0.25, 0.5)") != std::string::npos; });
+  BOOST_CHECK_EXCEPTION(
+      linearised_euler_lagrange(PowerOfStrain{}, j, j), NoDerivative,
+      [](NoDerivative const& e) { return std::string(e.what()).find("(0.25, 0.5)") != std::string::npos; });
 }

@@ -1,8 +1,8 @@
 // Laws of forms, exactly over the rationals.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/numbers/determinant.hpp"
 #include "actio/forms/wedge.hpp"
+#include "actio/numbers/determinant.hpp"
 #include "polynomial_models.hpp"
 
 using namespace actio;
@@ -40,11 +40,14 @@ struct Stream {
 BOOST_AUTO_TEST_CASE(a_form_differentiated_twice_is_zero) {
   auto const once = exterior_derivative(TwoForm{});
   BOOST_TEST(once(at, tangents<Q, 4, 3>()) != 0);
-  auto const coordinate = [](auto const& x, auto const&) { return decltype(x[0] * x[0])(x[0] * x[1] * x[2] + x[3] * x[3] * x[0]); };
-  auto const d = exterior_derivative([coordinate]<class S>(Matrix<S, 4, 1> const& x, Tangents<S, 4, 1> const& V) {
-    // x^1 d(f), with f the function above: not closed.
-    return S(coordinate(x, V) * V(1, 0));
-  });
+  auto const coordinate = [](auto const& x, auto const&) {
+    return decltype(x[0] * x[0])(x[0] * x[1] * x[2] + x[3] * x[3] * x[0]);
+  };
+  auto const d =
+      exterior_derivative([coordinate]<class S>(Matrix<S, 4, 1> const& x, Tangents<S, 4, 1> const& V) {
+        // x^1 d(f), with f the function above: not closed.
+        return S(coordinate(x, V) * V(1, 0));
+      });
   BOOST_TEST(d(at, tangents<Q, 4, 2>()) != 0);
   BOOST_TEST(exterior_derivative(d)(at, tangents<Q, 4, 3>()) == 0);
   BOOST_TEST(exterior_derivative(once)(at, Tangents<Q, 4, 4>(Tangents<Q, 4, 4>::Identity())) == 0);
@@ -53,7 +56,8 @@ BOOST_AUTO_TEST_CASE(a_form_differentiated_twice_is_zero) {
 BOOST_AUTO_TEST_CASE(pull_back_commutes_with_the_exterior_derivative) {
   Matrix<Q, 3, 1> const u(ratio<Q>(1, 3), ratio<Q>(-3, 2), Q(2));
   auto const V = tangents<Q, 3, 3>();
-  Q const before = pull_back(Surface{}, exterior_derivative(TwoForm{}))(u, V), after = exterior_derivative(pull_back(Surface{}, TwoForm{}))(u, V);
+  Q const before = pull_back(Surface{}, exterior_derivative(TwoForm{}))(u, V),
+          after = exterior_derivative(pull_back(Surface{}, TwoForm{}))(u, V);
   BOOST_TEST(before == after);
   BOOST_TEST(before != 0);
 }
@@ -62,7 +66,8 @@ BOOST_AUTO_TEST_CASE(a_vector_contracted_twice_gives_zero_and_two_anticommute) {
   auto const other = [](auto const& x) { return Stream{}(Stream{}(x)); };
   Tangents<Q, 4, 0> const none;
   BOOST_TEST(contract(Stream{}, contract(Stream{}, TwoForm{}))(at, none) == 0);
-  Q const one = contract(Stream{}, contract(other, TwoForm{}))(at, none), two = contract(other, contract(Stream{}, TwoForm{}))(at, none);
+  Q const one = contract(Stream{}, contract(other, TwoForm{}))(at, none),
+          two = contract(other, contract(Stream{}, TwoForm{}))(at, none);
   BOOST_TEST(one == -two);
   BOOST_TEST(one != 0);
 }

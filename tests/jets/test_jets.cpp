@@ -1,8 +1,8 @@
 // Jets of sections, densities on them, and what they refuse.
 #include <boost/test/unit_test.hpp>
 
-#include "actio/jets/field_equations.hpp"
 #include "actio/continuum/materials.hpp"
+#include "actio/jets/field_equations.hpp"
 #include "actio/jets/prolongation.hpp"
 #include "polynomial_models.hpp"
 
@@ -61,7 +61,9 @@ struct RootOfStrain {
   }
 };
 
-bool names(std::exception const& e, char const* text) { return std::string(e.what()).find(text) != std::string::npos; }
+bool names(std::exception const& e, char const* text) {
+  return std::string(e.what()).find(text) != std::string::npos;
+}
 
 }  // namespace
 
@@ -78,8 +80,12 @@ BOOST_AUTO_TEST_CASE(coordinates_of_jets_and_dual_jets_go_there_and_back) {
 }
 
 BOOST_AUTO_TEST_CASE(the_field_equations_of_a_string_are_its_wave_equation) {
-  auto const string = []<class T>(Jet<T, 1, 1> const& j) { return T((j.v(0, 0) * j.v(0, 0) - j.v(0, 1) * j.v(0, 1) * 9) / 2); };
-  auto const shape = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0] * x[1] + x[1] * x[1] * x[1]); };
+  auto const string = []<class T>(Jet<T, 1, 1> const& j) {
+    return T((j.v(0, 0) * j.v(0, 0) - j.v(0, 1) * j.v(0, 1) * 9) / 2);
+  };
+  auto const shape = [](auto const& x) {
+    return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0] * x[0] * x[1] + x[1] * x[1] * x[1]);
+  };
   Matrix<rational, 2, 1> const x(ratio<rational>(1, 2), ratio<rational>(1, 3));
   // -phi_tt + 9 phi_xx = -2 x + 54 x.
   BOOST_TEST(euler_lagrange(string, shape, x)[0] == rational(52) / 3);
@@ -95,7 +101,9 @@ BOOST_AUTO_TEST_CASE(a_density_without_a_derivative_says_so_and_where) {
   j.x << 0.25, 0.5;
   j.y << 2;
   j.v << 1, 0;
-  auto const at_the_point = [](NoDerivative const& e) { return names(e, "x = (0.25, 0.5), y = (2)") && names(e, "no derivative"); };
+  auto const at_the_point = [](NoDerivative const& e) {
+    return names(e, "x = (0.25, 0.5), y = (2)") && names(e, "no derivative");
+  };
   BOOST_CHECK_EXCEPTION(momenta(RootOfStrain{}, j), NoDerivative, at_the_point);
   BOOST_CHECK_EXCEPTION(legendre(RootOfStrain{}, j), NoDerivative, at_the_point);
   auto const flat = [](auto const& x) { return Matrix<ScalarOf<decltype(x)>, 1, 1>(x[0]); };
@@ -108,14 +116,17 @@ BOOST_AUTO_TEST_CASE(a_density_without_a_derivative_says_so_and_where) {
 
 BOOST_AUTO_TEST_CASE(a_fluid_turned_inside_out_and_a_matrix_that_is_no_metric_are_refused) {
   auto const fluid = [](Matrix<double, 2, 2> const& G) {
-    return Continuum{ConstantMetric<double, 2>{G}, Euclidean<2>{}, Homogeneous<double>{1}, Barotropic{WholePolytropic<double, 2>{1}}};
+    return Continuum{ConstantMetric<double, 2>{G}, Euclidean<2>{}, Homogeneous<double>{1},
+                     Barotropic{WholePolytropic<double, 2>{1}}};
   };
   auto j = first_jet(Motion{}, event<double>());
   BOOST_CHECK_NO_THROW(momenta(fluid(Matrix<double, 2, 2>::Identity()), j));
-  BOOST_CHECK_EXCEPTION(momenta(fluid((Matrix<double, 2, 2>() << 1, 2, 2, 1).finished()), j), NotAMetric, [](NotAMetric const& e) { return e.measured < 0 && names(e, "body"); });
+  BOOST_CHECK_EXCEPTION(momenta(fluid((Matrix<double, 2, 2>() << 1, 2, 2, 1).finished()), j), NotAMetric,
+                        [](NotAMetric const& e) { return e.measured < 0 && names(e, "body"); });
   BOOST_CHECK_THROW(momenta(fluid((Matrix<double, 2, 2>() << 1, 0.5, 0, 1).finished()), j), NotAMetric);
   j.v.col(1) = -j.v.col(1);
-  BOOST_CHECK_EXCEPTION(momenta(fluid(Matrix<double, 2, 2>::Identity()), j), NotOrientationPreserving, [](NotOrientationPreserving const& e) { return e.measured < 0 && e.bound == 0; });
+  BOOST_CHECK_EXCEPTION(momenta(fluid(Matrix<double, 2, 2>::Identity()), j), NotOrientationPreserving,
+                        [](NotOrientationPreserving const& e) { return e.measured < 0 && e.bound == 0; });
 }
 
 BOOST_AUTO_TEST_CASE(roots_over_the_rationals_are_exact_or_refused) {
@@ -125,7 +136,8 @@ BOOST_AUTO_TEST_CASE(roots_over_the_rationals_are_exact_or_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_prolonged_field_is_the_rate_of_the_prolonged_flow) {
-  // The field (t + 2x, 3 - t, y) generates nothing linear in eps but is enough to first order: move a section by x + eps xi and look at its jets there.
+  // The field (t + 2x, 3 - t, y) generates nothing linear in eps but is enough to first order: move a section
+  // by x + eps xi and look at its jets there.
   auto const xi = []<class V>(V const& p) {
     using T = ScalarOf<V>;
     Matrix<T, 4, 1> rate;
@@ -136,7 +148,9 @@ BOOST_AUTO_TEST_CASE(a_prolonged_field_is_the_rate_of_the_prolonged_flow) {
   using T = Dual<Q>;
   using Inner = Dual<T, 2>;
   Matrix<Q, 2, 1> const x(ratio<Q>(1, 3), ratio<Q>(2, 5));
-  auto const phi = [](auto const& u) { return Matrix<ScalarOf<decltype(u)>, 2, 1>(u[0] * u[1] + u[0], u[1] * u[1] - u[0]); };
+  auto const phi = [](auto const& u) {
+    return Matrix<ScalarOf<decltype(u)>, 2, 1>(u[0] * u[1] + u[0], u[1] * u[1] - u[0]);
+  };
   // Tangent map of the moved graph: rows X and Y, columns u.
   Matrix<Inner, 2, 1> u;
   for (int i = 0; i < 2; ++i) u[i] = Inner(T(x[i])), u[i].part[i] = T(Q(1));

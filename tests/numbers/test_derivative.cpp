@@ -1,10 +1,11 @@
-// The derivative of a callable is the one in closed form: of numbers, vectors and matrices, in more variables than a batch has, nested, and exactly
-// over the rationals and over the numbers whose arithmetic is chosen when the program runs.
+// The derivative of a callable is the one in closed form: of numbers, vectors and matrices, in more variables
+// than a batch has, nested, and exactly over the rationals and over the numbers whose arithmetic is chosen
+// when the program runs.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/numbers/derivative.hpp"
-#include "witness/draw.hpp"
 #include "witness/arithmetic.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 using namespace actio;
@@ -37,9 +38,7 @@ Matrix<S, n, 1> gradient_of_cubic(Matrix<S, n, 1> const& x) {
 /// The rational map \f$x \mapsto (x_0/x_1,\ x_1x_2)\f$.
 struct Ratios {
   template <class T>
-  Matrix<T, 2, 1> operator()(Matrix<T, 3, 1> const& x) const {
-    return {x[0] / x[1], x[1] * x[2]};
-  }
+  Matrix<T, 2, 1> operator()(Matrix<T, 3, 1> const& x) const { return {x[0] / x[1], x[1] * x[2]}; }
 };
 
 template <class S, int n>
@@ -61,17 +60,20 @@ void exact_derivatives() {
   auto const y = some_point<S, 3>();
   auto const ratios = derivative(Ratios{}, y);
   Matrix<S, 2, 3> expected = Matrix<S, 2, 3>::Zero();
-  expected(0, 0) = S(1) / y[1], expected(0, 1) = -y[0] / (y[1] * y[1]), expected(1, 1) = y[2], expected(1, 2) = y[1];
+  expected(0, 0) = S(1) / y[1], expected(0, 1) = -y[0] / (y[1] * y[1]), expected(1, 1) = y[2],
+              expected(1, 2) = y[1];
   BOOST_TEST((ratios.matrix == expected));
   BOOST_TEST((ratios.partial(1) == expected.col(1)));
 
-  // Nested: the derivative of the gradient is symmetric, and along a direction it is that of the cubic in closed form.
+  // Nested: the derivative of the gradient is symmetric, and along a direction it is that of the cubic in
+  // closed form.
   auto const hessian = derivative([](auto const& z) { return derivative(Cubic{}, z).gradient(); }, x).matrix;
   BOOST_TEST((hessian == hessian.transpose()));
   auto const by_hand = derivative([](auto const& z) { return gradient_of_cubic(z); }, x).matrix;
   BOOST_TEST((hessian == by_hand));
   auto const w = some_point<S, variables>();
-  BOOST_TEST((derivative_along([](auto const& z) { return gradient_of_cubic(z); }, x, w).rate == hessian * w));
+  BOOST_TEST(
+      (derivative_along([](auto const& z) { return gradient_of_cubic(z); }, x, w).rate == hessian * w));
 
   // A map from matrices to matrices, with the variables column by column.
   Matrix<S, 2, 2> A;
@@ -85,7 +87,8 @@ void exact_derivatives() {
       BOOST_TEST((square.partial(2 * b + a) == E * A + A * E));
     }
   // A number in the shape of its variables: the derivative of the determinant is the matrix of cofactors.
-  auto const cofactors = derivative([](auto const& m) { return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0); }, A).gradient();
+  auto const cofactors =
+      derivative([](auto const& m) { return m(0, 0) * m(1, 1) - m(0, 1) * m(1, 0); }, A).gradient();
   Matrix<S, 2, 2> cofactors_by_hand;
   cofactors_by_hand << S(3), S(1), S(-1), S(2);
   BOOST_TEST((cofactors == cofactors_by_hand));
@@ -118,11 +121,15 @@ BOOST_AUTO_TEST_CASE(derivatives_in_double_are_those_of_closed_forms_to_rounding
     return sin(z[0] * z[variables - 1]) * exp(z[2]);
   };
   auto const d = derivative(waves, x);
-  double const s = std::sin(x[0] * x[variables - 1]), c = std::cos(x[0] * x[variables - 1]), e = std::exp(x[2]);
+  double const s = std::sin(x[0] * x[variables - 1]), c = std::cos(x[0] * x[variables - 1]),
+               e = std::exp(x[2]);
   // Each derivative is a product of a few numbers of size 1.
   double const bound = 16 * epsilon<double>();
   for (int k = 0; k < variables; ++k) {
-    double const expected = k == 0 ? c * e * x[variables - 1] : k == 2 ? s * e : k == variables - 1 ? c * e * x[0] : 0.0;
+    double const expected = k == 0               ? c * e * x[variables - 1]
+                            : k == 2             ? s * e
+                            : k == variables - 1 ? c * e * x[0]
+                                                 : 0.0;
     BOOST_TEST(std::abs(d.matrix(0, k) - expected) <= bound, "variable " << k);
   }
   BOOST_TEST(d.value == waves(x));

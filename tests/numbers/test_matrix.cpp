@@ -1,10 +1,11 @@
-// The eager matrix against Eigen's, and where the two could differ: numbers of a matrix as factors, parts of it on both sides.
+// The eager matrix against Eigen's, and where the two could differ: numbers of a matrix as factors, parts of
+// it on both sides.
 #include <boost/test/unit_test.hpp>
 
 #include <sstream>
 
-#include "witness/draw.hpp"
 #include "actio/numbers/matrix.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -27,7 +28,8 @@ BOOST_AUTO_TEST_SUITE(matrix)
 BOOST_AUTO_TEST_CASE(operations_agree_with_those_of_eigen) {
   Draw draw(7);
   for (int n : {1, 2, 3, 5}) {
-    Matrix<double> const a = drawn(draw, n, n + 1), b = drawn(draw, n + 1, n), c = drawn(draw, n, n + 1), v = drawn(draw, n, 1);
+    Matrix<double> const a = drawn(draw, n, n + 1), b = drawn(draw, n + 1, n), c = drawn(draw, n, n + 1),
+                         v = drawn(draw, n, 1);
     Matrix<double> const ea = a, eb = b, ec = c, ev = v;
     BOOST_TEST(same(a * b, ea * eb));
     BOOST_TEST(same(a + c, ea + ec));

@@ -1,14 +1,15 @@
-// Systems with an advected vector: the equations against the unreduced ones, exactly and through the solvers, what is conserved, and refusals.
+// Systems with an advected vector: the equations against the unreduced ones, exactly and through the solvers,
+// what is conserved, and refusals.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/spanned_group.hpp"
 #include "actio/groups/unit_quaternions.hpp"
-#include "witness/reference_solution.hpp"
 #include "actio/reduction/advected.hpp"
 #include "actio/reduction/discrete_euler_lagrange.hpp"
+#include "witness/draw.hpp"
+#include "witness/reference_solution.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -30,7 +31,9 @@ SpannedGroup from_basis(std::string const& name, G const& group) {
   }
   return SpannedGroup(name, basis);
 }
-std::vector<SpannedGroup> groups() { return {from_basis("SO(3)", SO<3>{}), from_basis("SE(3)", SE<3>{}), from_basis("Aff(1)", Aff1{})}; }
+std::vector<SpannedGroup> groups() {
+  return {from_basis("SO(3)", SO<3>{}), from_basis("SE(3)", SE<3>{}), from_basis("Aff(1)", Aff1{})};
+}
 
 /// A polynomial of third degree in the entries of f and a, with no symmetry and no parity.
 struct CubicLagrangian {
@@ -44,7 +47,8 @@ struct CubicLagrangian {
     T x(0), y(0), z(0);
     for (Index i = 0; i < a.size(); ++i) {
       z += a[i] * T(w[i]);
-      for (Index j = 0; j < a.size(); ++j) x += f.value(i, j) * T(u(i, j)), y += f.value(i, j) * T(v(i, j)) * a[j];
+      for (Index j = 0; j < a.size(); ++j)
+        x += f.value(i, j) * T(u(i, j)), y += f.value(i, j) * T(v(i, j)) * a[j];
     }
     return x * x + x * y + x * z + y + z * z * T(3);
   }
@@ -81,9 +85,11 @@ struct BodyInField {
 
 BodyInField random_body(Draw& draw, SpannedGroup const& group, double h) {
   int const n = group.dimension();
-  BodyInField body{Matrix<double>::Identity(n, n) * (n + 1), draw.vector<double, Vector<double>>(group.matrix_size()), 0.5, h};
+  BodyInField body{Matrix<double>::Identity(n, n) * (n + 1),
+                   draw.vector<double, Vector<double>>(group.matrix_size()), 0.5, h};
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j <= i; ++j) body.inertia(i, j) = body.inertia(j, i) = body.inertia(i, j) + draw.number<double>();
+    for (int j = 0; j <= i; ++j)
+      body.inertia(i, j) = body.inertia(j, i) = body.inertia(i, j) + draw.number<double>();
   return body;
 }
 
@@ -106,7 +112,8 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
   Draw draw(11);
   for (auto const& group : groups()) {
     CubicLagrangian const l(draw, group.matrix_size());
-    auto const g0 = draw.element<rational>(group), g1 = draw.element<rational>(group), g2 = draw.element<rational>(group);
+    auto const g0 = draw.element<rational>(group), g1 = draw.element<rational>(group),
+               g2 = draw.element<rational>(group);
     Column<rational> const c = draw.vector<rational>(group.matrix_size());
     auto const compare = [&](auto const& act, char const* name) {
       BOOST_TEST_CONTEXT(group.name() << ", " << name) {
@@ -117,12 +124,17 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
           BOOST_TEST((a1 - act(inverse(g1), c)).isZero(0));
           auto const reduced = advected_euler_poincare_left(l, f10, a0, f21, act).components;
           BOOST_TEST((reduced - Ad_star(g1, discrete_euler_lagrange(L, g0, g1, g2)).components).isZero(0));
-          auto const before = advected_momentum_before_left(l, f10, a0, act), after = advected_momentum_after_left(l, f10, a0);
+          auto const before = advected_momentum_before_left(l, f10, a0, act),
+                     after = advected_momentum_after_left(l, f10, a0);
           BOOST_TEST((before + Ad_star(g0, D1(L, g0, g1))).components.isZero(0));
           BOOST_TEST((after - Ad_star(g1, D2(L, g0, g1))).components.isZero(0));
-          BOOST_TEST((after - advected_lie_poisson_update_left(l, f10, a0, before, act)).components.isZero(0));
+          BOOST_TEST(
+              (after - advected_lie_poisson_update_left(l, f10, a0, before, act)).components.isZero(0));
           // Controls: a vector that is not advected, and a momentum without the term of the vector.
-          BOOST_TEST(!(reduced - (advected_momentum_after_left(l, f10, a0) - advected_momentum_before_left(l, f21, a0, act)).components).isZero(0));
+          BOOST_TEST(!(reduced - (advected_momentum_after_left(l, f10, a0) -
+                                  advected_momentum_before_left(l, f21, a0, act))
+                                     .components)
+                          .isZero(0));
           BOOST_TEST(!(after - Ad_star(inverse(f10), before)).components.isZero(0));
         }
         {
@@ -132,11 +144,14 @@ BOOST_AUTO_TEST_CASE(the_reduced_equations_are_the_unreduced_ones_exactly) {
           BOOST_TEST((a1 - act(g1, c)).isZero(0));
           auto const reduced = advected_euler_poincare_right(l, f01, a0, f12, act);
           BOOST_TEST((reduced - discrete_euler_lagrange(L, g0, g1, g2)).components.isZero(0));
-          auto const before = advected_momentum_before_right(l, f01, a0, act), after = advected_momentum_after_right(l, f01, a0);
+          auto const before = advected_momentum_before_right(l, f01, a0, act),
+                     after = advected_momentum_after_right(l, f01, a0);
           BOOST_TEST((before + D1(L, g0, g1)).components.isZero(0));
           BOOST_TEST((after - D2(L, g0, g1)).components.isZero(0));
-          BOOST_TEST((after - advected_lie_poisson_update_right(l, f01, a0, before, act)).components.isZero(0));
-          BOOST_TEST(!(reduced - (after - advected_momentum_before_right(l, f12, a0, act))).components.isZero(0));
+          BOOST_TEST(
+              (after - advected_lie_poisson_update_right(l, f01, a0, before, act)).components.isZero(0));
+          BOOST_TEST(
+              !(reduced - (after - advected_momentum_before_right(l, f12, a0, act))).components.isZero(0));
         }
       }
     };
@@ -150,19 +165,23 @@ BOOST_AUTO_TEST_CASE(what_fixes_the_vector_has_the_same_momentum_at_both_ends_of
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       CubicLagrangian const l(draw, group.matrix_size());
       auto const f = draw.element<rational>(group);
-      Column<rational> const a0 = draw.vector<rational>(group.matrix_size()), a1 = advect_left(f, a0), b1 = advect_right(f, a0);
+      Column<rational> const a0 = draw.vector<rational>(group.matrix_size()), a1 = advect_left(f, a0),
+                             b1 = advect_right(f, a0);
       auto const zeta = stabiliser(group, a0);
       BOOST_TEST(moved_by(zeta, a0).isZero(0));
       BOOST_TEST(!zeta.coordinates.isZero(0));
       auto const left = stabiliser_momentum(advected_momentum_before_left(l, f, a0), zeta, a0);
       BOOST_TEST(left == stabiliser_momentum(advected_momentum_after_left(l, f, a0), Ad(f, zeta), a1));
       auto const right = stabiliser_momentum(advected_momentum_before_right(l, f, a0), zeta, a0);
-      BOOST_TEST(right == stabiliser_momentum(advected_momentum_after_right(l, f, a0), Ad(inverse(f), zeta), b1));
+      BOOST_TEST(right ==
+                 stabiliser_momentum(advected_momentum_after_right(l, f, a0), Ad(inverse(f), zeta), b1));
       // Controls: transported by the inverse, and a generator that moves the vector.
       BOOST_TEST(left != pair(advected_momentum_after_left(l, f, a0), Ad(inverse(f), zeta)));
       auto const other = draw.velocity<rational>(group);
-      BOOST_TEST(pair(advected_momentum_before_left(l, f, a0), other) != pair(advected_momentum_after_left(l, f, a0), Ad(f, other)));
-      BOOST_CHECK_THROW(stabiliser_momentum(advected_momentum_before_left(l, f, a0), other, a0), OutsideDomain);
+      BOOST_TEST(pair(advected_momentum_before_left(l, f, a0), other) !=
+                 pair(advected_momentum_after_left(l, f, a0), Ad(f, other)));
+      BOOST_CHECK_THROW(stabiliser_momentum(advected_momentum_before_left(l, f, a0), other, a0),
+                        OutsideDomain);
     }
 }
 
@@ -172,7 +191,9 @@ BOOST_AUTO_TEST_CASE(a_step_is_a_coadjoint_action_of_the_semidirect_product_exac
   for (auto const& group : groups()) BOOST_TEST_CONTEXT(group.name()) {
       int const n = group.matrix_size(), d = group.dimension();
       std::vector<SpannedGroup::WholeMatrix> basis(d + n, SpannedGroup::WholeMatrix::Zero(n + 1, n + 1));
-      for (int a = 0; a < d; ++a) basis[a].topLeftCorner(n, n) = -group.hat(Vector<double>(Vector<double>::Unit(d, a))).cast<int>().transpose();
+      for (int a = 0; a < d; ++a)
+        basis[a].topLeftCorner(n, n) =
+            -group.hat(Vector<double>(Vector<double>::Unit(d, a))).cast<int>().transpose();
       for (int i = 0; i < n; ++i) basis[d + i](i, n) = 1;
       SpannedGroup const product("semidirect product", basis);
 
@@ -207,7 +228,8 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations) {
       auto const l = random_body(draw, group, h);
       Column<double> const c = draw.vector<double>(group.matrix_size());
       auto const L = lift_advected_left(l, c);
-      auto before = draw.element<double>(group), configuration = before * exp(h * draw.velocity<double>(group)), reduced = configuration;
+      auto before = draw.element<double>(group),
+           configuration = before * exp(h * draw.velocity<double>(group)), reduced = configuration;
       auto f = relative_motion_left(before, configuration);
       Column<double> a = inverse(before).value * c;
       for (int k = 0; k < steps; ++k) {
@@ -217,9 +239,11 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations) {
         before = configuration, configuration = full.value;
         a = advect_left(f, a), f = half.value, reduced = reconstruct_left(reduced, f);
       }
-      // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a configuration of this size magnifies that a few times.
+      // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a
+      // configuration of this size magnifies that a few times.
       double const bound = 4 * 16 * eps / h * steps;
-      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <=
+                 bound * magnitude(configuration.value));
       BOOST_TEST(magnitude((inverse(before).value * c - a).eval()) <= bound * magnitude(a));
     }
 }
@@ -232,7 +256,8 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations_from_the_right) 
       auto const l = random_body(draw, group, h);
       Column<double> const c = draw.vector<double>(group.matrix_size());
       auto const L = lift_advected_right(l, c);
-      auto before = draw.element<double>(group), configuration = exp(h * draw.velocity<double>(group)) * before, reduced = configuration;
+      auto before = draw.element<double>(group),
+           configuration = exp(h * draw.velocity<double>(group)) * before, reduced = configuration;
       auto f = relative_motion_right(before, configuration);
       Column<double> a = before.value * c;
       for (int k = 0; k < steps; ++k) {
@@ -242,13 +267,14 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_configurations_from_the_right) 
         a = advect_right(f, a), f = half, reduced = reconstruct_right(reduced, f);
       }
       double const bound = 4 * 16 * eps / h * steps;
-      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <=
+                 bound * magnitude(configuration.value));
     }
 }
 
 BOOST_AUTO_TEST_CASE(a_ship_under_water_rights_itself_as_its_equations_say) {
-  // As heavy as the water it displaces, its weight below the middle: Kirchhoff's equations with a righting torque. The vertical is the vector, with a
-  // zero for its fourth component.
+  // As heavy as the water it displaces, its weight below the middle: Kirchhoff's equations with a righting
+  // torque. The vertical is the vector, with a zero for its fourth component.
   auto const group = from_basis("SE(3)", SE<3>{});
   Matrix<double, 6, 1> inertia, moving;
   inertia << 2, 3, 4, 5, 7, 9;
@@ -258,7 +284,8 @@ BOOST_AUTO_TEST_CASE(a_ship_under_water_rights_itself_as_its_equations_say) {
   State start;
   start << inertia.cwiseProduct(moving), vertical;
   auto const rate = [&](double, State const& y) {
-    Vector3d const M = y.head<3>(), P = y.segment<3>(3), up = y.tail<3>(), W = M.cwiseQuotient(inertia.head<3>()), V = P.cwiseQuotient(inertia.tail<3>());
+    Vector3d const M = y.head<3>(), P = y.segment<3>(3), up = y.tail<3>(),
+                   W = M.cwiseQuotient(inertia.head<3>()), V = P.cwiseQuotient(inertia.tail<3>());
     State d;
     d << cross(M, W) + cross(P, V) + cross(up, down), cross(P, W), cross(up, W);
     return d;
@@ -281,10 +308,13 @@ BOOST_AUTO_TEST_CASE(a_ship_under_water_rights_itself_as_its_equations_say) {
     State end;
     end << pi.components, a.head<3>();
     errors.push_back((end - truth).norm());
-    // All translations fix the vertical, so the momentum of gliding along it stays: one step of the solver after the other leaves 16 eps/h.
-    BOOST_TEST(std::abs(pi.components.tail<3>().dot(a.head<3>()) - casimir) <= 16 * eps / h * count * inertia.maxCoeff());
+    // All translations fix the vertical, so the momentum of gliding along it stays: one step of the solver
+    // after the other leaves 16 eps/h.
+    BOOST_TEST(std::abs(pi.components.tail<3>().dot(a.head<3>()) - casimir) <=
+               16 * eps / h * count * inertia.maxCoeff());
   }
-  // The order between the two finest steps. The error has even powers of h only, so the slope is off by a few h^2.
+  // The order between the two finest steps. The error has even powers of h only, so the slope is off by a few
+  // h^2.
   double const order = std::log2(errors[3] / errors[4]);
   BOOST_TEST_MESSAGE("ship under water: errors " << errors[0] << " ... " << errors[4] << ", order " << order);
   BOOST_TEST(std::abs(order - 2) < 0.05);
@@ -296,7 +326,8 @@ BOOST_AUTO_TEST_CASE(quaternions_carry_a_vector_as_matrices_do) {
   auto const turned = [](auto const& g, auto const& a) { return Ad(g, velocity(g.group, a)).coordinates; };
   auto const l = [&](auto const& q, auto const& a) {
     auto const w = log(q).coordinates, moved = turned(q, a);
-    return (w[0] * w[0] + w[1] * w[1] * 2 + w[2] * w[2] * 3) / (2 * h) - (a[0] + a[2] * 2 + moved[0] + moved[2] * 2) * (h / 2);
+    return (w[0] * w[0] + w[1] * w[1] * 2 + w[2] * w[2] * 3) / (2 * h) -
+           (a[0] + a[2] * 2 + moved[0] + moved[2] * 2) * (h / 2);
   };
   BodyInField const by_matrices{Vector<double, 3>(1, 2, 3).asDiagonal(), Vector3d(1, 0, 2), 0, h};
   Vector3d const turn(-0.03, 0.05, -0.1), vertical(0.6, 0, 0.8);
@@ -328,16 +359,20 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
     BOOST_CHECK_THROW(advected_relative_motion_left(l, momentum(group, broken), a, f), NotFinite);
     BOOST_CHECK_THROW(advected_relative_motion_right(l, momentum(group, broken), a, f), NotFinite);
   }
-  BOOST_CHECK_EXCEPTION(advect_left(f, longer), OutsideDomain, [](OutsideDomain const& e) { return e.measured == 4 && e.bound == 3; });
+  BOOST_CHECK_EXCEPTION(advect_left(f, longer), OutsideDomain,
+                        [](OutsideDomain const& e) { return e.measured == 4 && e.bound == 3; });
   auto const zeta = velocity(group, a), other = velocity(group, Column<double>(a + draw.vector<double>(3)));
   auto const pi = draw.momentum<double>(group);
   BOOST_TEST(stabiliser_momentum(pi, zeta, a) == pair(pi, zeta));
-  BOOST_CHECK_EXCEPTION(stabiliser_momentum(pi, other, a), OutsideDomain, [](OutsideDomain const& e) { return e.measured > e.bound; });
+  BOOST_CHECK_EXCEPTION(stabiliser_momentum(pi, other, a), OutsideDomain,
+                        [](OutsideDomain const& e) { return e.measured > e.bound; });
   // No inertia about one axis: nothing says how fast it turns there.
   auto flat = l;
   flat.inertia = Vector<double, 3>(1, 2, 0).asDiagonal();
   flat.slope.setZero();
-  BOOST_CHECK_THROW(advected_relative_motion_left(flat, momentum(group, Column<double>(Vector3d(0, 0, 1))), a, identity<double>(group)), Singular);
+  BOOST_CHECK_THROW(advected_relative_motion_left(flat, momentum(group, Column<double>(Vector3d(0, 0, 1))), a,
+                                                  identity<double>(group)),
+                    Singular);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

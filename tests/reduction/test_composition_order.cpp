@@ -1,4 +1,5 @@
-// Compositions: their coefficients in every precision, and their orders in 50 digits, where rounding does not end the slope, against power series.
+// Compositions: their coefficients in every precision, and their orders in 50 digits, where rounding does not
+// end the slope, against power series.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/reduction/composition.hpp"
@@ -43,7 +44,8 @@ void orders_in_fifty_digits(SpannedGroup const& group) {
   std::vector<int> const counts{2, 3, 4, 6, 8};
   auto const has_order = [&](std::string const& name, std::vector<dec50> const& fractions, int order) {
     auto const measured = measured_order<side>(composed<side>(l, fractions), l, xi, time, counts, truth);
-    BOOST_TEST_MESSAGE(group.name() << (side > 0 ? " right " : " left ") << name << ": order " << measured.slope << ", spread " << measured.spread);
+    BOOST_TEST_MESSAGE(group.name() << (side > 0 ? " right " : " left ") << name << ": order "
+                                    << measured.slope << ", spread " << measured.spread);
     BOOST_TEST_CONTEXT(group.name() << " " << name) BOOST_TEST(std::abs(measured.slope - order) < 0.05);
   };
   has_order("natural chart", {dec50(1)}, 2);
@@ -63,8 +65,10 @@ BOOST_AUTO_TEST_CASE(the_fractions_satisfy_the_order_conditions_in_every_precisi
   fractions_are_right<dec50>();
   fractions_are_right<dec100>();
   // As Kahan and Li print them; the first is taken from them.
-  std::vector<dec50> const printed{dec50("0.39216144400731413927925056"), dec50("0.33259913678935943859974864"), dec50("-0.70624617255763935980996482"),
-                                   dec50("0.08221359629355080023149045"), dec50("0.79854399093482996339895035")};
+  std::vector<dec50> const printed{
+      dec50("0.39216144400731413927925056"), dec50("0.33259913678935943859974864"),
+      dec50("-0.70624617255763935980996482"), dec50("0.08221359629355080023149045"),
+      dec50("0.79854399093482996339895035")};
   auto const solved = kahan_li<dec50>();
   for (int k = 0; k < 5; ++k) BOOST_TEST(magnitude(dec50(solved[k] - printed[k])) < dec50("1e-25"));
 }

@@ -33,10 +33,13 @@ void the_differential_is_that_of_the_action(SpannedGroup const& group, int s) {
   for (int k = 0; k < xi.size(); ++k) {
     Vector<Dual<double>> moved = xi.cast<Dual<double>>();
     moved[k].part[0] = 1;
-    worst = std::max(worst, std::abs(detail::galerkin_action<side>(l, path, group, h, moved).part[0] - written_out[k]));
+    worst = std::max(
+        worst, std::abs(detail::galerkin_action<side>(l, path, group, h, moved).part[0] - written_out[k]));
   }
-  // Slopes of the polynomials grow with the degree, to about 10; sums of s nodes and as many products as the group has dimensions.
-  BOOST_TEST_CONTEXT(group.name() << " s = " << s) BOOST_TEST(worst < 10 * 16 * s * group.dimension() * eps * magnitude(written_out));
+  // Slopes of the polynomials grow with the degree, to about 10; sums of s nodes and as many products as the
+  // group has dimensions.
+  BOOST_TEST_CONTEXT(group.name() << " s = " << s)
+  BOOST_TEST(worst < 10 * 16 * s * group.dimension() * eps * magnitude(written_out));
 }
 
 template <int side>
@@ -48,21 +51,30 @@ void keeps_orbit_momentum_and_bracket(SpannedGroup const& group, int s) {
   double const h = 0.1;
   int const steps = 20;
   auto g = identity<double>(group);
-  auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) { g = next_configuration<side>(g, done.relative_motion); });
-  double const moved = magnitude((end.momentum - start.momentum).components) / magnitude(start.momentum.components),
-               momentum_error = magnitude((conserved_momentum<side>(g, end.momentum) - start.momentum).components) / magnitude(start.momentum.components);
-  auto const whole = [&](auto const& m) { return step(MomentumState{m, like(m, start.velocity)}, h).state.momentum; };
+  auto const end = take_steps(step, start, std::vector<double>(steps, h), [&](auto const& done, double) {
+    g = next_configuration<side>(g, done.relative_motion);
+  });
+  double const moved = magnitude((end.momentum - start.momentum).components) /
+                       magnitude(start.momentum.components),
+               momentum_error =
+                   magnitude((conserved_momentum<side>(g, end.momentum) - start.momentum).components) /
+                   magnitude(start.momentum.components);
+  auto const whole = [&](auto const& m) {
+    return step(MomentumState{m, like(m, start.velocity)}, h).state.momentum;
+  };
   // The relative motion taken the wrong way round: it preserves every orbit too.
   auto const wrong = [&](auto const& m) {
     auto const f = step(MomentumState{m, like(m, start.velocity)}, h).relative_motion;
     return side > 0 ? Ad_star(inverse(f), m) : Ad_star(f, m);
   };
   BOOST_TEST_CONTEXT(group.name() << (side > 0 ? " right" : " left") << " s = " << s) {
-    // Ad of a configuration multiplies a few roundings a step by its own size, at most that of its square in matrices.
+    // Ad of a configuration multiplies a few roundings a step by its own size, at most that of its square in
+    // matrices.
     double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
     BOOST_TEST(momentum_error < 16 * steps * eps * size);
     BOOST_TEST(moved > 1e-2);
-    // Derivatives of relative motions are found to 16 eps in units of motion, 16 eps/h in those of velocity; a few such terms add up.
+    // Derivatives of relative motions are found to 16 eps in units of motion, 16 eps/h in those of velocity;
+    // a few such terms add up.
     BOOST_TEST(bracket_defect(whole, start.momentum) < 4 * 16 * eps / h);
     BOOST_TEST(bracket_defect(wrong, start.momentum) > 1e-6);
   }
@@ -74,7 +86,9 @@ BOOST_AUTO_TEST_SUITE(galerkin_steps)
 
 BOOST_AUTO_TEST_CASE(the_differential_written_out_is_that_of_the_action) {
   for (auto const& group : four_groups())
-    for (int s = 1; s <= 4; ++s) the_differential_is_that_of_the_action<-1>(group, s), the_differential_is_that_of_the_action<1>(group, s);
+    for (int s = 1; s <= 4; ++s)
+      the_differential_is_that_of_the_action<-1>(group, s),
+          the_differential_is_that_of_the_action<1>(group, s);
 }
 
 BOOST_AUTO_TEST_CASE(degree_one_is_the_natural_chart) {
@@ -84,18 +98,21 @@ BOOST_AUTO_TEST_CASE(degree_one_is_the_natural_chart) {
     auto const start = momentum_state(l, draw.velocity<double>(group));
     for (double const h : {0.1, -0.1}) {
       auto const one = galerkin<-1>(l, 1)(start, h), chart = natural_chart_step_left(l)(start, h);
-      BOOST_TEST_CONTEXT(group.name()) BOOST_TEST(magnitude((one.relative_motion.value - chart.relative_motion.value).eval()) < 2 * 16 * eps);
+      BOOST_TEST_CONTEXT(group.name())
+      BOOST_TEST(magnitude((one.relative_motion.value - chart.relative_motion.value).eval()) < 2 * 16 * eps);
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(every_degree_keeps_orbit_momentum_and_bracket) {
   for (auto const& group : four_groups())
-    for (int s = 1; s <= 3; ++s) keeps_orbit_momentum_and_bracket<-1>(group, s), keeps_orbit_momentum_and_bracket<1>(group, s);
+    for (int s = 1; s <= 3; ++s)
+      keeps_orbit_momentum_and_bracket<-1>(group, s), keeps_orbit_momentum_and_bracket<1>(group, s);
 }
 
 BOOST_AUTO_TEST_CASE(a_step_back_undoes_a_step_up_to_the_order_of_the_method) {
-  // The chart is that of the earlier configuration, so a step of degree 2 is not its own adjoint; degree 1, a one-parameter subgroup, is.
+  // The chart is that of the earlier configuration, so a step of degree 2 is not its own adjoint; degree 1, a
+  // one-parameter subgroup, is.
   Draw draw(5);
   auto const& group = four_groups()[3];
   UnevenLagrangian<double> const l(draw, group);
@@ -128,7 +145,9 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused) {
   for (double const far : {30.0, 1e3, 1e6, 1e300}) BOOST_CHECK_THROW(step(start, far), Error);
   BOOST_CHECK_THROW(galerkin<-1>(l, 0), OutsideDomain);
   // A Lagrangian that does not depend on a direction, and one that is no number.
-  auto const blind = [](auto const& xi) { return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1]; };
+  auto const blind = [](auto const& xi) {
+    return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
+  };
   BOOST_CHECK_THROW(galerkin_step_left<double>(blind, 2)(start, 0.1), Singular);
   auto const broken = [nan](auto const& xi) { return xi.coordinates[0] * nan; };
   BOOST_CHECK_THROW(galerkin_step_left<double>(broken, 2)(start, 0.1), Error);

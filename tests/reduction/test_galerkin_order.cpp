@@ -24,7 +24,8 @@ void has_order_twice_its_degree(SpannedGroup const& group, int largest_degree) {
         return galerkin_step_left<dec50>(l, s);
     }();
     auto const measured = measured_order<side>(step, l, xi, time, {2, 3, 4, 6, 8}, truth);
-    BOOST_TEST_MESSAGE(group.name() << (side > 0 ? " right" : " left") << " s = " << s << ": order " << measured.slope << ", spread " << measured.spread);
+    BOOST_TEST_MESSAGE(group.name() << (side > 0 ? " right" : " left") << " s = " << s << ": order "
+                                    << measured.slope << ", spread " << measured.spread);
     BOOST_TEST_CONTEXT(group.name() << " s = " << s) BOOST_TEST(std::abs(measured.slope - 2 * s) < 0.05);
   }
 }

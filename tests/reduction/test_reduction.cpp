@@ -1,7 +1,7 @@
-// Discrete mechanics as a reader uses it: the two roads with their solvers on many groups, and refusals in place of wrong numbers.
+// Discrete mechanics as a reader uses it: the two roads with their solvers on many groups, and refusals in
+// place of wrong numbers.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
@@ -12,6 +12,7 @@
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "actio/reduction/relative_motion.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
@@ -53,9 +54,10 @@ auto const spinning_body = [](auto const& omega) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_on_seven_groups) {
-  std::vector<SpannedGroup> const groups = {from_basis("SO(3)", SO<3>{}),   from_basis("SO(4)", SO<4>{}), from_basis("SE(2)", SE<2>{}),
-                                            from_basis("SE(3)", SE<3>{}),   from_basis("Aff(1)", Aff1{}), from_basis("GL(2)", GL<2>{}),
-                                            from_basis("Heisenberg", Heisenberg{})};
+  std::vector<SpannedGroup> const groups = {
+      from_basis("SO(3)", SO<3>{}),          from_basis("SO(4)", SO<4>{}), from_basis("SE(2)", SE<2>{}),
+      from_basis("SE(3)", SE<3>{}),          from_basis("Aff(1)", Aff1{}), from_basis("GL(2)", GL<2>{}),
+      from_basis("Heisenberg", Heisenberg{})};
   Draw draw(7);
   for (auto const& group : groups) {
     double const h = 0.05;
@@ -63,7 +65,8 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_on_seven_groups) {
     auto const l = natural_chart_lagrangian_right(KineticEnergy(draw, group.dimension()), h);
     auto const L = lift_right(l);
     auto const start = draw.element<double>(group);
-    auto before = start, configuration = exp(h * draw.velocity<double>(group)) * start, reduced = configuration;
+    auto before = start, configuration = exp(h * draw.velocity<double>(group)) * start,
+         reduced = configuration;
     auto f = relative_motion_right(before, configuration);
     // Right multiplication is the symmetry, so it is the momentum in the body that stays.
     auto const in_body = [&] { return Ad_star(configuration, D2(L, before, configuration)); };
@@ -78,10 +81,12 @@ BOOST_AUTO_TEST_CASE(both_roads_lead_to_the_same_places_on_seven_groups) {
       before = configuration, configuration = full.value;
       f = half.value, reduced = reconstruct_right(reduced, f);
     }
-    // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a configuration of this size magnifies that a few times.
+    // A relative motion is found to 16 eps, so its velocity, and the momentum, to 16 eps/h; Ad of a
+    // configuration of this size magnifies that a few times.
     double const bound = 4 * 16 * eps / h * steps;
     BOOST_TEST_CONTEXT(group.name()) {
-      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <= bound * magnitude(configuration.value));
+      BOOST_TEST(magnitude((configuration.value - reduced.value).eval()) <=
+                 bound * magnitude(configuration.value));
       BOOST_TEST(magnitude((in_body() - at_start).components) <= bound * magnitude(at_start.components));
     }
   }
@@ -111,7 +116,8 @@ BOOST_AUTO_TEST_CASE(a_discrete_lagrangian_that_is_blind_to_a_direction_is_refus
   };
   // Along the third axis it has no second derivative at all.
   auto const f = exp(velocity(SO<3>{}, Vector<double, 3>(0, 0, 0.1)));
-  BOOST_CHECK_EXCEPTION(step_euler_poincare_right(flat, f), Singular, [](Singular const& e) { return e.measured <= e.bound; });
+  BOOST_CHECK_EXCEPTION(step_euler_poincare_right(flat, f), Singular,
+                        [](Singular const& e) { return e.measured <= e.bound; });
   BOOST_CHECK_THROW(step_euler_lagrange(lift_right(flat), f, identity<double>(SO<3>{})), Singular);
 }
 
@@ -120,13 +126,16 @@ BOOST_AUTO_TEST_CASE(a_step_past_the_chart_throws_and_never_returns) {
   double const h = 1;
   auto const l = natural_chart_lagrangian_left(spinning_body, h);
   auto const pi = momentum(SO<3>{}, Vector<double, 3>(0.5, 9.4, 1.1));
-  BOOST_CHECK_THROW(relative_motion_from_momentum_left(l, pi, exp(velocity(SO<3>{}, Vector<double, 3>(-0.5, -3, -0.3)))), Error);
+  BOOST_CHECK_THROW(
+      relative_motion_from_momentum_left(l, pi, exp(velocity(SO<3>{}, Vector<double, 3>(-0.5, -3, -0.3)))),
+      Error);
 }
 
 BOOST_AUTO_TEST_CASE(a_rotation_by_pi_has_no_place_in_the_natural_chart) {
   auto const l = natural_chart_lagrangian_left(spinning_body, 0.1);
   Matrix<double, 3, 3> const half_turn = Vector<double, 3>(1, -1, -1).asDiagonal();
-  BOOST_CHECK_EXCEPTION(step_euler_poincare_left(l, Element<SO<3>, double>{SO<3>{}, half_turn}), OutsideDomain, [](OutsideDomain const& e) { return e.measured >= e.bound; });
+  BOOST_CHECK_EXCEPTION(step_euler_poincare_left(l, Element<SO<3>, double>{SO<3>{}, half_turn}),
+                        OutsideDomain, [](OutsideDomain const& e) { return e.measured >= e.bound; });
 }
 
 BOOST_AUTO_TEST_CASE(nothing_that_is_no_number_gets_in) {
@@ -138,9 +147,11 @@ BOOST_AUTO_TEST_CASE(nothing_that_is_no_number_gets_in) {
     broken.value(1, 2) = bad;
     BOOST_CHECK_THROW(step_euler_poincare_left(l, broken), NotFinite);
     BOOST_CHECK_THROW(step_euler_lagrange(lift_left(l), f, broken), NotFinite);
-    BOOST_CHECK_THROW(relative_motion_from_momentum_left(l, momentum(SO<3>{}, Vector<double, 3>(bad, 0, 0)), f), NotFinite);
+    BOOST_CHECK_THROW(
+        relative_motion_from_momentum_left(l, momentum(SO<3>{}, Vector<double, 3>(bad, 0, 0)), f), NotFinite);
     auto const broken_energy = [bad](auto const& xi) { return spinning_body(xi) * bad; };
-    BOOST_CHECK_THROW(step_euler_poincare_left(natural_chart_lagrangian_left(broken_energy, 0.1), f), NotFinite);
+    BOOST_CHECK_THROW(step_euler_poincare_left(natural_chart_lagrangian_left(broken_energy, 0.1), f),
+                      NotFinite);
     BOOST_CHECK_THROW(natural_chart_lagrangian_left(spinning_body, bad), Error);
   }
   BOOST_CHECK_THROW(natural_chart_lagrangian_left(spinning_body, 0.0), OutsideDomain);

@@ -29,9 +29,7 @@ Velocity<G, double> velocity_at_start(double size) {
   return xi;
 }
 template <class M>
-double largest(M const& m) {
-  return magnitude(m);
-}
+double largest(M const& m) { return magnitude(m); }
 
 /// By how much more than the residual, in units of its rows, a solution may be off: the largest row of |J^-1|
 /// times the sizes of the rows of J.
@@ -183,7 +181,7 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
   // An energy that does not know the third component of the velocity.
   auto const degenerate = natural_chart_lagrangian_left(
       [](auto const& xi) {
-        return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
+    return xi.coordinates[0] * xi.coordinates[0] + xi.coordinates[1] * xi.coordinates[1];
       },
       h);
   EulerPoincareStepsLeft flat(degenerate, identity<double>(SO<3>{}));
@@ -194,8 +192,8 @@ BOOST_AUTO_TEST_CASE(refusals_are_those_of_newton_and_leave_the_motion_where_it_
   double end = 1e9;
   auto const ending = natural_chart_lagrangian_left(
       [&end](auto const& xi) {
-        auto const all = kinetic(xi);
-        return base_value(all) > end ? all * std::nan("") : all;
+    auto const all = kinetic(xi);
+    return base_value(all) > end ? all * std::nan("") : all;
       },
       h);
   EulerPoincareStepsLeft motion(ending, exp(-h * velocity_at_start<SO<3>>(0.8)));

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Steps of 3/2, 1/2, 4/5 and 6/5 of the mean, again and again, that add up to a time; `count` is a multiple of 4.
+/// Steps of 3/2, 1/2, 4/5 and 6/5 of the mean, again and again, that add up to a time; `count` is a multiple
+/// of 4.
 std::vector<double> irregular(int count, double time) {
   double const pattern[] = {1.5, 0.5, 0.8, 1.2};
   std::vector<double> lengths;
@@ -21,7 +22,8 @@ std::vector<double> irregular(int count, double time) {
   return lengths;
 }
 
-/// The thesis' normalisation: the natural chart's discrete Lagrangian over the step. Its momenta are momenta over a time.
+/// The thesis' normalisation: the natural chart's discrete Lagrangian over the step. Its momenta are momenta
+/// over a time.
 template <class L>
 auto divided_by_the_step_left(L const& l) {
   return LiePoissonStepLeft{[l](auto const& h) {
@@ -44,11 +46,13 @@ Run run_on(SpannedGroup const& group, double time) {
   return {l, momentum_state(l, xi), FlowByHand<double, -1>{l}.after(xi.coordinates, time)};
 }
 
-/// Error of the momentum at the end of steps matched by momenta over a time: with h p at the start and p / h at the end they are read as momenta.
+/// Error of the momentum at the end of steps matched by momenta over a time: with h p at the start and p / h
+/// at the end they are read as momenta.
 double error_divided(Run const& run, std::vector<double> const& lengths) {
   MomentumState<SpannedGroup, double> const scaled{run.start.momentum / lengths.front(), run.start.velocity};
   auto const end = take_steps(divided_by_the_step_left(run.l), scaled, lengths);
-  return magnitude((end.momentum.components * lengths.back() - run.truth.second).eval()) / magnitude(run.truth.second);
+  return magnitude((end.momentum.components * lengths.back() - run.truth.second).eval()) /
+         magnitude(run.truth.second);
 }
 
 }  // namespace
@@ -60,13 +64,16 @@ BOOST_AUTO_TEST_CASE(steps_of_any_lengths_have_the_order_of_equal_ones) {
     auto const run = run_on(group, 0.5);
     auto const order = [&](auto const& step, std::vector<int> const& counts) {
       std::vector<double> errors;
-      for (int const count : counts) errors.push_back(error_of_run<-1>(step, run.start, irregular(count, 0.5), run.truth));
+      for (int const count : counts)
+        errors.push_back(error_of_run<-1>(step, run.start, irregular(count, 0.5), run.truth));
       return order_of(counts, errors).slope;
     };
     BOOST_TEST_CONTEXT(group.name()) {
       BOOST_TEST(std::abs(order(natural_chart_step_left(run.l), {32, 48, 64, 96, 128}) - 2) < 0.05);
       BOOST_TEST(std::abs(order(galerkin_step_left<double>(run.l, 2), {16, 24, 32, 48, 64}) - 4) < 0.05);
-      BOOST_TEST(std::abs(order(ComposedLeft(natural_chart_step_left(run.l), suzuki<double>()), {16, 24, 32, 48, 64}) - 4) < 0.05);
+      BOOST_TEST(std::abs(order(ComposedLeft(natural_chart_step_left(run.l), suzuki<double>()),
+                                {16, 24, 32, 48, 64}) -
+                          4) < 0.05);
     }
   }
 }
@@ -82,7 +89,8 @@ BOOST_AUTO_TEST_CASE(the_momentum_of_the_symmetry_is_kept_whatever_the_lengths) 
         g = next_configuration<-1>(g, done.relative_motion);
         double const size = std::max(1.0, magnitude(g.value) * magnitude(inverse(g).value));
         auto const change = conserved_momentum<-1>(g, done.state.momentum) - run.start.momentum;
-        worst = std::max(worst, magnitude(change.components) / magnitude(run.start.momentum.components) / size);
+        worst =
+            std::max(worst, magnitude(change.components) / magnitude(run.start.momentum.components) / size);
       });
       return worst;
     };
@@ -99,7 +107,9 @@ BOOST_AUTO_TEST_CASE(steps_of_three_lengths_keep_the_bracket) {
   for (auto const& group : four_groups()) {
     auto const run = run_on(group, 0.27);
     auto const after = [&](auto const& step) {
-      return [&](auto const& m) { return take_steps(step, MomentumState{m, like(m, run.start.velocity)}, lengths).momentum; };
+      return [&](auto const& m) {
+        return take_steps(step, MomentumState{m, like(m, run.start.velocity)}, lengths).momentum;
+      };
     };
     // 16 eps over the step of each of the three, the shortest most; a few such terms add up.
     double const room = 4 * 16 * eps / 0.02;
@@ -119,14 +129,18 @@ BOOST_AUTO_TEST_CASE(divided_by_the_step_equal_steps_are_right_and_others_are_no
       // Equal steps: the same motion. Unequal ones: each step starts with the momentum times h_{k+1}/h_k, and
       // no refinement helps.
       std::vector<double> const equal(64, 0.5 / 64);
-      BOOST_TEST(error_divided(run, equal) < 2 * error_of_run<-1>(natural_chart_step_left(run.l), run.start, equal, run.truth));
+      BOOST_TEST(error_divided(run, equal) <
+                 2 * error_of_run<-1>(natural_chart_step_left(run.l), run.start, equal, run.truth));
       for (int const count : {32, 64, 128, 256}) {
         BOOST_TEST(error_divided(run, irregular(count, 0.5)) > 0.01);
-        BOOST_TEST(error_of_run<-1>(natural_chart_step_left(run.l), run.start, irregular(count, 0.5), run.truth) < 0.01);
+        BOOST_TEST(error_of_run<-1>(natural_chart_step_left(run.l), run.start, irregular(count, 0.5),
+                                    run.truth) < 0.01);
       }
       // Yet it preserves the bracket that belongs to its momenta: structure alone does not make a flow right.
       auto const after = [&](auto const& m) {
-        return take_steps(divided_by_the_step_left(run.l), MomentumState{m, like(m, run.start.velocity)}, std::vector<double>{0.02, 0.01}).momentum;
+        return take_steps(divided_by_the_step_left(run.l), MomentumState{m, like(m, run.start.velocity)},
+                          std::vector<double>{0.02, 0.01})
+            .momentum;
       };
       BOOST_TEST(bracket_defect(after, run.start.momentum / 0.02) < 4 * 16 * eps / 0.01);
     }

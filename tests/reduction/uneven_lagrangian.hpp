@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "witness/draw.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/motions.hpp"
 #include "actio/groups/spanned_group.hpp"
-#include "witness/taylor_reference.hpp"
 #include "actio/reduction/momentum_step.hpp"
 #include "actio/variational/lie_poisson.hpp"
+#include "witness/draw.hpp"
+#include "witness/taylor_reference.hpp"
 
 namespace actio::testing {
 
@@ -28,7 +28,8 @@ SpannedGroup from_basis(std::string const& name, G const& group) {
   return SpannedGroup(name, basis);
 }
 
-/// \f$\tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle + \tfrac\kappa3\langle c,\xi\rangle^3\f$: neither even nor symmetric.
+/// \f$\tfrac12\langle A\xi,\xi\rangle + \langle b,\xi\rangle + \tfrac\kappa3\langle c,\xi\rangle^3\f$:
+/// neither even nor symmetric.
 template <class S>
 struct UnevenLagrangian {
   SpannedGroup group;
@@ -69,7 +70,8 @@ struct UnevenLagrangian {
   }
 };
 
-/// The equations of motion for (entries of g, xi); side: +1 right-invariant, g' = xi g; -1 left-invariant, g' = g xi.
+/// The equations of motion for (entries of g, xi); side: +1 right-invariant, g' = xi g; -1 left-invariant,
+/// g' = g xi.
 template <class S, int side>
 struct FlowByHand {
   UnevenLagrangian<S> l;
@@ -83,7 +85,8 @@ struct FlowByHand {
     for (int i = 0; i < n * n; ++i) g(i % n, i / n) = y[i];
     Vector<T> const xi = y.segment(n * n, d), p = l.gradient_by_hand(xi);
     Matrix<T> const x = group.hat(xi), g_rate = side > 0 ? Matrix<T>(x * g) : Matrix<T>(g * x);
-    // p'_k = -+ <p, [xi, e_k]>, then xi' = (A + 2 kappa <c, xi> c c^T)^{-1} p' by the formula for a change of rank one.
+    // p'_k = -+ <p, [xi, e_k]>, then xi' = (A + 2 kappa <c, xi> c c^T)^{-1} p' by the formula for a change of
+    // rank one.
     Vector<T> p_rate(d), acceleration = Vector<T>::Zero(d), bent = acceleration;
     for (int k = 0; k < d; ++k) {
       Matrix<T> const e = group.hat(Vector<T>(Vector<T>::Unit(d, k)));
@@ -92,7 +95,8 @@ struct FlowByHand {
     }
     T along(0), up(0), down(0);
     for (int i = 0; i < d; ++i) {
-      for (int j = 0; j < d; ++j) acceleration[i] += p_rate[j] * T(inverse_a(i, j)), bent[i] += T(inverse_a(i, j) * l.c[j]);
+      for (int j = 0; j < d; ++j)
+        acceleration[i] += p_rate[j] * T(inverse_a(i, j)), bent[i] += T(inverse_a(i, j) * l.c[j]);
       along += xi[i] * T(l.c[i]);
     }
     for (int i = 0; i < d; ++i) up += acceleration[i] * T(l.c[i]), down += bent[i] * T(l.c[i]);
@@ -117,7 +121,8 @@ struct FlowByHand {
 
 /// The next configuration of a run; side as in \ref FlowByHand.
 template <int side, class S>
-Element<SpannedGroup, S> next_configuration(Element<SpannedGroup, S> const& g, Element<SpannedGroup, S> const& f) {
+Element<SpannedGroup, S> next_configuration(Element<SpannedGroup, S> const& g,
+                                            Element<SpannedGroup, S> const& f) {
   if constexpr (side > 0)
     return reconstruct_right(g, f);
   else
@@ -125,7 +130,8 @@ Element<SpannedGroup, S> next_configuration(Element<SpannedGroup, S> const& g, E
 }
 /// The momentum that the symmetry conserves, from the one that changes.
 template <int side, class S>
-Momentum<SpannedGroup, S> conserved_momentum(Element<SpannedGroup, S> const& g, Momentum<SpannedGroup, S> const& m) {
+Momentum<SpannedGroup, S> conserved_momentum(Element<SpannedGroup, S> const& g,
+                                             Momentum<SpannedGroup, S> const& m) {
   if constexpr (side > 0)
     return Ad_star(g, m);
   else
@@ -134,17 +140,19 @@ Momentum<SpannedGroup, S> conserved_momentum(Element<SpannedGroup, S> const& g, 
 
 /// Largest relative error of configuration and momentum at the end of a run from the identity.
 template <int side, class S, class Step>
-double error_of_run(Step const& step, MomentumState<SpannedGroup, S> const& start, std::vector<S> const& lengths,
-                    std::pair<Matrix<S>, Vector<S>> const& truth) {
+double error_of_run(Step const& step, MomentumState<SpannedGroup, S> const& start,
+                    std::vector<S> const& lengths, std::pair<Matrix<S>, Vector<S>> const& truth) {
   auto g = identity<S>(start.momentum.group);
-  auto const end = take_steps(step, start, lengths, [&](auto const& done, auto const&) { g = restore(next_configuration<side>(g, done.relative_motion)); });
+  auto const end = take_steps(step, start, lengths, [&](auto const& done, auto const&) {
+    g = restore(next_configuration<side>(g, done.relative_motion));
+  });
   S const configuration = magnitude((g.value - truth.first).eval()) / magnitude(truth.first);
   S const momentum = magnitude((end.momentum.components - truth.second).eval()) / magnitude(truth.second);
   return to_double(configuration > momentum ? configuration : momentum);
 }
 
-/// Order of a method: the slope of the least squares line through the logarithms of (number of steps, error), and the largest distance of a point
-/// from the line.
+/// Order of a method: the slope of the least squares line through the logarithms of (number of steps, error),
+/// and the largest distance of a point from the line.
 struct Order {
   double slope, spread;
 };
@@ -157,20 +165,24 @@ inline Order order_of(std::vector<int> const& counts, std::vector<double> const&
   }
   double const slope = (n * suv - su * sv) / (n * suu - su * su), start = (sv - slope * su) / n;
   double spread = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) spread = std::max(spread, std::abs(std::log(errors[i]) - start + slope * std::log(counts[i])));
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    spread = std::max(spread, std::abs(std::log(errors[i]) - start + slope * std::log(counts[i])));
   return {slope, spread};
 }
 /// The order of a step over a time, by runs of 50 digits in `counts` equal steps.
 template <int side, class Step>
-Order measured_order(Step const& step, UnevenLagrangian<dec50> const& l, Velocity<SpannedGroup, dec50> const& xi, dec50 const& time,
+Order measured_order(Step const& step, UnevenLagrangian<dec50> const& l,
+                     Velocity<SpannedGroup, dec50> const& xi, dec50 const& time,
                      std::vector<int> const& counts, std::pair<Matrix<dec50>, Vector<dec50>> const& truth) {
   auto const start = momentum_state(l, xi);
   std::vector<double> errors;
-  for (int const count : counts) errors.push_back(error_of_run<side>(step, start, std::vector<dec50>(count, dec50(time / count)), truth));
+  for (int const count : counts)
+    errors.push_back(error_of_run<side>(step, start, std::vector<dec50>(count, dec50(time / count)), truth));
   return order_of(counts, errors);
 }
 
-/// The tangent of the map of momenta that `after` is, at a momentum: `after` runs on dual numbers, solver and all.
+/// The tangent of the map of momenta that `after` is, at a momentum: `after` runs on dual numbers, solver and
+/// all.
 template <class Map>
 Matrix<double> tangent_of(Map const& after, Momentum<SpannedGroup, double> const& m) {
   int const n = m.group.dimension();
@@ -182,7 +194,8 @@ Matrix<double> tangent_of(Map const& after, Momentum<SpannedGroup, double> const
   });
   return tangent;
 }
-/// By how much a map of momenta changes the Lie-Poisson bracket, relative to the bracket: \f$T\,\Lambda(m)\,T^T - \Lambda(after(m))\f$.
+/// By how much a map of momenta changes the Lie-Poisson bracket, relative to the bracket:
+/// \f$T\,\Lambda(m)\,T^T - \Lambda(after(m))\f$.
 template <class Map>
 double bracket_defect(Map const& after, Momentum<SpannedGroup, double> const& m) {
   Matrix<double> const t = tangent_of(after, m), there = lie_poisson_tensor_plus(after(m));
@@ -191,7 +204,8 @@ double bracket_defect(Map const& after, Momentum<SpannedGroup, double> const& m)
 
 /// The groups of these tests: one that hides sides and stars, and three that do not.
 inline std::vector<SpannedGroup> const& four_groups() {
-  static std::vector<SpannedGroup> const groups = {from_basis("SO(3)", SO<3>{}), from_basis("SL(2)", SL2{}), from_basis("Aff(1)", Aff1{}),
+  static std::vector<SpannedGroup> const groups = {from_basis("SO(3)", SO<3>{}), from_basis("SL(2)", SL2{}),
+                                                   from_basis("Aff(1)", Aff1{}),
                                                    from_basis("SE(3)", SE<3>{})};
   return groups;
 }

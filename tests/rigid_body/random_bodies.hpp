@@ -26,7 +26,8 @@ RandomBody<n> random_body(std::mt19937& random, int size = n) {
   return {inertia, velocity(inertia.group, xi)};
 }
 
-/// Order of a method: slope of the least squares line through the logarithms, and the largest distance of a point from it.
+/// Order of a method: slope of the least squares line through the logarithms, and the largest distance of a
+/// point from it.
 struct Fit {
   double slope, spread;
 };
@@ -38,7 +39,8 @@ inline Fit fit_order(std::vector<double> const& steps, std::vector<double> const
   }
   double const slope = (n * xy - x * y) / (n * xx - x * x), start = (y - slope * x) / n;
   double spread = 0;
-  for (std::size_t i = 0; i < steps.size(); ++i) spread = std::max(spread, std::abs(std::log(errors[i]) - start - slope * std::log(steps[i])));
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    spread = std::max(spread, std::abs(std::log(errors[i]) - start - slope * std::log(steps[i])));
   return {slope, spread};
 }
 

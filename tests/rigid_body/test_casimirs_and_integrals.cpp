@@ -2,13 +2,13 @@
 // steps, and input that has no answer.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/rigid_body/algebra_poisson.hpp"
 #include "actio/rigid_body/casimirs.hpp"
 #include "actio/rigid_body/isospectral.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/multiplier.hpp"
 #include "random_bodies.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -17,8 +17,9 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Casimirs of the momentum and integrals of h times it, before a step and a hundred steps later. Each step carries the momentum with a rounding error or
-// two; coefficients of a characteristic polynomial of five rows are sums of products of up to five entries.
+// Casimirs of the momentum and integrals of h times it, before a step and a hundred steps later. Each step
+// carries the momentum with a rounding error or two; coefficients of a characteristic polynomial of five rows
+// are sums of products of up to five entries.
 template <int n>
 void kept_along_the_scheme() {
   std::mt19937 random(testing::seed);
@@ -49,10 +50,12 @@ BOOST_AUTO_TEST_CASE(as_many_as_the_rank_of_the_group_asks_for) {
     auto const mu = draw.momentum<rational>(group);
     auto const c = casimirs(mu);
     BOOST_TEST(c.size() == n / 2);
-    Matrix<rational, Dynamic, Dynamic> const m = group.hat(mu.components), one = Matrix<rational, Dynamic, Dynamic>::Identity(n, n);
+    Matrix<rational, Dynamic, Dynamic> const m = group.hat(mu.components),
+                                             one = Matrix<rational, Dynamic, Dynamic>::Identity(n, n);
     if (n % 2 == 0) {
       // The square of the Pfaffian is the determinant, exactly.
-      rational const square = c[n / 2 - 1] * c[n / 2 - 1], determinant = characteristic_coefficients(m)[n - 1];
+      rational const square = c[n / 2 - 1] * c[n / 2 - 1],
+                     determinant = characteristic_coefficients(m)[n - 1];
       BOOST_TEST((square == determinant));
     }
     // Casimirs, and half the dimension of a generic orbit.
@@ -77,7 +80,8 @@ BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
   BOOST_CHECK_THROW(characteristic_coefficients(Matrix<double>(Matrix<double>::Zero(2, 3))), OutsideDomain);
   BOOST_CHECK_THROW(casimirs(bad), NotFinite);
   BOOST_CHECK_THROW(isospectral_integrals(lambda, bad), NotFinite);
-  BOOST_CHECK_THROW(isospectral_integrals(Matrix<double, 3, 3>(Matrix<double, 3, 3>::Identity()), mu), OutsideDomain);
+  BOOST_CHECK_THROW(isospectral_integrals(Matrix<double, 3, 3>(Matrix<double, 3, 3>::Identity()), mu),
+                    OutsideDomain);
   BOOST_CHECK_THROW(algebra_casimir(Coordinates<SO<3>, double>(1, -2, 3), spin), UnphysicalInertia);
   BOOST_CHECK_THROW(algebra_casimir(Coordinates<SO<3>, double>(1, std::nan(""), 3), spin), Error);
   Matrix<double, 3, 3> const body = Vector3d(1, 2, 3).asDiagonal(), one = Matrix<double, 3, 3>::Identity();

@@ -1,15 +1,16 @@
-// A million steps of heavy tops: what the scheme conserves changes by rounding alone, and like a random walk. A benchmark to nine places.
+// A million steps of heavy tops: what the scheme conserves changes by rounding alone, and like a random walk.
+// A benchmark to nine places.
 //
-// A step rounds momentum and vertical a few times, each time by at most half an epsilon of their size. What walks at random is off by a few eps
-// sqrt(steps) then; the bound
-// has a hundredfold of room, and a drift in proportion to the steps would be ten times beyond it.
+// A step rounds momentum and vertical a few times, each time by at most half an epsilon of their size. What
+// walks at random is off by a few eps sqrt(steps) then; the bound has a hundredfold of room, and a drift in
+// proportion to the steps would be ten times beyond it.
 #include <boost/test/unit_test.hpp>
 
 #include <sstream>
 
-#include "witness/taylor_reference.hpp"
 #include "euler_poisson.hpp"
 #include "random_bodies.hpp"
+#include "witness/taylor_reference.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
@@ -41,17 +42,21 @@ struct Walk {
 BOOST_AUTO_TEST_SUITE(heavy_top_long_run)
 
 BOOST_AUTO_TEST_CASE(a_symmetric_top_keeps_both_casimirs_and_the_momentum_about_its_axis) {
-  auto const top = heavy_top<double>(1, inertia_from_moments(0.6, 0.6, 1.0), Vector3d(0, 0, 0.3), Vector3d(0, 0, -9.81));
+  auto const top =
+      heavy_top<double>(1, inertia_from_moments(0.6, 0.6, 1.0), Vector3d(0, 0, 0.3), Vector3d(0, 0, -9.81));
   HeavyTopScheme<> const scheme(top, 0.01);
-  auto state = release(top, exp(velocity(SO<3>{}, Vector3d(0.5, 0, 0))), velocity(SO<3>{}, Vector3d(0.3, 0.4, 6)));
+  auto state =
+      release(top, exp(velocity(SO<3>{}, Vector3d(0.5, 0, 0))), velocity(SO<3>{}, Vector3d(0.3, 0.4, 6)));
   auto const about_vertical = [&] { return state.momentum.components.dot(state.vector); };
   double const size = state.momentum.components.norm(), energy = top.energy(state);
-  Walk vertical{about_vertical(), size}, length{state.vector.norm(), 1}, axis{state.momentum.components[2], size};
+  Walk vertical{about_vertical(), size}, length{state.vector.norm(), 1},
+      axis{state.momentum.components[2], size};
   double lost = 0;
   for (long k = 1, next = 100; k <= steps; ++k) {
     scheme.advance(state);
     if (k % 1000 && k != next) continue;
-    vertical.look(k, about_vertical(), k == next), length.look(k, state.vector.norm(), k == next), axis.look(k, state.momentum.components[2], k == next);
+    vertical.look(k, about_vertical(), k == next), length.look(k, state.vector.norm(), k == next),
+        axis.look(k, state.momentum.components[2], k == next);
     lost = std::max(lost, std::abs(top.energy(state) / energy - 1));
     if (k == next) next = next * 3 / 2;
   }
@@ -63,7 +68,8 @@ BOOST_AUTO_TEST_CASE(a_symmetric_top_keeps_both_casimirs_and_the_momentum_about_
 }
 
 BOOST_AUTO_TEST_CASE(a_top_without_symmetry_keeps_both_casimirs_and_its_attitude_the_vertical) {
-  auto const top = heavy_top<double>(1.5, inertia_from_moments(0.7, 0.9, 1.2), Vector3d(0.1, -0.15, 0.2), Vector3d(1, 2, -9));
+  auto const top = heavy_top<double>(1.5, inertia_from_moments(0.7, 0.9, 1.2), Vector3d(0.1, -0.15, 0.2),
+                                     Vector3d(1, 2, -9));
   HeavyTopScheme<> const scheme(top, 0.02);
   auto g = exp(velocity(SO<3>{}, Vector3d(0.5, 0.2, -0.4)));
   auto state = release(top, g, velocity(SO<3>{}, Vector3d(1.5, -1, 2)));
@@ -74,7 +80,8 @@ BOOST_AUTO_TEST_CASE(a_top_without_symmetry_keeps_both_casimirs_and_its_attitude
   for (long k = 1, next = 100; k <= steps; ++k) {
     scheme.advance(state, g);
     if (k % 1000 && k != next) continue;
-    vertical.look(k, about_vertical(), k == next), length.look(k, state.vector.norm(), k == next), space.look(k, in_space(), k == next);
+    vertical.look(k, about_vertical(), k == next), length.look(k, state.vector.norm(), k == next),
+        space.look(k, in_space(), k == next);
     seen.look(k, (g.value * state.vector - top.vertical()).norm(), k == next);
     if (k == next) next = next * 3 / 2;
   }
@@ -90,7 +97,9 @@ BOOST_AUTO_TEST_CASE(the_benchmark_of_bruls_and_cardona_comes_out_to_nine_places
   testing::EulerPoisson<dec50> const equations{exact_top.inertia.moments, exact_top.lever()};
   auto const start = testing::together(release(exact_top, identity<dec50>(SO<3>{}), exact_spin));
   Matrix<dec50, 6, 1> const end = taylor_reference<dec50>(equations, start, dec50(1));
-  Vector3d const truth = end.head<3>().cwiseQuotient(exact_top.inertia.moments).unaryExpr([](dec50 const& x) { return to_double(x); });
+  Vector3d const truth = end.head<3>().cwiseQuotient(exact_top.inertia.moments).unaryExpr([](dec50 const& x) {
+    return to_double(x);
+  });
 
   auto const [top, spin] = bruls_cardona_top<double>();
   BOOST_TEST(top.inertia.lambda[1] == 15);
@@ -101,8 +110,11 @@ BOOST_AUTO_TEST_CASE(the_benchmark_of_bruls_and_cardona_comes_out_to_nine_places
     Vector3d const omega = body_velocity(top.inertia, state.momentum).coordinates;
     std::ostringstream digits;
     digits.precision(12);
-    digits << omega[0] << ", " << omega[1] << ", " << omega[2] << " (50 digits: " << truth[0] << ", " << truth[1] << ", " << truth[2] << ")";
-    BOOST_TEST_MESSAGE("Brüls-Cardona top, order " << order << ", angular velocity after 1 s: " << digits.str() << ", apart by " << (omega - truth).norm());
+    digits << omega[0] << ", " << omega[1] << ", " << omega[2] << " (50 digits: " << truth[0] << ", "
+           << truth[1] << ", " << truth[2] << ")";
+    BOOST_TEST_MESSAGE("Brüls-Cardona top, order "
+                       << order << ", angular velocity after 1 s: " << digits.str() << ", apart by "
+                       << (omega - truth).norm());
     BOOST_TEST((omega - truth).norm() <= 1e-9);
   }
 }

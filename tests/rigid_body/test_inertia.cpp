@@ -1,4 +1,5 @@
-// Inertia: the operator J, principal moments and tensors, every kind of input that is no inertia, and sizes from 1e-47 to 1e+47.
+// Inertia: the operator J, principal moments and tensors, every kind of input that is no inertia, and sizes
+// from 1e-47 to 1e+47.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/forms/forms.hpp"
@@ -20,11 +21,13 @@ void operator_is_the_anticommutator(int size = n) {
   auto const hat = inertia.group.hat(xi.coordinates);
   auto const j = (inertia.lambda.asDiagonal() * hat + hat * inertia.lambda.asDiagonal()).eval();
   double const scale = magnitude(j);
-  BOOST_TEST(magnitude((inertia.group.hat(body_momentum(inertia, xi).components) - j).eval()) <= 4 * eps * scale);
+  BOOST_TEST(magnitude((inertia.group.hat(body_momentum(inertia, xi).components) - j).eval()) <=
+             4 * eps * scale);
   // A quarter of Tr(xi^T J xi) is the kinetic energy.
   double const energy = (hat.transpose() * j).trace() / 4;
   BOOST_TEST(std::abs(kinetic_energy(inertia, xi) - energy) <= 4 * size * size * eps * energy);
-  BOOST_TEST(std::abs(kinetic_energy(inertia, body_momentum(inertia, xi)) - energy) <= 4 * size * size * eps * energy);
+  BOOST_TEST(std::abs(kinetic_energy(inertia, body_momentum(inertia, xi)) - energy) <=
+             4 * size * size * eps * energy);
   BOOST_TEST(magnitude((body_velocity(inertia, body_momentum(inertia, xi)) - xi).coordinates) <= 2 * eps);
 }
 }  // namespace
@@ -93,7 +96,8 @@ BOOST_AUTO_TEST_CASE(a_generalized_body_needs_positive_sums_only) {
   BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector4(-1, 1, 2, 3))), UnphysicalInertia);
   BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector4(0, 0, 2, 3))), UnphysicalInertia);
   BOOST_CHECK_THROW((inertia_from_lambda<4, double>(Vector4(0, 0, 0, 0))), UnphysicalInertia);
-  BOOST_CHECK_THROW((inertia_from_lambda<Dynamic, double>(Vector<double>(Vector<double>::Ones(1)))), OutsideDomain);
+  BOOST_CHECK_THROW((inertia_from_lambda<Dynamic, double>(Vector<double>(Vector<double>::Ones(1)))),
+                    OutsideDomain);
 }
 
 BOOST_AUTO_TEST_CASE(no_number_is_no_inertia) {
@@ -112,9 +116,12 @@ BOOST_AUTO_TEST_CASE(a_tensor_gives_its_moments_and_axes) {
     Matrix3d const axes = SO<3>::exp<double>(Vector3d(0.3, -1.1, 0.7));
     Matrix3d const tensor = unit * (axes * moments.asDiagonal() * axes.transpose());
     auto const found = principal_inertia((tensor + tensor.transpose()) / 2);
-    for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(found.inertia.moments[i] / unit - moments[i]) <= 16 * eps);
+    for (int i = 0; i < 3; ++i)
+      BOOST_TEST(std::abs(found.inertia.moments[i] / unit - moments[i]) <= 16 * eps);
     BOOST_TEST(determinant(actio::Matrix<double, 3, 3>(found.axes)) > 0);
-    BOOST_TEST(magnitude((found.axes * (found.inertia.moments / unit).asDiagonal() * found.axes.transpose() - tensor / unit).eval()) <= 32 * eps);
+    BOOST_TEST(magnitude((found.axes * (found.inertia.moments / unit).asDiagonal() * found.axes.transpose() -
+                          tensor / unit)
+                             .eval()) <= 32 * eps);
   }
 }
 

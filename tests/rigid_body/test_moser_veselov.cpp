@@ -1,4 +1,5 @@
-// The Moser-Veselov scheme: its equation, the branch of the identity, the longest step, and input that has no answer.
+// The Moser-Veselov scheme: its equation, the branch of the identity, the longest step, and input that has no
+// answer.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/rigid_body/body_in_motion.hpp"
@@ -12,9 +13,11 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // What (5.7) and (5.9) say, written out with matrices.
 template <int n>
-double defect(Inertia<n> const& inertia, double h, Storage<SO<n>, double> const& f, Coordinates<SO<n>, double> const& pi) {
+double defect(Inertia<n> const& inertia, double h, Storage<SO<n>, double> const& f,
+              Coordinates<SO<n>, double> const& pi) {
   Storage<SO<n>, double> const lambda = inertia.lambda.asDiagonal();
-  return magnitude((f.transpose() * lambda - lambda * f - h * inertia.group.hat(pi)).eval()) / magnitude(lambda);
+  return magnitude((f.transpose() * lambda - lambda * f - h * inertia.group.hat(pi)).eval()) /
+         magnitude(lambda);
 }
 
 template <int n>
@@ -27,8 +30,10 @@ void solves_up_to_the_longest_step_and_refuses_beyond(int size = n) {
     for (double const part : {1e-8, 0.01, 0.5, 0.9, 0.999, 0.999999}) {
       auto const f = MoserVeselov<n>(inertia, part * longest).relative_motion(pi).value;
       BOOST_TEST(defect<n>(inertia, part * longest, f.value, pi.components) <= 64 * eps);
-      BOOST_TEST(magnitude((f.value.transpose() * f.value - identity<double>(inertia.group).value).eval()) <= 8 * eps);
-      // The branch of the identity: the spectrum of f^T Lambda lies to the right. Close to the end the least real part goes with the root.
+      BOOST_TEST(magnitude((f.value.transpose() * f.value - identity<double>(inertia.group).value).eval()) <=
+                 8 * eps);
+      // The branch of the identity: the spectrum of f^T Lambda lies to the right. Close to the end the least
+      // real part goes with the root.
       Matrix<double> const x = f.value.transpose() * inertia.lambda.asDiagonal();
       BOOST_TEST(real_parts_of_eigenvalues(x)[0] > 0.1 * std::sqrt(1 - part) * inertia.lambda.minCoeff());
     }
@@ -64,7 +69,8 @@ BOOST_AUTO_TEST_CASE(about_a_principal_axis_the_sine_of_the_angle_is_h_times_the
     BOOST_TEST(std::abs(largest_step(inertia, pi) - 1) <= 1e-12);  // h M_i = I_i
     for (double const h : {1e-6, 0.1, 0.9, 0.999}) {
       auto const turn = log(MoserVeselov<3>(inertia, h).relative_motion(pi).value).coordinates;
-      BOOST_TEST(std::abs(turn[axis] + std::asin(h)) <= 8 * eps / std::sqrt(1 - h * h));  // f looks back: the angle is negative
+      BOOST_TEST(std::abs(turn[axis] + std::asin(h)) <=
+                 8 * eps / std::sqrt(1 - h * h));  // f looks back: the angle is negative
     }
   }
 }
@@ -80,7 +86,8 @@ BOOST_AUTO_TEST_CASE(moves_with_the_flow_and_not_against_it) {
     BOOST_TEST((slope - euler).norm() <= 2e-3 * euler.norm());
     auto body = release(inertia, identity<double>(SO<3>{}), spin);
     advance(scheme, body);
-    BOOST_TEST((log(body.attitude).coordinates / h - spin.coordinates).norm() <= 2e-3 * spin.coordinates.norm());
+    BOOST_TEST((log(body.attitude).coordinates / h - spin.coordinates).norm() <=
+               2e-3 * spin.coordinates.norm());
   }
 }
 
@@ -115,11 +122,14 @@ BOOST_AUTO_TEST_CASE(bodies_of_every_size_give_the_same_digits) {
   };
   auto const usual = motion(1, 1);
   // Powers of two: not a digit differs.
-  auto const small = motion(std::ldexp(1.0, -156), std::ldexp(1.0, -40)), large = motion(std::ldexp(1.0, 156), std::ldexp(1.0, 40));
+  auto const small = motion(std::ldexp(1.0, -156), std::ldexp(1.0, -40)),
+             large = motion(std::ldexp(1.0, 156), std::ldexp(1.0, 40));
   BOOST_TEST((small.attitude.value - usual.attitude.value).norm() == 0);
   BOOST_TEST((large.attitude.value - usual.attitude.value).norm() == 0);
   for (double const mass : {1e-47, 1e47})
-    for (double const pace : {1e-12, 1e12}) BOOST_TEST(magnitude((motion(mass, pace).attitude.value - usual.attitude.value).eval()) <= 50 * 32 * eps);
+    for (double const pace : {1e-12, 1e12})
+      BOOST_TEST(magnitude((motion(mass, pace).attitude.value - usual.attitude.value).eval()) <=
+                 50 * 32 * eps);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_at_rest_stays) {
@@ -131,7 +141,8 @@ BOOST_AUTO_TEST_CASE(a_body_at_rest_stays) {
 }
 
 BOOST_AUTO_TEST_CASE(a_symmetric_body_and_a_sphere_move) {
-  for (Vector3d const& moments : {Vector3d(1, 1, 1), Vector3d(1, 1, 1.5), Vector3d(1, 1, 2), Vector3d(1e-6, 1, 1), Vector3d(1e-6, 1, 1 + 1e-6)}) {
+  for (Vector3d const& moments : {Vector3d(1, 1, 1), Vector3d(1, 1, 1.5), Vector3d(1, 1, 2),
+                                  Vector3d(1e-6, 1, 1), Vector3d(1e-6, 1, 1 + 1e-6)}) {
     auto const inertia = inertia_from_moments<double>(moments);
     auto const pi = body_momentum(inertia, velocity(SO<3>{}, Vector3d(0.3, 0.2, 0.4)));
     auto const solved = MoserVeselov<3>(inertia, 0.1).relative_motion(pi);

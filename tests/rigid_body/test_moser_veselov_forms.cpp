@@ -24,13 +24,16 @@ void three_forms_agree(double angle) {
     auto const next = scheme.step_euler_poincare(f).value;
     auto const next_pi = scheme.step_lie_poisson(pi);
     auto const g2 = scheme.step_euler_lagrange(g0, g1);
-    double const room = 100 * (k + 1) * eps;  // the error of a relative motion is a residual of 4 epsilon over the least moment; they add up
+    double const room =
+        100 * (k + 1) *
+        eps;  // the error of a relative motion is a residual of 4 epsilon over the least moment; they add up
     BOOST_TEST(magnitude((scheme.momentum_before(next) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude((relative_motion_left(g1, g2).value - next.value).eval()) <= room);
     BOOST_TEST(magnitude((lie_poisson_update_left(f, pi) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude(scheme.residual(f, next).components) <= room * scale);
     // The general road: the equation of chapter 3 for the trace Lagrangian, derivatives by dual numbers.
-    BOOST_TEST(magnitude(euler_poincare_left(scheme.lagrangian(), f, next).components) <= room * scale / scheme.step());
+    BOOST_TEST(magnitude(euler_poincare_left(scheme.lagrangian(), f, next).components) <=
+               room * scale / scheme.step());
     g0 = g1, g1 = g2, f = next, pi = next_pi;
   }
 }
@@ -43,9 +46,11 @@ void increment_is_the_printed_line(double angle) {
   Momentum<SO<n>, S> const pi{{}, body_momentum(inertia, spin).components.template cast<S>()};
   Velocity<SO<n>, S> const turn{{}, spin.coordinates.template cast<S>() * S(angle / spin.coordinates.norm())};
   auto const f = exp(turn);
-  auto const printed = MoserVeselov<n, S>::transport(f, pi), by_increment = MoserVeselov<n, S>::transport_by_increment(f, pi);
+  auto const printed = MoserVeselov<n, S>::transport(f, pi),
+             by_increment = MoserVeselov<n, S>::transport_by_increment(f, pi);
   // Two products of n by n matrices each, of entries at most 1 but for M: 2n roundings in either.
-  BOOST_TEST(magnitude((printed - by_increment).components) <= 4 * n * epsilon<S>() * magnitude(pi.components));
+  BOOST_TEST(magnitude((printed - by_increment).components) <=
+             4 * n * epsilon<S>() * magnitude(pi.components));
   // Neither is the identity: a turn of this size moves the momentum.
   BOOST_TEST(magnitude((printed - pi).components) > 1e-3 * angle * magnitude(pi.components));
 }
@@ -77,7 +82,8 @@ BOOST_AUTO_TEST_CASE(its_momentum_is_that_of_the_general_road) {
   auto const f = scheme.relative_motion(pi).value;
   double const scale = 64 * eps * magnitude(pi.components) / scheme.step();
   BOOST_TEST(magnitude((momentum_before_left(scheme.lagrangian(), f) - pi).components) <= scale);
-  BOOST_TEST(magnitude((-right_differential(scheme.lagrangian(), f) - scheme.momentum_after(f)).components) <= scale);
+  BOOST_TEST(magnitude((-right_differential(scheme.lagrangian(), f) - scheme.momentum_after(f)).components) <=
+             scale);
   BOOST_TEST(magnitude((scheme.momentum_after(f) - scheme.transport(f, pi)).components) <= scale);
 }
 

@@ -24,11 +24,13 @@ void keeps_its_momenta(double angle, double bound, int dimension = n) {
     casimir = std::max(casimir, std::abs((body.body_momentum.components / size).squaredNorm() - 1));
     spatial = std::max(spatial, (body.spatial_momentum() - start).components.norm() / size);
     lost = std::max(lost, std::abs(kinetic_energy(inertia, body.body_momentum) / energy - 1));
-    if (k == next) steps.push_back(static_cast<double>(k)), drift.push_back(std::max(spatial, 1e-16)), next = next * 3 / 2;
+    if (k == next)
+      steps.push_back(static_cast<double>(k)), drift.push_back(std::max(spatial, 1e-16)), next = next * 3 / 2;
   }
   double const growth = testing::fit_order(steps, drift).slope;
-  BOOST_TEST_MESSAGE("SO(" << dimension << "), " << angle << " rad a step, 1e6 steps: Casimir " << casimir << ", momentum in space " << spatial << ", energy " << lost
-                           << ", growth exponent " << growth);
+  BOOST_TEST_MESSAGE("SO(" << dimension << "), " << angle << " rad a step, 1e6 steps: Casimir " << casimir
+                           << ", momentum in space " << spatial << ", energy " << lost << ", growth exponent "
+                           << growth);
   BOOST_TEST(casimir <= bound);
   BOOST_TEST(spatial <= bound);
   BOOST_TEST(lost <= 10 * bound);

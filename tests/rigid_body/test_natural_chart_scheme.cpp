@@ -1,4 +1,5 @@
-// The natural-chart scheme: its momentum in closed form, its three forms and the unreduced run, and where it refuses.
+// The natural-chart scheme: its momentum in closed form, its three forms and the unreduced run, and where it
+// refuses.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/rigid_body/moser_veselov.hpp"
@@ -24,7 +25,8 @@ void the_forms_are_one_motion() {
     auto const next = scheme.step_euler_poincare(f).value;
     auto const next_pi = scheme.step_lie_poisson(pi);
     auto const g2 = scheme.step_euler_lagrange(g0, g1), u2 = scheme.step_unreduced(u0, u1).value;
-    double const room = 200 * (k + 1) * eps;  // a residual of tens of epsilon over the least moment a step; they add up
+    double const room =
+        200 * (k + 1) * eps;  // a residual of tens of epsilon over the least moment a step; they add up
     BOOST_TEST(magnitude((scheme.momentum_before(next) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude((scheme.momentum_after(f) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude((relative_motion_left(g1, g2).value - next.value).eval()) <= room);
@@ -65,7 +67,8 @@ BOOST_AUTO_TEST_CASE(it_is_another_scheme_than_that_of_moser_and_veselov) {
   auto const [inertia, spin] = testing::random_body<3>(random);
   auto const pi = body_momentum(inertia, spin);
   double const h = 0.1;
-  auto const chart = NaturalChartScheme<3>(inertia, h).step_lie_poisson(pi), trace = MoserVeselov<3>(inertia, h).step_lie_poisson(pi);
+  auto const chart = NaturalChartScheme<3>(inertia, h).step_lie_poisson(pi),
+             trace = MoserVeselov<3>(inertia, h).step_lie_poisson(pi);
   double const apart = magnitude((chart - trace).components);
   BOOST_TEST(apart > 1e-6);  // third order in the step,
   BOOST_TEST(apart < 1e-2);  // but not more
@@ -76,8 +79,11 @@ BOOST_AUTO_TEST_CASE(steps_that_have_no_answer_are_refused) {
   auto const pi = momentum(SO<3>{}, Vector3d(0.6, 0.8, 1.0));
   BOOST_CHECK_THROW(NaturalChartScheme<3>(inertia, std::nan("")), NotFinite);
   BOOST_CHECK_THROW(NaturalChartScheme<3>(inertia, 0.0), OutsideDomain);
-  BOOST_CHECK_THROW(NaturalChartScheme<3>(inertia, 0.1).relative_motion(momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))), NotFinite);
-  // About the middle axis the derivative is singular at half a turn at the latest: a typed error, never a number.
+  BOOST_CHECK_THROW(
+      NaturalChartScheme<3>(inertia, 0.1).relative_motion(momentum(SO<3>{}, Vector3d(1, std::nan(""), 0))),
+      NotFinite);
+  // About the middle axis the derivative is singular at half a turn at the latest: a typed error, never a
+  // number.
   for (double const h : {3.5, 10.0, 1000.0}) {
     try {
       auto const solved = NaturalChartScheme<3>(inertia, h).relative_motion(pi);

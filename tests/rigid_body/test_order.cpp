@@ -1,10 +1,10 @@
 // Order of both schemes against somebody else's solution, and the reference solution against itself.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/reference_solution.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "random_bodies.hpp"
+#include "witness/reference_solution.hpp"
 
 using namespace actio;
 
@@ -20,7 +20,8 @@ actio::Vector<double> flow(Inertia<n> const& inertia, Momentum<SO<n>, double> co
   as_matrix<n, n>(y.data() + d).setIdentity();
   auto const rate = [&](double, actio::Vector<double> const& state) {
     Coordinates<SO<n>, double> const m = state.head(d);
-    Matrix const M = SO<n>::hat(m), xi = SO<n>::hat(m.cwiseQuotient(inertia.moments)), g = as_matrix<n, n>(state.data() + d);
+    Matrix const M = SO<n>::hat(m), xi = SO<n>::hat(m.cwiseQuotient(inertia.moments)),
+                 g = as_matrix<n, n>(state.data() + d);
     actio::Vector<double> change(d + n * n);
     change.head(d) = SO<n>::vee((M * xi - xi * M).eval());
     as_matrix<n, n>(change.data() + d) = g * xi;
@@ -51,7 +52,8 @@ void has_order_two(Inertia<n> const& inertia, Velocity<SO<n>, double> const& spi
   }
   for (auto const* errors : {&in_momentum, &in_attitude}) {
     auto const fit = testing::fit_order(steps, *errors);
-    BOOST_TEST_MESSAGE("n = " << n << ": order " << fit.slope << ", spread " << fit.spread << ", least error " << errors->back());
+    BOOST_TEST_MESSAGE("n = " << n << ": order " << fit.slope << ", spread " << fit.spread << ", least error "
+                              << errors->back());
     BOOST_TEST(std::abs(fit.slope - 2) < 0.05);
     BOOST_TEST(errors->back() > 1e-9);  // far above rounding and above the reference
   }
@@ -61,19 +63,24 @@ void has_order_two(Inertia<n> const& inertia, Velocity<SO<n>, double> const& spi
 BOOST_AUTO_TEST_SUITE(order)
 
 BOOST_AUTO_TEST_CASE(the_reference_solution_knows_sines_and_a_free_top) {
-  auto const oscillator = [](double, actio::Vector<double, 2> const& y) { return actio::Vector<double, 2>(y[1], -y[0]); };
+  auto const oscillator = [](double, actio::Vector<double, 2> const& y) {
+    return actio::Vector<double, 2>(y[1], -y[0]);
+  };
   actio::Vector<double, 2> const y = reference_solution(oscillator, actio::Vector<double, 2>(0, 1), 0, 10);
   BOOST_TEST(std::abs(y[0] - std::sin(10.0)) < 1e-13);
   BOOST_TEST(std::abs(y[1] - std::cos(10.0)) < 1e-13);
   auto const back = reference_solution(oscillator, y, 10, 0);
   BOOST_TEST(std::abs(back[0]) < 1e-13);
   // Small numbers are as good as large ones.
-  actio::Vector<double, 2> const tiny = reference_solution(oscillator, actio::Vector<double, 2>(0, 1e-60), 0, 10);
+  actio::Vector<double, 2> const tiny =
+      reference_solution(oscillator, actio::Vector<double, 2>(0, 1e-60), 0, 10);
   BOOST_TEST(std::abs(tiny[0] / 1e-60 - std::sin(10.0)) < 1e-13);
 }
 
 BOOST_AUTO_TEST_CASE(the_reference_solution_refuses_what_is_no_number) {
-  auto const blow_up = [](double, actio::Matrix<double, 1, 1> const& y) { return actio::Matrix<double, 1, 1>(y * y[0]); };
+  auto const blow_up = [](double, actio::Matrix<double, 1, 1> const& y) {
+    return actio::Matrix<double, 1, 1>(y * y[0]);
+  };
   actio::Matrix<double, 1, 1> one, bad;
   one << 1;
   bad << std::nan("");

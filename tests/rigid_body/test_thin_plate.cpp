@@ -1,4 +1,5 @@
-// A plate that is a million million times as wide as it is long: moments of inertia of very different size in one body, against 50 digits.
+// A plate that is a million million times as wide as it is long: moments of inertia of very different size in
+// one body, against 50 digits.
 #include <boost/test/unit_test.hpp>
 
 #include "actio/rigid_body/moser_veselov.hpp"
@@ -15,7 +16,9 @@ BOOST_AUTO_TEST_CASE(a_thin_plate_keeps_its_digits) {
     auto const inertia = inertia_from_lambda<3, double>(Vector3d(1, 0, thin));
     Momentum<SO<3>, double> const pi{{}, Vector3d(0.5, 0.3, 0.2)};
     auto const f = MoserVeselov<3>(inertia, 0.9 * thin).relative_motion(pi).value;
-    auto const exact = MoserVeselov<3, dec50>(inertia.over<dec50>(), dec50(0.9 * thin)).relative_motion({{}, pi.components.cast<dec50>()}).value;
+    auto const exact = MoserVeselov<3, dec50>(inertia.over<dec50>(), dec50(0.9 * thin))
+                           .relative_motion({{}, pi.components.cast<dec50>()})
+                           .value;
     BOOST_TEST(to_double(magnitude((f.value.cast<dec50>() - exact.value).eval())) < 64 * eps);
   }
 }

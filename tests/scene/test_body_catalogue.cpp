@@ -15,7 +15,9 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // A catalogue with one body, in which a line is replaced.
 std::string complaint(std::string const& line, std::string const& instead) {
-  std::string text = "[top]\ntitle = \"a top\"\nunit = \"kg m^2\"\nmoments = [1.0, 1.0, 1.5]\ntime = \"s\"\nspin = [0.0, 0.0, 1.0]\nsource = \"here\"\nderived = \"nothing\"\n";
+  std::string text =
+      "[top]\ntitle = \"a top\"\nunit = \"kg m^2\"\nmoments = [1.0, 1.0, 1.5]\ntime = \"s\"\nspin = [0.0, "
+      "0.0, 1.0]\nsource = \"here\"\nderived = \"nothing\"\n";
   auto const at = text.find(line);
   BOOST_REQUIRE(at != std::string::npos);
   text.replace(at, line.size(), instead);
@@ -37,7 +39,8 @@ BOOST_AUTO_TEST_SUITE(body_catalogue)
 BOOST_AUTO_TEST_CASE(has_its_bodies_with_their_sources) {
   auto const bodies = read_bodies(ACTIO_DATA "/bodies.toml");
   for (char const* name : {"nesc_brick", "apophis", "toutatis", "water", "t_handle", "iss"})
-    BOOST_TEST(std::any_of(bodies.begin(), bodies.end(), [&](Body const& b) { return b.name == name; }), name);
+    BOOST_TEST(std::any_of(bodies.begin(), bodies.end(), [&](Body const& b) { return b.name == name; }),
+               name);
   for (Body const& body : bodies) {
     BOOST_TEST(!body.source.empty());
     BOOST_TEST(body.spin.coordinates.norm() > 0);
@@ -50,7 +53,8 @@ BOOST_AUTO_TEST_CASE(computes_the_moments_of_water_which_is_planar) {
   // 0.6158144, 1.1557006, 1.7715149 atomic mass units times square angstrom.
   double const unit = 1.66053906892e-27 * 1e-20;
   Vector3d const known(0.6158144, 1.1557006, 1.7715149);
-  for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(water.principal.inertia.moments[i] / unit - known[i]) < 2e-5);
+  for (int i = 0; i < 3; ++i)
+    BOOST_TEST(std::abs(water.principal.inertia.moments[i] / unit - known[i]) < 2e-5);
   BOOST_TEST(water.principal.inertia.lambda[2] == 0);
 }
 
@@ -62,19 +66,24 @@ BOOST_AUTO_TEST_CASE(converts_units_and_finds_principal_axes) {
   for (int i = 0; i < 3; ++i) BOOST_TEST(std::abs(iss.principal.inertia.moments[i] / known[i] - 1) < 2e-6);
   // The velocity is in the frame of the tensor, as it is written.
   BOOST_TEST(iss.spin.coordinates == Vector3d(-9.5380685844896e-6, -1.1363312657036e-3, 5.3472801108427e-6));
-  BOOST_TEST((iss.principal.axes * Eigen::Vector3d(iss.principal_spin().coordinates) - Eigen::Vector3d(iss.spin.coordinates)).norm() < 1e-17);
+  BOOST_TEST((iss.principal.axes * Eigen::Vector3d(iss.principal_spin().coordinates) -
+              Eigen::Vector3d(iss.spin.coordinates))
+                 .norm() < 1e-17);
 }
 
 BOOST_AUTO_TEST_CASE(the_middle_axis_of_the_t_handle_is_its_stem) {
   auto const handle = read_body(ACTIO_DATA "/bodies.toml", "t_handle");
   BOOST_TEST(std::abs(std::abs(handle.principal.axes(0, 1)) - 1) < 8 * eps);
-  BOOST_TEST(std::abs(handle.principal_spin().coordinates[1]) > 100 * std::abs(handle.principal_spin().coordinates[0]));
+  BOOST_TEST(std::abs(handle.principal_spin().coordinates[1]) >
+             100 * std::abs(handle.principal_spin().coordinates[0]));
 }
 
 BOOST_AUTO_TEST_CASE(a_cylinder_has_the_inertia_of_its_slices) {
-  // A thin rod and a thin disc from the formulas of each; and a cylinder cut in two is still the same cylinder.
+  // A thin rod and a thin disc from the formulas of each; and a cylinder cut in two is still the same
+  // cylinder.
   Cylinder const whole{2.0, 0.3, 1.2, Vector3d::Zero(), Vector3d::UnitZ()};
-  std::vector<Cylinder> const halves{{1.0, 0.3, 0.6, Vector3d(0, 0, 0.3), Vector3d::UnitZ()}, {1.0, 0.3, 0.6, Vector3d(0, 0, -0.3), Vector3d(0, 0, -5)}};
+  std::vector<Cylinder> const halves{{1.0, 0.3, 0.6, Vector3d(0, 0, 0.3), Vector3d::UnitZ()},
+                                     {1.0, 0.3, 0.6, Vector3d(0, 0, -0.3), Vector3d(0, 0, -5)}};
   BOOST_TEST((inertia_about_centre(halves) - inertia_tensor(whole)).norm() < 8 * eps);
   BOOST_TEST(std::abs(inertia_tensor(whole)(2, 2) - 2.0 * 0.09 / 2) < eps);
   // Points: two masses at a distance have the reduced mass about their centre.
@@ -94,13 +103,23 @@ BOOST_AUTO_TEST_CASE(complaints_name_the_file_the_body_and_the_key) {
   BOOST_TEST(says(complaint("spin =", "spun ="), "spun: unknown key"));
   BOOST_TEST(says(complaint("spin = [0.0, 0.0, 1.0]", ""), "spin: is missing"));
   BOOST_TEST(says(complaint("title = \"a top\"", ""), "title: a text"));
-  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "tensor = [[1.0, 0.5, 0.0], [0.4, 1.0, 0.0], [0.0, 0.0, 1.0]]"), "symmetric"));
-  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = -1.0, at = [0.0, 0.0, 0.0]}]"), "mass: a positive"));
-  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0]}]"), "[top] points"));
-  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "cylinders = [{mass = 1.0, radius = 1.0, length = 1.0, at = [0.0, 0.0, 0.0], along = [0.0, 0.0, 0.0]}]"), "along"));
-  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "moments = [1.0, 1.0, 1.5]\ntensor = []"), "exactly one"));
+  BOOST_TEST(says(
+      complaint("moments = [1.0, 1.0, 1.5]", "tensor = [[1.0, 0.5, 0.0], [0.4, 1.0, 0.0], [0.0, 0.0, 1.0]]"),
+      "symmetric"));
+  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = -1.0, at = [0.0, 0.0, 0.0]}]"),
+                  "mass: a positive"));
+  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0]}]"),
+                  "[top] points"));
+  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]",
+                            "cylinders = [{mass = 1.0, radius = 1.0, length = 1.0, at = [0.0, 0.0, 0.0], "
+                            "along = [0.0, 0.0, 0.0]}]"),
+                  "along"));
+  BOOST_TEST(
+      says(complaint("moments = [1.0, 1.0, 1.5]", "moments = [1.0, 1.0, 1.5]\ntensor = []"), "exactly one"));
   BOOST_TEST(says(complaint("[top]", "[top"), "line 1"));
-  BOOST_TEST(says(complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0], heigth = 2.0}]"), "heigth: unknown key"));
+  BOOST_TEST(says(
+      complaint("moments = [1.0, 1.0, 1.5]", "points = [{mass = 1.0, at = [0.0, 0.0, 0.0], heigth = 2.0}]"),
+      "heigth: unknown key"));
   BOOST_CHECK_THROW(read_bodies("/nowhere/bodies.toml"), CatalogueError);
   BOOST_CHECK_THROW(read_bodies(std::filesystem::temp_directory_path()), CatalogueError);
 }

@@ -11,8 +11,10 @@ using Names = std::vector<std::string>;
 BOOST_AUTO_TEST_SUITE(column_names)
 
 BOOST_AUTO_TEST_CASE(matrices_count_from_one_row_by_row) {
-  BOOST_TEST(column_ends(Kind::matrix, 2) == (Names{"_11", "_12", "_21", "_22"}), boost::test_tools::per_element());
-  BOOST_TEST(column_ends(Kind::skew, 4) == (Names{"_12", "_13", "_14", "_23", "_24", "_34"}), boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::matrix, 2) == (Names{"_11", "_12", "_21", "_22"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::skew, 4) == (Names{"_12", "_13", "_14", "_23", "_24", "_34"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(indices_stand_apart_where_one_of_them_has_two_digits_and_only_there) {

@@ -36,7 +36,10 @@ BOOST_AUTO_TEST_CASE(it_does_not_depend_on_the_unit_however_large_or_small) {
     auto const in = [power](double x) { return std::ldexp(x, power); };
     // Two lengths and a quotient, each with a few roundings; next to 1e-308 numbers have fewer digits.
     double const tolerance = 16 * eps * one + (power < -1022 ? std::ldexp(4, -1074 - power) : 0);
-    BOOST_TEST(std::abs(drift_of({{in(3), in(4), in(1)}, {in(3.25), in(4), in(-1)}, {in(3), in(4.5), in(1)}}) - one) <= tolerance, "2^" << power);
+    BOOST_TEST(
+        std::abs(drift_of({{in(3), in(4), in(1)}, {in(3.25), in(4), in(-1)}, {in(3), in(4.5), in(1)}}) -
+                 one) <= tolerance,
+        "2^" << power);
   }
 }
 
@@ -98,7 +101,8 @@ BOOST_AUTO_TEST_CASE(it_is_not_trusted) {
     CheckpointStream cut(stream.bytes().substr(0, size));
     BOOST_CHECK_THROW(cut(back), Error);
   }
-  // A list of another size; lists that would be longer than memory, and so long that their bytes have no number.
+  // A list of another size; lists that would be longer than memory, and so long that their bytes have no
+  // number.
   std::vector<double> other(4);
   CheckpointStream whole(stream.bytes());
   BOOST_CHECK_THROW(whole(other), Error);

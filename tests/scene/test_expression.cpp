@@ -16,8 +16,12 @@ constexpr unsigned seed = 1971;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
 /// A formula that stands alone in a file, in quotes that begin at 3:9.
-Expression formula(std::string const& text, std::vector<std::string> const& variables = {"X", "Y", "Z"}) { return {text, variables, {{"f", 3, 9}, true}}; }
-double value(std::string const& text, std::vector<double> const& point = {0, 0, 0}) { return formula(text)(point); }
+Expression formula(std::string const& text, std::vector<std::string> const& variables = {"X", "Y", "Z"}) {
+  return {text, variables, {{"f", 3, 9}, true}};
+}
+double value(std::string const& text, std::vector<double> const& point = {0, 0, 0}) {
+  return formula(text)(point);
+}
 template <class Use>
 std::string said_by(Use const& use) {
   try {
@@ -39,14 +43,29 @@ BOOST_AUTO_TEST_CASE(functions_are_those_of_cpp) {
   using F = std::function<double(double)>;
   // Each where it is finite.
   std::vector<std::tuple<std::string, F, double, double>> const functions{
-      {"sin", [](double x) { return std::sin(x); }, -9, 9},      {"cos", [](double x) { return std::cos(x); }, -9, 9},      {"tan", [](double x) { return std::tan(x); }, -1.5, 1.5},
-      {"asin", [](double x) { return std::asin(x); }, -1, 1},    {"acos", [](double x) { return std::acos(x); }, -1, 1},    {"atan", [](double x) { return std::atan(x); }, -9, 9},
-      {"sinh", [](double x) { return std::sinh(x); }, -9, 9},    {"cosh", [](double x) { return std::cosh(x); }, -9, 9},    {"tanh", [](double x) { return std::tanh(x); }, -9, 9},
-      {"asinh", [](double x) { return std::asinh(x); }, -9, 9},  {"acosh", [](double x) { return std::acosh(x); }, 1, 9},   {"atanh", [](double x) { return std::atanh(x); }, -0.9, 0.9},
-      {"exp", [](double x) { return std::exp(x); }, -9, 9},      {"log", [](double x) { return std::log(x); }, 0.1, 9},     {"log2", [](double x) { return std::log2(x); }, 0.1, 9},
-      {"log10", [](double x) { return std::log10(x); }, 0.1, 9}, {"sqrt", [](double x) { return std::sqrt(x); }, 0, 9},     {"cbrt", [](double x) { return std::cbrt(x); }, -9, 9},
-      {"abs", [](double x) { return std::abs(x); }, -9, 9},      {"floor", [](double x) { return std::floor(x); }, -9, 9},  {"ceil", [](double x) { return std::ceil(x); }, -9, 9},
-      {"round", [](double x) { return std::round(x); }, -9, 9},  {"sign", [](double x) { return double((x > 0) - (x < 0)); }, -9, 9},
+      {"sin", [](double x) { return std::sin(x); }, -9, 9},
+      {"cos", [](double x) { return std::cos(x); }, -9, 9},
+      {"tan", [](double x) { return std::tan(x); }, -1.5, 1.5},
+      {"asin", [](double x) { return std::asin(x); }, -1, 1},
+      {"acos", [](double x) { return std::acos(x); }, -1, 1},
+      {"atan", [](double x) { return std::atan(x); }, -9, 9},
+      {"sinh", [](double x) { return std::sinh(x); }, -9, 9},
+      {"cosh", [](double x) { return std::cosh(x); }, -9, 9},
+      {"tanh", [](double x) { return std::tanh(x); }, -9, 9},
+      {"asinh", [](double x) { return std::asinh(x); }, -9, 9},
+      {"acosh", [](double x) { return std::acosh(x); }, 1, 9},
+      {"atanh", [](double x) { return std::atanh(x); }, -0.9, 0.9},
+      {"exp", [](double x) { return std::exp(x); }, -9, 9},
+      {"log", [](double x) { return std::log(x); }, 0.1, 9},
+      {"log2", [](double x) { return std::log2(x); }, 0.1, 9},
+      {"log10", [](double x) { return std::log10(x); }, 0.1, 9},
+      {"sqrt", [](double x) { return std::sqrt(x); }, 0, 9},
+      {"cbrt", [](double x) { return std::cbrt(x); }, -9, 9},
+      {"abs", [](double x) { return std::abs(x); }, -9, 9},
+      {"floor", [](double x) { return std::floor(x); }, -9, 9},
+      {"ceil", [](double x) { return std::ceil(x); }, -9, 9},
+      {"round", [](double x) { return std::round(x); }, -9, 9},
+      {"sign", [](double x) { return double((x > 0) - (x < 0)); }, -9, 9},
   };
   BOOST_TEST_MESSAGE("seed " << seed);
   std::mt19937 random(seed);
@@ -102,17 +121,25 @@ BOOST_AUTO_TEST_CASE(random_formulas_have_the_value_that_cpp_gives_them) {
       return {std::to_string(x), x, x};
     }
     auto const fill = [&](Told t) {
-      if (t.text.size() == 1) t.value = point[static_cast<std::size_t>(t.text[0] - 'X')], t.size = std::abs(t.value);
+      if (t.text.size() == 1)
+        t.value = point[static_cast<std::size_t>(t.text[0] - 'X')], t.size = std::abs(t.value);
       return t;
     };
     Told const a = fill(any(depth - 1)), b = fill(any(depth - 1));
     switch (kind) {
-      case 2: return {"(" + a.text + " + " + b.text + ")", a.value + b.value, a.size + b.size};
-      case 3: return {"(" + a.text + "-" + b.text + ")", a.value - b.value, a.size + b.size};
-      case 4: return {"(" + a.text + "*" + b.text + ")", a.value * b.value, a.size * b.size};
-      case 5: return {"sin(" + a.text + ")", std::sin(a.value), 1 + a.size};
-      case 6: return {"(" + a.text + "/(1 + " + b.text + "^2))", a.value / (1 + b.value * b.value), a.size * (1 + b.size)};
-      default: return {"abs(-" + a.text + ")", std::abs(-a.value), a.size};
+      case 2:
+        return {"(" + a.text + " + " + b.text + ")", a.value + b.value, a.size + b.size};
+      case 3:
+        return {"(" + a.text + "-" + b.text + ")", a.value - b.value, a.size + b.size};
+      case 4:
+        return {"(" + a.text + "*" + b.text + ")", a.value * b.value, a.size * b.size};
+      case 5:
+        return {"sin(" + a.text + ")", std::sin(a.value), 1 + a.size};
+      case 6:
+        return {"(" + a.text + "/(1 + " + b.text + "^2))", a.value / (1 + b.value * b.value),
+                a.size * (1 + b.size)};
+      default:
+        return {"abs(-" + a.text + ")", std::abs(-a.value), a.size};
     }
   };
   for (int k = 0; k < 500; ++k) {
@@ -125,7 +152,8 @@ BOOST_AUTO_TEST_CASE(random_formulas_have_the_value_that_cpp_gives_them) {
 
 BOOST_AUTO_TEST_CASE(a_complaint_points_into_the_text) {
   // The quote is at column 9, so the first character at 10.
-  BOOST_TEST(complaint("X + sn(Y)").starts_with("f:3:14: unknown name 'sn'; did you mean 'sin'? (known: X, Y, Z, pi, sin, "));
+  BOOST_TEST(complaint("X + sn(Y)")
+                 .starts_with("f:3:14: unknown name 'sn'; did you mean 'sin'? (known: X, Y, Z, pi, sin, "));
   BOOST_TEST(complaint("W").starts_with("f:3:10: unknown name 'W'"));
   BOOST_TEST(complaint("X + 2Y") == "f:3:15: an operator is expected after 2");
   BOOST_TEST(complaint("0x1F").starts_with("f:3:11: "));
@@ -143,26 +171,37 @@ BOOST_AUTO_TEST_CASE(a_complaint_points_into_the_text) {
   BOOST_TEST(complaint(std::string("X\0", 2)) == "f:3:11: '\\u0000' is no part of a formula");
   BOOST_TEST(complaint("") == "f:3:10: a formula is expected, for example \"1\"");
   BOOST_TEST(complaint("  ").starts_with("f:3:10: a formula is expected"));
-  for (char const* text : {"X +", "* X", "()", "sin", "sin()", "sin X", "sin(X, Y)", "atan2(X)", "min()", "X Y", "X ? Y", "X : Y", "X ? Y : ", "pi(X)", "X(1)", "1 2", "X ^", "&& X", "X ! Y", "(X, Y)", "X < > Y",
-                           "? :", "1 ? 2 : 3 : 4", "(1 ? 2) : 3", "X == == Y", "pi = 3", "(,)", "hypot(X, Y, Z)", "X ? (Y : Z)"})
+  for (char const* text :
+       {"X +",        "* X",           "()",          "sin",       "sin()",  "sin X",    "sin(X, Y)",
+        "atan2(X)",   "min()",         "X Y",         "X ? Y",     "X : Y",  "X ? Y : ", "pi(X)",
+        "X(1)",       "1 2",           "X ^",         "&& X",      "X ! Y",  "(X, Y)",   "X < > Y",
+        "? :",        "1 ? 2 : 3 : 4", "(1 ? 2) : 3", "X == == Y", "pi = 3", "(,)",      "hypot(X, Y, Z)",
+        "X ? (Y : Z)"})
     BOOST_TEST(complaint(text).starts_with("f:3:"), text << ": " << complaint(text));
 }
 
 BOOST_AUTO_TEST_CASE(long_and_deep_formulas_are_refused) {
-  BOOST_TEST(complaint(std::string(1 << 20, 'X')).starts_with("f:3:2010: a formula has at most 2000 characters"));
-  BOOST_TEST(complaint(std::string(100, '(') + "X" + std::string(100, ')')) == "f:3:60: at most 50 brackets may be open");
+  BOOST_TEST(
+      complaint(std::string(1 << 20, 'X')).starts_with("f:3:2010: a formula has at most 2000 characters"));
+  BOOST_TEST(complaint(std::string(100, '(') + "X" + std::string(100, ')')) ==
+             "f:3:60: at most 50 brackets may be open");
   std::string signs(1999, '-'), powers = "1", questions = "1";
   for (int k = 0; k < 900; ++k) powers += "^1";
   for (int k = 0; k < 400; ++k) questions += "?1:1";
   // Whatever is said of them, it is said.
-  for (auto const& text : {signs + "X", powers, questions, std::string(50, '(') + "X" + std::string(50, ')')}) BOOST_TEST(!complaint(text).empty());
+  for (auto const& text : {signs + "X", powers, questions, std::string(50, '(') + "X" + std::string(50, ')')})
+    BOOST_TEST(!complaint(text).empty());
 }
 
 BOOST_AUTO_TEST_CASE(no_value_is_a_nan_or_infinite) {
   Expression root = formula("sqrt(X - 1)/Y");
   BOOST_TEST(root(std::vector<double>{5, 2, 0}) == 1);
-  BOOST_TEST(said_by([&] { root(std::vector<double>{0.5, 2, 0}); }).starts_with("f:3:10: a finite value is expected, found "));
-  BOOST_TEST(said_by([&] { root(std::vector<double>{5, 0, 0}); }) == "f:3:10: a finite value is expected, found inf at X = 5, Y = 0, Z = 0");
+  BOOST_TEST(said_by([&] {
+               root(std::vector<double>{0.5, 2, 0});
+             }).starts_with("f:3:10: a finite value is expected, found "));
+  BOOST_TEST(said_by([&] {
+               root(std::vector<double>{5, 0, 0});
+             }) == "f:3:10: a finite value is expected, found inf at X = 5, Y = 0, Z = 0");
   BOOST_TEST(root(std::vector<double>{5, 2, 0}) == 1);
   Expression constant("1/0", {}, {{"f", 1, 1}, true});
   BOOST_TEST(said_by([&] { constant({}); }) == "f:1:2: a finite value is expected, found inf");
@@ -192,7 +231,8 @@ BOOST_AUTO_TEST_CASE(places_are_those_of_the_file) {
   BOOST_TEST(said(table.text("y"), table.text_place("y")) == "f:3:5: at character 5 of the text: unknown");
   BOOST_TEST(said(table.text("z"), table.text_place("z")) == "f:4:5: at character 1 of the text: unknown");
   BOOST_TEST(said(table.text("w"), table.text_place("w")) == "--set a.w=\"sn(X)\":1:6: unknown");
-  BOOST_TEST(said(table.text("u"), table.text_place("u")) == "--set a.u=sn:1:5: at character 1 of the text: unknown");
+  BOOST_TEST(said(table.text("u"), table.text_place("u")) ==
+             "--set a.u=sn:1:5: at character 1 of the text: unknown");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

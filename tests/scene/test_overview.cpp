@@ -11,7 +11,8 @@ BOOST_AUTO_TEST_SUITE(overview)
 
 BOOST_AUTO_TEST_CASE(an_envelope_keeps_a_short_curve_whole) {
   Envelope envelope;
-  for (std::size_t i = 0; i < Envelope::most_pieces; ++i) envelope.add(static_cast<double>(i), std::sin(static_cast<double>(i)));
+  for (std::size_t i = 0; i < Envelope::most_pieces; ++i)
+    envelope.add(static_cast<double>(i), std::sin(static_cast<double>(i)));
   BOOST_TEST(envelope.rows_per_piece() == 1);
   auto const points = envelope.points();
   BOOST_TEST_REQUIRE(points.size() == Envelope::most_pieces);
@@ -21,7 +22,10 @@ BOOST_AUTO_TEST_CASE(an_envelope_keeps_a_short_curve_whole) {
 BOOST_AUTO_TEST_CASE(an_envelope_loses_no_peak_wherever_it_is) {
   for (long const peak : {0L, 1L, 2047L, 2048L, 4095L, 4096L, 77'777L, 99'998L, 99'999L}) {
     Envelope envelope;
-    for (long i = 0; i < 100'000; ++i) envelope.add(static_cast<double>(i), i == peak ? 5 : i == 99'999 - peak ? -7 : std::cos(0.01 * static_cast<double>(i)));
+    for (long i = 0; i < 100'000; ++i)
+      envelope.add(static_cast<double>(i), i == peak            ? 5
+                                           : i == 99'999 - peak ? -7
+                                                                : std::cos(0.01 * static_cast<double>(i)));
     BOOST_TEST(envelope.pieces().size() <= Envelope::most_pieces);
     BOOST_TEST(envelope.highest() == 5);
     BOOST_TEST(envelope.lowest() == -7);
@@ -55,7 +59,8 @@ BOOST_AUTO_TEST_CASE(an_excerpt_holds_every_row_of_a_stride_as_long_as_neighbour
     BOOST_TEST(2 * rows.size() >= KeyFrames::most_rows);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       BOOST_TEST_REQUIRE(rows[i].size() == 1u);
-      if (rows[i][0] != static_cast<double>(i) * static_cast<double>(key_frames.stride())) BOOST_ERROR("row " << i << " of the key frames is row " << rows[i][0]);
+      if (rows[i][0] != static_cast<double>(i) * static_cast<double>(key_frames.stride()))
+        BOOST_ERROR("row " << i << " of the key frames is row " << rows[i][0]);
     }
     // Strides are powers of two: of seven, four is the longest that is near enough.
     BOOST_TEST(key_frames.stride() == (most > 1e3 ? 32 : most > 4 ? 4 : 1));

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <functional>
 
-
 #include "actio/scene/interrupt.hpp"
 #include "actio/scene/progress.hpp"
 
@@ -18,7 +17,8 @@ using actio::scene::Progress;
 
 namespace {
 
-/// What a process writes on standard error, which is a terminal that many columns wide; on a pipe where there are none.
+/// What a process writes on standard error, which is a terminal that many columns wide; on a pipe where there
+/// are none.
 std::string written_to(int columns, std::function<void()> const& write) {
   int ours = -1, theirs = -1;
   if (columns > 0) {
@@ -39,7 +39,8 @@ std::string written_to(int columns, std::function<void()> const& write) {
   ::close(theirs);
   std::string out;
   char buffer[4096];
-  for (ssize_t n; (n = ::read(ours, buffer, sizeof buffer)) > 0;) out.append(buffer, static_cast<std::size_t>(n));
+  for (ssize_t n; (n = ::read(ours, buffer, sizeof buffer)) > 0;)
+    out.append(buffer, static_cast<std::size_t>(n));
   ::close(ours);
   ::waitpid(child, nullptr, 0);
   return out;
@@ -48,12 +49,15 @@ std::string written_to(int columns, std::function<void()> const& write) {
 /// A run of ten seconds, looked at a hundred times a second, in no time.
 void ten_seconds(bool quiet, double drift, char const* terminal = "xterm", char const* no_color = nullptr) {
   ::setenv("TERM", terminal, 1);
-  if (no_color) ::setenv("NO_COLOR", no_color, 1);
-  else ::unsetenv("NO_COLOR");
+  if (no_color)
+    ::setenv("NO_COLOR", no_color, 1);
+  else
+    ::unsetenv("NO_COLOR");
   Progress progress(quiet, "steps");
   progress.start(0, 0);
   auto const began = Progress::Clock::now();
-  for (int k = 1; k <= 1000; ++k) progress.show(began + std::chrono::milliseconds(10 * k), k / 1000.0, 1000L * k, drift);
+  for (int k = 1; k <= 1000; ++k)
+    progress.show(began + std::chrono::milliseconds(10 * k), k / 1000.0, 1000L * k, drift);
 }
 
 std::size_t count(std::string const& text, std::string const& part) {
@@ -78,16 +82,19 @@ BOOST_AUTO_TEST_CASE(a_terminal_has_one_line_that_is_written_at_most_five_times_
 BOOST_AUTO_TEST_CASE(a_pipe_has_a_line_every_tenth) {
   for (int columns : {0, 80}) {
     // A terminal that cannot go back in a line is as good as a pipe.
-    std::string const text = written_to(columns, [=] { ten_seconds(false, 1e-3, columns ? "dumb" : "xterm"); });
+    std::string const text =
+        written_to(columns, [=] { ten_seconds(false, 1e-3, columns ? "dumb" : "xterm"); });
     BOOST_TEST(count(text, "\n") == 10u, text);
     BOOST_TEST(count(text, "\x1b") == 0u);
-    for (char const* tenth : {" 10.0 %", " 20.0 %", " 90.0 %", "100.0 %"}) BOOST_TEST(count(text, tenth) == 1u, text);
+    for (char const* tenth : {" 10.0 %", " 20.0 %", " 90.0 %", "100.0 %"})
+      BOOST_TEST(count(text, tenth) == 1u, text);
   }
 }
 
 BOOST_AUTO_TEST_CASE(only_a_drift_that_deserves_a_look_has_a_colour_and_none_where_colour_is_not_wanted) {
   BOOST_TEST(count(written_to(80, [] { ten_seconds(false, 1e-10); }), "\x1b") == 0u);
-  BOOST_TEST(count(written_to(80, [] { ten_seconds(false, 1e-8); }), "\x1b[33mworst drift 1.0e-08\x1b[0m") >= 40u);
+  BOOST_TEST(count(written_to(80, [] { ten_seconds(false, 1e-8); }), "\x1b[33mworst drift 1.0e-08\x1b[0m") >=
+             40u);
   BOOST_TEST(count(written_to(80, [] { ten_seconds(false, 1e-3); }), "\x1b[31m") >= 40u);
   BOOST_TEST(count(written_to(80, [] { ten_seconds(false, 1e-3, "xterm", "1"); }), "\x1b") == 0u);
 }
@@ -98,10 +105,14 @@ BOOST_AUTO_TEST_CASE(a_narrow_terminal_has_what_there_is_room_for) {
     std::size_t width = 0;
     bool in_colour = false;
     for (char const c : text) {
-      if (c == '\r') width = 0;
-      else if (c == '\x1b') in_colour = true;
-      else if (in_colour) in_colour = c != 'm';
-      else ++width;
+      if (c == '\r')
+        width = 0;
+      else if (c == '\x1b')
+        in_colour = true;
+      else if (in_colour)
+        in_colour = c != 'm';
+      else
+        ++width;
       BOOST_REQUIRE(width < static_cast<std::size_t>(columns));
     }
     BOOST_TEST(count(text, "51.0 %") == 1u);
@@ -149,14 +160,15 @@ BOOST_AUTO_TEST_CASE(the_first_signal_is_remembered_and_the_second_ends_the_proc
         bool const before = actio::scene::interrupted();
         ::raise(first);
         if (before || !actio::scene::interrupted()) ::_exit(1);
-        ::raise(second);      // within a moment: the same request once more
+        ::raise(second);       // within a moment: the same request once more
         ::usleep(300 * 1000);  // later: somebody is impatient
         ::raise(second);
         ::_exit(2);
       }
       int status = 0;
       ::waitpid(child, &status, 0);
-      BOOST_TEST((WIFSIGNALED(status) && WTERMSIG(status) == second), "signals " << first << ", " << second << ", status " << status);
+      BOOST_TEST((WIFSIGNALED(status) && WTERMSIG(status) == second),
+                 "signals " << first << ", " << second << ", status " << status);
     }
 }
 

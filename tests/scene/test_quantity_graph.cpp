@@ -12,7 +12,8 @@ namespace {
 
 constexpr unsigned seed = 1971;
 
-/// Quantities q0, q1, ... of which each needs some before it; the value of each is its number and the sum of what it needs, so that a missed or a stale one shows.
+/// Quantities q0, q1, ... of which each needs some before it; the value of each is its number and the sum of
+/// what it needs, so that a missed or a stale one shows.
 struct Web {
   std::vector<Quantity> known;
   std::vector<std::vector<std::size_t>> needs;
@@ -69,7 +70,8 @@ BOOST_AUTO_TEST_CASE(what_is_needed_is_evaluated_once_a_row_and_nothing_else_eve
     for (long r = 0; r < rows; ++r) {
       state = static_cast<double>(r) * 1000;
       graph.evaluate(row);
-      for (std::size_t i = 0; i < asked.size(); ++i) BOOST_REQUIRE_EQUAL(row[i], web.value(numbers[i], state));
+      for (std::size_t i = 0; i < asked.size(); ++i)
+        BOOST_REQUIRE_EQUAL(row[i], web.value(numbers[i], state));
     }
     auto const counts = graph.counts();
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -81,12 +83,16 @@ BOOST_AUTO_TEST_CASE(what_is_needed_is_evaluated_once_a_row_and_nothing_else_eve
 
 BOOST_AUTO_TEST_CASE(columns_are_in_the_order_of_asking) {
   using Kind = Quantity::Kind;
-  QuantityGraph graph({{"a", Kind::vector, "", "", "", "", {}, true}, {"b", Kind::list, "", "", "", "", {"a"}, true}, {"c", Kind::scalar, "", "", "", "", {}, false}});
+  QuantityGraph graph({{"a", Kind::vector, "", "", "", "", {}, true},
+                       {"b", Kind::list, "", "", "", "", {"a"}, true},
+                       {"c", Kind::scalar, "", "", "", "", {}, false}});
   graph.define("a", column_ends(Kind::vector), [](auto, double* v) { v[0] = 1, v[1] = 2, v[2] = 3; });
-  graph.define("b", numbered({2, 4}), [](auto needs, double* v) { v[0] = 10 * needs[0][0], v[1] = 10 * needs[0][2]; });
+  graph.define("b", numbered({2, 4}),
+               [](auto needs, double* v) { v[0] = 10 * needs[0][0], v[1] = 10 * needs[0][2]; });
   graph.define("c", {""}, [](auto, double* v) { *v = 7; });
   graph.ask({"c", "b", "a"});
-  BOOST_TEST(graph.columns() == (std::vector<std::string>{"c", "b_2", "b_4", "a_x", "a_y", "a_z"}), boost::test_tools::per_element());
+  BOOST_TEST(graph.columns() == (std::vector<std::string>{"c", "b_2", "b_4", "a_x", "a_y", "a_z"}),
+             boost::test_tools::per_element());
   std::vector<double> row(graph.row_size());
   graph.evaluate(row);
   BOOST_TEST(row == (std::vector<double>{7, 10, 30, 1, 2, 3}), boost::test_tools::per_element());
@@ -100,8 +106,10 @@ BOOST_AUTO_TEST_CASE(columns_are_in_the_order_of_asking) {
 
 BOOST_AUTO_TEST_CASE(matrices_of_ten_and_more_part_their_indices) {
   using Kind = Quantity::Kind;
-  BOOST_TEST(column_ends(Kind::skew, 3) == (std::vector<std::string>{"_12", "_13", "_23"}), boost::test_tools::per_element());
-  BOOST_TEST(column_ends(Kind::matrix, 2) == (std::vector<std::string>{"_11", "_12", "_21", "_22"}), boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::skew, 3) == (std::vector<std::string>{"_12", "_13", "_23"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::matrix, 2) == (std::vector<std::string>{"_11", "_12", "_21", "_22"}),
+             boost::test_tools::per_element());
   BOOST_TEST(column_ends(Kind::skew, 10)[8] == "_1_10");
   for (int n = 1; n < 13; ++n) {
     auto ends = column_ends(Kind::matrix, n);

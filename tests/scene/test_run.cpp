@@ -38,14 +38,19 @@ struct Counter : Motion {
 };
 
 /// Twenty thousand steps of the counter, a row every 250.
-Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0, std::vector<long>* pieces = nullptr) {
-  Scene scene = Scene::read(SceneFile::parse(
-      "[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n[initial]\nangular_velocity = [0.1, 0, 0.2]\n[method]\norder = 2\nstep = 0.25\n"
-      "[run]\nuntil = 5000\nevery = 62.5\n[output]\nquantities = [\"energy\"]\n", "counting.toml"));
+Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0,
+               std::vector<long>* pieces = nullptr) {
+  Scene scene = Scene::read(
+      SceneFile::parse("[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n[initial]\nangular_velocity = "
+                       "[0.1, 0, 0.2]\n[method]\norder = 2\nstep = 0.25\n"
+                       "[run]\nuntil = 5000\nevery = 62.5\n[output]\nquantities = [\"energy\"]\n",
+                       "counting.toml"));
   Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}, true}});
   auto motion = std::make_unique<Counter>(how, at, pieces);
   simulation.quantities.define("count", {""}, [m = motion.get()](auto, double* value) {
-    *value = m->how == Counter::Stumble::tells_nothing && m->steps >= m->at ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(m->steps);
+    *value = m->how == Counter::Stumble::tells_nothing && m->steps >= m->at
+                 ? std::numeric_limits<double>::quiet_NaN()
+                 : static_cast<double>(m->steps);
   });
   simulation.quantities.ask({"count"});
   simulation.step = 0.25, simulation.steps_at_once = 100;
@@ -54,7 +59,8 @@ Scene counting(Counter::Stumble how = Counter::Stumble::never, long at = 0, std:
   return scene;
 }
 
-RunReport run(Scene scene, Folder const& folder, bool resume, std::function<bool()> stop = [] { return false; }) {
+RunReport run(
+    Scene scene, Folder const& folder, bool resume, std::function<bool()> stop = [] { return false; }) {
   RunOptions options;
   options.quiet = true, options.checkpoint_interval = 0.01, options.stop = std::move(stop);
   return run_scene(scene, folder.path, resume, options);
@@ -100,7 +106,10 @@ BOOST_AUTO_TEST_CASE(the_pieces_of_steps_are_those_of_an_unbroken_run) {
   run(counting(Counter::Stumble::never, 0, &whole), one, false);
   for (bool resume = false;; resume = true) {
     int left = 17;
-    if (run(counting(Counter::Stumble::never, 0, &joined), other, resume, [&] { return left-- == 0; }).ending == Ending::done) break;
+    if (run(counting(Counter::Stumble::never, 0, &joined), other, resume, [&] {
+          return left-- == 0;
+        }).ending == Ending::done)
+      break;
   }
   BOOST_TEST((whole == joined));
   for (long const piece : whole) BOOST_REQUIRE(piece <= 100);
@@ -128,7 +137,8 @@ BOOST_AUTO_TEST_CASE(what_is_no_number_gets_into_no_row) {
   Folder const folder;
   RunReport const report = run(counting(Counter::Stumble::tells_nothing, 600), folder, false);
   BOOST_TEST((report.ending == Ending::numerics_failed));
-  BOOST_TEST(report.message == "counting.toml:8:8: count is nan at t = 187.5, where a finite number is needed");
+  BOOST_TEST(report.message ==
+             "counting.toml:8:8: count is nan at t = 187.5, where a finite number is needed");
   BOOST_TEST(rows_of(folder("series.csv")) == 3);
 }
 
@@ -145,8 +155,10 @@ BOOST_AUTO_TEST_CASE(a_motion_that_can_take_no_step_tells_its_start_alone) {
 BOOST_AUTO_TEST_CASE(the_drift_is_measured_from_the_start_where_no_row_is_there) {
   Folder const folder;
   Scene scene = Scene::read(SceneFile::parse(
-      "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0, 0, 0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
-      "[method]\norder = 2\nstep = 0.01\n[run]\nat = [1.0]\n[output]\nquantities = [\"energy\"]\n", "one.toml"));
+      "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [0.6, 0.8, 1]\ncentre_of_mass = [0, 0, "
+      "0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
+      "[method]\norder = 2\nstep = 0.01\n[run]\nat = [1.0]\n[output]\nquantities = [\"energy\"]\n",
+      "one.toml"));
   RunReport const report = run(std::move(scene), folder, false);
   BOOST_TEST(report.rows == 1);
   BOOST_TEST(report.drift.at(0).relative > 0);

@@ -9,7 +9,8 @@ namespace {
 
 /// What is said where `use` refuses a text.
 template <class Use>
-std::string complaint(std::string const& text, Use const& use, std::vector<std::string> const& overrides = {}) {
+std::string complaint(std::string const& text, Use const& use,
+                      std::vector<std::string> const& overrides = {}) {
   try {
     use(SceneFile::parse(text, "f", overrides));
   } catch (SceneError const& error) {
@@ -18,7 +19,8 @@ std::string complaint(std::string const& text, Use const& use, std::vector<std::
   return "taken";
 }
 std::string complaint(std::string const& text, std::vector<std::string> const& overrides = {}) {
-  return complaint(text, [](SceneFile const&) {}, overrides);
+  return complaint(
+      text, [](SceneFile const&) {}, overrides);
 }
 bool begins(std::string const& text, std::string const& with) { return text.starts_with(with); }
 
@@ -27,32 +29,45 @@ bool begins(std::string const& text, std::string const& with) { return text.star
 BOOST_AUTO_TEST_SUITE(scene_file)
 
 BOOST_AUTO_TEST_CASE(numbers_are_read_in_every_way_that_toml_writes_them) {
-  auto const table = SceneFile::parse("[a]\nx = [1, 1.0, 1e0, 0x1, 0b1, 0o1, 1_0e-1, +1]\nbig = 9007199254740993\nleast = -9223372036854775808\n", "f").section("a");
+  auto const table = SceneFile::parse(
+                         "[a]\nx = [1, 1.0, 1e0, 0x1, 0b1, 0o1, 1_0e-1, +1]\nbig = 9007199254740993\nleast = "
+                         "-9223372036854775808\n",
+                         "f")
+                         .section("a");
   for (double const x : table.numbers("x")) BOOST_TEST(x == 1);
   BOOST_TEST(table.number("big") == 9007199254740992.0);  // rounded as any decimal is
   BOOST_TEST(table.number("least") == -9223372036854775808.0);
 }
 
 BOOST_AUTO_TEST_CASE(sections_may_be_written_in_every_way_of_toml) {
-  for (std::string const text : {"[a]\nx = 1\n", "a.x = 1\n", "a = {x = 1}\n", "\"a\".'x' = 1", "\xef\xbb\xbf[a]\r\nx = 1\r\n", "[a] # [b]\nx = 1 # y = 2"})
+  for (std::string const text : {"[a]\nx = 1\n", "a.x = 1\n", "a = {x = 1}\n", "\"a\".'x' = 1",
+                                 "\xef\xbb\xbf[a]\r\nx = 1\r\n", "[a] # [b]\nx = 1 # y = 2"})
     BOOST_TEST(SceneFile::parse(text, "f").section("a").number("x") == 1, text);
 }
 
 BOOST_AUTO_TEST_CASE(a_wrong_value_is_pointed_at) {
-  std::string const text = "[a]\nn = 1\nt = 'one'\nl = [1, 2, 'x']\nr = [[1, 2], [3, nan]]\nd = 1979-05-27\nb = true\n";
-  auto const said = [&](auto const& use) { return complaint(text, [&](SceneFile const& file) { use(file.section("a")); }); };
+  std::string const text =
+      "[a]\nn = 1\nt = 'one'\nl = [1, 2, 'x']\nr = [[1, 2], [3, nan]]\nd = 1979-05-27\nb = true\n";
+  auto const said = [&](auto const& use) {
+    return complaint(text, [&](SceneFile const& file) { use(file.section("a")); });
+  };
   BOOST_TEST(said([](auto a) { a.number("t"); }) == "f:3:5: t: a number is expected, found 'one' (a text)");
   BOOST_TEST(said([](auto a) { a.numbers("l"); }) == "f:4:12: l: a number is expected, found 'x' (a text)");
   BOOST_TEST(said([](auto a) { a.numbers("l", 2); }) == "f:4:5: l: 2 numbers are expected, found 3");
   BOOST_TEST(said([](auto a) { a.numbers("n"); }) == "f:2:5: n: a list of numbers is expected, found 1");
   BOOST_TEST(said([](auto a) { a.matrix("r", 2); }) == "f:5:18: r: a finite number is expected, found nan");
   BOOST_TEST(said([](auto a) { a.matrix("r", 3); }) == "f:5:5: r: 3 rows are expected, found 2");
-  BOOST_TEST(said([](auto a) { a.matrix("l", 3); }) == "f:4:6: l: a list of numbers in each row is expected, found 1");
+  BOOST_TEST(said([](auto a) { a.matrix("l", 3); }) ==
+             "f:4:6: l: a list of numbers in each row is expected, found 1");
   BOOST_TEST(said([](auto a) { a.text("d"); }) == "f:6:5: d: a text is expected, found a date or a time");
-  BOOST_TEST(said([](auto a) { a.integer("n", 2, 5); }) == "f:2:5: n: a whole number from 2 to 5 is expected, found 1");
-  BOOST_TEST(said([](auto a) { a.integer("b", 2, 5); }) == "f:7:5: b: a whole number is expected, found true");
+  BOOST_TEST(said([](auto a) { a.integer("n", 2, 5); }) ==
+             "f:2:5: n: a whole number from 2 to 5 is expected, found 1");
+  BOOST_TEST(said([](auto a) { a.integer("b", 2, 5); }) ==
+             "f:7:5: b: a whole number is expected, found true");
   BOOST_TEST(said([](auto a) { a.boolean("n"); }) == "f:2:5: n: true or false is expected, found 1");
-  BOOST_TEST(said([](auto a) { a.choice("t", "word", {"none", "two"}); }) == "f:3:5: unknown word 'one'; did you mean 'none'? (known: none, two)");
+  BOOST_TEST(said([](auto a) {
+               a.choice("t", "word", {"none", "two"});
+             }) == "f:3:5: unknown word 'one'; did you mean 'none'? (known: none, two)");
   BOOST_TEST(said([](auto a) { a.choices("l", "word", {"x"}); }) == "f:4:6: l: a text is expected, found 1");
 }
 
@@ -67,9 +82,12 @@ BOOST_AUTO_TEST_CASE(a_missing_key_is_missed_at_its_section_and_a_missing_sectio
 
 BOOST_AUTO_TEST_CASE(the_first_unknown_key_is_pointed_at) {
   auto const allow = [](SceneFile const& file) { file.section("a").allow({"title", "seed"}); };
-  BOOST_TEST(complaint("[a]\nseed = 1\nzebra = 1\naple = 2\n", allow) == "f:3:1: unknown key of [a] 'zebra' (known: title, seed)");
-  BOOST_TEST(complaint("[a]\n  titel = 1\n", allow) == "f:2:3: unknown key of [a] 'titel'; did you mean 'title'? (known: title, seed)");
-  BOOST_TEST(complaint("[a]\n\"\\u001b[31m\" = 1\n", allow) == "f:2:1: unknown key of [a] '\\u001b[31m' (known: title, seed)");
+  BOOST_TEST(complaint("[a]\nseed = 1\nzebra = 1\naple = 2\n", allow) ==
+             "f:3:1: unknown key of [a] 'zebra' (known: title, seed)");
+  BOOST_TEST(complaint("[a]\n  titel = 1\n", allow) ==
+             "f:2:3: unknown key of [a] 'titel'; did you mean 'title'? (known: title, seed)");
+  BOOST_TEST(complaint("[a]\n\"\\u001b[31m\" = 1\n", allow) ==
+             "f:2:1: unknown key of [a] '\\u001b[31m' (known: title, seed)");
   BOOST_TEST(complaint("a.b.c = 1\n", allow) == "f:1:3: unknown key of [a] 'b' (known: title, seed)");
   BOOST_TEST(complaint("[a]\n" + std::string(100000, 'k') + " = 1\n", allow).size() < 200u);
 }
@@ -77,21 +95,26 @@ BOOST_AUTO_TEST_CASE(the_first_unknown_key_is_pointed_at) {
 BOOST_AUTO_TEST_CASE(a_section_that_is_no_table_is_pointed_at) {
   auto const section = [](SceneFile const& file) { file.section("a"); };
   BOOST_TEST(complaint("a = 1\n", section) == "f:1:5: a: a section [a] is expected, found 1");
-  BOOST_TEST(complaint("\n[[a]]\nx = 1\n", section) == "f:2:1: a: a section [a] is expected, found a list of 1");
+  BOOST_TEST(complaint("\n[[a]]\nx = 1\n", section) ==
+             "f:2:1: a: a section [a] is expected, found a list of 1");
 }
 
 BOOST_AUTO_TEST_CASE(an_override_is_pointed_at_in_its_argument) {
   auto const number = [](SceneFile const& file) { file.section("a").positive("x"); };
   std::string const text = "[a]\nx = 1\n";
   BOOST_TEST(complaint(text, number, {"a.x=2"}) == "taken");
-  BOOST_TEST(complaint(text, number, {"a.x=-2"}) == "--set a.x=-2:1:5: x: a number > 0 is expected, found -2");
-  BOOST_TEST(complaint(text, number, {"a.x=two"}) == "--set a.x=two:1:5: x: a number is expected, found 'two' (a text)");
+  BOOST_TEST(complaint(text, number, {"a.x=-2"}) ==
+             "--set a.x=-2:1:5: x: a number > 0 is expected, found -2");
+  BOOST_TEST(complaint(text, number, {"a.x=two"}) ==
+             "--set a.x=two:1:5: x: a number is expected, found 'two' (a text)");
   BOOST_TEST(complaint(text, number, {"a.x = 1e999"}).starts_with("--set a.x = 1e999:1:7: "));
-  BOOST_TEST(complaint(text, number, {"a.x.y=1"}) == "--set a.x.y=1:1:3: 'x' is no table, so nothing in it can be set");
+  BOOST_TEST(complaint(text, number, {"a.x.y=1"}) ==
+             "--set a.x.y=1:1:3: 'x' is no table, so nothing in it can be set");
   BOOST_TEST(complaint(text, number, {"a=1"}) == "--set a=1:1:3: a: a section [a] is expected, found 1");
   BOOST_TEST(complaint(text, {"a.x"}) == "--set a.x:1:1: KEY=VALUE is expected, for example method.step=0.1");
   BOOST_TEST(complaint(text, {"a.x=1\n[b]"}) == "--set a.x=1\\u000a[b]:1:6: one line is expected");
-  BOOST_TEST(complaint(text, [](SceneFile const& file) { file.allow({"a"}); }, {"b.x=1"}) == "--set b.x=1:1:1: unknown section 'b' (known: a)");
+  BOOST_TEST(complaint(text, [](SceneFile const& file) { file.allow({"a"}); }, {"b.x=1"}) ==
+             "--set b.x=1:1:1: unknown section 'b' (known: a)");
   BOOST_TEST(complaint(text, {std::string(100000, 'k')}).size() < 200u);
 }
 

@@ -1,4 +1,5 @@
-// Tables on disk: in two formats, written by a thread of their own, cut back, or left by a writer that was killed.
+// Tables on disk: in two formats, written by a thread of their own, cut back, or left by a writer that was
+// killed.
 #include <boost/test/unit_test.hpp>
 
 #include <sys/wait.h>
@@ -20,20 +21,29 @@ using command::Folder;
 
 namespace {
 
-Quantity quantity(std::string const& name, Quantity::Kind kind) { return {name, kind, "What it is.", "x", "1", "", {}, false}; }
+Quantity quantity(std::string const& name, Quantity::Kind kind) {
+  return {name, kind, "What it is.", "x", "1", "", {}, false};
+}
 ColumnGroup group(std::string const& name, Quantity::Kind kind, int n = 3) {
   ColumnGroup out{quantity(name, kind), {}};
   for (auto const& end : column_ends(kind, n)) out.columns.push_back(name + end);
   return out;
 }
 /// A time, a number, and a matrix.
-SeriesHead head() { return {"title", "system", "[scene]\n", {group("energy", Quantity::Kind::scalar), group("place", Quantity::Kind::matrix)}, 1000000}; }
+SeriesHead head() {
+  return {"title",
+          "system",
+          "[scene]\n",
+          {group("energy", Quantity::Kind::scalar), group("place", Quantity::Kind::matrix)},
+          1000000};
+}
 constexpr std::size_t columns = 11;
 
 /// Row k: numbers with all their digits.
 std::vector<double> row(long k) {
   std::vector<double> out(columns);
-  for (std::size_t i = 0; i < columns; ++i) out[i] = static_cast<double>(k) / (static_cast<double>(i) + 3) - 1e-3 * static_cast<double>(i);
+  for (std::size_t i = 0; i < columns; ++i)
+    out[i] = static_cast<double>(k) / (static_cast<double>(i) + 3) - 1e-3 * static_cast<double>(i);
   return out;
 }
 void add_rows(Series& series, long from, long to) {
@@ -41,7 +51,8 @@ void add_rows(Series& series, long from, long to) {
 }
 
 /// The rows of a table; of CSV those that are whole.
-std::vector<std::vector<double>> rows_in(std::string const& folder, std::string const& format, bool writing = false) {
+std::vector<std::vector<double>> rows_in(std::string const& folder, std::string const& format,
+                                         bool writing = false) {
   if (format == "hdf5") return command::read_hdf5(folder + "/series.h5", writing).rows;
   return command::read_csv(folder + "/series.csv").rows;
 }
@@ -79,9 +90,12 @@ BOOST_AUTO_TEST_CASE(columns_are_named_by_their_kind) {
   using Names = std::vector<std::string>;
   BOOST_TEST(column_ends(Kind::scalar) == Names{""}, boost::test_tools::per_element());
   BOOST_TEST(column_ends(Kind::vector) == (Names{"_x", "_y", "_z"}), boost::test_tools::per_element());
-  BOOST_TEST(column_ends(Kind::quaternion) == (Names{"_w", "_x", "_y", "_z"}), boost::test_tools::per_element());
-  BOOST_TEST(column_ends(Kind::matrix, 2) == (Names{"_11", "_12", "_21", "_22"}), boost::test_tools::per_element());
-  BOOST_TEST(column_ends(Kind::skew, 4) == (Names{"_12", "_13", "_14", "_23", "_24", "_34"}), boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::quaternion) == (Names{"_w", "_x", "_y", "_z"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::matrix, 2) == (Names{"_11", "_12", "_21", "_22"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(column_ends(Kind::skew, 4) == (Names{"_12", "_13", "_14", "_23", "_24", "_34"}),
+             boost::test_tools::per_element());
   BOOST_TEST(numbered({2, 4, 12}) == (Names{"_2", "_4", "_12"}), boost::test_tools::per_element());
   BOOST_CHECK_THROW(column_ends(Kind::list), std::logic_error);
 }
@@ -106,7 +120,17 @@ BOOST_AUTO_TEST_CASE(a_value_has_the_shape_of_its_kind) {
 
 BOOST_AUTO_TEST_CASE(every_number_reads_back_as_it_was) {
   std::mt19937_64 random(7);
-  std::vector<double> numbers{0.0, -0.0, 5e-324, -2.2250738585072014e-308, 1.7976931348623157e308, 0.1, 1e16, 1e17, 123456789012345678.0, 1e-5, 9.9999999999999995e-5};
+  std::vector<double> numbers{0.0,
+                              -0.0,
+                              5e-324,
+                              -2.2250738585072014e-308,
+                              1.7976931348623157e308,
+                              0.1,
+                              1e16,
+                              1e17,
+                              123456789012345678.0,
+                              1e-5,
+                              9.9999999999999995e-5};
   while (numbers.size() < 20000)
     if (double const x = std::bit_cast<double>(random()); std::isfinite(x)) numbers.push_back(x);
   Folder const folder;
@@ -117,7 +141,8 @@ BOOST_AUTO_TEST_CASE(every_number_reads_back_as_it_was) {
     auto const rows = rows_in(folder / "", format, true);
     BOOST_TEST(rows.size() == numbers.size());
     bool same = true;
-    for (std::size_t i = 0; i < numbers.size(); ++i) same = same && std::bit_cast<std::uint64_t>(rows[i][0]) == std::bit_cast<std::uint64_t>(numbers[i]);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      same = same && std::bit_cast<std::uint64_t>(rows[i][0]) == std::bit_cast<std::uint64_t>(numbers[i]);
     BOOST_TEST(same, format);
   }
 }
@@ -160,12 +185,16 @@ BOOST_AUTO_TEST_CASE(a_table_that_lost_rows_since_is_refused) {
     }
     auto const series = open_series(folder / "", format, head(), true);
     CheckpointStream back(stream.bytes());
-    BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) { return std::string(error.what()).ends_with("; it was cut since"); });
+    BOOST_CHECK_EXCEPTION(series->remember(back), FileError, [](FileError const& error) {
+      return std::string(error.what()).ends_with("; it was cut since");
+    });
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_device_without_room_is_said_and_every_later_call_says_so_again) {
-  auto const full = [](FileError const& error) { return std::string(error.what()).ends_with("No space left on device"); };
+  auto const full = [](FileError const& error) {
+    return std::string(error.what()).ends_with("No space left on device");
+  };
   BOOST_CHECK_EXCEPTION(csv_series("/dev/full", {"t"}, false), FileError, full);
   for (std::string const format : {"csv", "hdf5"}) {
     // Nothing is written through a link.
@@ -274,8 +303,10 @@ BOOST_AUTO_TEST_CASE(what_a_killed_writer_leaves_is_a_beginning_and_can_be_gone_
         auto const series = open_series(folder / "", format, head(), true);
         CheckpointStream stream(last);
         series->remember(stream);
-        if (format == "hdf5") std::memcpy(&kept, last.data(), 8);
-        else kept = rows_in(folder / "", format).size();
+        if (format == "hdf5")
+          std::memcpy(&kept, last.data(), 8);
+        else
+          kept = rows_in(folder / "", format).size();
         add_rows(*series, static_cast<long>(kept), static_cast<long>(kept) + 5000);
       }
       auto const rows = rows_in(folder / "", format);

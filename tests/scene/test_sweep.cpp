@@ -19,8 +19,10 @@ namespace {
 
 MemberResult result_of(long member, int status = 0) {
   MemberResult out;
-  out.member = member, out.status = status, out.message = status == 0 ? "" : "tells\nnothing", out.steps = 7, out.seconds = 0.5;
-  out.drift = {{"energy", 1e-16}}, out.error = {{"momentum", 0.25}}, out.columns = {"t", "energy"}, out.last_row = {1, 0.1 + 0.2};
+  out.member = member, out.status = status, out.message = status == 0 ? "" : "tells\nnothing", out.steps = 7,
+  out.seconds = 0.5;
+  out.drift = {{"energy", 1e-16}}, out.error = {{"momentum", 0.25}}, out.columns = {"t", "energy"},
+  out.last_row = {1, 0.1 + 0.2};
   return out;
 }
 
@@ -43,8 +45,10 @@ BOOST_AUTO_TEST_CASE(members_are_all_combinations_the_last_key_fastest) {
   std::set<std::vector<std::string>> seen;
   for (long member = 0; member < plan.size(); ++member) seen.insert(plan.values(member));
   BOOST_TEST(seen.size() == 6u);
-  BOOST_TEST(plan.values(4) == (std::vector<std::string>{"2", "[3,4]", "7"}), boost::test_tools::per_element());
-  BOOST_TEST(plan.values(5) == (std::vector<std::string>{"2", "\"b,c\"", "7"}), boost::test_tools::per_element());
+  BOOST_TEST(plan.values(4) == (std::vector<std::string>{"2", "[3,4]", "7"}),
+             boost::test_tools::per_element());
+  BOOST_TEST(plan.values(5) == (std::vector<std::string>{"2", "\"b,c\"", "7"}),
+             boost::test_tools::per_element());
   BOOST_TEST(plan.folder(5) == "out/000005");
 }
 
@@ -71,9 +75,9 @@ BOOST_AUTO_TEST_CASE(members_run_in_as_many_other_processes_as_there_are_places)
   pid_t const here = ::getpid();
   SweepCrew crew(
       [&](MemberTask, long member) {
-        auto out = result_of(member);
-        out.steps = ::getpid();
-        return out;
+    auto out = result_of(member);
+    out.steps = ::getpid();
+    return out;
       },
       3);
   std::set<long> processes;
@@ -86,26 +90,27 @@ BOOST_AUTO_TEST_CASE(members_run_in_as_many_other_processes_as_there_are_places)
 BOOST_AUTO_TEST_CASE(a_member_that_crashes_or_is_killed_takes_no_other_with_it) {
   SweepCrew crew(
       [](MemberTask, long member) {
-        if (member == 1) std::raise(SIGKILL);
-        if (member == 2) std::signal(SIGABRT, SIG_DFL), std::abort();
-        if (member == 3) ::_exit(5);
-        return result_of(member);
+    if (member == 1) std::raise(SIGKILL);
+    if (member == 2) std::signal(SIGABRT, SIG_DFL), std::abort();
+    if (member == 3) ::_exit(5);
+    return result_of(member);
       },
       2);
   auto const results = all_of(crew, 6);
   BOOST_TEST_REQUIRE(results.size() == 6u);
   std::vector<int> status;
   for (auto const& result : results) status.push_back(result.status);
-  BOOST_TEST(status == (std::vector<int>{0, 128 + SIGKILL, 128 + SIGABRT, 3, 0, 0}), boost::test_tools::per_element());
+  BOOST_TEST(status == (std::vector<int>{0, 128 + SIGKILL, 128 + SIGABRT, 3, 0, 0}),
+             boost::test_tools::per_element());
   BOOST_TEST(results[1].message == "signal 9 ended it: Killed");
 }
 
 BOOST_AUTO_TEST_CASE(a_worker_that_could_not_write_is_replaced) {
   SweepCrew crew(
       [](MemberTask, long member) {
-        auto out = result_of(member, member == 0 ? 4 : 0);
-        out.steps = ::getpid();
-        return out;
+    auto out = result_of(member, member == 0 ? 4 : 0);
+    out.steps = ::getpid();
+    return out;
       },
       1);
   auto const results = all_of(crew, 3);
@@ -117,9 +122,9 @@ BOOST_AUTO_TEST_CASE(a_worker_that_could_not_write_is_replaced) {
 BOOST_AUTO_TEST_CASE(a_long_result_comes_whole) {
   SweepCrew crew(
       [](MemberTask, long member) {
-        auto out = result_of(member);
-        out.last_row.assign(200000, 0.1);
-        return out;
+    auto out = result_of(member);
+    out.last_row.assign(200000, 0.1);
+    return out;
       },
       2);
   for (auto const& result : all_of(crew, 6)) BOOST_TEST(result.last_row.size() == 200000u);
@@ -144,7 +149,8 @@ BOOST_AUTO_TEST_CASE(a_table_has_the_columns_of_all_members_and_empty_cells_for_
   auto other = result_of(2);
   other.drift = {{"casimir", 0.0}}, other.columns = {"t", "casimir"}, other.last_row = {2, 5};
   BOOST_TEST(sweep_table(plan, {result_of(0), result_of(1, 3), other}) ==
-             "member,x,status,steps,wall_seconds,drift_energy,drift_casimir,error_momentum,last_t,last_energy,last_casimir,message\n"
+             "member,x,status,steps,wall_seconds,drift_energy,drift_casimir,error_momentum,last_t,last_"
+             "energy,last_casimir,message\n"
              "0,1,0,7,0.5,9.9999999999999998e-17,,0.25,1,0.30000000000000004,,\n"
              "1,2,3,,,,,,,,,\"tells\nnothing\"\n"
              "2,\"\"\"a,b\"\"\",0,7,0.5,,0,0.25,2,,5,\n");

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # build_budget.sh LOG BUILD: every translation unit compiled within 60 s of user time and 1.2 GB.
 #
-# LOG is what cmake/compile_log.sh wrote; of several compiles of an object the last counts, those that came from the cache and
-# those of objects that are no more are left out. At the end a line over each limit is planted, and must be found.
+# LOG is what cmake/compile_log.sh wrote; of several compiles of an object the last counts, those that came
+# from the cache and those of objects that are no more are left out. At the end a line over each limit is
+# planted, and must be found.
 set -euo pipefail
 log=$1
 build=$2

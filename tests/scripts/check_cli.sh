@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# check_cli.sh PROGRAM STATEMENT: what a program of checks answers to options that do not fit: one line that says what would do, and status 2.
+# check_cli.sh PROGRAM STATEMENT: what a program of checks answers to options that do not fit: one line that
+# says what would do, and status 2.
 set -uo pipefail
 program=$1
 statement=$2

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# install_consumer.sh SOURCE BUILD COMPILER: installs to a fresh folder, then builds and runs a project that uses nothing else.
+# install_consumer.sh SOURCE BUILD COMPILER: installs to a fresh folder, then builds and runs a project that
+# uses nothing else.
 set -euo pipefail
 source=$1
 build=$2

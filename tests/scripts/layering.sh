@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # layering.sh ROOT: every #include of src/ and chapters/ follows the arrows.
 #
-# The arrows are read from where they are declared: `actio_module(NAME USES ...)` in CMakeLists.txt and `actio_chapter(chNN USES
-# ...)` in chapters/CMakeLists.txt. A file may include its own module and whatever that reaches; src/book includes no module;
-# src/app, the command, and src/python, the module for Python, include scene and what that reaches; src/witness, for checks, tests and programs, numbers and groups.
-# Of the modules scene alone may include src/book: it is no part of the library that others build on, and the pictures of its runs are those of the book.
-# Includes that run in a circle are reported as well. At the end a violation is planted in a copy, and must be found.
+# The arrows are read from where they are declared: `actio_module(NAME USES ...)` in CMakeLists.txt and
+# `actio_chapter(chNN USES ...)` in chapters/CMakeLists.txt. A file may include its own module and whatever
+# that reaches; src/book includes no module; src/app, the command, and src/python, the module for Python,
+# include scene and what that reaches; src/witness, for checks, tests and programs, numbers and groups. Of the
+# modules scene alone may include src/book: it is no part of the library that others build on, and the
+# pictures of its runs are those of the book. Includes that run in a circle are reported as well. At the end a
+# violation is planted in a copy, and must be found.
 set -euo pipefail
 root=$1
 

@@ -7,7 +7,8 @@ long() { find "$@" -name '*.[hc]pp' -print0 | xargs -0 grep -nP '^.{111,}' | sed
 found=$(long src chapters proofs_checks tests benchmarks)
 [[ -z $found ]] || { printf 'past column 110:\n%s\n' "$found"; exit 1; }
 
-# The measure itself: a line of 110 characters passes, one of 111 does not, and a letter of two bytes is one column.
+# The measure itself: a line of 110 characters passes, one of 111 does not, and a letter of two bytes is one
+# column.
 planted=$(mktemp -d)
 trap 'rm -rf "$planted"' EXIT
 printf '//%0107dé\n' 0 >"$planted/short.hpp"

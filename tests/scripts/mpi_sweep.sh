@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# mpi_sweep.sh ACTIO ACTIO_MPI MPIRUN: a sweep on two ranks writes what the same sweep writes on one machine, and where a rank dies the others end.
+# mpi_sweep.sh ACTIO ACTIO_MPI MPIRUN: a sweep on two ranks writes what the same sweep writes on one machine,
+# and where a rank dies the others end.
 set -euo pipefail
 actio=$1 actio_mpi=$2 mpirun=$3
 folder=$(mktemp -d)

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# one_system_one_file.sh ROOT: a system of scenes is one file and one line, as src/actio/scene/system.hpp says.
+# one_system_one_file.sh ROOT: a system of scenes is one file and one line, as src/actio/scene/system.hpp
+# says.
 #
-# Outside systems/ nothing in the module scene, in the command, in the module for Python and in the page of a run asks which
-# system it is: none of them compares with the name of a system, or looks one up by a name that is written down. At the end
-# such a comparison is planted in a copy, and must be found.
+# Outside systems/ nothing in the module scene, in the command, in the module for Python and in the page of a
+# run asks which system it is: none of them compares with the name of a system, or looks one up by a name that
+# is written down. At the end such a comparison is planted in a copy, and must be found.
 set -euo pipefail
 root=$1
 

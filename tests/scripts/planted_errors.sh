@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# planted_errors.sh ROOT: each error that `./run mutate` plants finds its place: the text to be replaced stands exactly once in its file, within
-# one line, and what takes its place is something else. Whether the checks catch the errors is for `./run mutate` to say.
+# planted_errors.sh ROOT: each error that `./run mutate` plants finds its place: the text to be replaced
+# stands exactly once in its file, within one line, and what takes its place is something else. Whether the
+# checks catch the errors is for `./run mutate` to say.
 set -euo pipefail
 cd "$1"
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# python_wheel.sh SOURCE BUILD PYTHON: `pip install` makes a wheel of the module that is in BUILD and puts it into a fresh
-# environment, from which it is imported and runs a scene; no package is fetched. Without pip the test is skipped.
+# python_wheel.sh SOURCE BUILD PYTHON: `pip install` makes a wheel of the module that is in BUILD and puts it
+# into a fresh environment, from which it is imported and runs a scene; no package is fetched. Without pip the
+# test is skipped.
 set -euo pipefail
 source=$1
 build=$2

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# readme_program.sh SOURCE: the program in the README is, to the letter, the one that the install test builds and runs.
+# readme_program.sh SOURCE: the program in the README is, to the letter, the one that the install test builds
+# and runs.
 set -euo pipefail
 source=$1
 shown=$(awk '/^```cpp$/ { inside = 1; text = ""; next } /^```$/ { if (inside && text ~ /int main/) print text; inside = 0; next } inside { text = text $0 "\n" }' "$source/README.md")

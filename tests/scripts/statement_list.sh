@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# statement_list.sh ROOT PROGRAM...: proofs_checks/statements.json is what the check programs list. It is read by ./run, by CMake and by the book, which
-# may not wait until the checks are built. To write it anew: statement_list.sh --write ROOT PROGRAM...
+# statement_list.sh ROOT PROGRAM...: proofs_checks/statements.json is what the check programs list. It is read
+# by ./run, by CMake and by the book, which may not wait until the checks are built. To write it anew:
+# statement_list.sh --write ROOT PROGRAM...
 set -euo pipefail
 write=0
 [[ $1 == --write ]] && { write=1; shift; }

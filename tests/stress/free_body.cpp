@@ -1,4 +1,5 @@
-// The free body at length: a hundred million steps, ten thousand nasty bodies against 50 digits, and the bodies that break codes beside other methods.
+// The free body at length: a hundred million steps, ten thousand nasty bodies against 50 digits, and the
+// bodies that break codes beside other methods.
 //
 // Nothing is taken on trust from the code under test: power series in the time judge it, and the exact flow
 // in 50 digits only after these series have judged that. What an answer may be off by is said by the
@@ -19,7 +20,9 @@ constexpr std::uint64_t seed = 1971;
 /// Roundings of the answer, and units in the last place of each number of the question.
 constexpr double units = 8;
 
-std::string both(testing::Apart const& a) { return book::number(a.momentum, 2) + " / " + book::number(a.attitude, 2); }
+std::string both(testing::Apart const& a) {
+  return book::number(a.momentum, 2) + " / " + book::number(a.attitude, 2);
+}
 
 /// 1e8 steps of one length: plain, compensated, and compensated with the place set back.
 void drift(book::Program& program) {
@@ -37,11 +40,14 @@ void drift(book::Program& program) {
                         {"asymmetric, h = 1", {0.6, 0.8, 1}, {1.8, 0.4, -0.9}, 1, 100'000'000},
                         {"round axis 3, h = 0.1", {0.6, 0.8, 1}, {0.3, -0.4, 0.9}, 0.1, 100'000'000},
                         {"planar, h = 0.1", {0.6, 0.8, 1.4}, {0.7, 0.4, -0.6}, 0.1, 100'000'000}}) {
-    FreeBody const body(inertia_from_moments(c.moments[0], c.moments[1], c.moments[2]), {SO<3>{}, c.momentum});
+    FreeBody const body(inertia_from_moments(c.moments[0], c.moments[1], c.moments[2]),
+                        {SO<3>{}, c.momentum});
     auto const add = [&](char const* method, ConservationErrors const& k, double seconds) {
-      rows.push_back({c.name, method, book::number(k.casimir, 2), book::number(k.energy, 2), book::number(k.spatial, 2),
+      rows.push_back({c.name, method, book::number(k.casimir, 2), book::number(k.energy, 2),
+                      book::number(k.spatial, 2),
                       book::number(1e9 * seconds / static_cast<double>(c.steps), 2)});
-      program.say(c.name, ", ", method, ": Casimir ", k.casimir, ", energy ", k.energy, ", momentum in space ", k.spatial);
+      program.say(c.name, ", ", method, ": Casimir ", k.casimir, ", energy ", k.energy,
+                  ", momentum in space ", k.spatial);
     };
     auto const timed = [&](auto const& run) {
       auto const start = std::chrono::steady_clock::now();
@@ -65,8 +71,10 @@ void drift(book::Program& program) {
     seconds = timed([&] { motion.advance(c.steps); });
     ConservationErrors const back = conservation_errors(motion, c.moments);
     add("compensated, set back", back, seconds);
-    casimir = std::max(casimir, back.casimir), energy = std::max(energy, back.energy), spatial = std::max(spatial, back.spatial);
-    alone_casimir = std::max({alone_casimir, alone.casimir, alone.energy}), alone_spatial = std::max(alone_spatial, alone.spatial);
+    casimir = std::max(casimir, back.casimir), energy = std::max(energy, back.energy),
+    spatial = std::max(spatial, back.spatial);
+    alone_casimir = std::max({alone_casimir, alone.casimir, alone.energy}),
+    alone_spatial = std::max(alone_spatial, alone.spatial);
   }
   program.table("drift", {"motion", "steps are", "Casimir", "energy", "momentum in space", "ns a step"}, rows,
                 "Relative changes after 1e8 steps, measured in 34 digits.");
@@ -77,7 +85,8 @@ void drift(book::Program& program) {
   program.figure("spatial_alone", alone_spatial, "of the momentum in space without it");
   program.claim(casimir <= 2e-14 && energy <= 2e-14, "1e8 steps conserve Casimir and energy within 2e-14");
   program.claim(spatial <= 5e-13, "1e8 steps conserve the momentum in space within 5e-13");
-  program.headline("1e8 steps: Casimir conserved to " + book::number(casimir, 2) + ", momentum in space to " + book::number(spatial, 2),
+  program.headline("1e8 steps: Casimir conserved to " + book::number(casimir, 2) + ", momentum in space to " +
+                       book::number(spatial, 2),
                    std::max(casimir, spatial));
 }
 
@@ -98,10 +107,13 @@ void against_series(book::Program& program) {
     worst = std::max(worst, testing::units_off(p, answer, units));
   }
   program.figure("series_units", worst,
-                 "10000 nasty bodies, series in 19 digits, and in 45 where those do not suffice: largest error over (eps + what one unit in the last place "
+                 "10000 nasty bodies, series in 19 digits, and in 45 where those do not suffice: largest "
+                 "error over (eps + what one unit in the last place "
                  "of each number of the question does)");
   program.say("angles up to ", angle, "; ", skipped, " left out whose fastest component starts near zero");
-  program.claim(worst <= units, "at(t) is right to eight units in the last place of the question, for ten thousand nasty bodies");
+  program.claim(
+      worst <= units,
+      "at(t) is right to eight units in the last place of the question, for ten thousand nasty bodies");
   // The same in 50 digits, of the exact flow in 50 digits: this makes that flow a witness for what follows.
   double const last = to_double(epsilon<dec50>());
   for (int count = 0; count < 150;) {
@@ -111,9 +123,11 @@ void against_series(book::Program& program) {
     if (probe.expansions() > 120) continue;
     ++count;
     auto const truth = testing::witness_of<dec50>(p, 53);
-    sharp = std::max(sharp, testing::apart(truth, testing::exact_path<dec50>(p), p.amount()).larger() / (last * (1 + testing::condition(p, rough) / eps)));
+    sharp = std::max(sharp, testing::apart(truth, testing::exact_path<dec50>(p), p.amount()).larger() /
+                                (last * (1 + testing::condition(p, rough) / eps)));
   }
-  program.figure("sharp_units", sharp, "150 nasty bodies, exact flow in 50 digits against series in 50 digits, in the same units");
+  program.figure("sharp_units", sharp,
+                 "150 nasty bodies, exact flow in 50 digits against series in 50 digits, in the same units");
   program.claim(sharp <= 2 * units, "the exact flow in 50 digits is right to its last places");
 }
 
@@ -130,27 +144,35 @@ void against_fifty_digits(book::Program& program) {
     double const open = testing::condition(p, truth, truth_of);
     // Where the question leaves everything open there is nothing to judge.
     if (open > 1e-2) continue;
-    once.push_back(testing::apart(truth, testing::path_of(p.body().at(p.time)), p.amount()).larger() / (eps + open));
+    once.push_back(testing::apart(truth, testing::path_of(p.body().at(p.time)), p.amount()).larger() /
+                   (eps + open));
     if (!steps) continue;
     long const number = 1 << 12;
     double const h = p.time / static_cast<double>(number);
     FreeSteps motion(p.body(), h);
     motion.advance(number);
-    // A single step over several periods would round where it lands, and next to the separatrix that would grow until it has passed: these are evaluated from the start.
+    // A single step over several periods would round where it lands, and next to the separatrix that would
+    // grow until it has passed: these are evaluated from the start.
     (std::abs(h) * p.body().pace() <= 4 || !p.body().near_separatrix() ? many : leaps)
-        .push_back(testing::apart(truth, testing::path_of(motion.state()), p.amount()).larger() / (eps + open));
+        .push_back(testing::apart(truth, testing::path_of(motion.state()), p.amount()).larger() /
+                   (eps + open));
   }
   auto const add = [&](char const* name, std::vector<double>& x) {
     std::sort(x.begin(), x.end());
     std::size_t const n = x.size();
-    return book::Program::Row{name, std::to_string(n), book::number(x[n / 2], 2), book::number(x[n - 1 - n / 100], 2), book::number(x[n - 1], 2)};
+    return book::Program::Row{name, std::to_string(n), book::number(x[n / 2], 2),
+                              book::number(x[n - 1 - n / 100], 2), book::number(x[n - 1], 2)};
   };
-  std::vector<book::Program::Row> const rows = {add("at(t)", once), add("4096 steps", many), add("4096 long steps past the separatrix", leaps)};
+  std::vector<book::Program::Row> const rows = {add("at(t)", once), add("4096 steps", many),
+                                                add("4096 long steps past the separatrix", leaps)};
   program.table("fifty", {"", "bodies", "half of them within", "99 of 100", "all"}, rows,
-                "Errors over (eps + what one unit in the last place of each number of the question does), angles up to 1e6; truth: the exact flow in 50 digits.");
+                "Errors over (eps + what one unit in the last place of each number of the question does), "
+                "angles up to 1e6; truth: the exact flow in 50 digits.");
   program.figure("once_units", once.back(), "at(t), largest");
   program.figure("steps_units", many.back(), "4096 steps, largest");
-  program.claim(once.back() <= units, "at(t) is right to eight units in the last place of the question, for angles up to a million");
+  program.claim(
+      once.back() <= units,
+      "at(t) is right to eight units in the last place of the question, for angles up to a million");
   program.claim(many.back() <= units && leaps.back() <= units, "so are 4096 steps of any length");
 }
 
@@ -198,23 +220,30 @@ void hard_bodies(book::Program& program) {
         return "none";
       }
     };
-    double const open = testing::condition(p, testing::exact_path<dec50>(p), [](FreeProblem const& q) { return testing::exact_path<dec50>(q); });
+    double const open = testing::condition(
+        p, testing::exact_path<dec50>(p), [](FreeProblem const& q) { return testing::exact_path<dec50>(q); });
     rows.push_back({c.name, book::number(c.time), book::number(open, 2), both(stepped), both(once),
-                    both(testing::apart(truth, testing::path_of(body.state(state)), L)), scheme(2), scheme(10)});
+                    both(testing::apart(truth, testing::path_of(body.state(state)), L)), scheme(2),
+                    scheme(10)});
     program.say(c.name, ": steps ", both(stepped), ", at(t) ", both(once));
     if (c.judged) worst = std::max({worst, stepped.larger(), once.larger()});
     program.claim(once.larger() <= units * (eps + open), c.name + ": at(t) is as good as the question");
   }
-  program.table(
-      "hard", {"body", "t", "open", "exact steps", "at(t)", "plain steps", "Moser-Veselov", "its order 10"}, rows,
-      "Errors of momentum / attitude, steps of time/10000 or time/1000; `open` is what one unit in the last place of each number of the question does.");
+  program.table("hard",
+                {"body", "t", "open", "exact steps", "at(t)", "plain steps", "Moser-Veselov", "its order 10"},
+                rows,
+                "Errors of momentum / attitude, steps of time/10000 or time/1000; `open` is what one unit in "
+                "the last place of each number of the question does.");
   program.figure("hard", worst, "largest error of the bodies that are not next to the separatrix");
-  program.claim(worst <= 1e-12, "bodies of ratio 1e6, nearly symmetric, nearly spherical and flat ones: 1e-12 in momentum and attitude");
+  program.claim(worst <= 1e-12,
+                "bodies of ratio 1e6, nearly symmetric, nearly spherical and flat ones: 1e-12 in momentum "
+                "and attitude");
 }
 }  // namespace
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "a free body over 1e8 steps, and ten thousand nasty bodies against 50 digits");
+  book::Program program(argc, argv,
+                        "a free body over 1e8 steps, and ten thousand nasty bodies against 50 digits");
   program.say("random bodies from seed ", seed);
   hard_bodies(program);
   against_series(program);

@@ -1,6 +1,8 @@
-// The reader of scenes, fed for ten minutes with what a fuzzer makes of scenes, good and bad (tests/fuzz/scene_reader.cpp says what must hold of every input).
+// The reader of scenes, fed for ten minutes with what a fuzzer makes of scenes, good and bad
+// (tests/fuzz/scene_reader.cpp says what must hold of every input).
 //
-// ACTIO_FUZZ_SECONDS is another time, ACTIO_FUZZ_SEED another seed. What it finds is kept in the folder that it names.
+// ACTIO_FUZZ_SECONDS is another time, ACTIO_FUZZ_SEED another seed. What it finds is kept in the folder that
+// it names.
 #include <sys/wait.h>
 
 #include <cstdio>
@@ -39,7 +41,8 @@ int main(int argc, char** argv) {
   program.figure("executions", executions, "inputs that were fed");
   program.figure("places", places, "places of the program that they reached");
   program.claim(executions > 1000, "more than a thousand inputs were fed");
-  program.claim(WIFEXITED(status) && WEXITSTATUS(status) == 0, "nothing was found; what is, is in " + (folder / "found").string());
+  program.claim(WIFEXITED(status) && WEXITSTATUS(status) == 0,
+                "nothing was found; what is, is in " + (folder / "found").string());
   program.headline(book::number(executions, 3) + " inputs were fed", executions);
   return program.finish();
 }

@@ -1,8 +1,10 @@
-// Runs that are killed at fifty random instants, and resumed each time: what they leave equals what an unbroken run leaves, bit for bit.
+// Runs that are killed at fifty random instants, and resumed each time: what they leave equals what an
+// unbroken run leaves, bit for bit.
 //
 // ACTIO_SEED repeats the instants of another time.
 //
-// Of tables in HDF5 each kill leaves one that an ordinary reader opens, as it opens them while the run goes on; their rows are the first ones of the unbroken run.
+// Of tables in HDF5 each kill leaves one that an ordinary reader opens, as it opens them while the run goes
+// on; their rows are the first ones of the unbroken run.
 #include <cstdio>
 
 #include "../command/hdf5_table.hpp"
@@ -18,16 +20,25 @@ struct Case {
 
 /// Each takes some seconds, so that most kills meet it.
 Case const cases[] = {
-    {"rigid_body, order 2", {{"order", "2"}, {"step", "0.25"}, {"until", "30000000.0"}, {"every", "1000.0"}}, 15},
-    {"rigid_body, order 2, rows far apart", {{"order", "2"}, {"step", "0.25"}, {"until", "30000000.0"}, {"every", "7777777.0"}}, 10},
-    {"rigid_body, order 6, a row at each step", {{"order", "6"}, {"step", "0.25"}, {"until", "250000.0"}}, 10},
-    {"rigid_body, exact", {{"until", "200000.0"}, {"quantities", "[\"attitude\", \"spatial_momentum\", \"energy\"]"}}, 15},
+    {"rigid_body, order 2",
+     {{"order", "2"}, {"step", "0.25"}, {"until", "30000000.0"}, {"every", "1000.0"}},
+     15},
+    {"rigid_body, order 2, rows far apart",
+     {{"order", "2"}, {"step", "0.25"}, {"until", "30000000.0"}, {"every", "7777777.0"}},
+     10},
+    {"rigid_body, order 6, a row at each step",
+     {{"order", "6"}, {"step", "0.25"}, {"until", "250000.0"}},
+     10},
+    {"rigid_body, exact",
+     {{"until", "200000.0"}, {"quantities", "[\"attitude\", \"spatial_momentum\", \"energy\"]"}},
+     15},
 };
 
 /// Whether the killed run left what the unbroken one did.
 bool same(Case const& c, std::mt19937& random) {
   command::Folder const folder;
-  std::string const scene = folder.write("scene.toml", command::apophis(c.changes)), unbroken = folder / "unbroken", broken = folder / "broken";
+  std::string const scene = folder.write("scene.toml", command::apophis(c.changes)),
+                    unbroken = folder / "unbroken", broken = folder / "broken";
   auto const began = std::chrono::steady_clock::now();
   auto const whole = command::Process({"run", scene, "--out", unbroken, "--quiet"}).wait();
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -35,17 +46,24 @@ bool same(Case const& c, std::mt19937& random) {
   bool const ended = whole.status == 0 && killed.status == 0, met = killed.in_the_middle > c.kills / 3;
   bool const table = command::contents(unbroken + "/series.csv") == command::contents(broken + "/series.csv");
   bool const summary = command::summary_without_times(unbroken) == command::summary_without_times(broken);
-  std::printf("%-42s %5.1f s unbroken, %2d of %2d kills met the run: %s\n", c.name, seconds, killed.in_the_middle, c.kills,
-              !ended ? (whole.err + killed.err).c_str() : !met ? "TOO FEW KILLS MET IT" : !table ? "THE TABLES DIFFER" : !summary ? "THE SUMMARIES DIFFER" : "bit for bit");
+  std::printf("%-42s %5.1f s unbroken, %2d of %2d kills met the run: %s\n", c.name, seconds,
+              killed.in_the_middle, c.kills,
+              !ended     ? (whole.err + killed.err).c_str()
+              : !met     ? "TOO FEW KILLS MET IT"
+              : !table   ? "THE TABLES DIFFER"
+              : !summary ? "THE SUMMARIES DIFFER"
+                         : "bit for bit");
   std::fflush(stdout);
   return ended && met && table && summary;
 }
 
-/// What an ordinary reader makes of a table: nothing is wrong, or what. One that meets a write in its midst looks again.
+/// What an ordinary reader makes of a table: nothing is wrong, or what. One that meets a write in its midst
+/// looks again.
 std::string wrong(std::string const& path, command::Table const& whole, int looks = 20) {
   try {
     auto const part = command::read_hdf5(path, true);
-    bool const begins = part.rows.size() <= whole.rows.size() && std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin());
+    bool const begins = part.rows.size() <= whole.rows.size() &&
+                        std::equal(part.rows.begin(), part.rows.end(), whole.rows.begin());
     return begins ? "" : "its rows are not the first ones";
   } catch (std::exception const& error) {
     return looks > 1 ? wrong(path, whole, looks - 1) : error.what();
@@ -58,14 +76,23 @@ struct Hdf5Case {
   int kills;
 };
 Hdf5Case const hdf5_cases[] = {
-    {"HDF5, exact, many rows", {{"until", "200000.0"}, {"quantities", "[\"attitude\", \"energy\"]"}, {"formats", "[\"hdf5\"]"}}, 100},
-    {"HDF5, order 2, few rows", {{"order", "2"}, {"step", "0.25"}, {"until", "30000000.0"}, {"every", "10000.0"}, {"formats", "[\"hdf5\"]"}}, 50},
+    {"HDF5, exact, many rows",
+     {{"until", "200000.0"}, {"quantities", "[\"attitude\", \"energy\"]"}, {"formats", "[\"hdf5\"]"}},
+     100},
+    {"HDF5, order 2, few rows",
+     {{"order", "2"},
+      {"step", "0.25"},
+      {"until", "30000000.0"},
+      {"every", "10000.0"},
+      {"formats", "[\"hdf5\"]"}},
+     50},
 };
 
 /// Kills a run until it is done; reads its table while it goes on, and after each kill.
 bool readable(Hdf5Case const& c, std::mt19937& random) {
   command::Folder const folder;
-  std::string const scene = folder.write("scene.toml", command::apophis(c.changes)), unbroken = folder / "unbroken", broken = folder / "broken", table = broken + "/series.h5";
+  std::string const scene = folder.write("scene.toml", command::apophis(c.changes)),
+                    unbroken = folder / "unbroken", broken = folder / "broken", table = broken + "/series.h5";
   auto const began = std::chrono::steady_clock::now();
   bool well = command::Process({"run", scene, "--out", unbroken, "--quiet"}).wait().status == 0;
   double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
@@ -75,11 +102,13 @@ bool readable(Hdf5Case const& c, std::mt19937& random) {
   auto const look = [&](char const* when) {
     if (!std::filesystem::exists(table)) return;
     ++looks;
-    if (std::string const what = wrong(table, whole); !what.empty()) ++refused, std::printf("%s: %s\n", when, what.c_str());
+    if (std::string const what = wrong(table, whole); !what.empty())
+      ++refused, std::printf("%s: %s\n", when, what.c_str());
   };
   for (int k = 0; k < c.kills; ++k) {
     bool const begun = std::filesystem::exists(broken + "/scene.toml");
-    command::Process process(begun ? std::vector<std::string>{"resume", broken, "--quiet"} : std::vector<std::string>{"run", scene, "--out", broken, "--quiet"});
+    command::Process process(begun ? std::vector<std::string>{"resume", broken, "--quiet"}
+                                   : std::vector<std::string>{"run", scene, "--out", broken, "--quiet"});
     command::sleep_for(instant(random));
     look("while it goes on");
     command::sleep_for(instant(random));
@@ -87,8 +116,10 @@ bool readable(Hdf5Case const& c, std::mt19937& random) {
     if (process.wait().status == 128 + SIGKILL) ++met;
     look("after a kill");
   }
-  well = well && command::Process({"resume", broken, "--quiet"}).wait().status == 0 && command::read_hdf5(table).rows == whole.rows;
-  std::printf("%-42s %5.1f s unbroken, %2d of %2d kills met the run, %d looks, %d refused: %s\n", c.name, seconds, met, c.kills, looks, refused, well ? "number for number" : "THE TABLES DIFFER");
+  well = well && command::Process({"resume", broken, "--quiet"}).wait().status == 0 &&
+         command::read_hdf5(table).rows == whole.rows;
+  std::printf("%-42s %5.1f s unbroken, %2d of %2d kills met the run, %d looks, %d refused: %s\n", c.name,
+              seconds, met, c.kills, looks, refused, well ? "number for number" : "THE TABLES DIFFER");
   std::fflush(stdout);
   return well && refused == 0 && met > 2;
 }

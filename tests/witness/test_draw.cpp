@@ -1,13 +1,14 @@
 // Random draws: reproducible, evenly spread, the same point at every scalar.
 #include <boost/test/unit_test.hpp>
 
-#include "witness/draw.hpp"
 #include "actio/groups/motions.hpp"
+#include "witness/draw.hpp"
 
 using namespace actio;
 
 BOOST_AUTO_TEST_CASE(a_seed_fixes_the_sequence_on_every_machine) {
-  // The generator is fixed by the standard and the rest is whole-number arithmetic: these fractions are the same everywhere.
+  // The generator is fixed by the standard and the rest is whole-number arithmetic: these fractions are the
+  // same everywhere.
   Draw draw(1);
   BOOST_TEST(draw.number<rational>() == rational(64708, 65537));
   Draw again(1), other(2);
@@ -23,7 +24,9 @@ BOOST_AUTO_TEST_CASE(draws_over_all_scalars_are_the_same_point) {
     for (int r = 0; r < 4; ++r)
       for (int s = 0; s < 4; ++s) {
         BOOST_TEST(std::abs(to_double(exact.value(r, s)) - rounded.value(r, s)) < 32 * epsilon<double>());
-        BOOST_TEST(to_double(magnitude(dec100(dec100(numerator(exact.value(r, s))) / dec100(denominator(exact.value(r, s))) - many.value(r, s)))) < 1e-98);
+        BOOST_TEST(to_double(magnitude(
+                       dec100(dec100(numerator(exact.value(r, s))) / dec100(denominator(exact.value(r, s))) -
+                              many.value(r, s)))) < 1e-98);
       }
   }
 }

@@ -1,25 +1,26 @@
-// Number against the numbers it stands for: double bit by bit, Boost's rationals and its 50 and 100 digits, the laws of a field, balls
-// that hold what they should, and refusals.
+// Number against the numbers it stands for: double bit by bit, Boost's rationals and its 50 and 100 digits,
+// the laws of a field, balls that hold what they should, and refusals.
 #include <boost/test/unit_test.hpp>
 
 #include <bit>
-#include <initializer_list>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
-#include "witness/draw.hpp"
-#include "actio/numbers/linear.hpp"
 #include "actio/forms/metric.hpp"
+#include "actio/numbers/linear.hpp"
 #include "actio/numbers/second_order.hpp"
 #include "actio/numbers/square_root.hpp"
+#include "witness/draw.hpp"
 #include "witness/number.hpp"
 
 namespace {
 
 using namespace actio;
 
-/// A formula with all four operations, over any scalar: continued fractions and products of the numbers before.
+/// A formula with all four operations, over any scalar: continued fractions and products of the numbers
+/// before.
 template <class S>
 std::vector<S> formula(std::vector<S> x, int rounds) {
   for (int k = 0; k < rounds; ++k) {
@@ -36,9 +37,7 @@ std::vector<S> formula(std::vector<S> x, int rounds) {
   return x;
 }
 template <class S>
-std::vector<S> starts() {
-  return {ratio<S>(1, 3), ratio<S>(-5, 7), ratio<S>(11, 64)};
-}
+std::vector<S> starts() { return {ratio<S>(1, 3), ratio<S>(-5, 7), ratio<S>(11, 64)}; }
 
 }  // namespace
 
@@ -175,10 +174,12 @@ BOOST_AUTO_TEST_CASE(a_prime_field_has_the_laws_of_one) {
 }
 
 BOOST_AUTO_TEST_CASE(primes_are_told_from_other_numbers) {
-  for (std::uint64_t const p : {2ull, 3ull, 65537ull, 2305843009213693951ull, 2147483647ull}) BOOST_TEST(is_prime(p));
-  // A product of two primes near 2^31, the square of one, Carmichael's numbers, and strong pseudoprimes to the first bases.
-  for (std::uint64_t const n : {2147483647ull * 2147483629ull, 2147483647ull * 2147483647ull, 561ull, 1105ull, 3215031751ull,
-                                3825123056546413051ull, 2305843009213693953ull, 1ull, 0ull})
+  for (std::uint64_t const p : {2ull, 3ull, 65537ull, 2305843009213693951ull, 2147483647ull})
+    BOOST_TEST(is_prime(p));
+  // A product of two primes near 2^31, the square of one, Carmichael's numbers, and strong pseudoprimes to
+  // the first bases.
+  for (std::uint64_t const n : {2147483647ull * 2147483629ull, 2147483647ull * 2147483647ull, 561ull, 1105ull,
+                                3215031751ull, 3825123056546413051ull, 2305843009213693953ull, 1ull, 0ull})
     BOOST_TEST(!is_prime(n));
 }
 
@@ -243,7 +244,9 @@ BOOST_AUTO_TEST_CASE(what_an_arithmetic_lacks_it_refuses) {
   for (Arithmetic const& exact : {Arithmetic::rationals(), Arithmetic::prime_field()}) {
     WithArithmetic const over(exact);
     Number const x = ratio<Number>(2, 3);
-    for (auto f : std::initializer_list<Number (*)(Number const&)>{exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh}) BOOST_CHECK_THROW(f(x), NotInThisField);
+    for (auto f : std::initializer_list<Number (*)(Number const&)>{exp, log, sin, cos, tan, asin, acos, atan,
+                                                                   sinh, cosh, tanh})
+      BOOST_CHECK_THROW(f(x), NotInThisField);
     BOOST_CHECK_THROW(pow(x, ratio<Number>(1, 2)), NotInThisField);
     BOOST_CHECK_THROW(atan2(x, x), NotInThisField);
     BOOST_CHECK_THROW(x / Number(0), DivisionByZero);
@@ -325,8 +328,9 @@ BOOST_AUTO_TEST_CASE(an_arithmetic_returns_and_numbers_of_another_are_freed) {
 }
 
 BOOST_AUTO_TEST_CASE(the_library_computes_with_them) {
-  for (Arithmetic const& arithmetic : {Arithmetic::hardware(), Arithmetic::rationals(), Arithmetic::prime_field(), Arithmetic::decimal(40),
-                                       Arithmetic::balls(60)}) {
+  for (Arithmetic const& arithmetic :
+       {Arithmetic::hardware(), Arithmetic::rationals(), Arithmetic::prime_field(), Arithmetic::decimal(40),
+        Arithmetic::balls(60)}) {
     WithArithmetic const over(arithmetic);
     Draw draw(5);
     using M = Matrix<Number, 4, 4>;
@@ -345,6 +349,7 @@ BOOST_AUTO_TEST_CASE(the_library_computes_with_them) {
     auto const f = moved * moved * moved / (1 + moved * moved);
     Number const by_hand = (3 * x * x * (1 + x * x) - 2 * x * x * x * x) / ((1 + x * x) * (1 + x * x));
     Number const gap = f.part[0] - by_hand;
-    BOOST_TEST((exact_arithmetic<Number>() ? gap == Number(0) : magnitude(gap) < 100 * epsilon<Number>()), arithmetic.name());
+    BOOST_TEST((exact_arithmetic<Number>() ? gap == Number(0) : magnitude(gap) < 100 * epsilon<Number>()),
+               arithmetic.name());
   }
 }

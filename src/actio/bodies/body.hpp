@@ -8,18 +8,24 @@
 
 namespace actio {
 
-/// A body of the catalogue. Its frame is that of the moments, of the tensor or of the parts that the catalogue gives.
+/// A body of the catalogue. Its frame is that of the moments, of the tensor or of the parts that the
+/// catalogue gives.
 struct Body {
-  std::string name;                   ///< its key in the catalogue
-  std::string title;                  ///< for people
-  std::string source;                 ///< where the figures are from
-  std::string derived;                ///< what was computed from them, and how; may be empty
-  std::string time;                   ///< unit of time of `spin`
-  std::string unit;                   ///< of the moments: "kg m^2", or "ratio" where only their ratios are known
-  PrincipalInertia principal;         ///< inertia about the centre of mass: principal moments, and their axes in the frame of the body
-  Velocity<SO<3>, double> spin;       ///< body velocity at the start, in the frame of the body; rad per unit of time
-  std::vector<PointMass> points;      ///< that the body is made of, from its centre of mass; empty where its inertia is given otherwise
-  std::vector<Cylinder> cylinders;    ///< likewise
+  std::string name;     ///< its key in the catalogue
+  std::string title;    ///< for people
+  std::string source;   ///< where the figures are from
+  std::string derived;  ///< what was computed from them, and how; may be empty
+  std::string time;     ///< unit of time of `spin`
+  std::string unit;     ///< of the moments: "kg m^2", or "ratio" where only their ratios are known
+  PrincipalInertia
+      /// inertia about the centre of mass: principal moments, and their axes in the frame of the body
+      principal;
+  Velocity<SO<3>, double>
+      spin;  ///< body velocity at the start, in the frame of the body; rad per unit of time
+  std::vector<PointMass>
+      /// that the body is made of, from its centre of mass; empty where its inertia is given otherwise
+      points;
+  std::vector<Cylinder> cylinders;  ///< likewise
 
   /// `spin` along the principal axes, in which the inertia is diagonal.
   Velocity<SO<3>, double> principal_spin() const {

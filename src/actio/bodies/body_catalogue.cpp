@@ -15,21 +15,34 @@ namespace {
 /// Reads one body, with complaints that say where.
 class BodyReader {
  public:
-  BodyReader(std::string file, std::string name, toml::table const& table) : file_(std::move(file)), name_(std::move(name)), table_(table) {}
+  BodyReader(std::string file, std::string name, toml::table const& table)
+      : file_(std::move(file)), name_(std::move(name)), table_(table) {}
 
   Body read() const {
-    static std::map<std::string, double> const units{{"kg m^2", 1.0}, {"slug ft^2", 4.4482216152605 * 0.3048}, {"ratio", 1.0}};
-    allow_only(table_, {"title", "unit", "moments", "tensor", "points", "cylinders", "time", "spin", "source", "derived"});
+    static std::map<std::string, double> const units{
+        {"kg m^2", 1.0}, {"slug ft^2", 4.4482216152605 * 0.3048}, {"ratio", 1.0}};
+    allow_only(table_, {"title", "unit", "moments", "tensor", "points", "cylinders", "time", "spin", "source",
+                        "derived"});
     auto const unit = units.find(text(table_, "unit"));
     if (unit == units.end()) fail("unit", "one of 'kg m^2', 'slug ft^2', 'ratio' is expected");
 
-    Body body{name_, text(table_, "title"), text(table_, "source"), text(table_, "derived"), text(table_, "time"),
-              unit->first == "ratio" ? "ratio" : "kg m^2", {}, {}, {}, {}};
+    Body body{name_,
+              text(table_, "title"),
+              text(table_, "source"),
+              text(table_, "derived"),
+              text(table_, "time"),
+              unit->first == "ratio" ? "ratio" : "kg m^2",
+              {},
+              {},
+              {},
+              {}};
     int given = 0;
     std::string key;
     for (char const* k : {"moments", "tensor", "points", "cylinders"})
       if (table_.contains(k)) key = k, ++given;
-    if (given != 1) fail("moments", "exactly one of moments, tensor, points, cylinders gives the inertia; found " + std::to_string(given));
+    if (given != 1)
+      fail("moments", "exactly one of moments, tensor, points, cylinders gives the inertia; found " +
+                          std::to_string(given));
     try {
       body.principal = inertia(body, key, unit->second);
     } catch (CatalogueError const&) {
@@ -44,7 +57,8 @@ class BodyReader {
  private:
   /// Inertia by one of the four keys; the parts, where it is by these, are kept in the body.
   PrincipalInertia inertia(Body& body, std::string const& key, double unit) const {
-    if (key == "moments") return {inertia_from_moments<double>(vector(table_, key) * unit), Eigen::Matrix3d::Identity()};
+    if (key == "moments")
+      return {inertia_from_moments<double>(vector(table_, key) * unit), Eigen::Matrix3d::Identity()};
     if (key == "tensor") {
       auto const* rows = table_[key].as_array();
       if (!rows || rows->size() != 3) fail(key, "three rows are expected");
@@ -53,12 +67,15 @@ class BodyReader {
       return principal_inertia(tensor * unit);
     }
     if (key == "points") {
-      each(key, {"mass", "at"}, [&](toml::table const& t) { body.points.push_back({positive(t, "mass"), vector(t, "at")}); });
+      each(key, {"mass", "at"}, [&](toml::table const& t) {
+        body.points.push_back({positive(t, "mass"), vector(t, "at")});
+      });
       body.points = from_centre_of_mass(std::move(body.points));
       return principal_inertia(inertia_tensor(body.points) * unit);
     }
     each(key, {"mass", "radius", "length", "at", "along"}, [&](toml::table const& t) {
-      body.cylinders.push_back({positive(t, "mass"), positive(t, "radius"), positive(t, "length"), vector(t, "at"), vector(t, "along")});
+      body.cylinders.push_back({positive(t, "mass"), positive(t, "radius"), positive(t, "length"),
+                                vector(t, "at"), vector(t, "along")});
       if (body.cylinders.back().along.stableNorm() == 0) fail("along", "a direction is expected");
     });
     body.cylinders = from_centre_of_mass(std::move(body.cylinders));
@@ -67,7 +84,8 @@ class BodyReader {
 
   void allow_only(toml::table const& table, std::initializer_list<char const*> keys) const {
     for (auto const& entry : table)
-      if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return entry.first.str() == key; })) fail(std::string(entry.first.str()), "unknown key");
+      if (std::none_of(keys.begin(), keys.end(), [&](auto key) { return entry.first.str() == key; }))
+        fail(std::string(entry.first.str()), "unknown key");
   }
   template <class Visit>
   void each(std::string const& key, std::initializer_list<char const*> keys, Visit const& visit) const {
@@ -106,7 +124,9 @@ class BodyReader {
     }
     return v;
   }
-  [[noreturn]] void fail(std::string const& key, std::string const& what) const { throw CatalogueError(file_, name_, key, what); }
+  [[noreturn]] void fail(std::string const& key, std::string const& what) const {
+    throw CatalogueError(file_, name_, key, what);
+  }
 
   std::string file_, name_;
   toml::table const& table_;
@@ -119,7 +139,9 @@ std::vector<Body> parse_bodies(std::string_view text, std::string const& file) {
   try {
     table = toml::parse(text, file);
   } catch (toml::parse_error const& error) {
-    throw CatalogueError(file, "", "", "line " + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
+    throw CatalogueError(
+        file, "", "",
+        "line " + std::to_string(error.source().begin.line) + ": " + std::string(error.description()));
   }
   std::vector<Body> bodies;
   for (auto const& entry : table) {
@@ -132,7 +154,8 @@ std::vector<Body> parse_bodies(std::string_view text, std::string const& file) {
 }
 std::vector<Body> read_bodies(std::string const& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file) || !in) throw CatalogueError(file, "", "", "there is no such file");
+  if (!std::filesystem::is_regular_file(file) || !in)
+    throw CatalogueError(file, "", "", "there is no such file");
   return parse_bodies(std::string(std::istreambuf_iterator<char>(in), {}), file);
 }
 

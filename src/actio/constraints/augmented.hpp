@@ -1,8 +1,9 @@
 // The multiplier as a field: the extended bundle and the augmented density (section 7.2 of the thesis).
 //
-// Over a point of X the fibre of the extended bundle E has the coordinates y^1, ..., y^N, lambda^1, ..., lambda^k in one column, so a jet of E is a jet over (n, N + k).
-// The sign is that of chapter 8, L + <lambda, Phi>: with Phi = J - 1 the multiplier is a pressure, positive in compression. The theorem and (7.2) subtract the pairing, which is the same
-// with -lambda.
+// Over a point of X the fibre of the extended bundle E has the coordinates y^1, ..., y^N, lambda^1, ...,
+// lambda^k in one column, so a jet of E is a jet over (n, N + k). The sign is that of chapter 8, L + <lambda,
+// Phi>: with Phi = J - 1 the multiplier is a pressure, positive in compression. The theorem and (7.2)
+// subtract the pairing, which is the same with -lambda.
 #pragma once
 
 #include "actio/constraints/constraint.hpp"
@@ -25,8 +26,9 @@ Jet<S, n, k> multiplier_part(Jet<S, n, M> const& jet) {
 /// A section of E from a section of the configuration bundle and one of the multipliers.
 template <class Section, class Multiplier>
 struct ExtendedSection {
-  Section phi;        ///< \f$\phi\f$
-  Multiplier lambda;  ///< \f$\lambda\f$, a callable on points of space-time that returns a column of k numbers
+  Section phi;  ///< \f$\phi\f$
+  Multiplier
+      lambda;  ///< \f$\lambda\f$, a callable on points of space-time that returns a column of k numbers
 
   /// Place and multiplier at a point of space-time, in one column.
   template <class V>
@@ -43,7 +45,8 @@ struct ExtendedSection {
 template <class Section, class Multiplier>
 ExtendedSection(Section, Multiplier) -> ExtendedSection<Section, Multiplier>;
 
-/// The augmented density \f$L_\Phi = L + \langle\lambda, \Phi\rangle\f$ over jets of E: its field equations are the constrained ones and \f$\Phi = 0\f$.
+/// The augmented density \f$L_\Phi = L + \langle\lambda, \Phi\rangle\f$ over jets of E: its field equations
+/// are the constrained ones and \f$\Phi = 0\f$.
 ///
 /// \implements{claim_7_2_augmented_lagrangian}
 /// @tparam L    density over jets with (n, N)

@@ -6,7 +6,8 @@
 
 namespace actio {
 
-/// The constraint \f$\tfrac12(1 - g(\phi_s, \phi_s)) = 0\f$ on curves, n = 1: s is the length along the string. Its multiplier in `AugmentedDensity` is the tension.
+/// The constraint \f$\tfrac12(1 - g(\phi_s, \phi_s)) = 0\f$ on curves, n = 1: s is the length along the
+/// string. Its multiplier in `AugmentedDensity` is the tension.
 /// @tparam SpaceMetric  g, a callable on places
 template <class SpaceMetric>
 struct Inextensible {
@@ -26,10 +27,11 @@ struct Inextensible {
 template <class SpaceMetric>
 Inextensible(SpaceMetric) -> Inextensible<SpaceMetric>;
 
-/// The density of a string without stiffness, which the constraint alone keeps from stretching: \f$L = \rho\,(\tfrac12|\phi_t|^2 + \mathbf g\cdot\phi)\f$, in flat space with a uniform gravity.
+/// The density of a string without stiffness, which the constraint alone keeps from stretching:
+/// \f$L = \rho\,(\tfrac12|\phi_t|^2 + \mathbf g\cdot\phi)\f$, in flat space with a uniform gravity.
 template <class S, int N>
 struct HeavyString {
-  S rho;                          ///< mass per length
+  S rho;                    ///< mass per length
   Matrix<S, N, 1> gravity;  ///< acceleration of a free fall
 
   /// Kinetic energy and potential per length.

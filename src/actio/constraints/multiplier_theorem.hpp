@@ -1,8 +1,10 @@
-// The theorem of Lagrange multipliers in finitely many dimensions (Theorem 7.1.1), with its hypothesis as a check.
+// The theorem of Lagrange multipliers in finitely many dimensions (Theorem 7.1.1), with its hypothesis as a
+// check.
 //
-// The manifold is an open set of R^m, the bundle over it is trivial with fibre R^k and an inner product that may depend on the point: a metric as in metric.hpp,
-// a callable on points. "Extremum" is a point where the derivative vanishes. The augmented function is affine in the multiplier, so it never has a strict
-// minimum or maximum.
+// The manifold is an open set of R^m, the bundle over it is trivial with fibre R^k and an inner product that
+// may depend on the point: a metric as in metric.hpp, a callable on points. "Extremum" is a point where the
+// derivative vanishes. The augmented function is affine in the multiplier, so it never has a strict minimum
+// or maximum.
 #pragma once
 
 #include "actio/constraints/regularity.hpp"
@@ -10,7 +12,8 @@
 
 namespace actio {
 
-/// A function h on R^m under the constraint \f$\Psi = 0\f$ with values in the fibres of an inner product bundle.
+/// A function h on R^m under the constraint \f$\Psi = 0\f$ with values in the fibres of an inner product
+/// bundle.
 ///
 /// \implements{thm_7_1_1}
 /// @tparam k      how many components \f$\Psi\f$ has
@@ -25,9 +28,7 @@ struct ConstrainedFunction {
 
   /// \f$dh\f$ at a point.
   template <class S, int m>
-  Matrix<S, m, 1> differential(Matrix<S, m, 1> const& q) const {
-    return derivative(h, q).gradient();
-  }
+  Matrix<S, m, 1> differential(Matrix<S, m, 1> const& q) const { return derivative(h, q).gradient(); }
 
   /// \f$D\Psi\f$ at a point: k rows, m columns.
   template <class S, int m>
@@ -42,8 +43,8 @@ struct ConstrainedFunction {
     require_onto(constraint_derivative(q), q, "ConstrainedFunction");
   }
 
-  /// The first statement of the theorem: \f$dh\f$ on a basis of the kernel of \f$D\Psi\f$, the tangent space of the zeros. It vanishes at critical points of
-  /// the restriction.
+  /// The first statement of the theorem: \f$dh\f$ on a basis of the kernel of \f$D\Psi\f$, the tangent space
+  /// of the zeros. It vanishes at critical points of the restriction.
   /// @throws NotRegular  where the kernel is not a tangent space
   template <class S, int m>
   Matrix<S, Dynamic, 1> restricted_differential(Matrix<S, m, 1> const& q) const {
@@ -70,8 +71,8 @@ struct ConstrainedFunction {
     return derivative(augmented_at, both).gradient();
   }
 
-  /// The multiplier at a point: the \f$\lambda\f$ for which \f$\langle\lambda, D\Psi\rangle\f$ is closest to \f$dh\f$. At a critical point of the restriction they
-  /// are equal.
+  /// The multiplier at a point: the \f$\lambda\f$ for which \f$\langle\lambda, D\Psi\rangle\f$ is closest to
+  /// \f$dh\f$. At a critical point of the restriction they are equal.
   ///
   /// \implements{claim_7_1_first_to_second}
   /// @throws NotRegular  where \f$D\Psi\f$ is not onto: there may be no multiplier, or many
@@ -81,7 +82,8 @@ struct ConstrainedFunction {
     require_regular(q);
     // [claim_7_1_first_to_second]
     Matrix<S, k, m> const A = lowered(fibre(q), constraint_derivative(q));
-    return solve_linear(Matrix<S, k, k>(A * A.transpose()), Matrix<S, k, 1>(A * differential(q)), "multiplier");
+    return solve_linear(Matrix<S, k, k>(A * A.transpose()), Matrix<S, k, 1>(A * differential(q)),
+                        "multiplier");
     // [claim_7_1_first_to_second]
   }
 };

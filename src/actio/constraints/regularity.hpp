@@ -1,6 +1,7 @@
 // Whether a linear map is onto, with the measured pivot, and the vectors that it sends to zero.
 //
-// A constraint is regular where its derivative is onto: there its zeros are a submanifold, and multipliers exist (section 7.1 of the thesis).
+// A constraint is regular where its derivative is onto: there its zeros are a submanifold, and multipliers
+// exist (section 7.1 of the thesis).
 #pragma once
 
 #include <string>
@@ -11,12 +12,16 @@
 
 namespace actio {
 
-/// A constraint whose derivative is not onto at a point: its zeros need not be a submanifold there, and a multiplier need not exist.
+/// A constraint whose derivative is not onto at a point: its zeros need not be a submanifold there, and a
+/// multiplier need not exist.
 struct NotRegular : OutsideDomain {
   std::vector<double> point;  ///< where
   /// @param at  the point, @param pivot  the smallest one over its terms, @param bound  what it has to exceed
   NotRegular(std::string const& where, std::vector<double> at, double pivot, double bound)
-      : OutsideDomain(where + " at " + shown(at), "the derivative of the constraint is onto; smallest pivot over the terms it is made from", pivot, bound),
+      : OutsideDomain(
+            where + " at " + shown(at),
+            "the derivative of the constraint is onto; smallest pivot over the terms it is made from", pivot,
+            bound),
         point(std::move(at)) {}
 
  private:
@@ -27,13 +32,16 @@ struct NotRegular : OutsideDomain {
   }
 };
 
-/// A linear map brought to echelon form by elimination with full pivoting: its rank, how clear that is, and its kernel.
+/// A linear map brought to echelon form by elimination with full pivoting: its rank, how clear that is, and
+/// its kernel.
 template <class S>
 struct Echelon {
-  Matrix<S, Dynamic, Dynamic> matrix;  ///< the first `rank` rows have the identity in the first `rank` of the exchanged columns
-  std::vector<int> column;                                  ///< where the columns came from
-  int rank = 0;                                             ///< how many pivots stand out of rounding
-  double pivot = 1;  ///< the last pivot that was tried, over the largest term it was made from: 0 where nothing was left
+  Matrix<S, Dynamic, Dynamic>
+      matrix;  ///< the first `rank` rows have the identity in the first `rank` of the exchanged columns
+  std::vector<int> column;  ///< where the columns came from
+  int rank = 0;             ///< how many pivots stand out of rounding
+  double pivot =
+      1;  ///< the last pivot that was tried, over the largest term it was made from: 0 where nothing was left
   double bound = 0;  ///< what a pivot has to exceed
 
   /// Whether the map reaches everything.
@@ -44,14 +52,15 @@ struct Echelon {
     int const m = static_cast<int>(matrix.cols());
     Matrix<S, Dynamic, Dynamic> basis(m, m - rank);
     for (int c = rank; c < m; ++c) {
-      for (int i = 0; i < m; ++i) basis(column[i], c - rank) = i < rank ? S(-matrix(i, c)) : S(i == c ? 1 : 0);
+      for (int i = 0; i < m; ++i)
+        basis(column[i], c - rank) = i < rank ? S(-matrix(i, c)) : S(i == c ? 1 : 0);
     }
     return basis;
   }
 };
 
-/// Brings a matrix to echelon form. Rows may have different units: each is measured by its own largest entry, and a pivot counts as rounding noise by
-/// comparison with the terms whose difference it is.
+/// Brings a matrix to echelon form. Rows may have different units: each is measured by its own largest entry,
+/// and a pivot counts as rounding noise by comparison with the terms whose difference it is.
 /// @throws NotFinite  where an entry is a NaN or an infinity
 /// Accuracy: exact over the rationals.
 template <MatrixLike M>
@@ -80,7 +89,8 @@ Echelon<typename M::Scalar> echelon(M const& given) {
     for (int i = r; i < k; ++i)
       for (int c = r; c < m; ++c)
         if (magnitude(base_value(a(i, c))) > magnitude(base_value(a(row, column)))) row = i, column = c;
-    T const found = r < m ? T(magnitude(base_value(a(row, column)))) : T(0), of = r < m ? terms(row, column) : T(0);
+    T const found = r < m ? T(magnitude(base_value(a(row, column)))) : T(0),
+            of = r < m ? terms(row, column) : T(0);
     e.pivot = of > T(0) ? to_double(T(found / of)) : 0.0;
     if (!(found > bound * of)) break;
     a.row(r).swap(a.row(row)), a.col(r).swap(a.col(column));

@@ -1,7 +1,8 @@
 // The Lagrangian density of a continuous medium (6.3), its Jacobian (6.1) and deformation tensors (6.2).
 //
-// The body B has the metric G and the mass density rho(x), its space M the metric g. The stored energy per unit mass is a callable W(x, G, g, F): a point of
-// the body, the values of the two metrics there and at the place, and the deformation gradient. Energies of fluids and solids are in materials.hpp.
+// The body B has the metric G and the mass density rho(x), its space M the metric g. The stored energy per
+// unit mass is a callable W(x, G, g, F): a point of the body, the values of the two metrics there and at the
+// place, and the deformation gradient. Energies of fluids and solids are in materials.hpp.
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -19,9 +20,11 @@ struct NotAMassDensity : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
-/// A medium with an n-dimensional body in an N-dimensional space: metrics of those dimensions, a mass density, and a stored energy that takes their values.
+/// A medium with an n-dimensional body in an N-dimensional space: metrics of those dimensions, a mass
+/// density, and a stored energy that takes their values.
 template <class Medium, class S, int n, int N>
-concept MediumOver = requires(Medium const& medium, Matrix<S, n, 1> const& x, Matrix<S, N, 1> const& y, Matrix<S, N, n> const& F) {
+concept MediumOver = requires(Medium const& medium, Matrix<S, n, 1> const& x, Matrix<S, N, 1> const& y,
+                              Matrix<S, N, n> const& F) {
   { as_matrix<S>(medium.G(x)) } -> std::same_as<Matrix<S, n, n>>;
   { as_matrix<S>(medium.g(y)) } -> std::same_as<Matrix<S, N, N>>;
   { medium.rho(x) } -> std::convertible_to<S>;
@@ -41,9 +44,7 @@ S jacobian(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) 
 }
 /// The same between Euclidean spaces.
 template <int n, class S>
-S jacobian(Kronecker<n>, Kronecker<n>, Matrix<S, n, n> const& F) {
-  return determinant(F);
-}
+S jacobian(Kronecker<n>, Kronecker<n>, Matrix<S, n, n> const& F) { return determinant(F); }
 
 /// Refuses a deformation that turns the body inside out, or flat.
 /// @param which  who asks, for the message
@@ -51,10 +52,12 @@ S jacobian(Kronecker<n>, Kronecker<n>, Matrix<S, n, n> const& F) {
 template <class S, int n>
 void require_orientation(S const& J, Matrix<S, n, 1> const& x, char const* which) {
   if (ordered_arithmetic<S>() && !(base_value(J) > Base<S>(0)))
-    throw NotOrientationPreserving(std::string(which) + " at x = " + show(x), "the Jacobian of a motion is positive", to_double(J), 0);
+    throw NotOrientationPreserving(std::string(which) + " at x = " + show(x),
+                                   "the Jacobian of a motion is positive", to_double(J), 0);
 }
 
-/// The Green deformation tensor \f$C_{ij} = g_{ab}F^a{}_iF^b{}_j\f$ (6.2), the metric of space pulled back to the body.
+/// The Green deformation tensor \f$C_{ij} = g_{ab}F^a{}_iF^b{}_j\f$ (6.2), the metric of space pulled back to
+/// the body.
 ///
 /// \implements{eq_6_2}
 template <class SpaceMetric, class S, int N, int n>
@@ -64,7 +67,8 @@ Matrix<S, n, n> green_tensor(SpaceMetric const& g, Matrix<S, N, n> const& F) {
   // [eq_6_2]
 }
 
-/// The inverse Finger tensor \f$c_{ab} = G_{ij}(F^{-1})^i{}_a(F^{-1})^j{}_b\f$ (6.2), the metric of the body pushed forward to space.
+/// The inverse Finger tensor \f$c_{ab} = G_{ij}(F^{-1})^i{}_a(F^{-1})^j{}_b\f$ (6.2), the metric of the body
+/// pushed forward to space.
 ///
 /// \implements{eq_6_2}
 /// @throws Singular  where F has no inverse
@@ -78,12 +82,11 @@ template <class S>
 struct Homogeneous {
   S value = S(1);  ///< mass per volume of the body
   template <class V>
-  Base<typename V::Scalar> operator()(V const&) const {
-    return Base<typename V::Scalar>(value);
-  }
+  Base<typename V::Scalar> operator()(V const&) const { return Base<typename V::Scalar>(value); }
 };
 
-/// The density \f$L = \sqrt{\det G}\,\rho\,\bigl(\tfrac12 g_{ab}v^a{}_0v^b{}_0 - W(x, G, g, v)\bigr)\f$ of a continuous medium (6.3).
+/// The density \f$L = \sqrt{\det G}\,\rho\,\bigl(\tfrac12 g_{ab}v^a{}_0v^b{}_0 - W(x, G, g, v)\bigr)\f$ of a
+/// continuous medium (6.3).
 ///
 /// \implements{eq_6_3}
 /// @tparam BodyMetric   G, a callable on points of the body
@@ -110,8 +113,10 @@ struct Continuum {
     // [eq_6_3]
   }
 
-  /// Refuses what is no metric or no mass at this jet, and what the energy refuses: the body turned inside out.
-  /// @throws NotAMetric, NotAMassDensity, NotOrientationPreserving; NotASquare over the rationals, where the volume of the body is irrational
+  /// Refuses what is no metric or no mass at this jet, and what the energy refuses: the body turned inside
+  /// out.
+  /// @throws NotAMetric, NotAMassDensity, NotOrientationPreserving; NotASquare over the rationals, where the
+  ///         volume of the body is irrational
   template <class S, int n, int N>
   void examine(Jet<S, n, N> const& j) const {
     Matrix<S, n, 1> const x = j.particle();
@@ -129,7 +134,8 @@ struct Continuum {
 template <class BodyMetric, class SpaceMetric, class Mass, class Energy>
 Continuum(BodyMetric, SpaceMetric, Mass, Energy) -> Continuum<BodyMetric, SpaceMetric, Mass, Energy>;
 
-/// The covariant time derivative of the velocity, \f$(D_g\dot\phi/Dt)^b = \ddot\phi^b + \gamma^b_{ac}\dot\phi^a\dot\phi^c\f$: the material acceleration.
+/// The covariant time derivative of the velocity,
+/// \f$(D_g\dot\phi/Dt)^b = \ddot\phi^b + \gamma^b_{ac}\dot\phi^a\dot\phi^c\f$: the material acceleration.
 ///
 /// \implements{claim_6_2_material_acceleration}
 template <class SpaceMetric, class S, int n, int N>

@@ -1,12 +1,14 @@
-// The field equations of a homogeneous medium between Euclidean spaces (section 6.2 of the thesis), in as few operations as we know.
+// The field equations of a homogeneous medium between Euclidean spaces (section 6.2 of the thesis), in as few
+// operations as we know.
 //
-// There the Euler-Lagrange derivative is rho (Div P - acceleration), with the first Piola-Kirchhoff stress per mass P = dW/dF. Div P is written out: for the laws of
-// materials.hpp by the derivatives of law_derivatives.hpp, for fluids by w'', and for any other law of the Green tensor by one evaluation of the law, not of the whole
-// density. `euler_lagrange` computes the same of any density.
+// There the Euler-Lagrange derivative is rho (Div P - acceleration), with the first Piola-Kirchhoff stress
+// per mass P = dW/dF. Div P is written out: for the laws of materials.hpp by the derivatives of
+// law_derivatives.hpp, for fluids by w'', and for any other law of the Green tensor by one evaluation of the
+// law, not of the whole density. `euler_lagrange` computes the same of any density.
 #pragma once
 
-#include "actio/jets/field_equations.hpp"
 #include "actio/continuum/law_derivatives.hpp"
+#include "actio/jets/field_equations.hpp"
 
 namespace actio {
 
@@ -14,9 +16,7 @@ namespace detail {
 
 /// \f$w_{\mu\nu}\f$ of the space directions, i and j from 0: \f$\phi^a{}_{,ij}\f$.
 template <class S, int n>
-S const& bend(SecondJet<S, n, n> const& j, int a, int i, int k) {
-  return j.w[i + 1](a, k + 1);
-}
+S const& bend(SecondJet<S, n, n> const& j, int a, int i, int k) { return j.w[i + 1](a, k + 1); }
 
 /// The cofactors \f$J(F^{-1})^i{}_a\f$, n = 1, 2 or 3: the derivative of det F.
 template <class S, int n>
@@ -40,7 +40,8 @@ Matrix<S, n, n> cofactors(Matrix<S, n, n> const& F) {
 
 /// Adds \f$F^a{}_i d_i\f$ for all a.
 template <class S, int n>
-[[gnu::always_inline]] inline void add_along(Matrix<S, n, 1>& sum, Matrix<S, n, n> const& F, Matrix<S, n, 1> const& d) {
+[[gnu::always_inline]] inline void add_along(Matrix<S, n, 1>& sum, Matrix<S, n, n> const& F,
+                                             Matrix<S, n, 1> const& d) {
 #pragma GCC unroll 3
   for (int a = 0; a < n; ++a)
 #pragma GCC unroll 3
@@ -49,7 +50,8 @@ template <class S, int n>
 
 /// Adds the divergence of \f$U'(J)\,\mathrm{cof}F\f$: the cofactors times \f$U''\,\partial_iJ\f$.
 template <class S, int n, class U>
-void add_volume_divergence(Matrix<S, n, 1>& sum, U const& u, Matrix<S, n, n> const& F, SecondJet<S, n, n> const& j) {
+void add_volume_divergence(Matrix<S, n, 1>& sum, U const& u, Matrix<S, n, n> const& F,
+                           SecondJet<S, n, n> const& j) {
   auto const K = cofactors(F);
   S J(0);
   for (int i = 0; i < n; ++i) J += K(0, i) * F(0, i);
@@ -73,7 +75,8 @@ template <class S, int n, class Law>
 Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
   Matrix<S, n, n> const F = j.gradient(), C = green_tensor(Kronecker<n>{}, F);
   auto const law = split_law(energy.w, S(C.trace()), n);
-  constexpr bool has_square = !std::same_as<decltype(law.square), Absent>, has_volume = !std::same_as<decltype(law.volume), Absent>;
+  constexpr bool has_square = !std::same_as<decltype(law.square), Absent>,
+                 has_volume = !std::same_as<decltype(law.volume), Absent>;
   Base<S> b(0);
   if constexpr (has_square) b = law.square;
 
@@ -115,7 +118,8 @@ Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S,
   return sum;
 }
 
-/// Div P of any law of the Green tensor: \f$\phi^a{}_{,ij}S_{ij} + F^a{}_j\,\partial_iS_{ij}\f$ with \f$S = 2\,\partial w/\partial C\f$.
+/// Div P of any law of the Green tensor: \f$\phi^a{}_{,ij}S_{ij} + F^a{}_j\,\partial_iS_{ij}\f$ with
+/// \f$S = 2\,\partial w/\partial C\f$.
 template <class S, int n, class Law>
 Matrix<S, n, 1> stress_divergence(OfGreenTensor<Law> const& energy, SecondJet<S, n, n> const& j) {
   using T = DivergenceNumber<S, n, n>;
@@ -153,7 +157,8 @@ Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJet<S, n,
 
 }  // namespace detail
 
-/// The Euler-Lagrange derivative \f$\rho\,(\mathrm{Div}\,P - \ddot\phi)\f$ of a homogeneous medium between Euclidean spaces, that of \ref euler_lagrange.
+/// The Euler-Lagrange derivative \f$\rho\,(\mathrm{Div}\,P - \ddot\phi)\f$ of a homogeneous medium between
+/// Euclidean spaces, that of \ref euler_lagrange.
 ///
 /// \implements{claim_6_2_euclidean_elasticity}
 /// @param medium  its energy `OfGreenTensor` or `Barotropic`, with any law
@@ -161,7 +166,8 @@ Matrix<S, n, 1> stress_divergence(Barotropic<Law> const& energy, SecondJet<S, n,
 /// @throws NotAMassDensity, NotOrientationPreserving, NoDerivative
 /// Accuracy: rounding.
 template <class S, int n, class R, class Energy>
-Matrix<S, n, 1> elastic_equation(Continuum<Euclidean<n>, Euclidean<n>, Homogeneous<R>, Energy> const& medium, SecondJet<S, n, n> const& j) {
+Matrix<S, n, 1> elastic_equation(Continuum<Euclidean<n>, Euclidean<n>, Homogeneous<R>, Energy> const& medium,
+                                 SecondJet<S, n, n> const& j) {
   examine(medium, static_cast<Jet<S, n, n> const&>(j));
   Matrix<S, n, 1> r = detail::stress_divergence(medium.W, j);
 #pragma GCC unroll 3

@@ -1,7 +1,8 @@
 // Stored energies: barotropic fluids, which know the Jacobian alone, and solids, which know the Green tensor.
 //
-// Energies are per unit mass, so their unit, and that of all moduli here, is a speed squared: a modulus over the mass density of the body. Times rho they are
-// pressures. Laws are written over any field where they have whole powers, and over scalars with roots where they have real powers or logarithms.
+// Energies are per unit mass, so their unit, and that of all moduli here, is a speed squared: a modulus over
+// the mass density of the body. Times rho they are pressures. Laws are written over any field where they have
+// whole powers, and over scalars with roots where they have real powers or logarithms.
 #pragma once
 
 #include <string>
@@ -10,10 +11,11 @@
 
 namespace actio {
 
-/// A mass density that grows linearly: \f$\rho(x) = \rho_0\,(1 + s\cdot x)\f$. Media refuse points where it is not positive.
+/// A mass density that grows linearly: \f$\rho(x) = \rho_0\,(1 + s\cdot x)\f$. Media refuse points where it
+/// is not positive.
 template <class S, int n>
 struct LinearDensity {
-  S at_origin;                 ///< \f$\rho_0\f$, mass per volume of the body
+  S at_origin;            ///< \f$\rho_0\f$, mass per volume of the body
   Matrix<S, n, 1> slope;  ///< s, per length
   template <class V>
   auto operator()(V const& x) const {
@@ -32,14 +34,16 @@ struct Barotropic {
   Law w;  ///< stored energy per unit mass as a function of J, over any scalar
 
   template <class BodyMetric, class SpaceMetric, class S, int n>
-  S operator()(Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) const {
+  S operator()(Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<S, n, n> const& F) const {
     return w(jacobian(G, g, F));
   }
 
   /// @throws NotOrientationPreserving  where J is not positive
   /// @throws NotASquare  over the rationals, where the volume of space is irrational
   template <class BodyMetric, class SpaceMetric, class S, int n>
-  void examine(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) const {
+  void examine(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<S, n, n> const& F) const {
     require_volume(g, x, "metric of the space at the place of x =");
     require_orientation(S(jacobian(G, g, F)), x, "fluid");
   }
@@ -81,13 +85,11 @@ template <class S, int m>
 struct WholePolytropic {
   S K;  ///< pressure over density at J = 1
   template <class T>
-  T operator()(T const& J) const {
-    return T(Base<T>(K) / Base<T>(m)) / detail::whole_power<m>(J);
-  }
+  T operator()(T const& J) const { return T(Base<T>(K) / Base<T>(m)) / detail::whole_power<m>(J); }
 };
 
-/// Tait's liquid, \f$w = B\bigl(\frac{J^{1-\gamma} - 1}{\gamma - 1} + J - 1\bigr)\f$: pressure \f$P = \rho B\,(J^{-\gamma} - 1)\f$, zero at J = 1, speed of sound
-/// \f$\sqrt{\gamma B}\f$ there.
+/// Tait's liquid, \f$w = B\bigl(\frac{J^{1-\gamma} - 1}{\gamma - 1} + J - 1\bigr)\f$: pressure
+/// \f$P = \rho B\,(J^{-\gamma} - 1)\f$, zero at J = 1, speed of sound \f$\sqrt{\gamma B}\f$ there.
 template <class S>
 struct Tait {
   S B;      ///< modulus over density
@@ -95,7 +97,8 @@ struct Tait {
   template <Real T>
   T operator()(T const& J) const {
     using std::pow;
-    return ((pow(J, Base<T>(S(1) - gamma)) - Base<T>(1)) / Base<T>(gamma - S(1)) + J - Base<T>(1)) * Base<T>(B);
+    return ((pow(J, Base<T>(S(1) - gamma)) - Base<T>(1)) / Base<T>(gamma - S(1)) + J - Base<T>(1)) *
+           Base<T>(B);
   }
 };
 
@@ -111,20 +114,23 @@ struct WholeTait {
 
 // ---- Solids.
 
-/// A solid whose energy is a function of the Green tensor with its first index raised: \f$W = w(G^{-1}C)\f$, written for any scalar.
+/// A solid whose energy is a function of the Green tensor with its first index raised: \f$W = w(G^{-1}C)\f$,
+/// written for any scalar.
 template <class Law>
 struct OfGreenTensor {
   Law w;  ///< stored energy per unit mass as a function of the matrix \f$C^i{}_j\f$
 
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  S operator()(Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g, Matrix<S, N, n> const& F) const {
+  S operator()(Matrix<S, n, 1> const&, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<S, N, n> const& F) const {
     return w(raised(G, green_tensor(g, F)));
   }
 
   /// Where the law resists collapse, refuses a body without volume, or turned inside out.
   /// @throws NotOrientationPreserving  with det F, or det C where space has more dimensions than the body
   template <class BodyMetric, class SpaceMetric, class S, int N, int n>
-  void examine(Matrix<S, n, 1> const& x, BodyMetric const&, SpaceMetric const& g, Matrix<S, N, n> const& F) const {
+  void examine(Matrix<S, n, 1> const& x, BodyMetric const&, SpaceMetric const& g,
+               Matrix<S, N, n> const& F) const {
     if constexpr (requires { Law::resists_collapse; }) {
       if constexpr (n == N)
         require_orientation(S(determinant(F)), x, "solid");
@@ -152,7 +158,8 @@ std::array<T, 2> traces(Matrix<T, n, n> const& C) {
 }
 }  // namespace detail
 
-/// St Venant and Kirchhoff's solid: \f$w = \tfrac\lambda2(\Tr E)^2 + \mu\Tr E^2\f$ with \f$E = \tfrac12(C - 1)\f$. It does not resist collapse.
+/// St Venant and Kirchhoff's solid: \f$w = \tfrac\lambda2(\Tr E)^2 + \mu\Tr E^2\f$ with
+/// \f$E = \tfrac12(C - 1)\f$. It does not resist collapse.
 template <class S>
 struct StVenantKirchhoff {
   S lambda;  ///< Lame's first modulus over the mass density
@@ -166,8 +173,8 @@ struct StVenantKirchhoff {
   }
 };
 
-/// The part of a solid's energy that knows the volume, \f$U = -s\log I + \tfrac\lambda8\log^2 I\f$ with \f$I = J^2 = \det C\f$; s is the slope that leaves the solid
-/// free of stress at rest.
+/// The part of a solid's energy that knows the volume, \f$U = -s\log I + \tfrac\lambda8\log^2 I\f$ with
+/// \f$I = J^2 = \det C\f$; s is the slope that leaves the solid free of stress at rest.
 template <class S>
 struct LogarithmicVolume {
   S lambda;  ///< Lame's first modulus over the mass density, for a neo-Hookean solid
@@ -179,7 +186,8 @@ struct LogarithmicVolume {
   }
 };
 
-/// The same by a power, over any field: \f$U = \tfrac sm(I^{-m} - 1)\f$, with \f$\lambda = 2m\mu\f$ for a neo-Hookean solid (Blatz and Ko's).
+/// The same by a power, over any field: \f$U = \tfrac sm(I^{-m} - 1)\f$, with \f$\lambda = 2m\mu\f$ for a
+/// neo-Hookean solid (Blatz and Ko's).
 template <int m>
 struct PowerVolume {
   template <class T>
@@ -192,8 +200,8 @@ struct PowerVolume {
 template <class S, class Volume = LogarithmicVolume<S>>
 struct NeoHookean {
   static constexpr bool resists_collapse = true;  ///< there is no energy without volume
-  S mu;           ///< shear modulus over the mass density
-  Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
+  S mu;                                           ///< shear modulus over the mass density
+  Volume volume;                                  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
   T operator()(Matrix<T, n, n> const& C) const {
     Base<T> const half = Base<T>(mu) / Base<T>(2);
@@ -203,14 +211,15 @@ struct NeoHookean {
 template <class S, class Volume>
 NeoHookean(S, Volume) -> NeoHookean<S, Volume>;
 
-/// Mooney and Rivlin's solid: \f$w = c_1(I_1 - n) + c_2\bigl(I_2 - \tfrac{n(n-1)}2\bigr) + U(\det C)\f$ with \f$I_1 = \Tr C\f$, \f$I_2 = \tfrac12(I_1^2 - \Tr C^2)\f$; its shear
-/// modulus is \f$2(c_1 + (n - 2)\,c_2)\f$. Energy and stress vanish at rest.
+/// Mooney and Rivlin's solid: \f$w = c_1(I_1 - n) + c_2\bigl(I_2 - \tfrac{n(n-1)}2\bigr) + U(\det C)\f$ with
+/// \f$I_1 = \Tr C\f$, \f$I_2 = \tfrac12(I_1^2 - \Tr C^2)\f$; its shear modulus is
+/// \f$2(c_1 + (n - 2)\,c_2)\f$. Energy and stress vanish at rest.
 template <class S, class Volume = LogarithmicVolume<S>>
 struct MooneyRivlin {
   static constexpr bool resists_collapse = true;  ///< there is no energy without volume
-  S c1;           ///< modulus of the first invariant, over the mass density
-  S c2;           ///< modulus of the second
-  Volume volume;  ///< U, given \f$\det C\f$ and its slope at rest
+  S c1;                                           ///< modulus of the first invariant, over the mass density
+  S c2;                                           ///< modulus of the second
+  Volume volume;                                  ///< U, given \f$\det C\f$ and its slope at rest
   template <class T, int n>
   T operator()(Matrix<T, n, n> const& C) const {
     auto const [trace, square] = detail::traces(C);

@@ -1,7 +1,9 @@
-// The stresses of a continuous medium: first Piola and Kirchhoff's, Cauchy's, the pressure of a fluid, and Piola's transformation (section 6.2 of the thesis).
+// The stresses of a continuous medium: first Piola and Kirchhoff's, Cauchy's, the pressure of a fluid, and
+// Piola's transformation (section 6.2 of the thesis).
 //
-// All come from the stored energy W(x, G, g, F) per unit mass and the mass rho per volume of the body, so they are forces per area, or energies per volume.
-// The derivative in the metric is the symmetric one: dW = (dW/dg_ab) h_ab for symmetric h, with dW/dg_ab = dW/dg_ba however W is written.
+// All come from the stored energy W(x, G, g, F) per unit mass and the mass rho per volume of the body, so
+// they are forces per area, or energies per volume. The derivative in the metric is the symmetric one:
+// dW = (dW/dg_ab) h_ab for symmetric h, with dW/dg_ab = dW/dg_ba however W is written.
 #pragma once
 
 #include "actio/continuum/materials.hpp"
@@ -12,19 +14,17 @@ namespace detail {
 
 /// The value of a metric over a scalar that extends its own.
 template <class T, class S, int n>
-Matrix<T, n, n> metric_over(Matrix<S, n, n> const& g) {
-  return g.template cast<T>();
-}
+Matrix<T, n, n> metric_over(Matrix<S, n, n> const& g) { return g.template cast<T>(); }
 template <class T, int n>
-Kronecker<n> metric_over(Kronecker<n> g) {
-  return g;
-}
+Kronecker<n> metric_over(Kronecker<n> g) { return g; }
 
 }  // namespace detail
 
-/// The derivatives \f$\partial W/\partial F^a{}_i\f$ of a medium's stored energy by the deformation gradient: a row for each a, a column for each i.
+/// The derivatives \f$\partial W/\partial F^a{}_i\f$ of a medium's stored energy by the deformation gradient:
+/// a row for each a, a column for each i.
 ///
-/// \ref first_piola_kirchhoff_stress is this times the mass density, and asks the medium first whether it is defined.
+/// \ref first_piola_kirchhoff_stress is this times the mass density, and asks the medium first whether it is
+/// defined.
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
 Matrix<S, N, n> partial_F(Medium const& medium, Jet<S, n, N> const& j) {
@@ -37,7 +37,8 @@ Matrix<S, N, n> partial_F(Medium const& medium, Jet<S, n, N> const& j) {
   return derivative(W, j.gradient()).gradient();
 }
 
-/// The symmetric derivatives \f$\partial W/\partial g_{ab}\f$ of a medium's stored energy by the metric of space.
+/// The symmetric derivatives \f$\partial W/\partial g_{ab}\f$ of a medium's stored energy by the metric of
+/// space.
 template <class Medium, class S, int n, int N>
   requires MediumOver<Medium, S, n, N>
 Matrix<S, N, N> partial_g(Medium const& medium, Jet<S, n, N> const& j) {
@@ -52,7 +53,8 @@ Matrix<S, N, N> partial_g(Medium const& medium, Jet<S, n, N> const& j) {
   return (d + d.transpose()) * ratio<S>(1, 2);
 }
 
-/// The first Piola-Kirchhoff stress \f$\mathcal P_a{}^i = \rho\,\partial W/\partial F^a{}_i\f$ (6.19): force per area of the body.
+/// The first Piola-Kirchhoff stress \f$\mathcal P_a{}^i = \rho\,\partial W/\partial F^a{}_i\f$ (6.19): force
+/// per area of the body.
 ///
 /// \implements{eq_6_19}
 /// @return  a row for each a, a column for each i
@@ -69,7 +71,8 @@ Matrix<S, N, n> first_piola_kirchhoff_stress(Medium const& medium, Jet<S, n, N> 
   return stress;
 }
 
-/// The Cauchy stress \f$\sigma^{ab} = \frac{2\rho}{J}\,\frac{\partial W}{\partial g_{ab}}\f$ (6.14), Doyle and Ericksen's formula: force per area of space.
+/// The Cauchy stress \f$\sigma^{ab} = \frac{2\rho}{J}\,\frac{\partial W}{\partial g_{ab}}\f$ (6.14), Doyle
+/// and Ericksen's formula: force per area of space.
 ///
 /// \implements{eq_6_14}
 /// @return  a symmetric matrix with upper indices
@@ -112,20 +115,23 @@ S material_pressure(Medium const& medium, Jet<S, n, n> const& j) {
   return P;
 }
 
-/// \f$J\,(F^{-1})^i{}_a\f$, what carries areas of space to areas of the body: a row for each a, a column for each i, as a Piola-Kirchhoff stress has.
+/// \f$J\,(F^{-1})^i{}_a\f$, what carries areas of space to areas of the body: a row for each a, a column for
+/// each i, as a Piola-Kirchhoff stress has.
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class SpaceMetric, class S, int n>
 Matrix<S, n, n> area_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F) {
   return inverse_matrix(F, "area_transformation").transpose() * jacobian(G, g, F);
 }
 
-/// Piola's transformation \f$J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c\f$ of a stress on space: the first Piola-Kirchhoff stress where W is a function of the Green tensor.
+/// Piola's transformation \f$J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c\f$ of a stress on space: the first
+/// Piola-Kirchhoff stress where W is a function of the Green tensor.
 ///
 /// \implements{claim_6_2_piola_transform}
 /// @param sigma  Cauchy stress with upper indices
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class SpaceMetric, class S, int n>
-Matrix<S, n, n> piola_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F, Matrix<S, n, n> const& sigma) {
+Matrix<S, n, n> piola_transformation(BodyMetric const& G, SpaceMetric const& g, Matrix<S, n, n> const& F,
+                                     Matrix<S, n, n> const& sigma) {
   // [claim_6_2_piola_transform]
   return lowered(g, sigma) * area_transformation(G, g, F);
   // [claim_6_2_piola_transform]

@@ -1,7 +1,8 @@
 // The covariant divergence of a two-point tensor along a section (section 6.2 of the thesis).
 //
-// A two-point tensor has one leg in the body and one in space, at a point and its place. Here it is a callable on first jets, T(jet), over any scalar, whose value
-// has a row for each lower index a of space and a column for each upper index i of the body, as the first Piola-Kirchhoff stress has.
+// A two-point tensor has one leg in the body and one in space, at a point and its place. Here it is a
+// callable on first jets, T(jet), over any scalar, whose value has a row for each lower index a of space and
+// a column for each upper index i of the body, as the first Piola-Kirchhoff stress has.
 #pragma once
 
 #include "actio/continuum/stresses.hpp"
@@ -29,7 +30,8 @@ TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const
   return rates;
 }
 
-/// The covariant divergence \f$T_a{}^i{}_{|i} = \partial_iT_a{}^i + T_a{}^j\,\Gamma^k_{jk} - T_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ along a section.
+/// The covariant divergence \f$T_a{}^i{}_{|i} = \partial_iT_a{}^i + T_a{}^j\,\Gamma^k_{jk}
+/// - T_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ along a section.
 ///
 /// The thesis prints \f$T_b{}^i\f$ and \f$F^c{}_j\f$ in the last term; i and j are one index, summed.
 ///
@@ -40,7 +42,8 @@ TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const
 /// @return      a covector of space: a component for each a
 /// Accuracy: exact but for the rounding of T and of the metrics.
 template <class BodyMetric, class SpaceMetric, class S, int n, int N, class Tensor>
-Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, N> const& j, Tensor const& T) {
+Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, N> const& j,
+                                     Tensor const& T) {
   auto const rates = two_point_rates(T, j);
   Matrix<S, N, 1> sum = rates.divergence;
   // [claim_6_2_covariant_divergence]
@@ -69,7 +72,9 @@ Matrix<S, N, 1> two_point_divergence(BodyMetric const& G, SpaceMetric const& g, 
 template <class BodyMetric, class SpaceMetric, class S, int n>
 Matrix<S, n, 1> piola_identity(BodyMetric const& G, SpaceMetric const& g, SecondJet<S, n, n> const& j) {
   // [claim_6_2_cancelling_terms]
-  return two_point_divergence(G, g, j, [&](auto const& jet) { return area_transformation(G(jet.particle()), g(jet.y), jet.gradient()); });
+  return two_point_divergence(G, g, j, [&](auto const& jet) {
+    return area_transformation(G(jet.particle()), g(jet.y), jet.gradient());
+  });
   // [claim_6_2_cancelling_terms]
 }
 

@@ -1,8 +1,10 @@
 // SIMD lanes: several numbers in one register, on which an instruction does the same arithmetic at once.
 //
-// The vectors are those of the compiler (GNU extension), so the source is the same for every width of registers: a Pack of four doubles is one register of
-// AVX2, or two of SSE2. Kernels are function objects whose call is always inlined; `run_on` compiles each twice, for the plain machine and for AVX2 with
-// fused multiplication, and takes the one that is asked for. Arguments go by reference throughout: by value, the two would not agree on where they are.
+// The vectors are those of the compiler (GNU extension), so the source is the same for every width of
+// registers: a Pack of four doubles is one register of AVX2, or two of SSE2. Kernels are function objects
+// whose call is always inlined; `run_on` compiles each twice, for the plain machine and for AVX2 with fused
+// multiplication, and takes the one that is asked for. Arguments go by reference throughout: by value, the
+// two would not agree on where they are.
 #pragma once
 
 #include <cmath>
@@ -52,13 +54,9 @@ struct Pack {
  private:
   // Templates of their own: the compiler must know that it is a vector before it accepts the brackets.
   template <class V>
-  [[gnu::always_inline]] static double read(V const& vector, int i) {
-    return vector[i];
-  }
+  [[gnu::always_inline]] static double read(V const& vector, int i) { return vector[i]; }
   template <class V>
-  [[gnu::always_inline]] static void write(V& vector, int i, double x) {
-    vector[i] = x;
-  }
+  [[gnu::always_inline]] static void write(V& vector, int i, double x) { vector[i] = x; }
 };
 
 /// Whether x is at most the bound, in every lane; a NaN is not.
@@ -101,13 +99,9 @@ inline std::string name_of(Machine machine) { return machine == Machine::avx2 ? 
 
 namespace detail {
 template <class Kernel>
-ACTIO_FOR_AVX2 void run_avx2(Kernel& kernel) {
-  kernel();
-}
+ACTIO_FOR_AVX2 void run_avx2(Kernel& kernel) { kernel(); }
 template <class Kernel>
-void run_plain(Kernel& kernel) {
-  kernel();
-}
+void run_plain(Kernel& kernel) { kernel(); }
 }  // namespace detail
 
 /// Runs a kernel, compiled for that machine. Its call operator must be always_inline.

@@ -1,7 +1,8 @@
 // Differential forms as callables on tangent vectors.
 //
-// A k-form on a space with D coordinates is a callable: omega(at, V) takes a point (a column of D numbers) and k tangent vectors, the columns of V, and
-// returns a number. It is alternating and linear in the columns, and written once for every scalar, so that pull-back and exterior derivative are exact.
+// A k-form on a space with D coordinates is a callable: omega(at, V) takes a point (a column of D numbers)
+// and k tangent vectors, the columns of V, and returns a number. It is alternating and linear in the columns,
+// and written once for every scalar, so that pull-back and exterior derivative are exact.
 #pragma once
 
 #include "actio/numbers/linear.hpp"
@@ -12,7 +13,8 @@ namespace actio {
 template <class S, int D, int k>
 using Tangents = Matrix<S, D, k>;
 
-/// The determinant of a small square matrix whose size the compiler knows, along its first column: without a division, over any ring.
+/// The determinant of a small square matrix whose size the compiler knows, along its first column: without a
+/// division, over any ring.
 template <class S, int k>
   requires(k >= 0)
 S determinant(Matrix<S, k, k> const& m) {
@@ -43,7 +45,8 @@ S determinant(Matrix<S, k, k> const& m) {
   }
 }
 
-/// The contraction \f$W\lrcorner\,\omega = \omega(W, \cdot,\dots)\f$ with a vector field: the field goes into the first slot.
+/// The contraction \f$W\lrcorner\,\omega = \omega(W, \cdot,\dots)\f$ with a vector field: the field goes into
+/// the first slot.
 /// @param W  vector field: a callable from points to tangent vectors
 template <class Field, class Form>
 auto contract(Field const& W, Form const& omega) {
@@ -84,7 +87,8 @@ auto pull_back(Map const& f, Form const& omega) {
   };
 }
 
-/// The exterior derivative: \f$(d\omega)(V_0,\dots,V_k) = \sum_i (-1)^i\,V_i\bigl[\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\bigr]\f$ for constant fields.
+/// The exterior derivative: \f$(d\omega)(V_0,\dots,V_k) = \sum_i
+/// (-1)^i\,V_i\bigl[\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\bigr]\f$ for constant fields.
 template <class Form>
 auto exterior_derivative(Form const& omega) {
   return [omega]<class S, int D, int k>(Matrix<S, D, 1> const& at, Tangents<S, D, k> const& V) -> S {

@@ -1,15 +1,17 @@
-// Riemannian metrics as callables, and what is made of them: volume, Christoffel symbols, lowered and raised indices.
+// Riemannian metrics as callables, and what is made of them: volume, Christoffel symbols, lowered and raised
+// indices.
 //
-// A metric is a callable g(y) that returns the matrix g_ab at a point, over any scalar. `Euclidean<n>` is the metric whose matrix is the identity: it returns no
-// matrix but a type, `Kronecker<n>`, for which every operation here is overloaded, so that a flat space costs nothing. A metric with the member
+// A metric is a callable g(y) that returns the matrix g_ab at a point, over any scalar. `Euclidean<n>` is the
+// metric whose matrix is the identity: it returns no matrix but a type, `Kronecker<n>`, for which every
+// operation here is overloaded, so that a flat space costs nothing. A metric with the member
 // `static constexpr bool constant = true` has no Christoffel symbols.
 #pragma once
 
 #include <array>
 #include <string>
 
-#include "actio/numbers/derivative.hpp"
 #include "actio/forms/forms.hpp"
+#include "actio/numbers/derivative.hpp"
 #include "actio/numbers/square_root.hpp"
 
 namespace actio {
@@ -23,16 +25,14 @@ template <int n>
 struct Euclidean {
   static constexpr bool constant = true;  ///< its derivatives vanish
   template <class V>
-  Kronecker<n> operator()(V const&) const {
-    return {};
-  }
+  Kronecker<n> operator()(V const&) const { return {}; }
 };
 
 /// A metric whose matrix is the same everywhere.
 template <class S, int n>
 struct ConstantMetric {
   static constexpr bool constant = true;  ///< its derivatives vanish
-  Matrix<S, n, n> matrix;  ///< symmetric, positive definite
+  Matrix<S, n, n> matrix;                 ///< symmetric, positive definite
   template <class V>
   Matrix<typename V::Scalar, n, n> operator()(V const&) const {
     return matrix.template cast<typename V::Scalar>();
@@ -47,7 +47,8 @@ template <class Metric>
   requires requires { typename std::bool_constant<Metric::constant>; }
 inline constexpr bool is_constant_metric<Metric> = Metric::constant;
 
-/// A matrix that is no metric: not symmetric, or not positive definite; over a field without order the second is left out.
+/// A matrix that is no metric: not symmetric, or not positive definite; over a field without order the second
+/// is left out.
 struct NotAMetric : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
@@ -56,14 +57,10 @@ struct NotAMetric : OutsideDomain {
 
 /// The matrix of a metric's value over the scalar S.
 template <class S, int n>
-Matrix<S, n, n> as_matrix(Matrix<S, n, n> const& g) {
-  return g;
-}
+Matrix<S, n, n> as_matrix(Matrix<S, n, n> const& g) { return g; }
 /// The same for the Euclidean metric.
 template <class S, int n>
-Matrix<S, n, n> as_matrix(Kronecker<n>) {
-  return Matrix<S, n, n>::Identity();
-}
+Matrix<S, n, n> as_matrix(Kronecker<n>) { return Matrix<S, n, n>::Identity(); }
 
 /// \f$g_{ab}u^aw^b\f$.
 template <class S, int n>
@@ -84,14 +81,10 @@ S inner(Kronecker<n>, Matrix<S, n, 1> const& u, Matrix<S, n, 1> const& w) {
 /// \f$\sqrt{\det g}\f$.
 /// @throws NotASquare  over the rationals, where it is irrational
 template <class S, int n>
-S volume(Matrix<S, n, n> const& g) {
-  return square_root(determinant(g));
-}
+S volume(Matrix<S, n, n> const& g) { return square_root(determinant(g)); }
 /// The same for the Euclidean metric.
 template <class S, int n>
-Base<S> volume(Kronecker<n>) {
-  return Base<S>(1);
-}
+Base<S> volume(Kronecker<n>) { return Base<S>(1); }
 
 /// The pulled-back metric \f$g_{ab}F^a{}_iF^b{}_j\f$.
 template <class S, int N, int n>
@@ -121,19 +114,13 @@ Matrix<S, n, k> raised(Matrix<S, n, n> const& G, Matrix<S, n, k> const& C) {
 }
 /// The same for the Euclidean metric.
 template <class S, int n, int k>
-Matrix<S, n, k> raised(Kronecker<n>, Matrix<S, n, k> const& C) {
-  return C;
-}
+Matrix<S, n, k> raised(Kronecker<n>, Matrix<S, n, k> const& C) { return C; }
 /// \f$g\,T\f$: the first index lowered.
 template <class S, int n, int k>
-Matrix<S, n, k> lowered(Matrix<S, n, n> const& g, Matrix<S, n, k> const& T) {
-  return g * T;
-}
+Matrix<S, n, k> lowered(Matrix<S, n, n> const& g, Matrix<S, n, k> const& T) { return g * T; }
 /// The same for the Euclidean metric.
 template <class S, int n, int k>
-Matrix<S, n, k> lowered(Kronecker<n>, Matrix<S, n, k> const& T) {
-  return T;
-}
+Matrix<S, n, k> lowered(Kronecker<n>, Matrix<S, n, k> const& T) { return T; }
 
 namespace detail {
 /// A metric and the point that it is taken at, for a message.
@@ -147,7 +134,8 @@ std::string metric_at(char const* which, V const& y) {
 
 /// Refuses a matrix that is not symmetric to rounding, or not positive definite.
 /// @param y  the point, for the message
-/// @throws NotAMetric  with the asymmetry over the largest entry, or the pivot of the elimination that is not positive
+/// @throws NotAMetric  with the asymmetry over the largest entry, or the pivot of the elimination that is not
+///                     positive
 template <class S, int n, class V>
 void require_metric(Matrix<S, n, n> const& g, V const& y, char const* which) {
   auto const where = [&] { return detail::metric_at(which, y); };
@@ -158,7 +146,10 @@ void require_metric(Matrix<S, n, n> const& g, V const& y, char const* which) {
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < a; ++b) {
       Base<S> const gap = magnitude(Base<S>(base_value(g(a, b)) - base_value(g(b, a))));
-      if (gap > bound) throw NotAMetric(where(), "a metric is symmetric; difference of g(a, b) and g(b, a) over the largest entry", to_double(Base<S>(gap / size)), to_double(Base<S>(bound / size)));
+      if (gap > bound)
+        throw NotAMetric(where(),
+                         "a metric is symmetric; difference of g(a, b) and g(b, a) over the largest entry",
+                         to_double(Base<S>(gap / size)), to_double(Base<S>(bound / size)));
     }
   if (!ordered_arithmetic<S>()) return;
   // Elimination without exchanges: all pivots of a positive definite matrix are positive.
@@ -166,7 +157,9 @@ void require_metric(Matrix<S, n, n> const& g, V const& y, char const* which) {
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < n; ++b) left(a, b) = base_value(g(a, b));
   for (int k = 0; k < n; ++k) {
-    if (!(left(k, k) > bound)) throw NotAMetric(where(), "a metric is positive definite; pivot of the elimination", to_double(left(k, k)), to_double(bound));
+    if (!(left(k, k) > bound))
+      throw NotAMetric(where(), "a metric is positive definite; pivot of the elimination",
+                       to_double(left(k, k)), to_double(bound));
     for (int i = k + 1; i < n; ++i) {
       Base<S> const factor = left(i, k) / left(k, k);
       for (int j = k; j < n; ++j) left(i, j) -= factor * left(k, j);
@@ -187,7 +180,9 @@ void require_volume(Matrix<S, n, n> const& g, V const& y, char const* which) {
     try {
       square_root(base_value(square));
     } catch (NotASquare const& not_a_square) {
-      throw NotASquare(detail::metric_at(which, y), "over a field without all roots the determinant is the square of a number", not_a_square.measured, 0);
+      throw NotASquare(detail::metric_at(which, y),
+                       "over a field without all roots the determinant is the square of a number",
+                       not_a_square.measured, 0);
     }
   }
 }
@@ -210,7 +205,8 @@ std::array<Matrix<S, n, n>, n> metric_derivatives(Metric const& g, Matrix<S, n, 
   return rates;
 }
 
-/// The Christoffel symbols \f$\gamma^c_{ab} = \tfrac12 g^{ce}(\partial_bg_{ae} + \partial_ag_{be} - \partial_eg_{ab})\f$ at a point: `gamma[c](a, b)`.
+/// The Christoffel symbols \f$\gamma^c_{ab} = \tfrac12
+/// g^{ce}(\partial_bg_{ae} + \partial_ag_{be} - \partial_eg_{ab})\f$ at a point: `gamma[c](a, b)`.
 ///
 /// \implements{claim_6_2_christoffel}
 /// @throws Singular  where g is
@@ -237,7 +233,8 @@ std::array<Matrix<S, n, n>, n> christoffel(Metric const& g, Matrix<S, n, 1> cons
 
 /// \f$\gamma^c_{ab}u^aw^b\f$.
 template <class Metric, class S, int n>
-Matrix<S, n, 1> connection(Metric const& g, Matrix<S, n, 1> const& y, Matrix<S, n, 1> const& u, Matrix<S, n, 1> const& w) {
+Matrix<S, n, 1> connection(Metric const& g, Matrix<S, n, 1> const& y, Matrix<S, n, 1> const& u,
+                           Matrix<S, n, 1> const& w) {
   Matrix<S, n, 1> sum = Matrix<S, n, 1>::Zero();
   if constexpr (!is_constant_metric<Metric>) {
     auto const gamma = christoffel(g, y);
@@ -248,17 +245,19 @@ Matrix<S, n, 1> connection(Metric const& g, Matrix<S, n, 1> const& y, Matrix<S, 
 
 // ---- Derivatives of vector fields.
 
-/// The divergence \f$\frac1{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a vector field with respect to the volume of a metric.
+/// The divergence \f$\frac1{\sqrt{\det g}}\,\partial_a(\sqrt{\det g}\,u^a)\f$ of a vector field with respect
+/// to the volume of a metric.
 ///
 /// @param g   metric, a callable on points
-/// @param u   vector field: a callable on points, over any scalar. It may depend on time as well: then points are (t, y), and the derivatives are
-///            those by y
+/// @param u   vector field: a callable on points, over any scalar. It may depend on time as well: then points
+///            are (t, y), and the derivatives are those by y
 /// @param at  point, with as many coordinates as the field has components; or (t, y)
 /// Accuracy: exact but for the rounding of g and u.
 template <class Metric, class Field, class S, int rows>
 S divergence(Metric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   constexpr int n = std::remove_cvref_t<decltype(u(at))>::RowsAtCompileTime;
-  static_assert(n == rows || n == rows - 1, "a vector field has as many components as the space has dimensions");
+  static_assert(n == rows || n == rows - 1,
+                "a vector field has as many components as the space has dimensions");
   auto const flux = [&]<class T>(Matrix<T, n, 1> const& y) -> Matrix<T, n, 1> {
     Matrix<T, rows, 1> point = at.template cast<T>();
     point.template tail<n>() = y;
@@ -270,12 +269,10 @@ S divergence(Metric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
 /// The divergence \f$\partial_\mu B^\mu\f$ with respect to the volume of the coordinates.
 /// @param B  a callable on points, over any scalar, with as many components as a point has coordinates
 template <class Field, class S, int rows>
-S divergence(Field const& B, Matrix<S, rows, 1> const& x) {
-  return divergence(Euclidean<rows>{}, B, x);
-}
+S divergence(Field const& B, Matrix<S, rows, 1> const& x) { return divergence(Euclidean<rows>{}, B, x); }
 
-/// The Lie derivative \f$k^c\partial_cg_{ab} + g_{cb}\,\partial_ak^c + g_{ac}\,\partial_bk^c\f$ of a metric along a vector field: zero for
-/// Killing fields.
+/// The Lie derivative \f$k^c\partial_cg_{ab} + g_{cb}\,\partial_ak^c + g_{ac}\,\partial_bk^c\f$ of a metric
+/// along a vector field: zero for Killing fields.
 ///
 /// \implements{claim_9_0_isometries}
 /// @param k  vector field: a callable on points, over any scalar

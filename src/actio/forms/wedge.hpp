@@ -10,7 +10,8 @@ inline auto differential_of_coordinate(int i) {
   return [i]<class S, int D>(Matrix<S, D, 1> const&, Tangents<S, D, 1> const& V) -> S { return V(i, 0); };
 }
 
-/// The exterior product \f$(\alpha\wedge\omega)(V_0,\dots,V_k) = \sum_i(-1)^i\,\alpha(V_i)\,\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\f$.
+/// The exterior product \f$(\alpha\wedge\omega)(V_0,\dots,V_k) =
+/// \sum_i(-1)^i\,\alpha(V_i)\,\omega(V_0,\dots,\widehat{V_i},\dots,V_k)\f$.
 /// @param alpha  one-form
 /// @param omega  k-form, k = 0 included
 template <class Alpha, class Omega>

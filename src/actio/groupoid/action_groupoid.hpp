@@ -13,7 +13,7 @@ namespace actio {
 template <Group G, Scalar S>
 struct ActionArrow {
   using Scalar = S;
-  Element<G, S> element;                          ///< g
+  Element<G, S> element;         ///< g
   Matrix<S, Dynamic, 1> vector;  ///< a
 };
 /// A vector, as a point of the base.
@@ -23,7 +23,8 @@ struct CarriedVector {
   Matrix<S, Dynamic, 1> value;  ///< its components
 };
 
-/// \f$G\ltimes\mathbb R^m\f$ over \f$\mathbb R^m\f$ for a group of m by m matrices that acts on vectors by multiplication: \f$(g, a)(h, g^{-1}a) = (gh, a)\f$.
+/// \f$G\ltimes\mathbb R^m\f$ over \f$\mathbb R^m\f$ for a group of m by m matrices that acts on vectors by
+/// multiplication: \f$(g, a)(h, g^{-1}a) = (gh, a)\f$.
 template <MatrixGroup G>
 struct ActionGroupoid {
   static constexpr int dim = G::dim;
@@ -41,11 +42,17 @@ struct ActionGroupoid {
   template <class S>
   static CarriedVector<S> source(ActionArrow<G, S> const& g) { return {g.vector}; }
   template <class S>
-  static CarriedVector<S> target(ActionArrow<G, S> const& g) { return {Column<S>(actio::inverse(g.element).value * g.vector)}; }
+  static CarriedVector<S> target(ActionArrow<G, S> const& g) {
+    return {Column<S>(actio::inverse(g.element).value * g.vector)};
+  }
   template <class S>
-  static ActionArrow<G, S> compose(ActionArrow<G, S> const& g, ActionArrow<G, S> const& h) { return {g.element * h.element, g.vector}; }
+  static ActionArrow<G, S> compose(ActionArrow<G, S> const& g, ActionArrow<G, S> const& h) {
+    return {g.element * h.element, g.vector};
+  }
   template <class S>
-  static ActionArrow<G, S> inverse(ActionArrow<G, S> const& g) { return {actio::inverse(g.element), target(g).value}; }
+  static ActionArrow<G, S> inverse(ActionArrow<G, S> const& g) {
+    return {actio::inverse(g.element), target(g).value};
+  }
   template <class S>
   ActionArrow<G, S> unit(CarriedVector<S> const& x) const { return {identity<S>(group), x.value}; }
   template <class S>
@@ -53,9 +60,13 @@ struct ActionGroupoid {
     return {{group, primitive::near_identity(group, v)}, x.value};
   }
   template <Real S>
-  ActionArrow<G, S> leave(CarriedVector<S> const& x, Coordinates<G, S> const& v) const { return {exp(Velocity<G, S>{group, v}), x.value}; }
+  ActionArrow<G, S> leave(CarriedVector<S> const& x, Coordinates<G, S> const& v) const {
+    return {exp(Velocity<G, S>{group, v}), x.value};
+  }
   template <class T, class S>
-  static ActionArrow<G, T> over(ActionArrow<G, S> const& g) { return {actio::over<T>(g.element), g.vector.template cast<T>()}; }
+  static ActionArrow<G, T> over(ActionArrow<G, S> const& g) {
+    return {actio::over<T>(g.element), g.vector.template cast<T>()};
+  }
 
   template <class S>
   static Column<S> entries(ActionArrow<G, S> const& g) {
@@ -67,7 +78,8 @@ struct ActionGroupoid {
   template <class S>
   ActionArrow<G, S> moved(ActionArrow<G, S> const& g, Column<S> const& w) const {
     Coordinates<G, S> const v = w.tail(dimension());
-    return {Element<G, S>{group, primitive::near_identity(group, v)} * g.element, g.vector + w.head(base_dimension())};
+    return {Element<G, S>{group, primitive::near_identity(group, v)} * g.element,
+            g.vector + w.head(base_dimension())};
   }
   template <class S>
   static Column<S> base_rate(CarriedVector<Dual<S>> const& x) {

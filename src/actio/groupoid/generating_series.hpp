@@ -1,9 +1,10 @@
 // The Hamilton-Jacobi equation of a free system, solved by a power series in the time.
 //
-// With the mean velocity w = -log(g)/t the generating function is S(g, t) = t (sigma_0(w) + t sigma_1(w) + t^2 sigma_2(w) + ...). Put into (4.1),
-//   sigma_0 is the Lagrangian, and (k+1) sigma_k = -[t^k] h(chi(-t ad_w)^T sum_{j<k} t^j sigma_j'(w)),
-// for what (4.1) says of sigma_k' itself cancels. Each sigma_k is a polynomial of degree k+2; those with odd k vanish, because S(1/g, -t) = -S(g, t). The first correction is
-//   sigma_2 = -<ad*_w p, A^-1 ad*_w p>/24 with p = A w + b.
+// With the mean velocity w = -log(g)/t the generating function is S(g, t) = t (sigma_0(w) + t
+//   sigma_1(w) + t^2 sigma_2(w) + ...). Put into (4.1), sigma_0 is the Lagrangian, and (k+1) sigma_k = -[t^k]
+//   h(chi(-t ad_w)^T sum_{j<k} t^j sigma_j'(w)), for what (4.1) says of sigma_k' itself cancels. Each sigma_k
+//   is a polynomial of degree k+2; those with odd k vanish, because S(1/g, -t) = -S(g, t). The first
+//   correction is sigma_2 = -<ad*_w p, A^-1 ad*_w p>/24 with p = A w + b.
 #pragma once
 
 #include <map>
@@ -81,7 +82,8 @@ struct Polynomial {
   }
 };
 
-/// A truncated solution of (4.1): \f$S(g, t) = t\sum_k t^k\sigma_k(w)\f$, \f$w = -\log(g)/t\f$. Made by \ref generating_series.
+/// A truncated solution of (4.1): \f$S(g, t) = t\sum_k t^k\sigma_k(w)\f$, \f$w = -\log(g)/t\f$. Made by
+/// \ref generating_series.
 template <Group G, Scalar S>
 struct GeneratingSeries {
   [[no_unique_address]] G group;
@@ -97,9 +99,7 @@ struct GeneratingSeries {
   /// S, energy x time
   /// @throws OutsideDomain  where g has no logarithm
   template <Real T>
-  T operator()(Element<G, T> const& g, T const& t) const {
-    return t * mean_lagrangian(-log(g) / t, t);
-  }
+  T operator()(Element<G, T> const& g, T const& t) const { return t * mean_lagrangian(-log(g) / t, t); }
 };
 
 namespace detail {
@@ -130,10 +130,13 @@ std::vector<S> chi_coefficients(int order) {
 }
 }  // namespace detail
 
-/// The solution of (4.1) for a free left-invariant system up to \f$t^{order}\f$ in the mean Lagrangian. The same series solves the equation of the right-invariant system.
+/// The solution of (4.1) for a free left-invariant system up to \f$t^{order}\f$ in the mean Lagrangian. The
+/// same series solves the equation of the right-invariant system.
 ///
-/// With order 0 it is the discrete Lagrangian of the natural chart. With an even order it makes a Lie-Poisson integrator of order `order` + 2; an odd one adds nothing to the even one below it.
-/// @param order  0 or more; the last term has as many monomials as there are of degree `order` + 2: 28 on SO(3) and 462 on SE(3) for order 4. It is computed once, for every step
+/// With order 0 it is the discrete Lagrangian of the natural chart. With an even order it makes a Lie-Poisson
+/// integrator of order `order` + 2; an odd one adds nothing to the even one below it.
+/// @param order  0 or more; the last term has as many monomials as there are of degree `order` + 2: 28 on
+///               SO(3) and 462 on SE(3) for order 4. It is computed once, for every step
 /// @throws OutsideDomain  where the order is negative
 /// Over any field; exact over the rationals.
 template <Group G, Scalar S>
@@ -176,7 +179,8 @@ GeneratingSeries<G, S> generating_series(QuadraticLagrangian<G, S> const& l, int
     for (int i = 0; i <= k && k % 2 == 0; ++i)
       for (int a = 0; a < n; ++a) {
         Polynomial<S> velocity;
-        for (int b = 0; b < n; ++b) velocity.add_product(momentum[k - i][b], S(l.inverse_a(a, b) / S(-2 * (k + 1))));
+        for (int b = 0; b < n; ++b)
+          velocity.add_product(momentum[k - i][b], S(l.inverse_a(a, b) / S(-2 * (k + 1))));
         sigma += momentum[i][a] * velocity;
       }
     series.sigma.push_back(std::move(sigma));

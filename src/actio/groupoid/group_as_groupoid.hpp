@@ -35,9 +35,13 @@ struct GroupAsGroupoid {
   template <class S>
   Element<G, S> unit(SinglePoint<S> const&) const { return identity<S>(group); }
   template <class S>
-  Element<G, S> near_unit(SinglePoint<S> const&, Coordinates<G, S> const& v) const { return {group, primitive::near_identity(group, v)}; }
+  Element<G, S> near_unit(SinglePoint<S> const&, Coordinates<G, S> const& v) const {
+    return {group, primitive::near_identity(group, v)};
+  }
   template <Real S>
-  Element<G, S> leave(SinglePoint<S> const&, Coordinates<G, S> const& v) const { return exp(Velocity<G, S>{group, v}); }
+  Element<G, S> leave(SinglePoint<S> const&, Coordinates<G, S> const& v) const {
+    return exp(Velocity<G, S>{group, v});
+  }
   template <class T, class S>
   static Element<G, T> over(Element<G, S> const& g) { return actio::over<T>(g); }
 
@@ -48,7 +52,9 @@ struct GroupAsGroupoid {
     return all;
   }
   template <class S>
-  Element<G, S> moved(Element<G, S> const& g, Matrix<S, Dynamic, 1> const& w) const { return near_unit(SinglePoint<S>{}, Coordinates<G, S>(w)) * g; }
+  Element<G, S> moved(Element<G, S> const& g, Matrix<S, Dynamic, 1> const& w) const {
+    return near_unit(SinglePoint<S>{}, Coordinates<G, S>(w)) * g;
+  }
   template <class S>
   static Matrix<S, Dynamic, 1> base_rate(SinglePoint<Dual<S>> const&) { return Matrix<S, Dynamic, 1>(0); }
 };

@@ -1,8 +1,9 @@
 // Lie groupoids: arrows between points, composed where one ends and the next begins.
 //
-// An arrow g leads from alpha(g), its source, to beta(g), its target; gh is defined where beta(g) = alpha(h). What is infinitely near the unit of a point x
-// and leaves from x is a vector of the algebroid over x. Pairs of configurations and groups are groupoids, and so are two things in between (action_groupoid.hpp, gauge_groupoid.hpp);
-// mechanics on all of them is one equation (lagrange_equations.hpp).
+// An arrow g leads from alpha(g), its source, to beta(g), its target; gh is defined where beta(g) = alpha(h).
+// What is infinitely near the unit of a point x and leaves from x is a vector of the algebroid over x. Pairs
+// of configurations and groups are groupoids, and so are two things in between (action_groupoid.hpp,
+// gauge_groupoid.hpp); mechanics on all of them is one equation (lagrange_equations.hpp).
 #pragma once
 
 #include "actio/groups/differential.hpp"
@@ -21,10 +22,13 @@ using Fibre = Matrix<S, Gamma::dim, 1>;
 
 /// A Lie groupoid over any field.
 ///
-/// Laws (`tests/groupoid/groupoid_laws.hpp`): source(gh) = source(g), target(gh) = target(h); composition is associative; unit(source(g)) g = g = g unit(target(g));
-/// g inverse(g) = unit(source(g)), inverse(g) g = unit(target(g)). `near_unit(x, v)` is the arrow from x that differs from the unit by an infinitesimal v.
+/// Laws (`tests/groupoid/groupoid_laws.hpp`): source(gh) = source(g), target(gh) = target(h); composition is
+/// associative; unit(source(g)) g = g = g unit(target(g)); g inverse(g) = unit(source(g)), inverse(g)
+/// g = unit(target(g)). `near_unit(x, v)` is the arrow from x that differs from the unit by an infinitesimal
+/// v.
 template <class Gamma>
-concept Groupoid = requires(Gamma const& gamma, Arrow<Gamma, double> const& g, Point<Gamma, double> const& x, Fibre<Gamma, double> const& v) {
+concept Groupoid = requires(Gamma const& gamma, Arrow<Gamma, double> const& g, Point<Gamma, double> const& x,
+                            Fibre<Gamma, double> const& v) {
   { gamma.dimension() } -> std::convertible_to<int>;
   { gamma.source(g) } -> std::convertible_to<Point<Gamma, double>>;
   { gamma.target(g) } -> std::convertible_to<Point<Gamma, double>>;
@@ -35,13 +39,25 @@ concept Groupoid = requires(Gamma const& gamma, Arrow<Gamma, double> const& g, P
   { gamma.template over<double>(g) } -> std::convertible_to<Arrow<Gamma, double>>;
 };
 
-/// A groupoid whose arrows and points can be moved about and written down: what its algebroid is computed from (algebroid.hpp).
+/// A groupoid whose arrows and points can be moved about and written down: what its algebroid is computed
+/// from (algebroid.hpp).
 template <class Gamma>
-concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<Gamma, double> const& g, Vector<double> const& w, Point<Gamma, Dual<double>> const& x) {
-  { gamma.base_dimension() } -> std::convertible_to<int>;       // of the base; that of the groupoid is base_dimension() + dimension()
-  { gamma.entries(g) } -> std::convertible_to<Vector<double>>;  // numbers that tell arrows apart, by their first derivatives too
-  { gamma.moved(g, w) } -> std::convertible_to<Arrow<Gamma, double>>;  // g moved by an infinitesimal w, base_dimension() + dimension() components
-  { gamma.base_rate(x) } -> std::convertible_to<Vector<double>>;  // how a point moves, base_dimension() components
+concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<Gamma, double> const& g,
+                                                      Vector<double> const& w,
+                                                      Point<Gamma, Dual<double>> const& x) {
+  {
+    gamma.base_dimension()
+  } -> std::convertible_to<int>;  // of the base; that of the groupoid is base_dimension() + dimension()
+  {
+    gamma.entries(g)
+  } -> std::convertible_to<Vector<double>>;  // numbers that tell arrows apart, by their first derivatives too
+  {
+    gamma.moved(g, w)
+  } -> std::convertible_to<
+      Arrow<Gamma, double>>;  // g moved by an infinitesimal w, base_dimension() + dimension() components
+  {
+    gamma.base_rate(x)
+  } -> std::convertible_to<Vector<double>>;  // how a point moves, base_dimension() components
 };
 
 /// A point of the dual of the algebroid: a covector on the fibre over a point of the base.
@@ -54,7 +70,8 @@ struct DualPoint {
 /// A step can start at any point in any direction: `leave(x, v)` is an arrow from x, the unit for v = 0,
 /// near_unit(x, v) to first order.
 template <class Gamma>
-concept ExponentialGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Point<Gamma, double> const& x, Fibre<Gamma, double> const& v) {
+concept ExponentialGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Point<Gamma, double> const& x,
+                                                          Fibre<Gamma, double> const& v) {
   { gamma.leave(x, v) } -> std::convertible_to<Arrow<Gamma, double>>;
 };
 

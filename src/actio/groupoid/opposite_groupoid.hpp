@@ -1,4 +1,5 @@
-// The opposite groupoid: the same arrows, read from their target to their source, composed in the other order.
+// The opposite groupoid: the same arrows, read from their target to their source, composed in the other
+// order.
 #pragma once
 
 #include "actio/groupoid/groupoid.hpp"
@@ -7,7 +8,8 @@ namespace actio {
 
 /// \f$\Gamma^{\mathrm{op}}\f$: source and target change places, \f$g\cdot_{\mathrm{op}}h = hg\f$.
 ///
-/// What is near a unit and used to arrive now leaves; v stays the velocity of the free end, with the sign that makes the opposite of a group have the group's own near_unit.
+/// What is near a unit and used to arrive now leaves; v stays the velocity of the free end, with the sign
+/// that makes the opposite of a group have the group's own near_unit.
 template <Groupoid Gamma>
 struct Opposite {
   static constexpr int dim = Gamma::dim;

@@ -1,8 +1,9 @@
-// The pair groupoid G x G: the arrows are pairs of configurations, (g0, g1)(g1, g2) = (g0, g2). Its algebroid is TG.
+// The pair groupoid G x G: the arrows are pairs of configurations, (g0, g1)(g1, g2) = (g0, g2). Its algebroid
+// is TG.
 #pragma once
 
-#include "actio/groups/group.hpp"
 #include "actio/groupoid/groupoid.hpp"
+#include "actio/groups/group.hpp"
 #include "actio/variational/curves.hpp"
 
 namespace actio {
@@ -50,14 +51,19 @@ struct PairGroupoid {
     return {x, Element<G, S>{x.group, primitive::near_identity(x.group, v)} * x};
   }
   template <Real S>
-  static PairArrow<G, S> leave(Element<G, S> const& x, Coordinates<G, S> const& v) { return {x, exp(Velocity<G, S>{x.group, v}) * x}; }
+  static PairArrow<G, S> leave(Element<G, S> const& x, Coordinates<G, S> const& v) {
+    return {x, exp(Velocity<G, S>{x.group, v}) * x};
+  }
   template <class T, class S>
-  static PairArrow<G, T> over(PairArrow<G, S> const& g) { return {actio::over<T>(g.first), actio::over<T>(g.second)}; }
+  static PairArrow<G, T> over(PairArrow<G, S> const& g) {
+    return {actio::over<T>(g.first), actio::over<T>(g.second)};
+  }
 
   template <class S>
   static Matrix<S, Dynamic, 1> entries(PairArrow<G, S> const& g) {
     Matrix<S, Dynamic, 1> all(2 * g.first.value.size());
-    for (Index i = 0; i < g.first.value.size(); ++i) all[i] = g.first.value(i), all[g.first.value.size() + i] = g.second.value(i);
+    for (Index i = 0; i < g.first.value.size(); ++i)
+      all[i] = g.first.value(i), all[g.first.value.size() + i] = g.second.value(i);
     return all;
   }
   template <class S>

@@ -1,14 +1,16 @@
-// Differentials of functions on a group, translated to the identity from either side, and of functions on vector spaces.
+// Differentials of functions on a group, translated to the identity from either side, and of functions on
+// vector spaces.
 //
-// The side is in the name. A differential is taken by evaluating the function on elements moved infinitely little: exact, and alive at
-// every scalar. Directions are taken in small batches, so the size of a scalar does not depend on the group.
+// The side is in the name. A differential is taken by evaluating the function on elements moved infinitely
+// little: exact, and alive at every scalar. Directions are taken in small batches, so the size of a scalar
+// does not depend on the group.
 #pragma once
 
 #include <type_traits>
 #include <vector>
 
-#include "actio/numbers/derivative.hpp"
 #include "actio/groups/group.hpp"
+#include "actio/numbers/derivative.hpp"
 
 namespace actio {
 
@@ -64,7 +66,8 @@ Coordinates<G, Moved<S>> infinitesimals(G const& group, int first) {
   return v;
 }
 
-/// \f$(1 + \sum_a\varepsilon_a e_{first+a})\,g\f$: g moved on the left by infinitesimals, one for each direction of a batch.
+/// \f$(1 + \sum_a\varepsilon_a e_{first+a})\,g\f$: g moved on the left by infinitesimals, one for each
+/// direction of a batch.
 template <Group G, Scalar S>
 Element<G, Moved<S>> moved_left(Element<G, S> const& g, int first) {
   Storage<G, Moved<S>> value = g.value.template cast<Moved<S>>();
@@ -74,7 +77,8 @@ Element<G, Moved<S>> moved_left(Element<G, S> const& g, int first) {
       for (Index j = 0; j < value.cols(); ++j) value(i, j).part[a] += g.value(k, j) * entry;
     });
   } else {
-    value = primitive::compose(g.group, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)), value);
+    value = primitive::compose(g.group, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)),
+                               value);
   }
   return {g.group, value};
 }
@@ -87,7 +91,8 @@ Element<G, Moved<S>> moved_right(Element<G, S> const& g, int first) {
       for (Index i = 0; i < value.rows(); ++i) value(i, j).part[a] += g.value(i, k) * entry;
     });
   } else {
-    value = primitive::compose(g.group, value, primitive::near_identity(g.group, infinitesimals<S>(g.group, first)));
+    value = primitive::compose(g.group, value,
+                               primitive::near_identity(g.group, infinitesimals<S>(g.group, first)));
   }
   return {g.group, value};
 }
@@ -103,7 +108,8 @@ void require_number(Moved<S> const& change, char const* where) {
 template <class S, int R, int C>
 void require_number(Derivative<S, S, R, C> const& d, char const* where) {
   if constexpr (Plain<S>)
-    if (!is_finite(d.value) || !is_finite(d.matrix)) throw NotFinite(std::string(where) + ": value or derivative of the function");
+    if (!is_finite(d.value) || !is_finite(d.matrix))
+      throw NotFinite(std::string(where) + ": value or derivative of the function");
 }
 
 /// Calls `visit(first)` for the first direction of each batch.
@@ -112,7 +118,8 @@ void over_batches(int dimension, Visit const& visit) {
   for (int first = 0; first < dimension; first += batch) visit(first);
 }
 
-/// \f$R_g^*\,l'(g)\f$: the differential of l at g, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}l(e^{\epsilon\vartheta}g)\f$.
+/// \f$R_g^*\,l'(g)\f$: the differential of l at g, read on
+/// \f$\vartheta\mapsto\frac{d}{d\epsilon}l(e^{\epsilon\vartheta}g)\f$.
 ///
 /// @param l  function on G, callable at `S` and at dual numbers over it; energy x time where it is an action
 /// @param g  where
@@ -131,7 +138,8 @@ Momentum<G, S> right_differential(F const& l, Element<G, S> const& g) {
   return d;
 }
 
-/// \f$L_g^*\,l'(g)\f$: the differential of l at g, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}l(g\,e^{\epsilon\vartheta})\f$.
+/// \f$L_g^*\,l'(g)\f$: the differential of l at g, read on
+/// \f$\vartheta\mapsto\frac{d}{d\epsilon}l(g\,e^{\epsilon\vartheta})\f$.
 ///
 /// Equal to \f$\mathrm{Ad}^*_g\,R_g^*\,l'(g)\f$. Parameters and accuracy as in \ref right_differential.
 template <Group G, Scalar S, FunctionOnGroup<G, Moved<S>> F>
@@ -149,7 +157,11 @@ Momentum<G, S> left_differential(F const& l, Element<G, S> const& g) {
 /// \f$\partial l/\partial\xi\f$ of a function on the algebra: a covector.
 template <Group G, Scalar S, class F>
 Momentum<G, S> gradient(F const& l, Velocity<G, S> const& xi) {
-  auto const d = derivative([&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T { return l(Velocity<G, T>{xi.group, moved}); }, xi.coordinates);
+  auto const d = derivative(
+      [&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T {
+        return l(Velocity<G, T>{xi.group, moved});
+      },
+      xi.coordinates);
   require_number(d, "gradient");
   return {xi.group, d.gradient()};
 }
@@ -157,7 +169,11 @@ Momentum<G, S> gradient(F const& l, Velocity<G, S> const& xi) {
 /// \f$\partial h/\partial\mu\f$ of a function on the dual of the algebra: a velocity.
 template <Group G, Scalar S, class F>
 Velocity<G, S> gradient(F const& h, Momentum<G, S> const& mu) {
-  auto const d = derivative([&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T { return h(Momentum<G, T>{mu.group, moved}); }, mu.components);
+  auto const d = derivative(
+      [&]<class T>(Matrix<T, G::dim, 1> const& moved) -> T {
+        return h(Momentum<G, T>{mu.group, moved});
+      },
+      mu.components);
   require_number(d, "gradient");
   return {mu.group, d.gradient()};
 }

@@ -45,11 +45,13 @@ struct DirectProduct {
   }
   template <class S>
   Vector<S> Ad(Matrix<S> const& a, Vector<S> const& v) const {
-    return stacked<S>(primitive::Ad(first, upper<S>(a), head<S>(v)), primitive::Ad(second, lower<S>(a), tail<S>(v)));
+    return stacked<S>(primitive::Ad(first, upper<S>(a), head<S>(v)),
+                      primitive::Ad(second, lower<S>(a), tail<S>(v)));
   }
   template <class S>
   Vector<S> bracket(Vector<S> const& v, Vector<S> const& w) const {
-    return stacked<S>(primitive::bracket(first, head<S>(v), head<S>(w)), primitive::bracket(second, tail<S>(v), tail<S>(w)));
+    return stacked<S>(primitive::bracket(first, head<S>(v), head<S>(w)),
+                      primitive::bracket(second, tail<S>(v), tail<S>(w)));
   }
   template <class S>
   Matrix<S> retract(Vector<S> const& v) const {
@@ -63,7 +65,8 @@ struct DirectProduct {
   template <Real S>
   Vector<S> log(Matrix<S> const& a) const {
     require_blocks<S>(a, "log", 1e-8);
-    return stacked<S>(primitive::log_of<G, S>(first, upper<S>(a)), primitive::log_of<H, S>(second, lower<S>(a)));
+    return stacked<S>(primitive::log_of<G, S>(first, upper<S>(a)),
+                      primitive::log_of<H, S>(second, lower<S>(a)));
   }
   /// @throws OutsideDomain  where a factor refuses, and where the matrix is not even nearly block diagonal
   template <Real S>
@@ -76,9 +79,7 @@ struct DirectProduct {
 
   /// The block of G.
   template <class S, MatrixLike M>
-  Storage<G, S> upper(M const& a) const {
-    return a.topLeftCorner(first.matrix_size(), first.matrix_size());
-  }
+  Storage<G, S> upper(M const& a) const { return a.topLeftCorner(first.matrix_size(), first.matrix_size()); }
   /// The block of H.
   template <class S, MatrixLike M>
   Storage<H, S> lower(M const& a) const {
@@ -86,14 +87,10 @@ struct DirectProduct {
   }
   /// The coordinates of G.
   template <class S, MatrixLike V>
-  Coordinates<G, S> head(V const& v) const {
-    return v.head(first.dimension());
-  }
+  Coordinates<G, S> head(V const& v) const { return v.head(first.dimension()); }
   /// The coordinates of H.
   template <class S, MatrixLike V>
-  Coordinates<H, S> tail(V const& v) const {
-    return v.tail(second.dimension());
-  }
+  Coordinates<H, S> tail(V const& v) const { return v.tail(second.dimension()); }
   /// The matrix with these blocks.
   template <class S>
   Matrix<S> blocks(Storage<G, S> const& a, Storage<H, S> const& b) const {
@@ -115,7 +112,9 @@ struct DirectProduct {
   void require_blocks(Matrix<S> const& a, char const* where, double bound) const {
     Matrix<S> const outside = a - blocks<S>(upper<S>(a), lower<S>(a));
     double const distance = row_norm(outside);
-    if (!(distance <= bound)) throw OutsideDomain(where, "a block diagonal matrix is needed; largest row outside of the blocks", distance, bound);
+    if (!(distance <= bound))
+      throw OutsideDomain(where, "a block diagonal matrix is needed; largest row outside of the blocks",
+                          distance, bound);
   }
 };
 
@@ -128,7 +127,8 @@ Element<DirectProduct<G, H>, S> element_of_product(Element<G, S> const& g, Eleme
 /// The pair (g, h) that an element of the product is.
 template <MatrixGroup G, MatrixGroup H, Scalar S>
 std::pair<Element<G, S>, Element<H, S>> factors(Element<DirectProduct<G, H>, S> const& gh) {
-  return {{gh.group.first, gh.group.template upper<S>(gh.value)}, {gh.group.second, gh.group.template lower<S>(gh.value)}};
+  return {{gh.group.first, gh.group.template upper<S>(gh.value)},
+          {gh.group.second, gh.group.template lower<S>(gh.value)}};
 }
 
 }  // namespace actio

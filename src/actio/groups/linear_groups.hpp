@@ -25,9 +25,7 @@ struct GL : Matrices<n, n * n> {
   }
   /// Every matrix near the group is in the group.
   template <class A>
-  static A restore(A const& a) {
-    return a;
-  }
+  static A restore(A const& a) { return a; }
 };
 
 /// SL(2). Coordinates (a, b, c) of ((a, b), (c, -a)).
@@ -94,7 +92,8 @@ struct SL2 : Matrices<2, 3> {
     using std::sqrt;
     S const determinant = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
     double const distance = std::abs(to_double(determinant) - 1);
-    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near SL(2) is needed; |determinant - 1|", distance, 0.1);
+    if (!(distance < 0.1))
+      throw OutsideDomain("restore", "a matrix near SL(2) is needed; |determinant - 1|", distance, 0.1);
     return a / S(sqrt(determinant));
   }
 };

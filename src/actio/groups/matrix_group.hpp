@@ -1,8 +1,9 @@
 // Groups of matrices: everything that follows from `hat` and `vee`.
 //
-// A matrix group says how coordinates become a matrix of its algebra (`hat`) and back (`vee`, a linear projection where the
-// matrix is none of the algebra's). Every primitive it does not bring itself has a default here: the retraction is the Cayley
-// transform (which stays in the group for all groups of the library but SL(n), n > 2), exp and log are those of matrices.
+// A matrix group says how coordinates become a matrix of its algebra (`hat`) and back (`vee`, a linear
+// projection where the matrix is none of the algebra's). Every primitive it does not bring itself has a
+// default here: the retraction is the Cayley transform (which stays in the group for all groups of the
+// library but SL(n), n > 2), exp and log are those of matrices.
 #pragma once
 
 #include "actio/numbers/iex.hpp"
@@ -48,7 +49,8 @@ struct StorageOf<G, S> {
 template <class G, class S>
 using Storage = typename StorageOf<G, S>::type;
 
-/// The Cayley transform \f$(1 - A/2)^{-1}(1 + A/2)\f$: a rational stand-in for the exponential, equal to it to second order.
+/// The Cayley transform \f$(1 - A/2)^{-1}(1 + A/2)\f$: a rational stand-in for the exponential, equal to it
+/// to second order.
 /// @throws Singular  where A has the eigenvalue 2
 template <MatrixLike M>
 typename M::PlainObject cayley(M const& a) {
@@ -185,7 +187,8 @@ auto ad_matrix(G const& group, V const& v) {
   return m;
 }
 
-/// The logarithm extended to dual numbers by its known derivative: \f$d\log = \mathrm{iex}(\mathrm{ad}_{\log g})^{-1}(dg\,g^{-1})\f$.
+/// The logarithm extended to dual numbers by its known derivative:
+/// \f$d\log = \mathrm{iex}(\mathrm{ad}_{\log g})^{-1}(dg\,g^{-1})\f$.
 template <class G, class S, int N>
 Coordinates<G, Dual<S, N>> lifted_log(G const& group, Matrix<Dual<S, N>, G::size, G::size> const& a) {
   int const n = group.matrix_size(), d = group.dimension();
@@ -223,8 +226,8 @@ Coordinates<G, S> log_of(G const& group, Storage<G, S> const& a) {
     return group.vee(matrix_logarithm(a));
 }
 
-/// Back on the group by way of the algebra, through Cayley's transform and its inverse. Where that is badly conditioned, which is next to an
-/// eigenvalue -1, the element is returned as it is.
+/// Back on the group by way of the algebra, through Cayley's transform and its inverse. Where that is badly
+/// conditioned, which is next to an eigenvalue -1, the element is returned as it is.
 template <class M, class G>
 M restore_by_cayley(G const& group, M const& a) {
   M flat;
@@ -236,7 +239,8 @@ M restore_by_cayley(G const& group, M const& a) {
   if (!(row_norm(flat) < 8)) return a;
   M const restored = cayley(group.hat(group.vee(flat)));
   double const distance = row_norm(M(restored - a)) / row_norm(a);
-  if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the group is needed; relative distance", distance, 0.1);
+  if (!(distance < 0.1))
+    throw OutsideDomain("restore", "a matrix near the group is needed; relative distance", distance, 0.1);
   return restored;
 }
 

@@ -1,7 +1,7 @@
 // SE(n): rigid motions of n-space, as matrices ((R, t), (0, 1)).
 //
-// Coordinates: the rotation's first, then the translation's. Not compact, not unimodular in its coadjoint orbits' shape: a lost star or
-// a wrong side shows here, where SO(n) would let it pass.
+// Coordinates: the rotation's first, then the translation's. Not compact, not unimodular in its coadjoint
+// orbits' shape: a lost star or a wrong side shows here, where SO(n) would let it pass.
 #pragma once
 
 #include "actio/groups/rotations.hpp"
@@ -27,7 +27,8 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
   static auto vee(M const& a) {
     using S = typename M::Scalar;
     Matrix<S, dim, 1> v;
-    v << Rotations::vee(Matrix<S, n, n>(a.template topLeftCorner<n, n>())), Matrix<S, n, 1>(a.template topRightCorner<n, 1>());
+    v << Rotations::vee(Matrix<S, n, n>(a.template topLeftCorner<n, n>())),
+        Matrix<S, n, 1>(a.template topRightCorner<n, 1>());
     return v;
   }
   template <class S>
@@ -83,7 +84,8 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
   }
   template <Real S>
   static Matrix<S, n + 1, n + 1> restore(Matrix<S, n + 1, n + 1> const& a) {
-    return assemble<S>(Rotations::restore(Matrix<S, n, n>(a.template topLeftCorner<n, n>())), a.template topRightCorner<n, 1>());
+    return assemble<S>(Rotations::restore(Matrix<S, n, n>(a.template topLeftCorner<n, n>())),
+                       a.template topRightCorner<n, 1>());
   }
 
  private:
@@ -94,7 +96,8 @@ struct SE : Matrices<n + 1, n*(n - 1) / 2 + n> {
     a.template topRightCorner<n, 1>() = shift;
     return a;
   }
-  /// \f$\mathrm{iex}(\hat\omega) = 1 + c_2\hat\omega + c_3\hat\omega^2\f$: how far a unit of velocity carries while the frame turns.
+  /// \f$\mathrm{iex}(\hat\omega) = 1 + c_2\hat\omega + c_3\hat\omega^2\f$: how far a unit of velocity carries
+  /// while the frame turns.
   template <class S>
   static Matrix<S, n, n> drift(Matrix<S, turns, 1> const& turn) {
     S const square = turn.squaredNorm();

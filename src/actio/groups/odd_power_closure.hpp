@@ -1,10 +1,12 @@
 // Whether Cayley's transform maps an algebra of matrices into its group: whether the algebra is closed under
 // odd powers.
 //
-// Cayley's transform of A is the exponential of A + A^3/12 + ..., a series of odd powers, so it stays in the group where all odd powers of A are in the
-// algebra. If the cube of every element of the algebra is in the algebra, so are all odd powers, by polarization.
+// Cayley's transform of A is the exponential of A + A^3/12 + ..., a series of odd powers, so it stays in the
+// group where all odd powers of A are in the algebra. If the cube of every element of the algebra is in the
+// algebra, so are all odd powers, by polarization.
 //
-// The answer is exact, up to a chance of one in seven hundred million: remainders of whole numbers divided by a prime have no rounding.
+// The answer is exact, up to a chance of one in seven hundred million: remainders of whole numbers divided by
+// a prime have no rounding.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +44,8 @@ struct OddPowerClosure {
     }
     return in_span(product(product(a, a), a));
   }
-  /// How many of the matrices have an odd power outside of the span. Powers beyond the number of rows are sums of the others.
+  /// How many of the matrices have an odd power outside of the span. Powers beyond the number of rows are
+  /// sums of the others.
   int that_leave() const {
     int leaving = 0;
     for (WholeMatrix const& e : basis) {
@@ -68,11 +71,13 @@ struct OddPowerClosure {
   }
   bool in_span(Remainders const& a) const {
     std::vector<std::int64_t> v(basis.size(), 0);
-    for (SpanEntry const& e : projection) v[e.direction] = (v[e.direction] + a(e.row, e.column) * (e.coefficient % prime)) % prime;
+    for (SpanEntry const& e : projection)
+      v[e.direction] = (v[e.direction] + a(e.row, e.column) * (e.coefficient % prime)) % prime;
     Remainders left = a;
     for (Index i = 0; i < a.rows(); ++i)
       for (Index j = 0; j < a.cols(); ++j) left(i, j) = a(i, j) * (denominator % prime) % prime;
-    for (SpanEntry const& e : entries) left(e.row, e.column) = (left(e.row, e.column) - v[e.direction] * e.coefficient) % prime;
+    for (SpanEntry const& e : entries)
+      left(e.row, e.column) = (left(e.row, e.column) - v[e.direction] * e.coefficient) % prime;
     for (Index i = 0; i < a.rows(); ++i)
       for (Index j = 0; j < a.cols(); ++j)
         if (left(i, j) != 0) return false;

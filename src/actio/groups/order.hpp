@@ -1,7 +1,8 @@
 // The number n in the name of a group: known when the code is compiled, or chosen when it runs.
 //
-// SL(2), SL(3) and so on differ by one number. A group of fixed order has matrices of fixed size and no data; a group of order Dynamic is told its
-// order when it is made, and code for it is compiled once for the whole family.
+// SL(2), SL(3) and so on differ by one number. A group of fixed order has matrices of fixed size and no data;
+// a group of order Dynamic is told its order when it is made, and code for it is compiled once for the whole
+// family.
 #pragma once
 
 #include "actio/numbers/errors.hpp"
@@ -32,8 +33,6 @@ struct Order<Dynamic, least> {
 
 /// A number of rows or of dimensions that follows from the order n, as Eigen wants it.
 template <int n>
-constexpr int follows_from(int count) {
-  return n == Dynamic ? Dynamic : count;
-}
+constexpr int follows_from(int count) { return n == Dynamic ? Dynamic : count; }
 
 }  // namespace actio

@@ -66,7 +66,11 @@ class PredictorCorrector {
       return report_;
   }
   /// How often a derivative was evaluated, since the beginning.
-  long derivatives() const requires Plain<S> { return iteration_.derivatives(); }
+  long derivatives() const
+    requires Plain<S>
+  {
+    return iteration_.derivatives();
+  }
 
  private:
   Element<G, S> const& remember(Element<G, S> const& found) {

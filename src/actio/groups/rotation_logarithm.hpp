@@ -13,11 +13,10 @@
 
 namespace actio {
 
-/// How near to the edge of the chart is too near: half a turn, up to the rounding that a product of two rotations brings.
+/// How near to the edge of the chart is too near: half a turn, up to the rounding that a product of two
+/// rotations brings.
 template <class S>
-Base<S> edge_of_chart() {
-  return Base<S>(8) * epsilon<S>();
-}
+Base<S> edge_of_chart() { return Base<S>(8) * epsilon<S>(); }
 
 /// The angle with the given sine and cosine (up to a common positive factor), in (-pi, pi).
 /// @param edge  how near to pi is too near
@@ -32,7 +31,8 @@ S angle_of_rotation(S const& sine, S const& cosine, Base<S> const& edge = edge_o
   return atan2(sine, cosine);
 }
 
-/// A unit quaternion (scalar first) of a rotation matrix, with scalar part not negative; by its largest component, so that nothing cancels.
+/// A unit quaternion (scalar first) of a rotation matrix, with scalar part not negative; by its largest
+/// component, so that nothing cancels.
 template <Real S>
 actio::Matrix<S, 4, 1> quaternion_of_rotation(actio::Matrix<S, 3, 3> const& r) {
   using std::sqrt;
@@ -68,7 +68,8 @@ actio::Matrix<S, 3, 1> rotation_vector(actio::Matrix<S, 4, 1> const& q) {
   S const square = v.squaredNorm();
   if (base_value(square) < Base<S>(1) / Base<S>(4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
   if (base_value(q[0]) <= edge_of_chart<S>())
-    throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI - 2 * to_double(q[0]), M_PI);
+    throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)",
+                        M_PI - 2 * to_double(q[0]), M_PI);
   S const sine = sqrt(square);
   return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
 }
@@ -87,7 +88,8 @@ actio::Matrix<S, 3, 1> rotation_vector(actio::Matrix<S, 3, 3> const& r) {
   return rotation_vector(quaternion_of_rotation(r));
 }
 
-/// The logarithm of a unit quaternion, of q itself and not of the rotation it covers: v with q = (cos(|v|/2), sin(|v|/2) v/|v|), |v| below 2 pi.
+/// The logarithm of a unit quaternion, of q itself and not of the rotation it covers: v with q = (cos(|v|/2),
+/// sin(|v|/2) v/|v|), |v| below 2 pi.
 /// @throws OutsideDomain  at q = -1
 template <Real S>
 actio::Matrix<S, 3, 1> quaternion_logarithm(actio::Matrix<S, 4, 1> const& q) {
@@ -96,14 +98,18 @@ actio::Matrix<S, 3, 1> quaternion_logarithm(actio::Matrix<S, 4, 1> const& q) {
   actio::Matrix<S, 3, 1> const v = q.template tail<3>();
   S const square = v.squaredNorm();
   bool const front = base_value(q[0]) > Base<S>(0);
-  if (front && base_value(square) < ratio<Base<S>>(1, 4)) return v * (asinc_derivative<0>(square) * Base<S>(2));
+  if (front && base_value(square) < ratio<Base<S>>(1, 4))
+    return v * (asinc_derivative<0>(square) * Base<S>(2));
   S const sine = sqrt(square);
   if (!front && base_value(sine) <= edge_of_chart<S>())
-    throw OutsideDomain("log", "a quaternion other than -1 is needed, the natural chart ends there (3.19); angle", 2 * M_PI, 2 * M_PI);
+    throw OutsideDomain("log",
+                        "a quaternion other than -1 is needed, the natural chart ends there (3.19); angle",
+                        2 * M_PI, 2 * M_PI);
   return v * (atan2(sine, q[0]) * Base<S>(2) / sine);
 }
 
-/// The sign in \f$e_a e_b = \pm e_{a\oplus b}\f$ of the quaternion units 1, i, j, k, where the sum of indices is without carry.
+/// The sign in \f$e_a e_b = \pm e_{a\oplus b}\f$ of the quaternion units 1, i, j, k, where the sum of indices
+/// is without carry.
 constexpr int unit_sign(int a, int b) {
   constexpr int sign[4][4] = {{1, 1, 1, 1}, {1, -1, 1, -1}, {1, -1, -1, 1}, {1, 1, -1, -1}};
   return sign[a][b];
@@ -140,10 +146,11 @@ actio::Matrix<S, 4, 4> skew_of_quaternions(actio::Matrix<S, 3, 1> const& a, acti
   return A;
 }
 
-/// The logarithm of a rotation of 4-space, at any scalar, through the pair of unit quaternions with \f$Rx = p\,x\,\bar q\f$.
+/// The logarithm of a rotation of 4-space, at any scalar, through the pair of unit quaternions with
+/// \f$Rx = p\,x\,\bar q\f$.
 ///
-/// The angles of p and q are half the sum and half the difference of those of R. Of the pairs (p, q) and (-p, -q) the logarithm takes the one whose
-/// angles add up to less than pi.
+/// The angles of p and q are half the sum and half the difference of those of R. Of the pairs (p, q) and (-p,
+/// -q) the logarithm takes the one whose angles add up to less than pi.
 /// @throws OutsideDomain  where one of the angles of R is pi
 template <Real S>
 actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
@@ -201,7 +208,8 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
 
   // The sine of the sum of their angles tells which pair, even where both angles of R come near to pi.
   auto const vector_part = [](Quaternion const& x) {
-    return T(sqrt(T(base_value(x[1]) * base_value(x[1]) + base_value(x[2]) * base_value(x[2]) + base_value(x[3]) * base_value(x[3]))));
+    return T(sqrt(T(base_value(x[1]) * base_value(x[1]) + base_value(x[2]) * base_value(x[2]) +
+                    base_value(x[3]) * base_value(x[3]))));
   };
   T const vp = vector_part(p), vq = vector_part(q);
   T sine = vp * base_value(q[0]) + vq * base_value(p[0]);
@@ -213,15 +221,17 @@ actio::Matrix<S, 4, 4> rotation_logarithm(actio::Matrix<S, 4, 4> const& r) {
 
 /// The logarithm of a rotation of n-space, n > 4, for plain scalars.
 ///
-/// Away from the identity the rotation is split into turns of orthogonal planes by its real Schur form, which is block diagonal because rotations
-/// are normal; each angle comes from its sine and cosine. Equal angles, planes at rest and angles next to pi need no care of their own.
+/// Away from the identity the rotation is split into turns of orthogonal planes by its real Schur form, which
+/// is block diagonal because rotations are normal; each angle comes from its sine and cosine. Equal angles,
+/// planes at rest and angles next to pi need no care of their own.
 /// @throws OutsideDomain  where one of the angles is pi
-/// Accuracy: the exponential of the result is r to a few tens of epsilon. Two angles within d of pi magnify that by 1/d, as they do in any
-/// algorithm: the logarithm is not differentiable where both reach it.
+/// Accuracy: the exponential of the result is r to a few tens of epsilon. Two angles within d of pi magnify
+/// that by 1/d, as they do in any algorithm: the logarithm is not differentiable where both reach it.
 template <Real S, int n>
   requires(n > 4)
 actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
-  static_assert(Plain<S>, "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
+  static_assert(Plain<S>,
+                "over dual numbers the derivative of the logarithm is known: primitive::lifted_log");
   // One size for the compiler: a Schur form of each fixed size would take it many seconds.
   using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
   require_finite(r, "log");
@@ -234,15 +244,18 @@ actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
   // may be zero.
   auto const [u, t] = schur_form(Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols())));
   int const size = static_cast<int>(r.rows());
-  Base<S> const edge = Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
+  Base<S> const edge =
+      Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
   Matrix turns = Matrix::Zero(size, size);
   for (int i = 0; i < size; ++i) {
     if (i + 1 < size && t(i + 1, i) != S(0)) {
-      S const angle = angle_of_rotation(S(t(i + 1, i) - t(i, i + 1)), S(t(i, i) + t(i + 1, i + 1) - S(8)), edge);
+      S const angle =
+          angle_of_rotation(S(t(i + 1, i) - t(i, i + 1)), S(t(i, i) + t(i + 1, i + 1) - S(8)), edge);
       turns(i + 1, i) = angle, turns(i, i + 1) = -angle;
       ++i;
     } else if (t(i, i) < S(4)) {
-      throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI, M_PI);
+      throw OutsideDomain("log", "rotation angle reaches pi; the natural chart needs less (3.19)", M_PI,
+                          M_PI);
     }
   }
   return u * turns * u.transpose();

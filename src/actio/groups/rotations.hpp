@@ -1,7 +1,7 @@
 // SO(n): rotations of n-space, as orthogonal matrices.
 //
-// Coordinates of so(3) are the usual ones, hat(w) x = w x x (cross product). For n = 2 the coordinate is the angle, counted
-// anticlockwise; for n > 3 the coordinates are the entries above the diagonal, row by row.
+// Coordinates of so(3) are the usual ones, hat(w) x = w x x (cross product). For n = 2 the coordinate is the
+// angle, counted anticlockwise; for n > 3 the coordinates are the entries above the diagonal, row by row.
 #pragma once
 
 #include "actio/groups/rotation_logarithm.hpp"
@@ -45,15 +45,11 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
 
   template <class S>
-  static Matrix<S, n, n> inverse(Matrix<S, n, n> const& a) {
-    return a.transpose();
-  }
+  static Matrix<S, n, n> inverse(Matrix<S, n, n> const& a) { return a.transpose(); }
 
   template <class S>
     requires(n == 3)
-  static Matrix<S, 3, 1> Ad(Matrix<S, 3, 3> const& a, Matrix<S, 3, 1> const& v) {
-    return a * v;
-  }
+  static Matrix<S, 3, 1> Ad(Matrix<S, 3, 3> const& a, Matrix<S, 3, 1> const& v) { return a * v; }
   /// \f$\mathrm{Ad}^*_R\,\mu = R^T\mu\f$ in 3-space.
   template <class S>
     requires(n == 3)
@@ -62,9 +58,7 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
   }
   template <class S>
     requires(n == 3)
-  static Matrix<S, 3, 1> bracket(Matrix<S, 3, 1> const& v, Matrix<S, 3, 1> const& w) {
-    return cross(v, w);
-  }
+  static Matrix<S, 3, 1> bracket(Matrix<S, 3, 1> const& v, Matrix<S, 3, 1> const& w) { return cross(v, w); }
 
   /// \f$\alpha + \beta\hat v + \gamma\hat v^2\f$, which for n = 3 is
   /// \f$(\alpha-\gamma|v|^2) + \beta\hat v + \gamma vv^T\f$.
@@ -132,7 +126,9 @@ struct SO : Matrices<n, n*(n - 1) / 2> {
     Matrix<S, n, n> excess = a.transpose() * a;
     excess.diagonal().array() -= S(1);
     double const distance = to_double(magnitude(excess));
-    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1", distance, 0.1);
+    if (!(distance < 0.1))
+      throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1",
+                          distance, 0.1);
     return a - a * excess / S(2);
   }
 };

@@ -1,4 +1,5 @@
-// G |x R^n: a group G of n by n matrices together with the translations of the space it acts on, x -> A x + t, as matrices ((A, t), (0, 1)).
+// G |x R^n: a group G of n by n matrices together with the translations of the space it acts on, x -> A
+// x + t, as matrices ((A, t), (0, 1)).
 //
 // SO(n) |x R^n is SE(n); GL(n) |x R^n is the affine group. Every operation on A is that of G, so its
 // structure, accuracy and refusals are the same.
@@ -8,7 +9,8 @@
 
 namespace actio {
 
-/// \f$G\ltimes\mathbb R^n\f$, n being the number of rows of G. Coordinates: those of G, then those of the translation.
+/// \f$G\ltimes\mathbb R^n\f$, n being the number of rows of G. Coordinates: those of G, then those of the
+/// translation.
 ///
 /// `SemidirectProduct<SL<3>>{}`, or `SemidirectProduct<G>{g}` of a group that carries data.
 template <MatrixGroup G, int n = G::size>
@@ -45,7 +47,8 @@ struct SemidirectProduct {
     Storage<G, S> const back = primitive::inverse(linear, matrix<S>(a));
     return with_last_row<S>(back, -(back * shift<S>(a)), S(1));
   }
-  /// \f$(\rho, \tfrac12(1+\rho)\,t)\f$ with \f$\rho\f$ the retraction of G. Where that is Cayley's transform, so is this.
+  /// \f$(\rho, \tfrac12(1+\rho)\,t)\f$ with \f$\rho\f$ the retraction of G. Where that is Cayley's transform,
+  /// so is this.
   template <class S>
   Matrix<S> retract(Vector<S> const& v) const {
     Storage<G, S> const a = primitive::retract(linear, head<S>(v));
@@ -81,19 +84,13 @@ struct SemidirectProduct {
   }
   /// t.
   template <class S, MatrixLike M>
-  Shift<S> shift(M const& a) const {
-    return a.col(linear.matrix_size()).head(linear.matrix_size());
-  }
+  Shift<S> shift(M const& a) const { return a.col(linear.matrix_size()).head(linear.matrix_size()); }
   /// The coordinates of G.
   template <class S, MatrixLike V>
-  Coordinates<G, S> head(V const& v) const {
-    return v.head(linear.dimension());
-  }
+  Coordinates<G, S> head(V const& v) const { return v.head(linear.dimension()); }
   /// Those of the translation.
   template <class S, MatrixLike V>
-  Shift<S> tail(V const& v) const {
-    return v.tail(linear.matrix_size());
-  }
+  Shift<S> tail(V const& v) const { return v.tail(linear.matrix_size()); }
   /// The matrix ((A, t), (0, corner)).
   template <class S>
   Matrix<S> with_last_row(Storage<G, S> const& a, Shift<S> const& t, S const& corner) const {
@@ -114,15 +111,15 @@ struct SemidirectProduct {
 
  private:
   template <class S>
-  Storage<G, S> drift(Coordinates<G, S> const& w) const {
-    return iex(Storage<G, S>(linear.hat(w)));
-  }
+  Storage<G, S> drift(Coordinates<G, S> const& w) const { return iex(Storage<G, S>(linear.hat(w))); }
   template <class S>
   void require_last_row(Matrix<S> const& a, char const* where, double bound) const {
     int const rows = linear.matrix_size();
     double distance = std::abs(to_double(a(rows, rows)) - 1);
     for (int j = 0; j < rows; ++j) distance += std::abs(to_double(a(rows, j)));
-    if (!(distance <= bound)) throw OutsideDomain(where, "the last row (0, 1) is needed; sum of moduli of the differences", distance, bound);
+    if (!(distance <= bound))
+      throw OutsideDomain(where, "the last row (0, 1) is needed; sum of moduli of the differences", distance,
+                          bound);
   }
 };
 

@@ -11,9 +11,11 @@ namespace actio {
 
 /// What a solver did.
 struct Report {
-  int evaluations = 0;            ///< how often the residual (with its derivative) was evaluated
-  std::vector<double> residuals;  ///< at each iterate, the largest component of the residual relative to its row of the derivative
-  double tolerance = 0;           ///< the rounding level they had to come under
+  int evaluations = 0;  ///< how often the residual (with its derivative) was evaluated
+  std::vector<double>
+      /// at each iterate, the largest component of the residual relative to its row of the derivative
+      residuals;
+  double tolerance = 0;  ///< the rounding level they had to come under
 };
 
 /// A solution and how it was found.
@@ -23,7 +25,8 @@ struct Solved {
   Report report;
 };
 
-/// Largest |value_i| / sum_j |derivative_ij|: the residual in units of motion in the group, whatever its components' units are.
+/// Largest |value_i| / sum_j |derivative_ij|: the residual in units of motion in the group, whatever its
+/// components' units are.
 template <MatrixLike V, MatrixLike M>
 double relative_residual(V const& value, M const& derivative) {
   using S = typename V::Scalar;
@@ -37,9 +40,11 @@ double relative_residual(V const& value, M const& derivative) {
   return largest;
 }
 
-/// By how much a velocity turns or stretches: \f$\sqrt{|\mathrm{tr}(\mathrm{ad}_\xi^2)|}/2\f$, about the angle in SO(3) and SE(3).
+/// By how much a velocity turns or stretches: \f$\sqrt{|\mathrm{tr}(\mathrm{ad}_\xi^2)|}/2\f$, about the
+/// angle in SO(3) and SE(3).
 ///
-/// No translation has any, so it does not depend on the unit of length; nor has any velocity of a nilpotent group, whose exponential is a polynomial.
+/// No translation has any, so it does not depend on the unit of length; nor has any velocity of a nilpotent
+/// group, whose exponential is a polynomial.
 template <Group G, Scalar S>
 double turning_size(Velocity<G, S> const& xi) {
   auto const ad = ad_matrix(xi);
@@ -51,16 +56,19 @@ double turning_size(Velocity<G, S> const& xi) {
 
 /// Solves residual(f) = 0 for f in G, starting from `start`.
 ///
-/// Newton in the algebra: \f$f \leftarrow e^{\delta} f\f$ with \f$\delta\f$ from the exact derivative of the residual; `restore` once an update,
-/// because products of many elements drift off the group.
-/// It stops where each component of the residual is within 16 epsilon of its row of the derivative: what one rounding error in f does to
-/// it, with 16 of them allowed for. It also stops, satisfied, where the residual no longer falls within 64 times that level. The update that the last
-/// derivative gives costs nothing more and is made too. An update that turns by more than 1 is shortened to 1 (\ref turning_size), so that a bad
-/// start does not leave the chart; one that only shifts is not, whatever the unit of length.
+/// Newton in the algebra: \f$f \leftarrow e^{\delta} f\f$ with \f$\delta\f$ from the exact derivative of the
+/// residual; `restore` once an update, because products of many elements drift off the group. It stops where
+/// each component of the residual is within 16 epsilon of its row of the derivative: what one rounding error
+/// in f does to it, with 16 of them allowed for. It also stops, satisfied, where the residual no longer falls
+/// within 64 times that level. The update that the last derivative gives costs nothing more and is made too.
+/// An update that turns by more than 1 is shortened to 1 (\ref turning_size), so that a bad start does not
+/// leave the chart; one that only shifts is not, whatever the unit of length.
 ///
 /// @param residual  element at any scalar -> covector at the same scalar
-/// @throws Singular      where the derivative has no inverse, at a solution too: the Lagrangian is not regular there
-/// @throws NotConverged  with the history of residuals, after `limit` iterations or where the residual grows beyond all numbers
+/// @throws Singular      where the derivative has no inverse, at a solution too: the Lagrangian is not
+///                       regular there
+/// @throws NotConverged  with the history of residuals, after `limit` iterations or where the residual grows
+///                       beyond all numbers
 /// @throws NotFinite     where the residual at `start` is no number
 template <ExponentialGroup G, Real S, class Residual>
 Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> const& start, int limit = 60) {
@@ -92,7 +100,8 @@ Solved<Element<G, S>> solve_on_group(Residual const& residual, Element<G, S> con
     report.residuals.push_back(size);
     bool const done = size <= report.tolerance || (size <= 64 * report.tolerance && size > before / 2);
 
-    Coordinates<G, S> update = solve_linear(derivative, Coordinates<G, S>(-value), "solve_on_group: derivative of the residual");
+    Coordinates<G, S> update =
+        solve_linear(derivative, Coordinates<G, S>(-value), "solve_on_group: derivative of the residual");
     if (auto const length = magnitude(update); to_double(length) > 1) {
       double const turn = to_double(length) * turning_size(Velocity<G, S>{start.group, update / S(length)});
       if (turn > 1) update /= S(Base<S>(turn));

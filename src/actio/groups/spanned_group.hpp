@@ -1,8 +1,8 @@
 // A reader's own group of matrices, from a basis of its algebra alone.
 //
-// The basis is given at run time, as matrices of whole numbers; everything else follows from it: the bracket from commutators, the
-// retraction from Cayley's transform, exp, log and restore from matrices.
-// One type for all such groups: code for it is compiled once, which is how the theorem checks run over many groups.
+// The basis is given at run time, as matrices of whole numbers; everything else follows from it: the bracket
+// from commutators, the retraction from Cayley's transform, exp, log and restore from matrices. One type for
+// all such groups: code for it is compiled once, which is how the theorem checks run over many groups.
 //
 // Cayley's transform maps into SO(n), SE(n), U(n), Sp(2n) and GL(n), but not SL(n) and SU(n) for n > 2. Those
 // have retractions made of the transforms of single basis matrices. Which of the two serves is found out when
@@ -38,17 +38,21 @@ struct SpannedGroup {
   /// @param basis          square matrices of one size, linearly independent
   /// @param choice         of the retraction
   /// @throws Singular      where the matrices are linearly dependent
-  /// @throws OutsideDomain where a commutator of two of them leaves their span, where there are none, where they are not square of one size, where their
-  ///                       entries are beyond 1000, or where the retraction would leave the group: another basis may do
-  SpannedGroup(std::string name_of_group, std::vector<WholeMatrix> basis, Retraction choice = Retraction::automatic) {
+  /// @throws OutsideDomain where a commutator of two of them leaves their span, where there are none, where
+  ///                       they are not square of one size, where their entries are beyond 1000, or where the
+  ///                       retraction would leave the group: another basis may do
+  SpannedGroup(std::string name_of_group, std::vector<WholeMatrix> basis,
+               Retraction choice = Retraction::automatic) {
     if (basis.empty()) throw OutsideDomain("SpannedGroup", "at least one basis matrix is needed", 0, 1);
     for (WholeMatrix const& e : basis)
       if (e.rows() != basis.front().rows() || e.cols() != basis.front().rows())
-        throw OutsideDomain("SpannedGroup", "square basis matrices of one size are needed; columns and size", static_cast<double>(e.cols()),
-                            static_cast<double>(basis.front().rows()));
+        throw OutsideDomain("SpannedGroup", "square basis matrices of one size are needed; columns and size",
+                            static_cast<double>(e.cols()), static_cast<double>(basis.front().rows()));
     for (WholeMatrix const& e : basis)
       if (int const largest = largest_entry(e); largest > 1000)
-        throw OutsideDomain("SpannedGroup", "entries of basis matrices up to 1000 are needed, scale them; largest", largest, 1000);
+        throw OutsideDomain("SpannedGroup",
+                            "entries of basis matrices up to 1000 are needed, scale them; largest", largest,
+                            1000);
     auto made = std::make_shared<Data>();
     made->name = std::move(name_of_group);
     made->basis = std::move(basis);
@@ -69,7 +73,8 @@ struct SpannedGroup {
     using S = typename V::Scalar;
     int const n = matrix_size();
     actio::Matrix<S, Dynamic, Dynamic> a = actio::Matrix<S, Dynamic, Dynamic>::Zero(n, n);
-    for (auto const& entry : data->entries) a(entry.row, entry.column) += v[entry.direction] * S(entry.coefficient);
+    for (auto const& entry : data->entries)
+      a(entry.row, entry.column) += v[entry.direction] * S(entry.coefficient);
     return a;
   }
   /// Orthogonal projection of a matrix on the span, in coordinates.
@@ -77,11 +82,13 @@ struct SpannedGroup {
   auto vee(M const& a) const {
     using S = typename M::Scalar;
     actio::Matrix<S, Dynamic, 1> v = actio::Matrix<S, Dynamic, 1>::Zero(dimension());
-    for (auto const& entry : data->projection) v[entry.direction] += S(a(entry.row, entry.column)) * S(entry.coefficient);
+    for (auto const& entry : data->projection)
+      v[entry.direction] += S(a(entry.row, entry.column)) * S(entry.coefficient);
     for (int c = 0; c < dimension(); ++c) v[c] /= S(data->denominator);
     return v;
   }
-  /// Cayley's transform, or \f$F_1\cdots F_d\,F_d\cdots F_1\f$ of the transforms \f$F_a\f$ of \f$\tfrac12v^ae_a\f$.
+  /// Cayley's transform, or \f$F_1\cdots F_d\,F_d\cdots F_1\f$ of the transforms \f$F_a\f$ of
+  /// \f$\tfrac12v^ae_a\f$.
   template <class S>
   actio::Matrix<S, Dynamic, Dynamic> retract(actio::Matrix<S, Dynamic, 1> const& v) const {
     using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
@@ -105,12 +112,14 @@ struct SpannedGroup {
     if constexpr (is_dual<S>)
       return primitive::lifted_log(*this, a);
     else
-      return data->retraction == Retraction::cayley ? vee(matrix_logarithm(a)) : logarithm_in_algebra<SpannedGroup, S>(*this, a);
+      return data->retraction == Retraction::cayley ? vee(matrix_logarithm(a))
+                                                    : logarithm_in_algebra<SpannedGroup, S>(*this, a);
   }
   /// Back on the group by way of the algebra: through Cayley's transform where that maps into the group, else
   /// through the logarithm.
   ///
-  /// Where there is no way, next to an eigenvalue -1 or where the principal logarithm leaves the algebra, the element is returned as it is.
+  /// Where there is no way, next to an eigenvalue -1 or where the principal logarithm leaves the algebra, the
+  /// element is returned as it is.
   /// @throws OutsideDomain  where it is not even near the group
   template <Real S>
   actio::Matrix<S, Dynamic, Dynamic> restore(actio::Matrix<S, Dynamic, Dynamic> const& a) const {
@@ -129,7 +138,8 @@ struct SpannedGroup {
   };
   std::shared_ptr<Data const> data;
 
-  // Everything below is compiled wherever this header is read: plain loops, since each matrix expression over whole numbers costs a tenth of a second there.
+  // Everything below is compiled wherever this header is read: plain loops, since each matrix expression over
+  // whole numbers costs a tenth of a second there.
 
   static int largest_entry(WholeMatrix const& e) {
     int largest = 0;
@@ -150,8 +160,13 @@ struct SpannedGroup {
     auto const inverse = inverse_matrix(gram, "SpannedGroup: basis matrices must be linearly independent");
     boost::multiprecision::mpz_int common = 1;
     for (int a = 0; a < dims; ++a)
-      for (int b = 0; b < dims; ++b) common = boost::multiprecision::lcm(common, boost::multiprecision::mpz_int(denominator(inverse(a, b))));
-    if (common > 1'000'000'000'000) throw OutsideDomain("SpannedGroup", "the projection on the span must have a denominator up to 1e12; it has", common.convert_to<double>(), 1e12);
+      for (int b = 0; b < dims; ++b)
+        common =
+            boost::multiprecision::lcm(common, boost::multiprecision::mpz_int(denominator(inverse(a, b))));
+    if (common > 1'000'000'000'000)
+      throw OutsideDomain("SpannedGroup",
+                          "the projection on the span must have a denominator up to 1e12; it has",
+                          common.convert_to<double>(), 1e12);
     d.denominator = common.convert_to<long>();
     for (int a = 0; a < dims; ++a)
       for (int i = 0; i < n; ++i)
@@ -176,15 +191,20 @@ struct SpannedGroup {
     // An element, wherever it is, takes the algebra to itself: no more is known of it here.
     Matrix const back = inverse_matrix(a, "restore");
     for (int c = 0; c < dimension(); ++c) {
-      Matrix const moved = a * hat(actio::Matrix<S, Dynamic, 1>(actio::Matrix<S, Dynamic, 1>::Unit(dimension(), c))) * back;
+      Matrix const moved =
+          a * hat(actio::Matrix<S, Dynamic, 1>(actio::Matrix<S, Dynamic, 1>::Unit(dimension(), c))) * back;
       double const outside = row_norm(Matrix(hat(vee(moved)) - moved)) / row_norm(moved);
-      if (!(outside < 0.1)) throw OutsideDomain("restore", "a matrix near the group is needed; relative distance of g e g^-1 from the algebra", outside, 0.1);
+      if (!(outside < 0.1))
+        throw OutsideDomain(
+            "restore", "a matrix near the group is needed; relative distance of g e g^-1 from the algebra",
+            outside, 0.1);
     }
     return a;
   }
   /// With its derivative: rates of change are projected on those of elements.
   template <class S, int N>
-  actio::Matrix<Dual<S, N>, Dynamic, Dynamic> restore_by_logarithm(actio::Matrix<Dual<S, N>, Dynamic, Dynamic> const& a) const {
+  actio::Matrix<Dual<S, N>, Dynamic, Dynamic> restore_by_logarithm(
+      actio::Matrix<Dual<S, N>, Dynamic, Dynamic> const& a) const {
     using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
     int const n = matrix_size();
     auto const part = [&](int k) {
@@ -193,7 +213,8 @@ struct SpannedGroup {
         for (int j = 0; j < n; ++j) m(i, j) = k < 0 ? a(i, j).value : a(i, j).part[k];
       return m;
     };
-    Matrix const value = part(-1), back = inverse_matrix(value, "restore"), restored = restore_by_logarithm(value);
+    Matrix const value = part(-1), back = inverse_matrix(value, "restore"),
+                 restored = restore_by_logarithm(value);
     actio::Matrix<Dual<S, N>, Dynamic, Dynamic> result = restored.template cast<Dual<S, N>>();
     for (int k = 0; k < N; ++k) {
       Matrix const rate = hat(vee(Matrix(part(k) * back))) * restored;
@@ -207,11 +228,17 @@ struct SpannedGroup {
     OddPowerClosure const odd_powers{d.basis, d.entries, d.projection, d.denominator};
     bool const cayley_keeps = choice != Retraction::elementary && odd_powers.of_all_elements();
     if (choice == Retraction::cayley && !cayley_keeps)
-      throw OutsideDomain("SpannedGroup", "for Cayley's transform cubes of elements of the algebra must be in the algebra; broken conditions", 1, 0);
+      throw OutsideDomain(
+          "SpannedGroup",
+          "for Cayley's transform cubes of elements of the algebra must be in the algebra; broken conditions",
+          1, 0);
     d.retraction = cayley_keeps ? Retraction::cayley : Retraction::elementary;
     if (cayley_keeps) return;
     if (int const leaving = odd_powers.that_leave(); leaving > 0)
-      throw OutsideDomain("SpannedGroup", "odd powers of the basis matrices must be in their span, another basis may do; matrices that fail", leaving, 0);
+      throw OutsideDomain(
+          "SpannedGroup",
+          "odd powers of the basis matrices must be in their span, another basis may do; matrices that fail",
+          leaving, 0);
   }
 
   void check_closed() const {
@@ -222,13 +249,16 @@ struct SpannedGroup {
         for (int i = 0; i < n; ++i)
           for (int j = 0; j < n; ++j) {
             long sum = 0;
-            for (int k = 0; k < n; ++k) sum += static_cast<long>(a(i, k)) * b(k, j) - static_cast<long>(b(i, k)) * a(k, j);
+            for (int k = 0; k < n; ++k)
+              sum += static_cast<long>(a(i, k)) * b(k, j) - static_cast<long>(b(i, k)) * a(k, j);
             commutator(i, j) = static_cast<double>(sum);
           }
         auto const inside = hat(vee(commutator));
         double outside = 0;
         for (Index i = 0; i < n * n; ++i) outside = std::max(outside, std::abs(inside(i) - commutator(i)));
-        if (!(outside < 1e-9)) throw OutsideDomain("SpannedGroup", "commutators of basis matrices must stay in their span; distance", outside, 0);
+        if (!(outside < 1e-9))
+          throw OutsideDomain("SpannedGroup",
+                              "commutators of basis matrices must stay in their span; distance", outside, 0);
       }
   }
 };

@@ -6,10 +6,11 @@
 
 namespace actio {
 
-/// Sp(2n, R) as `Sp<2 * n>`: the parameter is the number of rows. `Sp<>(rows)` has an order chosen at run time.
+/// Sp(2n, R) as `Sp<2 * n>`: the parameter is the number of rows. `Sp<>(rows)` has an order chosen at run
+/// time.
 ///
-/// The algebra consists of \f$\begin{pmatrix}P&Q\\R&-P^T\end{pmatrix}\f$ with Q and R symmetric. Coordinates: P row by row, then the upper triangles of Q
-/// and of R, row by row.
+/// The algebra consists of \f$\begin{pmatrix}P&Q\\R&-P^T\end{pmatrix}\f$ with Q and R symmetric. Coordinates:
+/// P row by row, then the upper triangles of Q and of R, row by row.
 template <int rows = Dynamic>
 struct Sp : Order<rows, 2> {
   static_assert(rows == Dynamic || rows % 2 == 0, "symplectic matrices have an even number of rows");
@@ -60,7 +61,8 @@ struct Sp : Order<rows, 2> {
       for (int j = i; j < n; ++j) v[c++] = (a(n + i, j) + a(n + j, i)) / S(2);
     return v;
   }
-  /// \f$-J A^T J\f$: \f$\begin{pmatrix}A&B\\C&D\end{pmatrix}^{-1} = \begin{pmatrix}D^T&-B^T\\-C^T&A^T\end{pmatrix}\f$.
+  /// \f$-J A^T J\f$: \f$\begin{pmatrix}A&B\\C&D\end{pmatrix}^{-1} =
+  /// \begin{pmatrix}D^T&-B^T\\-C^T&A^T\end{pmatrix}\f$.
   template <class S>
   Matrix<S> inverse(Matrix<S> const& a) const {
     int const n = matrix_size() / 2;
@@ -72,11 +74,10 @@ struct Sp : Order<rows, 2> {
       }
     return b;
   }
-  /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis, and where the matrix is not symplectic
+  /// @throws OutsideDomain  at and next to an eigenvalue on the negative axis, and where the matrix is not
+  ///                        symplectic
   template <Real S>
-  Vector<S> log(Matrix<S> const& a) const {
-    return logarithm_in_algebra<Sp, S>(*this, a);
-  }
+  Vector<S> log(Matrix<S> const& a) const { return logarithm_in_algebra<Sp, S>(*this, a); }
   /// Back on the group to second order: \f$\tfrac12 A\,(3 + J A^T J A)\f$.
   /// @throws OutsideDomain  where \f$-J A^T J A\f$ is not even near 1
   template <Real S>
@@ -84,7 +85,10 @@ struct Sp : Order<rows, 2> {
     Matrix<S> excess = inverse(a) * a;
     excess.diagonal().array() -= S(1);
     double const distance = row_norm(excess);
-    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the symplectic ones is needed; largest row of -J A^T J A - 1", distance, 0.1);
+    if (!(distance < 0.1))
+      throw OutsideDomain("restore",
+                          "a matrix near the symplectic ones is needed; largest row of -J A^T J A - 1",
+                          distance, 0.1);
     return a - a * excess / S(2);
   }
 };

@@ -19,8 +19,8 @@ struct VectorSpaceDimension<Dynamic> {
 };
 }  // namespace detail
 
-/// \f$\mathbb R^n\f$ under addition, n known to the compiler, or `Dynamic`: `Translations<Dynamic>{n}`. The abelian
-/// case: Ad is the identity, the bracket vanishes, left and right translations agree.
+/// \f$\mathbb R^n\f$ under addition, n known to the compiler, or `Dynamic`: `Translations<Dynamic>{n}`. The
+/// abelian case: Ad is the identity, the bracket vanishes, left and right translations agree.
 template <int n>
 struct Translations : detail::VectorSpaceDimension<n> {
   static constexpr int dim = n;
@@ -28,48 +28,29 @@ struct Translations : detail::VectorSpaceDimension<n> {
   using Value = Matrix<S, n, 1>;
 
   template <class S>
-  Value<S> identity() const {
-    return Value<S>::Zero(this->dimension());
-  }
+  Value<S> identity() const { return Value<S>::Zero(this->dimension()); }
   template <class V>
-  static V compose(V const& a, V const& b) {
-    return a + b;
-  }
+  static V compose(V const& a, V const& b) { return a + b; }
   template <class V>
-  static V inverse(V const& a) {
-    return -a;
-  }
+  static V inverse(V const& a) { return -a; }
   template <class V>
-  static V Ad(V const&, V const& v) {
-    return v;
-  }
+  static V Ad(V const&, V const& v) { return v; }
   template <class V>
-  static V bracket(V const& v, V const&) {
-    return V::Zero(v.size());
-  }
+  static V bracket(V const& v, V const&) { return V::Zero(v.size()); }
   template <class V>
-  static V retract(V const& v) {
-    return v;
-  }
+  static V retract(V const& v) { return v; }
   template <class V>
-  static V near_identity(V const& v) {
-    return v;
-  }
+  static V near_identity(V const& v) { return v; }
   template <class V>
-  static V exp(V const& v) {
-    return v;
-  }
+  static V exp(V const& v) { return v; }
   template <class V>
-  static V log(V const& a) {
-    return a;
-  }
+  static V log(V const& a) { return a; }
   template <class V>
-  static V restore(V const& a) {
-    return a;
-  }
+  static V restore(V const& a) { return a; }
 };
 
-/// The Heisenberg group of matrices ((1, x, z), (0, 1, y), (0, 0, 1)). Coordinates (x, y, z); the bracket is all in z.
+/// The Heisenberg group of matrices ((1, x, z), (0, 1, y), (0, 0, 1)). Coordinates (x, y, z); the bracket is
+/// all in z.
 struct Heisenberg : Matrices<3, 3> {
   template <MatrixLike V>
   static auto hat(V const& v) {
@@ -79,9 +60,7 @@ struct Heisenberg : Matrices<3, 3> {
     return a;
   }
   template <MatrixLike M>
-  static auto vee(M const& a) {
-    return Matrix<typename M::Scalar, 3, 1>(a(0, 1), a(1, 2), a(0, 2));
-  }
+  static auto vee(M const& a) { return Matrix<typename M::Scalar, 3, 1>(a(0, 1), a(1, 2), a(0, 2)); }
   /// The exponential itself, a polynomial: \f$1 + A + A^2/2\f$.
   template <class S>
   static Matrix<S, 3, 3> retract(Matrix<S, 3, 1> const& v) {
@@ -91,9 +70,7 @@ struct Heisenberg : Matrices<3, 3> {
     return e;
   }
   template <class S>
-  static Matrix<S, 3, 3> exp(Matrix<S, 3, 1> const& v) {
-    return retract(v);
-  }
+  static Matrix<S, 3, 3> exp(Matrix<S, 3, 1> const& v) { return retract(v); }
   template <class S>
   static Matrix<S, 3, 1> log(Matrix<S, 3, 3> const& a) {
     return {a(0, 1), a(1, 2), a(0, 2) - a(0, 1) * a(1, 2) / S(2)};

@@ -1,18 +1,20 @@
-// U(n) and SU(n): complex matrices A + i B with orthonormal columns, stored as the real matrices ((A, -B), (B, A)).
+// U(n) and SU(n): complex matrices A + i B with orthonormal columns, stored as the real matrices ((A, -B),
+// (B, A)).
 //
-// The real form needs no complex scalar, so that fractions and dual numbers serve as they are, and it shows U(n) as what it is, the intersection of
-// SO(2n) and Sp(2n, R).
+// The real form needs no complex scalar, so that fractions and dual numbers serve as they are, and it shows
+// U(n) as what it is, the intersection of SO(2n) and Sp(2n, R).
 #pragma once
 
 #include "actio/groups/algebra_logarithm.hpp"
-#include "actio/numbers/determinant.hpp"
 #include "actio/groups/order.hpp"
+#include "actio/numbers/determinant.hpp"
 
 namespace actio {
 
 /// U(n), of fixed order or, as `U<>(n)`, of an order chosen at run time.
 ///
-/// Coordinates: the n phases on the diagonal, then (x, y) of each entry x + iy above the diagonal, row by row; below it stands -x + iy.
+/// Coordinates: the n phases on the diagonal, then (x, y) of each entry x + iy above the diagonal, row by
+/// row; below it stands -x + iy.
 template <int n = Dynamic>
 struct U : Order<n, 1> {
   using Order<n, 1>::Order, Order<n, 1>::order;
@@ -55,14 +57,10 @@ struct U : Order<n, 1> {
     return v;
   }
   template <class S>
-  Matrix<S> inverse(Matrix<S> const& a) const {
-    return a.transpose();
-  }
+  Matrix<S> inverse(Matrix<S> const& a) const { return a.transpose(); }
   /// @throws OutsideDomain  at and next to an eigenvalue -1, and where the matrix is not unitary
   template <Real S>
-  Vector<S> log(Matrix<S> const& a) const {
-    return logarithm_in_algebra<U, S>(*this, a);
-  }
+  Vector<S> log(Matrix<S> const& a) const { return logarithm_in_algebra<U, S>(*this, a); }
   /// The nearest unitary matrix to second order: \f$\tfrac12 U\,(3 - U^*U)\f$ of the complex linear part U.
   /// @throws OutsideDomain  where \f$U^*U\f$ is not even near 1, or the rest is not near 0
   template <Real S>
@@ -79,15 +77,19 @@ struct U : Order<n, 1> {
     excess.diagonal().array() -= S(1);
     double const distance = std::max(row_norm(excess), row_norm(Matrix<S>(a - linear)));
     if (!(distance < 0.1))
-      throw OutsideDomain("restore", "a matrix near the unitary ones is needed; largest row of U^* U - 1, or of what is not complex linear", distance, 0.1);
+      throw OutsideDomain("restore",
+                          "a matrix near the unitary ones is needed; largest row of U^* U - 1, or of what is "
+                          "not complex linear",
+                          distance, 0.1);
     return linear - linear * excess / S(2);
   }
 };
 
-/// SU(n), n > 1, of fixed order or, as `SU<>(n)`, of an order chosen at run time. SU(2) as unit quaternions is `SU2`.
+/// SU(n), n > 1, of fixed order or, as `SU<>(n)`, of an order chosen at run time. SU(2) as unit quaternions
+/// is `SU2`.
 ///
-/// Coordinates: those of the diagonal matrices \f$i(E_{kk} - E_{k+1,k+1})\f$, then (x, y) of each entry x + iy above the diagonal, row by row. The quaternion
-/// coordinates of `SU2` are twice these.
+/// Coordinates: those of the diagonal matrices \f$i(E_{kk} - E_{k+1,k+1})\f$, then (x, y) of each entry
+/// x + iy above the diagonal, row by row. The quaternion coordinates of `SU2` are twice these.
 template <int n = Dynamic>
 struct SU : Order<n, 2> {
   using Order<n, 2>::Order, Order<n, 2>::order;
@@ -126,11 +128,9 @@ struct SU : Order<n, 2> {
     return v;
   }
   template <class S>
-  Matrix<S> inverse(Matrix<S> const& a) const {
-    return a.transpose();
-  }
-  /// \f$D\,C^2D\f$ with C Cayley's transform of half the matrix and \f$D = \mathrm{diag}(\overline{\det C}, 1, \dots, 1)\f$; Cayley's transform itself for
-  /// n = 2.
+  Matrix<S> inverse(Matrix<S> const& a) const { return a.transpose(); }
+  /// \f$D\,C^2D\f$ with C Cayley's transform of half the matrix and
+  /// \f$D = \mathrm{diag}(\overline{\det C}, 1, \dots, 1)\f$; Cayley's transform itself for n = 2.
   ///
   /// \f$\det C\f$, of modulus 1, differs from 1 by the cube of v, and turns into its conjugate with -v.
   template <class S>
@@ -144,21 +144,23 @@ struct SU : Order<n, 2> {
     turn_column(g, 0, phase);
     return g;
   }
-  /// @throws OutsideDomain  at and next to an eigenvalue -1, where the matrix is not in the group, and where its angles add up to a whole turn:
-  ///                        then the principal logarithm has a trace (n > 2)
+  /// @throws OutsideDomain  at and next to an eigenvalue -1, where the matrix is not in the group, and where
+  ///                        its angles add up to a whole turn: then the principal logarithm has a trace
+  ///                        (n > 2)
   template <Real S>
-  Vector<S> log(Matrix<S> const& a) const {
-    return logarithm_in_algebra<SU, S>(*this, a);
-  }
-  /// As for U(n); then all columns are turned by an angle that brings the determinant to 1, up to the cube of its distance.
+  Vector<S> log(Matrix<S> const& a) const { return logarithm_in_algebra<SU, S>(*this, a); }
+  /// As for U(n); then all columns are turned by an angle that brings the determinant to 1, up to the cube of
+  /// its distance.
   /// @throws OutsideDomain  where the matrix is not even near the group
   template <Real S>
   Matrix<S> restore(Matrix<S> const& a) const {
     Matrix<S> g = unitary().restore(a);
     Complex<S> const d = complex_determinant(g);
     double const distance = std::max(std::abs(to_double(d.re) - 1), std::abs(to_double(d.im)));
-    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near SU(n) is needed; |determinant - 1|", distance, 0.1);
-    // The tangent of half the angle is a quotient, and so is the turn back by its n-th part: no root, no arcus.
+    if (!(distance < 0.1))
+      throw OutsideDomain("restore", "a matrix near SU(n) is needed; |determinant - 1|", distance, 0.1);
+    // The tangent of half the angle is a quotient, and so is the turn back by its n-th part: no root, no
+    // arcus.
     S const tangent = d.im / ((S(1) + d.re) * S(order()));
     Complex<S> const back = Complex<S>(S(1), -tangent) / Complex<S>(S(1), tangent);
     for (int i = 0; i < order(); ++i) turn_row(g, i, back);

@@ -5,7 +5,8 @@
 
 namespace actio {
 
-/// The bracket of Jacobi and Lie, \f$[X, Y]^a = X^b\,\partial_bY^a - Y^b\,\partial_bX^a\f$, of two vector fields: again a field, a callable over any scalar.
+/// The bracket of Jacobi and Lie, \f$[X, Y]^a = X^b\,\partial_bY^a - Y^b\,\partial_bX^a\f$, of two vector
+/// fields: again a field, a callable over any scalar.
 ///
 /// The Lie algebra of a group of diffeomorphisms, with composition as product, has minus this bracket.
 template <class X, class Y>

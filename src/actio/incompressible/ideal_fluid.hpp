@@ -1,7 +1,9 @@
-// The ideal incompressible fluid seen from space: Eulerian velocity, the equation of Euler and the equation of the pressure (section 8.3 of the thesis).
+// The ideal incompressible fluid seen from space: Eulerian velocity, the equation of Euler and the equation
+// of the pressure (section 8.3 of the thesis).
 //
-// A velocity field is a callable from points (t, y^1, ..., y^n) of time and space to vectors, over any scalar; a pressure is one to numbers. All derivatives are
-// covariant, those of the metric g of space; points are given as (t, y).
+// A velocity field is a callable from points (t, y^1, ..., y^n) of time and space to vectors, over any
+// scalar; a pressure is one to numbers. All derivatives are covariant, those of the metric g of space; points
+// are given as (t, y).
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -12,9 +14,7 @@ namespace actio {
 namespace detail {
 /// The place of a point (t, y).
 template <class S, int rows>
-Matrix<S, rows - 1, 1> place_of(Matrix<S, rows, 1> const& at) {
-  return at.template tail<rows - 1>();
-}
+Matrix<S, rows - 1, 1> place_of(Matrix<S, rows, 1> const& at) { return at.template tail<rows - 1>(); }
 }  // namespace detail
 
 /// A velocity field at a point, and its derivatives there.
@@ -26,7 +26,8 @@ struct VelocityGradient {
 };
 /// The value of a velocity field at a point (t, y), its rate, and its covariant derivatives.
 template <class SpaceMetric, class Field, class S, int rows>
-VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
+VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field const& u,
+                                                Matrix<S, rows, 1> const& at) {
   constexpr int n = rows - 1;
   auto const j = first_jet(u, at);
   VelocityGradient<S, n> out{j.y, j.velocity(), j.gradient()};
@@ -41,7 +42,8 @@ VelocityGradient<S, rows - 1> velocity_gradient(SpaceMetric const& g, Field cons
 ///
 /// \implements{claim_8_3_euler_equations}
 template <class SpaceMetric, class Field, class S, int rows>
-Matrix<S, rows - 1, 1> eulerian_acceleration(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
+Matrix<S, rows - 1, 1> eulerian_acceleration(SpaceMetric const& g, Field const& u,
+                                             Matrix<S, rows, 1> const& at) {
   auto const d = velocity_gradient(g, u, at);
   // [claim_8_3_euler_equations]
   return d.rate + d.slope * d.value;
@@ -65,7 +67,8 @@ Matrix<S, rows - 1, 1> gradient(SpaceMetric const& g, Pressure const& p, Matrix<
 /// \f$\Delta p = \mathrm{div}\,\mathrm{grad}\,p\f$.
 template <class SpaceMetric, class Pressure, class S, int rows>
 S laplacian(SpaceMetric const& g, Pressure const& p, Matrix<S, rows, 1> const& at) {
-  return divergence(g, [&](auto const& y) { return gradient(g, p, y); }, at);
+  return divergence(
+      g, [&](auto const& y) { return gradient(g, p, y); }, at);
 }
 
 /// The right side \f$-\mathrm{div}(\nabla_uu)\f$ of the equation of the pressure (8.14).
@@ -74,22 +77,27 @@ S laplacian(SpaceMetric const& g, Pressure const& p, Matrix<S, rows, 1> const& a
 template <class SpaceMetric, class Field, class S, int rows>
 S pressure_source(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const& at) {
   // [eq_8_14]
-  return -divergence(g, [&](auto const& y) { return self_advection(g, u, y); }, at);
+  return -divergence(
+      g, [&](auto const& y) { return self_advection(g, u, y); }, at);
   // [eq_8_14]
 }
 
-/// The slope \f$\partial_cp\,g^{cb}\,\partial_bf\f$ of the pressure through a wall f = 0 that the fluid does not cross: \f$-df(\partial_tu + \nabla_uu)\f$.
+/// The slope \f$\partial_cp\,g^{cb}\,\partial_bf\f$ of the pressure through a wall f = 0 that the fluid does
+/// not cross: \f$-df(\partial_tu + \nabla_uu)\f$.
 ///
-/// It is the boundary condition that goes with (8.14), and with which it has one solution but for a function of time.
+/// It is the boundary condition that goes with (8.14), and with which it has one solution but for a function
+/// of time.
 /// @param f  a callable on places, zero on the wall
 template <class SpaceMetric, class Field, class Wall, class S, int rows>
 S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Matrix<S, rows, 1> const& at) {
   return -derivative(f, detail::place_of(at)).gradient().dot(eulerian_acceleration(g, u, at));
 }
 
-/// The Ricci tensor \f$R_{bd} = \partial_a\gamma^a_{bd} - \partial_d\gamma^a_{ba} + \gamma^a_{ae}\gamma^e_{bd} - \gamma^a_{de}\gamma^e_{ba}\f$ of a metric at a place.
+/// The Ricci tensor \f$R_{bd} = \partial_a\gamma^a_{bd} - \partial_d\gamma^a_{ba}
+/// + \gamma^a_{ae}\gamma^e_{bd} - \gamma^a_{de}\gamma^e_{ba}\f$ of a metric at a place.
 ///
-/// With it the source of (8.14) is \f$-u^a{}_{;b}u^b{}_{;a} - R_{ab}u^au^b\f$ wherever \f$\mathrm{div}\,u = 0\f$ around.
+/// With it the source of (8.14) is \f$-u^a{}_{;b}u^b{}_{;a} - R_{ab}u^au^b\f$ wherever
+/// \f$\mathrm{div}\,u = 0\f$ around.
 template <class SpaceMetric, class S, int n>
 Matrix<S, n, n> ricci_tensor(SpaceMetric const& g, Matrix<S, n, 1> const& y) {
   Matrix<S, n, n> ricci = Matrix<S, n, n>::Zero();
@@ -103,12 +111,15 @@ Matrix<S, n, n> ricci_tensor(SpaceMetric const& g, Matrix<S, n, 1> const& y) {
     };
     auto const d = derivative(symbols, y);
     auto const gamma = [&d](int a, int b, int c) -> S const& { return d.value[a * n * n + b + n * c]; };
-    auto const d_gamma = [&d](int e, int a, int b, int c) -> S const& { return d.matrix(a * n * n + b + n * c, e); };
+    auto const d_gamma = [&d](int e, int a, int b, int c) -> S const& {
+      return d.matrix(a * n * n + b + n * c, e);
+    };
     for (int b = 0; b < n; ++b)
       for (int d = 0; d < n; ++d)
         for (int a = 0; a < n; ++a) {
           ricci(b, d) += d_gamma(a, a, b, d) - d_gamma(d, a, b, a);
-          for (int e = 0; e < n; ++e) ricci(b, d) += gamma(a, a, e) * gamma(e, b, d) - gamma(a, d, e) * gamma(e, b, a);
+          for (int e = 0; e < n; ++e)
+            ricci(b, d) += gamma(a, a, e) * gamma(e, b, d) - gamma(a, d, e) * gamma(e, b, a);
         }
   }
   return ricci;

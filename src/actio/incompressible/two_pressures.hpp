@@ -1,4 +1,5 @@
-// Two pressures: of a stored energy that depends on the volume, and of the multiplier that holds the volume (section 8.3 of the thesis).
+// Two pressures: of a stored energy that depends on the volume, and of the multiplier that holds the volume
+// (section 8.3 of the thesis).
 #pragma once
 
 #include "actio/incompressible/incompressible_equations.hpp"
@@ -35,8 +36,11 @@ template <FluidMedium Medium, class S, int n, int M>
 Matrix<S, n, 1> two_pressures_residual(Medium const& fluid, SecondJet<S, n, M> const& extended) {
   auto const j = deformation(extended);
   Matrix<S, n, 1> dP;
-  for (int k = 0; k < n; ++k) dP[k] = total_derivative(k + 1, [&](auto const& jet) { return pressures(fluid, jet).total(); }, extended);
-  return inertial_force(fluid, j) + area_transformation(fluid.G(j.particle()), fluid.g(j.y), j.gradient()) * dP;
+  for (int k = 0; k < n; ++k)
+    dP[k] = total_derivative(
+        k + 1, [&](auto const& jet) { return pressures(fluid, jet).total(); }, extended);
+  return inertial_force(fluid, j) +
+         area_transformation(fluid.G(j.particle()), fluid.g(j.y), j.gradient()) * dP;
 }
 
 }  // namespace actio

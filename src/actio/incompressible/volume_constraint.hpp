@@ -1,6 +1,8 @@
-// The constraint of an incompressible medium, its multiplier and the material pressure (section 8.1 of the thesis).
+// The constraint of an incompressible medium, its multiplier and the material pressure (section 8.1 of the
+// thesis).
 //
-// The extended bundle E has the fibre coordinates (y^1, ..., y^n, lambda): its sections are a deformation and a multiplier, its jets are jets over (n, n + 1).
+// The extended bundle E has the fibre coordinates (y^1, ..., y^n, lambda): its sections are a deformation and
+// a multiplier, its jets are jets over (n, n + 1).
 #pragma once
 
 #include "actio/constraints/augmented.hpp"
@@ -21,9 +23,7 @@ struct VolumeConstraint {
 
   /// The Jacobian of the motion at a jet.
   template <class S, int n>
-  S volume_ratio(Jet<S, n, n> const& j) const {
-    return jacobian(G(j.particle()), g(j.y), j.gradient());
-  }
+  S volume_ratio(Jet<S, n, n> const& j) const { return jacobian(G(j.particle()), g(j.y), j.gradient()); }
   /// \f$\Phi\f$, a column of one component as all constraints are.
   template <class S, int n>
   Matrix<S, 1, 1> operator()(Jet<S, n, n> const& j) const {
@@ -32,7 +32,8 @@ struct VolumeConstraint {
     // [eq_8_1]
     return Matrix<S, 1, 1>(Phi);
   }
-  /// Refuses what is no metric, and a jet whose Jacobian is not positive: there \f$\partial\Phi/\partial v\f$ may vanish, and no pressure holds the volume.
+  /// Refuses what is no metric, and a jet whose Jacobian is not positive: there \f$\partial\Phi/\partial v\f$
+  /// may vanish, and no pressure holds the volume.
   /// @throws NotAMetric, NotOrientationPreserving
   template <class S, int n>
   void examine(Jet<S, n, n> const& j) const {
@@ -47,9 +48,7 @@ VolumeConstraint(BodyMetric, SpaceMetric) -> VolumeConstraint<BodyMetric, SpaceM
 
 /// The deformation of a jet of the extended bundle: the multiplier and its derivatives are left out.
 template <class S, int n, int M>
-Jet<S, n, M - 1> deformation(Jet<S, n, M> const& j) {
-  return configuration<M - 1>(j);
-}
+Jet<S, n, M - 1> deformation(Jet<S, n, M> const& j) { return configuration<M - 1>(j); }
 /// The same of a second jet.
 template <class S, int n, int M>
 SecondJet<S, n, M - 1> deformation(SecondJet<S, n, M> const& j) {
@@ -59,7 +58,8 @@ SecondJet<S, n, M - 1> deformation(SecondJet<S, n, M> const& j) {
   return below;
 }
 
-/// The section \f$(\phi, \lambda)\f$ of the extended bundle with the multiplier \f$\lambda = \sqrt{\det G}\,P\f$ (8.2).
+/// The section \f$(\phi, \lambda)\f$ of the extended bundle with the multiplier
+/// \f$\lambda = \sqrt{\det G}\,P\f$ (8.2).
 ///
 /// \implements{eq_8_2}
 /// @param phi  deformation: a callable from points of space-time to places
@@ -89,7 +89,9 @@ S multiplier_pressure(BodyMetric const& G, Jet<S, n, M> const& j) {
 template <class BodyMetric, class S, int n, int M>
 Matrix<S, n, 1> pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
   Matrix<S, n, 1> rates;
-  for (int k = 0; k < n; ++k) rates[k] = total_derivative(k + 1, [&](auto const& jet) { return multiplier_pressure(G, jet); }, j);
+  for (int k = 0; k < n; ++k)
+    rates[k] = total_derivative(
+        k + 1, [&](auto const& jet) { return multiplier_pressure(G, jet); }, j);
   return rates;
 }
 

@@ -1,6 +1,8 @@
-// The spaces that a discrete Lagrangian makes: pairs of configurations with its two-form, relative motions with its bracket.
+// The spaces that a discrete Lagrangian makes: pairs of configurations with its two-form, relative motions
+// with its bracket.
 //
-// Sizes come from the second derivatives of the Lagrangian: a shift has the size that makes the action change as a turn by 1 does.
+// Sizes come from the second derivatives of the Lagrangian: a shift has the size that makes the action change
+// as a turn by 1 does.
 #pragma once
 
 #include "actio/instruments/spaces.hpp"
@@ -10,8 +12,9 @@
 namespace actio {
 
 namespace detail {
-/// Sizes of the changes of a configuration that go with a matrix of second derivatives: where a change in the components of one unit, by the size, makes the
-/// action change by one unit. Turns, which have no unit, have the size 1.
+/// Sizes of the changes of a configuration that go with a matrix of second derivatives: where a change in the
+/// components of one unit, by the size, makes the action change by one unit. Turns, which have no unit, have
+/// the size 1.
 template <Group G, class M>
 auto sizes_from_hessian(G const& group, M const& hessian) {
   using S = typename M::Scalar;
@@ -43,19 +46,20 @@ struct PairsOfConfigurations {
 
   /// Of the space.
   template <Group G, Scalar S>
-  static int dimension(PairArrow<G, S> const& x) {
-    return 2 * x.first.group.dimension();
-  }
+  static int dimension(PairArrow<G, S> const& x) { return 2 * x.first.group.dimension(); }
   /// A positive number for each coordinate, in its unit.
   template <Group G, Plain S>
   detail::AnyVector<S> sizes(PairArrow<G, S> const& x) const {
-    auto const one = detail::sizes_from_hessian(x.first.group, mixed_derivative(lagrangian, x.first, x.second));
+    auto const one =
+        detail::sizes_from_hessian(x.first.group, mixed_derivative(lagrangian, x.first, x.second));
     return detail::stacked(one, one);
   }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
-  static PairArrow<G, Moved<S>> moved(PairArrow<G, S> const& x, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_element(x.first, sizes, 0, first), detail::moved_element(x.second, sizes, x.first.group.dimension(), first)};
+  static PairArrow<G, Moved<S>> moved(PairArrow<G, S> const& x, detail::AnyVector<S> const& sizes,
+                                      int first) {
+    return {detail::moved_element(x.first, sizes, 0, first),
+            detail::moved_element(x.second, sizes, x.first.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
@@ -65,7 +69,8 @@ struct PairsOfConfigurations {
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static auto difference(PairArrow<G, S> const& x, PairArrow<G, S> const& y) {
-    return detail::stacked(detail::difference_of_elements(x.first, y.first), detail::difference_of_elements(x.second, y.second));
+    return detail::stacked(detail::difference_of_elements(x.first, y.first),
+                           detail::difference_of_elements(x.second, y.second));
   }
   /// @throws Singular  where L is not regular
   template <Group G, Scalar S>
@@ -77,7 +82,8 @@ struct PairsOfConfigurations {
   detail::AnyMatrix<S> two_form(PairArrow<G, S> const& x) const {
     return discrete_two_form_matrix(lagrangian, x.first, x.second);
   }
-  /// Where the momentum of a symmetry is read: the configuration and the momentum with which the step arrives.
+  /// Where the momentum of a symmetry is read: the configuration and the momentum with which the step
+  /// arrives.
   template <Group G, Scalar S>
   Costate<G, S> costate(PairArrow<G, S> const& x) const {
     return {x.second, D2(lagrangian, x.first, x.second)};
@@ -92,9 +98,7 @@ namespace detail {
 struct RelativeMotions {
   /// Of the space.
   template <Group G, Scalar S>
-  static int dimension(Element<G, S> const& f) {
-    return f.group.dimension();
-  }
+  static int dimension(Element<G, S> const& f) { return f.group.dimension(); }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static auto moved(Element<G, S> const& f, AnyVector<S> const& sizes, int first) {
@@ -102,9 +106,7 @@ struct RelativeMotions {
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
-  static auto change(Element<G, S> const& f) {
-    return change_of_element(f);
-  }
+  static auto change(Element<G, S> const& f) { return change_of_element(f); }
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static AnyVector<S> difference(Element<G, S> const& f, Element<G, S> const& k) {
@@ -127,9 +129,7 @@ struct RelativeMotionsRight : detail::RelativeMotions {
   }
   /// @throws Singular  where l is not regular
   template <Group G, Scalar S>
-  detail::AnyMatrix<S> bivector(Element<G, S> const& f) const {
-    return reduced_bivector_right(l, f);
-  }
+  detail::AnyMatrix<S> bivector(Element<G, S> const& f) const { return reduced_bivector_right(l, f); }
 };
 /// G with the bracket of a left-invariant discrete Lagrangian, \f$\ell(g_1^{-1}g_0)\f$.
 template <class F>
@@ -145,9 +145,7 @@ struct RelativeMotionsLeft : detail::RelativeMotions {
   }
   /// @throws Singular  where l is not regular
   template <Group G, Scalar S>
-  detail::AnyMatrix<S> bivector(Element<G, S> const& f) const {
-    return reduced_bivector_left(l, f);
-  }
+  detail::AnyMatrix<S> bivector(Element<G, S> const& f) const { return reduced_bivector_left(l, f); }
 };
 
 }  // namespace actio

@@ -1,8 +1,10 @@
-// How far a map leads away from the symplectic leaf it starts on: on the dual of an algebra, from the coadjoint orbit.
+// How far a map leads away from the symplectic leaf it starts on: on the dual of an algebra, from the
+// coadjoint orbit.
 //
-// Three ways to ask. A family of maps with a step h is judged by the direction in which the image moves with h: it must be tangent to the leaf
-// (leaf_defect). A single map on the dual of an algebra is judged by the distance of its image from the orbit (orbit_defect). Where Casimir functions
-// are known, by their change (casimir_defect).
+// Three ways to ask. A family of maps with a step h is judged by the direction in which the image moves with
+// h: it must be tangent to the leaf (leaf_defect). A single map on the dual of an algebra is judged by the
+// distance of its image from the orbit (orbit_defect). Where Casimir functions are known, by their change
+// (casimir_defect).
 #pragma once
 
 #include "actio/groups/solve.hpp"
@@ -12,12 +14,14 @@ namespace actio {
 
 namespace detail {
 
-/// A vector by its part in the span of the columns of a matrix and the rest; `combination` makes the part from the columns.
+/// A vector by its part in the span of the columns of a matrix and the rest; `combination` makes the part
+/// from the columns.
 template <class S>
 struct Split {
   AnyVector<S> inside, outside, combination;
 };
-/// Orthogonal projection by Gram and Schmidt with the longest column first; columns that are rounding of the longest are none.
+/// Orthogonal projection by Gram and Schmidt with the longest column first; columns that are rounding of the
+/// longest are none.
 template <class S>
 Split<S> split_by_columns(AnyMatrix<S> q, AnyVector<S> const& w) {
   int const n = static_cast<int>(w.size()), m = static_cast<int>(q.cols());
@@ -46,7 +50,8 @@ Split<S> split_by_columns(AnyMatrix<S> q, AnyVector<S> const& w) {
       }
     for (int twice = 0; twice < 2; ++twice) {
       S const along = dot(q.col(k), split.outside);
-      split.outside -= along * q.col(k), split.inside += along * q.col(k), split.combination += along * made.col(k);
+      split.outside -= along * q.col(k), split.inside += along * q.col(k),
+          split.combination += along * made.col(k);
     }
   }
   return split;
@@ -54,22 +59,24 @@ Split<S> split_by_columns(AnyMatrix<S> q, AnyVector<S> const& w) {
 
 }  // namespace detail
 
-/// The leaf defect of a family of maps: the part of \f$\frac{d}{dh}\Phi_h(x)\f$ outside the tangent space of the leaf at \f$\Phi_h(x)\f$, over the
-/// whole of it.
+/// The leaf defect of a family of maps: the part of \f$\frac{d}{dh}\Phi_h(x)\f$ outside the tangent space of
+/// the leaf at \f$\Phi_h(x)\f$, over the whole of it.
 ///
-/// The derivative is taken with a dual number for h; the tangent space is the range of the bivector: on the dual of an algebra all
-/// \f$\mathrm{ad}^*_\eta\mu\f$. From 0 to 1. No Casimir function is needed, and none is missed. A family that
-/// starts with the identity preserves the leaf of x exactly if the defect vanishes at all steps up to h.
+/// The derivative is taken with a dual number for h; the tangent space is the range of the bivector: on the
+/// dual of an algebra all \f$\mathrm{ad}^*_\eta\mu\f$. From 0 to 1. No Casimir function is needed, and none
+/// is missed. A family that starts with the identity preserves the leaf of x exactly if the defect vanishes
+/// at all steps up to h.
 /// @param space   any space of spaces.hpp
 /// @param family  (h, point) -> point, at every scalar, both at the same
 /// @param h       step, time; not zero
-/// @throws NotFinite, OutsideDomain  where the step, the point, its image or the derivative is no number, or has the wrong size; where the step is
-///         zero
-/// Accuracy: a family that preserves leaves gets a few epsilon times the ratio of the largest singular value
-/// of the bivector to the smallest that is not zero;
-/// 0 where at the rate found the image would move, in the time h, by no more than rounding (64 epsilon of itself).
+/// @throws NotFinite, OutsideDomain where the step, the point, its image or the derivative is no number, or
+///         has the wrong size; where the step is zero Accuracy: a family that preserves leaves gets a few
+///         epsilon times the ratio of the largest singular value of the bivector to the smallest that is not
+///         zero; 0 where at the rate found the image would move, in the time h, by no more than rounding (64
+///         epsilon of itself).
 template <class Point, SpaceOf<Point> Space, class Family>
-typename Point::Scalar leaf_defect(Space const& space, Family const& family, typename Point::Scalar const& h, Point const& x) {
+typename Point::Scalar leaf_defect(Space const& space, Family const& family, typename Point::Scalar const& h,
+                                   Point const& x) {
   using S = typename Point::Scalar;
   static_assert(Real<S>, "lengths need roots");
   if (!is_finite(h)) throw NotFinite("leaf defect: step");
@@ -93,16 +100,17 @@ typename Point::Scalar leaf_defect(Space const& space, Family const& family, typ
   // [leaf_defect]
 }
 
-/// The distance of \f$\Phi(\mu)\f$ from the coadjoint orbit of \f$\mu\f$, relative to \f$\mu\f$: for a single map, without Casimir functions.
+/// The distance of \f$\Phi(\mu)\f$ from the coadjoint orbit of \f$\mu\f$, relative to \f$\mu\f$: for a single
+/// map, without Casimir functions.
 ///
 /// \f[ \min_{g\in G}\;|\Phi(\mu) - \mathrm{Ad}^*_g\mu| \f]
-/// in components divided by the sizes of \f$\mu\f$ in their units. Found along the orbit from \f$\mu\f$ by the method of Gauss and Newton, and from
-/// momenta a turn away where that ends far off.
+/// in components divided by the sizes of \f$\mu\f$ in their units. Found along the orbit from \f$\mu\f$ by
+/// the method of Gauss and Newton, and from momenta a turn away where that ends far off.
 /// @param map  Momentum -> Momentum, at plain numbers
 /// @throws NotFinite, OutsideDomain  where the momentum or its image is no number, or has the wrong size
 /// @throws NotConverged              where the iteration does not settle
-/// Accuracy: a few epsilon times the condition of \f$\eta\mapsto\mathrm{ad}^*_\eta\mu\f$. Above 1/8 it is an upper bound: the nearest of several
-/// points.
+/// Accuracy: a few epsilon times the condition of \f$\eta\mapsto\mathrm{ad}^*_\eta\mu\f$. Above 1/8 it is an
+/// upper bound: the nearest of several points.
 template <class Map, ExponentialGroup G, Plain S>
 S orbit_defect(Map const& map, Momentum<G, S> const& mu) {
   static_assert(Real<S>, "lengths need roots");
@@ -125,7 +133,8 @@ S orbit_defect(Map const& map, Momentum<G, S> const& mu) {
       auto const split = detail::split_by_columns<S>(along, away);
       parts.push_back(to_double(detail::length_of(split.inside)));
       double const part = parts.back(), before = parts.size() > 1 ? parts[parts.size() - 2] : HUGE_VAL;
-      if (part <= tolerance || (part <= 64 * tolerance && part > before / 2)) return detail::length_of(split.outside);
+      if (part <= tolerance || (part <= 64 * tolerance && part > before / 2))
+        return detail::length_of(split.outside);
       Velocity<G, S> eta{mu.group, split.combination};
       if (double const turn = turning_size(eta); turn > 1) eta = eta / S(turn);
       nu = Ad_star(exp(eta), nu);
@@ -141,17 +150,20 @@ S orbit_defect(Map const& map, Momentum<G, S> const& mu) {
   return nearest;
 }
 
-/// The largest change of some Casimir functions, each relative to how much it changes when the point moves by its own size.
+/// The largest change of some Casimir functions, each relative to how much it changes when the point moves by
+/// its own size.
 ///
 /// \f[ \max_k \frac{|C_k(\Phi(x)) - C_k(x)|}{|dC_k(x)|} \f]
-/// with the differential in coordinates divided by the sizes of the space: for \f$|\mu|^2\f$ the relative change of \f$|\mu|\f$, to first order.
+/// with the differential in coordinates divided by the sizes of the space: for \f$|\mu|^2\f$ the relative
+/// change of \f$|\mu|\f$, to first order.
 /// @param map       point -> point, at plain numbers
 /// @param casimirs  each point -> scalar, at every scalar
-/// @throws NotFinite, OutsideDomain  where the point, its image or a Casimir function is no number, or a size is wrong
-/// Accuracy: a map that conserves them gets a few epsilon. Where a differential vanishes, relative to the
-/// function itself.
+/// @throws NotFinite, OutsideDomain where the point, its image or a Casimir function is no number, or a size
+/// is wrong Accuracy: a map that conserves them gets a few epsilon. Where a differential vanishes, relative
+/// to the function itself.
 template <class Point, SpaceOf<Point> Space, class Map, class... Casimirs>
-typename Point::Scalar casimir_defect(Space const& space, Map const& map, Point const& x, Casimirs const&... casimirs) {
+typename Point::Scalar casimir_defect(Space const& space, Map const& map, Point const& x,
+                                      Casimirs const&... casimirs) {
   using S = typename Point::Scalar;
   require_point(x, "Casimir defect: point");
   Point const image = map(x);

@@ -21,8 +21,8 @@ S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
 }
 }  // namespace detail
 
-/// The momentum defect of a map at a point: the change of \f$J = \langle\mu, \vartheta(g)\rangle\f$ relative to the largest value that a pairing of
-/// such a momentum with such a velocity has.
+/// The momentum defect of a map at a point: the change of \f$J = \langle\mu, \vartheta(g)\rangle\f$ relative
+/// to the largest value that a pairing of such a momentum with such a velocity has.
 ///
 /// \f[ \frac{|J(\Phi(x)) - J(x)|}{\max_{x, \Phi(x)}\sum|\mu||\vartheta|}, \f]
 /// the sum over the components that share a unit: turns and shifts.
@@ -30,20 +30,24 @@ S size_of_pairing(Momentum<G, S> const& mu, Velocity<G, S> const& xi) {
 /// @param map        point -> point, at plain numbers
 /// @param generator  Element -> Velocity: the generator of the symmetry on G, translated to the identity on
 ///   the right (variational/momentum_map.hpp)
-/// @throws NotFinite, OutsideDomain  where the point, its image or the generator is no number, or has the wrong size
-/// Accuracy: a map that conserves J gets about an epsilon for each rounding of a step, of the order of ten; 0 where the momentum vanishes at both
-/// ends.
+/// @throws NotFinite, OutsideDomain where the point, its image or the generator is no number, or has the
+/// wrong size Accuracy: a map that conserves J gets about an epsilon for each rounding of a step, of the
+/// order of ten; 0 where the momentum vanishes at both ends.
 template <class Point, SpaceOf<Point> Space, class Map, class Generator>
-typename Point::Scalar momentum_defect(Space const& space, Map const& map, Point const& x, Generator const& generator) {
+typename Point::Scalar momentum_defect(Space const& space, Map const& map, Point const& x,
+                                       Generator const& generator) {
   using S = typename Point::Scalar;
   require_point(x, "momentum defect: point");
   Point const image = map(x);
   require_image(space, x, image, "momentum defect: image");
   auto const before = space.costate(x), after = space.costate(image);
   auto const theta = generator(before.configuration), theta_after = generator(after.configuration);
-  detail::require_coordinates(theta.coordinates, before.configuration.group.dimension(), "momentum defect: generator");
-  detail::require_coordinates(theta_after.coordinates, before.configuration.group.dimension(), "momentum defect: generator");
-  S const size = detail::size_of_pairing(before.momentum, theta), size_after = detail::size_of_pairing(after.momentum, theta_after);
+  detail::require_coordinates(theta.coordinates, before.configuration.group.dimension(),
+                              "momentum defect: generator");
+  detail::require_coordinates(theta_after.coordinates, before.configuration.group.dimension(),
+                              "momentum defect: generator");
+  S const size = detail::size_of_pairing(before.momentum, theta),
+          size_after = detail::size_of_pairing(after.momentum, theta_after);
   S const largest = size_after > size ? size_after : size;
   // [momentum_defect]
   S const change = magnitude(S(pair(after.momentum, theta_after) - pair(before.momentum, theta)));

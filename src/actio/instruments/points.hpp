@@ -1,7 +1,7 @@
 // Points of the spaces that maps are judged on, and what they are at a smaller or a larger scalar.
 //
-// A point is a momentum (of the dual of an algebra), a costate (of T*G), a pair of configurations (of G x G) or a configuration (of G). Each is refused where it is
-// no point: with a number missing, with a NaN.
+// A point is a momentum (of the dual of an algebra), a costate (of T*G), a pair of configurations (of G x G)
+// or a configuration (of G). Each is refused where it is no point: with a number missing, with a NaN.
 #pragma once
 
 #include <tuple>
@@ -13,22 +13,16 @@ namespace actio {
 
 /// The same pair over a larger scalar, where it is a constant.
 template <Scalar T, Group G, Scalar S>
-PairArrow<G, T> over(PairArrow<G, S> const& x) {
-  return {over<T>(x.first), over<T>(x.second)};
-}
+PairArrow<G, T> over(PairArrow<G, S> const& x) { return {over<T>(x.first), over<T>(x.second)}; }
 
 // The value of a dual number, or of what is made of them: one layer of infinitesimals is dropped.
 
 /// A plain number is its own value.
 template <Plain S>
-S value_of(S const& x) {
-  return x;
-}
+S value_of(S const& x) { return x; }
 /// The value of a dual number.
 template <class S, int N>
-S value_of(Dual<S, N> const& x) {
-  return x.value;
-}
+S value_of(Dual<S, N> const& x) { return x.value; }
 /// The values of the entries.
 template <MatrixLike Derived>
 auto value_of(Derived const& m) {
@@ -73,8 +67,8 @@ namespace detail {
 template <class V>
 void require_coordinates(V const& v, int dimension, char const* where) {
   if (v.size() != dimension)
-    throw OutsideDomain(where, "as many components as the group has dimensions are needed; components", static_cast<double>(v.size()),
-                        dimension);
+    throw OutsideDomain(where, "as many components as the group has dimensions are needed; components",
+                        static_cast<double>(v.size()), dimension);
   for (Index i = 0; i < v.size(); ++i)
     if (!is_finite(v[i])) throw NotFinite(where);
 }
@@ -98,8 +92,8 @@ template <Group G, Scalar S>
 void require_point(Element<G, S> const& g, char const* where) {
   if constexpr (MatrixGroup<G>)
     if (g.value.rows() != g.group.matrix_size() || g.value.cols() != g.group.matrix_size())
-      throw OutsideDomain(where, "a matrix of the size of the group's is needed; rows", static_cast<double>(g.value.rows()),
-                          g.group.matrix_size());
+      throw OutsideDomain(where, "a matrix of the size of the group's is needed; rows",
+                          static_cast<double>(g.value.rows()), g.group.matrix_size());
   detail::require_numbers(g.value, where);
 }
 /// @throws NotFinite, OutsideDomain  where the configuration or the momentum is refused

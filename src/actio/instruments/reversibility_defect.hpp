@@ -18,17 +18,19 @@ auto distance_in_sizes(Space const& space, Point const& x, Point const& y, char 
 }
 }  // namespace detail
 
-/// How far \f$\Phi_{-h}\circ\Phi_h\f$ is from the identity at x: 0 for a self-adjoint (symmetric) family of maps.
+/// How far \f$\Phi_{-h}\circ\Phi_h\f$ is from the identity at x: 0 for a self-adjoint (symmetric) family of
+/// maps.
 ///
-/// The length of what leads from x to \f$\Phi_{-h}(\Phi_h(x))\f$, in coordinates divided by the sizes of the space at x: a momentum in units of
-/// itself, turns in radians.
+/// The length of what leads from x to \f$\Phi_{-h}(\Phi_h(x))\f$, in coordinates divided by the sizes of the
+/// space at x: a momentum in units of itself, turns in radians.
 /// @param space   any space of spaces.hpp
 /// @param family  (h, point) -> point
 /// @param h       step, time; not zero
-/// @throws NotFinite, OutsideDomain  where the step, the point or an image is no number, the step is zero, or an image has the wrong size
-/// Accuracy: a self-adjoint family gets a few epsilon for each of the two steps.
+/// @throws NotFinite, OutsideDomain where the step, the point or an image is no number, the step is zero, or
+/// an image has the wrong size Accuracy: a self-adjoint family gets a few epsilon for each of the two steps.
 template <class Point, SpaceOf<Point> Space, class Family>
-typename Point::Scalar self_adjointness_defect(Space const& space, Family const& family, typename Point::Scalar const& h, Point const& x) {
+typename Point::Scalar self_adjointness_defect(Space const& space, Family const& family,
+                                               typename Point::Scalar const& h, Point const& x) {
   using S = typename Point::Scalar;
   if (!is_finite(h)) throw NotFinite("self-adjointness defect: step");
   if (h == S(0)) throw OutsideDomain("self-adjointness defect", "the step must differ from zero", 0, 0);
@@ -41,21 +43,24 @@ typename Point::Scalar self_adjointness_defect(Space const& space, Family const&
   // [self_adjointness_defect]
 }
 
-/// How far \f$\rho\circ\Phi\circ\rho\circ\Phi\f$ is from the identity at x, with an involution \f$\rho\f$ that turns velocities round: 0 for a
-/// reversible map.
+/// How far \f$\rho\circ\Phi\circ\rho\circ\Phi\f$ is from the identity at x, with an involution \f$\rho\f$
+/// that turns velocities round: 0 for a reversible map.
 ///
 /// @param reversal  point -> point; \f$\Pi\mapsto-\Pi\f$ for the momentum of a body
 /// The length and the accuracy are those of \ref self_adjointness_defect.
-/// @throws NotFinite, OutsideDomain  where the point or an image is no number, or has the wrong size; where the reversal is no involution at x
+/// @throws NotFinite, OutsideDomain where the point or an image is no number, or has the wrong size; where
+///         the reversal is no involution at x
 template <class Point, SpaceOf<Point> Space, class Map, class Reversal>
-typename Point::Scalar reversibility_defect(Space const& space, Map const& map, Point const& x, Reversal const& reversal) {
+typename Point::Scalar reversibility_defect(Space const& space, Map const& map, Point const& x,
+                                            Reversal const& reversal) {
   using S = typename Point::Scalar;
   require_point(x, "reversibility defect: point");
-  S const twice = detail::distance_in_sizes(space, x, Point(reversal(Point(reversal(x)))), "reversibility defect: reversal");
+  S const twice = detail::distance_in_sizes(space, x, Point(reversal(Point(reversal(x)))),
+                                            "reversibility defect: reversal");
   S const allowed = S(1024) * epsilon<S>();
   if (twice > allowed)
-    throw OutsideDomain("reversibility defect", "an involution is needed; twice the reversal leads away by", to_double(twice),
-                        to_double(allowed));
+    throw OutsideDomain("reversibility defect", "an involution is needed; twice the reversal leads away by",
+                        to_double(twice), to_double(allowed));
   Point const image = map(x);
   require_image(space, x, image, "reversibility defect: image");
   // [reversibility_defect]

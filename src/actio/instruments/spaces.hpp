@@ -1,14 +1,18 @@
 // The spaces that a map may be judged on: how their points move to first order, and the bracket that a
 // Poisson map preserves.
 //
-//   LiePoissonPlus, LiePoissonMinus                  g*      Momentum    momenta of right- and of left-invariant systems
-//   CotangentBundle                                  T*G     Costate     spatial momentum, translated to the identity on the right
-//   PairsOfConfigurations<L>                                 G x G   PairArrow   the two-form of a discrete Lagrangian           (discrete_spaces.hpp)
-//   RelativeMotionsRight<l>, RelativeMotionsLeft<l>  G       Element     the bracket of a reduced discrete Lagrangian    (discrete_spaces.hpp)
+//   LiePoissonPlus, LiePoissonMinus g* Momentum momenta of right- and of left-invariant systems
+//   CotangentBundle                                  T*G Costate spatial momentum, translated to the identity
+//                           on the right
+//   PairsOfConfigurations<L>                                 G x G PairArrow the two-form of a discrete
+//   Lagrangian (discrete_spaces.hpp) RelativeMotionsRight<l>, RelativeMotionsLeft<l> G Element the bracket of
+//   a reduced discrete Lagrangian (discrete_spaces.hpp)
 //
-// A tangent vector is written in coordinates: the change of a momentum by its components, that of a configuration as theta = dg g^-1. The sizes of a space at
-// a point are one positive number for each coordinate, in its unit: what is computed in coordinates divided by them does not depend on the units of
-// mass, length and time. A point is moved by its sizes, so that what solves an equation at dual numbers meets numbers of one scale.
+// A tangent vector is written in coordinates: the change of a momentum by its components, that of a
+// configuration as theta = dg g^-1. The sizes of a space at a point are one positive number for each
+// coordinate, in its unit: what is computed in coordinates divided by them does not depend on the units of
+// mass, length and time. A point is moved by its sizes, so that what solves an equation at dual numbers meets
+// numbers of one scale.
 #pragma once
 
 #include "actio/instruments/points.hpp"
@@ -19,15 +23,19 @@ namespace actio {
 
 /// A space of points that maps can be judged on.
 ///
-/// `dimension(x)`: of the space. `sizes(x)`: a positive number for each coordinate, in its unit. `moved(x, sizes, first)`: x moved infinitely little
-/// along the coordinates first, first + 1, ..., as many as a batch has, by the size of each. `change(y)`: the coordinates of the infinitesimals of y.
-/// `difference(x, y)`: the coordinates that lead from x to y. `bivector(x)`: the matrix of the bracket, \f$\{F, H\} = dF^T\,B\,dH\f$ in coordinates.
+/// `dimension(x)`: of the space. `sizes(x)`: a positive number for each coordinate, in its unit.
+/// `moved(x, sizes, first)`: x moved infinitely little along the coordinates first, first + 1, ..., as many
+/// as a batch has, by the size of each. `change(y)`: the coordinates of the infinitesimals of y.
+/// `difference(x, y)`: the coordinates that lead from x to y. `bivector(x)`: the matrix of the bracket,
+/// \f$\{F, H\} = dF^T\,B\,dH\f$ in coordinates.
 template <class Space, class Point>
 concept SpaceOf = requires(Space const& space, Point const& x) {
   { space.dimension(x) } -> std::convertible_to<int>;
   { space.sizes(x) } -> std::convertible_to<detail::AnyVector<typename Point::Scalar>>;
   { value_of(space.moved(x, space.sizes(x), 0)) } -> std::convertible_to<Point>;
-  { space.change(space.moved(x, space.sizes(x), 0)) } -> std::convertible_to<detail::AnyVector<Moved<typename Point::Scalar>>>;
+  {
+    space.change(space.moved(x, space.sizes(x), 0))
+  } -> std::convertible_to<detail::AnyVector<Moved<typename Point::Scalar>>>;
   { space.bivector(x) } -> std::convertible_to<detail::AnyMatrix<typename Point::Scalar>>;
 };
 /// A space with a two-form: `two_form(x)`, \f$\omega(w_1, w_2) = w_1^T\,\Omega\,w_2\f$.
@@ -51,7 +59,8 @@ Element<G, Moved<S>> moved_element(Element<G, S> const& g, AnyVector<S> const& s
   return Element<G, Moved<S>>{g.group, primitive::near_identity(g.group, v)} * over<Moved<S>>(g);
 }
 template <Group G, Scalar S>
-Momentum<G, Moved<S>> moved_momentum(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int offset, int first) {
+Momentum<G, Moved<S>> moved_momentum(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int offset,
+                                     int first) {
   Momentum<G, Moved<S>> moved = over<Moved<S>>(mu);
   seed(moved.components, sizes, offset, first);
   return moved;
@@ -88,14 +97,10 @@ auto stacked(V const& v, W const& w) {
 struct DualOfAlgebra {
   /// Of the space.
   template <Group G, Scalar S>
-  static int dimension(Momentum<G, S> const& mu) {
-    return mu.group.dimension();
-  }
+  static int dimension(Momentum<G, S> const& mu) { return mu.group.dimension(); }
   /// A positive number for each coordinate, in its unit.
   template <Group G, Plain S>
-  static AnyVector<S> sizes(Momentum<G, S> const& mu) {
-    return sizes_by_unit(mu);
-  }
+  static AnyVector<S> sizes(Momentum<G, S> const& mu) { return sizes_by_unit(mu); }
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static auto moved(Momentum<G, S> const& mu, AnyVector<S> const& sizes, int first) {
@@ -103,9 +108,7 @@ struct DualOfAlgebra {
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
-  static auto change(Momentum<G, S> const& mu) {
-    return mu.components;
-  }
+  static auto change(Momentum<G, S> const& mu) { return mu.components; }
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static AnyVector<S> difference(Momentum<G, S> const& mu, Momentum<G, S> const& nu) {
@@ -119,29 +122,23 @@ struct DualOfAlgebra {
 struct LiePoissonPlus : detail::DualOfAlgebra {
   /// The matrix of the bracket.
   template <Group G, Scalar S>
-  static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) {
-    return lie_poisson_tensor_plus(mu);
-  }
+  static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) { return lie_poisson_tensor_plus(mu); }
 };
 /// The dual of an algebra with the minus bracket: body momenta of left-invariant systems.
 struct LiePoissonMinus : detail::DualOfAlgebra {
   /// The matrix of the bracket.
   template <Group G, Scalar S>
-  static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) {
-    return -lie_poisson_tensor_plus(mu);
-  }
+  static detail::AnyMatrix<S> bivector(Momentum<G, S> const& mu) { return -lie_poisson_tensor_plus(mu); }
 };
 
 /// T*G with its canonical form; coordinates \f$(\vartheta, \delta\mu)\f$, spatial.
 ///
-/// A shift has the size that makes, with the momentum of shifts, what a turn by 1 makes with that of turns. In \f$\mathbb R^n\f$, where nothing
-/// turns, it is the user's unit of length.
+/// A shift has the size that makes, with the momentum of shifts, what a turn by 1 makes with that of turns.
+/// In \f$\mathbb R^n\f$, where nothing turns, it is the user's unit of length.
 struct CotangentBundle {
   /// Of the space.
   template <Group G, Scalar S>
-  static int dimension(Costate<G, S> const& p) {
-    return 2 * p.configuration.group.dimension();
-  }
+  static int dimension(Costate<G, S> const& p) { return 2 * p.configuration.group.dimension(); }
   /// A positive number for each coordinate, in its unit.
   template <Group G, Plain S>
   static detail::AnyVector<S> sizes(Costate<G, S> const& p) {
@@ -157,7 +154,8 @@ struct CotangentBundle {
   /// x moved infinitely little along a batch of coordinates, by the size of each.
   template <Group G, Scalar S>
   static Costate<G, Moved<S>> moved(Costate<G, S> const& p, detail::AnyVector<S> const& sizes, int first) {
-    return {detail::moved_element(p.configuration, sizes, 0, first), detail::moved_momentum(p.momentum, sizes, p.configuration.group.dimension(), first)};
+    return {detail::moved_element(p.configuration, sizes, 0, first),
+            detail::moved_momentum(p.momentum, sizes, p.configuration.group.dimension(), first)};
   }
   /// The coordinates of the infinitesimals.
   template <Group G, Scalar S>
@@ -167,9 +165,11 @@ struct CotangentBundle {
   /// The coordinates that lead from the first point to the second.
   template <Group G, Scalar S>
   static auto difference(Costate<G, S> const& p, Costate<G, S> const& q) {
-    return detail::stacked(detail::difference_of_elements(p.configuration, q.configuration), (q.momentum - p.momentum).components);
+    return detail::stacked(detail::difference_of_elements(p.configuration, q.configuration),
+                           (q.momentum - p.momentum).components);
   }
-  /// \f$\{F, H\} = \langle\partial_gF, H_\mu\rangle - \langle\partial_gH, F_\mu\rangle + \langle\mu, [F_\mu, H_\mu]\rangle\f$ as a matrix.
+  /// \f$\{F, H\} = \langle\partial_gF, H_\mu\rangle - \langle\partial_gH, F_\mu\rangle + \langle\mu, [F_\mu,
+  /// H_\mu]\rangle\f$ as a matrix.
   template <Group G, Scalar S>
   static detail::AnyMatrix<S> bivector(Costate<G, S> const& p) {
     int const n = p.configuration.group.dimension();
@@ -178,7 +178,8 @@ struct CotangentBundle {
     b.bottomRightCorner(n, n) = lie_poisson_tensor_plus(p.momentum);
     return b;
   }
-  /// \f$\omega(w_1, w_2) = \langle\delta\mu_2, \vartheta_1\rangle - \langle\delta\mu_1, \vartheta_2\rangle - \langle\mu, [\vartheta_1,
+  /// \f$\omega(w_1, w_2) = \langle\delta\mu_2, \vartheta_1\rangle - \langle\delta\mu_1,
+  /// \vartheta_2\rangle - \langle\mu, [\vartheta_1,
   /// \vartheta_2]\rangle\f$ as a matrix.
   template <Group G, Scalar S>
   static detail::AnyMatrix<S> two_form(Costate<G, S> const& p) {
@@ -190,9 +191,7 @@ struct CotangentBundle {
   }
   /// Where the momentum of a symmetry is read.
   template <Group G, Scalar S>
-  static Costate<G, S> costate(Costate<G, S> const& p) {
-    return p;
-  }
+  static Costate<G, S> costate(Costate<G, S> const& p) { return p; }
 };
 
 }  // namespace actio

@@ -1,8 +1,9 @@
 // The tangent of a map given as code: by evaluating it on points moved infinitely little.
 //
-// A map is a callable from a point to a point of the same space, written at every scalar: it is called at plain numbers and at dual numbers over
-// them. A constant of it, such as its step, is a plain number or made from one. A map that solves an equation on the way is differentiated through
-// its solver, or, cheaper, with implicit_map.hpp.
+// A map is a callable from a point to a point of the same space, written at every scalar: it is called at
+// plain numbers and at dual numbers over them. A constant of it, such as its step, is a plain number or made
+// from one. A map that solves an equation on the way is differentiated through its solver, or, cheaper, with
+// implicit_map.hpp.
 #pragma once
 
 #include "actio/instruments/spaces.hpp"
@@ -23,7 +24,8 @@ template <class Space, class Point, class Image>
 void require_image(Space const& space, Point const& x, Image const& image, char const* where) {
   require_point(image, where);
   if (space.dimension(image) != space.dimension(x))
-    throw OutsideDomain(where, "a map into the same space is needed; dimension of its image", space.dimension(image), space.dimension(x));
+    throw OutsideDomain(where, "a map into the same space is needed; dimension of its image",
+                        space.dimension(image), space.dimension(x));
 }
 
 /// The tangent of a map at a point.

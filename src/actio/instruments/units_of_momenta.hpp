@@ -40,7 +40,9 @@ auto length_of(V const& v) {
 struct UnitClasses {
   std::vector<int> of;  ///< the class of each component
   std::vector<bool>
-      has_length;  ///< by class: whether elements of the group have a size in it that units change (false for turns, which are angles)
+      /// by class: whether elements of the group have a size in it that units change (false for turns, which
+      /// are angles)
+      has_length;
 };
 
 /// The classes of components that share a unit.
@@ -85,7 +87,8 @@ UnitClasses unit_classes(G const& group) {
   UnitClasses classes{std::vector<int>(n, -1), {}};
   for (int a = 0; a < n; ++a) {
     for (int b = 0; b < a && classes.of[a] < 0; ++b)
-      if (met[a] == met[b] && (!met[a] || magnitude((weight(a) - weight(b)).eval()) < 1e-9)) classes.of[a] = classes.of[b];
+      if (met[a] == met[b] && (!met[a] || magnitude((weight(a) - weight(b)).eval()) < 1e-9))
+        classes.of[a] = classes.of[b];
     if (classes.of[a] >= 0) continue;
     classes.of[a] = static_cast<int>(classes.has_length.size());
     classes.has_length.push_back(!met[a] || magnitude(weight(a)) > 1e-9);
@@ -95,7 +98,8 @@ UnitClasses unit_classes(G const& group) {
 
 /// For each component of a momentum, the size of the momentum in the components that share its unit.
 ///
-/// A class in which the momentum vanishes gets the size of the largest, in the units given; where all of it vanishes the sizes are 1.
+/// A class in which the momentum vanishes gets the size of the largest, in the units given; where all of it
+/// vanishes the sizes are 1.
 template <Group G, Plain S>
 detail::AnyVector<S> sizes_by_unit(Momentum<G, S> const& mu) {
   auto const classes = unit_classes(mu.group);

@@ -1,7 +1,9 @@
-// The action of a section on a box of space-time, and integrals of forms over its boundary (section 6.2 of the thesis).
+// The action of a section on a box of space-time, and integrals of forms over its boundary (section 6.2 of
+// the thesis).
 //
-// Integrals are sums over tensor grids of a rule on the unit interval: Gauss's where there are roots, and over the rationals the rule with equally spaced
-// nodes. Both are exact for polynomials of a degree that the caller names.
+// Integrals are sums over tensor grids of a rule on the unit interval: Gauss's where there are roots, and
+// over the rationals the rule with equally spaced nodes. Both are exact for polynomials of a degree that the
+// caller names.
 #pragma once
 
 #include <array>
@@ -9,8 +11,8 @@
 #include <vector>
 
 #include "actio/forms/forms.hpp"
-#include "actio/numbers/gauss_quadrature.hpp"
 #include "actio/jets/density.hpp"
+#include "actio/numbers/gauss_quadrature.hpp"
 
 namespace actio {
 
@@ -28,7 +30,8 @@ struct IntervalRule {
   std::vector<S> weights;  ///< \f$b_i\f$
 };
 
-/// A rule that is exact for polynomials of the given degree: Gauss's, and over the rationals the one with degree + 1 equally spaced nodes.
+/// A rule that is exact for polynomials of the given degree: Gauss's, and over the rationals the one with
+/// degree + 1 equally spaced nodes.
 template <class S>
   requires Plain<S>
 IntervalRule<S> rule_for(int degree) {
@@ -82,17 +85,20 @@ auto integral(F const& f, Matrix<S, rows, 1> const& low, Matrix<S, rows, 1> cons
 /// @param degree  of \f$L(j^1\phi)\f$ in each coordinate; with that the integral is exact
 template <class S, int n, class L, class Phi>
 S action(L const& density, Phi const& phi, Box<S, n> const& box, int degree) {
-  return integral([&](Event<S, n> const& x) { return S(density(first_jet(phi, x))); }, box.low, box.high, degree);
+  return integral([&](Event<S, n> const& x) { return S(density(first_jet(phi, x))); }, box.low, box.high,
+                  degree);
 }
 
-/// The integral of an n-form on space-time over the boundary of a box, with the orientation of Stokes' theorem: outward normal first.
+/// The integral of an n-form on space-time over the boundary of a box, with the orientation of Stokes'
+/// theorem: outward normal first.
 /// @param alpha   n-form: a callable on a point and n tangent vectors
 /// @param degree  of its coefficients in each coordinate
 template <class S, int n, class Form>
 S boundary_integral(Form const& alpha, Box<S, n> const& box, int degree) {
   S total(0);
   for (int mu = 0; mu <= n; ++mu) {
-    // The side x^mu = const, with the other coordinates in their order; the outward normal first gives it the sign (-1)^mu at the upper end.
+    // The side x^mu = const, with the other coordinates in their order; the outward normal first gives it the
+    // sign (-1)^mu at the upper end.
     Tangents<S, n + 1, n> sides = Tangents<S, n + 1, n>::Zero();
     Matrix<S, n, 1> low, high;
     for (int nu = 0, k = 0; nu <= n; ++nu)
@@ -104,7 +110,8 @@ S boundary_integral(Form const& alpha, Box<S, n> const& box, int degree) {
     for (bool upper : {false, true}) {
       auto const side = [&](Matrix<S, n, 1> const& s) {
         Event<S, n> x;
-        for (int nu = 0, k = 0; nu <= n; ++nu) x[nu] = nu == mu ? (upper ? box.high[nu] : box.low[nu]) : s[k++];
+        for (int nu = 0, k = 0; nu <= n; ++nu)
+          x[nu] = nu == mu ? (upper ? box.high[nu] : box.low[nu]) : s[k++];
         return S(alpha(x, sides));
       };
       S const part = integral(side, low, high, degree);

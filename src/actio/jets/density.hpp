@@ -1,7 +1,9 @@
-// Lagrangian densities, their momenta and the covariant Legendre transformation (sections 6.1 and 6.2 of the thesis).
+// Lagrangian densities, their momenta and the covariant Legendre transformation (sections 6.1 and 6.2 of the
+// thesis).
 //
-// A density is a callable L on first jets, written once for every scalar; the (n+1)-form is L d^{n+1}x with d^{n+1}x = dt ^ dx^1 ^ ... ^ dx^n.
-// It may have a member `examine(jet)` that refuses a jet at which it is not defined; it is asked once, on plain numbers, before L is differentiated.
+// A density is a callable L on first jets, written once for every scalar; the (n+1)-form is L d^{n+1}x with
+// d^{n+1}x = dt ^ dx^1 ^ ... ^ dx^n. It may have a member `examine(jet)` that refuses a jet at which it is
+// not defined; it is asked once, on plain numbers, before L is differentiated.
 #pragma once
 
 #include <string>
@@ -10,7 +12,8 @@
 
 namespace actio {
 
-/// A Lagrangian density over jets with n and N: `L(jet)` is the coefficient of \f$d^{n+1}x\f$, over any scalar.
+/// A Lagrangian density over jets with n and N: `L(jet)` is the coefficient of \f$d^{n+1}x\f$, over any
+/// scalar.
 template <class L, class S, int n, int N>
 concept DensityOver = requires(L const& density, Jet<S, n, N> const& jet) {
   { density(jet) } -> std::convertible_to<S>;
@@ -29,7 +32,8 @@ std::string show(V const& v) {
   return text + ")";
 }
 
-/// Asks a density, a constraint or a medium whether it is defined at a jet: its member `examine(jet)`, where it has one, refuses.
+/// Asks a density, a constraint or a medium whether it is defined at a jet: its member `examine(jet)`, where
+/// it has one, refuses.
 ///
 /// Over plain numbers alone: over dual numbers a jet is one of those around a jet that has been asked about.
 template <class L, class S, int n, int N>
@@ -45,10 +49,12 @@ template <MatrixLike M, class S, int n, int N>
 void require_derivative(M const& derivative, Jet<S, n, N> const& jet, char const* where) {
   if constexpr (!is_exact<S>)
     if (!is_finite(derivative))
-      throw NoDerivative(std::string(where) + " at x = " + show(jet.x) + ", y = " + show(jet.y) + ": the density has no derivative there");
+      throw NoDerivative(std::string(where) + " at x = " + show(jet.x) + ", y = " + show(jet.y) +
+                         ": the density has no derivative there");
 }
 
-/// The partial derivatives \f$\partial L/\partial x^\mu\f$ of a density at a jet, with y and v held: not the \ref total_derivative.
+/// The partial derivatives \f$\partial L/\partial x^\mu\f$ of a density at a jet, with y and v held: not the
+/// \ref total_derivative.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Event<S, n> partial_x(L const& density, Jet<S, n, N> const& jet) {
@@ -68,7 +74,8 @@ Matrix<S, N, 1> partial_y(L const& density, Jet<S, n, N> const& jet) {
   return derivative(at_place, jet.y).gradient();
 }
 
-/// The partial derivatives \f$\partial L/\partial v^a{}_\mu\f$ of a density at a jet, by the velocities: a row for each a, a column for each \f$\mu\f$.
+/// The partial derivatives \f$\partial L/\partial v^a{}_\mu\f$ of a density at a jet, by the velocities: a
+/// row for each a, a column for each \f$\mu\f$.
 ///
 /// \ref momenta is the same and asks the density first whether it is defined.
 template <class S, int n, int N, class L>
@@ -80,7 +87,8 @@ Matrix<S, N, n + 1> partial_v(L const& density, Jet<S, n, N> const& jet) {
   return derivative(at_velocities, jet.v).gradient();
 }
 
-/// The partial derivatives \f$\partial L/\partial v^a{}_\mu\f$ for one \f$\mu\f$ and all a: a column of \ref momenta.
+/// The partial derivatives \f$\partial L/\partial v^a{}_\mu\f$ for one \f$\mu\f$ and all a: a column of
+/// \ref momenta.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, 1> partial_v(L const& density, Jet<S, n, N> const& jet, int mu) {
@@ -92,7 +100,8 @@ Matrix<S, N, 1> partial_v(L const& density, Jet<S, n, N> const& jet, int mu) {
   return derivative(at_velocity, Matrix<S, N, 1>(jet.v.col(mu))).gradient();
 }
 
-/// The momenta \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$ at a jet: a row for each a, a column for each \f$\mu\f$ (6.4).
+/// The momenta \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$ at a jet: a row for each a, a column for each
+/// \f$\mu\f$ (6.4).
 ///
 /// \implements{eq_6_4}
 /// @throws NoDerivative  where the density has none; and what the density itself refuses
@@ -108,14 +117,15 @@ Matrix<S, N, n + 1> momenta(L const& density, Jet<S, n, N> const& jet) {
   return p;
 }
 
-/// A point of the dual jet bundle \f$J^1Y^*\f$: the affine map \f$v \mapsto (\Pi + p_a{}^\mu v^a{}_\mu)\,d^{n+1}x\f$ on the jets over (x, y).
+/// A point of the dual jet bundle \f$J^1Y^*\f$: the affine map
+/// \f$v \mapsto (\Pi + p_a{}^\mu v^a{}_\mu)\,d^{n+1}x\f$ on the jets over (x, y).
 template <class S, int n, int N>
 struct DualJet {
   static constexpr int dimension = n + 1 + N + 1 + N * (n + 1);  ///< of the dual jet bundle
 
-  Event<S, n> x;                 ///< point of space-time, t first
+  Event<S, n> x;          ///< point of space-time, t first
   Matrix<S, N, 1> y;      ///< place
-  S Pi;                          ///< \f$\Pi\f$, the affine component
+  S Pi;                   ///< \f$\Pi\f$, the affine component
   Matrix<S, N, n + 1> p;  ///< \f$p_a{}^\mu\f$, a row for each a
 };
 
@@ -128,7 +138,8 @@ S pairing(DualJet<S, n, N> const& z, Jet<S, n, N> const& jet) {
   return sum;
 }
 
-/// The covariant Legendre transformation \f$J^1Y\to J^1Y^*\f$: \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$, \f$\Pi = L - p_a{}^\mu v^a{}_\mu\f$.
+/// The covariant Legendre transformation \f$J^1Y\to J^1Y^*\f$:
+/// \f$p_a{}^\mu = \partial L/\partial v^a{}_\mu\f$, \f$\Pi = L - p_a{}^\mu v^a{}_\mu\f$.
 ///
 /// \implements{eq_6_4,claim_6_2_affine_momentum}
 /// @throws NoDerivative  where the density has none
@@ -156,7 +167,8 @@ S energy_density(L const& density, Jet<S, n, N> const& jet) {
   // [eq_6_5]
 }
 
-/// The coordinates of a dual jet in one column: \f$x^\mu\f$, \f$y^a\f$, \f$\Pi\f$, then \f$p_a{}^\mu\f$ with \f$\mu\f$ slowest.
+/// The coordinates of a dual jet in one column: \f$x^\mu\f$, \f$y^a\f$, \f$\Pi\f$, then \f$p_a{}^\mu\f$ with
+/// \f$\mu\f$ slowest.
 template <class S, int n, int N>
 Matrix<S, DualJet<S, n, N>::dimension, 1> coordinates(DualJet<S, n, N> const& z) {
   Matrix<S, DualJet<S, n, N>::dimension, 1> c;

@@ -1,10 +1,13 @@
-// The Euler-Lagrange derivative of a density from one evaluation of it: the fast road to (6.12) of the thesis.
+// The Euler-Lagrange derivative of a density from one evaluation of it: the fast road to (6.12) of the
+// thesis.
 //
-// The divergence D_mu (dL/dv^a_mu) is a sum over mu of second derivatives of L: of one along the section, in x^mu, and of one in v^a_mu. Move the jet by
-// an infinitesimal delta_mu along x^mu as the section goes, for each mu, and each v^a_mu by an infinitesimal epsilon_a^mu. In a product of the two
-// nothing is needed but the sum over mu; so let delta_mu epsilon_a^mu = tau_a be the same for each mu, and all other products be zero. On such numbers
-// (divergence_number.hpp) L has D_mu (dL/dv^a_mu) at tau_a. Move y^a by -tau_a as well: then L has D_mu (dL/dv^a_mu) - dL/dy^a there, which is minus
-// the Euler-Lagrange derivative, for all a at once. The line of the thesis is `euler_lagrange_by_terms` in field_equations.hpp.
+// The divergence D_mu (dL/dv^a_mu) is a sum over mu of second derivatives of L: of one along the section, in
+// x^mu, and of one in v^a_mu. Move the jet by an infinitesimal delta_mu along x^mu as the section goes, for
+// each mu, and each v^a_mu by an infinitesimal epsilon_a^mu. In a product of the two nothing is needed but
+// the sum over mu; so let delta_mu epsilon_a^mu = tau_a be the same for each mu, and all other products be
+// zero. On such numbers (divergence_number.hpp) L has D_mu (dL/dv^a_mu) at tau_a. Move y^a by -tau_a as well:
+// then L has D_mu (dL/dv^a_mu) - dL/dy^a there, which is minus the Euler-Lagrange derivative, for all a at
+// once. The line of the thesis is `euler_lagrange_by_terms` in field_equations.hpp.
 #pragma once
 
 #include "actio/jets/density.hpp"
@@ -12,8 +15,8 @@
 
 namespace actio {
 
-/// The first jets around a second jet j: moved along each \f$x^\mu\f$ by \f$\delta_\mu\f$ as the section goes, each \f$v^a{}_\mu\f$ by
-/// \f$\varepsilon_a{}^\mu\f$, and \f$y^a\f$ by \f$-\tau_a\f$.
+/// The first jets around a second jet j: moved along each \f$x^\mu\f$ by \f$\delta_\mu\f$ as the section
+/// goes, each \f$v^a{}_\mu\f$ by \f$\varepsilon_a{}^\mu\f$, and \f$y^a\f$ by \f$-\tau_a\f$.
 template <class S, int n, int N>
 Jet<DivergenceNumber<S, n + 1, N>, n, N> moved_for_divergence(SecondJet<S, n, N> const& j) {
   Jet<DivergenceNumber<S, n + 1, N>, n, N> moved;
@@ -34,7 +37,8 @@ Jet<DivergenceNumber<S, n + 1, N>, n, N> moved_for_divergence(SecondJet<S, n, N>
   return moved;
 }
 
-/// The Euler-Lagrange derivative \f$\partial L/\partial y^a - D_\mu\,(\partial L/\partial v^a{}_\mu)\f$ at a second jet (6.12): the left side of the field equations.
+/// The Euler-Lagrange derivative \f$\partial L/\partial y^a - D_\mu\,(\partial L/\partial v^a{}_\mu)\f$ at a
+/// second jet (6.12): the left side of the field equations.
 ///
 /// L is evaluated once; \ref euler_lagrange_by_terms is the same as the thesis writes it.
 /// \implements{eq_6_12,eq_6_9}
@@ -55,7 +59,8 @@ Matrix<S, N, 1> euler_lagrange(L const& density, SecondJet<S, n, N> const& j) {
 
 /// The same along a section, at a point of space-time.
 template <class S, int rows, class L, class Phi>
-Matrix<S, detail::fibre_dimension<Phi, S, rows - 1>, 1> euler_lagrange(L const& density, Phi const& phi, Matrix<S, rows, 1> const& x) {
+Matrix<S, detail::fibre_dimension<Phi, S, rows - 1>, 1> euler_lagrange(L const& density, Phi const& phi,
+                                                                       Matrix<S, rows, 1> const& x) {
   return euler_lagrange(density, second_jet(phi, x));
 }
 

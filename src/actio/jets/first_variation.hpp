@@ -1,8 +1,9 @@
-// First variations of a section: the boundary term of the action, the linearised field equations and the current that two variations make (section 6.2
-// of the thesis).
+// First variations of a section: the boundary term of the action, the linearised field equations and the
+// current that two variations make (section 6.2 of the thesis).
 //
-// A vertical variation V moves the places of a section and leaves space-time alone: to first order the section is phi + eps V, and V has jets as a section has.
-// A variation that is not vertical has n + 1 + N components, \f$V^\mu\f$ first; what the field equations see of it is its vertical part.
+// A vertical variation V moves the places of a section and leaves space-time alone: to first order the
+// section is phi + eps V, and V has jets as a section has. A variation that is not vertical has n + 1 + N
+// components, \f$V^\mu\f$ first; what the field equations see of it is its vertical part.
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -64,12 +65,14 @@ Jet<Dual<S>, n, N> varied(Jet<S, n, N> const& j, Jet<S, n, N> const& V) {
 template <class S, int n, int N>
 SecondJet<Dual<S>, n, N> varied(SecondJet<S, n, N> const& j, SecondJet<S, n, N> const& V) {
   SecondJet<Dual<S>, n, N> moved;
-  static_cast<Jet<Dual<S>, n, N>&>(moved) = varied(static_cast<Jet<S, n, N> const&>(j), static_cast<Jet<S, n, N> const&>(V));
+  static_cast<Jet<Dual<S>, n, N>&>(moved) =
+      varied(static_cast<Jet<S, n, N> const&>(j), static_cast<Jet<S, n, N> const&>(V));
   for (int mu = 0; mu <= n; ++mu) moved.w[mu] = moved_along(j.w[mu], V.w[mu]);
   return moved;
 }
 
-/// The linearised field equations \f$\frac{d}{d\epsilon}E[\phi + \epsilon V]\f$: V is a first variation of a solution where they vanish.
+/// The linearised field equations \f$\frac{d}{d\epsilon}E[\phi + \epsilon V]\f$: V is a first variation of a
+/// solution where they vanish.
 ///
 /// \implements{thm_6_2_2}
 /// @param j  second jet of the section, @param V  second jet of the vertical variation
@@ -77,7 +80,8 @@ SecondJet<Dual<S>, n, N> varied(SecondJet<S, n, N> const& j, SecondJet<S, n, N> 
 /// Accuracy: exact but for the rounding of L.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> const& j, SecondJet<S, n, N> const& V) {
+Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> const& j,
+                                          SecondJet<S, n, N> const& V) {
   examine(density, static_cast<Jet<S, n, N> const&>(j));
   return rate(euler_lagrange(density, varied(j, V)));
 }
@@ -85,7 +89,8 @@ Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> c
 /// The current \f$\omega^\mu = \delta_Vp_a{}^\mu\,W^a - \delta_Wp_a{}^\mu\,V^a\f$ of two vertical variations:
 /// \f$(j^1\phi)^*(j^1V\lrcorner j^1W\lrcorner\,\Omega_L) = \omega^\mu\,d^nx_\mu\f$ (6.11).
 ///
-/// Its divergence is \f$V\cdot\delta_WE - W\cdot\delta_VE\f$: it vanishes for two first variations, which is the multisymplectic form formula.
+/// Its divergence is \f$V\cdot\delta_WE - W\cdot\delta_VE\f$: it vanishes for two first variations, which is
+/// the multisymplectic form formula.
 ///
 /// \implements{eq_6_11}
 /// @param j  first jet of the section
@@ -94,7 +99,8 @@ Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> c
 /// @throws NoDerivative  where the density has no second derivative; and what the density itself refuses
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
-Event<S, n> multisymplectic_current(L const& density, Jet<S, n, N> const& j, Jet<S, n, N> const& V, Jet<S, n, N> const& W) {
+Event<S, n> multisymplectic_current(L const& density, Jet<S, n, N> const& j, Jet<S, n, N> const& V,
+                                    Jet<S, n, N> const& W) {
   examine(density, j);
   auto const delta_p = [&](Jet<S, n, N> const& by) { return rate(momenta(density, varied(j, by))); };
   // [eq_6_11]

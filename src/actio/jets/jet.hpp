@@ -1,7 +1,8 @@
 // Sections and their jets (section 6.1 of the thesis).
 //
-// Space-time X = B x R has coordinates x^0 = t and x^1, ..., x^n; the fibre M has y^1, ..., y^N. A section is a callable, written once for every
-// scalar: it takes a point of X and returns the place in M. Its first jet at x is (x, phi(x), d_mu phi^a), its second jet has d_mu d_nu phi^a as well.
+// Space-time X = B x R has coordinates x^0 = t and x^1, ..., x^n; the fibre M has y^1, ..., y^N. A section is
+// a callable, written once for every scalar: it takes a point of X and returns the place in M. Its first jet
+// at x is (x, phi(x), d_mu phi^a), its second jet has d_mu d_nu phi^a as well.
 #pragma once
 
 #include <concepts>
@@ -25,9 +26,9 @@ struct Jet {
   static constexpr int fibre = N;                            ///< dimension of the space M
   static constexpr int dimension = n + 1 + N + N * (n + 1);  ///< of the jet bundle
 
-  Event<S, n> x;                      ///< point of space-time, t first
-  Matrix<S, N, 1> y;           ///< place \f$y^a\f$
-  Matrix<S, N, n + 1> v;       ///< \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
+  Event<S, n> x;          ///< point of space-time, t first
+  Matrix<S, N, 1> y;      ///< place \f$y^a\f$
+  Matrix<S, N, n + 1> v;  ///< \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
 
   /// \f$v^a{}_0\f$.
   Matrix<S, N, 1> velocity() const { return v.col(0); }
@@ -38,9 +39,7 @@ struct Jet {
 
   /// The same jet over a scalar that extends S.
   template <class T>
-  Jet<T, n, N> cast() const {
-    return {x.template cast<T>(), y.template cast<T>(), v.template cast<T>()};
-  }
+  Jet<T, n, N> cast() const { return {x.template cast<T>(), y.template cast<T>(), v.template cast<T>()}; }
 };
 
 /// A point of the second jets \f$Y''\f$: a first jet and \f$w^a{}_{\mu\nu} = w^a{}_{\nu\mu}\f$.
@@ -64,7 +63,8 @@ namespace detail {
 template <class X>
 inline constexpr int space_dimension = X::RowsAtCompileTime - 1;
 template <class Phi, class S, int n>
-inline constexpr int fibre_dimension = std::remove_cvref_t<decltype(std::declval<Phi const&>()(std::declval<Event<S, n> const&>()))>::RowsAtCompileTime;
+inline constexpr int fibre_dimension = std::remove_cvref_t<decltype(std::declval<Phi const&>()(
+    std::declval<Event<S, n> const&>()))>::RowsAtCompileTime;
 }  // namespace detail
 
 /// The first jet \f$j^1\phi(x) = (x^\mu, \phi^a(x), \partial_\mu\phi^a(x))\f$ of a section.
@@ -77,19 +77,24 @@ template <class S, int rows, class Phi>
   requires SectionOver<Phi, S, rows - 1>
 auto first_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
-  static_assert(N > 0, "a section returns a place with as many coordinates as the fibre has dimensions, known when it is compiled");
+  static_assert(N > 0,
+                "a section returns a place with as many coordinates as the fibre has dimensions, known when "
+                "it is compiled");
   auto const d = derivative(phi, x);
   // [claim_6_1_jet_bundle]
   return Jet<S, n, N>{x, d.value, d.matrix};
   // [claim_6_1_jet_bundle]
 }
 
-/// The second jet \f$j^2\phi(x)\f$ of a section: \ref first_jet and \f$\partial_\mu\partial_\nu\phi^a(x)\f$, from one evaluation on truncated polynomials.
+/// The second jet \f$j^2\phi(x)\f$ of a section: \ref first_jet and \f$\partial_\mu\partial_\nu\phi^a(x)\f$,
+/// from one evaluation on truncated polynomials.
 template <class S, int rows, class Phi>
   requires SectionOver<Phi, S, rows - 1>
 auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
-  static_assert(N > 0, "a section returns a place with as many coordinates as the fibre has dimensions, known when it is compiled");
+  static_assert(N > 0,
+                "a section returns a place with as many coordinates as the fibre has dimensions, known when "
+                "it is compiled");
   using D = SecondOrder<S, rows>;
   Event<D, n> moved;
   for (int mu = 0; mu <= n; ++mu) moved[mu] = D::variable(x[mu], mu);
@@ -106,21 +111,26 @@ auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   return jet;
 }
 
-/// The first jets of a section on the way from x along \f$x^\mu\f$, to first order: \f$(x + \epsilon\,\partial_\mu,\ y + \epsilon\,v_\mu,\ v + \epsilon\,w_\mu)\f$.
+/// The first jets of a section on the way from x along \f$x^\mu\f$, to first order:
+/// \f$(x + \epsilon\,\partial_\mu,\ y + \epsilon\,v_\mu,\ v + \epsilon\,w_\mu)\f$.
 ///
-/// What a function of jets is along a section, differentiated in \f$x^\mu\f$, is its value here: \ref total_derivative.
+/// What a function of jets is along a section, differentiated in \f$x^\mu\f$, is its value here:
+/// \ref total_derivative.
 template <class S, int n, int N>
 Jet<Dual<S>, n, N> along(SecondJet<S, n, N> const& j, int mu) {
-  return {moved_along(j.x, Event<S, n>::Unit(mu)), moved_along(j.y, Matrix<S, N, 1>(j.v.col(mu))), moved_along(j.v, j.w[mu])};
+  return {moved_along(j.x, Event<S, n>::Unit(mu)), moved_along(j.y, Matrix<S, N, 1>(j.v.col(mu))),
+          moved_along(j.v, j.w[mu])};
 }
 
-/// A function of first jets along a section: its value and its \ref total_derivative in \f$x^\mu\f$, from one evaluation.
+/// A function of first jets along a section: its value and its \ref total_derivative in \f$x^\mu\f$, from one
+/// evaluation.
 template <class F, class S, int n, int N>
 auto along_section(int mu, F const& f, SecondJet<S, n, N> const& j) {
   return detail::value_and_rate<Dual<S>>(f(along(j, mu)));
 }
 
-/// The total derivative \f$D_\mu f\f$ of a function of first jets along a section: \f$\frac{\partial}{\partial x^\mu}f(j^1\phi(x))\f$.
+/// The total derivative \f$D_\mu f\f$ of a function of first jets along a section:
+/// \f$\frac{\partial}{\partial x^\mu}f(j^1\phi(x))\f$.
 /// @param f  a callable on first jets, over any scalar; its values are numbers, vectors or matrices
 /// @param j  second jet of the section
 /// @return   a number, a vector or a matrix, as f
@@ -130,7 +140,8 @@ auto total_derivative(int mu, F const& f, SecondJet<S, n, N> const& j) {
   return along_section(mu, f, j).rate;
 }
 
-/// The coordinates of a jet in one column: \f$x^\mu\f$, then \f$y^a\f$, then \f$v^a{}_\mu\f$ with \f$\mu\f$ slowest. Forms on the jet bundle take these.
+/// The coordinates of a jet in one column: \f$x^\mu\f$, then \f$y^a\f$, then \f$v^a{}_\mu\f$ with \f$\mu\f$
+/// slowest. Forms on the jet bundle take these.
 template <class S, int n, int N>
 Matrix<S, Jet<S, n, N>::dimension, 1> coordinates(Jet<S, n, N> const& j) {
   Matrix<S, Jet<S, n, N>::dimension, 1> c;

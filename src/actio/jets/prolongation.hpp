@@ -13,11 +13,13 @@ Matrix<S, n + 1 + N, 1> point_of(Jet<S, n, N> const& j) {
   return point;
 }
 
-/// The prolongation \f$j^1\xi\f$ of a vector field on Y that covers one on X: \f$(\xi^\mu, \xi^a, D_\mu\xi^a - v^a{}_\nu\,D_\mu\xi^\nu)\f$ with
+/// The prolongation \f$j^1\xi\f$ of a vector field on Y that covers one on X:
+/// \f$(\xi^\mu, \xi^a, D_\mu\xi^a - v^a{}_\nu\,D_\mu\xi^\nu)\f$ with
 /// \f$D_\mu = \partial_\mu + v^b{}_\mu\,\partial/\partial y^b\f$.
 ///
 /// \implements{eq_9_3}
-/// @param xi  a callable from points (x, y) of Y, one column, to their velocities, over any scalar; its x part does not depend on y
+/// @param xi  a callable from points (x, y) of Y, one column, to their velocities, over any scalar; its x
+///            part does not depend on y
 /// @return    a vector field on the jet bundle: a callable from coordinates to tangent vectors
 template <int n, int N, class Xi>
 auto prolonged(Xi const& xi) {

@@ -1,7 +1,10 @@
-// Circulation along closed loops of particles (Kelvin's theorem, from the relabelling current of section 9.1 of the thesis).
+// Circulation along closed loops of particles (Kelvin's theorem, from the relabelling current of section 9.1
+// of the thesis).
 //
-// The time component of the relabelling current is -rho u_k sqrt(det G) xi^k with u_k = g_ab phidot^a phi^b_,k, the velocity carried back to the body. For a field that runs along a closed loop,
-// all the more concentrated on it, the current's integral over the body becomes -rho times the circulation of u along the loop: closed current, constant circulation.
+// The time component of the relabelling current is -rho u_k sqrt(det G) xi^k with u_k = g_ab phidot^a
+// phi^b_,k, the velocity carried back to the body. For a field that runs along a closed loop, all the more
+// concentrated on it, the current's integral over the body becomes -rho times the circulation of u along the
+// loop: closed current, constant circulation.
 #pragma once
 
 #include <numbers>
@@ -11,7 +14,8 @@
 
 namespace actio {
 
-/// The velocity carried back to the body, \f$u_k = g_{ab}\,\dot\phi^a\phi^b{}_{,k}\f$: \f$p_a{}^0v^a{}_k\f$ over \f$\rho\sqrt{\det G}\f$.
+/// The velocity carried back to the body, \f$u_k = g_{ab}\,\dot\phi^a\phi^b{}_{,k}\f$: \f$p_a{}^0v^a{}_k\f$
+/// over \f$\rho\sqrt{\det G}\f$.
 template <class SpaceMetric, class S, int n, int N>
 Matrix<S, n, 1> material_velocity_form(SpaceMetric const& g, Jet<S, n, N> const& j) {
   Matrix<S, N, 1> const lower = lowered(g(j.y), j.velocity());
@@ -21,7 +25,8 @@ Matrix<S, n, 1> material_velocity_form(SpaceMetric const& g, Jet<S, n, N> const&
 /// The circulation \f$\oint u_k\,dx^k\f$ along a closed loop of particles at time t.
 ///
 /// @param phi     section, @param g metric of space
-/// @param loop    a callable from an angle in \f$[0, 2\pi]\f$ to points of the body, over any scalar; periodic but for jumps of angular coordinates by their period
+/// @param loop    a callable from an angle in \f$[0, 2\pi]\f$ to points of the body, over any scalar;
+///                periodic but for jumps of angular coordinates by their period
 /// @param points  of the trapezoidal rule, which is as good as any for periodic functions
 /// Accuracy: falls faster than any power of `points` for analytic loops; rounding from some tens on.
 template <class Phi, class SpaceMetric, class Loop, class S>
@@ -38,11 +43,15 @@ S circulation(Phi const& phi, SpaceMetric const& g, Loop const& loop, S const& t
   return sum;
 }
 
-/// The vorticity \f$\partial_ju_k - \partial_ku_j\f$ of the velocity form along a section, from its second jet: a skew matrix, in (j, k).
+/// The vorticity \f$\partial_ju_k - \partial_ku_j\f$ of the velocity form along a section, from its second
+/// jet: a skew matrix, in (j, k).
 template <class SpaceMetric, class S, int n, int N>
 Matrix<S, n, n> material_vorticity(SpaceMetric const& g, SecondJet<S, n, N> const& j) {
   Matrix<S, n, n> slope;
-  for (int i = 0; i < n; ++i) slope.row(i) = total_derivative(i + 1, [&g](auto const& jet) { return material_velocity_form(g, jet); }, j).transpose();
+  for (int i = 0; i < n; ++i)
+    slope.row(i) = total_derivative(
+                       i + 1, [&g](auto const& jet) { return material_velocity_form(g, jet); }, j)
+                       .transpose();
   return slope - slope.transpose();
 }
 

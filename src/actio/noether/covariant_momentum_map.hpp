@@ -1,7 +1,8 @@
 // The covariant momentum map and the Noether current (section 9.1 of the thesis).
 //
-// With Omega = -dTheta the momentum map of an equivariant density is J(xi) = j1 xi hook Theta, an n-form on the jet bundle with dJ(xi) = j1 xi hook Omega. Pulled back by a section it is
-// the Noether current, here by its components: J^mu d^n x_mu.
+// With Omega = -dTheta the momentum map of an equivariant density is J(xi) = j1 xi hook Theta, an n-form on
+// the jet bundle with dJ(xi) = j1 xi hook Omega. Pulled back by a section it is the Noether current, here by
+// its components: J^mu d^n x_mu.
 #pragma once
 
 #include "actio/jets/cartan.hpp"
@@ -13,9 +14,11 @@ namespace actio {
 /// The covariant momentum map \f$J_L(\xi) = j^1\xi\lrcorner\,\Theta_L\f$ of a density (9.7).
 ///
 /// \implements{eq_9_7}
-/// @param xi  a vector field on Y that covers one on space-time: a callable from points (x, y), one column, to their velocities
+/// @param xi  a vector field on Y that covers one on space-time: a callable from points (x, y), one column,
+///            to their velocities
 /// @return    an n-form on the jet bundle: a callable on coordinates of a jet and n tangent vectors
-/// Hypothesis: the density is equivariant under xi; otherwise \f$dJ_L(\xi)\f$ is not \f$j^1\xi\lrcorner\,\Omega_L\f$.
+/// Hypothesis: the density is equivariant under xi; otherwise \f$dJ_L(\xi)\f$ is not
+/// \f$j^1\xi\lrcorner\,\Omega_L\f$.
 template <int n, int N, class L, class Xi>
 auto covariant_momentum_map(L const& density, Xi const& xi) {
   // [eq_9_7]
@@ -23,7 +26,8 @@ auto covariant_momentum_map(L const& density, Xi const& xi) {
   // [eq_9_7]
 }
 
-/// One component of the Noether current \f$(j^1\phi)^*J_L(\xi) = J^\mu\,d^nx_\mu\f$: \f$J^\mu = L\,\xi^\mu + p_a{}^\mu\,(\xi^a - v^a{}_\nu\xi^\nu)\f$.
+/// One component of the Noether current \f$(j^1\phi)^*J_L(\xi) = J^\mu\,d^nx_\mu\f$:
+/// \f$J^\mu = L\,\xi^\mu + p_a{}^\mu\,(\xi^a - v^a{}_\nu\xi^\nu)\f$.
 ///
 /// \implements{thm_9_1_1}
 /// @param j  first jet of the section
@@ -39,7 +43,8 @@ S noether_current(L const& density, Xi const& xi, Jet<S, n, N> const& j, int mu)
   return J;
 }
 
-/// The components of the Noether current, \f$J^\mu = (L\,\delta^\mu_\nu - p_a{}^\mu v^a{}_\nu)\,\xi^\nu + p_a{}^\mu\xi^a\f$, time first.
+/// The components of the Noether current, \f$J^\mu = (L\,\delta^\mu_\nu - p_a{}^\mu
+/// v^a{}_\nu)\,\xi^\nu + p_a{}^\mu\xi^a\f$, time first.
 ///
 /// \implements{thm_9_1_1}
 /// @param j  first jet of the section
@@ -55,12 +60,13 @@ Event<S, n> noether_current(L const& density, Xi const& xi, Jet<S, n, N> const& 
 /// @param current  a callable from points of space-time to components
 template <class Current>
 auto flux_form(Current const& current) {
-  return [current]<class S, int rows>(Matrix<S, rows, 1> const& x, Tangents<S, rows, rows - 1> const& V) -> S {
-    Matrix<S, rows, rows> all;
-    all.col(0) = current(x);
-    all.template rightCols<rows - 1>() = V;
-    return determinant(all);
-  };
+  return
+      [current]<class S, int rows>(Matrix<S, rows, 1> const& x, Tangents<S, rows, rows - 1> const& V) -> S {
+        Matrix<S, rows, rows> all;
+        all.col(0) = current(x);
+        all.template rightCols<rows - 1>() = V;
+        return determinant(all);
+      };
 }
 
 }  // namespace actio

@@ -1,7 +1,8 @@
 // Equivariance of densities under automorphisms and vector fields of Y (section 9.1 of the thesis).
 //
-// A density is equivariant under an automorphism where L(eta gamma) d^{n+1}x at eta_X(x) is the push-forward of L(gamma) d^{n+1}x. Both forms are taken back to x here,
-// so that defects are per unit of d^{n+1}x at the jet that is given.
+// A density is equivariant under an automorphism where L(eta gamma) d^{n+1}x at eta_X(x) is the push-forward
+// of L(gamma) d^{n+1}x. Both forms are taken back to x here, so that defects are per unit of d^{n+1}x at the
+// jet that is given.
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -9,7 +10,8 @@
 
 namespace actio {
 
-/// The density \f$\eta^*L\f$, \f$(\eta^*L)(\gamma) = \det(T\eta_X)\,L(\eta_{J^1Y}(\gamma))\f$: what a moved section acts with, seen from where it came.
+/// The density \f$\eta^*L\f$, \f$(\eta^*L)(\gamma) = \det(T\eta_X)\,L(\eta_{J^1Y}(\gamma))\f$: what a moved
+/// section acts with, seen from where it came.
 template <class L, class Eta>
 struct PulledBackDensity {
   L density;  ///< L
@@ -26,7 +28,8 @@ struct PulledBackDensity {
 template <class L, class Eta>
 PulledBackDensity(L, Eta) -> PulledBackDensity<L, Eta>;
 
-/// The defect of equivariance \f$\det(T\eta_X)\,L(\eta_{J^1Y}(\gamma)) - L(\gamma)\f$: zero where \f$L(\eta_{J^1Y}(\gamma))\,d^{n+1}x = (\eta_X^{-1})^*\bigl(L(\gamma)\,d^{n+1}x\bigr)\f$.
+/// The defect of equivariance \f$\det(T\eta_X)\,L(\eta_{J^1Y}(\gamma)) - L(\gamma)\f$: zero where
+/// \f$L(\eta_{J^1Y}(\gamma))\,d^{n+1}x = (\eta_X^{-1})^*\bigl(L(\gamma)\,d^{n+1}x\bigr)\f$.
 ///
 /// \implements{claim_9_1_equivariance}
 /// @throws Singular  where the automorphism has no inverse; and what the density refuses
@@ -34,15 +37,16 @@ template <class L, class Eta, class S, int n, int N>
 S equivariance_defect(L const& density, Eta const& eta, Jet<S, n, N> const& j) {
   examine(density, j);
   // [claim_9_1_equivariance]
-  return PulledBackDensity{density, eta}(j) - density(j);
+  return PulledBackDensity{density, eta}(j)-density(j);
   // [claim_9_1_equivariance]
 }
 
-/// The same for a vector field: \f$dL(j^1\xi) + L\,\partial_\mu\xi^\mu\f$, the coefficient of the Lie derivative of \f$L\,d^{n+1}x\f$ along \f$j^1\xi\f$.
+/// The same for a vector field: \f$dL(j^1\xi) + L\,\partial_\mu\xi^\mu\f$, the coefficient of the Lie
+/// derivative of \f$L\,d^{n+1}x\f$ along \f$j^1\xi\f$.
 ///
 /// \implements{claim_9_1_equivariance}
-/// @param xi  a vector field on Y that covers one on space-time: a callable from points (x, y), one column, to their velocities, over any scalar
-/// Accuracy: exact but for the rounding of L and xi.
+/// @param xi  a vector field on Y that covers one on space-time: a callable from points (x, y), one column,
+/// to their velocities, over any scalar Accuracy: exact but for the rounding of L and xi.
 template <class L, class Xi, class S, int n, int N>
 S equivariance_rate(L const& density, Xi const& xi, Jet<S, n, N> const& j) {
   examine(density, j);

@@ -1,7 +1,8 @@
 // Isometries of space as symmetries of a medium (the introduction of chapter 9 of the thesis).
 //
-// A field k on space is Killing where the Lie derivative of g along it vanishes. A medium whose stored energy sees g and the deformation through the Green tensor alone is equivariant under
-// isometries, whatever its body is made of.
+// A field k on space is Killing where the Lie derivative of g along it vanishes. A medium whose stored energy
+// sees g and the deformation through the Green tensor alone is equivariant under isometries, whatever its
+// body is made of.
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -23,10 +24,14 @@ void require_killing(Metric const& g, Field const& k, Matrix<S, N, 1> const& y, 
   Base<S> const bound = Base<S>(256 * N) * epsilon<S>();
   if (!is_finite(found)) throw NotFinite("Killing field at y = " + show(y));
   if (found > bound * rate)
-    throw NotKilling("field at y = " + show(y), "an isometry preserves the metric; Lie derivative over the rates of the field", rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found), to_double(bound));
+    throw NotKilling("field at y = " + show(y),
+                     "an isometry preserves the metric; Lie derivative over the rates of the field",
+                     rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found),
+                     to_double(bound));
 }
 
-/// The rotation \f$k^a = A^a{}_by^b\f$ of flat space about the origin, A skew; with `shift` a translation too.
+/// The rotation \f$k^a = A^a{}_by^b\f$ of flat space about the origin, A skew; with `shift` a translation
+/// too.
 template <class S, int N>
 struct RigidMotion {
   Matrix<S, N, N> turn;   ///< A, skew
@@ -44,7 +49,8 @@ struct RigidMotion {
   }
 };
 
-/// The metric \f$4R^2\,\delta_{ab}/(1+|y|^2)^2\f$ of the sphere of radius R in stereographic coordinates; rational, with a rational volume.
+/// The metric \f$4R^2\,\delta_{ab}/(1+|y|^2)^2\f$ of the sphere of radius R in stereographic coordinates;
+/// rational, with a rational volume.
 template <class S, int N>
 struct StereographicSphere {
   S radius = S(1);  ///< R
@@ -61,7 +67,8 @@ struct StereographicSphere {
   }
 };
 
-/// The Killing fields \f$k = Ay + \tfrac12(1-|y|^2)\,b + (b\cdot y)\,y\f$ of the sphere in stereographic coordinates: A skew turns it about the axis of the projection, b about others.
+/// The Killing fields \f$k = Ay + \tfrac12(1-|y|^2)\,b + (b\cdot y)\,y\f$ of the sphere in stereographic
+/// coordinates: A skew turns it about the axis of the projection, b about others.
 template <class S, int N>
 struct SphereRotation {
   Matrix<S, N, N> turn;  ///< A, skew
@@ -99,8 +106,6 @@ struct SpaceMotion {
 };
 /// The motion of places along a field on space of dimension N.
 template <int N, class Field>
-SpaceMotion<N, Field> motion_of_space(Field const& k) {
-  return {k};
-}
+SpaceMotion<N, Field> motion_of_space(Field const& k) { return {k}; }
 
 }  // namespace actio

@@ -1,7 +1,9 @@
-// Relabelling of the points of a fluid: divergence-free fields on the body and the currents they carry (section 9.1 of the thesis).
+// Relabelling of the points of a fluid: divergence-free fields on the body and the currents they carry
+// (section 9.1 of the thesis).
 //
-// The flow of a field xi on the body preserves its volume sqrt(det G) d^n x where d_k(sqrt(det G) xi^k) = 0. Coordinates with det G constant are nowhere assumed: the determinant of a
-// volume-preserving map is sqrt(det G(x))/sqrt(det G(eta(x))) there, and it is 1 only in such coordinates.
+// The flow of a field xi on the body preserves its volume sqrt(det G) d^n x where d_k(sqrt(det G) xi^k) = 0.
+// Coordinates with det G constant are nowhere assumed: the determinant of a volume-preserving map is sqrt(det
+// G(x))/sqrt(det G(eta(x))) there, and it is 1 only in such coordinates.
 #pragma once
 
 #include "actio/continuum/materials.hpp"
@@ -14,10 +16,12 @@ struct NotDivergenceFree : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
-/// The field of a potential A on the body, divergence-free with respect to \f$\sqrt{\det G}\f$: for n = 2 a stream function, \f$\xi = (\partial_2A, -\partial_1A)/\sqrt{\det G}\f$; for n = 3 a vector
-/// potential, \f$\xi^i = \epsilon^{ijk}\partial_jA_k/\sqrt{\det G}\f$.
+/// The field of a potential A on the body, divergence-free with respect to \f$\sqrt{\det G}\f$: for n = 2 a
+/// stream function, \f$\xi = (\partial_2A, -\partial_1A)/\sqrt{\det G}\f$; for n = 3 a vector potential,
+/// \f$\xi^i = \epsilon^{ijk}\partial_jA_k/\sqrt{\det G}\f$.
 /// @tparam Metric     G, a callable on points of the body
-/// @tparam Potential  a callable on points of the body, over any scalar: a column with 1 component for n = 2 and 3 for n = 3
+/// @tparam Potential  a callable on points of the body, over any scalar: a column with 1 component for n = 2
+///                    and 3 for n = 3
 template <class Metric, class Potential>
 struct RelabellingField {
   Metric G;     ///< metric of the body
@@ -46,15 +50,19 @@ RelabellingField(Metric, Potential) -> RelabellingField<Metric, Potential>;
 template <class Metric, class Xi, class S, int n>
 void require_divergence_free(Metric const& G, Xi const& xi, Matrix<S, n, 1> const& x, Base<S> const& rate) {
   Base<S> const found = magnitude(divergence(G, xi, x));
-  // Derivatives of a potential, of a volume and of their quotient: some tens of roundings for each of n terms.
+  // Derivatives of a potential, of a volume and of their quotient: some tens of roundings for each of n
+  // terms.
   Base<S> const bound = Base<S>(256 * n) * epsilon<S>();
   if (!is_finite(found)) throw NotFinite("relabelling field at x = " + show(x));
   if (found > bound * rate)
-    throw NotDivergenceFree("relabelling field at x = " + show(x), "a relabelling preserves the volume of the body; divergence over the rates of the field", rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found),
-                            to_double(bound));
+    throw NotDivergenceFree(
+        "relabelling field at x = " + show(x),
+        "a relabelling preserves the volume of the body; divergence over the rates of the field",
+        rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found), to_double(bound));
 }
 
-/// The field \f$(0, \xi(x), 0)\f$ on Y that relabels the body and leaves places alone: the generator of (9.1), whose prolongation is (9.3).
+/// The field \f$(0, \xi(x), 0)\f$ on Y that relabels the body and leaves places alone: the generator of
+/// (9.1), whose prolongation is (9.3).
 ///
 /// \implements{eq_9_1}
 template <int N, class Xi>
@@ -73,12 +81,12 @@ struct Relabelling {
 };
 /// The relabelling of fibres of dimension N by a field on the body.
 template <int N, class Xi>
-Relabelling<N, Xi> relabelling_field(Xi const& xi) {
-  return {xi};
-}
+Relabelling<N, Xi> relabelling_field(Xi const& xi) { return {xi}; }
 
-/// The same on a bundle whose last fibre coordinate is the multiplier \f$\lambda = \sqrt{\det G}\,P\f$ of incompressibility: \f$(0, \xi, 0, -\lambda\,\partial_k\xi^k)\f$. The multiplier goes over as a density, so that the
-/// pressure is what goes over as it is; where det G is constant \f$\partial_k\xi^k = 0\f$, and this is the field of (9.1).
+/// The same on a bundle whose last fibre coordinate is the multiplier \f$\lambda = \sqrt{\det G}\,P\f$ of
+/// incompressibility: \f$(0, \xi, 0, -\lambda\,\partial_k\xi^k)\f$. The multiplier goes over as a density, so
+/// that the pressure is what goes over as it is; where det G is constant \f$\partial_k\xi^k = 0\f$, and this
+/// is the field of (9.1).
 /// @tparam N  dimension of the fibre with the multiplier
 template <int N, class Xi>
 struct DensityRelabelling {
@@ -98,17 +106,19 @@ struct DensityRelabelling {
 };
 /// The relabelling of fibres of dimension N, the last coordinate of which is a density.
 template <int N, class Xi>
-DensityRelabelling<N, Xi> density_relabelling_field(Xi const& xi) {
-  return {xi};
-}
+DensityRelabelling<N, Xi> density_relabelling_field(Xi const& xi) { return {xi}; }
 
-/// The relabelling current of a barotropic fluid, written out (9.8): \f$\bigl(\tfrac12\rho\,g_{ab}\dot\phi^a\dot\phi^b - \rho W - PJ\bigr)\sqrt{\det G}\,\xi^k\,d^nx_k - g_{ab}\dot\phi^b\phi^a{}_{,k}\,\rho\sqrt{\det G}\,\xi^k\,d^nx_0\f$.
+/// The relabelling current of a barotropic fluid, written out (9.8):
+/// \f$\bigl(\tfrac12\rho\,g_{ab}\dot\phi^a\dot\phi^b - \rho W - PJ\bigr)\sqrt{\det
+/// G}\,\xi^k\,d^nx_k - g_{ab}\dot\phi^b\phi^a{}_{,k}\,\rho\sqrt{\det G}\,\xi^k\,d^nx_0\f$.
 ///
 /// \implements{eq_9_8,claim_9_1_barotropic_current_space,claim_9_1_barotropic_current_time}
 /// @param xi  value of the field at the point of the body
 /// @return    components of the current, time first
 template <class BodyMetric, class SpaceMetric, class Mass, class Law, class S, int n>
-Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Mass, Barotropic<Law>> const& fluid, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
+Event<S, n> barotropic_relabelling_current(
+    Continuum<BodyMetric, SpaceMetric, Mass, Barotropic<Law>> const& fluid, Matrix<S, n, 1> const& xi,
+    Jet<S, n, n> const& j) {
   examine(fluid, j);
   auto const G = fluid.G(j.particle());
   auto const g = fluid.g(j.y);
@@ -124,14 +134,16 @@ Event<S, n> barotropic_relabelling_current(Continuum<BodyMetric, SpaceMetric, Ma
   return current;
 }
 
-/// The relabelling current of an ideal incompressible fluid, written out (9.9), with the constant stored energy put to zero.
+/// The relabelling current of an ideal incompressible fluid, written out (9.9), with the constant stored
+/// energy put to zero.
 ///
 /// \implements{eq_9_9}
 /// @param body, space  values of their metrics
 /// @param rho   mass density of the body, @param P pressure
 /// @param j     first jet of the placement alone, without the multiplier
 template <class G, class g, class S, int n>
-Event<S, n> incompressible_relabelling_current(G const& body, g const& space, S const& rho, S const& P, Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
+Event<S, n> incompressible_relabelling_current(G const& body, g const& space, S const& rho, S const& P,
+                                               Matrix<S, n, 1> const& xi, Jet<S, n, n> const& j) {
   S const sqrt_det_G = volume<S>(body);
   Matrix<S, n, 1> const v = j.velocity(), F_xi = j.gradient() * xi;
   Event<S, n> current;

@@ -19,7 +19,9 @@ struct TimeTranslation {
   }
 };
 
-/// The current of energy \f$e\,d^nx_0 + p_a{}^j\dot\phi^a\,d^nx_j\f$, the Noether current of \ref TimeTranslation with the sign turned: energy density, then the energy that flows through the faces of the body's coordinates.
+/// The current of energy \f$e\,d^nx_0 + p_a{}^j\dot\phi^a\,d^nx_j\f$, the Noether current of
+/// \ref TimeTranslation with the sign turned: energy density, then the energy that flows through the faces of
+/// the body's coordinates.
 ///
 /// \implements{claim_9_2_time_current}
 /// @return  components, time first, per unit of \f$d^{n+1}x\f$: \f$\sqrt{\det G}\f$ is in them

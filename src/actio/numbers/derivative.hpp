@@ -1,9 +1,11 @@
 // The derivative of a callable, exact but for the rounding of the callable itself.
 //
-// A function f of a number, of a vector or of a matrix, with values that are numbers, vectors or matrices, is evaluated on dual numbers (dual.hpp):
-// no step size, nothing left out. Variables go through in batches of one size, so that the dimension of a space never enters the type of a scalar, and
-// a function is compiled for the same few scalars wherever it is differentiated. f is a callable over any scalar; over dual numbers `derivative` gives
-// second derivatives, and over the rationals the derivatives of rational functions as rational numbers.
+// A function f of a number, of a vector or of a matrix, with values that are numbers, vectors or matrices, is
+// evaluated on dual numbers (dual.hpp): no step size, nothing left out. Variables go through in batches of
+// one size, so that the dimension of a space never enters the type of a scalar, and a function is compiled
+// for the same few scalars wherever it is differentiated. f is a callable over any scalar; over dual numbers
+// `derivative` gives second derivatives, and over the rationals the derivatives of rational functions as
+// rational numbers.
 #pragma once
 
 #include <type_traits>
@@ -12,7 +14,8 @@
 
 namespace actio {
 
-/// How many directions a dual number carries at once. With the value they are four numbers: two pairs of doubles.
+/// How many directions a dual number carries at once. With the value they are four numbers: two pairs of
+/// doubles.
 inline constexpr int batch = 3;
 
 /// The scalar on which one differential of a function at `S` is evaluated.
@@ -23,9 +26,7 @@ using Moved = Dual<S, batch>;
 
 /// How a number changes in the direction of its dual numbers.
 template <class S>
-S rate(Dual<S> const& x) {
-  return x.part[0];
-}
+S rate(Dual<S> const& x) { return x.part[0]; }
 /// How a matrix changes in the direction of its dual numbers.
 template <class S, int R, int C>
 Matrix<S, R, C> rate(Matrix<Dual<S>, R, C> const& x) {
@@ -35,9 +36,7 @@ Matrix<S, R, C> rate(Matrix<Dual<S>, R, C> const& x) {
 namespace detail {
 /// Values of dual numbers.
 template <class S, int N>
-S without_parts(Dual<S, N> const& x) {
-  return x.value;
-}
+S without_parts(Dual<S, N> const& x) { return x.value; }
 /// Values of dual numbers.
 template <class S, int N, int R, int C>
 Matrix<S, R, C> without_parts(Matrix<Dual<S, N>, R, C> const& x) {
@@ -83,9 +82,7 @@ Dual<S> variable(S const& t) {
 /// @param t  where, a plain number or one over dual numbers
 /// Accuracy: exact but for the rounding of f.
 template <class F, Scalar S>
-auto derivative(F const& f, S const& t) {
-  return detail::value_and_rate<Dual<S>>(f(variable(t)));
-}
+auto derivative(F const& f, S const& t) { return detail::value_and_rate<Dual<S>>(f(variable(t))); }
 
 /// \f$x + \epsilon w\f$ with an infinitesimal \f$\epsilon\f$: a number, a vector or a matrix moved along w.
 template <class S, int R, int C>
@@ -95,8 +92,10 @@ Matrix<Dual<S>, R, C> moved_along(Matrix<S, R, C> const& x, Matrix<S, R, C> cons
   return moved;
 }
 
-/// The derivative along a direction: \f$f(x)\f$ and \f$\frac{d}{d\epsilon}f(x + \epsilon w)\f$ at \f$\epsilon = 0\f$.
-/// @param f  a callable on vectors (or matrices), over any scalar; its values are numbers, vectors or matrices
+/// The derivative along a direction: \f$f(x)\f$ and \f$\frac{d}{d\epsilon}f(x + \epsilon w)\f$ at
+/// \f$\epsilon = 0\f$.
+/// @param f  a callable on vectors (or matrices), over any scalar; its values are numbers, vectors or
+///           matrices
 /// @param x  where
 /// @param w  direction, with as many components as x
 /// Accuracy: exact but for the rounding of f.
@@ -125,7 +124,8 @@ constexpr int components_of() {
 template <class S, class Value, int R, int C>
 struct Derivative {
   Value value;  ///< \f$f(x)\f$
-  /// \f$\partial f_i/\partial x_k\f$: a row for each component of the value, a column for each variable. Matrices count column by column.
+  /// \f$\partial f_i/\partial x_k\f$: a row for each component of the value, a column for each variable.
+  /// Matrices count column by column.
   Matrix<S, detail::components_of<Value>(), detail::entries_of(R, C)> matrix;
 
   /// \f$\partial f/\partial x_k\f$, in the shape of the value.
@@ -138,7 +138,8 @@ struct Derivative {
       return matrix(0, k);
     }
   }
-  /// The derivatives of a number, in the shape of the variables: \f$\partial f/\partial x_{ab}\f$ in row a and column b.
+  /// The derivatives of a number, in the shape of the variables: \f$\partial f/\partial x_{ab}\f$ in row a
+  /// and column b.
   Matrix<S, R, C> gradient() const
     requires(!MatrixLike<Value>)
   {

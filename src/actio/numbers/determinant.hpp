@@ -23,7 +23,9 @@ struct Complex {
 
   friend Complex operator-(Complex const& a) { return Complex(-a.re, -a.im); }
   friend Complex operator-(Complex const& a, Complex const& b) { return Complex(a.re - b.re, a.im - b.im); }
-  friend Complex operator*(Complex const& a, Complex const& b) { return Complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re); }
+  friend Complex operator*(Complex const& a, Complex const& b) {
+    return Complex(a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re);
+  }
   friend Complex operator/(Complex const& a, Complex const& b) {
     S const inverse = S(1) / b.square_of_modulus();
     Complex const c = a * b.conjugate();
@@ -34,9 +36,7 @@ struct Complex {
 namespace detail {
 
 template <class S>
-Base<S> size_of_pivot(S const& x) {
-  return magnitude(base_value(x));
-}
+Base<S> size_of_pivot(S const& x) { return magnitude(base_value(x)); }
 template <class S>
 Base<S> size_of_pivot(Complex<S> const& z) {
   return magnitude(base_value(z.re)) + magnitude(base_value(z.im));
@@ -76,7 +76,8 @@ typename M::Scalar determinant_by_elimination(M const& a) {
   return detail::eliminated(std::move(entries), n);
 }
 
-/// The determinant of the complex matrix A + i B, given by the first half of the columns of its real form ((A, -B), (B, A)).
+/// The determinant of the complex matrix A + i B, given by the first half of the columns of its real form
+/// ((A, -B), (B, A)).
 template <MatrixLike M>
 Complex<typename M::Scalar> complex_determinant(M const& a) {
   int const n = static_cast<int>(a.rows()) / 2;

@@ -50,9 +50,7 @@ DivergenceNumber<S, m, N> pow(DivergenceNumber<S, m, N> const& x, Base<S> const&
   return chain(x, power, slope, S(slope * (exponent - Base<S>(1)) / x.value()));
 }
 template <class S, int m, int N>
-DivergenceNumber<S, m, N> abs(DivergenceNumber<S, m, N> const& x) {
-  return x.value() < S(0) ? -x : x;
-}
+DivergenceNumber<S, m, N> abs(DivergenceNumber<S, m, N> const& x) { return x.value() < S(0) ? -x : x; }
 /// The angle of the point (x, y): the derivatives are those of the arc tangent of the smaller ratio.
 template <class S, int m, int N>
 DivergenceNumber<S, m, N> atan2(DivergenceNumber<S, m, N> const& y, DivergenceNumber<S, m, N> const& x) {
@@ -60,7 +58,8 @@ DivergenceNumber<S, m, N> atan2(DivergenceNumber<S, m, N> const& y, DivergenceNu
   bool const steep = abs(y.value()) > abs(x.value());
   auto const ratio = steep ? -x / y : y / x;
   S const slope = S(1) / (S(1) + ratio.value() * ratio.value());
-  return chain(ratio, S(atan2(y.value(), x.value())), slope, S(-(ratio.value() + ratio.value()) * slope * slope));
+  return chain(ratio, S(atan2(y.value(), x.value())), slope,
+               S(-(ratio.value() + ratio.value()) * slope * slope));
 }
 
 }  // namespace actio

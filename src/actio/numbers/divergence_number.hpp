@@ -1,8 +1,10 @@
-// Numbers that carry a divergence: of a map, one evaluation gives the sums over mu of its second derivatives along delta_mu and epsilon_a^mu, for all a.
+// Numbers that carry a divergence: of a map, one evaluation gives the sums over mu of its second derivatives
+// along delta_mu and epsilon_a^mu, for all a.
 //
-// They are polynomials in infinitesimals delta_mu and epsilon_a^mu whose products all vanish but delta_mu epsilon_a^mu = tau_a, the same for each mu. So of the
-// second derivatives no more is stored than the N sums that a divergence is made of: for m = 4 and N = 3
-// there are 20 numbers, where dual numbers of dual numbers need four evaluations with 8.
+// They are polynomials in infinitesimals delta_mu and epsilon_a^mu whose products all vanish but delta_mu
+// epsilon_a^mu = tau_a, the same for each mu. So of the second derivatives no more is stored than the N sums
+// that a divergence is made of: for m = 4 and N = 3 there are 20 numbers, where dual numbers of dual numbers
+// need four evaluations with 8.
 #pragma once
 
 #include <array>
@@ -20,8 +22,9 @@ struct BaseOf<DivergenceNumber<S, m, N>> {
   using type = Base<S>;
 };
 
-/// A number \f$x + \sum_\mu x_\mu\delta_\mu + \sum_{a\mu} x^a{}_\mu\,\varepsilon_a{}^\mu + \sum_a x^a\,\tau_a\f$ with m values of mu and N of a, where
-/// \f$\delta_\mu\varepsilon_a{}^\mu = \tau_a\f$ and all other products are zero.
+/// A number \f$x + \sum_\mu x_\mu\delta_\mu + \sum_{a\mu} x^a{}_\mu\,\varepsilon_a{}^\mu + \sum_a
+/// x^a\,\tau_a\f$ with m values of mu and N of a, where \f$\delta_\mu\varepsilon_a{}^\mu = \tau_a\f$ and all
+/// other products are zero.
 template <class S, int m, int N>
 struct DivergenceNumber {
   using Row = detail::Row<S, N + 1>;  ///< what belongs to one mu
@@ -35,17 +38,15 @@ struct DivergenceNumber {
   /// A constant.
   template <ConstantOver<S> T>
     requires(!std::same_as<T, S>)
-  DivergenceNumber(T v) {
-    head.set(0, S(v));
-  }
+  DivergenceNumber(T v) { head.set(0, S(v)); }
 
-  S value() const { return head[0]; }                                 ///< \f$x\f$
-  S sum(int a) const { return head[1 + a]; }                          ///< \f$x^a\f$
-  S rate(int mu) const { return row[mu][0]; }                         ///< \f$x_\mu\f$
-  S slope(int mu, int a) const { return row[mu][1 + a]; }             ///< \f$x^a{}_\mu\f$
-  void set_value(S const& x) { head.set(0, x); }                      ///< sets \f$x\f$
-  void set_sum(int a, S const& x) { head.set(1 + a, x); }             ///< sets \f$x^a\f$
-  void set_rate(int mu, S const& x) { row[mu].set(0, x); }            ///< sets \f$x_\mu\f$
+  S value() const { return head[0]; }                                   ///< \f$x\f$
+  S sum(int a) const { return head[1 + a]; }                            ///< \f$x^a\f$
+  S rate(int mu) const { return row[mu][0]; }                           ///< \f$x_\mu\f$
+  S slope(int mu, int a) const { return row[mu][1 + a]; }               ///< \f$x^a{}_\mu\f$
+  void set_value(S const& x) { head.set(0, x); }                        ///< sets \f$x\f$
+  void set_sum(int a, S const& x) { head.set(1 + a, x); }               ///< sets \f$x^a\f$
+  void set_rate(int mu, S const& x) { row[mu].set(0, x); }              ///< sets \f$x_\mu\f$
   void set_slope(int mu, int a, S const& x) { row[mu].set(1 + a, x); }  ///< sets \f$x^a{}_\mu\f$
 
   DivergenceNumber& operator+=(DivergenceNumber const& y) {
@@ -96,13 +97,23 @@ struct DivergenceNumber {
   template <ConstantOver<S> T>
   friend DivergenceNumber operator/(DivergenceNumber x, T const& c) { return x /= c; }
   template <ConstantOver<S> T>
-  friend DivergenceNumber operator/(T const& c, DivergenceNumber const& x) { return DivergenceNumber(S(c)) / x; }
+  friend DivergenceNumber operator/(T const& c, DivergenceNumber const& x) {
+    return DivergenceNumber(S(c)) / x;
+  }
 
   // Order is that of the values; equality is that of everything.
-  friend bool operator<(DivergenceNumber const& x, DivergenceNumber const& y) { return x.value() < y.value(); }
-  friend bool operator>(DivergenceNumber const& x, DivergenceNumber const& y) { return x.value() > y.value(); }
-  friend bool operator<=(DivergenceNumber const& x, DivergenceNumber const& y) { return x.value() <= y.value(); }
-  friend bool operator>=(DivergenceNumber const& x, DivergenceNumber const& y) { return x.value() >= y.value(); }
+  friend bool operator<(DivergenceNumber const& x, DivergenceNumber const& y) {
+    return x.value() < y.value();
+  }
+  friend bool operator>(DivergenceNumber const& x, DivergenceNumber const& y) {
+    return x.value() > y.value();
+  }
+  friend bool operator<=(DivergenceNumber const& x, DivergenceNumber const& y) {
+    return x.value() <= y.value();
+  }
+  friend bool operator>=(DivergenceNumber const& x, DivergenceNumber const& y) {
+    return x.value() >= y.value();
+  }
   friend bool operator==(DivergenceNumber const& x, DivergenceNumber const& y) {
     for (int j = 0; j <= N; ++j) {
       if (!(x.head[j] == y.head[j])) return false;
@@ -129,7 +140,8 @@ struct DivergenceNumber {
 
 /// z += x y.
 template <class S, int m, int N>
-void add_product(DivergenceNumber<S, m, N>& __restrict z, DivergenceNumber<S, m, N> const& x, DivergenceNumber<S, m, N> const& y) {
+void add_product(DivergenceNumber<S, m, N>& __restrict z, DivergenceNumber<S, m, N> const& x,
+                 DivergenceNumber<S, m, N> const& y) {
   S const p = x.value(), q = y.value(), value = z.value() + p * q;
   detail::Row<S, N + 1> head = z.head;
   head.add(p, y.head);
@@ -161,9 +173,7 @@ DivergenceNumber<S, m, N> chain(DivergenceNumber<S, m, N> const& x, S const& f, 
 }
 
 template <class S, int m, int N>
-Base<S> base_value(DivergenceNumber<S, m, N> const& x) {
-  return base_value(x.value());
-}
+Base<S> base_value(DivergenceNumber<S, m, N> const& x) { return base_value(x.value()); }
 template <class S, int m, int N>
 Base<S> magnitude(DivergenceNumber<S, m, N> const& x) {
   Base<S> largest = magnitude(x.value());

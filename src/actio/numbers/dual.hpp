@@ -1,8 +1,8 @@
 // Dual numbers: a value and its first-order change along N directions at once.
 //
-// Arithmetic with infinitesimals e_1, ..., e_N whose products are all zero. Evaluating a formula on them gives its exact
-// derivative: no step size, nothing left out. They nest: over Dual<Dual<double>> one gets second derivatives, and over the
-// rationals the derivative of a rational function is a rational number.
+// Arithmetic with infinitesimals e_1, ..., e_N whose products are all zero. Evaluating a formula on them
+// gives its exact derivative: no step size, nothing left out. They nest: over Dual<Dual<double>> one gets
+// second derivatives, and over the rationals the derivative of a rational function is a rational number.
 //
 // N is the size of a small batch of directions, never the dimension of a space: callers loop over batches.
 #pragma once
@@ -26,7 +26,8 @@ inline constexpr bool is_dual = false;
 template <class S, int N>
 inline constexpr bool is_dual<Dual<S, N>> = true;
 
-/// What may stand beside a dual number over `S` without being one: an integer or the plain number at its bottom.
+/// What may stand beside a dual number over `S` without being one: an integer or the plain number at its
+/// bottom.
 template <class T, class S>
 concept ConstantOver = std::integral<T> || std::same_as<T, Base<S>>;
 
@@ -102,7 +103,7 @@ void add_product(Dual<S, N>& __restrict z, Dual<S, N> const& x, Dual<S, N> const
 /// A number \f$x + \sum_a x_a\,\varepsilon_a\f$ with \f$\varepsilon_a\varepsilon_b = 0\f$.
 template <class S, int N>
 struct Dual {
-  S value{};               ///< the number itself
+  S value{};                ///< the number itself
   std::array<S, N> part{};  ///< its rates of change along the N directions
 
   Dual() = default;
@@ -210,11 +211,20 @@ struct Dual {
   friend Dual operator+(Dual const& x) { return x; }
 
   template <ConstantOver<S> T>
-  friend Dual operator+(Dual x, T const& c) { x.value += c; return x; }
+  friend Dual operator+(Dual x, T const& c) {
+    x.value += c;
+    return x;
+  }
   template <ConstantOver<S> T>
-  friend Dual operator+(T const& c, Dual x) { x.value += c; return x; }
+  friend Dual operator+(T const& c, Dual x) {
+    x.value += c;
+    return x;
+  }
   template <ConstantOver<S> T>
-  friend Dual operator-(Dual x, T const& c) { x.value -= c; return x; }
+  friend Dual operator-(Dual x, T const& c) {
+    x.value -= c;
+    return x;
+  }
   template <ConstantOver<S> T>
   friend Dual operator-(T const& c, Dual const& x) { return -x + c; }
   template <ConstantOver<S> T>
@@ -293,14 +303,10 @@ Dual<S, N> pow(Dual<S, N> const& x, Base<S> const& exponent) {
   return chain(x, power, S(power * exponent / x.value));
 }
 template <class S, int N>
-Dual<S, N> abs(Dual<S, N> const& x) {
-  return x.value < S(0) ? -x : x;
-}
+Dual<S, N> abs(Dual<S, N> const& x) { return x.value < S(0) ? -x : x; }
 
 template <class S, int N>
-Base<S> const& base_value(Dual<S, N> const& x) {
-  return base_value(x.value);
-}
+Base<S> const& base_value(Dual<S, N> const& x) { return base_value(x.value); }
 template <class S, int N>
 Base<S> magnitude(Dual<S, N> const& x) {
   Base<S> largest = magnitude(x.value);

@@ -1,4 +1,5 @@
-// Eigenvalues of real matrices in double, from the GNU Scientific Library: a call, where a template would cost every user seconds of compiling.
+// Eigenvalues of real matrices in double, from the GNU Scientific Library: a call, where a template would
+// cost every user seconds of compiling.
 #pragma once
 
 #include <gsl/gsl_eigen.h>
@@ -11,13 +12,20 @@
 namespace actio {
 namespace detail {
 
-/// The entries of a column-major matrix as GSL sees them, row by row: its transpose, which has the same eigenvalues.
-inline gsl_matrix_view as_gsl(Eigen::MatrixXd& a) { return gsl_matrix_view_array(a.data(), static_cast<std::size_t>(a.cols()), static_cast<std::size_t>(a.rows())); }
-inline gsl_vector_view as_gsl(Eigen::VectorXd& v) { return gsl_vector_view_array(v.data(), static_cast<std::size_t>(v.size())); }
+/// The entries of a column-major matrix as GSL sees them, row by row: its transpose, which has the same
+/// eigenvalues.
+inline gsl_matrix_view as_gsl(Eigen::MatrixXd& a) {
+  return gsl_matrix_view_array(a.data(), static_cast<std::size_t>(a.cols()),
+                               static_cast<std::size_t>(a.rows()));
+}
+inline gsl_vector_view as_gsl(Eigen::VectorXd& v) {
+  return gsl_vector_view_array(v.data(), static_cast<std::size_t>(v.size()));
+}
 
 inline void require_square(Eigen::MatrixXd const& a, char const* where) {
   if (a.rows() != a.cols() || a.rows() == 0)
-    throw OutsideDomain(where, "a square matrix with at least one row is needed; its rows and columns", static_cast<double>(a.rows()), static_cast<double>(a.cols()));
+    throw OutsideDomain(where, "a square matrix with at least one row is needed; its rows and columns",
+                        static_cast<double>(a.rows()), static_cast<double>(a.cols()));
 }
 
 }  // namespace detail
@@ -41,7 +49,8 @@ inline SymmetricEigen symmetric_eigen(Eigen::MatrixXd a) {
   SymmetricEigen found{Eigen::VectorXd(a.rows()), {}};
   auto m = detail::as_gsl(a), v = detail::as_gsl(vectors);
   auto w = detail::as_gsl(found.values);
-  std::unique_ptr<gsl_eigen_symmv_workspace, decltype(&gsl_eigen_symmv_free)> const work(gsl_eigen_symmv_alloc(static_cast<std::size_t>(a.rows())), &gsl_eigen_symmv_free);
+  std::unique_ptr<gsl_eigen_symmv_workspace, decltype(&gsl_eigen_symmv_free)> const work(
+      gsl_eigen_symmv_alloc(static_cast<std::size_t>(a.rows())), &gsl_eigen_symmv_free);
   gsl_eigen_symmv(&m.matrix, &w.vector, &v.matrix, work.get());
   gsl_eigen_symmv_sort(&w.vector, &v.matrix, GSL_EIGEN_SORT_VAL_ASC);
   found.vectors = vectors.transpose();
@@ -56,7 +65,8 @@ inline double largest_eigenvalue(Eigen::MatrixXd a) {
   Eigen::VectorXd values(a.rows());
   auto m = detail::as_gsl(a);
   auto w = detail::as_gsl(values);
-  std::unique_ptr<gsl_eigen_symm_workspace, decltype(&gsl_eigen_symm_free)> const work(gsl_eigen_symm_alloc(static_cast<std::size_t>(a.rows())), &gsl_eigen_symm_free);
+  std::unique_ptr<gsl_eigen_symm_workspace, decltype(&gsl_eigen_symm_free)> const work(
+      gsl_eigen_symm_alloc(static_cast<std::size_t>(a.rows())), &gsl_eigen_symm_free);
   gsl_eigen_symm(&m.matrix, &w.vector, work.get());
   return values.maxCoeff();
 }
@@ -75,12 +85,15 @@ inline Eigen::VectorXd real_parts_of_eigenvalues(Eigen::MatrixXd a) {
   Eigen::VectorXcd values(a.rows());
   auto m = detail::as_gsl(a);
   auto w = gsl_vector_complex_view_array(reinterpret_cast<double*>(values.data()), n);
-  std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> const work(gsl_eigen_nonsymm_alloc(n), &gsl_eigen_nonsymm_free);
+  std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> const work(
+      gsl_eigen_nonsymm_alloc(n), &gsl_eigen_nonsymm_free);
   gsl_eigen_nonsymm_params(0, 1, work.get());  // balanced: rows and columns may differ in size
   gsl_error_handler_t* const previous = gsl_set_error_handler_off();
   int const status = gsl_eigen_nonsymm(&m.matrix, &w.vector, work.get());
   gsl_set_error_handler(previous);
-  if (status != GSL_SUCCESS) throw NotConverged("real_parts_of_eigenvalues: " + std::string(gsl_strerror(status)), {}, to_double(epsilon<double>()));
+  if (status != GSL_SUCCESS)
+    throw NotConverged("real_parts_of_eigenvalues: " + std::string(gsl_strerror(status)), {},
+                       to_double(epsilon<double>()));
   Eigen::VectorXd real = values.real();
   std::sort(real.begin(), real.end());
   for (double& x : real) x = std::ldexp(x, exponent);

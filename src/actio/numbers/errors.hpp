@@ -1,4 +1,5 @@
-// What goes wrong, said in full: what was required, what was measured, the bound, and the statement that asks for it.
+// What goes wrong, said in full: what was required, what was measured, the bound, and the statement that asks
+// for it.
 #pragma once
 
 #include <sstream>
@@ -24,24 +25,29 @@ inline std::string show(double x) {
   return out.str();
 }
 
-/// An argument outside the set a function is defined on. Carries the measured quantity and the bound it breaks.
+/// An argument outside the set a function is defined on. Carries the measured quantity and the bound it
+/// breaks.
 struct OutsideDomain : Error {
   double measured;
   double bound;
-  OutsideDomain(std::string const& where, std::string const& required, double measured_value, double bound_value)
-      : Error(where + ": " + required + ", measured " + show(measured_value) + ", bound " + show(bound_value)),
-        measured(measured_value), bound(bound_value) {}
+  OutsideDomain(std::string const& where, std::string const& required, double measured_value,
+                double bound_value)
+      : Error(where + ": " + required + ", measured " + show(measured_value) + ", bound " +
+              show(bound_value)),
+        measured(measured_value),
+        bound(bound_value) {}
 };
 
 /// A NaN or an infinity where a number is needed.
 struct NotFinite : Error {
-  explicit NotFinite(std::string const& where) : Error(where + ": a NaN or an infinity where a finite number is needed") {}
+  explicit NotFinite(std::string const& where)
+      : Error(where + ": a NaN or an infinity where a finite number is needed") {}
 };
 
 /// Refuses a matrix or vector with a plain value that is a NaN or an infinity.
 ///
-/// What a scalar is extended by is not looked at: it is no number only where a value is none, or where a derivative does not exist, and that
-/// is seen when the derivative is taken.
+/// What a scalar is extended by is not looked at: it is no number only where a value is none, or where a
+/// derivative does not exist, and that is seen when the derivative is taken.
 template <MatrixLike Derived>
 void require_finite(Derived const& m, char const* where) {
   using T = Base<typename Derived::Scalar>;
@@ -80,8 +86,11 @@ struct UnphysicalInertia : OutsideDomain {
 struct StepTooLong : OutsideDomain {
   double largest_step;
   StepTooLong(std::string const& where, double step, double largest)
-      : OutsideDomain(where, "the step exceeds the solvability limit of the scheme; the largest step that would do is " + show(largest),
-                      step, largest),
+      : OutsideDomain(
+            where,
+            "the step exceeds the solvability limit of the scheme; the largest step that would do is " +
+                show(largest),
+            step, largest),
         largest_step(largest) {}
 };
 
@@ -93,7 +102,8 @@ struct NotConverged : Error {
       : Error(where + ": no convergence in " + std::to_string(history.size()) + " iterations, residual " +
               (history.empty() ? std::string("none") : show(history.back())) + ", tolerance " + show(bound) +
               "; the step may be too long for the Lagrangian to be regular"),
-        residuals(std::move(history)), tolerance(bound) {}
+        residuals(std::move(history)),
+        tolerance(bound) {}
 };
 
 }  // namespace actio

@@ -1,7 +1,7 @@
 // Functions of the squared angle that exp and log of rotations are made of.
 //
-// The angle itself, a square root, has no derivative at the identity. Everything here is a function of its square and is
-// smooth through zero, so that dual numbers at the identity come out right.
+// The angle itself, a square root, has no derivative at the identity. Everything here is a function of its
+// square and is smooth through zero, so that dual numbers at the identity come out right.
 #pragma once
 
 #include <vector>
@@ -53,7 +53,8 @@ int counted() {
     return n;
   }
 }
-/// A table of numbers that is made when it is first needed, and again where the arithmetic was changed since; one for each `Make`.
+/// A table of numbers that is made when it is first needed, and again where the arithmetic was changed since;
+/// one for each `Make`.
 template <Plain S, class Make>
 S const* table_of_arithmetic(int terms, Make const& make) {
   if constexpr (ChosenAtRunTime<S>) {
@@ -66,7 +67,8 @@ S const* table_of_arithmetic(int terms, Make const& make) {
     return table.data();
   }
 }
-/// The sum of a power series by Horner's rule. Steps of an integrator turn little: for |x| < 1/64 the first `few` terms will do.
+/// The sum of a power series by Horner's rule. Steps of an integrator turn little: for |x| < 1/64 the first
+/// `few` terms will do.
 template <class S, class Make>
 S sum_of_series(S const& x, int few, int all, Make const& make) {
   Base<S> const* const coefficients = table_of_arithmetic<Base<S>>(all, make);
@@ -79,23 +81,25 @@ S sum_of_series(S const& x, int few, int all, Make const& make) {
 
 constexpr long factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
-/// The Stumpff function \f$c_k(x) = \sum_n (-x)^n/(2n+k)!\f$: \f$c_0 = \cos\sqrt x\f$, \f$c_1 = \sin\sqrt x/\sqrt x\f$, and so on.
+/// The Stumpff function \f$c_k(x) = \sum_n (-x)^n/(2n+k)!\f$: \f$c_0 = \cos\sqrt x\f$,
+/// \f$c_1 = \sin\sqrt x/\sqrt x\f$, and so on.
 ///
-/// With \f$x = \theta^2\f$: \f$\exp\hat\omega = 1 + c_1\hat\omega + c_2\hat\omega^2\f$, and its differential uses \f$c_2, c_3\f$.
-/// Their derivatives stay in the family, \f$c_k' = \tfrac12(k\,c_{k+2} - c_{k+1})\f$, so no division by x is ever needed.
+/// With \f$x = \theta^2\f$: \f$\exp\hat\omega = 1 + c_1\hat\omega + c_2\hat\omega^2\f$, and its differential
+/// uses \f$c_2, c_3\f$. Their derivatives stay in the family, \f$c_k' = \tfrac12(k\,c_{k+2} - c_{k+1})\f$, so
+/// no division by x is ever needed.
 /// @param x  square of an angle; greater than -1
 /// Accuracy: a few epsilon relative to \f$1/k!\f$.
 template <int K, Real S>
 S stumpff(S const& x) {
   if (base_value(x) < Base<S>(1)) {
     return detail::sum_of_series(x, detail::counted<S, [] { return factorial_terms<S>(1.0 / 64) + 1; }>(),
-                                 detail::counted<S, [] { return factorial_terms<S>() + 1; }>(), [](int terms) {
-                                   std::vector<Base<S>> c(terms);
-                                   c[0] = Base<S>(1) / Base<S>(factorial(K));
-                                   for (int n = 1; n < terms; ++n)
-                                     c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
-                                   return c;
-                                 });
+                                 detail::counted<S, [] { return factorial_terms<S>() + 1; }>(),
+                                 [](int terms) {
+      std::vector<Base<S>> c(terms);
+      c[0] = Base<S>(1) / Base<S>(factorial(K));
+      for (int n = 1; n < terms; ++n) c[n] = -c[n - 1] / Base<S>((2 * n + K) * (2 * n + K - 1));
+      return c;
+    });
   }
   using std::cos, std::sin, std::sqrt;
   if constexpr (K == 0) {
@@ -123,17 +127,18 @@ template <int K, Real S>
 S asinc_derivative(S const& x) {
   // a(x) = sum b_n x^n with b_0 = 1, b_n = b_{n-1} (2n-1)^2 / (2n (2n+1)); its terms fall like x^n.
   return detail::sum_of_series(x, detail::counted<S, [] { return geometric_terms<S>(1.0 / 64) + K + 1; }>(),
-                               detail::counted<S, [] { return geometric_terms<S>(0.25) + 3 * K + 1; }>(), [](int terms) {
-                                 std::vector<Base<S>> c(terms);
-                                 Base<S> b(1);
-                                 for (int n = 0; n < terms + K; ++n) {
-                                   if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
-                                   if (n < K) continue;
-                                   c[n - K] = b;
-                                   for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
-                                 }
-                                 return c;
-                               });
+                               detail::counted<S, [] { return geometric_terms<S>(0.25) + 3 * K + 1; }>(),
+                               [](int terms) {
+    std::vector<Base<S>> c(terms);
+    Base<S> b(1);
+    for (int n = 0; n < terms + K; ++n) {
+      if (n > 0) b *= Base<S>((2 * n - 1) * (2 * n - 1)) / Base<S>(2 * n * (2 * n + 1));
+      if (n < K) continue;
+      c[n - K] = b;
+      for (int i = 0; i < K; ++i) c[n - K] *= Base<S>(n - i);
+    }
+    return c;
+  });
 }
 template <int K, class S, int N>
   requires Real<S>
@@ -149,24 +154,25 @@ Dual<S, N> asinc_derivative(Dual<S, N> const& x) {
 template <int K, Real S>
 S half_cotangent_derivative(S const& x) {
   // Its terms fall like (x/4 pi^2)^n. The coefficients are those of the quotient of two series.
-  return detail::sum_of_series(x, detail::counted<S, [] { return geometric_terms<S>(1.0 / 39 / 64) + K + 1; }>(),
-                               detail::counted<S, [] { return geometric_terms<S>(1.0 / 39) + 2 * K + 2; }>(), [](int terms) {
-                                 std::vector<Base<S>> below(terms + K), b(terms + K), c(terms);
-                                 Base<S> power(1);  // (-1)^n/(2n)!
-                                 for (int n = 0; n < terms + K; ++n) {
-                                   Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2));
-                                   Base<S> const three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
-                                   below[n] = two * Base<S>(2);
-                                   b[n] = three - four * Base<S>(2);
-                                   for (int m = 1; m <= n; ++m) b[n] -= below[m] * b[n - m];
-                                   power = -two;
-                                 }
-                                 for (int n = 0; n < terms; ++n) {
-                                   c[n] = b[n + K];
-                                   for (int i = 0; i < K; ++i) c[n] *= Base<S>(n + K - i);
-                                 }
-                                 return c;
-                               });
+  return detail::sum_of_series(
+      x, detail::counted<S, [] { return geometric_terms<S>(1.0 / 39 / 64) + K + 1; }>(),
+      detail::counted<S, [] { return geometric_terms<S>(1.0 / 39) + 2 * K + 2; }>(), [](int terms) {
+        std::vector<Base<S>> below(terms + K), b(terms + K), c(terms);
+        Base<S> power(1);  // (-1)^n/(2n)!
+        for (int n = 0; n < terms + K; ++n) {
+          Base<S> const two = power / Base<S>((2 * n + 1) * (2 * n + 2));
+          Base<S> const three = two / Base<S>(2 * n + 3), four = three / Base<S>(2 * n + 4);
+          below[n] = two * Base<S>(2);
+          b[n] = three - four * Base<S>(2);
+          for (int m = 1; m <= n; ++m) b[n] -= below[m] * b[n - m];
+          power = -two;
+        }
+        for (int n = 0; n < terms; ++n) {
+          c[n] = b[n + K];
+          for (int i = 0; i < K; ++i) c[n] *= Base<S>(n + K - i);
+        }
+        return c;
+      });
 }
 /// The same of a dual number.
 template <int K, class S, int N>

@@ -1,6 +1,7 @@
 // Gauss quadrature on the unit interval, at any precision.
 //
-// The nodes are the zeros of a Legendre polynomial, found by Newton's iteration in the scalar itself: no table of decimals to outgrow.
+// The nodes are the zeros of a Legendre polynomial, found by Newton's iteration in the scalar itself: no
+// table of decimals to outgrow.
 #pragma once
 
 #include <vector>
@@ -10,7 +11,8 @@
 
 namespace actio {
 
-/// A rule \f$\int_0^1 f(t)\,dt \approx \sum_i b_i\,f(c_i)\f$: nodes in (0, 1), rising, and weights that add up to 1.
+/// A rule \f$\int_0^1 f(t)\,dt \approx \sum_i b_i\,f(c_i)\f$: nodes in (0, 1), rising, and weights that add
+/// up to 1.
 template <Real S>
 struct GaussRule {
   std::vector<S> nodes;    ///< \f$c_1 < \dots < c_s\f$
@@ -29,7 +31,8 @@ S legendre_polynomial(int n, S const& x) {
   return now;
 }
 
-/// Gauss's rule with s nodes: \f$\int_0^1 f(t)\,dt \approx \sum_i b_i\,f(c_i)\f$, exact for polynomials of degree below 2s.
+/// Gauss's rule with s nodes: \f$\int_0^1 f(t)\,dt \approx \sum_i b_i\,f(c_i)\f$, exact for polynomials of
+/// degree below 2s.
 ///
 /// With x a zero of \f$P_s\f$, \f$c = (1+x)/2\f$ and \f$b = 1/((1-x^2)\,P_s'(x)^2)\f$.
 /// @param s  number of nodes, 1 to 1000
@@ -38,7 +41,8 @@ S legendre_polynomial(int n, S const& x) {
 template <Real S>
   requires Plain<S>
 GaussRule<S> gauss_quadrature(int s) {
-  if (s < 1 || s > 1000) throw OutsideDomain("gauss_quadrature", "1 to 1000 nodes are needed", s, s < 1 ? 1 : 1000);
+  if (s < 1 || s > 1000)
+    throw OutsideDomain("gauss_quadrature", "1 to 1000 nodes are needed", s, s < 1 ? 1 : 1000);
   GaussRule<S> rule{std::vector<S>(s), std::vector<S>(s)};
   for (int i = 0; i < s; ++i) {
     // Tricomi's guess is good to a few digits; each round doubles them, and one more does no harm.

@@ -1,7 +1,8 @@
-// The function iex of (3.21) and its inverse, on square matrices: what the differential of the exponential is made of.
+// The function iex of (3.21) and its inverse, on square matrices: what the differential of the exponential is
+// made of.
 //
-// exp(eta + d eta) = (1 + iex(ad_eta) d eta) exp(eta) = exp(eta) (1 + iex(-ad_eta) d eta): the plus sign belongs to the right translation, where the
-// bracket is the commutator.
+// exp(eta + d eta) = (1 + iex(ad_eta) d eta) exp(eta) = exp(eta) (1 + iex(-ad_eta) d eta): the plus sign
+// belongs to the right translation, where the bracket is the commutator.
 #pragma once
 
 #include "actio/numbers/functions.hpp"
@@ -45,7 +46,9 @@ template <MatrixLike M>
 typename M::PlainObject iex(M const& w) {
   using S = typename M::Scalar;
   using Matrix = typename M::PlainObject;
-  if (exact_arithmetic<S>()) return nilpotent_series(w, [](int n) { return one_over_factorial<S>(n + 1); }, "iex");
+  if (exact_arithmetic<S>())
+    return nilpotent_series(
+        w, [](int n) { return one_over_factorial<S>(n + 1); }, "iex");
   int const s = halvings(w, "iex");
   Base<S> scale(1);
   for (int i = 0; i < s; ++i) scale /= Base<S>(2);
@@ -73,20 +76,22 @@ typename M::PlainObject iex(M const& w) {
 /// @throws Singular  where iex(w) has no inverse: an eigenvalue of w at a nonzero multiple of 2 pi i
 template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto chi(M const& w) {
-  return inverse_matrix(iex(w), "chi");
-}
+auto chi(M const& w) { return inverse_matrix(iex(w), "chi"); }
 
-/// \f$e^w\f$ of a square matrix: \f$1 + w\,\mathrm{iex}(w)\f$ of a small fraction of w, squared as often as it takes.
+/// \f$e^w\f$ of a square matrix: \f$1 + w\,\mathrm{iex}(w)\f$ of a small fraction of w, squared as often as
+/// it takes.
 ///
-/// Not of w itself, where the two terms would cancel as the matrix contracts. Where the arithmetic has no transcendental functions w must be nilpotent.
+/// Not of w itself, where the two terms would cancel as the matrix contracts. Where the arithmetic has no
+/// transcendental functions w must be nilpotent.
 /// @throws NotInThisField  over an exact arithmetic, where w is not nilpotent
 /// Accuracy: a few epsilon times the size of w.
 template <MatrixLike M>
   requires Real<typename M::Scalar>
 typename M::PlainObject matrix_exponential(M const& w) {
   using S = typename M::Scalar;
-  if (exact_arithmetic<S>()) return nilpotent_series(w, [](int n) { return one_over_factorial<S>(n); }, "exp");
+  if (exact_arithmetic<S>())
+    return nilpotent_series(
+        w, [](int n) { return one_over_factorial<S>(n); }, "exp");
   int const s = halvings(w, "exp");
   Base<S> scale(1);
   for (int i = 0; i < s; ++i) scale /= Base<S>(2);

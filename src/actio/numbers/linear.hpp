@@ -1,7 +1,8 @@
 // Small linear systems over any field: elimination with row exchanges.
 //
-// Written out because it must run over rationals and nested dual numbers, and because for six unknowns it compiles in half
-// the time of a general decomposition. Pivots are chosen by their plain value, so a dual number with value zero is never one.
+// Written out because it must run over rationals and nested dual numbers, and because for six unknowns it
+// compiles in half the time of a general decomposition. Pivots are chosen by their plain value, so a dual
+// number with value zero is never one.
 #pragma once
 
 #include <type_traits>
@@ -14,7 +15,8 @@ namespace actio {
 
 namespace detail {
 
-/// The size that the elimination is compiled for. A fixed size makes it quicker over machine numbers; over others it does not, and one for all sizes compiles sooner.
+/// The size that the elimination is compiled for. A fixed size makes it quicker over machine numbers; over
+/// others it does not, and one for all sizes compiles sooner.
 template <class S, int size>
 inline constexpr int compiled_size = std::is_arithmetic_v<Base<S>> ? size : Dynamic;
 
@@ -37,7 +39,8 @@ void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char co
     }
     per_row[i] = largest > T(0) ? T(T(1) / largest) : T(0);
   }
-  // Elimination divides again and again: what a scalar knows of the degrees of its numbers is better told by Cramer's rule.
+  // Elimination divides again and again: what a scalar knows of the degrees of its numbers is better told by
+  // Cramer's rule.
   [[maybe_unused]] double degree = 0;
   if constexpr (ChosenAtRunTime<T>) degree = T::degree_of_solution(a, x);
 
@@ -86,15 +89,16 @@ void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char co
   if constexpr (!is_exact<S>)
     for (Index j = 0; j < x.cols(); ++j)
       for (int i = 0; i < n; ++i)
-        if (!is_finite(base_value(x(i, j)))) throw NotFinite(std::string(where) + ": the solution is beyond the largest number");
+        if (!is_finite(base_value(x(i, j))))
+          throw NotFinite(std::string(where) + ": the solution is beyond the largest number");
 }
 
 }  // namespace detail
 
 /// The solution X of A X = B, for one or several right sides.
 ///
-/// Rows and columns may have different units: pivots are chosen relative to their row, and a pivot counts as rounding noise by comparison with
-/// the terms whose difference it is, never with entries elsewhere.
+/// Rows and columns may have different units: pivots are chosen relative to their row, and a pivot counts as
+/// rounding noise by comparison with the terms whose difference it is, never with entries elsewhere.
 ///
 /// @param where  who asks, for the message
 /// @throws Singular   where a pivot is rounding noise: (pivot)/(largest term it was made from), and the bound
@@ -103,10 +107,12 @@ void eliminate(Matrix<S, size, size>& a, MatrixView<S, size, columns> x, char co
 template <MatrixLike A, MatrixLike B>
 auto solve_linear(A const& matrix, B const& right, char const* where = "solve_linear") {
   using S = typename A::Scalar;
-  constexpr int size = detail::compiled_size<S, A::RowsAtCompileTime>, columns = detail::compiled_size<S, B::ColsAtCompileTime>;
+  constexpr int size = detail::compiled_size<S, A::RowsAtCompileTime>,
+                columns = detail::compiled_size<S, B::ColsAtCompileTime>;
   Matrix<S, size, size> a = matrix;
   Matrix<S, B::RowsAtCompileTime, B::ColsAtCompileTime> x = right.template cast<S>();
-  detail::eliminate<S, size, columns>(a, MatrixView<S, size, columns>(x.data(), x.rows(), x.cols(), 1, x.rows()), where);
+  detail::eliminate<S, size, columns>(
+      a, MatrixView<S, size, columns>(x.data(), x.rows(), x.cols(), 1, x.rows()), where);
   return x;
 }
 

@@ -1,10 +1,12 @@
 // Matrices and vectors over any numbers: small, eager, plain loops.
 //
-// An operation is carried out where it is written, and its result is a matrix: no expression waits for later, nothing is aliased, and `auto` holds
-// what it seems to. Names are those of Eigen, so that a formula written for Eigen's vectors reads and works the same; Eigen's own matrices go in
-// and come out without a word. Columns lie one after the other, as Eigen's do.
+// An operation is carried out where it is written, and its result is a matrix: no expression waits for later,
+// nothing is aliased, and `auto` holds what it seems to. Names are those of Eigen, so that a formula written
+// for Eigen's vectors reads and works the same; Eigen's own matrices go in and come out without a word.
+// Columns lie one after the other, as Eigen's do.
 //
-// A part of a matrix (a column, a block, the transpose) is a view of its entries: it can be read and, where the matrix can be changed, written.
+// A part of a matrix (a column, a block, the transpose) is a view of its entries: it can be read and, where
+// the matrix can be changed, written.
 #pragma once
 
 #include <concepts>
@@ -36,7 +38,8 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
     if constexpr (fixed && R * C == 1)
       (*this)(0, 0) = n;
     else if constexpr (std::convertible_to<T, Index>)
-      R == 1 ? this->set_size(1, static_cast<Index>(n)) : this->set_size(static_cast<Index>(n), C == Dynamic ? 1 : C);
+      R == 1 ? this->set_size(1, static_cast<Index>(n))
+             : this->set_size(static_cast<Index>(n), C == Dynamic ? 1 : C);
   }
   /// r rows and c columns; or the two numbers of a vector that has as many.
   template <class T, class U>
@@ -58,7 +61,8 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
   }
   /// The numbers row by row; or, for a vector, all of them in one list.
   Matrix(std::initializer_list<std::initializer_list<S>> given) {
-    Index const r = static_cast<Index>(given.size()), c = r > 0 ? static_cast<Index>(given.begin()->size()) : 0;
+    Index const r = static_cast<Index>(given.size()),
+                c = r > 0 ? static_cast<Index>(given.begin()->size()) : 0;
     if (C == 1 && r == 1 && c > 1) {
       this->set_size(c, 1);
       Index k = 0;
@@ -75,7 +79,8 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
   }
   /// The numbers of another matrix, of a view or of an expression of Eigen.
   template <MatrixLike B>
-    requires(!std::same_as<B, Matrix> && std::convertible_to<typename B::Scalar, S> && detail::may_be<B, R, C>)
+    requires(!std::same_as<B, Matrix> && std::convertible_to<typename B::Scalar, S> &&
+             detail::may_be<B, R, C>)
   Matrix(B const& b) {
     take(b);
   }
@@ -204,8 +209,8 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
   }
 };
 
-/// R rows and C columns of numbers that lie elsewhere, `inner` apart down a column and `outer` apart along a row. S is constant where they may only
-/// be read.
+/// R rows and C columns of numbers that lie elsewhere, `inner` apart down a column and `outer` apart along a
+/// row. S is constant where they may only be read.
 template <class S, int R, int C>
 struct MatrixView : detail::MatrixOperations<MatrixView<S, R, C>, std::remove_const_t<S>, R, C> {
   /// @param inner  from one number to the next down a column
@@ -218,9 +223,7 @@ struct MatrixView : detail::MatrixOperations<MatrixView<S, R, C>, std::remove_co
   MatrixView& operator=(MatrixView const& b) { return assign(b); }
   /// Numbers take their places one by one.
   template <MatrixLike B>
-  MatrixView& operator=(B const& b) {
-    return assign(b);
-  }
+  MatrixView& operator=(B const& b) { return assign(b); }
 
   /// How many rows.
   Index rows() const { return R == Dynamic ? rows_ : R; }
@@ -263,14 +266,10 @@ struct MatrixView : detail::MatrixOperations<MatrixView<S, R, C>, std::remove_co
 
 /// Numbers that lie one after the other, as a matrix of R rows and C columns, column by column.
 template <int R, int C, class S>
-MatrixView<S, R, C> as_matrix(S* first) {
-  return {first, R, C, 1, R};
-}
+MatrixView<S, R, C> as_matrix(S* first) { return {first, R, C, 1, R}; }
 /// Numbers that lie one after the other, as a column of n.
 template <class S>
-MatrixView<S, Dynamic, 1> as_vector(S* first, Index n) {
-  return {first, n, 1, 1, n};
-}
+MatrixView<S, Dynamic, 1> as_vector(S* first, Index n) { return {first, n, 1, 1, n}; }
 
 /// The cross product of 3-space.
 template <MatrixLike A, MatrixLike B>

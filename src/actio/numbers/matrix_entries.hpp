@@ -12,7 +12,7 @@ namespace actio::detail {
 /// Entries of a matrix of fixed size.
 template <class S, int R, int C>
 struct MatrixEntries {
-  S entry[R * C > 0 ? R * C : 1];
+  S entry[R * C > 0 ? R* C : 1];
 
   static constexpr Index rows() { return R; }
   static constexpr Index cols() { return C; }
@@ -37,7 +37,8 @@ struct MatrixEntries<S, R, C> {
   }
 };
 
-/// Fills a matrix row by row: `m << a, b, c, d`. What follows may be numbers, or matrices that stand side by side.
+/// Fills a matrix row by row: `m << a, b, c, d`. What follows may be numbers, or matrices that stand side by
+/// side.
 template <class M>
 struct MatrixFiller {
   M& matrix;

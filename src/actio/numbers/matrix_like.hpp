@@ -32,9 +32,7 @@ concept MatrixLike = requires(M const& m) {
 
 /// z += x y.
 template <class S>
-void add_product(S& z, S const& x, S const& y) {
-  z += x * y;
-}
+void add_product(S& z, S const& x, S const& y) { z += x * y; }
 
 namespace detail {
 

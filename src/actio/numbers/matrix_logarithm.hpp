@@ -5,8 +5,10 @@
 
 namespace actio {
 
-/// The square root with eigenvalues in the right half plane, by the product form of the Denman-Beavers iteration.
-/// @throws OutsideDomain  where it does not converge: an eigenvalue on the negative real axis, or too near to it
+/// The square root with eigenvalues in the right half plane, by the product form of the Denman-Beavers
+/// iteration.
+/// @throws OutsideDomain  where it does not converge: an eigenvalue on the negative real axis, or too near to
+///                        it
 template <MatrixLike M>
 typename M::PlainObject matrix_square_root(M const& a) {
   using S = typename M::Scalar;
@@ -19,7 +21,8 @@ typename M::PlainObject matrix_square_root(M const& a) {
     try {
       inverse = inverse_matrix(m, "matrix_square_root");
     } catch (Singular const& singular) {
-      throw OutsideDomain("log", "no eigenvalue may lie on the negative real axis (3.19)", singular.measured, singular.bound);
+      throw OutsideDomain("log", "no eigenvalue may lie on the negative real axis (3.19)", singular.measured,
+                          singular.bound);
     }
     x = (x + x * inverse) / S(2);
     m = (one + (m + inverse) / S(2)) / S(2);
@@ -28,13 +31,15 @@ typename M::PlainObject matrix_square_root(M const& a) {
     if (next < 1e-6 && (next == 0 || next > 0.25 * distance)) return x;
     distance = next;
   }
-  throw OutsideDomain("log", "no eigenvalue may lie on the negative real axis (3.19); distance left after 60 iterations", distance, 1e-6);
+  throw OutsideDomain(
+      "log", "no eigenvalue may lie on the negative real axis (3.19); distance left after 60 iterations",
+      distance, 1e-6);
 }
 
 /// The logarithm with eigenvalues of imaginary part inside (-pi, pi), for plain scalars.
 ///
-/// Accuracy: a few epsilon relative to the largest entry, as long as no eigenvalue comes near the negative real axis; near it
-/// the answer is compared with its exponential, and refused where they differ.
+/// Accuracy: a few epsilon relative to the largest entry, as long as no eigenvalue comes near the negative
+/// real axis; near it the answer is compared with its exponential, and refused where they differ.
 /// @throws OutsideDomain   at and next to the edge of the chart
 /// @throws NotInThisField  over an exact arithmetic, where a - 1 is not nilpotent
 template <class M>
@@ -48,7 +53,9 @@ typename M::PlainObject matrix_logarithm(M const& a) {
   Matrix root = a;
   int roots = 0;
   for (; row_norm(Matrix(root - one)) > 0.25; ++roots) {
-    if (roots == 100) throw OutsideDomain("log", "the square roots of an invertible matrix tend to 1", row_norm(Matrix(root - one)), 0.25);
+    if (roots == 100)
+      throw OutsideDomain("log", "the square roots of an invertible matrix tend to 1",
+                          row_norm(Matrix(root - one)), 0.25);
     root = matrix_square_root(root);
   }
 
@@ -61,12 +68,16 @@ typename M::PlainObject matrix_logarithm(M const& a) {
   Matrix result = z * sum * S(2);
   for (int i = 0; i < roots; ++i) result *= S(2);
 
-  // A logarithm that does not give the matrix back is no logarithm. Square roots near the edge lose half the digits.
+  // A logarithm that does not give the matrix back is no logarithm. Square roots near the edge lose half the
+  // digits.
   Matrix const back = matrix_exponential(result);
   double const miss = row_norm(Matrix(back - a)) / row_norm(a);
   using std::sqrt;
   double const bound = std::sqrt(to_double(epsilon<S>())) * 1e-3;
-  if (!(miss <= bound)) throw OutsideDomain("log", "no eigenvalue may come near the negative real axis (3.19); exp(log g) misses g by", miss, bound);
+  if (!(miss <= bound))
+    throw OutsideDomain("log",
+                        "no eigenvalue may come near the negative real axis (3.19); exp(log g) misses g by",
+                        miss, bound);
   return result;
 }
 

@@ -142,13 +142,12 @@ struct MatrixOperations {
     return m;
   }
   template <class T>
-  auto cast() const {
-    return unaryExpr([](S const& x) -> T { return static_cast<T>(x); });
-  }
+  auto cast() const { return unaryExpr([](S const& x) -> T { return static_cast<T>(x); }); }
   template <class B, class F>
   auto binaryExpr(B const& b, F const& f) const {
     constexpr int rows = known(R, rows_of<B>), columns = known(C, columns_of<B>);
-    Matrix<std::decay_t<decltype(f(at(0, 0), b(0, 0)))>, rows, columns> m(self().rows(), self().cols(), Sized{});
+    Matrix<std::decay_t<decltype(f(at(0, 0), b(0, 0)))>, rows, columns> m(self().rows(), self().cols(),
+                                                                          Sized{});
     for (Index j = 0; j < m.cols(); ++j)
       for (Index i = 0; i < m.rows(); ++i) m(i, j) = f(at(i, j), b(i, j));
     return m;
@@ -187,7 +186,8 @@ struct MatrixOperations {
   }
   auto array() {
     M& m = self();
-    return NumbersOf<std::remove_reference_t<decltype(*m.data())>>{m.data(), m.rows(), m.cols(), m.rowStride(), m.colStride()};
+    return NumbersOf<std::remove_reference_t<decltype(*m.data())>>{m.data(), m.rows(), m.cols(),
+                                                                   m.rowStride(), m.colStride()};
   }
 
   // Changes in place.
@@ -260,20 +260,17 @@ struct MatrixOperations {
   }
 
 /// @cond
-// A part of a matrix that can be changed, of one that cannot, and of a temporary one, of which it is a copy unless that is a view itself. In each the
-// matrix is m; the part has `part_rows` and `part_columns` known when this is compiled, begins at (i0, j0) and has r0 rows and c0 columns.
-#define ACTIO_PART(part_rows, part_columns, i0, j0, r0, c0, ...)                      \
-  __VA_ARGS__& {                                                                     \
-    return view<part_rows, part_columns>(self(), i0, j0, r0, c0);                    \
-  }                                                                                  \
-  __VA_ARGS__ const& {                                                               \
-    return view<part_rows, part_columns>(self(), i0, j0, r0, c0);                    \
-  }                                                                                  \
-  __VA_ARGS__&& {                                                                    \
-    if constexpr (std::same_as<M, PlainObject>)                                      \
-      return view<part_rows, part_columns>(self(), i0, j0, r0, c0).eval();           \
-    else                                                                             \
-      return view<part_rows, part_columns>(self(), i0, j0, r0, c0);                  \
+// A part of a matrix that can be changed, of one that cannot, and of a temporary one, of which it is a copy
+// unless that is a view itself. In each the matrix is m; the part has `part_rows` and `part_columns` known
+// when this is compiled, begins at (i0, j0) and has r0 rows and c0 columns.
+#define ACTIO_PART(part_rows, part_columns, i0, j0, r0, c0, ...)                       \
+  __VA_ARGS__& { return view<part_rows, part_columns>(self(), i0, j0, r0, c0); }       \
+  __VA_ARGS__ const& { return view<part_rows, part_columns>(self(), i0, j0, r0, c0); } \
+  __VA_ARGS__&& {                                                                      \
+    if constexpr (std::same_as<M, PlainObject>)                                        \
+      return view<part_rows, part_columns>(self(), i0, j0, r0, c0).eval();             \
+    else                                                                               \
+      return view<part_rows, part_columns>(self(), i0, j0, r0, c0);                    \
   }
   ACTIO_PART(R, 1, 0, j, rows(), 1, auto col(Index j))
   ACTIO_PART(1, C, i, 0, 1, cols(), auto row(Index i))
@@ -301,19 +298,22 @@ struct MatrixOperations {
   ACTIO_PART(r, c, rows() - r, cols() - c, r, c, template <int r, int c> auto bottomRightCorner())
 #undef ACTIO_PART
 // The same along a vector, from place k0 on.
-#define ACTIO_PART(length, k0, n0, ...)                                                                                                      \
-  __VA_ARGS__& {                                                                                                                            \
-    return view<lying ? 1 : length, lying ? length : 1>(self(), lying ? 0 : k0, lying ? k0 : 0, lying ? 1 : n0, lying ? n0 : 1);            \
-  }                                                                                                                                         \
-  __VA_ARGS__ const& {                                                                                                                      \
-    return view<lying ? 1 : length, lying ? length : 1>(self(), lying ? 0 : k0, lying ? k0 : 0, lying ? 1 : n0, lying ? n0 : 1);            \
-  }                                                                                                                                         \
-  __VA_ARGS__&& {                                                                                                                           \
-    auto part = view<lying ? 1 : length, lying ? length : 1>(self(), lying ? 0 : k0, lying ? k0 : 0, lying ? 1 : n0, lying ? n0 : 1);       \
-    if constexpr (std::same_as<M, PlainObject>)                                                                                             \
-      return part.eval();                                                                                                                   \
-    else                                                                                                                                    \
-      return part;                                                                                                                          \
+#define ACTIO_PART(length, k0, n0, ...)                                                                   \
+  __VA_ARGS__& {                                                                                          \
+    return view < lying ? 1 : length,                                                                     \
+           lying ? length : 1 > (self(), lying ? 0 : k0, lying ? k0 : 0, lying ? 1 : n0, lying ? n0 : 1); \
+  }                                                                                                       \
+  __VA_ARGS__ const& {                                                                                    \
+    return view < lying ? 1 : length,                                                                     \
+           lying ? length : 1 > (self(), lying ? 0 : k0, lying ? k0 : 0, lying ? 1 : n0, lying ? n0 : 1); \
+  }                                                                                                       \
+  __VA_ARGS__&& {                                                                                         \
+    auto part = view < lying ? 1 : length,                                                                \
+         lying ? length : 1 > (self(), lying ? 0 : k0, lying ? k0 : 0, lying ? 1 : n0, lying ? n0 : 1);   \
+    if constexpr (std::same_as<M, PlainObject>)                                                           \
+      return part.eval();                                                                                 \
+    else                                                                                                  \
+      return part;                                                                                        \
   }
   ACTIO_PART(Dynamic, k, n, auto segment(Index k, Index n))
   ACTIO_PART(n, k, n, template <int n> auto segment(Index k))
@@ -322,7 +322,7 @@ struct MatrixOperations {
   ACTIO_PART(Dynamic, size() - n, n, auto tail(Index n))
   ACTIO_PART(n, size() - n, n, template <int n> auto tail())
 #undef ACTIO_PART
-/// @endcond
+  /// @endcond
   auto diagonal() & { return diagonal_of(self()); }
   auto diagonal() const& { return diagonal_of(self()); }
   auto diagonal() && { return diagonal_of(self()).eval(); }
@@ -367,26 +367,16 @@ struct MatrixOperations {
   }
   template <class B>
     requires(!MatrixLike<B>)
-  friend auto operator*(B const& c, M const& a) {
-    return a.unaryExpr([&](S const& x) { return c * x; });
-  }
+  friend auto operator*(B const& c, M const& a) { return a.unaryExpr([&](S const& x) { return c * x; }); }
   template <class B>
     requires(!MatrixLike<B>)
-  friend auto operator/(M const& a, B const& c) {
-    return a.unaryExpr([&](S const& x) { return x / c; });
-  }
+  friend auto operator/(M const& a, B const& c) { return a.unaryExpr([&](S const& x) { return x / c; }); }
   template <class E>
-  friend auto operator+(Eigen::MatrixBase<E> const& a, M const& b) {
-    return own(a) + b;
-  }
+  friend auto operator+(Eigen::MatrixBase<E> const& a, M const& b) { return own(a) + b; }
   template <class E>
-  friend auto operator-(Eigen::MatrixBase<E> const& a, M const& b) {
-    return own(a) - b;
-  }
+  friend auto operator-(Eigen::MatrixBase<E> const& a, M const& b) { return own(a) - b; }
   template <class E>
-  friend auto operator*(Eigen::MatrixBase<E> const& a, M const& b) {
-    return own(a) * b;
-  }
+  friend auto operator*(Eigen::MatrixBase<E> const& a, M const& b) { return own(a) * b; }
   template <MatrixLike B>
   friend bool operator==(M const& a, B const& b) {
     if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
@@ -405,12 +395,14 @@ struct MatrixOperations {
   template <int r, int c, class Whole>
   static auto view(Whole& m, Index i, Index j, Index r0, Index c0) {
     using Entry = std::remove_reference_t<decltype(*m.data())>;
-    return MatrixView<Entry, r, c>(m.data() + i * m.rowStride() + j * m.colStride(), r0, c0, m.rowStride(), m.colStride());
+    return MatrixView<Entry, r, c>(m.data() + i * m.rowStride() + j * m.colStride(), r0, c0, m.rowStride(),
+                                   m.colStride());
   }
   template <class Whole>
   static auto diagonal_of(Whole& m) {
     using Entry = std::remove_reference_t<decltype(*m.data())>;
-    return MatrixView<Entry, R, 1>(m.data(), std::min(m.rows(), m.cols()), 1, m.rowStride() + m.colStride(), m.colStride());
+    return MatrixView<Entry, R, 1>(m.data(), std::min(m.rows(), m.cols()), 1, m.rowStride() + m.colStride(),
+                                   m.colStride());
   }
   template <class F>
   void over(F const& f) const {

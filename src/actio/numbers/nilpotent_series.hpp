@@ -1,7 +1,8 @@
 // Power series of nilpotent matrices: finite sums, over any field.
 //
-// In a unipotent group every product of more than n - 1 matrices of the algebra vanishes, and so do exp, log and iex after their n-th
-// term. Over a field without transcendental functions these finite sums are all that is left of them, and nothing is rounded.
+// In a unipotent group every product of more than n - 1 matrices of the algebra vanishes, and so do exp, log
+// and iex after their n-th term. Over a field without transcendental functions these finite sums are all that
+// is left of them, and nothing is rounded.
 #pragma once
 
 #include "actio/numbers/dual.hpp"
@@ -17,13 +18,16 @@ namespace actio {
 template <class M, class Coefficient>
 typename M::PlainObject nilpotent_series(M const& w, Coefficient const& coefficient, char const* where) {
   using S = typename M::Scalar;
-  typename M::PlainObject power = M::PlainObject::Identity(w.rows(), w.cols()), sum = power * S(coefficient(0));
+  typename M::PlainObject power = M::PlainObject::Identity(w.rows(), w.cols()),
+                          sum = power * S(coefficient(0));
   for (int n = 1; n <= w.rows(); ++n) {
     power = typename M::PlainObject(power * w);
     sum += power * S(coefficient(n));
   }
   if (magnitude(power) != Base<S>(0))
-    throw NotInThisField(where, "over a field without transcendental functions the matrix must be nilpotent; largest entry of its n-th power",
+    throw NotInThisField(where,
+                         "over a field without transcendental functions the matrix must be nilpotent; "
+                         "largest entry of its n-th power",
                          to_double(magnitude(power)), 0);
   return sum;
 }
@@ -43,7 +47,8 @@ typename M::PlainObject nilpotent_logarithm(M const& a) {
   using S = typename M::Scalar;
   typename M::PlainObject w = a;
   for (int i = 0; i < w.rows(); ++i) w(i, i) -= S(1);
-  return nilpotent_series(w, [](int n) { return n == 0 ? Base<S>(0) : Base<S>(Base<S>(n % 2 ? 1 : -1) / Base<S>(n)); }, "log");
+  return nilpotent_series(
+      w, [](int n) { return n == 0 ? Base<S>(0) : Base<S>(Base<S>(n % 2 ? 1 : -1) / Base<S>(n)); }, "log");
 }
 
 }  // namespace actio

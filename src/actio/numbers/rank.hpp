@@ -1,4 +1,5 @@
-// The rank of a matrix, by elimination with full pivoting: exact over the rationals, up to rounding elsewhere.
+// The rank of a matrix, by elimination with full pivoting: exact over the rationals, up to rounding
+// elsewhere.
 #pragma once
 
 #include "actio/numbers/linear.hpp"
@@ -10,7 +11,8 @@ template <MatrixLike M>
 int matrix_rank(M const& matrix) {
   using S = typename M::Scalar;
   Matrix<S, Dynamic, Dynamic> a = matrix;
-  int const rows = static_cast<int>(a.rows()), columns = static_cast<int>(a.cols()), largest = rows > columns ? rows : columns;
+  int const rows = static_cast<int>(a.rows()), columns = static_cast<int>(a.cols()),
+            largest = rows > columns ? rows : columns;
   Base<S> const tiny = Base<S>(256 * largest) * epsilon<S>() * magnitude(a);
   int rank = 0;
   for (; rank < rows && rank < columns; ++rank) {

@@ -1,8 +1,9 @@
 // Scalars: the numbers that every formula of the library is written over.
 //
-// A formula is written once and evaluated in double, in 50 or 100 decimal digits, over the rationals (where it needs no
-// root and no transcendental function), and in each of these extended by infinitesimals (dual.hpp) or by powers of the
-// time (taylor.hpp). `Scalar` asks for the four operations; `Real` asks for roots and transcendental functions as well.
+// A formula is written once and evaluated in double, in 50 or 100 decimal digits, over the rationals (where
+// it needs no root and no transcendental function), and in each of these extended by infinitesimals
+// (dual.hpp) or by powers of the time (taylor.hpp). `Scalar` asks for the four operations; `Real` asks for
+// roots and transcendental functions as well.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -20,11 +21,14 @@
 namespace actio {
 
 /// Floating point with 50 decimal digits.
-using dec50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
+using dec50 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 /// Floating point with 100 decimal digits.
-using dec100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+using dec100 =
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 /// Exact rational numbers: a residual over them is zero or it is not.
-using rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+using rational =
+    boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 /// The plain number at the bottom of a scalar: `double` of a dual number over dual numbers over `double`.
 template <class S>
@@ -34,7 +38,8 @@ struct BaseOf {
 template <class S>
 using Base = typename BaseOf<S>::type;
 
-/// A number whose arithmetic is chosen when the program runs, and says which it is. Over a field it may know of what degree its numbers are.
+/// A number whose arithmetic is chosen when the program runs, and says which it is. Over a field it may know
+/// of what degree its numbers are.
 template <class S>
 concept ChosenAtRunTime = requires {
   { S::arithmetic().exact() } -> std::convertible_to<bool>;
@@ -56,11 +61,13 @@ concept Scalar = requires(S const& a, S const& b) {
   S(1);
 };
 
-/// Whether a scalar has no rounding at all, as its type says. One whose arithmetic is chosen at run time is not counted: \ref exact_arithmetic.
+/// Whether a scalar has no rounding at all, as its type says. One whose arithmetic is chosen at run time is
+/// not counted: \ref exact_arithmetic.
 template <class S>
 inline constexpr bool is_exact = std::same_as<Base<S>, rational>;
 
-/// Whether the arithmetic of a scalar has no rounding at all: known to the compiler, or, where it is chosen at run time, now.
+/// Whether the arithmetic of a scalar has no rounding at all: known to the compiler, or, where it is chosen
+/// at run time, now.
 template <class S>
 constexpr bool exact_arithmetic() {
   if constexpr (ChosenAtRunTime<Base<S>>)
@@ -68,7 +75,8 @@ constexpr bool exact_arithmetic() {
   else
     return is_exact<S>;
 }
-/// Whether numbers of the scalar are larger and smaller than others. Modulo a prime they are not: what is said to be positive cannot be looked at there.
+/// Whether numbers of the scalar are larger and smaller than others. Modulo a prime they are not: what is
+/// said to be positive cannot be looked at there.
 template <class S>
 constexpr bool ordered_arithmetic() {
   if constexpr (ChosenAtRunTime<Base<S>>)
@@ -87,11 +95,13 @@ constexpr int decimal_digits() {
 
 /// Numbers with roots and transcendental functions: everything but the rationals and what is built on them.
 ///
-/// A scalar whose arithmetic is chosen at run time counts as one; where that has no roots, they refuse (NotInThisField).
+/// A scalar whose arithmetic is chosen at run time counts as one; where that has no roots, they refuse
+/// (NotInThisField).
 template <class S>
 concept Real = Scalar<S> && !is_exact<S>;
 
-/// Spacing of the numbers next to 1: \f$2^{-52}\f$ in double, about \f$10^{-50}\f$ and \f$10^{-100}\f$, and 0 over the rationals.
+/// Spacing of the numbers next to 1: \f$2^{-52}\f$ in double, about \f$10^{-50}\f$ and \f$10^{-100}\f$, and 0
+/// over the rationals.
 template <class S>
 Base<S> epsilon() {
   if constexpr (is_exact<S>)
@@ -102,9 +112,7 @@ Base<S> epsilon() {
 
 /// The plain number at the bottom of `x`, without what it is extended by.
 template <Plain S>
-S const& base_value(S const& x) {
-  return x;
-}
+S const& base_value(S const& x) { return x; }
 
 /// A plain number as double, for printing and for choosing.
 template <class S>
@@ -117,9 +125,7 @@ double to_double(S const& x) {
 
 /// The largest modulus among all coefficients of `x`; of a plain number, its modulus.
 template <Plain S>
-S magnitude(S const& x) {
-  return x < 0 ? S(-x) : x;
-}
+S magnitude(S const& x) { return x < 0 ? S(-x) : x; }
 
 /// Whether every coefficient of `x` is a finite number.
 inline bool is_finite(double x) { return std::isfinite(x); }
@@ -131,11 +137,10 @@ bool is_finite(boost::multiprecision::number<Backend, boost::multiprecision::et_
     return boost::multiprecision::isfinite(x);
 }
 
-/// Two integers as an exact fraction of the scalar: `ratio<S>(1, 3)`. A decimal literal would be wrong after 16 digits.
+/// Two integers as an exact fraction of the scalar: `ratio<S>(1, 3)`. A decimal literal would be wrong after
+/// 16 digits.
 template <class S>
-S ratio(long numerator, long denominator) {
-  return S(Base<S>(numerator) / Base<S>(denominator));
-}
+S ratio(long numerator, long denominator) { return S(Base<S>(numerator) / Base<S>(denominator)); }
 
 /// A matrix or vector of scalars with as many rows and columns, whose largest coefficient is asked for.
 template <MatrixLike Derived>

@@ -1,4 +1,5 @@
-// The real Schur form of a matrix in double, from the GNU Scientific Library: a call, where a template would cost every user seconds of compiling.
+// The real Schur form of a matrix in double, from the GNU Scientific Library: a call, where a template would
+// cost every user seconds of compiling.
 #pragma once
 
 #include <gsl/gsl_eigen.h>
@@ -34,8 +35,8 @@ inline SchurForm<double> schur_form(Matrix<double> const& a) {
   std::vector<double> values(2 * n);
   auto t = gsl_matrix_view_array(form.data(), n, n), u = gsl_matrix_view_array(vectors.data(), n, n);
   auto w = gsl_vector_complex_view_array(values.data(), n);
-  std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> const work(gsl_eigen_nonsymm_alloc(n),
-                                                                                           &gsl_eigen_nonsymm_free);
+  std::unique_ptr<gsl_eigen_nonsymm_workspace, decltype(&gsl_eigen_nonsymm_free)> const work(
+      gsl_eigen_nonsymm_alloc(n), &gsl_eigen_nonsymm_free);
   gsl_eigen_nonsymm_params(1, 0, work.get());
   gsl_error_handler_t* const previous = gsl_set_error_handler_off();
   int const status = gsl_eigen_nonsymm_Z(&t.matrix, &w.vector, &u.matrix, work.get());

@@ -16,7 +16,8 @@ SchurForm<S> schur_form(Matrix<S> const& a) {
   using Square = Eigen::Matrix<S, Eigen::Dynamic, Eigen::Dynamic>;
   Square const given = a;
   Eigen::RealSchur<Square> const schur(given);
-  if (schur.info() != Eigen::Success) throw NotConverged("schur_form: QR iteration", {}, to_double(epsilon<S>()));
+  if (schur.info() != Eigen::Success)
+    throw NotConverged("schur_form: QR iteration", {}, to_double(epsilon<S>()));
   return {Matrix<S>(schur.matrixU()), Matrix<S>(schur.matrixT())};
 }
 

@@ -1,7 +1,8 @@
 // Truncated polynomials: a value with its first and second derivatives along m directions.
 //
-// Arithmetic of polynomials in m infinitesimals, cut after the second degree. One evaluation of a map gives its second-order Taylor
-// polynomial, exactly, with each mixed derivative once: for m = 4 there are 15 numbers, where dual numbers of dual numbers carry 25.
+// Arithmetic of polynomials in m infinitesimals, cut after the second degree. One evaluation of a map gives
+// its second-order Taylor polynomial, exactly, with each mixed derivative once: for m = 4 there are 15
+// numbers, where dual numbers of dual numbers carry 25.
 #pragma once
 
 #include <array>
@@ -23,8 +24,8 @@ template <class S, int m>
 struct SecondOrder {
   static constexpr int pairs = m * (m + 1) / 2;  ///< how many second derivatives there are
 
-  S value{};                   ///< the number itself
-  std::array<S, m> first{};      ///< \f$x_i\f$, its first derivatives
+  S value{};                      ///< the number itself
+  std::array<S, m> first{};       ///< \f$x_i\f$, its first derivatives
   std::array<S, pairs> second{};  ///< \f$x_{ij}\f$ with \f$i\ge j\f$, row by row
 
   /// Where \f$x_{ij}\f$ stands in `second`.
@@ -85,7 +86,8 @@ struct SecondOrder {
     for (int i = 0; i < m; ++i) z.first[i] = x.value * y.first[i] + x.first[i] * y.value;
     for (int i = 0, k = 0; i < m; ++i)
       for (int j = 0; j <= i; ++j, ++k)
-        z.second[k] = x.value * y.second[k] + x.second[k] * y.value + x.first[i] * y.first[j] + x.first[j] * y.first[i];
+        z.second[k] =
+            x.value * y.second[k] + x.second[k] * y.value + x.first[i] * y.first[j] + x.first[j] * y.first[i];
     return z;
   }
   friend SecondOrder operator/(SecondOrder const& x, SecondOrder const& y) {
@@ -94,11 +96,20 @@ struct SecondOrder {
   }
 
   template <ConstantOver<S> T>
-  friend SecondOrder operator+(SecondOrder x, T const& c) { x.value += c; return x; }
+  friend SecondOrder operator+(SecondOrder x, T const& c) {
+    x.value += c;
+    return x;
+  }
   template <ConstantOver<S> T>
-  friend SecondOrder operator+(T const& c, SecondOrder x) { x.value += c; return x; }
+  friend SecondOrder operator+(T const& c, SecondOrder x) {
+    x.value += c;
+    return x;
+  }
   template <ConstantOver<S> T>
-  friend SecondOrder operator-(SecondOrder x, T const& c) { x.value -= c; return x; }
+  friend SecondOrder operator-(SecondOrder x, T const& c) {
+    x.value -= c;
+    return x;
+  }
   template <ConstantOver<S> T>
   friend SecondOrder operator-(T const& c, SecondOrder const& x) { return -x + c; }
   template <ConstantOver<S> T>
@@ -120,7 +131,8 @@ struct SecondOrder {
   }
 };
 
-/// The chain rule to second order: a function with value `f` and derivatives `df`, `ddf` at the value of `x`, applied to `x`.
+/// The chain rule to second order: a function with value `f` and derivatives `df`, `ddf` at the value of `x`,
+/// applied to `x`.
 template <class S, int m>
 SecondOrder<S, m> chain(SecondOrder<S, m> const& x, S const& f, S const& df, S const& ddf) {
   SecondOrder<S, m> y(f);
@@ -169,9 +181,7 @@ SecondOrder<S, m> pow(SecondOrder<S, m> const& x, Base<S> const& exponent) {
 }
 
 template <class S, int m>
-Base<S> const& base_value(SecondOrder<S, m> const& x) {
-  return base_value(x.value);
-}
+Base<S> const& base_value(SecondOrder<S, m> const& x) { return base_value(x.value); }
 template <class S, int m>
 Base<S> magnitude(SecondOrder<S, m> const& x) {
   Base<S> largest = magnitude(x.value);

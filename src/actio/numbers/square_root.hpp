@@ -1,7 +1,8 @@
 // Square roots over every scalar, the rationals included.
 //
-// The volume of a metric is a square root. Over the rationals it exists where the number is the square of a rational, and metrics made as
-// A^T A have such determinants: formulas of Riemannian geometry then run exactly, derivatives and all.
+// The volume of a metric is a square root. Over the rationals it exists where the number is the square of a
+// rational, and metrics made as A^T A have such determinants: formulas of Riemannian geometry then run
+// exactly, derivatives and all.
 #pragma once
 
 #include <string>
@@ -30,7 +31,10 @@ S square_root(S const& x) {
 /// Accuracy: exact.
 inline rational square_root(rational const& x) {
   using boost::multiprecision::mpz_int;
-  auto const fail = [&] { throw NotASquare("square_root", "the square of a rational number is needed over the rationals", to_double(x), 0); };
+  auto const fail = [&] {
+    throw NotASquare("square_root", "the square of a rational number is needed over the rationals",
+                     to_double(x), 0);
+  };
   if (x < 0) fail();
   mpz_int const above = numerator(x), below = denominator(x);
   mpz_int const p = sqrt(above), q = sqrt(below);

@@ -1,7 +1,7 @@
 // Power series in the time.
 //
-// A series is a scalar like any other: formulas of the library run on it, also inside dual numbers, and give the series of their
-// result. Reference solutions by them are in taylor_reference.hpp.
+// A series is a scalar like any other: formulas of the library run on it, also inside dual numbers, and give
+// the series of their result. Reference solutions by them are in taylor_reference.hpp.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,8 @@
 
 namespace actio {
 
-/// A power series \f$\sum_k c_k t^k\f$, known up to \f$t^{order}\f$; a constant is known to all orders and stores one coefficient.
+/// A power series \f$\sum_k c_k t^k\f$, known up to \f$t^{order}\f$; a constant is known to all orders and
+/// stores one coefficient.
 template <class S>
 struct Taylor {
   static constexpr int all = INT_MAX;  ///< the order of a constant
@@ -75,7 +76,8 @@ struct Taylor {
   friend Taylor operator*(Taylor const& x, Taylor const& y) {
     Taylor z = blank(x, y, x.stored() + y.stored() - 1);
     for (int i = 0; i < x.stored(); ++i)
-      for (int j = 0; j < y.stored() && i + j < z.stored(); ++j) z.coefficients[i + j] += x.coefficients[i] * y.coefficients[j];
+      for (int j = 0; j < y.stored() && i + j < z.stored(); ++j)
+        z.coefficients[i + j] += x.coefficients[i] * y.coefficients[j];
     return z;
   }
   friend Taylor operator/(Taylor const& x, Taylor const& y) {
@@ -122,9 +124,7 @@ struct BaseOf<Taylor<S>> {
   using type = Base<S>;
 };
 template <class S>
-Base<S> const& base_value(Taylor<S> const& x) {
-  return base_value(x.coefficients[0]);
-}
+Base<S> const& base_value(Taylor<S> const& x) { return base_value(x.coefficients[0]); }
 template <class S>
 Base<S> magnitude(Taylor<S> const& x) {
   Base<S> largest(0);
@@ -155,7 +155,8 @@ Taylor<S> derivative(Taylor<S> const& x) {
   return d;
 }
 
-/// The series that is known as far as x is, with value `value`, whose k-th coefficient is `next(y, k)` from the ones before.
+/// The series that is known as far as x is, with value `value`, whose k-th coefficient is `next(y, k)` from
+/// the ones before.
 template <class S, class Next>
 Taylor<S> from_recurrence(Taylor<S> const& x, S const& value, Next const& next) {
   Taylor<S> y = Taylor<S>::blank(x, x, Taylor<S>::all);
@@ -193,7 +194,8 @@ Taylor<S> log(Taylor<S> const& x) {
   using std::log;
   return from_recurrence(x, S(log(x.coefficients[0])), [&](Taylor<S> const& y, int k) {
     S rest = S(k) * x.coefficient(k);
-    for (int j = 1; j < k && j < x.stored(); ++j) rest -= x.coefficients[j] * S(k - j) * y.coefficients[k - j];
+    for (int j = 1; j < k && j < x.stored(); ++j)
+      rest -= x.coefficients[j] * S(k - j) * y.coefficients[k - j];
     return S(rest / (S(k) * x.coefficients[0]));
   });
 }
@@ -217,14 +219,10 @@ std::pair<Taylor<S>, Taylor<S>> sine_and_cosine(Taylor<S> const& x) {
 }
 template <class S>
   requires Real<S>
-Taylor<S> sin(Taylor<S> const& x) {
-  return sine_and_cosine(x).first;
-}
+Taylor<S> sin(Taylor<S> const& x) { return sine_and_cosine(x).first; }
 template <class S>
   requires Real<S>
-Taylor<S> cos(Taylor<S> const& x) {
-  return sine_and_cosine(x).second;
-}
+Taylor<S> cos(Taylor<S> const& x) { return sine_and_cosine(x).second; }
 template <class S>
   requires Real<S>
 Taylor<S> atan2(Taylor<S> const& y, Taylor<S> const& x) {
@@ -239,8 +237,6 @@ Taylor<S> atan2(Taylor<S> const& y, Taylor<S> const& x) {
   return a;
 }
 template <class S>
-Taylor<S> abs(Taylor<S> const& x) {
-  return x.coefficients[0] < S(0) ? -x : x;
-}
+Taylor<S> abs(Taylor<S> const& x) { return x.coefficients[0] < S(0) ? -x : x; }
 
 }  // namespace actio

@@ -9,9 +9,9 @@
 //
 //     L(g0, g1) = l(g1^-1 g0, g0^-1 c),   a1 = f a0          L(g0, g1) = l(g0 g1^-1, g0 c),   a1 = f^-1 a0.
 //
-// l(f, a) is a callable at every scalar, given the vector before the step. The pair of momentum and vector moves on a coadjoint orbit of the
-// semidirect product of G with the covectors. Momenta are physical, as everywhere: the momentum at the end of
-// a step is that at the start of the next.
+// l(f, a) is a callable at every scalar, given the vector before the step. The pair of momentum and vector
+// moves on a coadjoint orbit of the semidirect product of G with the covectors. Momenta are physical, as
+// everywhere: the momentum at the end of a step is that at the start of the next.
 #pragma once
 
 #include <cmath>
@@ -36,17 +36,22 @@ struct MatrixAction {
   template <MatrixGroup G, Scalar S, int m>
   Matrix<S, m, 1> operator()(Element<G, S> const& g, Matrix<S, m, 1> const& a) const {
     if (a.size() != g.value.cols())
-      throw OutsideDomain("MatrixAction", "a vector with a number for each column of the matrix is needed; numbers", static_cast<double>(a.size()),
-                          static_cast<double>(g.value.cols()));
+      throw OutsideDomain("MatrixAction",
+                          "a vector with a number for each column of the matrix is needed; numbers",
+                          static_cast<double>(a.size()), static_cast<double>(g.value.cols()));
     return g.value * a;
   }
 };
 
-/// What a system with an advected vector is stepped in: an element of the dual of the algebra of the semidirect product.
+/// What a system with an advected vector is stepped in: an element of the dual of the algebra of the
+/// semidirect product.
 template <Group G, Scalar S, int m>
 struct AdvectedState {
-  Momentum<G, S> momentum;        ///< of the body for a left-invariant system, in space for a right-invariant one; energy x time
-  Matrix<S, m, 1> vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
+  Momentum<G, S>
+      /// of the body for a left-invariant system, in space for a right-invariant one; energy x time
+      momentum;
+  Matrix<S, m, 1>
+      vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
 };
 
 namespace detail {
@@ -73,7 +78,8 @@ Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, A
   return act(inverse(f), a);
 }
 
-/// \f$A_a^*\,\partial_a\ell(f, a)\f$: the differential of l in its vector, read on \f$\vartheta\mapsto\frac{d}{d\epsilon}\ell(f, e^{\epsilon\vartheta}a)\f$.
+/// \f$A_a^*\,\partial_a\ell(f, a)\f$: the differential of l in its vector, read on
+/// \f$\vartheta\mapsto\frac{d}{d\epsilon}\ell(f, e^{\epsilon\vartheta}a)\f$.
 ///
 /// @param l    reduced discrete Lagrangian with an advected vector, energy x time
 /// @param act  the action of G on vectors; multiplication by the matrix unless given
@@ -82,7 +88,8 @@ Matrix<S, m, 1> advect_right(Element<G, S> const& f, Matrix<S, m, 1> const& a, A
 /// Exact up to rounding.
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
   requires ActsOn<Act, G, S, m>
-Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
+Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+                                     Act const& act = {}) {
   auto const moved_vector = [&](auto const& g) {
     using T = typename std::decay_t<decltype(g)>::Scalar;
     return l(like(g, f), act(g, Matrix<T, m, 1>(a.template cast<T>())));
@@ -92,9 +99,11 @@ Momentum<G, S> advected_differential(F const& l, Element<G, S> const& f, Matrix<
 
 // The momenta at both ends of a step.
 
-/// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a left-invariant step begins.
+/// \f$\Pi_0 = A_a^*\,\partial_a\ell - L_f^*\ell'\f$ at \f$(f, a_0)\f$: the body momentum with which a
+/// left-invariant step begins.
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
+Momentum<G, S> advected_momentum_before_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+                                             Act const& act = {}) {
   return advected_differential(l, f, a, act) - left_differential(detail::holding(l, a), f);
 }
 /// \f$\Pi_1 = -R_f^*\ell'(f, a_0)\f$: the body momentum with which it ends.
@@ -102,9 +111,11 @@ template <Group G, Scalar S, int m, class F>
 Momentum<G, S> advected_momentum_after_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a) {
   return -right_differential(detail::holding(l, a), f);
 }
-/// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a right-invariant step begins.
+/// \f$\mu_0 = -R_f^*\ell' - A_a^*\,\partial_a\ell\f$ at \f$(f, a_0)\f$: the spatial momentum with which a
+/// right-invariant step begins.
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Act const& act = {}) {
+Momentum<G, S> advected_momentum_before_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+                                              Act const& act = {}) {
   return -right_differential(detail::holding(l, a), f) - advected_differential(l, f, a, act);
 }
 /// \f$\mu_1 = -L_f^*\ell'(f, a_0)\f$: the spatial momentum with which it ends.
@@ -118,7 +129,8 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 /// The residual of the discrete Euler-Poincare equations with an advected vector, left-invariant: zero along
 /// motions, and only there.
 ///
-/// \f[ L^*_{f_{21}}\ell'(f_{21}, a_1) - A_{a_1}^*\,\partial_a\ell(f_{21}, a_1) - R^*_{f_{10}}\ell'(f_{10}, a_0), \qquad a_1 = f_{10}\,a_0 \f]
+/// \f[ L^*_{f_{21}}\ell'(f_{21}, a_1) - A_{a_1}^*\,\partial_a\ell(f_{21}, a_1) - R^*_{f_{10}}\ell'(f_{10},
+///   a_0), \qquad a_1 = f_{10}\,a_0 \f]
 /// It is \f$\mathrm{Ad}^*_{g_1}\f$ of the residual of the discrete Euler-Lagrange equations of
 /// \ref lift_advected_left at \f$(g_0, g_1, g_2)\f$.
 ///
@@ -130,18 +142,18 @@ Momentum<G, S> advected_momentum_after_right(F const& l, Element<G, S> const& f,
 /// @return     covector at the identity
 /// Exact up to rounding.
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Element<G, S> const& f21,
-                                            Act const& act = {}) {
+Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0,
+                                            Element<G, S> const& f21, Act const& act = {}) {
   auto const a1 = advect_left(f10, a0, act);
   auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
   // [rem_3_1_3]
-  return left_differential(l1, f21) - advected_differential(l, f21, a1, act)
-         - right_differential(l0, f10);
+  return left_differential(l1, f21) - advected_differential(l, f21, a1, act) - right_differential(l0, f10);
   // [rem_3_1_3]
 }
 /// The same, right-invariant.
 ///
-/// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01}, a_0), \qquad a_1 = f_{01}^{-1}a_0 \f]
+/// \f[ R^*_{f_{12}}\ell'(f_{12}, a_1) + A_{a_1}^*\,\partial_a\ell(f_{12}, a_1) - L^*_{f_{01}}\ell'(f_{01},
+///   a_0), \qquad a_1 = f_{01}^{-1}a_0 \f]
 /// It is the residual of the discrete Euler-Lagrange equations of \ref lift_advected_right at
 /// \f$(g_0, g_1, g_2)\f$.
 ///
@@ -149,8 +161,8 @@ Momentum<G, S> advected_euler_poincare_left(F const& l, Element<G, S> const& f10
 /// @param a0   the vector at \f$g_0\f$, \f$g_0c\f$
 /// @param f12  relative motion \f$g_1g_2^{-1}\f$ over the step after
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Element<G, S> const& f12,
-                                             Act const& act = {}) {
+Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0,
+                                             Element<G, S> const& f12, Act const& act = {}) {
   auto const a1 = advect_right(f01, a0, act);
   auto const l0 = detail::holding(l, a0), l1 = detail::holding(l, a1);
   return right_differential(l1, f12) + advected_differential(l, f12, a1, act) - left_differential(l0, f01);
@@ -161,14 +173,15 @@ Momentum<G, S> advected_euler_poincare_right(F const& l, Element<G, S> const& f0
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 /// @throws NotFinite               where momentum or vector is no number
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> const& pi, Matrix<S, m, 1> const& a, Element<G, S> const& start,
+Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> const& pi,
+                                                    Matrix<S, m, 1> const& a, Element<G, S> const& start,
                                                     Act const& act = {}) {
   require_finite(a, "advected_relative_motion_left: vector");
   require_finite(pi.components, "advected_relative_motion_left: momentum");
   return solve_on_group(
       [&](auto const& f) {
-        using T = typename std::decay_t<decltype(f)>::Scalar;
-        return advected_momentum_before_left(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
+    using T = typename std::decay_t<decltype(f)>::Scalar;
+    return advected_momentum_before_left(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, pi);
       },
       start);
 }
@@ -176,14 +189,15 @@ Solved<Element<G, S>> advected_relative_motion_left(F const& l, Momentum<G, S> c
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 /// @throws NotFinite               where momentum or vector is no number
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> const& mu, Matrix<S, m, 1> const& a, Element<G, S> const& start,
+Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> const& mu,
+                                                     Matrix<S, m, 1> const& a, Element<G, S> const& start,
                                                      Act const& act = {}) {
   require_finite(a, "advected_relative_motion_right: vector");
   require_finite(mu.components, "advected_relative_motion_right: momentum");
   return solve_on_group(
       [&](auto const& f) {
-        using T = typename std::decay_t<decltype(f)>::Scalar;
-        return advected_momentum_before_right(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
+    using T = typename std::decay_t<decltype(f)>::Scalar;
+    return advected_momentum_before_right(l, f, Matrix<T, m, 1>(a.template cast<T>()), act) - like(f, mu);
       },
       start);
 }
@@ -193,18 +207,22 @@ Solved<Element<G, S>> advected_relative_motion_right(F const& l, Momentum<G, S> 
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10, Matrix<S, m, 1> const& a0, Act const& act = {}) {
+Solved<Element<G, S>> step_advected_euler_poincare_left(F const& l, Element<G, S> const& f10,
+                                                        Matrix<S, m, 1> const& a0, Act const& act = {}) {
   // The momentum at the end of the step before is given: solve for the motion that starts with it, at the
   // advected vector.
-  return advected_relative_motion_left(l, advected_momentum_after_left(l, f10, a0), advect_left(f10, a0, act), f10, act);
+  return advected_relative_motion_left(l, advected_momentum_after_left(l, f10, a0), advect_left(f10, a0, act),
+                                       f10, act);
 }
 /// The next relative motion, right-invariant: solves \ref advected_euler_poincare_right for `f12`. The next
 /// vector is given by \ref advect_right.
 ///
 /// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular
 template <ExponentialGroup G, Real S, int m, class F, class Act = MatrixAction>
-Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, S> const& f01, Matrix<S, m, 1> const& a0, Act const& act = {}) {
-  return advected_relative_motion_right(l, advected_momentum_after_right(l, f01, a0), advect_right(f01, a0, act), f01, act);
+Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, S> const& f01,
+                                                         Matrix<S, m, 1> const& a0, Act const& act = {}) {
+  return advected_relative_motion_right(l, advected_momentum_after_right(l, f01, a0),
+                                        advect_right(f01, a0, act), f01, act);
 }
 
 /// \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\bigl(\Pi_0 - A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the body momentum
@@ -216,8 +234,8 @@ Solved<Element<G, S>> step_advected_euler_poincare_right(F const& l, Element<G, 
 /// they are \f$|a|^2\f$ and \f$\langle\Pi, a\rangle\f$.
 /// @param f  the relative motion of the step that starts with \f$\Pi_0\f$
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& pi,
-                                                Act const& act = {}) {
+Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+                                                Momentum<G, S> const& pi, Act const& act = {}) {
   // [advected_lie_poisson]
   return Ad_star(inverse(f), pi - advected_differential(l, f, a, act));
   // [advected_lie_poisson]
@@ -225,14 +243,15 @@ Momentum<G, S> advected_lie_poisson_update_left(F const& l, Element<G, S> const&
 /// \f$\mu_1 = \mathrm{Ad}^*_f\bigl(\mu_0 + A_a^*\,\partial_a\ell(f, a_0)\bigr)\f$: the spatial momentum after
 /// the step, right-invariant. Without a vector it is (3.17).
 template <Group G, Scalar S, int m, class F, class Act = MatrixAction>
-Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a, Momentum<G, S> const& mu,
-                                                 Act const& act = {}) {
+Momentum<G, S> advected_lie_poisson_update_right(F const& l, Element<G, S> const& f, Matrix<S, m, 1> const& a,
+                                                 Momentum<G, S> const& mu, Act const& act = {}) {
   return Ad_star(f, mu + advected_differential(l, f, a, act));
 }
 
 // With and without reduction.
 
-/// The discrete Lagrangian on G x G that l(f, a) stands for, left-invariant: \f$(g_0, g_1)\mapsto\ell(g_1^{-1}g_0,\, g_0^{-1}c)\f$.
+/// The discrete Lagrangian on G x G that l(f, a) stands for, left-invariant:
+/// \f$(g_0, g_1)\mapsto\ell(g_1^{-1}g_0,\, g_0^{-1}c)\f$.
 /// @param c  the vector that is fixed in space
 template <class F, class S, int m, class Act = MatrixAction>
 auto lift_advected_left(F l, Matrix<S, m, 1> const& c, Act act = {}) {
@@ -258,9 +277,11 @@ template <Group G, Scalar S, int m, class Act = MatrixAction>
 Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
   Matrix<S, m, 1> rate = Matrix<S, m, 1>::Zero(a.size());
   over_batches(zeta.group.dimension(), [&](int first) {
-    Matrix<Moved<S>, m, 1> const moved = act(moved_left(identity<S>(zeta.group), first), Matrix<Moved<S>, m, 1>(a.template cast<Moved<S>>()));
+    Matrix<Moved<S>, m, 1> const moved =
+        act(moved_left(identity<S>(zeta.group), first), Matrix<Moved<S>, m, 1>(a.template cast<Moved<S>>()));
     for (Index i = 0; i < a.size(); ++i)
-      for (int b = 0; b < batch && first + b < zeta.group.dimension(); ++b) rate[i] += moved[i].part[b] * zeta.coordinates[first + b];
+      for (int b = 0; b < batch && first + b < zeta.group.dimension(); ++b)
+        rate[i] += moved[i].part[b] * zeta.coordinates[first + b];
   });
   return rate;
 }
@@ -270,17 +291,23 @@ Matrix<S, m, 1> moved_by(Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, A
 ///
 /// The generator is transported as the vector is: \f$\zeta_1 = \mathrm{Ad}_f\,\zeta_0\f$ for a left-invariant
 /// system, \f$\mathrm{Ad}_{f^{-1}}\zeta_0\f$ for a right-invariant one.
-/// For SO(3) on 3-space \f$\zeta = a\f$, which makes it \f$\langle\Pi, a\rangle\f$, the momentum about the vertical.
-/// @throws OutsideDomain  where \f$\zeta a\f$ is not zero, so that nothing is conserved: its size over that of \f$\zeta\f$ times a, and the bound.
-///                        Over the rationals it must be 0; elsewhere half of the digits are enough, since rounding may have moved generator and
-///                        vector for long.
+/// For SO(3) on 3-space \f$\zeta = a\f$, which makes it \f$\langle\Pi, a\rangle\f$, the momentum about the
+/// vertical.
+/// @throws OutsideDomain  where \f$\zeta a\f$ is not zero, so that nothing is conserved: its size over that
+///                        of \f$\zeta\f$ times a, and the bound. Over the rationals it must be 0; elsewhere
+///                        half of the digits are enough, since rounding may have moved generator and vector
+///                        for long.
 template <Group G, Scalar S, int m, class Act = MatrixAction>
-S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a, Act const& act = {}) {
+S stabiliser_momentum(Momentum<G, S> const& pi, Velocity<G, S> const& zeta, Matrix<S, m, 1> const& a,
+                      Act const& act = {}) {
   auto const size = magnitude(zeta.coordinates) * magnitude(a);
-  double const measured = size > Base<S>(0) ? to_double(Base<S>(magnitude(moved_by(zeta, a, act)) / size)) : 0.0;
+  double const measured =
+      size > Base<S>(0) ? to_double(Base<S>(magnitude(moved_by(zeta, a, act)) / size)) : 0.0;
   double const bound = std::sqrt(to_double(epsilon<S>()));
   if (!(measured <= bound))
-    throw OutsideDomain("stabiliser_momentum", "a generator that fixes the vector is needed; size of what it does to it", measured, bound);
+    throw OutsideDomain("stabiliser_momentum",
+                        "a generator that fixes the vector is needed; size of what it does to it", measured,
+                        bound);
   return pair(pi, zeta);
 }
 

@@ -1,9 +1,9 @@
 // Compositions: several steps, some of them backwards, that make one step of higher order.
 //
-// The base step must be self-adjoint: a step by -h undoes one by h. Then its error has even powers of h only, and substeps gamma_1 h, ..., gamma_n h
-// in a palindromic pattern cancel them one after another. Each substep is a step of the discrete Lie-Poisson
-// algorithm, so the composition preserves what each preserves: the coadjoint orbit, the bracket, the momentum
-// of the symmetry.
+// The base step must be self-adjoint: a step by -h undoes one by h. Then its error has even powers of h only,
+// and substeps gamma_1 h, ..., gamma_n h in a palindromic pattern cancel them one after another. Each substep
+// is a step of the discrete Lie-Poisson algorithm, so the composition preserves what each preserves: the
+// coadjoint orbit, the bracket, the momentum of the symmetry.
 #pragma once
 
 #include <vector>
@@ -17,9 +17,9 @@ namespace actio {
 ///
 /// \f[ \sum_k\gamma_k - 1,\qquad \sum_k\gamma_k^3,\qquad \sum_k\gamma_k^5,\qquad \sum_k\gamma_k^3\,m_k^2,
 ///    \qquad m_k = \gamma_1+\dots+\gamma_{k-1}+\tfrac12\gamma_k \f]
-/// The step is \f$\exp(hA_1 + h^3A_3 + h^5A_5 + \dots)\f$. In the product of its substeps \f$A_3\f$ and \f$A_5\f$ occur with the sums of cubes and of
-/// fifth powers, and \f$[A_1,[A_1,A_3]]\f$ with the cubes weighted by the square of the time \f$m_k\f$ in the middle of the substep.
-/// Exact up to rounding.
+/// The step is \f$\exp(hA_1 + h^3A_3 + h^5A_5 + \dots)\f$. In the product of its substeps \f$A_3\f$ and
+/// \f$A_5\f$ occur with the sums of cubes and of fifth powers, and \f$[A_1,[A_1,A_3]]\f$ with the cubes
+/// weighted by the square of the time \f$m_k\f$ in the middle of the substep. Exact up to rounding.
 template <Scalar S>
 Matrix<S, 4, 1> composition_conditions(std::vector<S> const& gamma) {
   Matrix<S, 4, 1> left(S(-1), S(0), S(0), S(0));
@@ -34,7 +34,8 @@ Matrix<S, 4, 1> composition_conditions(std::vector<S> const& gamma) {
   return left;
 }
 
-/// Order 4 in three stages: \f$\gamma_1 = \gamma_3 = 1/(2-\sqrt[3]2)\f$, and back by \f$\gamma_2 = 1 - 2\gamma_1\f$. Few stages, large error.
+/// Order 4 in three stages: \f$\gamma_1 = \gamma_3 = 1/(2-\sqrt[3]2)\f$, and back by
+/// \f$\gamma_2 = 1 - 2\gamma_1\f$. Few stages, large error.
 template <Real S>
 std::vector<S> triple_jump() {
   using std::exp, std::log;
@@ -42,7 +43,8 @@ std::vector<S> triple_jump() {
   return {outer, S(1) - outer - outer, outer};
 }
 /// Order 2, 4, 6 or 8 by Suzuki's fractals, in 1, 5, 25 or 125 stages: \f$s, s, 1-4s, s, s\f$ with
-/// \f$s = 1/(4-4^{1/(p+1)})\f$ takes order p to p + 2. Steps back in time are shorter than those of the triple jump.
+/// \f$s = 1/(4-4^{1/(p+1)})\f$ takes order p to p + 2. Steps back in time are shorter than those of the
+/// triple jump.
 /// @param order  2, 4, 6 or 8
 /// @throws OutsideDomain  for another
 template <Real S>
@@ -63,24 +65,25 @@ std::vector<S> symmetric_composition(int order) {
 /// Order 4 in five stages (Suzuki): \f$\gamma_1 = \gamma_2 = \gamma_4 = \gamma_5 = 1/(4-\sqrt[3]4)\f$ and
 /// \f$\gamma_3 = 1 - 4\gamma_1\f$. No substep is longer than 0.66 of the step.
 template <Real S>
-std::vector<S> suzuki() {
-  return symmetric_composition<S>(4);
-}
+std::vector<S> suzuki() { return symmetric_composition<S>(4); }
 /// Order 6 in nine stages (Kahan and Li): \f$\gamma_1, \dots, \gamma_5\f$ and back.
 ///
-/// Five numbers for four conditions leave one free. The first is that of Kahan and Li, to the 26 digits they print; the others solve
-/// \ref composition_conditions by Newton's iteration, in as many digits as the scalar has.
+/// Five numbers for four conditions leave one free. The first is that of Kahan and Li, to the 26 digits they
+/// print; the others solve \ref composition_conditions by Newton's iteration, in as many digits as the scalar
+/// has.
 template <Real S>
   requires Plain<S>
 std::vector<S> kahan_li() {
   S const shift(10000000000000L);  // 10^13
   S const first = (S(3921614440073L) + S(1413927925056L) / shift) / shift;
-  Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550), S(0.798543990934829));
+  Matrix<S, 4, 1> rest(S(0.332599136789359), S(-0.706246172557639), S(0.082213596293550),
+                       S(0.798543990934829));
   auto const there_and_back = [&first]<class T>(Matrix<T, 4, 1> const& g) {
     return std::vector<T>{T(first), g[0], g[1], g[2], g[3], g[2], g[1], g[0], T(first)};
   };
   for (double digits = 10; digits < 3 * decimal_digits<S>(); digits *= 2) {
-    auto const [value, slope] = derivative([&](auto const& g) { return composition_conditions(there_and_back(g)); }, rest);
+    auto const [value, slope] =
+        derivative([&](auto const& g) { return composition_conditions(there_and_back(g)); }, rest);
     rest -= solve_linear(slope, value, "kahan_li");
   }
   return there_and_back(rest);
@@ -106,13 +109,15 @@ MomentumStep<G, T> take_substeps(std::vector<Step> const& steps, std::vector<S> 
   auto whole = steps[0](from, S(fractions[0] * h));
   for (std::size_t k = 1; k < fractions.size(); ++k) {
     auto next = steps[k](whole.state, S(fractions[k] * h));
-    whole = {joined(whole.relative_motion, next.relative_motion), std::move(next.state), whole.evaluations + next.evaluations};
+    whole = {joined(whole.relative_motion, next.relative_motion), std::move(next.state),
+             whole.evaluations + next.evaluations};
   }
   return whole;
 }
 }  // namespace detail
 
-/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a right-invariant step as one step, with relative motion \f$f_1f_2\cdots f_n\f$.
+/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a right-invariant step as one step, with relative motion
+/// \f$f_1f_2\cdots f_n\f$.
 template <class Step, class S>
 struct ComposedRight {
   std::vector<S> fractions;  ///< of the step; they add up to 1
@@ -130,7 +135,8 @@ struct ComposedRight {
                                  [](auto const& before, auto const& after) { return before * after; });
   }
 };
-/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a left-invariant step as one step, with relative motion \f$f_n\cdots f_2f_1\f$.
+/// Substeps \f$\gamma_1h, \dots, \gamma_nh\f$ of a left-invariant step as one step, with relative motion
+/// \f$f_n\cdots f_2f_1\f$.
 template <class Step, class S>
 struct ComposedLeft {
   std::vector<S> fractions;  ///< of the step; they add up to 1

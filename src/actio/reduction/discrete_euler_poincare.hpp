@@ -1,9 +1,9 @@
 // Discrete Euler-Poincare equations: the discrete motion of an invariant system, in relative motions alone.
 //
-// A discrete Lagrangian that does not change under right multiplication is a function l of f01 = g0 g1^-1; one that does not change under left
-// multiplication is a function of f10 = g1^-1 g0. Along a motion the momentum at the end of a step equals
-// that at the start of the next. The two sides have their own functions; neither is obtained from the other
-// by a flag.
+// A discrete Lagrangian that does not change under right multiplication is a function l of f01 = g0 g1^-1;
+// one that does not change under left multiplication is a function of f10 = g1^-1 g0. Along a motion the
+// momentum at the end of a step equals that at the start of the next. The two sides have their own functions;
+// neither is obtained from the other by a flag.
 #pragma once
 
 #include "actio/groups/solve.hpp"
@@ -68,7 +68,8 @@ template <Group G, Scalar S, class F>
 auto right_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
-  over_batches(n, [&](int first) { store_parts(m, right_differential(l, moved_left(f, first)).components, first); });
+  over_batches(
+      n, [&](int first) { store_parts(m, right_differential(l, moved_left(f, first)).components, first); });
   return m;
 }
 /// How \f$L_f^*\ell'(f)\f$ changes when f moves to \f$e^\vartheta f\f$. Row: component; column: direction.
@@ -76,22 +77,26 @@ template <Group G, Scalar S, class F>
 auto left_second_differential(F const& l, Element<G, S> const& f) {
   int const n = f.group.dimension();
   Matrix<S, G::dim, G::dim> m(n, n);
-  over_batches(n, [&](int first) { store_parts(m, left_differential(l, moved_left(f, first)).components, first); });
+  over_batches(
+      n, [&](int first) { store_parts(m, left_differential(l, moved_left(f, first)).components, first); });
   return m;
 }
 
-/// The tangent of the right-invariant algorithm \f$f_{01}\mapsto f_{12}\f$, where the two satisfy (3.10): \f$\vartheta_{01}\mapsto\vartheta_{12}\f$,
-/// each being \f$\delta f\,f^{-1}\f$. From the equation, not from the solver: exact at every scalar.
+/// The tangent of the right-invariant algorithm \f$f_{01}\mapsto f_{12}\f$, where the two satisfy (3.10):
+/// \f$\vartheta_{01}\mapsto\vartheta_{12}\f$, each being \f$\delta f\,f^{-1}\f$. From the equation, not from
+/// the solver: exact at every scalar.
 /// @throws Singular  where l is not regular at f12
 template <Group G, Scalar S, class F>
 auto euler_poincare_tangent_right(F const& l, Element<G, S> const& f01, Element<G, S> const& f12) {
-  return solve_linear(right_second_differential(l, f12), left_second_differential(l, f01), "discrete Euler-Poincare: l''");
+  return solve_linear(right_second_differential(l, f12), left_second_differential(l, f01),
+                      "discrete Euler-Poincare: l''");
 }
 /// The tangent of the left-invariant algorithm \f$f_{10}\mapsto f_{21}\f$, where the two satisfy (3.11).
 /// @throws Singular  where l is not regular at f21
 template <Group G, Scalar S, class F>
 auto euler_poincare_tangent_left(F const& l, Element<G, S> const& f10, Element<G, S> const& f21) {
-  return solve_linear(left_second_differential(l, f21), right_second_differential(l, f10), "discrete Euler-Poincare: l''");
+  return solve_linear(left_second_differential(l, f21), right_second_differential(l, f10),
+                      "discrete Euler-Poincare: l''");
 }
 
 }  // namespace actio

@@ -9,16 +9,14 @@
 
 namespace actio {
 
-/// \f$\mu_0 = -R_f^*\ell'(f)\f$: the spatial momentum at the start of a right-invariant step with relative motion \f$f = g_0g_1^{-1}\f$.
+/// \f$\mu_0 = -R_f^*\ell'(f)\f$: the spatial momentum at the start of a right-invariant step with relative
+/// motion \f$f = g_0g_1^{-1}\f$.
 template <Group G, Scalar S, class F>
-Momentum<G, S> momentum_before_right(F const& l, Element<G, S> const& f) {
-  return -right_differential(l, f);
-}
-/// \f$\Pi_0 = -L_f^*\ell'(f)\f$: the body momentum at the start of a left-invariant step with relative motion \f$f = g_1^{-1}g_0\f$.
+Momentum<G, S> momentum_before_right(F const& l, Element<G, S> const& f) { return -right_differential(l, f); }
+/// \f$\Pi_0 = -L_f^*\ell'(f)\f$: the body momentum at the start of a left-invariant step with relative motion
+/// \f$f = g_1^{-1}g_0\f$.
 template <Group G, Scalar S, class F>
-Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) {
-  return -left_differential(l, f);
-}
+Momentum<G, S> momentum_before_left(F const& l, Element<G, S> const& f) { return -left_differential(l, f); }
 
 /// \f$\mu_{k+1} = \mathrm{Ad}^*_{f_{k,k+1}}\,\mu_k\f$, right-invariant.
 ///
@@ -43,14 +41,16 @@ Momentum<G, S> lie_poisson_update_left(Element<G, S> const& f, Momentum<G, S> co
 /// \f$-R_f^*\ell'(f) = \mu\f$ near `start`.
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 template <ExponentialGroup G, Real S, class F>
-Solved<Element<G, S>> relative_motion_from_momentum_right(F const& l, Momentum<G, S> const& mu, Element<G, S> const& start) {
+Solved<Element<G, S>> relative_motion_from_momentum_right(F const& l, Momentum<G, S> const& mu,
+                                                          Element<G, S> const& start) {
   return solve_on_group([&](auto const& f) { return right_differential(l, f) + like(f, mu); }, start);
 }
 /// The relative motion of the step that starts with a given body momentum: solves \f$-L_f^*\ell'(f) = \Pi\f$
 /// near `start`.
 /// @throws NotConverged, Singular  where the step is too long for the momentum
 template <ExponentialGroup G, Real S, class F>
-Solved<Element<G, S>> relative_motion_from_momentum_left(F const& l, Momentum<G, S> const& pi, Element<G, S> const& start) {
+Solved<Element<G, S>> relative_motion_from_momentum_left(F const& l, Momentum<G, S> const& pi,
+                                                         Element<G, S> const& start) {
   return solve_on_group([&](auto const& f) { return left_differential(l, f) + like(f, pi); }, start);
 }
 

@@ -6,7 +6,8 @@
 
 namespace actio {
 
-/// The matrix of \f$\omega_L\f$ at (g0, g1) on (theta0, theta1): \f$\omega_L(w_1, w_2) = w_1^T\,\Omega\,w_2\f$.
+/// The matrix of \f$\omega_L\f$ at (g0, g1) on (theta0, theta1):
+/// \f$\omega_L(w_1, w_2) = w_1^T\,\Omega\,w_2\f$.
 template <Group G, Scalar S, class L>
 auto discrete_two_form_matrix(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   int const n = g0.group.dimension();
@@ -19,7 +20,8 @@ auto discrete_two_form_matrix(L const& lagrangian, Element<G, S> const& g0, Elem
 
 /// The matrix of the bracket (3.12) on G x G: \f$\{F, H\} = dF^T\,\Pi\,dH\f$ with \f$\Pi = \Omega^{-T}\f$.
 ///
-/// From \f$X_F\lrcorner\omega_L = dF\f$ and \f$\{F, H\} = \omega_L(X_F, X_H)\f$; differentials on (theta0, theta1).
+/// From \f$X_F\lrcorner\omega_L = dF\f$ and \f$\{F, H\} = \omega_L(X_F, X_H)\f$; differentials on (theta0,
+/// theta1).
 /// \implements{eq_3_12}
 /// @throws Singular  where L is not regular at (g0, g1)
 template <Group G, Scalar S, class L>
@@ -30,9 +32,11 @@ auto discrete_bivector(L const& lagrangian, Element<G, S> const& g0, Element<G, 
   // [eq_3_12]
 }
 
-/// The matrix P of the bracket (3.13) on G of a right-invariant discrete Lagrangian: \f$\{a, b\}_G(f) = (R_f^*a')^T\,P\,(R_f^*b')\f$.
+/// The matrix P of the bracket (3.13) on G of a right-invariant discrete Lagrangian:
+/// \f$\{a, b\}_G(f) = (R_f^*a')^T\,P\,(R_f^*b')\f$.
 ///
-/// Functions on G are lifted by \f$f = g_0g_1^{-1}\f$; a lifted function changes by \f$R_f^*a'\f$ with \f$g_0\f$ and by \f$-L_f^*a' = -\mathrm{Ad}_f^*R_f^*a'\f$ with \f$g_1\f$.
+/// Functions on G are lifted by \f$f = g_0g_1^{-1}\f$; a lifted function changes by \f$R_f^*a'\f$ with
+/// \f$g_0\f$ and by \f$-L_f^*a' = -\mathrm{Ad}_f^*R_f^*a'\f$ with \f$g_1\f$.
 /// \implements{eq_3_13}
 /// @throws Singular  where l is not regular at f
 template <Group G, Scalar S, class F>

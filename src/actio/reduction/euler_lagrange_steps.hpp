@@ -9,16 +9,16 @@ namespace actio {
 /// The motion of a discrete Lagrangian on \f$G\times G\f$: \ref discrete_euler_lagrange solved step after
 /// step.
 ///
-/// Configurations are those of \ref step_euler_lagrange to rounding, in a fraction of the time: the derivative of the
-/// equation is reused from step to step, and the next configuration is extrapolated from the last ones (\ref
-/// PredictorCorrector).
+/// Configurations are those of \ref step_euler_lagrange to rounding, in a fraction of the time: the
+/// derivative of the equation is reused from step to step, and the next configuration is extrapolated from
+/// the last ones (\ref PredictorCorrector).
 /// @tparam L  discrete Lagrangian, \f$G\times G\to\mathbb R\f$, energy x time
 template <class L, ExponentialGroup G, Real S>
 class EulerLagrangeSteps {
  public:
   /// @param lagrangian  callable at every scalar
   /// @param g0, g1      the first two configurations
-  /// @throws NotFinite, OutsideDomain  where the configurations are no numbers, or the Lagrangian refuses them
+  /// @throws NotFinite, OutsideDomain where the configurations are no numbers, or the Lagrangian refuses them
   EulerLagrangeSteps(L lagrangian, Element<G, S> const& g0, Element<G, S> const& g1)
       : lagrangian_(std::move(lagrangian)),
         before_(g0),

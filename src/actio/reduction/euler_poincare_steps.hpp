@@ -14,8 +14,9 @@ namespace actio {
 
 /// The motion of a right-invariant system: \ref euler_poincare_right solved step after step.
 ///
-/// Relative motions are those of \ref step_euler_poincare_right to rounding; what a step costs is measured on \ref performance.
-/// The momentum is transported by \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is preserved to rounding.
+/// Relative motions are those of \ref step_euler_poincare_right to rounding; what a step costs is measured on
+/// \ref performance. The momentum is transported by \f$\mathrm{Ad}^*\f$, so its coadjoint orbit is preserved
+/// to rounding.
 /// @tparam F  reduced discrete Lagrangian, \f$G\to\mathbb R\f$, energy x time
 template <class F, ExponentialGroup G, Real S>
 class EulerPoincareStepsRight {

@@ -1,10 +1,12 @@
-// Galerkin steps on a group: polynomial paths in the natural chart at the earlier configuration, Gauss quadrature, stationary action.
+// Galerkin steps on a group: polynomial paths in the natural chart at the earlier configuration, Gauss
+// quadrature, stationary action.
 //
-// The path is g(t) = g0 exp(eta(t)) in a left-invariant system and exp(eta(t)) g0 in a right-invariant one. eta is a polynomial of degree s through
-// eta(0) = 0, xi_1, ..., xi_s at the times 0, h/s, ..., h. The action by Gauss's rule with s nodes is a function A(xi_1, ..., xi_s). It is stationary
-// in the configurations in between, and its differential in the last one is the momentum, read in the chart. So a step from a given momentum solves s dim G
-// equations; the momentum is transported by Ad*, so the coadjoint orbit, the bracket and the momentum of the
-// symmetry are preserved exactly, and the order is 2s.
+// The path is g(t) = g0 exp(eta(t)) in a left-invariant system and exp(eta(t)) g0 in a right-invariant one.
+// eta is a polynomial of degree s through eta(0) = 0, xi_1, ..., xi_s at the times 0, h/s, ..., h. The action
+// by Gauss's rule with s nodes is a function A(xi_1, ..., xi_s). It is stationary in the configurations in
+// between, and its differential in the last one is the momentum, read in the chart. So a step from a given
+// momentum solves s dim G equations; the momentum is transported by Ad*, so the coadjoint orbit, the bracket
+// and the momentum of the symmetry are preserved exactly, and the order is 2s.
 #pragma once
 
 #include "actio/groups/unipotent_groups.hpp"
@@ -32,12 +34,15 @@ V iex_times(M const& w, V const& v) {
     }
     if (done) return sum;
   }
-  throw OutsideDomain("galerkin", "a step must stay within the natural chart (3.19); size of ad", row_norm(w), 2 * M_PI);
+  throw OutsideDomain("galerkin", "a step must stay within the natural chart (3.19); size of ad", row_norm(w),
+                      2 * M_PI);
 }
 
-/// \f$\eta\f$ at the i-th node of the rule, and as its infinitesimal part the rate at which it changes with the fraction of the step.
+/// \f$\eta\f$ at the i-th node of the rule, and as its infinitesimal part the rate at which it changes with
+/// the fraction of the step.
 template <Group G, Scalar S>
-Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& group, Matrix<S, Dynamic, 1> const& xi, int i) {
+Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& group,
+                                  Matrix<S, Dynamic, 1> const& xi, int i) {
   int const n = group.dimension();
   Velocity<G, Dual<S>> eta{group, Coordinates<G, Dual<S>>::Zero(n)};
   for (int nu = 0; nu < path.degree(); ++nu)
@@ -48,18 +53,22 @@ Velocity<G, Dual<S>> path_at_node(PolynomialPath<Base<S>> const& path, G const& 
   return eta;
 }
 
-/// \f$\mathrm{iex}(\pm\mathrm{ad}_\eta)\,\eta'\f$: what the path turns by over the step, at the rate it has where `eta` was taken. side: +1 right, -1 left.
+/// \f$\mathrm{iex}(\pm\mathrm{ad}_\eta)\,\eta'\f$: what the path turns by over the step, at the rate it has
+/// where `eta` was taken. side: +1 right, -1 left.
 template <int side, Group G, Scalar S>
 Velocity<G, S> velocity_of_path(Velocity<G, Dual<S>> const& eta) {
   int const n = eta.group.dimension();
   Coordinates<G, S> signed_eta(n), rate(n);
-  for (int a = 0; a < n; ++a) signed_eta[a] = eta.coordinates[a].value * Base<S>(side), rate[a] = eta.coordinates[a].part[0];
+  for (int a = 0; a < n; ++a)
+    signed_eta[a] = eta.coordinates[a].value * Base<S>(side), rate[a] = eta.coordinates[a].part[0];
   return {eta.group, iex_times(ad_matrix(Velocity<G, S>{eta.group, signed_eta}), rate)};
 }
 
-/// The action of the path through \f$\xi_1, \dots, \xi_s\f$: \f$h\sum_i b_i\,l(\tfrac1h\,\mathrm{iex}(\pm\mathrm{ad}_{\eta_i})\,\eta_i')\f$.
+/// The action of the path through \f$\xi_1, \dots, \xi_s\f$: \f$h\sum_i
+/// b_i\,l(\tfrac1h\,\mathrm{iex}(\pm\mathrm{ad}_{\eta_i})\,\eta_i')\f$.
 template <int side, Group G, Scalar S, class F>
-S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h, Matrix<S, Dynamic, 1> const& xi) {
+S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
+                  Matrix<S, Dynamic, 1> const& xi) {
   S sum(0);
   for (int i = 0; i < path.degree(); ++i) {
     auto const eta = path_at_node(path, group, xi, i);
@@ -70,15 +79,17 @@ S galerkin_action(F const& l, PolynomialPath<Base<S>> const& path, G const& grou
   return sum;
 }
 
-/// The differential of that action in \f$\xi_1, \dots, \xi_s\f$, written out with the variation of a reduced velocity,
-/// \f$\delta\xi = \dot\vartheta \mp [\xi, \vartheta]\f$ with \f$\vartheta = \mathrm{iex}(\pm\mathrm{ad}_\eta)\,\delta\eta\f$.
+/// The differential of that action in \f$\xi_1, \dots, \xi_s\f$, written out with the variation of a reduced
+/// velocity, \f$\delta\xi = \dot\vartheta \mp [\xi, \vartheta]\f$ with
+/// \f$\vartheta = \mathrm{iex}(\pm\mathrm{ad}_\eta)\,\delta\eta\f$.
 ///
-/// With \f$p = \partial l/\partial\xi\f$ it is \f$\sum_i b_i\,(\lambda_\nu'(c_i)\,q_i + \lambda_\nu(c_i)\,\dot q_i)\f$, where
-/// \f$q = \mathrm{iex}(\pm\mathrm{ad}_\eta)^T p\f$ changes along the path while p changes at the rate \f$\mp\mathrm{ad}^*_\xi\,p\f$. One dual number
-/// carries both.
+/// With \f$p = \partial l/\partial\xi\f$ it is \f$\sum_i
+/// b_i\,(\lambda_\nu'(c_i)\,q_i + \lambda_\nu(c_i)\,\dot q_i)\f$, where
+/// \f$q = \mathrm{iex}(\pm\mathrm{ad}_\eta)^T p\f$ changes along the path while p changes at the rate
+/// \f$\mp\mathrm{ad}^*_\xi\,p\f$. One dual number carries both.
 template <int side, Group G, Scalar S, class F>
-Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group, Base<S> const& h,
-                                                          Matrix<S, Dynamic, 1> const& xi) {
+Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> const& path, G const& group,
+                                            Base<S> const& h, Matrix<S, Dynamic, 1> const& xi) {
   int const n = group.dimension(), s = path.degree();
   Matrix<S, Dynamic, 1> differential = Matrix<S, Dynamic, 1>::Zero(s * n);
   for (int i = 0; i < s; ++i) {
@@ -86,22 +97,27 @@ Matrix<S, Dynamic, 1> galerkin_differential(F const& l, PolynomialPath<Base<S>> 
     auto const velocity = velocity_of_path<side>(eta);
     auto const p = gradient(l, velocity / S(h)), along = ad_star(velocity, p);
     Coordinates<G, Dual<S>> moving(n);
-    for (int a = 0; a < n; ++a) moving[a].value = p.components[a], moving[a].part[0] = side > 0 ? -along.components[a] : along.components[a];
+    for (int a = 0; a < n; ++a)
+      moving[a].value = p.components[a],
+      moving[a].part[0] = side > 0 ? -along.components[a] : along.components[a];
     auto const q = iex_times(ad_matrix(side > 0 ? eta : -eta).transpose().eval(), moving);
     for (int nu = 0; nu < s; ++nu)
       for (int a = 0; a < n; ++a)
         // [galerkin_differential]
-        differential[nu * n + a] += (q[a].value * path.slope(i, nu) + q[a].part[0] * path.value(i, nu)) * path.weights[i];
-        // [galerkin_differential]
+        differential[nu * n + a] +=
+            (q[a].value * path.slope(i, nu) + q[a].part[0] * path.value(i, nu)) * path.weights[i];
+    // [galerkin_differential]
   }
   return differential;
 }
 
-/// The s dim G numbers that vanish for the path that leaves with a given momentum: the differential of the action, less the momentum read in the chart,
-/// \f$\mathrm{iex}(\mp\mathrm{ad}_{\xi_s})^T\mu_0\f$, in its last block.
+/// The s dim G numbers that vanish for the path that leaves with a given momentum: the differential of the
+/// action, less the momentum read in the chart, \f$\mathrm{iex}(\mp\mathrm{ad}_{\xi_s})^T\mu_0\f$, in its
+/// last block.
 template <int side, Group G, Scalar S, class F>
-Matrix<S, Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path, Momentum<G, S> const& mu, Base<S> const& h,
-                                                      Matrix<S, Dynamic, 1> const& xi) {
+Matrix<S, Dynamic, 1> galerkin_residual(F const& l, PolynomialPath<Base<S>> const& path,
+                                        Momentum<G, S> const& mu, Base<S> const& h,
+                                        Matrix<S, Dynamic, 1> const& xi) {
   int const n = mu.group.dimension();
   auto left = galerkin_differential<side>(l, path, mu.group, h, xi);
   Velocity<G, S> const last{mu.group, xi.tail(n)};
@@ -126,12 +142,14 @@ struct GalerkinStep {
     // The initial guess repeats the last step: a line in the chart.
     Element<Translations<Dynamic>, S> start{{s * n}, {}};  // the nodes, one below the other
     start.value.resize(s * n);
-    for (int nu = 0; nu < s; ++nu) start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
+    for (int nu = 0; nu < s; ++nu)
+      start.value.segment(nu * n, n) = from.velocity.coordinates * S(h * B(nu + 1) / B(s));
     auto& solver = remembered.template solver<Translations<Dynamic>>(from.velocity, h);
     auto const xi = solver.solve(
         [&](auto const& x) {
-          using R = typename std::decay_t<decltype(x)>::Scalar;
-          return Momentum<Translations<Dynamic>, R>{x.group, galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
+      using R = typename std::decay_t<decltype(x)>::Scalar;
+      return Momentum<Translations<Dynamic>, R>{x.group,
+                                                galerkin_residual<side>(l, path, over<R>(mu), h, x.value)};
         },
         start);
 
@@ -153,21 +171,24 @@ struct GalerkinStep {
 };
 }  // namespace detail
 
-/// The Galerkin step of a right-invariant system, of order 2s: a callable (state, h) -> \ref MomentumStep on spatial momenta.
+/// The Galerkin step of a right-invariant system, of order 2s: a callable (state, h) -> \ref MomentumStep on
+/// spatial momenta.
 ///
-/// Solves \f$\partial A/\partial\xi_\nu = 0\f$ for \f$\nu<s\f$ and \f$\partial A/\partial\xi_s = \mathrm{iex}(-\mathrm{ad}_{\xi_s})^T\mu_0\f$; then
-/// \f$f = e^{-\xi_s}\f$ and \f$\mu_1 = \mathrm{Ad}^*_f\,\mu_0\f$. With s = 1 it is the step by the natural chart (3.25).
+/// Solves \f$\partial A/\partial\xi_\nu = 0\f$ for \f$\nu<s\f$ and \f$\partial
+/// A/\partial\xi_s = \mathrm{iex}(-\mathrm{ad}_{\xi_s})^T\mu_0\f$; then \f$f = e^{-\xi_s}\f$ and
+/// \f$\mu_1 = \mathrm{Ad}^*_f\,\mu_0\f$. With s = 1 it is the step by the natural chart (3.25).
 /// @param l  reduced Lagrangian, function of \f$\dot g g^{-1}\f$, energy
 /// @param s  degree and number of nodes, 1 to 8
-/// @throws OutsideDomain  at once for a degree that is none of these; when called, for a step that is zero or not finite, or leaves every chart
-/// When called, Singular and NotConverged where the step is too long for the momentum.
+/// @throws OutsideDomain  at once for a degree that is none of these; when called, for a step that is zero or
+/// not finite, or leaves every chart When called, Singular and NotConverged where the step is too long for
+/// the momentum.
 template <Real S, class F>
 auto galerkin_step_right(F l, int s) {
   return detail::GalerkinStep<1, F, S>{std::move(l), PolynomialPath<S>(s)};
 }
 /// The Galerkin step of a left-invariant system, of order 2s, on body momenta:
-/// \f$\partial A/\partial\xi_s = \mathrm{iex}(\mathrm{ad}_{\xi_s})^T\Pi_0\f$ and \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\,\Pi_0\f$. Otherwise as \ref
-/// galerkin_step_right.
+/// \f$\partial A/\partial\xi_s = \mathrm{iex}(\mathrm{ad}_{\xi_s})^T\Pi_0\f$ and
+/// \f$\Pi_1 = \mathrm{Ad}^*_{f^{-1}}\,\Pi_0\f$. Otherwise as \ref galerkin_step_right.
 /// @param l  reduced Lagrangian, function of \f$g^{-1}\dot g\f$, energy
 /// @param s  degree and number of nodes, 1 to 8
 template <Real S, class F>

@@ -20,14 +20,14 @@ namespace actio {
 template <Group G, Scalar S>
 struct MomentumState {
   Momentum<G, S> momentum;  ///< energy x time; spatial (right-invariant) or of the body (left-invariant)
-  Velocity<G, S> velocity;  ///< 1/time; from where the next step looks for its relative motion, no part of the map of momenta
+  Velocity<G, S>
+      /// 1/time; from where the next step looks for its relative motion, no part of the map of momenta
+      velocity;
 };
 
 /// The state with velocity \f$\xi\f$ and momentum \f$\partial l/\partial\xi\f$.
 template <Group G, Scalar S, class F>
-MomentumState<G, S> momentum_state(F const& l, Velocity<G, S> const& xi) {
-  return {gradient(l, xi), xi};
-}
+MomentumState<G, S> momentum_state(F const& l, Velocity<G, S> const& xi) { return {gradient(l, xi), xi}; }
 
 /// What a step on momenta has done.
 template <Group G, Scalar S>
@@ -65,7 +65,8 @@ struct LiePoissonStepRight {
 
   /// A step of length h from a state.
   template <ExponentialGroup G, Real S>
-  MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<Base<S>> const& h) const {
+  MomentumStep<G, S> operator()(MomentumState<G, S> const& from,
+                                std::type_identity_t<Base<S>> const& h) const {
     detail::require_steppable(from, h);
     auto const l = family(h);
     auto& solver = remembered.template solver<G>(from.velocity, h);
@@ -84,7 +85,8 @@ struct LiePoissonStepLeft {
 
   /// A step of length h from a state.
   template <ExponentialGroup G, Real S>
-  MomentumStep<G, S> operator()(MomentumState<G, S> const& from, std::type_identity_t<Base<S>> const& h) const {
+  MomentumStep<G, S> operator()(MomentumState<G, S> const& from,
+                                std::type_identity_t<Base<S>> const& h) const {
     detail::require_steppable(from, h);
     auto const l = family(h);
     auto& solver = remembered.template solver<G>(from.velocity, h);
@@ -115,7 +117,8 @@ auto natural_chart_step_left(F l) {
 /// @param visit    called with each step done and its length
 /// @throws         what the step throws, at the first length that it cannot take
 template <class Step, Group G, Scalar S, class Lengths, class Visit>
-MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Lengths const& lengths, Visit const& visit) {
+MomentumState<G, S> take_steps(Step const& step, MomentumState<G, S> state, Lengths const& lengths,
+                               Visit const& visit) {
   for (auto const& h : lengths) {
     auto done = step(state, h);
     visit(std::as_const(done), h);

@@ -1,32 +1,34 @@
-// Discretization by natural charts: a continuous Lagrangian becomes a discrete one through the exponential map (thesis, section 3.3).
+// Discretization by natural charts: a continuous Lagrangian becomes a discrete one through the exponential
+// map (thesis, section 3.3).
 //
-// The chart at g is psi_g(k) = log(k g^-1) for right translation, phi_g(k) = log(g^-1 k) for left translation. Two configurations are averaged and
-// subtracted in it. A discrete Lagrangian is an action: the step times the Lagrangian.
+// The chart at g is psi_g(k) = log(k g^-1) for right translation, phi_g(k) = log(g^-1 k) for left
+// translation. Two configurations are averaged and subtracted in it. A discrete Lagrangian is an action: the
+// step times the Lagrangian.
 //
-// phi_g = Ad(g^-1) psi_g, so both charts at one g make the same discrete Lagrangian of the same L; each has its function because each reads off its own
-// velocity. A discrete Lagrangian inherits an invariance of L where the base point is equivariant: base(g1 k,
-// g2 k) = base(g1, g2) k, or the same on the left.
+// phi_g = Ad(g^-1) psi_g, so both charts at one g make the same discrete Lagrangian of the same L; each has
+// its function because each reads off its own velocity. A discrete Lagrangian inherits an invariance of L
+// where the base point is equivariant: base(g1 k, g2 k) = base(g1, g2) k, or the same on the left.
 #pragma once
 
-#include "actio/groups/unipotent_groups.hpp"
 #include "actio/groups/solve.hpp"
+#include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/relative_motion.hpp"
 #include "actio/variational/state.hpp"
 
 namespace actio {
 
 namespace detail {
-/// A step that can be divided by, forwards or backwards: the action of a negative step is \f$h\,l(-\log(f)/h)\f$ as well.
+/// A step that can be divided by, forwards or backwards: the action of a negative step is
+/// \f$h\,l(-\log(f)/h)\f$ as well.
 template <class T>
 T const& nonzero_step(T const& h) {
-  if (base_value(h) == Base<T>(0) || !is_finite(Base<T>(base_value(h)))) throw OutsideDomain("natural chart", "a step must be finite and not zero (3.20)", to_double(h), 0);
+  if (base_value(h) == Base<T>(0) || !is_finite(Base<T>(base_value(h))))
+    throw OutsideDomain("natural chart", "a step must be finite and not zero (3.20)", to_double(h), 0);
   return h;
 }
 /// The step as a constant of the scalar S.
 template <class S, class T>
-S constant(T const& h) {
-  return S(Base<S>(h));
-}
+S constant(T const& h) { return S(Base<S>(h)); }
 }  // namespace detail
 
 /// \f$\psi_g(k) = \log(k\,g^{-1})\f$, the natural chart at g by right translation.
@@ -52,32 +54,39 @@ struct ChartMidpoint {
   Velocity<G, S> eta;   ///< \f$\eta\f$, the average
   Velocity<G, S> zeta;  ///< \f$\zeta\f$, the difference over the step, 1/time
 };
-/// \f$\eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2))\f$ and \f$\zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1))\f$ in the chart at g by right translation.
+/// \f$\eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2))\f$ and \f$\zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1))\f$ in the
+/// chart at g by right translation.
 template <ExponentialGroup G, Scalar S, class T>
-ChartMidpoint<G, S> chart_midpoint_right(Element<G, S> const& g, Element<G, S> const& g1, Element<G, S> const& g2, T const& h) {
+ChartMidpoint<G, S> chart_midpoint_right(Element<G, S> const& g, Element<G, S> const& g1,
+                                         Element<G, S> const& g2, T const& h) {
   auto const first = natural_chart_right(g, g1), second = natural_chart_right(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
 }
 /// The same in the chart by left translation.
 template <ExponentialGroup G, Scalar S, class T>
-ChartMidpoint<G, S> chart_midpoint_left(Element<G, S> const& g, Element<G, S> const& g1, Element<G, S> const& g2, T const& h) {
+ChartMidpoint<G, S> chart_midpoint_left(Element<G, S> const& g, Element<G, S> const& g1,
+                                        Element<G, S> const& g2, T const& h) {
   auto const first = natural_chart_left(g, g1), second = natural_chart_left(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
 }
-/// \f$\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$\dot q q^{-1}\f$ of \f$q = e^\eta g\f$ when \f$\eta\f$ changes at the rate \f$\zeta\f$.
+/// \f$\mathrm{iex}(\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$\dot q q^{-1}\f$ of \f$q = e^\eta g\f$ when
+/// \f$\eta\f$ changes at the rate \f$\zeta\f$.
 template <Group G, Scalar S>
 Velocity<G, S> fibre_element_right(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(m.eta)) * m.zeta.coordinates};
 }
-/// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$q^{-1}\dot q\f$ of \f$q = g\,e^\eta\f$ when \f$\eta\f$ changes at the rate \f$\zeta\f$.
+/// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$q^{-1}\dot q\f$ of \f$q = g\,e^\eta\f$ when
+/// \f$\eta\f$ changes at the rate \f$\zeta\f$.
 template <Group G, Scalar S>
 Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
   return {m.zeta.group, iex(ad_matrix(-m.eta)) * m.zeta.coordinates};
 }
 
-/// \f$h\,L(q, \cdot)\f$ with average and difference taken in the natural chart at a base point (right translation).
+/// \f$h\,L(q, \cdot)\f$ with average and difference taken in the natural chart at a base point (right
+/// translation).
 ///
-/// \f[ \eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2)),\quad \zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1)),\quad q = e^\eta g,\quad \xi = \mathrm{iex}(\mathrm{ad}_\eta)\,\zeta \f]
+/// \f[ \eta = \tfrac12(\psi_g(g_1)+\psi_g(g_2)),\quad \zeta = \tfrac1h(\psi_g(g_2)-\psi_g(g_1)),\quad q =
+///   e^\eta g,\quad \xi = \mathrm{iex}(\mathrm{ad}_\eta)\,\zeta \f]
 /// \f$\xi\f$ is the velocity at q translated to the identity on the right, so that this is (3.20) with its
 /// push-forward carried out, (3.22).
 ///
@@ -86,7 +95,8 @@ Velocity<G, S> fibre_element_left(ChartMidpoint<G, S> const& m) {
 /// @param h     step, time; not zero, negative to go back
 /// @param base  (g1, g2) -> g, the base point of the chart, for instance \ref at_second
 /// @return      (g1, g2) -> energy x time; order 2 in h
-/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a configuration is outside the chart at the base point
+/// @throws OutsideDomain  at once for a step that is zero or not finite; when called, where a configuration
+///                        is outside the chart at the base point
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_right(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
@@ -102,7 +112,8 @@ auto discretize_right(Lagrangian L, T h, BasePoint base) {
   };
 }
 
-/// The same with left translation: chart \f$\phi_g\f$, \f$q = g\,e^\eta\f$, body velocity \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$ at q.
+/// The same with left translation: chart \f$\phi_g\f$, \f$q = g\,e^\eta\f$, body velocity
+/// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$ at q.
 template <class Lagrangian, class T, class BasePoint>
 auto discretize_left(Lagrangian L, T h, BasePoint base) {
   detail::nonzero_step(h);
@@ -121,7 +132,8 @@ auto discretize_left(Lagrangian L, T h, BasePoint base) {
 inline constexpr auto at_first = [](auto const& g1, auto const&) { return g1; };
 /// Base points of the chart: the later configuration.
 inline constexpr auto at_second = [](auto const&, auto const& g2) { return g2; };
-/// Base points of the chart: a fixed fraction of the way from the earlier configuration to the later one along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
+/// Base points of the chart: a fixed fraction of the way from the earlier configuration to the later one
+/// along \f$e^{t\xi}g_1\f$; 0 is \ref at_first, 1 \ref at_second.
 ///
 /// Equivariant under translations on either side. All of these make the same discrete Lagrangian: average and
 /// difference commute.
@@ -133,7 +145,8 @@ auto at_fraction(T fraction) {
   };
 }
 
-/// The reduced discrete Lagrangian of a right-invariant system, chart at either end: \f$\ell(f) = h\,l(-\log(f)/h)\f$, \f$f = g_0g_1^{-1}\f$.
+/// The reduced discrete Lagrangian of a right-invariant system, chart at either end:
+/// \f$\ell(f) = h\,l(-\log(f)/h)\f$, \f$f = g_0g_1^{-1}\f$.
 ///
 /// The velocity points from g0 to g1 and f from g1 to g0: hence the sign, which the thesis drops.
 /// \implements{eq_3_25}
@@ -150,11 +163,10 @@ auto natural_chart_lagrangian_right(Reduced l, T h) {
     // [eq_3_25]
   };
 }
-/// The reduced discrete Lagrangian of a left-invariant system: \f$\ell(f) = h\,l(-\log(f)/h)\f$ with \f$f = g_1^{-1}g_0\f$ and l a function of \f$g^{-1}\dot g\f$.
+/// The reduced discrete Lagrangian of a left-invariant system: \f$\ell(f) = h\,l(-\log(f)/h)\f$ with
+/// \f$f = g_1^{-1}g_0\f$ and l a function of \f$g^{-1}\dot g\f$.
 template <class Reduced, class T>
-auto natural_chart_lagrangian_left(Reduced l, T h) {
-  return natural_chart_lagrangian_right(l, h);
-}
+auto natural_chart_lagrangian_left(Reduced l, T h) { return natural_chart_lagrangian_right(l, h); }
 
 /// The reduced discrete Lagrangian of a right-invariant system, chart at any base point that is equivariant
 /// under right translations.
@@ -192,7 +204,8 @@ auto natural_chart_lagrangian_left(Reduced l, T h, BasePoint base) {
   };
 }
 
-// The algorithm on the algebra: relative motions by their logarithms xi = log f. The velocity of the step is -xi/h.
+// The algorithm on the algebra: relative motions by their logarithms xi = log f. The velocity of the step is
+// -xi/h.
 
 /// \f$\mu\cdot A\f$: a covector composed with a linear map of the algebra.
 template <Group G, Scalar S, MatrixLike M>
@@ -200,9 +213,11 @@ Momentum<G, S> composed(Momentum<G, S> const& mu, M const& a) {
   return {mu.group, a.transpose() * mu.components};
 }
 
-/// \f$l'(-\xi/h)\cdot\chi(\pm\mathrm{ad}_\xi)\f$ as covectors: the momenta at the two ends of a step with relative motion \f$e^\xi\f$.
+/// \f$l'(-\xi/h)\cdot\chi(\pm\mathrm{ad}_\xi)\f$ as covectors: the momenta at the two ends of a step with
+/// relative motion \f$e^\xi\f$.
 ///
-/// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$, \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
+/// \f$\chi(\mathrm{ad}_\xi)\f$ is the differential of log read on \f$e^{\vartheta}f\f$,
+/// \f$\chi(-\mathrm{ad}_\xi) = \chi(\mathrm{ad}_\xi)\,e^{\mathrm{ad}_\xi}\f$ read on \f$f\,e^\vartheta\f$.
 /// @param l  reduced Lagrangian, energy
 /// @param h  step, time; not zero, negative to go back
 template <Group G, Scalar S, class F, class T>
@@ -218,7 +233,9 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 /// The residual of the implicit algorithm on the algebra, right-invariant: zero along the logarithms of the
 /// motions of \ref euler_poincare_right, and only there.
 ///
-/// \f[ l'(-\xi_{12}/h)\cdot\chi(\mathrm{ad}_{\xi_{12}}) \;-\; l'(-\xi_{01}/h)\cdot\chi(\mathrm{ad}_{\xi_{01}})\cdot\exp(\mathrm{ad}_{\xi_{01}}), \qquad \chi\cdot\mathrm{iex} = 1 \f]
+/// \f[ l'(-\xi_{12}/h)\cdot\chi(\mathrm{ad}_{\xi_{12}}) \;-\;
+///   l'(-\xi_{01}/h)\cdot\chi(\mathrm{ad}_{\xi_{01}})\cdot\exp(\mathrm{ad}_{\xi_{01}}), \qquad
+///   \chi\cdot\mathrm{iex} = 1 \f]
 /// The momentum at the start of the step after, less that at the end of the step before: minus the residual
 /// (3.10) of \ref natural_chart_lagrangian_right.
 ///
@@ -229,9 +246,11 @@ Momentum<G, S> momentum_through_log_left(F const& l, T const& h, Velocity<G, S> 
 /// @param xi12  logarithm of \f$f_{12} = g_1g_2^{-1}\f$
 /// Exact up to rounding.
 template <Group G, Scalar S, class F, class T>
-Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01, Velocity<G, S> const& xi12) {
+Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01,
+                                            Velocity<G, S> const& xi12) {
   detail::nonzero_step(h);
-  auto const mu01 = gradient(l, -xi01 / detail::constant<S>(h)), mu12 = gradient(l, -xi12 / detail::constant<S>(h));
+  auto const mu01 = gradient(l, -xi01 / detail::constant<S>(h)),
+             mu12 = gradient(l, -xi12 / detail::constant<S>(h));
   auto const ad01 = ad_matrix(xi01), ad12 = ad_matrix(xi12);
   // [eq_3_26]
   return composed(mu12, chi(ad12)) - composed(mu01, chi(ad01) * matrix_exponential(ad01));
@@ -243,7 +262,8 @@ Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, 
 /// @param xi10  logarithm of \f$f_{10} = g_1^{-1}g_0\f$
 /// @param xi21  logarithm of \f$f_{21} = g_2^{-1}g_1\f$
 template <Group G, Scalar S, class F, class T>
-Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10, Velocity<G, S> const& xi21) {
+Momentum<G, S> algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10,
+                                           Velocity<G, S> const& xi21) {
   detail::nonzero_step(h);
   return momentum_through_log_left(l, h, xi21) - momentum_through_log_right(l, h, xi10);
 }
@@ -264,7 +284,8 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
     using R = typename std::decay_t<decltype(x)>::Scalar;
     return residual(Velocity<G, R>{start.group, x.value});
   };
-  auto solved = solve_on_group(on_coordinates, Element<Translations<G::dim>, S>{additive_group(start.group), start.coordinates});
+  auto solved = solve_on_group(
+      on_coordinates, Element<Translations<G::dim>, S>{additive_group(start.group), start.coordinates});
   return {{start.group, solved.value.value}, std::move(solved.report)};
 }
 }  // namespace detail
@@ -272,21 +293,25 @@ Solved<Velocity<G, S>> solve_in_algebra(Residual const& residual, Velocity<G, S>
 /// The next logarithm of a right-invariant system: solves \ref algebra_euler_poincare_right for `xi12`; the
 /// initial guess repeats the last relative motion.
 ///
-/// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular, or for \f$\chi\f$
+/// @throws NotConverged, Singular where the step is too long for the discrete Lagrangian to be regular, or
+///         for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01) {
   detail::nonzero_step(h);
   auto const end_momentum = momentum_through_log_left(l, h, xi01);
-  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, end_momentum); }, xi01);
+  return detail::solve_in_algebra(
+      [&](auto const& xi) { return momentum_through_log_right(l, h, xi) - like(xi, end_momentum); }, xi01);
 }
 /// The next logarithm of a left-invariant system: solves \ref algebra_euler_poincare_left for `xi21`.
 ///
-/// @throws NotConverged, Singular  where the step is too long for the discrete Lagrangian to be regular, or for \f$\chi\f$
+/// @throws NotConverged, Singular where the step is too long for the discrete Lagrangian to be regular, or
+///         for \f$\chi\f$
 template <ExponentialGroup G, Real S, class F, class T>
 Solved<Velocity<G, S>> step_algebra_euler_poincare_left(F const& l, T const& h, Velocity<G, S> const& xi10) {
   detail::nonzero_step(h);
   auto const end_momentum = momentum_through_log_right(l, h, xi10);
-  return detail::solve_in_algebra([&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, end_momentum); }, xi10);
+  return detail::solve_in_algebra(
+      [&](auto const& xi) { return momentum_through_log_left(l, h, xi) - like(xi, end_momentum); }, xi10);
 }
 
 }  // namespace actio

@@ -1,11 +1,13 @@
-// Polynomials of low degree over a step, as Galerkin methods use them: by their values at equal distances, read at the nodes of Gauss's rule.
+// Polynomials of low degree over a step, as Galerkin methods use them: by their values at equal distances,
+// read at the nodes of Gauss's rule.
 #pragma once
 
 #include "actio/numbers/gauss_quadrature.hpp"
 
 namespace actio {
 
-/// Polynomials of degree s on the unit interval that begin at 0, by their values at 1/s, 2/s, ..., 1, and Gauss's rule with s nodes.
+/// Polynomials of degree s on the unit interval that begin at 0, by their values at 1/s, 2/s, ..., 1, and
+/// Gauss's rule with s nodes.
 template <Real S>
   requires Plain<S>
 struct PolynomialPath {
@@ -35,7 +37,8 @@ struct PolynomialPath {
 
  private:
   static int at_least_one(int s) {
-    if (s < 1 || s > 8) throw OutsideDomain("PolynomialPath", "a degree from 1 to 8 is needed", s, s < 1 ? 1 : 8);
+    if (s < 1 || s > 8)
+      throw OutsideDomain("PolynomialPath", "a degree from 1 to 8 is needed", s, s < 1 ? 1 : 8);
     return s;
   }
   /// \f$\lambda_\nu\f$ with its derivative: 1 at (nu+1)/s, 0 at the other s nodes.
@@ -43,10 +46,10 @@ struct PolynomialPath {
     int const s = static_cast<int>(final_slope.size());
     return derivative(
         [&]<class T>(T const& x) {
-          T product(S(1));
-          for (int m = 0; m <= s; ++m)
-            if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
-          return product;
+      T product(S(1));
+      for (int m = 0; m <= s; ++m)
+        if (m != nu + 1) product *= (x * S(s) - S(m)) / S(nu + 1 - m);
+      return product;
         },
         time);
   }

@@ -23,18 +23,22 @@ Element<G, S> relative_motion_left(Element<G, S> const& g0, Element<G, S> const&
   return inverse(g1) * g0;
 }
 
-/// \f$\delta f\,f^{-1} = \vartheta_0 - \mathrm{Ad}_f\,\vartheta_1\f$: how \f$f = g_0g_1^{-1}\f$ varies with its configurations, \f$\vartheta = \delta g\,g^{-1}\f$.
+/// \f$\delta f\,f^{-1} = \vartheta_0 - \mathrm{Ad}_f\,\vartheta_1\f$: how \f$f = g_0g_1^{-1}\f$ varies with
+/// its configurations, \f$\vartheta = \delta g\,g^{-1}\f$.
 ///
 /// \implements{claim_3_2_variation_of_f}
 template <Group G, Scalar S>
-Velocity<G, S> relative_variation_right(Element<G, S> const& f, Velocity<G, S> const& theta0, Velocity<G, S> const& theta1) {
+Velocity<G, S> relative_variation_right(Element<G, S> const& f, Velocity<G, S> const& theta0,
+                                        Velocity<G, S> const& theta1) {
   // [claim_3_2_variation_of_f]
   return theta0 - Ad(f, theta1);
   // [claim_3_2_variation_of_f]
 }
-/// \f$f^{-1}\delta f = \vartheta_0 - \mathrm{Ad}_{f^{-1}}\,\vartheta_1\f$: how \f$f = g_1^{-1}g_0\f$ varies with its configurations, \f$\vartheta = g^{-1}\delta g\f$.
+/// \f$f^{-1}\delta f = \vartheta_0 - \mathrm{Ad}_{f^{-1}}\,\vartheta_1\f$: how \f$f = g_1^{-1}g_0\f$ varies
+/// with its configurations, \f$\vartheta = g^{-1}\delta g\f$.
 template <Group G, Scalar S>
-Velocity<G, S> relative_variation_left(Element<G, S> const& f, Velocity<G, S> const& theta0, Velocity<G, S> const& theta1) {
+Velocity<G, S> relative_variation_left(Element<G, S> const& f, Velocity<G, S> const& theta0,
+                                       Velocity<G, S> const& theta1) {
   return theta0 - Ad(inverse(f), theta1);
 }
 
@@ -51,7 +55,8 @@ auto lift_left(F l) {
   return [l](auto const& g0, auto const& g1) { return l(relative_motion_left(g0, g1)); };
 }
 
-/// Reconstruction (3.14): the configuration after \f$g_k\f$ when the relative motion is \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$.
+/// Reconstruction (3.14): the configuration after \f$g_k\f$ when the relative motion is
+/// \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$.
 ///
 /// \implements{eq_3_14}
 template <Group G, Scalar S>
@@ -60,7 +65,8 @@ Element<G, S> reconstruct_right(Element<G, S> const& gk, Element<G, S> const& f)
   return inverse(f) * gk;
   // [eq_3_14]
 }
-/// Reconstruction (3.15): the configuration after \f$g_k\f$ when the relative motion is \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
+/// Reconstruction (3.15): the configuration after \f$g_k\f$ when the relative motion is
+/// \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
 ///
 /// \implements{eq_3_15}
 template <Group G, Scalar S>

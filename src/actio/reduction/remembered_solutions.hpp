@@ -22,9 +22,11 @@ class RememberedSolutions {
     Solver* stored = std::any_cast<Solver>(&stored_);
     if (!stored || (stored->velocity && stored->velocity->size() != velocity.coordinates.size()))
       stored = &stored_.emplace<Solver>();
-    auto const jump =
-        stored->velocity ? magnitude(Coordinates<Algebra, S>(velocity.coordinates - *stored->velocity)) : Base<S>(0);
-    if (!stored->velocity || !(stored->length == h) || !(jump * Base<S>(4) <= magnitude(velocity.coordinates)))
+    auto const jump = stored->velocity
+                          ? magnitude(Coordinates<Algebra, S>(velocity.coordinates - *stored->velocity))
+                          : Base<S>(0);
+    if (!stored->velocity || !(stored->length == h) ||
+        !(jump * Base<S>(4) <= magnitude(velocity.coordinates)))
       stored->solver.forget_solutions();
     stored->velocity = velocity.coordinates;
     stored->length = h;

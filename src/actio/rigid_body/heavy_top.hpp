@@ -1,4 +1,5 @@
-// The heavy top, stepped: the Lagrangian with chords, solved for the state after a step, and compositions of such steps.
+// The heavy top, stepped: the Lagrangian with chords, solved for the state after a step, and compositions of
+// such steps.
 #pragma once
 
 #include <vector>
@@ -9,16 +10,17 @@
 
 namespace actio {
 
-/// The scheme of \ref trace_lagrangian, in closed form but for the relative motion: half of the impulse of gravity, a step of Moser and Veselov's,
-/// the other half.
+/// The scheme of \ref trace_lagrangian, in closed form but for the relative motion: half of the impulse of
+/// gravity, a step of Moser and Veselov's, the other half.
 ///
-/// Exactly conserved, at every step length and order: \f$|\Gamma|\f$ and \f$\langle\Pi,\Gamma\rangle\f$; for a symmetric top with its centre of mass
-/// on the axis of symmetry also the component of \f$\Pi\f$ along that axis, by Noether's theorem: the trace does not change when f is conjugated by a
-/// rotation that commutes with \f$\Lambda\f$. Energy is not.
+/// Exactly conserved, at every step length and order: \f$|\Gamma|\f$ and \f$\langle\Pi,\Gamma\rangle\f$; for
+/// a symmetric top with its centre of mass on the axis of symmetry also the component of \f$\Pi\f$ along that
+/// axis, by Noether's theorem: the trace does not change when f is conjugated by a rotation that commutes
+/// with \f$\Lambda\f$. Energy is not.
 template <Real S = double>
 class HeavyTopScheme {
  public:
-  using Rotation = Element<SO<3>, S>;        ///< of the attitude (body to space), and of the relative motion
+  using Rotation = Element<SO<3>, S>;     ///< of the attitude (body to space), and of the relative motion
   using State = HeavyTopState<S>;         ///< momentum and vertical
   using Vector = actio::Matrix<S, 3, 1>;  ///< of 3-space
 
@@ -30,7 +32,8 @@ class HeavyTopScheme {
     if (!is_finite(step)) throw NotFinite("heavy top: step");
     if (step == S(0)) throw OutsideDomain("heavy top", "the step must differ from zero", 0, 0);
     for (S const& weight : symmetric_composition<S>(order))
-      stages_.push_back({MoserVeselov<3, S>(top_.inertia, weight * step), top_.lever() * S(weight * step / S(2))});
+      stages_.push_back(
+          {MoserVeselov<3, S>(top_.inertia, weight * step), top_.lever() * S(weight * step / S(2))});
   }
 
   /// The body.
@@ -38,7 +41,8 @@ class HeavyTopScheme {
   S step() const { return step_; }
 
   /// One step of momentum and vertical.
-  /// @throws StepTooLong  where there is no solution, with a step that would do from there; the state stays what it was
+  /// @throws StepTooLong  where there is no solution, with a step that would do from there; the state stays
+  ///                      what it was
   /// @throws NotFinite    where the state is no number
   void advance(State& state) const {
     move(state, [](Rotation const&) {});
@@ -59,7 +63,8 @@ class HeavyTopScheme {
 
   template <class Visit>
   void move(State& state, Visit const& visit) const {
-    if (!is_finite(state.momentum.components) || !is_finite(state.vector)) throw NotFinite("heavy top: momentum or vertical");
+    if (!is_finite(state.momentum.components) || !is_finite(state.vector))
+      throw NotFinite("heavy top: momentum or vertical");
     State next = state;
     try {
       for (Stage const& stage : stages_) visit(pass(stage, next));
@@ -69,7 +74,8 @@ class HeavyTopScheme {
     state = next;
   }
 
-  /// One step of second order. Momentum and vertical turn alike, and a short step changes them by a small sum instead of a rounded whole.
+  /// One step of second order. Momentum and vertical turn alike, and a short step changes them by a small sum
+  /// instead of a rounded whole.
   static Rotation pass(Stage const& stage, State& s) {
     auto const kick = [&] { s.momentum.components += cross(s.vector, stage.kick); };
     // [heavy_top_step]
@@ -112,7 +118,8 @@ class HeavyTopScheme {
 /// The element of SE(3) by whose coadjoint action a step of second order moves momentum and vertical:
 /// \f$(\Pi_1, \Gamma_1) = \mathrm{Ad}^*_{k^{-1}}(\Pi_0, \Gamma_0)\f$.
 ///
-/// Here \f$k = s\,f\,s\f$ with the shift s by \f$-\tfrac h2p\f$: the impulse of gravity is a shift of the semidirect product, and the Casimirs cannot change.
+/// Here \f$k = s\,f\,s\f$ with the shift s by \f$-\tfrac h2p\f$: the impulse of gravity is a shift of the
+/// semidirect product, and the Casimirs cannot change.
 /// @param f  the relative motion of the step
 template <Real S>
 Element<SE<3>, S> step_as_motion(HeavyTop<S> const& top, S const& h, Element<SO<3>, S> const& f) {
@@ -131,7 +138,8 @@ struct KnownTop {
   Velocity<SO<3>, S> spin;  ///< body velocity, 1/time
 };
 
-/// The benchmark of Brüls and Cardona: a disc of 15 kg on an arm of 1 m that turns about the arm at 150 rad/s. SI units.
+/// The benchmark of Brüls and Cardona: a disc of 15 kg on an arm of 1 m that turns about the arm at 150
+/// rad/s. SI units.
 ///
 /// About its centre of mass the disc is flat exactly, \f$I_2 = I_1 + I_3\f$.
 template <Real S>
@@ -141,12 +149,14 @@ KnownTop<S> bruls_cardona_top() {
   return {held_at_a_point<S>(S(15), disc, Vector(S(0), S(1), S(0)), Vector(S(0), S(0), ratio<S>(-981, 100))),
           velocity(SO<3>{}, Vector(S(0), S(150), ratio<S>(-461538, 100000)))};
 }
-/// Kovalevskaya's top: \f$I_1 = I_2 = 2I_3\f$, centre of mass in the plane of equal moments. In units with \f$I_3 = 1\f$ and weight times arm 1. It
-/// has a fourth integral, \f$|(\Omega_1 + i\Omega_2)^2 - (\Gamma_1 + i\Gamma_2)|^2\f$.
+/// Kovalevskaya's top: \f$I_1 = I_2 = 2I_3\f$, centre of mass in the plane of equal moments. In units with
+/// \f$I_3 = 1\f$ and weight times arm 1. It has a fourth integral,
+/// \f$|(\Omega_1 + i\Omega_2)^2 - (\Gamma_1 + i\Gamma_2)|^2\f$.
 template <Real S>
 KnownTop<S> kovalevskaya_top() {
   using Vector = actio::Matrix<S, 3, 1>;
-  return {heavy_top<S>(S(1), inertia_from_moments<S>(Vector(S(2), S(2), S(1))), Vector(ratio<S>(1, 2), S(0), S(0)), Vector(S(0), S(0), S(-2))),
+  return {heavy_top<S>(S(1), inertia_from_moments<S>(Vector(S(2), S(2), S(1))),
+                       Vector(ratio<S>(1, 2), S(0), S(0)), Vector(S(0), S(0), S(-2))),
           velocity(SO<3>{}, Vector(ratio<S>(1, 2), ratio<S>(1, 3), ratio<S>(7, 5)))};
 }
 

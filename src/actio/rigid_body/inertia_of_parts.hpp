@@ -29,8 +29,10 @@ inline Eigen::Matrix3d inertia_tensor(PointMass const& p) {
 /// \f$\tfrac1{12}m(3r^2+l^2)\f$ across, and its centre as a point mass.
 inline Eigen::Matrix3d inertia_tensor(Cylinder const& c) {
   Eigen::Vector3d const axis = c.along.stableNormalized();
-  double const about = c.mass * c.radius * c.radius / 2, across = c.mass * (3 * c.radius * c.radius + c.length * c.length) / 12;
-  return across * Eigen::Matrix3d::Identity() + (about - across) * axis * axis.transpose() + inertia_tensor(PointMass{c.mass, c.at});
+  double const about = c.mass * c.radius * c.radius / 2,
+               across = c.mass * (3 * c.radius * c.radius + c.length * c.length) / 12;
+  return across * Eigen::Matrix3d::Identity() + (about - across) * axis * axis.transpose() +
+         inertia_tensor(PointMass{c.mass, c.at});
 }
 /// The same parts, seen from their common centre of mass.
 template <class Part>

@@ -1,7 +1,8 @@
 // What the Moser-Veselov scheme conserves: a matrix polynomial evolves by similarity (isospectrally), so the
 // coefficients of its determinant are conserved (thesis, chapter 1 and section 5.2).
 //
-// With \f$X = f^T\Lambda\f$ for a relative motion f, h times the body momenta before the step and after it appear in
+// With \f$X = f^T\Lambda\f$ for a relative motion f, h times the body momenta before the step and after it
+// appear in
 //
 //     1 - lambda h M0 - lambda^2 Lambda^2 =   (1 + lambda X^T) (1 - lambda X),
 //     1 - lambda h M1 - lambda^2 Lambda^2 = f (1 - lambda X) (1 + lambda X^T) f^T.
@@ -25,7 +26,8 @@ namespace actio {
 /// @param inertia   \f$\Lambda\f$ as a symmetric matrix; mass x length^2
 /// @param momentum  h times a body momentum as a skew matrix; mass x length^2
 /// @param lambda    1/(mass x length^2)
-/// @throws OutsideDomain, NotFinite  where the two matrices are of different sizes, or \f$\Lambda\f$ has an entry that is no number
+/// @throws OutsideDomain, NotFinite where the two matrices are of different sizes, or \f$\Lambda\f$ has an
+///         entry that is no number
 template <MatrixLike L, MatrixLike M>
 auto lax_matrix(L const& inertia, M const& momentum, typename M::Scalar const& lambda) {
   using S = typename M::Scalar;
@@ -54,16 +56,19 @@ Storage<SO<n>, S> lax_matrix_before(L const& inertia, Element<SO<n>, S> const& f
 template <MatrixLike L, int n, Scalar S>
 Storage<SO<n>, S> lax_matrix_after(L const& inertia, Element<SO<n>, S> const& f, S const& lambda) {
   // [claim_1_0_moser_veselov_integrable]
-  return f.value * lax_factor(inertia, f, lambda) * lax_factor(inertia, f, S(-lambda)).transpose() * f.value.transpose();
+  return f.value * lax_factor(inertia, f, lambda) * lax_factor(inertia, f, S(-lambda)).transpose() *
+         f.value.transpose();
   // [claim_1_0_moser_veselov_integrable]
 }
 
-/// Of which degree an integral is in the momentum, and in \f$\Lambda^2\f$. It is a Casimir where the second is zero.
+/// Of which degree an integral is in the momentum, and in \f$\Lambda^2\f$. It is a Casimir where the second
+/// is zero.
 struct IsospectralDegree {
   int momentum;  ///< even, at least 2
   int inertia;   ///< zero for a Casimir
 };
-/// The degrees of the integrals for n by n matrices: (2k, j) with \f$1\le k\le n/2\f$ and \f$0\le j\le n-2k\f$.
+/// The degrees of the integrals for n by n matrices: (2k, j) with \f$1\le k\le n/2\f$ and
+/// \f$0\le j\le n-2k\f$.
 inline std::vector<IsospectralDegree> isospectral_degrees(int n) {
   std::vector<IsospectralDegree> degrees;
   for (int k = 2; k <= n; k += 2)
@@ -71,9 +76,11 @@ inline std::vector<IsospectralDegree> isospectral_degrees(int n) {
   return degrees;
 }
 
-/// All integrals that the spectrum of the Lax matrix gives, in the order of \ref isospectral_degrees: the coefficients of \f$z^{n-2k-j}s^j\f$ in \f$\det(z - M - s\Lambda^2)\f$.
+/// All integrals that the spectrum of the Lax matrix gives, in the order of \ref isospectral_degrees: the
+/// coefficients of \f$z^{n-2k-j}s^j\f$ in \f$\det(z - M - s\Lambda^2)\f$.
 ///
-/// By Faddeev's and Leverrier's recursion with matrices that are polynomials in s: exact over the rationals, differentiable everywhere.
+/// By Faddeev's and Leverrier's recursion with matrices that are polynomials in s: exact over the rationals,
+/// differentiable everywhere.
 /// @param inertia  \f$\Lambda\f$ as a symmetric matrix; mass x length^2
 /// @param pi       a body momentum; the unit is free, since each integral is homogeneous in it
 /// @throws OutsideDomain  where the two are of different sizes

@@ -50,9 +50,11 @@ double top_of_hump(F const& f, double a, double b) {
 ///
 /// \f[ \frac1{h_{max}} = \max_{s>0}\; s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big) \f]
 ///
-/// A solution X = f^T Lambda factors \f$1 - \lambda hM - \lambda^2\Lambda^2 = (1+\lambda X^T)(1-\lambda X)\f$. The spectrum can leave the right half plane through
-/// the imaginary axis alone, and there the left side is, up to a factor, the Hermitian matrix \f$s^2+\Lambda^2+ishM\f$: as long as that is positive
-/// for every s there is a factor with its spectrum to the right, and once it is not there is none. For n = 3 and a rotation about a principal axis: h M_i = I_i.
+/// A solution X = f^T Lambda factors \f$1 - \lambda hM - \lambda^2\Lambda^2 = (1+\lambda X^T)(1-\lambda
+/// X)\f$. The spectrum can leave the right half plane through the imaginary axis alone, and there the left
+/// side is, up to a factor, the Hermitian matrix \f$s^2+\Lambda^2+ishM\f$: as long as that is positive for
+/// every s there is a factor with its spectrum to the right, and once it is not there is none. For n = 3 and
+/// a rotation about a principal axis: h M_i = I_i.
 ///
 /// @param pi  body momentum; energy x time
 /// @return    time, positive; infinite for a body at rest
@@ -67,11 +69,14 @@ double largest_step(Inertia<n, S> const& inertia, Momentum<SO<n>, S> const& pi) 
   auto const plain = [](S const& x) { return to_double(x); };
   Vector<double> const lambda = (inertia.lambda / unit).unaryExpr(plain);
   if (lambda.minCoeff() < 0)
-    throw OutsideDomain("largest_step", "the closed form asks for Lambda_i >= 0; smallest, in units of the largest", lambda.minCoeff(), 0);
+    throw OutsideDomain("largest_step",
+                        "the closed form asks for Lambda_i >= 0; smallest, in units of the largest",
+                        lambda.minCoeff(), 0);
   Matrix<double> const m = inertia.group.hat((pi.components / size).eval()).unaryExpr(plain);
   auto const f = [&](double t) { return detail::spin_against_inertia(lambda, m, t); };
 
-  // The humps lie where s is among the Lambda_i, or, for a planar body, anywhere below. Scan, then climb the best of them.
+  // The humps lie where s is among the Lambda_i, or, for a planar body, anywhere below. Scan, then climb the
+  // best of them.
   double smallest = 1;
   for (double const l : lambda)
     if (l > 0) smallest = std::min(smallest, l);
@@ -82,7 +87,8 @@ double largest_step(Inertia<n, S> const& inertia, Momentum<SO<n>, S> const& pi) 
   for (int i = 0; i <= count; ++i) value[i] = f(low + i * gap);
   double best = value.maxCoeff();
   for (int i = 0; i <= count; ++i)
-    if (value[i] > 0.9 * best) best = std::max(best, detail::top_of_hump(f, low + (i - 1) * gap, low + (i + 1) * gap));
+    if (value[i] > 0.9 * best)
+      best = std::max(best, detail::top_of_hump(f, low + (i - 1) * gap, low + (i + 1) * gap));
   return to_double(S(unit / size)) / best;
 }
 

@@ -1,7 +1,9 @@
-// The equation that a step of the Moser-Veselov scheme has to solve: f^T Lambda - Lambda f = P for the relative motion f, P = hM given.
+// The equation that a step of the Moser-Veselov scheme has to solve: f^T Lambda - Lambda f = P for the
+// relative motion f, P = hM given.
 //
-// There are many solutions, up to a certain size of P; the one wanted grows out of the identity as P grows from zero. Newton's method on the group finds it from a guess that is near, and along a
-// growing P where none is; the spectrum of f^T Lambda tells whether it is the right one.
+// There are many solutions, up to a certain size of P; the one wanted grows out of the identity as P grows
+// from zero. Newton's method on the group finds it from a guess that is near, and along a growing P where
+// none is; the spectrum of f^T Lambda tells whether it is the right one.
 #pragma once
 
 #include "actio/groups/solve.hpp"
@@ -14,11 +16,12 @@ namespace actio {
 template <int n, Real S>
 class MoserVeselovEquation {
  public:
-  using Rotation = Element<SO<n>, S>;          ///< of the relative motion
+  using Rotation = Element<SO<n>, S>;  ///< of the relative motion
   using Matrix = Storage<SO<n>, S>;
-  using Vector = Coordinates<SO<n>, S>;     ///< of P
+  using Vector = Coordinates<SO<n>, S>;  ///< of P
 
-  MoserVeselovEquation(SO<n> group, actio::Matrix<S, n, 1> lambda, Vector moments) : group_(group), lambda_(std::move(lambda)), moments_(std::move(moments)) {}
+  MoserVeselovEquation(SO<n> group, actio::Matrix<S, n, 1> lambda, Vector moments)
+      : group_(group), lambda_(std::move(lambda)), moments_(std::move(moments)) {}
 
   /// \f$f = 1 - h\xi\f$ and so on, with \f$J\xi = M\f$: right to second order in the step.
   Rotation first_guess(Vector const& goal) const {
@@ -31,8 +34,8 @@ class MoserVeselovEquation {
   bool newton(Vector const& goal, Solved<Rotation>& found) const {
     auto const& group = group_;
     Report& report = found.report;
-    // Residuals in each plane in units of what a turn by 1 makes there: as angles. A rounding error in an entry of f off the diagonal is one of the largest
-    // angle; four of them are allowed.
+    // Residuals in each plane in units of what a turn by 1 makes there: as angles. A rounding error in an
+    // entry of f off the diagonal is one of the largest angle; four of them are allowed.
     Vector const unit = planes();
     report = {0, {}, 4 * to_double(epsilon<S>()) * to_double(magnitude(goal.cwiseQuotient(moments_)))};
     bool steep = false;  // whether the last update, by the derivative at the identity, did well enough
@@ -46,7 +49,8 @@ class MoserVeselovEquation {
       if (!std::isfinite(size)) return false;
       bool const done = size <= report.tolerance || (size <= 16 * report.tolerance && size > before / 2);
 
-      // At the identity the derivative is J: a division. Where that gains too little, solve with the derivative where we are.
+      // At the identity the derivative is J: a division. Where that gains too little, solve with the
+      // derivative where we are.
       steep = steep || (!done && iteration > 0 && size > before / 3);
       Vector turn;
       if (steep) {
@@ -69,8 +73,8 @@ class MoserVeselovEquation {
   /// The solution for `goal` along a growing right side, as far as it goes.
   struct Continued {
     Solved<Rotation> found;  ///< where the way ended
-    S reached;            ///< the part of the goal that has a solution; 1 where all is well
-    Report last;          ///< of the iteration that failed
+    S reached;               ///< the part of the goal that has a solution; 1 where all is well
+    Report last;             ///< of the iteration that failed
   };
   Continued continued(Vector const& goal) const {
     Continued way{{actio::identity<S>(group_), {}}, S(0), {}};
@@ -92,11 +96,13 @@ class MoserVeselovEquation {
 
   /// Whether any two eigenvalues of \f$f^T\Lambda\f$ have a sum with positive real part.
   bool on_branch_of_identity(Rotation const& f) const {
-    actio::Matrix<double, n, n> const x = (f.value.transpose() * lambda_.asDiagonal()).unaryExpr([](S const& v) { return to_double(v); });
+    actio::Matrix<double, n, n> const x =
+        (f.value.transpose() * lambda_.asDiagonal()).unaryExpr([](S const& v) { return to_double(v); });
     // A positive definite symmetric part settles it, and is cheap.
     if (positive_definite(x + x.transpose())) return true;
     actio::Vector<double> const real = real_parts_of_eigenvalues(x);
-    // At the end of the branch two solutions meet like the roots of a square: nearer than the root of a rounding error they are one.
+    // At the end of the branch two solutions meet like the roots of a square: nearer than the root of a
+    // rounding error they are one.
     return real[0] + real[1] > -1e-7 * magnitude(x);
   }
 
@@ -111,13 +117,15 @@ class MoserVeselovEquation {
       if (pivot != k) a.row(k).swap(a.row(pivot)), product = -product;
       product *= a(k, k);
       if (product == 0) return 0;
-      for (Index i = k + 1; i < a.rows(); ++i) a.row(i).tail(a.cols() - k) -= a.row(k).tail(a.cols() - k) * (a(i, k) / a(k, k));
+      for (Index i = k + 1; i < a.rows(); ++i)
+        a.row(i).tail(a.cols() - k) -= a.row(k).tail(a.cols() - k) * (a(i, k) / a(k, k));
     }
     return product;
   }
 
  private:
-  /// Cuts a rotation vector down to length 1/2, so that \ref moved stays near the group and Newton near the branch. Whether it had to.
+  /// Cuts a rotation vector down to length 1/2, so that \ref moved stays near the group and Newton near the
+  /// branch. Whether it had to.
   static bool shorten(Vector& turn) {
     using std::sqrt;
     S const square = turn.squaredNorm();
@@ -132,19 +140,23 @@ class MoserVeselovEquation {
     Matrix one_and = theta + theta * theta / S(2);
     one_and.diagonal().array() += S(1);
     Rotation next{f.group, f.value * one_and};
-    // The excess of the series, of fourth order, is squared each time; the last time takes the rounding of the product away.
-    for (double excess = std::pow(to_double(turn.squaredNorm()), 2) / 4; excess > 1e-8; excess *= excess) next = restore(next);
+    // The excess of the series, of fourth order, is squared each time; the last time takes the rounding of
+    // the product away.
+    for (double excess = std::pow(to_double(turn.squaredNorm()), 2) / 4; excess > 1e-8; excess *= excess)
+      next = restore(next);
     return restore(next);
   }
 
   /// \f$|\Lambda_i|+|\Lambda_j|\f$ of each plane.
   Vector planes() const {
     Vector sums(moments_.size());
-    over_planes(static_cast<int>(lambda_.size()), [&](int a, int i, int j) { sums[a] = magnitude(lambda_[i]) + magnitude(lambda_[j]); });
+    over_planes(static_cast<int>(lambda_.size()),
+                [&](int a, int i, int j) { sums[a] = magnitude(lambda_[i]) + magnitude(lambda_[j]); });
     return sums;
   }
 
-  /// How \f$X - X^T\f$, \f$X = f^T\Lambda = p^T\f$, falls when f moves to \f$f e^\vartheta\f$: \f$\vartheta\mapsto\vartheta X + X^T\vartheta\f$ in coordinates.
+  /// How \f$X - X^T\f$, \f$X = f^T\Lambda = p^T\f$, falls when f moves to \f$f e^\vartheta\f$:
+  /// \f$\vartheta\mapsto\vartheta X + X^T\vartheta\f$ in coordinates.
   auto derivative(Matrix const& p) const {
     int const d = group_.dimension(), size = static_cast<int>(p.rows());
     actio::Matrix<S, SO<n>::dim, SO<n>::dim> k(d, d);

@@ -1,13 +1,15 @@
 // SO(n) with n known when the program runs, and the planes in which coordinates of so(n) turn.
 //
-// The same coordinates as for a fixed n: for n = 3 the axes, for n = 2 the angle, otherwise the entries above the diagonal, row by row.
+// The same coordinates as for a fixed n: for n = 3 the axes, for n = 2 the angle, otherwise the entries above
+// the diagonal, row by row.
 #pragma once
 
 #include "actio/groups/rotations.hpp"
 
 namespace actio {
 
-/// Calls `visit(a, i, j)` for each coordinate a of so(n): the a-th basis vector has +1 at (i, j) and -1 at (j, i).
+/// Calls `visit(a, i, j)` for each coordinate a of so(n): the a-th basis vector has +1 at (i, j) and -1 at
+/// (j, i).
 template <class Visit>
 void over_planes(int n, Visit const& visit) {
   if (n == 2) {
@@ -25,7 +27,7 @@ template <>
 struct SO<Dynamic> {
   static constexpr int size = Dynamic;  ///< known at run time only
   static constexpr int dim = Dynamic;   ///< known at run time only
-  int n = 3;                                   ///< dimension of the space that is rotated
+  int n = 3;                            ///< dimension of the space that is rotated
 
   int matrix_size() const { return n; }
   int dimension() const { return n * (n - 1) / 2; }
@@ -46,9 +48,7 @@ struct SO<Dynamic> {
     return v;
   }
   template <class S>
-  static Matrix<S, Dynamic, Dynamic> inverse(Matrix<S, Dynamic, Dynamic> const& a) {
-    return a.transpose();
-  }
+  static Matrix<S, Dynamic, Dynamic> inverse(Matrix<S, Dynamic, Dynamic> const& a) { return a.transpose(); }
   /// The nearest rotation to second order: \f$\tfrac12 R\,(3 - R^T R)\f$.
   /// @throws OutsideDomain  where \f$R^T R\f$ is not even near 1
   template <Real S>
@@ -56,7 +56,9 @@ struct SO<Dynamic> {
     Matrix<S, Dynamic, Dynamic> excess = a.transpose() * a;
     excess.diagonal().array() -= S(1);
     double const distance = to_double(magnitude(excess));
-    if (!(distance < 0.1)) throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1", distance, 0.1);
+    if (!(distance < 0.1))
+      throw OutsideDomain("restore", "a matrix near the rotations is needed; largest entry of R^T R - 1",
+                          distance, 0.1);
     return a - a * excess / S(2);
   }
 };

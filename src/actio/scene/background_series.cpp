@@ -1,4 +1,5 @@
-// Rows are written by another thread than the one that steps: to write a number with 17 digits takes as long as several steps.
+// Rows are written by another thread than the one that steps: to write a number with 17 digits takes as long
+// as several steps.
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -12,7 +13,8 @@ namespace {
 
 class BackgroundSeries : public Series {
  public:
-  explicit BackgroundSeries(std::unique_ptr<Series> series) : series_(std::move(series)), writer_([this] { write(); }) {}
+  explicit BackgroundSeries(std::unique_ptr<Series> series)
+      : series_(std::move(series)), writer_([this] { write(); }) {}
   ~BackgroundSeries() override {
     {
       std::unique_lock lock(mutex_);
@@ -55,7 +57,8 @@ class BackgroundSeries : public Series {
   void rethrow() {
     if (error_) std::rethrow_exception(error_);
   }
-  /// The table, which the writer has finished with: it holds every row so far, and no other thread uses it until the next `add`.
+  /// The table, which the writer has finished with: it holds every row so far, and no other thread uses it
+  /// until the next `add`.
   Series& drained() {
     std::unique_lock lock(mutex_);
     hand_over(lock);
@@ -69,7 +72,8 @@ class BackgroundSeries : public Series {
     for (;;) {
       changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
       if (waiting_.empty()) return;
-      Block& block = waiting_.front();  // it stays in the queue while it is written, and a deque does not move it
+      Block& block =
+          waiting_.front();  // it stays in the queue while it is written, and a deque does not move it
       bool const failed = error_ != nullptr;
       lock.unlock();
       std::exception_ptr error = failed ? nullptr : written(block);
@@ -83,7 +87,8 @@ class BackgroundSeries : public Series {
   }
   std::exception_ptr written(Block const& block) {
     try {
-      for (std::size_t at = 0; at < block.numbers.size(); at += block.row_size) series_->add(std::span(block.numbers).subspan(at, block.row_size));
+      for (std::size_t at = 0; at < block.numbers.size(); at += block.row_size)
+        series_->add(std::span(block.numbers).subspan(at, block.row_size));
     } catch (...) {
       return std::current_exception();
     }
@@ -103,6 +108,8 @@ class BackgroundSeries : public Series {
 
 }  // namespace
 
-std::unique_ptr<Series> in_background(std::unique_ptr<Series> series) { return std::make_unique<BackgroundSeries>(std::move(series)); }
+std::unique_ptr<Series> in_background(std::unique_ptr<Series> series) {
+  return std::make_unique<BackgroundSeries>(std::move(series));
+}
 
 }  // namespace actio::scene

@@ -7,8 +7,12 @@
 namespace actio::scene {
 namespace {
 
-BodyShape::Part ball(PointMass const& point, double radius) { return {false, radius, 0, point.at, Eigen::Vector3d::Zero()}; }
-BodyShape::Part cylinder(Cylinder const& c) { return {true, c.radius, c.length, c.at, c.along.stableNormalized()}; }
+BodyShape::Part ball(PointMass const& point, double radius) {
+  return {false, radius, 0, point.at, Eigen::Vector3d::Zero()};
+}
+BodyShape::Part cylinder(Cylinder const& c) {
+  return {true, c.radius, c.length, c.at, c.along.stableNormalized()};
+}
 
 /// Point masses as balls that do not touch, of volumes as their masses.
 std::vector<BodyShape::Part> balls(std::vector<PointMass> const& points) {
@@ -18,7 +22,8 @@ std::vector<BodyShape::Part> balls(std::vector<PointMass> const& points) {
     largest = std::max(largest, points[i].mass);
   }
   std::vector<BodyShape::Part> out;
-  for (auto const& point : points) out.push_back(ball(point, 0.45 * nearest * std::cbrt(point.mass / largest)));
+  for (auto const& point : points)
+    out.push_back(ball(point, 0.45 * nearest * std::cbrt(point.mass / largest)));
   return out;
 }
 

@@ -1,4 +1,5 @@
-// What a body in space looks like, as far as a scene says it: principal moments and axes, a fixed point and the parts of a body of the catalogue.
+// What a body in space looks like, as far as a scene says it: principal moments and axes, a fixed point and
+// the parts of a body of the catalogue.
 #pragma once
 
 #include <optional>
@@ -24,9 +25,9 @@ struct BodyShape {
     Eigen::Vector3d centre_of_mass;  ///< from the fixed point
     Eigen::Vector3d gravity;         ///< in space
   };
-  PrincipalInertia inertia;     ///< about the centre of mass
-  std::vector<Part> parts = {}; ///< of a body of the catalogue that is made of such
-  std::optional<Top> top = {};  ///< of a body with a fixed point
+  PrincipalInertia inertia;      ///< about the centre of mass
+  std::vector<Part> parts = {};  ///< of a body of the catalogue that is made of such
+  std::optional<Top> top = {};   ///< of a body with a fixed point
 };
 
 /// What a body of the catalogue is made of: cylinders as they are, point masses as balls.

@@ -36,12 +36,17 @@ std::uint64_t hash(std::string_view bytes) {
 }
 std::string as_bytes(std::uint64_t x) { return {reinterpret_cast<char const*>(&x), sizeof x}; }
 
-[[noreturn]] void fail(std::string const& path, int error) { throw FileError(path + ": cannot be written: " + std::strerror(error)); }
+[[noreturn]] void fail(std::string const& path, int error) {
+  throw FileError(path + ": cannot be written: " + std::strerror(error));
+}
 
 /// A file that is gone again unless it is given its name.
 class Part {
  public:
-  explicit Part(std::string const& path) : path_(path), part_(path + ".part"), file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)) {
+  explicit Part(std::string const& path)
+      : path_(path),
+        part_(path + ".part"),
+        file_(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666)) {
     if (file_ < 0) fail(path_, errno);
   }
   ~Part() {
@@ -78,7 +83,9 @@ void write_whole_file(std::string const& path, std::string_view content, bool du
   if (!durable) return;
   // The name is on the disk when the folder is.
   std::string const folder = std::filesystem::path(path).parent_path().string();
-  if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); handle >= 0) ::fsync(handle), ::close(handle);
+  if (int const handle = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      handle >= 0)
+    ::fsync(handle), ::close(handle);
 }
 
 std::string what_determines(SceneFile const& scene) {
@@ -89,8 +96,10 @@ std::string what_determines(SceneFile const& scene) {
   return copy.written();
 }
 
-void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state, bool durable) {
-  write_whole_file(path, std::string(heading) + as_bytes(hash(scene)) + as_bytes(hash(state)) + state, durable);
+void write_checkpoint(std::string const& path, std::string const& scene, std::string const& state,
+                      bool durable) {
+  write_whole_file(path, std::string(heading) + as_bytes(hash(scene)) + as_bytes(hash(state)) + state,
+                   durable);
 }
 
 std::string read_checkpoint(std::string const& path, std::string const& scene) {
@@ -98,13 +107,19 @@ std::string read_checkpoint(std::string const& path, std::string const& scene) {
   if (!in) throw FileError(path + ": cannot be read");
   std::string const bytes{std::istreambuf_iterator<char>(in), {}};
   std::size_t const start = heading.size() + 16;
-  if (!bytes.starts_with(heading.substr(0, heading.find("2,")))) throw FileError(path + ": is damaged, or no checkpoint" + way_out);
-  if (!bytes.starts_with(heading)) throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION + way_out);
+  if (!bytes.starts_with(heading.substr(0, heading.find("2,"))))
+    throw FileError(path + ": is damaged, or no checkpoint" + way_out);
+  if (!bytes.starts_with(heading))
+    throw FileError(path + ": was written by another version of actio; this is " ACTIO_VERSION + way_out);
   if (bytes.size() < start) throw FileError(path + ": is damaged: it ends too early" + way_out);
   if (bytes.substr(heading.size(), 8) != as_bytes(hash(scene)))
-    throw FileError(path + ": belongs to another scene; scene.toml beside it was changed since, or the checkpoint is damaged" + way_out);
+    throw FileError(
+        path +
+        ": belongs to another scene; scene.toml beside it was changed since, or the checkpoint is damaged" +
+        way_out);
   std::string state = bytes.substr(start);
-  if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state))) throw FileError(path + ": is damaged" + way_out);
+  if (bytes.substr(heading.size() + 8, 8) != as_bytes(hash(state)))
+    throw FileError(path + ": is damaged" + way_out);
   return state;
 }
 

@@ -2,7 +2,8 @@
 //
 //     void remember(CheckpointStream& stream) { stream(place_, steps_taken_); }       // saves, or restores
 //
-// What is read back is not trusted: it has to be as long as it says, and every list as long as the one that it takes the place of.
+// What is read back is not trusted: it has to be as long as it says, and every list as long as the one that
+// it takes the place of.
 #pragma once
 
 #include <cstring>
@@ -31,13 +32,12 @@ class CheckpointStream {
   /// Saves each value, or restores it. A list that is not empty keeps its size.
   /// @throws Error  where the bytes end too early, or a list has another size
   template <class... T>
-  void operator()(T&... values) {
-    (one(values), ...);
-  }
+  void operator()(T&... values) { (one(values), ...); }
   /// That all was read back.
   /// @throws Error  where bytes are left
   void end() const {
-    if (reading_ && at_ != bytes_.size()) throw Error("checkpoint: " + std::to_string(bytes_.size() - at_) + " bytes more than were expected");
+    if (reading_ && at_ != bytes_.size())
+      throw Error("checkpoint: " + std::to_string(bytes_.size() - at_) + " bytes more than were expected");
   }
 
  private:
@@ -51,16 +51,17 @@ class CheckpointStream {
     std::size_t size = values.size();
     one(size);
     if (reading_) {
-      if (!values.empty() && size != values.size()) throw Error("checkpoint: a list of " + std::to_string(values.size()) + " is expected, found one of " + std::to_string(size));
-      if (size > (bytes_.size() - at_) / sizeof(T)) throw Error("checkpoint: it ends within a list of " + std::to_string(size));
+      if (!values.empty() && size != values.size())
+        throw Error("checkpoint: a list of " + std::to_string(values.size()) + " is expected, found one of " +
+                    std::to_string(size));
+      if (size > (bytes_.size() - at_) / sizeof(T))
+        throw Error("checkpoint: it ends within a list of " + std::to_string(size));
       values.resize(size);
     }
     if (size) raw(values.data(), size * sizeof(T));
   }
   template <class T>
-  void one(std::span<T> values) {
-    raw(values.data(), values.size_bytes());
-  }
+  void one(std::span<T> values) { raw(values.data(), values.size_bytes()); }
   void raw(void* at, std::size_t size) {
     if (!reading_) {
       bytes_.append(static_cast<char const*>(at), size);

@@ -14,7 +14,8 @@ namespace {
 class CsvSeries : public Series {
  public:
   CsvSeries(std::string const& path, std::vector<std::string> const& columns, bool resume) : path_(path) {
-    file_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT | O_TRUNC | O_NOFOLLOW), 0666);
+    file_ = ::open(path.c_str(),
+                   O_WRONLY | O_APPEND | O_CLOEXEC | (resume ? 0 : O_CREAT | O_TRUNC | O_NOFOLLOW), 0666);
     if (file_ < 0) fail("cannot be opened", errno);
     if (resume) return;  // `remember` tells how much of it counts
     for (auto const& name : columns) buffer_ += (buffer_.empty() ? "" : ",") + name;
@@ -64,7 +65,10 @@ class CsvSeries : public Series {
     stream(size_);
     if (!stream.reading()) return;
     off_t const found = ::lseek(file_, 0, SEEK_END);
-    if (size_ < 0 || found < size_) fail("has " + std::to_string(found) + " bytes, where the checkpoint needs " + std::to_string(size_) + "; it was cut since", 0);
+    if (size_ < 0 || found < size_)
+      fail("has " + std::to_string(found) + " bytes, where the checkpoint needs " + std::to_string(size_) +
+               "; it was cut since",
+           0);
     if (::ftruncate(file_, size_) != 0) fail("cannot be cut back", errno);
   }
 
@@ -92,6 +96,9 @@ class CsvSeries : public Series {
 
 }  // namespace
 
-std::unique_ptr<Series> csv_series(std::string const& path, std::vector<std::string> const& columns, bool resume) { return std::make_unique<CsvSeries>(path, columns, resume); }
+std::unique_ptr<Series> csv_series(std::string const& path, std::vector<std::string> const& columns,
+                                   bool resume) {
+  return std::make_unique<CsvSeries>(path, columns, resume);
+}
 
 }  // namespace actio::scene

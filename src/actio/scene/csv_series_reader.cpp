@@ -13,12 +13,14 @@ namespace {
 
 class CsvSeriesReader : public SeriesReader {
  public:
-  CsvSeriesReader(std::string const& path, std::vector<std::string> const& columns) : path_(path), file_(path, std::ios::binary), buffer_(1 << 20, '\0') {
+  CsvSeriesReader(std::string const& path, std::vector<std::string> const& columns)
+      : path_(path), file_(path, std::ios::binary), buffer_(1 << 20, '\0') {
     std::error_code none;
     size_ = static_cast<double>(std::filesystem::file_size(path, none));
     std::string_view line;
     if (!file_ || none || !next_line(line)) throw FileError(path + ": cannot be read");
-    if (line != fmt::format("{}", fmt::join(columns, ","))) throw FileError(path + ": the columns are not those of the scene");
+    if (line != fmt::format("{}", fmt::join(columns, ",")))
+      throw FileError(path + ": the columns are not those of the scene");
   }
 
   bool next(std::span<double> row) override {
@@ -42,7 +44,8 @@ class CsvSeriesReader : public SeriesReader {
   bool next_line(std::string_view& line) {
     for (;;) {
       if (void const* const end = std::memchr(buffer_.data() + begin_, '\n', end_ - begin_)) {
-        line = {buffer_.data() + begin_, static_cast<std::size_t>(static_cast<char const*>(end) - buffer_.data()) - begin_};
+        line = {buffer_.data() + begin_,
+                static_cast<std::size_t>(static_cast<char const*>(end) - buffer_.data()) - begin_};
         begin_ += line.size() + 1, read_ += static_cast<double>(line.size()) + 1;
         return true;
       }
@@ -58,7 +61,9 @@ class CsvSeriesReader : public SeriesReader {
     end_ += static_cast<std::size_t>(file_.gcount());
     return file_.gcount() > 0;
   }
-  [[noreturn]] void fail(std::string const& what) const { throw FileError(fmt::format("{}:{}: {}", path_, line_number_, what)); }
+  [[noreturn]] void fail(std::string const& what) const {
+    throw FileError(fmt::format("{}:{}: {}", path_, line_number_, what));
+  }
 
   std::string path_;
   std::ifstream file_;
@@ -77,6 +82,9 @@ std::unique_ptr<SeriesReader> read_series(std::string const& folder, std::vector
   for (auto const& group : groups) columns.insert(columns.end(), group.columns.begin(), group.columns.end());
   return read_csv_series(csv, columns);
 }
-std::unique_ptr<SeriesReader> read_csv_series(std::string const& path, std::vector<std::string> const& columns) { return std::make_unique<CsvSeriesReader>(path, columns); }
+std::unique_ptr<SeriesReader> read_csv_series(std::string const& path,
+                                              std::vector<std::string> const& columns) {
+  return std::make_unique<CsvSeriesReader>(path, columns);
+}
 
 }  // namespace actio::scene

@@ -28,7 +28,8 @@ double length_of(std::span<double const> quantity) {
   return length(quantity.size(), [&](std::size_t i) { return quantity[i]; });
 }
 
-Drift::Drift(std::vector<QuantityGraph::Conserved> quantities) : quantities_(std::move(quantities)), seen_(quantities_.size()) {
+Drift::Drift(std::vector<QuantityGraph::Conserved> quantities)
+    : quantities_(std::move(quantities)), seen_(quantities_.size()) {
   std::size_t size = 0;
   for (auto const& q : quantities_) size += q.size;
   start_.resize(size);
@@ -52,15 +53,18 @@ void Drift::see(std::span<double const> row, std::span<double const> units) {
     std::size_t const size = quantities_[k].size;
     double const* const now = row.data() + quantities_[k].first;
     Seen& seen = seen_[k];
-    seen.difference = std::max(seen.difference, length(size, [now, then](std::size_t i) { return now[i] - then[i]; }));
-    if (!(seen.at_start > 0)) seen.modulus = std::max(seen.modulus, length(size, [now](std::size_t i) { return now[i]; }));
+    seen.difference =
+        std::max(seen.difference, length(size, [now, then](std::size_t i) { return now[i] - then[i]; }));
+    if (!(seen.at_start > 0))
+      seen.modulus = std::max(seen.modulus, length(size, [now](std::size_t i) { return now[i]; }));
     then += size;
   }
 }
 
 std::vector<Drift::Entry> Drift::entries() const {
   std::vector<Entry> out;
-  for (std::size_t k = 0; k < quantities_.size(); ++k) out.push_back({quantities_[k].name, seen_[k].relative(), seen_[k].unit()});
+  for (std::size_t k = 0; k < quantities_.size(); ++k)
+    out.push_back({quantities_[k].name, seen_[k].relative(), seen_[k].unit()});
   return out;
 }
 double Drift::worst() const {

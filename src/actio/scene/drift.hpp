@@ -1,7 +1,9 @@
-// How far conserved quantities have drifted: the largest |Q(t) - Q(0)| over the rows, in a unit of the quantity.
+// How far conserved quantities have drifted: the largest |Q(t) - Q(0)| over the rows, in a unit of the
+// quantity.
 //
-// Where a quantity may be near zero although what it is made of is not, the unit is natural to it: kinetic energy plus the modulus of the potential energy for
-// the energy, the modulus of the momentum for one of its components; the largest that it has been over the rows. Otherwise it is |Q(0)|, or the largest |Q| seen
+// Where a quantity may be near zero although what it is made of is not, the unit is natural to it: kinetic
+// energy plus the modulus of the potential energy for the energy, the modulus of the momentum for one of its
+// components; the largest that it has been over the rows. Otherwise it is |Q(0)|, or the largest |Q| seen
 // where Q(0) = 0.
 #pragma once
 
@@ -22,11 +24,12 @@ class Drift {
   /// Whether there is nothing to look at.
   bool empty() const { return quantities_.empty(); }
   /// One row more, without its time. The first one is that of t = 0, even where it is not written.
-  /// @param units  natural units of the quantities now, in their order; zero, or none at all: the modulus of the quantity
+  /// @param units  natural units of the quantities now, in their order; zero, or none at all: the modulus of
+  ///               the quantity
   void see(std::span<double const> row, std::span<double const> units = {});
   /// How far one quantity has drifted.
   struct Entry {
-    std::string name;  ///< of the quantity
+    std::string name;     ///< of the quantity
     double relative = 0,  ///< the largest difference from the start, in the unit
         unit = 0;         ///< of the quantity
   };

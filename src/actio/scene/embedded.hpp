@@ -1,4 +1,5 @@
-// Files that the program carries with it, so that it runs from anywhere. Their contents are put in by the build.
+// Files that the program carries with it, so that it runs from anywhere. Their contents are put in by the
+// build.
 #pragma once
 
 #include <span>
@@ -21,17 +22,17 @@ struct NamedText {
 std::span<NamedText const> scenes();
 
 // The page that plays a run: data/viewer/viewer.html, .css, and the parts of its script.
-extern std::string_view const viewer_html,  ///< data/viewer/viewer.html
-    viewer_css;                             ///< data/viewer/viewer.css
-extern std::string_view const viewer_algebra, ///< data/viewer/algebra.js
-    viewer_stage,                             ///< data/viewer/stage.js
-    viewer_shapes,                            ///< data/viewer/shapes.js
-    viewer_motion,                            ///< data/viewer/motion.js
-    viewer_space,                             ///< data/viewer/space.js
-    viewer_momentum_sphere,                   ///< data/viewer/momentum_sphere.js
-    viewer_curves,                            ///< data/viewer/curves.js
-    viewer_planes,                            ///< data/viewer/planes.js
-    viewer_player,                            ///< data/viewer/player.js
-    viewer_page;                              ///< data/viewer/page.js
+extern std::string_view const viewer_html,     ///< data/viewer/viewer.html
+    viewer_css;                                ///< data/viewer/viewer.css
+extern std::string_view const viewer_algebra,  ///< data/viewer/algebra.js
+    viewer_stage,                              ///< data/viewer/stage.js
+    viewer_shapes,                             ///< data/viewer/shapes.js
+    viewer_motion,                             ///< data/viewer/motion.js
+    viewer_space,                              ///< data/viewer/space.js
+    viewer_momentum_sphere,                    ///< data/viewer/momentum_sphere.js
+    viewer_curves,                             ///< data/viewer/curves.js
+    viewer_planes,                             ///< data/viewer/planes.js
+    viewer_player,                             ///< data/viewer/player.js
+    viewer_page;                               ///< data/viewer/page.js
 
 }  // namespace actio::scene::embedded

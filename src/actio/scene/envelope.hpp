@@ -1,6 +1,8 @@
-// The envelope of a curve of any length, in bounded memory (min-max decimation): pieces of equally many rows, and of each its first, lowest, highest and last point.
+// The envelope of a curve of any length, in bounded memory (min-max decimation): pieces of equally many rows,
+// and of each its first, lowest, highest and last point.
 //
-// Pieces join in pairs when there are too many of them, so no length need be known beforehand, and no peak is lost.
+// Pieces join in pairs when there are too many of them, so no length need be known beforehand, and no peak is
+// lost.
 #pragma once
 
 #include <algorithm>
@@ -46,16 +48,21 @@ class Envelope {
   /// Of every piece but the last, which may have fewer. One: nothing is left out.
   long rows_per_piece() const { return rows_per_piece_; }
   /// The lowest value of the curve, which has a point.
-  double lowest() const { return std::ranges::min(pieces_, {}, [](Piece const& p) { return p.low.value; }).low.value; }
+  double lowest() const {
+    return std::ranges::min(pieces_, {}, [](Piece const& p) { return p.low.value; }).low.value;
+  }
   /// The highest value of the curve, which has a point.
-  double highest() const { return std::ranges::max(pieces_, {}, [](Piece const& p) { return p.high.value; }).high.value; }
+  double highest() const {
+    return std::ranges::max(pieces_, {}, [](Piece const& p) { return p.high.value; }).high.value;
+  }
 
   /// The points that are kept, in the order of time.
   std::vector<Point> points() const {
     std::vector<Point> out;
     for (auto const& piece : pieces_) {
       bool const low_first = piece.low.t < piece.high.t;
-      for (Point const& p : {piece.first, low_first ? piece.low : piece.high, low_first ? piece.high : piece.low, piece.last})
+      for (Point const& p :
+           {piece.first, low_first ? piece.low : piece.high, low_first ? piece.high : piece.low, piece.last})
         if (out.empty() || p.t > out.back().t) out.push_back(p);
     }
     return out;
@@ -63,10 +70,12 @@ class Envelope {
 
  private:
   static Piece joined(Piece const& a, Piece const& b) {
-    return {a.first, b.low.value < a.low.value ? b.low : a.low, b.high.value > a.high.value ? b.high : a.high, b.last};
+    return {a.first, b.low.value < a.low.value ? b.low : a.low, b.high.value > a.high.value ? b.high : a.high,
+            b.last};
   }
   void join() {
-    for (std::size_t i = 0; 2 * i + 1 < pieces_.size(); ++i) pieces_[i] = joined(pieces_[2 * i], pieces_[2 * i + 1]);
+    for (std::size_t i = 0; 2 * i + 1 < pieces_.size(); ++i)
+      pieces_[i] = joined(pieces_[2 * i], pieces_[2 * i + 1]);
     pieces_.resize(pieces_.size() / 2);
     rows_per_piece_ *= 2;
   }

@@ -38,7 +38,8 @@ void ErrorEstimate::see(long row, double time, long steps, bool last) {
     double const beyond = time - static_cast<double>(made_ * companion_.steps) * run_.step;
     bool const meets = std::abs(beyond) <= 1e-6 * run_.step;
     if (!meets && !last) return;
-    double const m = static_cast<double>(made_), k = meets ? 0 : beyond / run_.step, ratio = static_cast<double>(companion_.steps);
+    double const m = static_cast<double>(made_), k = meets ? 0 : beyond / run_.step,
+                 ratio = static_cast<double>(companion_.steps);
     double const p1 = companion_.order + 1;
     double const factor = (std::pow(ratio, p1) * m + std::pow(k, p1)) / (ratio * m + k) - 1;
     if (!(factor >= 1)) return;  // a single step tells nothing of its own error
@@ -54,7 +55,8 @@ void ErrorEstimate::compare(double factor, long steps) {
   if (!std::isfinite(apart.attitude) || !std::isfinite(apart.momentum)) return;
   largest_.attitude = std::max(largest_.attitude, apart.attitude / factor + rounding(steps));
   largest_.modulus = std::max(largest_.modulus, apart.modulus);
-  largest_.momentum = std::max(largest_.momentum, apart.momentum / factor + rounding(steps) * largest_.modulus);
+  largest_.momentum =
+      std::max(largest_.momentum, apart.momentum / factor + rounding(steps) * largest_.modulus);
   seen_ = true;
 }
 

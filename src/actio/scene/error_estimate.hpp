@@ -1,14 +1,17 @@
 // An estimate of the error of a run: how far attitude and body momentum are from those of the true motion.
 //
-// A companion runs beside the run, with steps that are r = 3 or 4 times as long; it costs a quarter to a third of the run. A method of order p has the error
-// C h^p t + ..., so that over n steps of the run, n = r m + k, the companion, which makes m long steps and a last one of k, has an error that is
+// A companion runs beside the run, with steps that are r = 3 or 4 times as long; it costs a quarter to a
+// third of the run. A method of order p has the error C h^p t + ..., so that over n steps of the run, n = r
+// m + k, the companion, which makes m long steps and a last one of k, has an error that is
 //
 //     R = (r^(p+1) m + k^(p+1)) / (r m + k)
 //
-// times as large. The two states are therefore apart by (R - 1) times the error of the run (Richardson). Where the true motion is known in closed form, that of a
-// free body in space, it takes the place of the companion, and the difference is the error itself.
+// times as large. The two states are therefore apart by (R - 1) times the error of the run (Richardson).
+// Where the true motion is known in closed form, that of a free body in space, it takes the place of the
+// companion, and the difference is the error itself.
 //
-// What rounding adds is of the order of the rounding unit times the root of the number of steps, and that is added to the estimate.
+// What rounding adds is of the order of the rounding unit times the root of the number of steps, and that is
+// added to the estimate.
 #pragma once
 
 #include "actio/scene/checkpoint_stream.hpp"
@@ -26,15 +29,17 @@ class ErrorEstimate {
   bool empty() const { return !companion_.motion || lost_ || !seen_; }
   /// Moves the companion on with the run, which has made so many steps.
   void follow(long steps);
-  /// Compares the states at a row of the run, if that is due: where the companion has a step, every sixteenth row where it is exact, and in the last row.
+  /// Compares the states at a row of the run, if that is due: where the companion has a step, every sixteenth
+  /// row where it is exact, and in the last row.
   /// @param time   of the row
   /// @param steps  of the run up to the row
   void see(long row, double time, long steps, bool last);
 
   /// The largest error so far of one quantity.
   struct Entry {
-    std::string name;  ///< `attitude`, in radians, or `momentum`, relative to the largest modulus that it has had
-    double error;      ///< in that unit
+    std::string
+        name;      ///< `attitude`, in radians, or `momentum`, relative to the largest modulus that it has had
+    double error;  ///< in that unit
   };
   /// Of the attitude, where it is reconstructed, and of the momentum; none where nothing is estimated.
   std::vector<Entry> entries() const;

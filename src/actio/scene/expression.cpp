@@ -31,14 +31,18 @@ double least(double const* x, int n) { return *std::min_element(x, x + n); }
 double most(double const* x, int n) { return *std::max_element(x, x + n); }
 
 constexpr OneArgument one_argument[] = {
-    {"sin", [](double x) { return std::sin(x); }},     {"cos", [](double x) { return std::cos(x); }},     {"tan", [](double x) { return std::tan(x); }},
-    {"asin", [](double x) { return std::asin(x); }},   {"acos", [](double x) { return std::acos(x); }},   {"atan", [](double x) { return std::atan(x); }},
-    {"sinh", [](double x) { return std::sinh(x); }},   {"cosh", [](double x) { return std::cosh(x); }},   {"tanh", [](double x) { return std::tanh(x); }},
-    {"asinh", [](double x) { return std::asinh(x); }}, {"acosh", [](double x) { return std::acosh(x); }}, {"atanh", [](double x) { return std::atanh(x); }},
-    {"exp", [](double x) { return std::exp(x); }},     {"log", [](double x) { return std::log(x); }},     {"log2", [](double x) { return std::log2(x); }},
-    {"log10", [](double x) { return std::log10(x); }}, {"sqrt", [](double x) { return std::sqrt(x); }},   {"cbrt", [](double x) { return std::cbrt(x); }},
-    {"abs", [](double x) { return std::abs(x); }},     {"sign", sign},                                    {"floor", [](double x) { return std::floor(x); }},
-    {"ceil", [](double x) { return std::ceil(x); }},   {"round", [](double x) { return std::round(x); }},
+    {"sin", [](double x) { return std::sin(x); }},     {"cos", [](double x) { return std::cos(x); }},
+    {"tan", [](double x) { return std::tan(x); }},     {"asin", [](double x) { return std::asin(x); }},
+    {"acos", [](double x) { return std::acos(x); }},   {"atan", [](double x) { return std::atan(x); }},
+    {"sinh", [](double x) { return std::sinh(x); }},   {"cosh", [](double x) { return std::cosh(x); }},
+    {"tanh", [](double x) { return std::tanh(x); }},   {"asinh", [](double x) { return std::asinh(x); }},
+    {"acosh", [](double x) { return std::acosh(x); }}, {"atanh", [](double x) { return std::atanh(x); }},
+    {"exp", [](double x) { return std::exp(x); }},     {"log", [](double x) { return std::log(x); }},
+    {"log2", [](double x) { return std::log2(x); }},   {"log10", [](double x) { return std::log10(x); }},
+    {"sqrt", [](double x) { return std::sqrt(x); }},   {"cbrt", [](double x) { return std::cbrt(x); }},
+    {"abs", [](double x) { return std::abs(x); }},     {"sign", sign},
+    {"floor", [](double x) { return std::floor(x); }}, {"ceil", [](double x) { return std::ceil(x); }},
+    {"round", [](double x) { return std::round(x); }},
 };
 constexpr TwoArguments two_arguments[] = {
     {"atan2", [](double y, double x) { return std::atan2(y, x); }},
@@ -57,19 +61,27 @@ std::vector<std::string> known_names(std::vector<std::string> const& variables) 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Walks through a formula once and refuses what is no part of one, at its place; how the parts fit together is left to the parser.
+/// Walks through a formula once and refuses what is no part of one, at its place; how the parts fit together
+/// is left to the parser.
 class Inspection {
  public:
-  Inspection(std::string const& text, std::vector<std::string> const& variables, TextPlace const& place) : text_(text), known_(known_names(variables)), place_(place) {}
+  Inspection(std::string const& text, std::vector<std::string> const& variables, TextPlace const& place)
+      : text_(text), known_(known_names(variables)), place_(place) {}
 
   void run() {
-    if (text_.find_first_not_of(' ') == std::string::npos) fail_at(0, "a formula is expected, for example \"1\"");
-    if (text_.size() > longest) fail_at(longest, fmt::format("a formula has at most {} characters, this one has {}", longest, text_.size()));
+    if (text_.find_first_not_of(' ') == std::string::npos)
+      fail_at(0, "a formula is expected, for example \"1\"");
+    if (text_.size() > longest)
+      fail_at(longest,
+              fmt::format("a formula has at most {} characters, this one has {}", longest, text_.size()));
     while (at_ < text_.size()) {
       char const c = text_[at_];
-      if (is_digit(c) || c == '.') number();
-      else if (is_letter(c)) name();
-      else sign();
+      if (is_digit(c) || c == '.')
+        number();
+      else if (is_letter(c))
+        name();
+      else
+        sign();
     }
     if (!open_.empty()) fail_at(open_.back(), "this bracket is not closed");
   }
@@ -83,10 +95,13 @@ class Inspection {
     auto const [end, error] = std::from_chars(begin, text_.data() + text_.size(), value);
     if (end == begin) fail_at(at_, "a digit is expected beside '.'");
     std::string const digits(begin, end);
-    if (error == std::errc::result_out_of_range) fail_at(at_, fmt::format("the number {} is too large or too small", shown(digits)));
-    if (begin[0] == '.' || digits.back() == '.') fail_at(at_, fmt::format("a digit is expected on both sides of the point in {}", shown(digits)));
+    if (error == std::errc::result_out_of_range)
+      fail_at(at_, fmt::format("the number {} is too large or too small", shown(digits)));
+    if (begin[0] == '.' || digits.back() == '.')
+      fail_at(at_, fmt::format("a digit is expected on both sides of the point in {}", shown(digits)));
     std::size_t const behind = at_ + digits.size();
-    if (is_letter(at(behind)) || is_digit(at(behind)) || at(behind) == '.') fail_at(behind, fmt::format("an operator is expected after {}", shown(digits)));
+    if (is_letter(at(behind)) || is_digit(at(behind)) || at(behind) == '.')
+      fail_at(behind, fmt::format("an operator is expected after {}", shown(digits)));
     at_ = behind;
   }
 
@@ -95,14 +110,16 @@ class Inspection {
     while (is_letter(at(end)) || is_digit(at(end))) ++end;
     std::string const word = text_.substr(at_, end - at_);
     if (std::find(known_.begin(), known_.end(), word) == known_.end())
-      fail_at(at_, fmt::format("unknown name '{}'{} (known: {})", shown(word), did_you_mean(word, known_), listed(known_)));
+      fail_at(at_, fmt::format("unknown name '{}'{} (known: {})", shown(word), did_you_mean(word, known_),
+                               listed(known_)));
     at_ = end;
   }
 
   void sign() {
     static constexpr std::array<std::string_view, 6> pairs{"==", "!=", "<=", ">=", "&&", "||"};
     std::string_view const rest = std::string_view(text_).substr(at_);
-    auto const pair = std::find_if(pairs.begin(), pairs.end(), [&](std::string_view p) { return rest.starts_with(p); });
+    auto const pair =
+        std::find_if(pairs.begin(), pairs.end(), [&](std::string_view p) { return rest.starts_with(p); });
     char const c = text_[at_];
     if (pair == pairs.end() && std::string_view("+-*/^()<>,?: ").find(c) == std::string_view::npos) refuse();
     if (c == '(') open_.push_back(at_);
@@ -111,7 +128,8 @@ class Inspection {
       if (open_.empty()) fail_at(at_, "this bracket was not opened");
       open_.pop_back();
     }
-    if (c == ',' && open_.empty()) fail_at(at_, "one formula is expected; a comma stands between the arguments of a function");
+    if (c == ',' && open_.empty())
+      fail_at(at_, "one formula is expected; a comma stands between the arguments of a function");
     at_ += pair == pairs.end() ? 1 : 2;
   }
   [[noreturn]] void refuse() const {
@@ -121,7 +139,9 @@ class Inspection {
     fail_at(at_, fmt::format("'{}' is no part of a formula", printable(text_.substr(at_, end - at_))));
   }
 
-  [[noreturn]] void fail_at(std::size_t offset, std::string const& what) const { place_.fail(text_, offset, what); }
+  [[noreturn]] void fail_at(std::size_t offset, std::string const& what) const {
+    place_.fail(text_, offset, what);
+  }
 
   std::string const& text_;
   std::vector<std::string> known_;
@@ -150,7 +170,8 @@ struct Expression::Parser {
   }
 };
 
-Expression::Expression(std::string text, std::vector<std::string> variables, TextPlace place) : text_(std::move(text)), variables_(std::move(variables)), place_(std::move(place)) {
+Expression::Expression(std::string text, std::vector<std::string> variables, TextPlace place)
+    : text_(std::move(text)), variables_(std::move(variables)), place_(std::move(place)) {
   Inspection(text_, variables_, place_).run();
   try {
     parser_ = std::make_unique<Parser>(text_, variables_);
@@ -162,7 +183,8 @@ Expression::Expression(std::string text, std::vector<std::string> variables, Tex
 Expression::Expression(Expression const& other) : Expression(other.text_, other.variables_, other.place_) {}
 Expression::Expression(Expression&&) noexcept = default;
 Expression& Expression::operator=(Expression other) noexcept {
-  std::swap(text_, other.text_), std::swap(variables_, other.variables_), std::swap(place_, other.place_), std::swap(parser_, other.parser_);
+  std::swap(text_, other.text_), std::swap(variables_, other.variables_), std::swap(place_, other.place_),
+      std::swap(parser_, other.parser_);
   return *this;
 }
 Expression::~Expression() = default;
@@ -172,8 +194,11 @@ double Expression::operator()(std::span<double const> point) {
   double const value = parser_->mu.Eval();
   if (std::isfinite(value)) return value;
   std::string where;
-  for (std::size_t i = 0; i < variables_.size(); ++i) where += fmt::format("{}{} = {}", i ? ", " : "", variables_[i], point[i]);
-  place_.fail(text_, 0, fmt::format("a finite value is expected, found {}{}{}", value, where.empty() ? "" : " at ", where));
+  for (std::size_t i = 0; i < variables_.size(); ++i)
+    where += fmt::format("{}{} = {}", i ? ", " : "", variables_[i], point[i]);
+  place_.fail(
+      text_, 0,
+      fmt::format("a finite value is expected, found {}{}{}", value, where.empty() ? "" : " at ", where));
 }
 
 bool Expression::uses(std::string const& variable) const {

@@ -1,8 +1,9 @@
 // A formula that a scene writes as a text: "X + 0.1*sin(2*pi*X)/(2*pi)".
 //
-// Numbers, the variables that it is given, pi; + - * / ^ (to the right, before a sign: -2^2 = -4), brackets, comparisons, && ||, and `a ? b : c`;
-// sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp log log2 log10 sqrt cbrt hypot abs sign floor ceil round min max. `log` is the
-// natural one, angles are in radians.
+// Numbers, the variables that it is given, pi; + - * / ^ (to the right, before a sign: -2^2 = -4), brackets,
+// comparisons, && ||, and `a ? b : c`; sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp
+// log log2 log10 sqrt cbrt hypot abs sign floor ceil round min max. `log` is the natural one, angles are in
+// radians.
 #pragma once
 
 #include <memory>
@@ -19,7 +20,8 @@ class Expression {
  public:
   /// @param variables  their names, in the order in which points give them
   /// @param place      where the text stands
-  /// @throws SceneError  where it is no formula, pointing into the text; where it has more than 2000 characters or more than 50 brackets in brackets
+  /// @throws SceneError  where it is no formula, pointing into the text; where it has more than 2000
+  ///                     characters or more than 50 brackets in brackets
   Expression(std::string text, std::vector<std::string> variables, TextPlace place);
   Expression(Expression const& other);         ///< a copy, read anew
   Expression(Expression&&) noexcept;           ///< takes over the other one

@@ -20,7 +20,8 @@ struct LibraryGroup {
 
 /// All of them.
 std::vector<LibraryGroup> const& library_groups();
-/// Those that a word names, however it is written: `SO(3)`, `so3` and `so` are SO(n); `SE` is SE(2) and SE(3).
+/// Those that a word names, however it is written: `SO(3)`, `so3` and `so` are SO(n); `SE` is SE(2) and
+/// SE(3).
 std::vector<LibraryGroup const*> find_groups(std::string_view word);
 
 }  // namespace actio::scene

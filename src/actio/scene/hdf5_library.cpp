@@ -12,7 +12,8 @@ namespace {
 /// A function or a variable of a library.
 void* found(void* library, char const* name) {
   void* const at = ::dlsym(library, name);
-  if (!at) throw FileError(std::string(ACTIO_HDF5_LIBRARY) + ": is another version of HDF5: it has no " + name);
+  if (!at)
+    throw FileError(std::string(ACTIO_HDF5_LIBRARY) + ": is another version of HDF5: it has no " + name);
   return at;
 }
 
@@ -53,8 +54,8 @@ Library::Library() {
 #define ACTIO_HDF5_FUNCTION(name) name = reinterpret_cast<decltype(name)>(found(library, #name));
 #define ACTIO_HDF5_VARIABLE(name) name##_value = *static_cast<hid_t const*>(found(library, #name));
   ACTIO_HDF5_FUNCTIONS(ACTIO_HDF5_FUNCTION)
-  // At the end of the process the library would try once more to write what a full disk has refused, and end in a crash. It is not asked to: a series closes
-  // its file itself.
+  // At the end of the process the library would try once more to write what a full disk has refused, and end
+  // in a crash. It is not asked to: a series closes its file itself.
   H5dont_atexit();
   H5open();  // which gives the variables their values
   ACTIO_HDF5_VARIABLES(ACTIO_HDF5_VARIABLE)
@@ -74,8 +75,10 @@ hid_t Session::checked(hid_t result, std::string const& path, char const* what) 
 }
 
 std::string damage(std::string const& path, std::string const& name, std::size_t begin, std::size_t end) {
-  return path + ": is damaged: rows " + std::to_string(begin) + " to " + std::to_string(end - 1) + " of '" + name +
-         "' are not what was written (their checksum differs); put a copy of the file in its place, or run its scene.toml anew";
+  return path + ": is damaged: rows " + std::to_string(begin) + " to " + std::to_string(end - 1) + " of '" +
+         name +
+         "' are not what was written (their checksum differs); put a copy of the file in its place, or run "
+         "its scene.toml anew";
 }
 
 }  // namespace actio::scene::hdf5

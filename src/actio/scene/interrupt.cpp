@@ -12,7 +12,8 @@ namespace {
 volatile std::sig_atomic_t came = 0;
 struct timespec first_came;
 
-/// One request may come twice within a moment: `timeout` sends it to the process and to its group. Only what comes later means that somebody is impatient.
+/// One request may come twice within a moment: `timeout` sends it to the process and to its group. Only what
+/// comes later means that somebody is impatient.
 void remember_signal(int signal) {
   struct timespec now;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -21,7 +22,8 @@ void remember_signal(int signal) {
     came = 1;
     return;
   }
-  double const seconds = static_cast<double>(now.tv_sec - first_came.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec - first_came.tv_nsec);
+  double const seconds = static_cast<double>(now.tv_sec - first_came.tv_sec) +
+                         1e-9 * static_cast<double>(now.tv_nsec - first_came.tv_nsec);
   if (seconds < 0.25) return;
   std::signal(signal, SIG_DFL);
   ::raise(signal);
@@ -36,7 +38,8 @@ void listen_for_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
   // A run under nohup outlives its terminal.
   struct sigaction before = {};
-  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    sigaction(SIGHUP, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -1,5 +1,6 @@
-// Key frames, the rows from which a motion can be played: every row, or every second, fourth, eighth, ... of a longer run, as long as no two neighbours are so far
-// apart that what lies between them would be a guess; from there on, the beginning of the run alone.
+// Key frames, the rows from which a motion can be played: every row, or every second, fourth, eighth, ... of
+// a longer run, as long as no two neighbours are so far apart that what lies between them would be a guess;
+// from there on, the beginning of the run alone.
 #pragma once
 
 #include <functional>
@@ -8,7 +9,8 @@
 
 namespace actio::scene {
 
-/// The key frames of a run of any length: a few thousand of its rows, between which the page of the run interpolates.
+/// The key frames of a run of any length: a few thousand of its rows, between which the page of the run
+/// interpolates.
 class KeyFrames {
  public:
   /// There are never more rows.

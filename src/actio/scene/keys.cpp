@@ -88,9 +88,10 @@ std::vector<Parameter> keys_of_method(System const& system) {
        order_in_toml(system.methods.front().orders.front()), orders},
       {"method.step", "a number > 0",
        "the longest that divides the times of the rows and turns the body by at most 0.05 radians",
-       "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; an exact "
-       "method does not use it.", "time",
-       "0.001"},
+       "The time that a step takes. Rows are at multiples of it, or anywhere with run.between_steps; an "
+       "exact "
+       "method does not use it.",
+       "time", "0.001"},
   };
 }
 

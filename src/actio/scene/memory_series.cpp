@@ -17,6 +17,8 @@ class MemorySeries : public Series {
 
 }  // namespace
 
-std::unique_ptr<Series> memory_series(std::vector<double>& table) { return std::make_unique<MemorySeries>(table); }
+std::unique_ptr<Series> memory_series(std::vector<double>& table) {
+  return std::make_unique<MemorySeries>(table);
+}
 
 }  // namespace actio::scene

@@ -7,7 +7,8 @@
 
 namespace actio::scene {
 
-/// The known name that takes the fewest letters to change, add, drop or swap; empty where none is near (more than a third of the letters, at least two).
+/// The known name that takes the fewest letters to change, add, drop or swap; empty where none is near (more
+/// than a third of the letters, at least two).
 std::string nearest_name(std::string_view word, std::vector<std::string> const& known);
 
 /// `; did you mean 'energy'?`, or nothing where no name is near.

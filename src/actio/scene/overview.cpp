@@ -35,7 +35,8 @@ class ReadingProgress {
     // On a terminal five times a second, in a pipe every ten.
     next_ = now + std::chrono::milliseconds(terminal_ ? 200 : 10000);
     shown_ = true;
-    say(stderr, fmt::format("{}pictures: {:3.0f} % of the rows are read{}", terminal_ ? "\r" : "", 100 * fraction, terminal_ ? "" : "\n"));
+    say(stderr, fmt::format("{}pictures: {:3.0f} % of the rows are read{}", terminal_ ? "\r" : "",
+                            100 * fraction, terminal_ ? "" : "\n"));
   }
 
  private:
@@ -64,7 +65,8 @@ KeyFrames::Near near(std::vector<Direction> directions) {
     for (auto const& d : directions) {
       double dot = 0;
       for (std::size_t i = d.first; i < d.first + d.size; ++i) dot += a[i] * b[i];
-      double const lengths = length_of(std::span(a).subspan(d.first, d.size)) * length_of(std::span(b).subspan(d.first, d.size));
+      double const lengths =
+          length_of(std::span(a).subspan(d.first, d.size)) * length_of(std::span(b).subspan(d.first, d.size));
       // A rotation by an angle is a quaternion by its half.
       double const most = (d.two_signs ? 15 : 30) * std::numbers::pi / 180;
       if (!((d.two_signs ? std::abs(dot) : dot) >= std::cos(most) * lengths)) return false;
@@ -78,7 +80,8 @@ std::map<std::string, double> drift_units(std::string const& folder) {
   std::ifstream in(folder + "/summary.json");
   auto const summary = nlohmann::json::parse(in, nullptr, false);
   std::map<std::string, double> out;
-  if (!summary.is_object() || !summary.contains("drift_units") || !summary["drift_units"].is_object()) return out;
+  if (!summary.is_object() || !summary.contains("drift_units") || !summary["drift_units"].is_object())
+    return out;
   for (auto const& [name, unit] : summary["drift_units"].items())
     if (unit.is_number()) out[name] = unit.get<double>();
   return out;
@@ -100,8 +103,10 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
   for (auto const& drawn : quantities) {
     bool const direction = drawn.quantity.shown == Quantity::Shown::as_direction;
     if (!direction && drawn.quantity.shown != Quantity::Shown::beside_motion) continue;
-    if (direction) directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
-    for (std::size_t i = 0; i < drawn.size; ++i) moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
+    if (direction)
+      directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
+    for (std::size_t i = 0; i < drawn.size; ++i)
+      moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
   }
 
   Overview out{std::move(quantities), {}, std::move(motion), KeyFrames(near(std::move(directions))), 0};
@@ -116,15 +121,19 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
     std::span<double const> const values = std::span(row).subspan(1);
     if (first.empty()) first.assign(values.begin(), values.end());
     for (auto& drawn : out.quantities)
-      for (std::size_t i = 0; i < drawn.components.size(); ++i) drawn.components[i].add(t, values[drawn.first + i]);
+      for (std::size_t i = 0; i < drawn.components.size(); ++i)
+        drawn.components[i].add(t, values[drawn.first + i]);
     for (std::size_t k = 0; k < conserved.size(); ++k) {
       auto const now = values.subspan(conserved[k].first, conserved[k].size);
       difference.assign(now.begin(), now.end());
       for (std::size_t i = 0; i < now.size(); ++i) difference[i] -= first[conserved[k].first + i];
       out.drifts[k].difference.add(t, length_of(difference));
-      double const start = length_of(std::span<double const>(first).subspan(conserved[k].first, conserved[k].size));
-      if (auto const told = units.find(conserved[k].name); told != units.end()) out.drifts[k].unit = told->second;
-      else out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
+      double const start =
+          length_of(std::span<double const>(first).subspan(conserved[k].first, conserved[k].size));
+      if (auto const told = units.find(conserved[k].name); told != units.end())
+        out.drifts[k].unit = told->second;
+      else
+        out.drifts[k].unit = start > 0 ? start : std::max(out.drifts[k].unit, length_of(now));
     }
     for (std::size_t i = 0; i < moving.size(); ++i) moved[i] = row[moving[i]];
     if (!out.motion.empty()) out.key_frames.add(moved);

@@ -1,4 +1,5 @@
-// What is drawn of a run, however long it is: outlines of its columns, of the drift of what it conserves, and rows to play it from.
+// What is drawn of a run, however long it is: outlines of its columns, of the drift of what it conserves, and
+// rows to play it from.
 #pragma once
 
 #include <cmath>
@@ -13,26 +14,29 @@ namespace actio::scene {
 struct Overview {
   /// A quantity that was asked for.
   struct Drawn {
-    Quantity quantity;                  ///< what is drawn
-    std::size_t first,                  ///< its first column in a row without the time
-        size;                           ///< how many columns it has
-    std::vector<std::string> ends;      ///< of the names of its columns: "_x", or "" of a scalar
-    std::vector<Envelope> components;   ///< the first `most_components` of them
+    Quantity quantity;                 ///< what is drawn
+    std::size_t first,                 ///< its first column in a row without the time
+        size;                          ///< how many columns it has
+    std::vector<std::string> ends;     ///< of the names of its columns: "_x", or "" of a scalar
+    std::vector<Envelope> components;  ///< the first `most_components` of them
   };
   /// How far a conserved quantity is from where it began.
   struct Drifting {
-    std::string name;                   ///< of the quantity
-    Envelope difference;                ///< |Q(t) - Q(0)|
-    double unit = 0;                    ///< what the difference is relative to: that of summary.json; where there is none |Q(0)|, or the largest |Q|
+    std::string name;     ///< of the quantity
+    Envelope difference;  ///< |Q(t) - Q(0)|
+    double unit =
+        /// what the difference is relative to: that of summary.json; where there is none |Q(0)|, or the
+        /// largest |Q|
+        0;
   };
   /// A picture with more curves tells nothing.
   static constexpr std::size_t most_components = 12;
 
-  std::vector<Drawn> quantities;        ///< that were asked for, in that order
-  std::vector<Drifting> drifts;         ///< of what is conserved
-  std::vector<std::string> motion;      ///< columns of `key_frames` after the time
-  KeyFrames key_frames;                 ///< rows to play the run from
-  long rows = 0;                        ///< of the run
+  std::vector<Drawn> quantities;    ///< that were asked for, in that order
+  std::vector<Drifting> drifts;     ///< of what is conserved
+  std::vector<std::string> motion;  ///< columns of `key_frames` after the time
+  KeyFrames key_frames;             ///< rows to play the run from
+  long rows = 0;                    ///< of the run
 
   /// The quantity of that name; null where it was not asked for.
   Drawn const* find(std::string const& name) const;

@@ -1,12 +1,14 @@
-// Pictures of a run: plots/*.svg, each of which stands alone, and plots/index.html, a page that plays the motion.
+// Pictures of a run: plots/*.svg, each of which stands alone, and plots/index.html, a page that plays the
+// motion.
 #pragma once
 
 #include "actio/scene/overview.hpp"
 
 namespace actio::scene {
 
-/// Draws the pictures of the run that is in a folder, in place of those that are there: a curve of each quantity, the drift of each conserved one,
-/// the way of the momentum of a body over its sphere, and the page. Memory does not grow with the number of rows.
+/// Draws the pictures of the run that is in a folder, in place of those that are there: a curve of each
+/// quantity, the drift of each conserved one, the way of the momentum of a body over its sphere, and the
+/// page. Memory does not grow with the number of rows.
 /// @param quiet  nothing on standard error, even where it takes long
 /// @throws FileError  where the rows cannot be read or the pictures not be written
 void draw_pictures(Scene const& scene, std::string const& folder, bool quiet = false);

@@ -6,8 +6,9 @@
 
 namespace actio::scene {
 
-/// The polling interval of a loop, adapted to how long its passes take: it counts the passes between two looks at the clock. The
-/// interval at most doubles from one look to the next, so that a look is never far off.
+/// The polling interval of a loop, adapted to how long its passes take: it counts the passes between two
+/// looks at the clock. The interval at most doubles from one look to the next, so that a look is never far
+/// off.
 class PollInterval {
  public:
   using Clock = std::chrono::steady_clock;
@@ -18,7 +19,8 @@ class PollInterval {
   Clock::time_point look() {
     constexpr double between = 0.01;  // seconds
     auto const now = Clock::now();
-    double const seconds = std::chrono::duration<double>(now - last_).count(), made = static_cast<double>(passes_ - left_);
+    double const seconds = std::chrono::duration<double>(now - last_).count(),
+                 made = static_cast<double>(passes_ - left_);
     double const fit = std::min(made * between / std::max(seconds, 1e-9), 2.0 * static_cast<double>(passes_));
     passes_ = left_ = std::max(1L, static_cast<long>(fit));
     last_ = now;

@@ -6,8 +6,8 @@
 
 namespace actio::scene {
 
-/// The text in one line of UTF-8: what would command a terminal, break the line or turn the direction of writing is told as `\u001b`, a byte that is no UTF-8
-/// as `\xff`.
+/// The text in one line of UTF-8: what would command a terminal, break the line or turn the direction of
+/// writing is told as `\u001b`, a byte that is no UTF-8 as `\xff`.
 std::string printable(std::string_view text);
 
 /// The same, and after so many characters `...`.

@@ -50,7 +50,10 @@ std::string size_text(double bytes) {
 }
 
 Progress::Progress(bool quiet, std::string unit)
-    : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb"), colour_(terminal_ && environment("NO_COLOR").empty()), unit_(std::move(unit)) {}
+    : quiet_(quiet),
+      terminal_(::isatty(STDERR_FILENO) != 0 && environment("TERM") != "dumb"),
+      colour_(terminal_ && environment("NO_COLOR").empty()),
+      unit_(std::move(unit)) {}
 Progress::~Progress() {
   if (shown_) say(stderr, "\r" + std::string(shown_, ' ') + "\r");
 }
@@ -65,7 +68,8 @@ void Progress::show(Clock::time_point now, double fraction, long count, std::opt
   int const tenth = static_cast<int>(fraction * 10);
   if (terminal_ ? now - last_ < std::chrono::milliseconds(200) : tenth <= tenth_) return;
   last_ = now, tenth_ = tenth;
-  double const seconds = std::chrono::duration<double>(now - began_).count(), done = fraction - first_fraction_;
+  double const seconds = std::chrono::duration<double>(now - began_).count(),
+               done = fraction - first_fraction_;
   // As many parts as the terminal has room for.
   std::size_t const room = terminal_ ? terminal_width() - 1 : std::string::npos;
   std::string line = fmt::format("{:5.1f} %", 100 * fraction);

@@ -2,7 +2,8 @@
 //
 //      42.0 %   1.63e+08 steps/s   1 min 12 s left   worst drift 3.2e-15
 //
-// On a terminal a drift that deserves a look has a colour, unless NO_COLOR is set. Nothing is said in the first half second.
+// On a terminal a drift that deserves a look has a colour, unless NO_COLOR is set. Nothing is said in the
+// first half second.
 #pragma once
 
 #include <chrono>

@@ -9,12 +9,18 @@ namespace actio::scene {
 char const* kind_name(Quantity::Kind kind) {
   using Kind = Quantity::Kind;
   switch (kind) {
-    case Kind::scalar: return "scalar";
-    case Kind::vector: return "vector";
-    case Kind::quaternion: return "quaternion";
-    case Kind::matrix: return "matrix";
-    case Kind::skew: return "skew matrix";
-    case Kind::list: break;
+    case Kind::scalar:
+      return "scalar";
+    case Kind::vector:
+      return "vector";
+    case Kind::quaternion:
+      return "quaternion";
+    case Kind::matrix:
+      return "matrix";
+    case Kind::skew:
+      return "skew matrix";
+    case Kind::list:
+      break;
   }
   return "list";
 }
@@ -30,12 +36,17 @@ std::vector<std::size_t> ColumnGroup::shape() const {
 
 std::vector<std::string> column_ends(Quantity::Kind kind, int n) {
   using Kind = Quantity::Kind;
-  auto const index = [](int i, int j) { return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j); };
+  auto const index = [](int i, int j) {
+    return "_" + std::to_string(i) + (std::max(i, j) > 9 ? "_" : "") + std::to_string(j);
+  };
   std::vector<std::string> ends;
   switch (kind) {
-    case Kind::scalar: return {""};
-    case Kind::vector: return {"_x", "_y", "_z"};
-    case Kind::quaternion: return {"_w", "_x", "_y", "_z"};
+    case Kind::scalar:
+      return {""};
+    case Kind::vector:
+      return {"_x", "_y", "_z"};
+    case Kind::quaternion:
+      return {"_w", "_x", "_y", "_z"};
     case Kind::matrix:
       for (int i = 1; i <= n; ++i)
         for (int j = 1; j <= n; ++j) ends.push_back(index(i, j));
@@ -44,7 +55,8 @@ std::vector<std::string> column_ends(Quantity::Kind kind, int n) {
       for (int i = 1; i <= n; ++i)
         for (int j = i + 1; j <= n; ++j) ends.push_back(index(i, j));
       return ends;
-    case Kind::list: break;
+    case Kind::list:
+      break;
   }
   throw std::logic_error("column_ends: a list has numbers of its own");
 }
@@ -59,9 +71,12 @@ QuantityGraph::QuantityGraph(std::vector<Quantity> known) {
   for (auto& quantity : known) nodes_.push_back({std::move(quantity), {}, {}, {}, {}, {}, false, 0});
 }
 
-QuantityGraph::Node& QuantityGraph::node(std::string const& name) { return const_cast<Node&>(std::as_const(*this).node(name)); }
+QuantityGraph::Node& QuantityGraph::node(std::string const& name) {
+  return const_cast<Node&>(std::as_const(*this).node(name));
+}
 QuantityGraph::Node const& QuantityGraph::node(std::string const& name) const {
-  auto const found = std::find_if(nodes_.begin(), nodes_.end(), [&](Node const& n) { return n.quantity.name == name; });
+  auto const found =
+      std::find_if(nodes_.begin(), nodes_.end(), [&](Node const& n) { return n.quantity.name == name; });
   if (found == nodes_.end()) throw std::logic_error("quantities: there is no " + name);
   return *found;
 }
@@ -120,7 +135,9 @@ void QuantityGraph::evaluate(std::span<double> row) {
 
 std::vector<QuantityGraph::Count> QuantityGraph::counts() const {
   std::vector<Count> out;
-  for (auto const& n : nodes_) out.push_back({n.quantity.name, std::find(asked_.begin(), asked_.end(), &n) != asked_.end(), n.evaluations});
+  for (auto const& n : nodes_)
+    out.push_back(
+        {n.quantity.name, std::find(asked_.begin(), asked_.end(), &n) != asked_.end(), n.evaluations});
   return out;
 }
 
@@ -144,12 +161,14 @@ std::vector<QuantityGraph::Conserved> QuantityGraph::conserved() const {
 
 std::vector<double> QuantityGraph::natural_units() const {
   std::vector<double> out;
-  bool const any = std::ranges::any_of(asked_, [](Node const* n) { return n->quantity.conserved && n->unit; });
+  bool const any =
+      std::ranges::any_of(asked_, [](Node const* n) { return n->quantity.conserved && n->unit; });
   if (!any) return out;
   for (Node const* n : asked_) {
     if (!n->quantity.conserved) continue;
     std::size_t const count = n->quantity.kind == Quantity::Kind::list ? n->value.size() : 1;
-    for (std::size_t i = 0; i < count; ++i) out.push_back(n->unit ? n->unit(n->needs, n->value.data(), i) : 0);
+    for (std::size_t i = 0; i < count; ++i)
+      out.push_back(n->unit ? n->unit(n->needs, n->value.data(), i) : 0);
   }
   return out;
 }

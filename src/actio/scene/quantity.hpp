@@ -35,14 +35,15 @@ struct Quantity {
     by_planes       ///< of a skew matrix, each component in the cell of its plane
   };
 
-  std::string name;                ///< as scenes write it
-  Kind kind;                       ///< what its numbers are
-  std::string meaning;             ///< one sentence
-  std::string formula;             ///< TeX
-  std::string unit;                ///< in words: "energy x time"
-  std::string statement;           ///< of the thesis; may be empty
-  std::vector<std::string> needs;  ///< other quantities of the system that it is computed from; none: the state
-  bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
+  std::string name;       ///< as scenes write it
+  Kind kind;              ///< what its numbers are
+  std::string meaning;    ///< one sentence
+  std::string formula;    ///< TeX
+  std::string unit;       ///< in words: "energy x time"
+  std::string statement;  ///< of the thesis; may be empty
+  std::vector<std::string>
+      needs;               ///< other quantities of the system that it is computed from; none: the state
+  bool conserved = false;  ///< whether the motion keeps it, so that its drift is an error
   Shown shown = Shown::by_curves;  ///< besides its curves
 };
 
@@ -58,7 +59,8 @@ struct ColumnGroup {
   std::vector<std::size_t> shape() const;
 };
 
-/// Ends of the names of columns: `_x`, `_w`, and for matrices of n rows `_11 _12 ...`, indices apart where one of them has two digits, `_1_10`.
+/// Ends of the names of columns: `_x`, `_w`, and for matrices of n rows `_11 _12 ...`, indices apart where
+/// one of them has two digits, `_1_10`.
 std::vector<std::string> column_ends(Quantity::Kind kind, int n = 3);
 /// `_2, _4, ...`
 std::vector<std::string> numbered(std::vector<int> const& numbers);
@@ -68,9 +70,10 @@ class QuantityGraph {
  public:
   /// Writes the value, from those of what the quantity needs, in the order of `needs`.
   using Evaluate = std::function<void(std::span<double const* const> needs, double* value)>;
-  /// The natural unit of a conserved quantity: what its drift is to be compared with where the quantity itself may be near zero, as an energy is where its parts cancel.
-  /// Of a list, that of one of its numbers.
-  using NaturalUnit = std::function<double(std::span<double const* const> needs, double const* value, std::size_t component)>;
+  /// The natural unit of a conserved quantity: what its drift is to be compared with where the quantity
+  /// itself may be near zero, as an energy is where its parts cancel. Of a list, that of one of its numbers.
+  using NaturalUnit =
+      std::function<double(std::span<double const* const> needs, double const* value, std::size_t component)>;
 
   /// How often a quantity was evaluated.
   struct Count {
@@ -87,7 +90,8 @@ class QuantityGraph {
 
   /// How a quantity comes from what it needs; `ends` name its columns.
   /// @param unit  of a conserved quantity; left out: its own modulus
-  void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate, NaturalUnit unit = {});
+  void define(std::string const& name, std::vector<std::string> ends, Evaluate evaluate,
+              NaturalUnit unit = {});
   /// What the rows hold, in this order. Once, before anything is evaluated.
   void ask(std::vector<std::string> const& names);
 
@@ -106,7 +110,8 @@ class QuantityGraph {
   /// Saves, or restores, how often each was evaluated.
   void remember(CheckpointStream& stream);
 
-  /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a list one by one.
+  /// Columns of a row that hold one conserved quantity: drift is measured over all of them together, for a
+  /// list one by one.
   struct Conserved {
     std::string name;   ///< of the quantity; of a list, with the end of the column
     std::size_t first,  ///< its first column in a row without the time
@@ -114,8 +119,8 @@ class QuantityGraph {
   };
   /// The conserved quantities that the rows hold.
   std::vector<Conserved> conserved() const;
-  /// Their natural units, in the same order, as of the last evaluation; zero where a quantity has none but its modulus, and an
-  /// empty list where no quantity has one.
+  /// Their natural units, in the same order, as of the last evaluation; zero where a quantity has none but
+  /// its modulus, and an empty list where no quantity has one.
   std::vector<double> natural_units() const;
 
  private:

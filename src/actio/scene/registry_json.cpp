@@ -25,9 +25,13 @@ Json in_json(Parameter const& key) {
 }
 
 Json in_json(System const& system) {
-  Json out{{"name", system.name}, {"title", system.title}, {"meaning", system.meaning}, {"statement", system.statement}, {"parameters", Json::array()}, {"methods", Json::array()}, {"quantities", Json::array()}};
+  Json out{{"name", system.name},           {"title", system.title},       {"meaning", system.meaning},
+           {"statement", system.statement}, {"parameters", Json::array()}, {"methods", Json::array()},
+           {"quantities", Json::array()}};
   for (auto const& key : keys_of(system)) out["parameters"].push_back(in_json(key));
-  for (auto const& m : system.methods) out["methods"].push_back({{"name", m.name}, {"orders", m.orders}, {"meaning", m.meaning}, {"statement", m.statement}});
+  for (auto const& m : system.methods)
+    out["methods"].push_back(
+        {{"name", m.name}, {"orders", m.orders}, {"meaning", m.meaning}, {"statement", m.statement}});
   for (auto const& q : system.quantities)
     out["quantities"].push_back({{"name", q.name},
                                  {"kind", kind_name(q.kind)},

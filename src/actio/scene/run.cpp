@@ -11,8 +11,8 @@
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/error_estimate.hpp"
 #include "actio/scene/memory_series.hpp"
-#include "actio/scene/progress.hpp"
 #include "actio/scene/poll_interval.hpp"
+#include "actio/scene/progress.hpp"
 #include "actio/scene/units.hpp"
 
 namespace actio::scene {
@@ -30,16 +30,26 @@ struct Progression {
 /// That the rows so far are the first ones of the scene, which may go further than it did.
 /// @throws SceneError  at this place
 void check_rows(Progression const& at, Scene const& scene, Place const& place) {
-  if (at.rows == 0 || (at.rows <= scene.schedule.rows() && scene.schedule.time(at.rows - 1) == at.time)) return;
-  throw SceneError(place, fmt::format("the run has a row at t = {} already, which a run to t = {} has not; its scene can be run anew, into another folder", at.time, scene.schedule.until()));
+  if (at.rows == 0 || (at.rows <= scene.schedule.rows() && scene.schedule.time(at.rows - 1) == at.time))
+    return;
+  throw SceneError(place, fmt::format("the run has a row at t = {} already, which a run to t = {} has not; "
+                                      "its scene can be run anew, into another folder",
+                                      at.time, scene.schedule.until()));
 }
 
 /// The run of one scene.
 class Run {
  public:
   Run(Scene& scene, std::string const& folder, bool resume, RunOptions const& options)
-      : scene_(scene), simulation_(scene.simulation), folder_(folder), resumed_(resume), options_(options), drift_(simulation_.quantities.conserved()),
-        error_(simulation_), progress_(options.quiet, simulation_.exact ? "rows" : "steps"), written_(scene.file.written()),
+      : scene_(scene),
+        simulation_(scene.simulation),
+        folder_(folder),
+        resumed_(resume),
+        options_(options),
+        drift_(simulation_.quantities.conserved()),
+        error_(simulation_),
+        progress_(options.quiet, simulation_.exact ? "rows" : "steps"),
+        written_(scene.file.written()),
         determined_(folder.empty() ? "" : what_determines(scene.file)) {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
@@ -66,14 +76,17 @@ class Run {
     RunReport report;
     try {
       start();
-      if (!go_on()) report.ending = Ending::interrupted, report.message = fmt::format("interrupted, with {} of {} rows", at_.rows, scene_.schedule.rows());
+      if (!go_on())
+        report.ending = Ending::interrupted,
+        report.message = fmt::format("interrupted, with {} of {} rows", at_.rows, scene_.schedule.rows());
     } catch (FileError const& error) {
       report.ending = Ending::file_failed, report.message = error.what();
     } catch (NumericsError const& error) {
       report.ending = Ending::numerics_failed, report.message = error.what();
     } catch (std::exception const& error) {
       report.ending = Ending::numerics_failed;
-      report.message = fmt::format("{}: after t = {}: {}", scene_.file.section("method").place("step").text(), time_now(), error.what());
+      report.message = fmt::format("{}: after t = {}: {}", scene_.file.section("method").place("step").text(),
+                                   time_now(), error.what());
     }
     finish(report);
     return report;
@@ -82,7 +95,8 @@ class Run {
  private:
   bool in_memory() const { return folder_.empty(); }
 
-  /// The first checkpoint, before the first step; and what the drift is measured from, where there is no row at t = 0.
+  /// The first checkpoint, before the first step; and what the drift is measured from, where there is no row
+  /// at t = 0.
   void start() {
     if (resumed_) {
       std::error_code none;
@@ -103,9 +117,12 @@ class Run {
       if (options_.stop()) return false;
       double const t = scene_.schedule.time(at_.rows);
       if (t > 0 && !simulation_.failure.empty()) throw NumericsError(simulation_.failure);
-      if (simulation_.exact) simulation_.motion->go_to(t);
-      else if (!advance_to((*steps_to_)(at_.rows))) return false;
-      else simulation_.motion->look_ahead(steps_to_->beyond(at_.rows));
+      if (simulation_.exact)
+        simulation_.motion->go_to(t);
+      else if (!advance_to((*steps_to_)(at_.rows)))
+        return false;
+      else
+        simulation_.motion->look_ahead(steps_to_->beyond(at_.rows));
       write_row(t);
       if (poll_.due()) look_up();
     }
@@ -116,7 +133,8 @@ class Run {
   bool advance_to(long target) {
     long const at_once = simulation_.steps_at_once;
     while (at_.steps < target) {
-      // Pieces end at multiples of their length, whatever the load of the machine: the digits are those of an unbroken run.
+      // Pieces end at multiples of their length, whatever the load of the machine: the digits are those of an
+      // unbroken run.
       long const piece = std::min(target - at_.steps, at_once - at_.steps % at_once);
       simulation_.motion->advance(piece);
       at_.steps += piece;
@@ -145,7 +163,9 @@ class Run {
     auto const columns = simulation_.quantities.columns();
     std::size_t k = 1;
     while (k < columns.size() && std::isfinite(row_[k])) ++k;
-    throw NumericsError(fmt::format("{}: {} is {} at t = {}, where a finite number is needed", scene_.file.section("method").place("step").text(), columns[k - 1], row_[k], t));
+    throw NumericsError(fmt::format("{}: {} is {} at t = {}, where a finite number is needed",
+                                    scene_.file.section("method").place("step").text(), columns[k - 1],
+                                    row_[k], t));
   }
 
   /// From time to time: progress, rows for the watcher, and a checkpoint.
@@ -190,11 +210,15 @@ class Run {
       throw FileError(path + ": is damaged: " + error.what());
     }
     check_rows(at_, scene_, scene_.file.section("run").place("until"));
-    bool const in_range = at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 && at_.steps <= all();
-    if (!in_range) throw FileError(fmt::format("{}: is damaged: {} rows and {} steps, where the scene has {} and {}", path, at_.rows, at_.steps, scene_.schedule.rows(), all()));
+    bool const in_range =
+        at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 && at_.steps <= all();
+    if (!in_range)
+      throw FileError(fmt::format("{}: is damaged: {} rows and {} steps, where the scene has {} and {}", path,
+                                  at_.rows, at_.steps, scene_.schedule.rows(), all()));
   }
 
-  /// Writes what is left to write. The first thing that went wrong is told, but a file that fails last decides the status.
+  /// Writes what is left to write. The first thing that went wrong is told, but a file that fails last
+  /// decides the status.
   void finish(RunReport& report) {
     auto const attempt = [&](auto const& write) {
       try {
@@ -205,34 +229,49 @@ class Run {
         report.ending = Ending::file_failed;
       }
     };
-    // What is in memory goes with the files only while none of them has failed, and while the last steps were whole: otherwise the checkpoint before stands.
+    // What is in memory goes with the files only while none of them has failed, and while the last steps were
+    // whole: otherwise the checkpoint before stands.
     bool const whole = report.ending == Ending::done || report.ending == Ending::interrupted;
     for (auto& series : series_) attempt([&] { series->flush(); });
     if (whole && report.ending != Ending::file_failed) attempt([&] { checkpoint(); });
-    if (report.ending == Ending::done) progress_.show(Clock::now(), 1, count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
-    report.steps = at_.steps, report.rows = at_.rows, report.seconds = seconds(), report.drift = drift_.entries();
+    if (report.ending == Ending::done)
+      progress_.show(Clock::now(), 1, count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
+    report.steps = at_.steps, report.rows = at_.rows, report.seconds = seconds(),
+    report.drift = drift_.entries();
     report.error = error_.entries(), report.error_how = error_.how();
     report.summary = summary_json(scene_, report);
     if (!wrote_ && report.ending == Ending::done) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
-    if (!in_memory()) attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
+    if (!in_memory())
+      attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
   }
 
   /// Of a run whose rows were all there when this process began.
   void evaluate_last_row() {
     long const last = scene_.schedule.rows() - 1;
     row_[0] = scene_.schedule.time(last);
-    if (simulation_.exact) simulation_.motion->go_to(row_[0]);
-    else simulation_.motion->look_ahead(steps_to_->beyond(last));
+    if (simulation_.exact)
+      simulation_.motion->go_to(row_[0]);
+    else
+      simulation_.motion->look_ahead(steps_to_->beyond(last));
     simulation_.quantities.evaluate(std::span(row_).subspan(1));
   }
 
   /// Steps, or rows where there are no steps: so far, and of the whole run.
   long count() const { return simulation_.exact ? at_.rows : at_.steps; }
-  long all() const { return simulation_.exact ? scene_.schedule.rows() : (*steps_to_)(scene_.schedule.rows() - 1); }
-  double fraction() const { return all() > 0 ? static_cast<double>(count()) / static_cast<double>(all()) : 1; }
-  double time_now() const { return simulation_.exact ? (at_.rows > 0 ? scene_.schedule.time(at_.rows - 1) : 0) : static_cast<double>(at_.steps) * simulation_.step; }
-  double seconds() const { return at_.seconds + std::chrono::duration<double>(Clock::now() - began_).count(); }
+  long all() const {
+    return simulation_.exact ? scene_.schedule.rows() : (*steps_to_)(scene_.schedule.rows() - 1);
+  }
+  double fraction() const {
+    return all() > 0 ? static_cast<double>(count()) / static_cast<double>(all()) : 1;
+  }
+  double time_now() const {
+    return simulation_.exact ? (at_.rows > 0 ? scene_.schedule.time(at_.rows - 1) : 0)
+                             : static_cast<double>(at_.steps) * simulation_.step;
+  }
+  double seconds() const {
+    return at_.seconds + std::chrono::duration<double>(Clock::now() - began_).count();
+  }
 
   Scene& scene_;
   Simulation& simulation_;
@@ -247,7 +286,7 @@ class Run {
   std::optional<StepsToRows> steps_to_;
   std::vector<std::unique_ptr<Series>> series_;
   std::vector<double> row_;
-  Progression at_;            // its seconds: those of the processes before
+  Progression at_;      // its seconds: those of the processes before
   bool wrote_ = false;  // a row, in this process
   Clock::time_point began_ = Clock::now(), last_flush_ = began_, last_checkpoint_ = began_;
 };
@@ -255,17 +294,21 @@ class Run {
 }  // namespace
 
 SeriesHead series_head(Scene const& scene, std::string const& written, long rows) {
-  SeriesHead head{scene.title, scene.system->name, written, scene.simulation.quantities.column_groups(), rows};
+  SeriesHead head{scene.title, scene.system->name, written, scene.simulation.quantities.column_groups(),
+                  rows};
   for (auto& group : head.groups) group.quantity.unit = plain_unit_of(scene, group.quantity);
   if (std::string const unit = time_unit(scene); !unit.empty()) head.time_unit = unit;
   return head;
 }
 
 std::vector<std::string> files_of_run(Scene const& scene) {
-  std::vector<std::string> out{"scene.toml", "scene.toml.part", "checkpoint", "checkpoint.part", "summary.json", "summary.json.part"};
+  std::vector<std::string> out{"scene.toml",      "scene.toml.part", "checkpoint",
+                               "checkpoint.part", "summary.json",    "summary.json.part"};
   for (auto const& format : scene.formats)
-    if (format == "hdf5") out.insert(out.end(), {"series.h5", "series.h5.part"});
-    else out.emplace_back("series.csv");
+    if (format == "hdf5")
+      out.insert(out.end(), {"series.h5", "series.h5.part"});
+    else
+      out.emplace_back("series.csv");
   return out;
 }
 
@@ -274,8 +317,12 @@ void refuse_without_step(Scene const& scene) {
   if (!stays && !scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
 }
 
-RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options) { return Run(scene, folder, resume, options).go(); }
-RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) { return Run(scene, table, options).go(); }
+RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options) {
+  return Run(scene, folder, resume, options).go();
+}
+RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) {
+  return Run(scene, table, options).go();
+}
 
 namespace {
 
@@ -293,7 +340,8 @@ Progression progression(Scene const& scene, std::string const& folder, Place con
 }  // namespace
 
 bool run_is_finished(Scene const& scene, std::string const& folder) {
-  return progression(scene, folder, scene.file.section("run").place("until")).rows == scene.schedule.rows() && std::filesystem::exists(folder + "/summary.json");
+  return progression(scene, folder, scene.file.section("run").place("until")).rows == scene.schedule.rows() &&
+         std::filesystem::exists(folder + "/summary.json");
 }
 
 Scene extended(Scene const& scene, std::string const& folder, double until) {
@@ -301,14 +349,19 @@ Scene extended(Scene const& scene, std::string const& folder, double until) {
   SceneTable const run = scene.file.section("run");
   if (run.has("at")) {
     auto const times = run.numbers("at");
-    throw SceneError(here, fmt::format("the rows are at the times that [run] at lists, the last at t = {}, and a longer run has no others; a new scene can list more", times.back()));
+    throw SceneError(here, fmt::format("the rows are at the times that [run] at lists, the last at t = {}, "
+                                       "and a longer run has no others; a new scene can list more",
+                                       times.back()));
   }
-  if (!(until > scene.schedule.until())) throw SceneError(here, fmt::format("the run goes to t = {} already; a later time is expected", scene.schedule.until()));
+  if (!(until > scene.schedule.until()))
+    throw SceneError(here, fmt::format("the run goes to t = {} already; a later time is expected",
+                                       scene.schedule.until()));
   std::string const path = folder + "/scene.toml";
   try {
     Scene const longer = Scene::read(SceneFile::read(path, {fmt::format("run.until={}", until)}));
     if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder, here);
-    // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after it.
+    // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after
+    // it.
     write_whole_file(path, longer.file.written());
     return Scene::read(SceneFile::read(path));
   } catch (SceneError const& error) {
@@ -318,15 +371,19 @@ Scene extended(Scene const& scene, std::string const& folder, double until) {
 }
 
 TooLarge::TooLarge(std::size_t rows, std::size_t columns)
-    : Error(fmt::format("the memory does not suffice: {} rows x {} columns x 8 bytes are {}; fewer rows (run.every) or quantities take less, and the command writes them to a file",
-                        rows, columns, size_text(8.0 * static_cast<double>(rows) * static_cast<double>(columns)))) {}
+    : Error(fmt::format("the memory does not suffice: {} rows x {} columns x 8 bytes are {}; fewer rows "
+                        "(run.every) or quantities take less, and the command writes them to a file",
+                        rows, columns,
+                        size_text(8.0 * static_cast<double>(rows) * static_cast<double>(columns)))) {}
 
 double checkpoint_interval() {
   char const* const text = std::getenv("ACTIO_CHECKPOINT_SECONDS");
   if (!text) return RunOptions{}.checkpoint_interval;
   char* end = nullptr;
   double const seconds = std::strtod(text, &end);
-  if (end == text || *end || !(seconds >= 0)) throw SceneError({"ACTIO_CHECKPOINT_SECONDS"}, fmt::format("a number of seconds is expected, found '{}'", text));
+  if (end == text || *end || !(seconds >= 0))
+    throw SceneError({"ACTIO_CHECKPOINT_SECONDS"},
+                     fmt::format("a number of seconds is expected, found '{}'", text));
   return seconds;
 }
 

@@ -1,7 +1,7 @@
 // A scene on its way: steps and rows, checkpoints and progress, until the end or until something stops it.
 //
-// A run in a folder writes its first checkpoint before its first step, and another one every few seconds: killed at any moment, it can go on. What it leaves
-// is then what it would have left, bit for bit.
+// A run in a folder writes its first checkpoint before its first step, and another one every few seconds:
+// killed at any moment, it can go on. What it leaves is then what it would have left, bit for bit.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,11 @@ enum class Ending {
 
 /// What is to be done with a run besides the scene.
 struct RunOptions {
-  bool quiet = false;                        ///< nothing on standard error
-  bool durable = true;                       ///< files are on the disk at each checkpoint, the first before the first step; otherwise for other programs to see alone
+  bool quiet = false;  ///< nothing on standard error
+  bool durable =
+      /// files are on the disk at each checkpoint, the first before the first step; otherwise for other
+      /// programs to see alone
+      true;
   double checkpoint_interval = 2;            ///< seconds
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
   /// Told how far the run is, from 0 to 1, and its time: about a hundred times a second. May be empty.
@@ -41,10 +44,12 @@ struct RunReport {
   long rows = 0;                    ///< of the whole run, that of t = 0 included
   double seconds = 0;               ///< of all its processes
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
-  std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated; none where that was not possible
-  std::string error_how;            ///< in words: how it is estimated, or why it is not
-  std::vector<double> last_row;     ///< of the run where it is done, otherwise that this process wrote; the time first
-  std::string summary;              ///< as in summary.json
+  std::vector<ErrorEstimate::Entry>
+      error;              ///< of attitude and momentum, estimated; none where that was not possible
+  std::string error_how;  ///< in words: how it is estimated, or why it is not
+  std::vector<double>
+      last_row;         ///< of the run where it is done, otherwise that this process wrote; the time first
+  std::string summary;  ///< as in summary.json
 };
 
 /// What the table of a run tells besides its numbers.
@@ -65,8 +70,9 @@ struct TooLarge : Error {
   TooLarge(std::size_t rows, std::size_t columns);
 };
 
-/// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was computed is in the files when it returns, whatever the ending.
-/// Whoever calls has the folder for himself (\ref RunFolder).
+/// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was
+/// computed is in the files when it returns, whatever the ending. Whoever calls has the folder for himself
+/// (\ref RunFolder).
 /// @throws FileError  where its files cannot be made, or those that are there are not those of the checkpoint
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});
 
@@ -74,22 +80,25 @@ RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOpt
 /// @throws TooLarge  where the memory does not suffice for the table
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options = {});
 
-/// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is told.
+/// Whether the run in this folder has come to its end: all rows are in its checkpoint, and how it ended is
+/// told.
 /// @throws FileError  where the checkpoint cannot be read, is damaged, or belongs to another scene
 bool run_is_finished(Scene const& scene, std::string const& folder);
 
-/// The scene of the run in this folder, to a later time: its rows so far are then the first of a longer run. Its scene.toml says so when this returns, and
-/// has said what it said before until then.
-/// @throws SceneError  where the run goes that far already, has rows that a longer one would not have, or has no rows or steps that meet the time
+/// The scene of the run in this folder, to a later time: its rows so far are then the first of a longer run.
+/// Its scene.toml says so when this returns, and has said what it said before until then.
+/// @throws SceneError  where the run goes that far already, has rows that a longer one would not have, or has
+///                     no rows or steps that meet the time
 /// @throws FileError   where the checkpoint cannot be read, is damaged, or belongs to another scene
 Scene extended(Scene const& scene, std::string const& folder, double until);
 
-/// Seconds between two checkpoints: what the environment variable ACTIO_CHECKPOINT_SECONDS says, otherwise those of `RunOptions`.
+/// Seconds between two checkpoints: what the environment variable ACTIO_CHECKPOINT_SECONDS says, otherwise
+/// those of `RunOptions`.
 /// @throws SceneError  where it is no number, or negative
 double checkpoint_interval();
 
-/// The report of a run, as JSON: how it ended, steps, rows, seconds, evaluations, what was skipped, the largest drift of each
-/// conserved quantity in its unit, and the estimated error.
+/// The report of a run, as JSON: how it ended, steps, rows, seconds, evaluations, what was skipped, the
+/// largest drift of each conserved quantity in its unit, and the estimated error.
 std::string summary_json(Scene const& scene, RunReport const& report);
 
 }  // namespace actio::scene

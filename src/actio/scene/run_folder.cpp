@@ -51,7 +51,8 @@ RunFolder RunFolder::create(std::string const& path, bool replace, std::vector<s
     own.begin(OwnFiles::Of::run, files);
     return folder;
   } catch (fs::filesystem_error const& error) {
-    throw FileError(path + ": cannot be made ready for a run: " + error.code().message() + "; --out names another place for it");
+    throw FileError(path + ": cannot be made ready for a run: " + error.code().message() +
+                    "; --out names another place for it");
   }
 }
 

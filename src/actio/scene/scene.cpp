@@ -31,9 +31,13 @@ Simulation prepared(System const& system, Request const& request, Schedule& sche
     if (!simulation.exact && !step_given && !schedule.between_steps() && schedule.common_divisor() == 0) {
       schedule.allow_between_steps();
       request.file.section("run").set("between_steps", true);
-      simulation.remarks.push_back("run.between_steps: the times of the rows have no divisor in common, so that a shorter step of the same scheme goes to each row between two steps");
+      simulation.remarks.push_back(
+          "run.between_steps: the times of the rows have no divisor in common, so that a shorter step of the "
+          "same scheme goes to each row between two steps");
     }
-    if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));  // refuses a step that does not meet the rows
+    if (!simulation.exact)
+      StepsToRows(request.schedule, simulation.step,
+                  request.file.section("method"));  // refuses a step that does not meet the rows
     return simulation;
   } catch (SceneError const&) {
     throw;
@@ -64,12 +68,14 @@ Scene Scene::read(SceneFile file) {
 
   if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
   if (!output.has("plots")) output.set("plots", false);
-  auto const quantities = output.choices("quantities", "quantity", names(system.quantities), "actio list quantities");
+  auto const quantities =
+      output.choices("quantities", "quantity", names(system.quantities), "actio list quantities");
   auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
   bool const plots = output.boolean("plots");
 
   bool const wanted = output.has("error_estimate"), estimate = wanted && output.boolean("error_estimate");
-  Simulation simulation = prepared(system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt}, schedule);
+  Simulation simulation = prepared(
+      system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt}, schedule);
   if (!wanted) output.set("error_estimate", simulation.companion.motion != nullptr);
   return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation)};
 }

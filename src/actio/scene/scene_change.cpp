@@ -9,8 +9,10 @@ namespace {
 void take_out(toml::table& from, toml::table const& path) {
   for (auto const& [key, node] : path) {
     toml::node* const there = from.get(key.str());
-    if (there && node.is_table() && there->is_table()) take_out(*there->as_table(), *node.as_table());
-    else if (there && !node.is_table()) from.erase(key.str());
+    if (there && node.is_table() && there->is_table())
+      take_out(*there->as_table(), *node.as_table());
+    else if (there && !node.is_table())
+      from.erase(key.str());
   }
 }
 

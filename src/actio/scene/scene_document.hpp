@@ -44,7 +44,8 @@ std::string described(toml::node const& node);
 /// The largest text of a scene: 200 000 numbers with all their digits, read in less than a second.
 inline constexpr std::size_t largest_text = 4 << 20;
 
-/// Reads TOML. Its size and the depth of its names are bounded, so that reading takes little time and little of the stack.
+/// Reads TOML. Its size and the depth of its names are bounded, so that reading takes little time and little
+/// of the stack.
 /// @throws SceneError  with the place of what is no TOML
 toml::table parse_toml(std::string_view text, std::string const& name);
 

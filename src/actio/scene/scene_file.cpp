@@ -33,7 +33,8 @@ std::vector<std::string> scenes_in(fs::path const& folder, bool carried) {
   if (carried)
     for (auto const& scene : carried_scenes()) names.push_back(scene.name);
   std::error_code error;
-  for (fs::directory_iterator it(folder.empty() ? fs::path(".") : folder, error), end; !error && it != end; it.increment(error))
+  for (fs::directory_iterator it(folder.empty() ? fs::path(".") : folder, error), end; !error && it != end;
+       it.increment(error))
     if (it->path().extension() == ".toml") names.push_back(it->path().filename().string());
   return names;
 }
@@ -69,9 +70,12 @@ std::string SceneFile::text_of(std::string const& path) {
   return text;
 }
 
-SceneFile SceneFile::read(std::string const& path, std::vector<std::string> const& overrides) { return parse(text_of(path), path, overrides); }
+SceneFile SceneFile::read(std::string const& path, std::vector<std::string> const& overrides) {
+  return parse(text_of(path), path, overrides);
+}
 
-SceneFile SceneFile::parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides) {
+SceneFile SceneFile::parse(std::string_view text, std::string const& name,
+                           std::vector<std::string> const& overrides) {
   auto document = std::make_shared<detail::SceneDocument>();
   document->name = name;
   document->root = detail::parse_toml(text, name);
@@ -95,7 +99,9 @@ SceneTable SceneFile::section(std::string const& name) const {
         fmt::format("{0}: a section [{0}] is expected, found {1}", path.front(), detail::described(*node)));
   return {document_, path};
 }
-void SceneFile::allow(std::vector<std::string> const& sections) const { SceneTable(document_, {}).allow(sections); }
+void SceneFile::allow(std::vector<std::string> const& sections) const {
+  SceneTable(document_, {}).allow(sections);
+}
 std::string const& SceneFile::name() const { return document_->name; }
 
 }  // namespace actio::scene

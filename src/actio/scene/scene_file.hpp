@@ -1,12 +1,13 @@
-// A scene as it is written: a TOML file, with overrides from the command line, read key by key with complaints that point at the place.
+// A scene as it is written: a TOML file, with overrides from the command line, read key by key with
+// complaints that point at the place.
 //
 //     SceneFile file = SceneFile::read("apophis.toml", {"method.step=0.5"});
 //     SceneTable run = file.section("run");
 //     run.allow({"until", "every", "at"});
 //     double const until = run.positive("until");
 //
-// The reader of a key says what it may hold; an unknown key is refused with the nearest known name. Defaults are written back, so that
-// the scene can be repeated from its copy.
+// The reader of a key says what it may hold; an unknown key is refused with the nearest known name. Defaults
+// are written back, so that the scene can be repeated from its copy.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,11 +30,12 @@ struct SceneDocument;
 class SceneTable {
  public:
   /// @param path  names of the tables that lead to it, from the top
-  SceneTable(std::shared_ptr<detail::SceneDocument> document, std::vector<std::string> path) : document_(std::move(document)), path_(std::move(path)) {}
+  SceneTable(std::shared_ptr<detail::SceneDocument> document, std::vector<std::string> path)
+      : document_(std::move(document)), path_(std::move(path)) {}
 
   /// Refuses every key but these.
-  /// @param more  what there is to say of a key that is refused, for instance where it is known; where it says
-  ///              nothing the nearest of the keys is told, and all of them
+  /// @param more  what there is to say of a key that is refused, for instance where it is known; where it
+  ///              says nothing the nearest of the keys is told, and all of them
   /// @throws SceneError  at the first other key, with the nearest of these
   void allow(std::vector<std::string> const& keys,
              std::function<std::string(std::string const& key)> const& more = {}) const;
@@ -43,7 +45,8 @@ class SceneTable {
   std::string name() const;
 
   /// A finite number, whole or not.
-  /// @throws SceneError  where it is missing, no number, NaN or infinite. So do all that follow, each for its kind.
+  /// @throws SceneError  where it is missing, no number, NaN or infinite. So do all that follow, each for its
+  ///                     kind.
   double number(std::string const& key) const;
   /// A number > 0.
   double positive(std::string const& key) const;
@@ -52,9 +55,12 @@ class SceneTable {
   bool boolean(std::string const& key) const;      ///< true or false
   std::string text(std::string const& key) const;  ///< a text
   /// A text that is one of `allowed`; `what` it is called in the complaint, `see` where they are listed.
-  std::string choice(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
+  std::string choice(std::string const& key, std::string const& what, std::vector<std::string> const& allowed,
+                     std::string const& see = "") const;
   /// A list of texts, each one of `allowed`, none twice, at least one.
-  std::vector<std::string> choices(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see = "") const;
+  std::vector<std::string> choices(std::string const& key, std::string const& what,
+                                   std::vector<std::string> const& allowed,
+                                   std::string const& see = "") const;
   /// A list of texts.
   std::vector<std::string> texts(std::string const& key) const;
   /// A list of finite numbers; `size` of them, or any number where it is negative.
@@ -74,13 +80,13 @@ class SceneTable {
 
   /// Writes a default, for the copy of the scene.
   void set(std::string const& key, double value);
-  void set(std::string const& key, long value);                                           ///< a whole number
-  void set(std::string const& key, bool value);                                           ///< true or false
-  void set(std::string const& key, std::string const& value);                             ///< a text
-  void set(std::string const& key, char const* value) { set(key, std::string(value)); }   ///< a text
-  void set(std::string const& key, std::vector<double> const& values);                    ///< a list of numbers
-  void set(std::string const& key, Eigen::MatrixXd const& values);                        ///< a list of rows
-  void set(std::string const& key, std::vector<std::string> const& values);               ///< a list of texts
+  void set(std::string const& key, long value);                                          ///< a whole number
+  void set(std::string const& key, bool value);                                          ///< true or false
+  void set(std::string const& key, std::string const& value);                            ///< a text
+  void set(std::string const& key, char const* value) { set(key, std::string(value)); }  ///< a text
+  void set(std::string const& key, std::vector<double> const& values);       ///< a list of numbers
+  void set(std::string const& key, Eigen::MatrixXd const& values);           ///< a list of rows
+  void set(std::string const& key, std::vector<std::string> const& values);  ///< a list of texts
 
   /// The place of a value, of its key, of the table where there is no such key.
   Place place(std::string const& key) const;
@@ -102,17 +108,20 @@ class SceneTable {
 /// A whole scene.
 class SceneFile {
  public:
-  /// @param path       of a file; a name alone, as "apophis", where no file has it, is that of a scene that the
-  ///                   program carries (scenes.hpp)
-  /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text; KEY[n]=VALUE, one item of a list, counted from 0; or !KEY, which is taken out
-  /// @throws SceneError  where the file is no TOML (with the place), too large, or not there; where an override is wrong (with the place in it)
+  /// @param path       of a file; a name alone, as "apophis", where no file has it, is that of a scene that
+  ///                   the program carries (scenes.hpp)
+  /// @param overrides  KEY=VALUE, the value in TOML, a bare word being a text; KEY[n]=VALUE, one item of a
+  ///                   list, counted from 0; or !KEY, which is taken out
+  /// @throws SceneError  where the file is no TOML (with the place), too large, or not there; where an
+  ///                     override is wrong (with the place in it)
   /// @throws FileError   where the file cannot be read
   static SceneFile read(std::string const& path, std::vector<std::string> const& overrides = {});
   /// The text of a scene, whole.
   /// @throws SceneError, FileError  where it is not there, no ordinary file, or cannot be read
   static std::string text_of(std::string const& path);
   /// The same from a text; `name` stands for the file in complaints.
-  static SceneFile parse(std::string_view text, std::string const& name, std::vector<std::string> const& overrides = {});
+  static SceneFile parse(std::string_view text, std::string const& name,
+                         std::vector<std::string> const& overrides = {});
 
   /// One of the tables at the top, or one within as `initial.attitude`; empty where it is not in the file.
   /// @throws SceneError  where one at the top is no table
@@ -121,7 +130,8 @@ class SceneFile {
   void allow(std::vector<std::string> const& sections) const;
   /// The name of the file, for complaints and defaults.
   std::string const& name() const;
-  /// The scene with what was written back, in TOML: sections in the order of reading, keys in the order of the file, defaults after them.
+  /// The scene with what was written back, in TOML: sections in the order of reading, keys in the order of
+  /// the file, defaults after them.
   std::string written() const;
 
   /// One KEY=VALUE more over what the scene says.
@@ -136,8 +146,8 @@ class SceneFile {
   std::shared_ptr<detail::SceneDocument> document_;
 };
 
-/// A text that stands for a TOML value on the command line, as KEY=VALUE for `SceneFile`: the pieces of `a,b,c` at the top level, commas inside brackets and quotes
-/// left alone.
+/// A text that stands for a TOML value on the command line, as KEY=VALUE for `SceneFile`: the pieces of
+/// `a,b,c` at the top level, commas inside brackets and quotes left alone.
 std::vector<std::string> split_values(std::string_view list);
 
 }  // namespace actio::scene

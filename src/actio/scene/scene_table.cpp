@@ -18,33 +18,43 @@ double finite_number(toml::node const& node, Place const& place, std::string con
   // A whole number beyond 2^53 is rounded, as any decimal is.
   auto const* const whole = node.as_integer();
   auto const* const real = node.as_floating_point();
-  if (!whole && !real) throw SceneError(place, fmt::format("{}: a number is expected, found {}", key, described(node)));
+  if (!whole && !real)
+    throw SceneError(place, fmt::format("{}: a number is expected, found {}", key, described(node)));
   double const value = whole ? static_cast<double>(whole->get()) : real->get();
-  if (!std::isfinite(value)) throw SceneError(place, fmt::format("{}: a finite number is expected, found {}", key, described(node)));
+  if (!std::isfinite(value))
+    throw SceneError(place, fmt::format("{}: a finite number is expected, found {}", key, described(node)));
   return value;
 }
 
-toml::node const& value_of(detail::SceneDocument& document, std::vector<std::string> const& path, std::string const& key, SceneTable const& table) {
+toml::node const& value_of(detail::SceneDocument& document, std::vector<std::string> const& path,
+                           std::string const& key, SceneTable const& table) {
   toml::node const* const node = document.value(path, key);
   if (!node) throw SceneError(table.place(), "[" + table.name() + "] needs '" + key + "'");
   return *node;
 }
 
-toml::array const& list_of(toml::node const& node, Place const& place, std::string const& key, std::string const& expected) {
+toml::array const& list_of(toml::node const& node, Place const& place, std::string const& key,
+                           std::string const& expected) {
   auto const* const list = node.as_array();
-  if (!list) throw SceneError(place, fmt::format("{}: {} is expected, found {}", key, expected, described(node)));
+  if (!list)
+    throw SceneError(place, fmt::format("{}: {} is expected, found {}", key, expected, described(node)));
   return *list;
 }
 
-std::vector<double> numbers_in(toml::array const& list, Place const& place, std::string const& key, long size, std::string const& file) {
-  if (size >= 0 && list.size() != static_cast<std::size_t>(size)) throw SceneError(place, fmt::format("{}: {} numbers are expected, found {}", key, size, list.size()));
+std::vector<double> numbers_in(toml::array const& list, Place const& place, std::string const& key, long size,
+                               std::string const& file) {
+  if (size >= 0 && list.size() != static_cast<std::size_t>(size))
+    throw SceneError(place, fmt::format("{}: {} numbers are expected, found {}", key, size, list.size()));
   std::vector<double> values;
   for (auto const& item : list) values.push_back(finite_number(item, place_of(item.source(), file), key));
   return values;
 }
 
-[[noreturn]] void fail_unknown(Place const& place, std::string const& what, std::string const& word, std::vector<std::string> const& allowed, std::string const& see) {
-  throw SceneError(place, fmt::format("unknown {} '{}'{} ({})", what, shown(word), did_you_mean(word, allowed), see.empty() ? "known: " + listed(allowed) : see));
+[[noreturn]] void fail_unknown(Place const& place, std::string const& what, std::string const& word,
+                               std::vector<std::string> const& allowed, std::string const& see) {
+  throw SceneError(place,
+                   fmt::format("unknown {} '{}'{} ({})", what, shown(word), did_you_mean(word, allowed),
+                               see.empty() ? "known: " + listed(allowed) : see));
 }
 
 /// `; write 2` for 2.0, which is a whole number in another dress.
@@ -55,15 +65,18 @@ std::string without_point(toml::node const& node) {
   return fmt::format("; write {}", static_cast<std::int64_t>(real->get()));
 }
 
-/// Whether a text stands in the file as it is shows in its width: with a quote on either side, and none of its characters written as several.
+/// Whether a text stands in the file as it is shows in its width: with a quote on either side, and none of
+/// its characters written as several.
 TextPlace text_place_of(toml::node const* node, Place const& place) {
   auto const* const text = node ? node->as_string() : nullptr;
   if (!text) return {place, false};
   auto const [begin, end] = std::pair(node->source().begin, node->source().end);
-  auto const characters = std::count_if(text->get().begin(), text->get().end(), [](char c) { return (c & 0xC0) != 0x80; });
+  auto const characters =
+      std::count_if(text->get().begin(), text->get().end(), [](char c) { return (c & 0xC0) != 0x80; });
   // A bare word of the command line has no quotes there.
   bool const bare = place.file.starts_with("--set ") && place.file.ends_with("=" + text->get());
-  return {place, !bare && begin.line == end.line && end.column == begin.column + static_cast<unsigned>(characters) + 2};
+  return {place, !bare && begin.line == end.line &&
+                     end.column == begin.column + static_cast<unsigned>(characters) + 2};
 }
 
 bool is_before(toml::key const& a, toml::key const& b) {
@@ -86,7 +99,8 @@ void SceneTable::allow(std::vector<std::string> const& keys,
   // The first in the file, not in the alphabet.
   toml::key const* first = nullptr;
   for (auto const& [key, node] : *table)
-    if (std::find(keys.begin(), keys.end(), key.str()) == keys.end() && (!first || is_before(key, *first))) first = &key;
+    if (std::find(keys.begin(), keys.end(), key.str()) == keys.end() && (!first || is_before(key, *first)))
+      first = &key;
   if (!first) return;
   std::string const word(first->str()), what = path_.empty() ? "section" : "key of [" + name() + "]",
                                         note = more ? more(word) : "";
@@ -102,7 +116,8 @@ Place SceneTable::place() const {
   // braces.
   toml::table const* const table = document_->table(path_);
   if (table && table->is_inline() && table->source().begin) return place_of(table->source(), document_->name);
-  if (table && table->source().begin && table->source().path && *table->source().path == document_->name) return place_of(table->source(), document_->name);
+  if (table && table->source().begin && table->source().path && *table->source().path == document_->name)
+    return place_of(table->source(), document_->name);
   return {document_->name, document_->last_line, 1};
 }
 Place SceneTable::place(std::string const& key) const {
@@ -114,15 +129,21 @@ Place SceneTable::place(std::string const& key, std::size_t item) const {
   toml::array const* const list = node ? node->as_array() : nullptr;
   return list && item < list->size() ? place_of(list->get(item)->source(), document_->name) : place(key);
 }
-TextPlace SceneTable::text_place(std::string const& key) const { return text_place_of(document_->value(path_, key), place(key)); }
+TextPlace SceneTable::text_place(std::string const& key) const {
+  return text_place_of(document_->value(path_, key), place(key));
+}
 TextPlace SceneTable::text_place(std::string const& key, std::size_t item) const {
   toml::node const* const node = document_->value(path_, key);
   toml::array const* const list = node ? node->as_array() : nullptr;
   return text_place_of(list ? list->get(item) : nullptr, place(key, item));
 }
-void SceneTable::fail(std::string const& key, std::string const& what) const { throw SceneError(place(key), what); }
+void SceneTable::fail(std::string const& key, std::string const& what) const {
+  throw SceneError(place(key), what);
+}
 
-double SceneTable::number(std::string const& key) const { return finite_number(value_of(*document_, path_, key, *this), place(key), key); }
+double SceneTable::number(std::string const& key) const {
+  return finite_number(value_of(*document_, path_, key, *this), place(key), key);
+}
 double SceneTable::positive(std::string const& key) const {
   double const value = number(key);
   if (!(value > 0)) fail(key, fmt::format("{}: a number > 0 is expected, found {}", key, value));
@@ -134,12 +155,15 @@ long SceneTable::integer(std::string const& key, long least, long most) const {
   if (!value)
     fail(key, fmt::format("{}: a whole number is expected, found {}{}", key, described(node),
                           without_point(node)));
-  if (value->get() < least || value->get() > most) fail(key, fmt::format("{}: a whole number from {} to {} is expected, found {}", key, least, most, value->get()));
+  if (value->get() < least || value->get() > most)
+    fail(key, fmt::format("{}: a whole number from {} to {} is expected, found {}", key, least, most,
+                          value->get()));
   return static_cast<long>(value->get());
 }
 bool SceneTable::boolean(std::string const& key) const {
   auto const& node = value_of(*document_, path_, key, *this);
-  if (!node.is_boolean()) fail(key, fmt::format("{}: true or false is expected, found {}", key, described(node)));
+  if (!node.is_boolean())
+    fail(key, fmt::format("{}: true or false is expected, found {}", key, described(node)));
   return *node.value<bool>();
 }
 std::string SceneTable::text(std::string const& key) const {
@@ -147,42 +171,58 @@ std::string SceneTable::text(std::string const& key) const {
   if (!node.is_string()) fail(key, fmt::format("{}: a text is expected, found {}", key, described(node)));
   return *node.value<std::string>();
 }
-std::string SceneTable::choice(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see) const {
+std::string SceneTable::choice(std::string const& key, std::string const& what,
+                               std::vector<std::string> const& allowed, std::string const& see) const {
   std::string const word = text(key);
-  if (std::find(allowed.begin(), allowed.end(), word) == allowed.end()) fail_unknown(place(key), what, word, allowed, see);
+  if (std::find(allowed.begin(), allowed.end(), word) == allowed.end())
+    fail_unknown(place(key), what, word, allowed, see);
   return word;
 }
 
 std::vector<std::string> SceneTable::texts(std::string const& key) const {
   std::vector<std::string> out;
-  for (auto const& item : list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of texts")) {
+  for (auto const& item :
+       list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of texts")) {
     auto const* const text = item.as_string();
-    if (!text) throw SceneError(place_of(item.source(), document_->name), fmt::format("{}: a text is expected, found {}", key, described(item)));
+    if (!text)
+      throw SceneError(place_of(item.source(), document_->name),
+                       fmt::format("{}: a text is expected, found {}", key, described(item)));
     out.push_back(text->get());
   }
   return out;
 }
-std::vector<std::string> SceneTable::choices(std::string const& key, std::string const& what, std::vector<std::string> const& allowed, std::string const& see) const {
+std::vector<std::string> SceneTable::choices(std::string const& key, std::string const& what,
+                                             std::vector<std::string> const& allowed,
+                                             std::string const& see) const {
   std::vector<std::string> const words = texts(key);
-  if (words.empty()) fail(key, fmt::format("{}: at least one {} is expected ({})", key, what, see.empty() ? "known: " + listed(allowed) : see));
+  if (words.empty())
+    fail(key, fmt::format("{}: at least one {} is expected ({})", key, what,
+                          see.empty() ? "known: " + listed(allowed) : see));
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (std::find(allowed.begin(), allowed.end(), words[i]) == allowed.end()) fail_unknown(place(key, i), what, words[i], allowed, see);
-    if (std::find(words.begin(), words.begin() + static_cast<long>(i), words[i]) != words.begin() + static_cast<long>(i))
+    if (std::find(allowed.begin(), allowed.end(), words[i]) == allowed.end())
+      fail_unknown(place(key, i), what, words[i], allowed, see);
+    if (std::find(words.begin(), words.begin() + static_cast<long>(i), words[i]) !=
+        words.begin() + static_cast<long>(i))
       throw SceneError(place(key, i), fmt::format("{}: '{}' is there twice", key, words[i]));
   }
   return words;
 }
 std::vector<double> SceneTable::numbers(std::string const& key, long size) const {
-  return numbers_in(list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of numbers"), place(key), key, size, document_->name);
+  return numbers_in(list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of numbers"),
+                    place(key), key, size, document_->name);
 }
-Eigen::Vector3d SceneTable::vector(std::string const& key) const { return Eigen::Vector3d(numbers(key, 3).data()); }
+Eigen::Vector3d SceneTable::vector(std::string const& key) const {
+  return Eigen::Vector3d(numbers(key, 3).data());
+}
 Eigen::MatrixXd SceneTable::matrix(std::string const& key, long n) const {
   auto const& rows = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of rows");
-  if (rows.size() != static_cast<std::size_t>(n)) fail(key, fmt::format("{}: {} rows are expected, found {}", key, n, rows.size()));
+  if (rows.size() != static_cast<std::size_t>(n))
+    fail(key, fmt::format("{}: {} rows are expected, found {}", key, n, rows.size()));
   Eigen::MatrixXd out(n, n);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Place const where = place(key, i);
-    auto const row = numbers_in(list_of(*rows.get(i), where, key, "a list of numbers in each row"), where, key, n, document_->name);
+    auto const row = numbers_in(list_of(*rows.get(i), where, key, "a list of numbers in each row"), where,
+                                key, n, document_->name);
     out.row(static_cast<Eigen::Index>(i)) = Eigen::Map<Eigen::RowVectorXd const>(row.data(), n);
   }
   return out;
@@ -207,7 +247,9 @@ SceneTable SceneTable::inside(std::string const& key) const {
 }
 
 void SceneTable::set(std::string const& key, double value) { document_->set(path_, key, value); }
-void SceneTable::set(std::string const& key, long value) { document_->set(path_, key, static_cast<std::int64_t>(value)); }
+void SceneTable::set(std::string const& key, long value) {
+  document_->set(path_, key, static_cast<std::int64_t>(value));
+}
 void SceneTable::set(std::string const& key, bool value) { document_->set(path_, key, value); }
 void SceneTable::set(std::string const& key, std::string const& value) { document_->set(path_, key, value); }
 void SceneTable::set(std::string const& key, std::vector<double> const& values) {

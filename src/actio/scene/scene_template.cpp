@@ -42,7 +42,8 @@ double round_up(double x) {
 void let_go(Values& values, Body const& body) {
   values.erase("system.inertia");
   values["system.body"] = "\"" + body.name + "\"";
-  values["initial.angular_velocity"] = fmt::format("[{}, {}, {}]", body.spin.coordinates[0], body.spin.coordinates[1], body.spin.coordinates[2]);
+  values["initial.angular_velocity"] = fmt::format("[{}, {}, {}]", body.spin.coordinates[0],
+                                                   body.spin.coordinates[1], body.spin.coordinates[2]);
   double const until = round_up(6 * 2 * M_PI / body.spin.coordinates.norm());
   values["run.until"] = fmt::format("{}", until);
   values["run.every"] = fmt::format("{}", round_up(until / 500));

@@ -18,17 +18,24 @@ using detail::SceneDocument;
 std::string in_quotes(std::string_view text) {
   std::string out = "\"";
   for (unsigned char const c : text) {
-    if (c == '"' || c == '\\') out += '\\', out += static_cast<char>(c);
-    else if (c == '\n') out += "\\n";
-    else if (c == '\t') out += "\\t";
-    else if (c < 0x20 || c == 0x7f) out += fmt::format("\\u{:04x}", c);
-    else out += static_cast<char>(c);
+    if (c == '"' || c == '\\')
+      out += '\\', out += static_cast<char>(c);
+    else if (c == '\n')
+      out += "\\n";
+    else if (c == '\t')
+      out += "\\t";
+    else if (c < 0x20 || c == 0x7f)
+      out += fmt::format("\\u{:04x}", c);
+    else
+      out += static_cast<char>(c);
   }
   return out + '"';
 }
 
 std::string key_in_toml(std::string_view key) {
-  bool const bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) { return (c < 128 && std::isalnum(c)) || c == '_' || c == '-'; });
+  bool const bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+    return (c < 128 && std::isalnum(c)) || c == '_' || c == '-';
+  });
   return bare ? std::string(key) : in_quotes(key);
 }
 
@@ -65,7 +72,8 @@ std::string in_toml(toml::node const& node) {
   return "[" + out + "]";
 }
 
-/// The keys of a table as they are told: those of the file in its order, then overrides, then defaults in the order of writing.
+/// The keys of a table as they are told: those of the file in its order, then overrides, then defaults in the
+/// order of writing.
 struct Entry {
   std::size_t rank;
   unsigned line, column;
@@ -73,7 +81,8 @@ struct Entry {
   toml::node const* node;
 };
 
-std::vector<Entry> entries_of(SceneDocument const& document, toml::table const& table, SceneDocument::Path const& path) {
+std::vector<Entry> entries_of(SceneDocument const& document, toml::table const& table,
+                              SceneDocument::Path const& path) {
   std::vector<Entry> entries;
   for (auto const& [key, node] : table) {
     SceneDocument::Path whole = path;
@@ -81,10 +90,15 @@ std::vector<Entry> entries_of(SceneDocument const& document, toml::table const& 
     auto const written = std::find(document.defaults.begin(), document.defaults.end(), whole);
     auto const begin = node.source().begin;
     bool const of_file = node.source().path && *node.source().path == document.name;
-    std::size_t const rank = written != document.defaults.end() ? 2 + static_cast<std::size_t>(written - document.defaults.begin()) : of_file ? 0 : 1;
+    std::size_t const rank = written != document.defaults.end()
+                                 ? 2 + static_cast<std::size_t>(written - document.defaults.begin())
+                             : of_file ? 0
+                                       : 1;
     entries.push_back({rank, begin.line, begin.column, whole.back(), &node});
   }
-  std::sort(entries.begin(), entries.end(), [](Entry const& a, Entry const& b) { return std::tie(a.rank, a.line, a.column, a.key) < std::tie(b.rank, b.line, b.column, b.key); });
+  std::sort(entries.begin(), entries.end(), [](Entry const& a, Entry const& b) {
+    return std::tie(a.rank, a.line, a.column, a.key) < std::tie(b.rank, b.line, b.column, b.key);
+  });
   return entries;
 }
 
@@ -97,7 +111,8 @@ void write_values(std::vector<Entry> const& entries, std::string& out) {
 }
 
 /// A table and those in it.
-void write_table(SceneDocument const& document, toml::table const& table, SceneDocument::Path const& path, std::string& out) {
+void write_table(SceneDocument const& document, toml::table const& table, SceneDocument::Path const& path,
+                 std::string& out) {
   std::string header;
   for (auto const& key : path) header += (header.empty() ? "" : ".") + key_in_toml(key);
   out += (out.empty() ? "[" : "\n[") + header + "]\n";
@@ -122,7 +137,8 @@ std::string SceneFile::written() const {
   for (auto const& [key, node] : document_->root)
     if (std::find(order.begin(), order.end(), key.str()) == order.end()) order.emplace_back(key.str());
   for (auto const& name : order)
-    if (auto const* node = document_->root.get(name); node && node->is_table()) write_table(*document_, *node->as_table(), {name}, out);
+    if (auto const* node = document_->root.get(name); node && node->is_table())
+      write_table(*document_, *node->as_table(), {name}, out);
   return out;
 }
 

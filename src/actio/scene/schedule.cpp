@@ -9,7 +9,8 @@ namespace actio::scene {
 namespace {
 
 constexpr double most = 9007199254740992;  // 2^53: whole numbers beyond it are not all doubles
-constexpr double near = 1e-9;              // of the contract: how far t/h may be from a whole number, relative to it where it is large
+constexpr double near =
+    1e-9;  // of the contract: how far t/h may be from a whole number, relative to it where it is large
 
 bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= near * std::max(1.0, ratio); }
 
@@ -18,16 +19,25 @@ bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= n
 Schedule::Schedule(SceneTable run) {
   if (run.has("between_steps")) between_steps_ = run.boolean("between_steps");
   if (run.has("at")) {
-    if (run.has("every")) run.fail("at", "at and every exclude each other: rows at the times listed, or at the multiples of every");
+    if (run.has("every"))
+      run.fail("at",
+               "at and every exclude each other: rows at the times listed, or at the multiples of every");
     at_ = run.numbers("at");
     if (at_.empty()) run.fail("at", "at: at least one time is expected");
     bool const bounded = run.has("until");
     until_ = bounded ? run.positive("until") : at_.back();
     for (std::size_t i = 0; i < at_.size(); ++i) {
-      if (at_[i] < 0 || (bounded && at_[i] > until_)) throw SceneError(run.place("at", i), fmt::format("at: times from 0 {} are expected, found {}", bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
-      if (i > 0 && !(at_[i] > at_[i - 1])) throw SceneError(run.place("at", i), fmt::format("at: each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
+      if (at_[i] < 0 || (bounded && at_[i] > until_))
+        throw SceneError(run.place("at", i),
+                         fmt::format("at: times from 0 {} are expected, found {}",
+                                     bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
+      if (i > 0 && !(at_[i] > at_[i - 1]))
+        throw SceneError(
+            run.place("at", i),
+            fmt::format("at: each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
     }
-    if (!(until_ > 0)) run.fail("at", "at: where 0 is the only time, [run] needs 'until', for example until = 1");
+    if (!(until_ > 0))
+      run.fail("at", "at: where 0 is the only time, [run] needs 'until', for example until = 1");
     if (!bounded) run.set("until", until_);
     rows_ = static_cast<long>(at_.size());
     return;
@@ -39,9 +49,11 @@ Schedule::Schedule(SceneTable run) {
   }
   every_ = run.positive("every");
   double const ratio = until_ / every_;
-  if (!(ratio < most)) run.fail("every", fmt::format("every: at most 2^53 rows are possible; until/every is {}", ratio));
+  if (!(ratio < most))
+    run.fail("every", fmt::format("every: at most 2^53 rows are possible; until/every is {}", ratio));
   // A quarter: the last multiple of a short interval is not mistaken for another one.
-  last_beside_ = std::round(ratio) < 1 || !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
+  last_beside_ = std::round(ratio) < 1 ||
+                 !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
   rows_ = static_cast<long>(last_beside_ ? std::floor(ratio) + 2 : std::round(ratio) + 1);
 }
 
@@ -52,7 +64,8 @@ double Schedule::time(long row) const {
 
 std::vector<double> Schedule::landmarks() const {
   if (every_ == 0) return at_;
-  return last_beside_ && every_ < until_ ? std::vector<double>{every_, until_} : std::vector<double>{last_beside_ ? until_ : every_};
+  return last_beside_ && every_ < until_ ? std::vector<double>{every_, until_}
+                                         : std::vector<double>{last_beside_ ? until_ : every_};
 }
 
 double Schedule::common_divisor() const {
@@ -91,29 +104,38 @@ double Schedule::step_from(double shortest) const {
 
 namespace {
 
-/// `; the nearest step that would do is 0.25`, and where that is longer than asked also a shorter one, for the method may not take it.
+/// `; the nearest step that would do is 0.25`, and where that is longer than asked also a shorter one, for
+/// the method may not take it.
 std::string step_that_would_do(Schedule const& schedule, double step) {
   double const below = schedule.step_up_to(step), above = schedule.step_from(step);
   if (below == 0 && above == 0) return "; the times of the rows have no divisor in common";
-  if (above == 0 || (below > 0 && step - below <= above - step)) return fmt::format("; the nearest step that would do is {}", below);
-  return fmt::format("; the nearest step that would do is {}", above) + (below > 0 ? fmt::format(", the nearest shorter one {}", below) : "");
+  if (above == 0 || (below > 0 && step - below <= above - step))
+    return fmt::format("; the nearest step that would do is {}", below);
+  return fmt::format("; the nearest step that would do is {}", above) +
+         (below > 0 ? fmt::format(", the nearest shorter one {}", below) : "");
 }
 
 }  // namespace
 
-StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const& method) : schedule_(schedule), step_(step) {
+StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const& method)
+    : schedule_(schedule), step_(step) {
   for (double const t : schedule.landmarks()) {
     double const ratio = t / step;
-    if (!(ratio < most)) method.fail("step", fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
+    if (!(ratio < most))
+      method.fail("step",
+                  fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
     if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
-    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {} (which run.between_steps = true reaches by a shorter "
-                                    "step){}", t, ratio, step, step_that_would_do(schedule, step)));
+    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {} "
+                                    "(which run.between_steps = true reaches by a shorter "
+                                    "step){}",
+                                    t, ratio, step, step_that_would_do(schedule, step)));
   }
 }
 
 long StepsToRows::operator()(long row) const {
   double const ratio = schedule_.time(row) / step_;
-  return !schedule_.between_steps() || is_multiple(ratio) ? std::lround(ratio) : static_cast<long>(std::floor(ratio));
+  return !schedule_.between_steps() || is_multiple(ratio) ? std::lround(ratio)
+                                                          : static_cast<long>(std::floor(ratio));
 }
 double StepsToRows::beyond(long row) const {
   double const t = schedule_.time(row);

@@ -16,10 +16,12 @@ constexpr std::size_t small_table = 2000;
 
 }  // namespace
 
-std::unique_ptr<Series> open_series(std::string const& folder, std::string const& format, SeriesHead const& head, bool resume) {
+std::unique_ptr<Series> open_series(std::string const& folder, std::string const& format,
+                                    SeriesHead const& head, bool resume) {
   std::string const path = folder + (format == "hdf5" ? "/series.h5" : "/series.csv");
   std::error_code none;
-  if (!resume && std::filesystem::is_symlink(path, none)) throw FileError(path + ": is a link, and nothing is written through it");
+  if (!resume && std::filesystem::is_symlink(path, none))
+    throw FileError(path + ": is a link, and nothing is written through it");
   auto const all = columns(head);
   auto series = format == "hdf5" ? hdf5_series(path, head, resume) : csv_series(path, all, resume);
   bool const small = static_cast<std::size_t>(head.rows) * all.size() <= small_table;

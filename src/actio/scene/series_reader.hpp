@@ -29,8 +29,10 @@ std::unique_ptr<SeriesReader> read_series(std::string const& folder, std::vector
 
 /// The table `path` in comma-separated values.
 /// @param columns  that it has, the time first
-std::unique_ptr<SeriesReader> read_csv_series(std::string const& path, std::vector<std::string> const& columns);
+std::unique_ptr<SeriesReader> read_csv_series(std::string const& path,
+                                              std::vector<std::string> const& columns);
 /// The table `path` in HDF5.
-std::unique_ptr<SeriesReader> read_hdf5_series(std::string const& path, std::vector<ColumnGroup> const& groups);
+std::unique_ptr<SeriesReader> read_hdf5_series(std::string const& path,
+                                               std::vector<ColumnGroup> const& groups);
 
 }  // namespace actio::scene

@@ -28,27 +28,31 @@ class Motion {
   virtual void advance(long steps) { (void)steps; }
   /// To this time, whatever the time before.
   virtual void go_to(double time) { (void)time; }
-  /// Until the next step, quantities are those of the state so long after the last step, which one shorter step of the same scheme reaches. The steps themselves
-  /// go on from the last one. Zero: of the last step again.
+  /// Until the next step, quantities are those of the state so long after the last step, which one shorter
+  /// step of the same scheme reaches. The steps themselves go on from the last one. Zero: of the last step
+  /// again.
   /// @param time  from zero up to the length of a step
   /// @throws what `advance` throws
   virtual void look_ahead(double time) { (void)time; }
-  /// How far the state is from that of another motion of the same system, the attitude only where both reconstruct it.
+  /// How far the state is from that of another motion of the same system, the attitude only where both
+  /// reconstruct it.
   virtual StateDistance distance(Motion const& other) const {
     (void)other;
     return {};
   }
-  /// Saves, or restores, all that the next step depends on. A motion that goes to any time at once has nothing to remember.
+  /// Saves, or restores, all that the next step depends on. A motion that goes to any time at once has
+  /// nothing to remember.
   virtual void remember(CheckpointStream& stream) { (void)stream; }
 };
 
 /// A second motion beside the first, from which the error of the first is estimated.
 struct Companion {
   std::unique_ptr<Motion> motion;  ///< null: there is none
-  long steps = 4;                  ///< of the run to one of the companion; 0: the companion is exact, and goes to any time at once
-  int order = 2;                   ///< of the method
-  bool attitude = true;            ///< whether the attitude is reconstructed
-  std::string how;                 ///< in words, for the reader of the estimate; where there is no companion: why not
+  long steps =
+      4;  ///< of the run to one of the companion; 0: the companion is exact, and goes to any time at once
+  int order = 2;         ///< of the method
+  bool attitude = true;  ///< whether the attitude is reconstructed
+  std::string how;       ///< in words, for the reader of the estimate; where there is no companion: why not
 };
 
 /// A system that is ready to run. Its quantities look at its motion, and were asked for.
@@ -56,15 +60,21 @@ struct Simulation {
   /// Of a system with these quantities.
   explicit Simulation(std::vector<Quantity> known) : quantities(std::move(known)) {}
 
-  std::unique_ptr<Motion> motion;                ///< how its state moves on
-  QuantityGraph quantities;                      ///< what can be told of it
-  bool exact = false;                            ///< goes to any time at once, and has no steps
+  std::unique_ptr<Motion> motion;                          ///< how its state moves on
+  QuantityGraph quantities;                                ///< what can be told of it
+  bool exact = false;                                      ///< goes to any time at once, and has no steps
   double step = std::numeric_limits<double>::quiet_NaN();  ///< time; of a method with steps
-  long steps_at_once = 1 << 14;                  ///< so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the machine, since the digits may depend on it
-  std::string failure;                           ///< why it can take no step from its start, for instance since the step is too long; empty where it can
-  Companion companion;                           ///< from which the error is estimated
-  std::vector<std::string> shortcuts;            ///< what the scene allows to leave out, for the plan
-  std::vector<std::string> remarks;              ///< what was done to the input, for instance a quaternion normalised
+  long steps_at_once =
+      1
+      /// so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the
+      /// machine, since the digits may depend on it
+      << 14;
+  std::string
+      /// why it can take no step from its start, for instance since the step is too long; empty where it can
+      failure;
+  Companion companion;                 ///< from which the error is estimated
+  std::vector<std::string> shortcuts;  ///< what the scene allows to leave out, for the plan
+  std::vector<std::string> remarks;    ///< what was done to the input, for instance a quaternion normalised
 };
 
 }  // namespace actio::scene

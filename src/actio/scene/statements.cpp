@@ -13,8 +13,10 @@ namespace {
 std::vector<std::string> pieces(std::string_view text, char at) {
   std::vector<std::string> out(1);
   for (char const c : text)
-    if (c == at) out.emplace_back();
-    else out.back() += c;
+    if (c == at)
+      out.emplace_back();
+    else
+      out.back() += c;
   return out;
 }
 

@@ -1,4 +1,5 @@
-// summary.json: what a run took, what was skipped, how far conserved quantities have drifted, and how large its error is.
+// summary.json: what a run took, what was skipped, how far conserved quantities have drifted, and how large
+// its error is.
 #include <nlohmann/json.hpp>
 
 #include "actio/scene/run.hpp"
@@ -10,7 +11,9 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   Json out;
   out["title"] = scene.title;
   out["system"] = scene.system->name;
-  out["status"] = report.ending == Ending::done ? "done" : report.ending == Ending::interrupted ? "interrupted" : "failed";
+  out["status"] = report.ending == Ending::done          ? "done"
+                  : report.ending == Ending::interrupted ? "interrupted"
+                                                         : "failed";
   if (!report.message.empty()) out["message"] = report.message;
   out["steps"] = report.steps;
   // Where a file failed, rows that were computed last may not be in it.
@@ -26,7 +29,8 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   out["remarks"] = scene.simulation.remarks;
   out["drift"] = Json::object();
   out["drift_units"] = Json::object();
-  for (auto const& entry : report.drift) out["drift"][entry.name] = entry.relative, out["drift_units"][entry.name] = entry.unit;
+  for (auto const& entry : report.drift)
+    out["drift"][entry.name] = entry.relative, out["drift_units"][entry.name] = entry.unit;
   out["error"] = Json::object();
   for (auto const& entry : report.error) out["error"][entry.name] = entry.error;
   out["error"]["how"] = report.error_how;

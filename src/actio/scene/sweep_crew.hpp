@@ -1,4 +1,5 @@
-// The worker pool of a sweep: processes, each of which works on one member after the other, and a supervisor ("foreman") of each.
+// The worker pool of a sweep: processes, each of which works on one member after the other, and a supervisor
+// ("foreman") of each.
 //
 //     the sweep <--> one worker for each place at work
 //          \----> its foreman, who makes it, and another one where it ends

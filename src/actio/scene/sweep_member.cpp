@@ -22,28 +22,35 @@ void remember(CheckpointStream& stream, std::vector<T>& list, RememberOne const&
   for (T& item : list) one(item);
 }
 void remember(CheckpointStream& stream, MemberResult& result) {
-  stream(result.member, result.status, result.rows, result.bytes, result.steps, result.seconds, result.last_row);
+  stream(result.member, result.status, result.rows, result.bytes, result.steps, result.seconds,
+         result.last_row);
   remember(stream, result.message);
-  remember(stream, result.drift, [&](Drift::Entry& entry) { remember(stream, entry.name), stream(entry.relative); });
-  remember(stream, result.error, [&](ErrorEstimate::Entry& entry) { remember(stream, entry.name), stream(entry.error); });
+  remember(stream, result.drift,
+           [&](Drift::Entry& entry) { remember(stream, entry.name), stream(entry.relative); });
+  remember(stream, result.error,
+           [&](ErrorEstimate::Entry& entry) { remember(stream, entry.name), stream(entry.error); });
   remember(stream, result.columns, [&](std::string& name) { remember(stream, name); });
 }
 
 /// What a run would refuse only after it has begun.
 void check_member(Scene const& scene) {
-  if (!scene.simulation.exact) StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"));
+  if (!scene.simulation.exact)
+    StepsToRows(scene.schedule, scene.simulation.step, scene.file.section("method"));
   refuse_without_step(scene);
 }
 
-/// What the files of the rows will take: a number has 8 bytes, and about 20 where it is written with its digits.
+/// What the files of the rows will take: a number has 8 bytes, and about 20 where it is written with its
+/// digits.
 double bytes_of(Scene const& scene) {
   double each = 0;
   for (auto const& format : scene.formats) each += format == "csv" ? 20 : 8;
-  return each * static_cast<double>(scene.schedule.rows()) * static_cast<double>(1 + scene.simulation.quantities.row_size());
+  return each * static_cast<double>(scene.schedule.rows()) *
+         static_cast<double>(1 + scene.simulation.quantities.row_size());
 }
 
 /// Goes on from the checkpoint in the folder; where that cannot be, the member starts anew.
-std::optional<RunReport> go_on(SweepPlan const& plan, Scene& scene, RunFolder const& folder, long member, RunOptions const& options) {
+std::optional<RunReport> go_on(SweepPlan const& plan, Scene& scene, RunFolder const& folder, long member,
+                               RunOptions const& options) {
   if (!folder.begun()) return {};
   try {
     return run_scene(scene, folder.path(), true, options);
@@ -53,11 +60,13 @@ std::optional<RunReport> go_on(SweepPlan const& plan, Scene& scene, RunFolder co
   }
 }
 
-void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const& stop, MemberResult& result) {
+void run_member(SweepPlan const& plan, Scene& scene, std::function<bool()> const& stop,
+                MemberResult& result) {
   RunFolder const folder = RunFolder::of_member(plan.folder(result.member));
   RunOptions options;
   // The sweep sees to it that all is on the disk, from time to time and at its end.
-  options.quiet = true, options.durable = false, options.checkpoint_interval = checkpoint_interval(), options.stop = stop;
+  options.quiet = true, options.durable = false, options.checkpoint_interval = checkpoint_interval(),
+  options.stop = stop;
   std::optional<RunReport> before = go_on(plan, scene, folder, result.member, options);
   if (!before) folder.begin_member(files_of_run(scene));
   RunReport const report = before ? *before : run_scene(scene, folder.path(), false, options);
@@ -85,10 +94,13 @@ MemberResult MemberResult::unpacked(std::string const& bytes) {
   return out;
 }
 
-MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member, std::function<bool()> const& stop) {
+MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member,
+                            std::function<bool()> const& stop) {
   MemberResult result;
   result.member = member;
-  auto const failed = [&](Ending ending, std::exception const& error) { result.status = static_cast<int>(ending), result.message = error.what(); };
+  auto const failed = [&](Ending ending, std::exception const& error) {
+    result.status = static_cast<int>(ending), result.message = error.what();
+  };
   try {
     Scene scene = plan.read(member);
     check_member(scene);

@@ -8,17 +8,17 @@ namespace actio::scene {
 
 /// How a member went.
 struct MemberResult {
-  long member = -1;                  ///< its number
-  int status = 0;                    ///< the exit status that `actio run` would have; 128 + signal where one ended it
-  std::string message;               ///< where it did not end well: what went wrong
-  long rows = 0;                     ///< of its series
-  double bytes = 0;                  ///< that its series will take, about
-  long steps = 0;                    ///< that were made
-  double seconds = 0;                ///< that it took
-  std::vector<Drift::Entry> drift;   ///< of each conserved quantity
+  long member = -1;     ///< its number
+  int status = 0;       ///< the exit status that `actio run` would have; 128 + signal where one ended it
+  std::string message;  ///< where it did not end well: what went wrong
+  long rows = 0;        ///< of its series
+  double bytes = 0;     ///< that its series will take, about
+  long steps = 0;       ///< that were made
+  double seconds = 0;   ///< that it took
+  std::vector<Drift::Entry> drift;          ///< of each conserved quantity
   std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated
-  std::vector<std::string> columns;  ///< of its series, the time first
-  std::vector<double> last_row;      ///< one for each of them
+  std::vector<std::string> columns;         ///< of its series, the time first
+  std::vector<double> last_row;             ///< one for each of them
 
   /// As bytes, for another process.
   std::string packed() const;
@@ -32,8 +32,10 @@ enum class MemberTask {
   run     ///< and run
 };
 
-/// Does it; whatever goes wrong is in the result. A member that has begun before goes on from its checkpoint, or starts anew where there is none.
+/// Does it; whatever goes wrong is in the result. A member that has begun before goes on from its checkpoint,
+/// or starts anew where there is none.
 /// @param stop  whether to end between two steps
-MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member, std::function<bool()> const& stop = interrupted);
+MemberResult work_on_member(SweepPlan const& plan, MemberTask task, long member,
+                            std::function<bool()> const& stop = interrupted);
 
 }  // namespace actio::scene

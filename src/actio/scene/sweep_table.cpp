@@ -62,7 +62,8 @@ std::string row(SweepPlan const& plan, Columns const& columns, MemberResult cons
     cells[0] = std::to_string(result.steps), cells[1] = cell(result.seconds);
     for (auto const& entry : result.drift) cells[2 + columns.drift.at(entry.name)] = cell(entry.relative);
     for (auto const& entry : result.error) cells[errors + columns.error.at(entry.name)] = cell(entry.error);
-    for (std::size_t i = 0; i < result.last_row.size(); ++i) cells[last + columns.last.at(result.columns[i])] = cell(result.last_row[i]);
+    for (std::size_t i = 0; i < result.last_row.size(); ++i)
+      cells[last + columns.last.at(result.columns[i])] = cell(result.last_row[i]);
   }
   std::string out = std::to_string(result.member);
   for (auto const& value : plan.values(result.member)) out += "," + cell(value);

@@ -1,6 +1,6 @@
-// The processes of a worker pool: a foreman (supervisor), which starts a worker and another one where it ends, and the worker,
-// which takes orders from the sweep and answers with results.
-// Sockets join them; a process ends when the other side of its socket has gone.
+// The processes of a worker pool: a foreman (supervisor), which starts a worker and another one where it
+// ends, and the worker, which takes orders from the sweep and answers with results. Sockets join them; a
+// process ends when the other side of its socket has gone.
 #pragma once
 
 #include <sys/wait.h>

@@ -1,6 +1,8 @@
-// The registry of systems: the one place where a system adds itself, with its parameters, methods, quantities, statements and pictures.
+// The registry of systems: the one place where a system adds itself, with its parameters, methods,
+// quantities, statements and pictures.
 //
-// A later system writes one file systems/NAME.cpp with a function NAME_system() that returns its `System`, and one line in system.cpp.
+// A later system writes one file systems/NAME.cpp with a function NAME_system() that returns its `System`,
+// and one line in system.cpp.
 #pragma once
 
 #include <optional>
@@ -12,10 +14,11 @@ namespace actio::scene {
 
 /// A key of a scene. What a scene may hold is read from these: a key without a record is refused (keys.hpp).
 struct Parameter {
-  std::string key;       ///< with its section: "system.body"
-  std::string expects;   ///< "three numbers, or a symmetric 3 by 3 matrix"
-  std::string fallback;  ///< what stands where it is left out; "needed"; "or KEY" where that other key excludes it
-  std::string meaning;   ///< a sentence or two
+  std::string key;      ///< with its section: "system.body"
+  std::string expects;  ///< "three numbers, or a symmetric 3 by 3 matrix"
+  std::string
+      fallback;  ///< what stands where it is left out; "needed"; "or KEY" where that other key excludes it
+  std::string meaning;                    ///< a sentence or two
   std::string unit = "";                  ///< in words: "mass x length^2"; empty where there is none
   std::string example = "";               ///< a value, as a scene writes it
   std::vector<std::string> allowed = {};  ///< the words that it may be, where these are few
@@ -34,7 +37,9 @@ struct Request {
   SceneFile file;                       ///< whose sections the system reads
   Schedule const& schedule;             ///< when there are rows
   std::vector<std::string> quantities;  ///< names of those that the rows hold
-  std::optional<bool> error_estimate;   ///< whether an estimate of the error is wanted; none: where it costs less than a third of the run
+  std::optional<bool>
+      /// whether an estimate of the error is wanted; none: where it costs less than a third of the run
+      error_estimate;
 };
 
 struct BodyShape;
@@ -51,14 +56,14 @@ struct Picture {
 
 /// A kind of system.
 struct System {
-  std::string name;         ///< as scenes write it
-  std::string title;        ///< for people
-  std::string meaning;      ///< a sentence or two
-  std::string statement;    ///< of the thesis
+  std::string name;       ///< as scenes write it
+  std::string title;      ///< for people
+  std::string meaning;    ///< a sentence or two
+  std::string statement;  ///< of the thesis
   std::vector<Parameter>
       parameters;  ///< of [system] and [initial]; one of [method] takes the place of that of every system
-  std::vector<Method> methods;        ///< the default first
-  std::vector<Quantity> quantities;   ///< each after what it needs
+  std::vector<Method> methods;       ///< the default first
+  std::vector<Quantity> quantities;  ///< each after what it needs
   /// Reads [system], [initial] and [method], writes their defaults back, and sets up what was asked for.
   /// @throws SceneError     where a value is missing or wrong
   /// @throws NumericsError  where the step is too long for the method

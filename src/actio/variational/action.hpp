@@ -8,7 +8,8 @@
 
 namespace actio {
 
-/// Nodes and weights on (0, 1) that integrate polynomials up to a degree with rounding only, over the rationals with no error at all.
+/// Nodes and weights on (0, 1) that integrate polynomials up to a degree with rounding only, over the
+/// rationals with no error at all.
 ///
 /// The nodes are fractions next to those of Chebyshev, where interpolation is harmless.
 template <Scalar S>
@@ -20,7 +21,8 @@ struct Quadrature {
   explicit Quadrature(int degree) {
     if (degree < 0) throw OutsideDomain("Quadrature", "a degree is at least zero", degree, 0);
     int const n = degree + 1;
-    for (int j = 0; j < n; ++j) nodes.push_back(ratio<S>(2048 + std::lround(2047 * std::cos(M_PI * (j + 0.5) / n)), 4096));
+    for (int j = 0; j < n; ++j)
+      nodes.push_back(ratio<S>(2048 + std::lround(2047 * std::cos(M_PI * (j + 0.5) / n)), 4096));
 
     // The weights give each Chebyshev polynomial of 2x - 1 its integral: 1/(1 - k^2) for even k, 0 for odd.
     Matrix<S, Dynamic, Dynamic> values(n, n);
@@ -65,7 +67,8 @@ S action(Lagrangian const& L, Curve const& curve, S const& a, S const& b, Quadra
 /// \implements{eq_2_2}
 /// @param family  (epsilon, time) at any scalar -> Element at the same
 template <Scalar S, class Lagrangian, class Family>
-S action_variation(Lagrangian const& L, Family const& family, S const& a, S const& b, Quadrature<Base<S>> const& rule) {
+S action_variation(Lagrangian const& L, Family const& family, S const& a, S const& b,
+                   Quadrature<Base<S>> const& rule) {
   // [eq_2_2]
   return rule([&](S const& t) { return L(varied_tangent(family, t)).part[0]; }, a, b);
   // [eq_2_2]

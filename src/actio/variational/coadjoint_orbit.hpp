@@ -1,6 +1,7 @@
 // Coadjoint orbits and their symplectic forms.
 //
-// The orbit of mu lies in the dual of the algebra: the set of all Ad*_{g^-1} mu. Its tangent vectors at mu are the ad*_eta mu.
+// The orbit of mu lies in the dual of the algebra: the set of all Ad*_{g^-1} mu. Its tangent vectors at mu
+// are the ad*_eta mu.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace actio {
 
-/// A velocity \f$\eta\f$ with \f$\mathrm{ad}^*_\eta\,\mu = w\f$: how the coadjoint action produces a tangent vector of an orbit.
+/// A velocity \f$\eta\f$ with \f$\mathrm{ad}^*_\eta\,\mu = w\f$: how the coadjoint action produces a tangent
+/// vector of an orbit.
 ///
 /// It is unique up to the isotropy algebra of \f$\mu\f$.
 /// @param w  tangent to the orbit at mu
@@ -45,8 +47,8 @@ Velocity<G, S> orbit_generator(Momentum<G, S> const& mu, Momentum<G, S> const& w
     if (magnitude(b[i]) > left) left = magnitude(b[i]);
   Base<S> const allowed = Base<S>(16) * tiny * magnitude(w.components);
   if (left > allowed)
-    throw OutsideDomain("orbit_generator", "a tangent vector of the coadjoint orbit is needed; part outside", to_double(left),
-                        to_double(allowed));
+    throw OutsideDomain("orbit_generator", "a tangent vector of the coadjoint orbit is needed; part outside",
+                        to_double(left), to_double(allowed));
 
   Velocity<G, S> eta{mu.group, Coordinates<G, S>::Zero(n)};
   for (int i = rank - 1; i >= 0; --i) {

@@ -1,7 +1,8 @@
 // Curves in a group, their tangents, and their variations.
 //
-// A curve is any callable from a time to an element, a family of curves any callable from (epsilon, time), at every scalar. Tangents and variations
-// come from evaluating them on dual numbers: nothing is subtracted, no step is small.
+// A curve is any callable from a time to an element, a family of curves any callable from (epsilon, time), at
+// every scalar. Tangents and variations come from evaluating them on dual numbers: nothing is subtracted, no
+// step is small.
 #pragma once
 
 #include "actio/variational/state.hpp"
@@ -20,9 +21,7 @@ Velocity<G, S> value_of(Velocity<G, Dual<S>> const& xi) {
 }
 /// The state at the bottom of one that moves.
 template <Group G, Scalar S>
-State<G, S> value_of(State<G, Dual<S>> const& v) {
-  return {value_of(v.configuration), value_of(v.velocity)};
-}
+State<G, S> value_of(State<G, Dual<S>> const& v) { return {value_of(v.configuration), value_of(v.velocity)}; }
 
 /// How an element moves, translated to the identity on the right: \f$\dot g\,g^{-1}\f$.
 template <MatrixGroup G, Scalar S>
@@ -53,14 +52,12 @@ auto tangent(Curve const& curve, S const& t) {
   auto const configuration = value_of(g);
   return State<typename std::decay_t<decltype(configuration)>::GroupType, S>{configuration, rate_right(g)};
 }
-/// \f$\ddot g\f$: the tangent vector to TG of the curve of tangents. Its configuration part is the velocity again, which is what makes it second order;
-/// its velocity part is \f$\dot\xi\f$.
+/// \f$\ddot g\f$: the tangent vector to TG of the curve of tangents. Its configuration part is the velocity
+/// again, which is what makes it second order; its velocity part is \f$\dot\xi\f$.
 ///
 /// \implements{claim_2_1_second_order_set}
 template <Scalar S, class Curve>
-auto second_tangent(Curve const& curve, S const& t) {
-  return change_of(tangent(curve, variable(t)));
-}
+auto second_tangent(Curve const& curve, S const& t) { return change_of(tangent(curve, variable(t))); }
 
 /// The tangents of a family of curves at time t, moved infinitely little by epsilon.
 template <Scalar S, class Family>
@@ -68,7 +65,8 @@ auto varied_tangent(Family const& family, S const& t) {
   Dual<S> const epsilon = variable(S(0));
   return tangent([&](auto const& s) { return family(std::decay_t<decltype(s)>(epsilon), s); }, Dual<S>(t));
 }
-/// \f$\hat\delta g(t)\f$: the variation of a curve lifted to TG, taken at the same time t as the variation itself.
+/// \f$\hat\delta g(t)\f$: the variation of a curve lifted to TG, taken at the same time t as the variation
+/// itself.
 ///
 /// \implements{claim_2_1_lifted_variation}
 template <Scalar S, class Family>

@@ -9,7 +9,8 @@
 
 namespace actio {
 
-/// The Euler-Lagrange map \f$D_{EL}L\f$ at a second-order jet (g, xi, xi'), a covector: zero along motions, and only there.
+/// The Euler-Lagrange map \f$D_{EL}L\f$ at a second-order jet (g, xi, xi'), a covector: zero along motions,
+/// and only there.
 ///
 /// \f[ \partial_g L \;-\; \mathrm{ad}^*_\xi\,\mu \;-\; \frac{d\mu}{dt}, \qquad \mu = F L(g, \xi) \f]
 ///
@@ -33,16 +34,19 @@ Momentum<G, S> euler_lagrange(Lagrangian const& L, State<G, S> const& v, Velocit
   // [eq_2_4]
 }
 
-/// The acceleration \f$\dot\xi\f$ that a regular Lagrangian gives a state: the Lagrange vector field is \f$(\xi, \dot\xi)\f$.
+/// The acceleration \f$\dot\xi\f$ that a regular Lagrangian gives a state: the Lagrange vector field is
+/// \f$(\xi, \dot\xi)\f$.
 ///
 /// \implements{claim_2_1_lagrange_vector_field}
 /// @throws Singular  where L is not regular
 template <Group G, Scalar S, class Lagrangian>
 Velocity<G, S> lagrange_acceleration(Lagrangian const& L, State<G, S> const& v) {
   // The equation is affine in the acceleration: residual at zero, and the fibre Hessian beside it.
-  Velocity<G, S> const none{v.configuration.group, Coordinates<G, S>::Zero(v.configuration.group.dimension())};
+  Velocity<G, S> const none{v.configuration.group,
+                            Coordinates<G, S>::Zero(v.configuration.group.dimension())};
   auto const force = euler_lagrange(L, v, none);
-  return {v.configuration.group, solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
+  return {v.configuration.group,
+          solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
 }
 
 /// The Lagrange vector field \f$X_E\f$ as a tangent vector to TG at v.

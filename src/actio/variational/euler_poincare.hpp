@@ -30,7 +30,8 @@ Momentum<G, S> momentum_rate(F const& l, Velocity<G, S> const& xi, Velocity<G, S
 /// @param xi            \f$\dot g g^{-1}\f$, 1/time
 /// @param acceleration  \f$\dot\xi\f$
 template <Group G, Scalar S, class F>
-Momentum<G, S> euler_poincare_right(F const& l, Velocity<G, S> const& xi, Velocity<G, S> const& acceleration) {
+Momentum<G, S> euler_poincare_right(F const& l, Velocity<G, S> const& xi,
+                                    Velocity<G, S> const& acceleration) {
   // [thm_2_2_1]
   return detail::momentum_rate(l, xi, acceleration) + ad_star(xi, gradient(l, xi));
   // [thm_2_2_1]
@@ -60,27 +61,33 @@ auto hessian(F const& l, Velocity<G, S> const& xi) {
 /// @throws Singular  where l is not regular
 template <Group G, Scalar S, class F>
 Velocity<G, S> euler_poincare_acceleration_right(F const& l, Velocity<G, S> const& xi) {
-  return {xi.group, solve_linear(hessian(l, xi), (-ad_star(xi, gradient(l, xi))).components, "euler_poincare: d2l/dxi2")};
+  return {xi.group, solve_linear(hessian(l, xi), (-ad_star(xi, gradient(l, xi))).components,
+                                 "euler_poincare: d2l/dxi2")};
 }
 /// \f$\dot\xi\f$ of a left-invariant system.
 /// @throws Singular  where l is not regular
 template <Group G, Scalar S, class F>
 Velocity<G, S> euler_poincare_acceleration_left(F const& l, Velocity<G, S> const& xi) {
-  return {xi.group, solve_linear(hessian(l, xi), ad_star(xi, gradient(l, xi)).components, "euler_poincare: d2l/dxi2")};
+  return {xi.group,
+          solve_linear(hessian(l, xi), ad_star(xi, gradient(l, xi)).components, "euler_poincare: d2l/dxi2")};
 }
 
-/// The variation of \f$\xi = \dot g g^{-1}\f$ when g varies by \f$\eta = \delta g\,g^{-1}\f$: \f$\dot\eta - [\xi, \eta]\f$.
+/// The variation of \f$\xi = \dot g g^{-1}\f$ when g varies by \f$\eta = \delta g\,g^{-1}\f$:
+/// \f$\dot\eta - [\xi, \eta]\f$.
 ///
 /// \implements{claim_2_2_reduced_variation_ad}
 template <Group G, Scalar S>
-Velocity<G, S> reduced_variation_right(Velocity<G, S> const& xi, Velocity<G, S> const& eta, Velocity<G, S> const& eta_rate) {
+Velocity<G, S> reduced_variation_right(Velocity<G, S> const& xi, Velocity<G, S> const& eta,
+                                       Velocity<G, S> const& eta_rate) {
   // [claim_2_2_reduced_variation_ad]
   return eta_rate - ad(xi, eta);
   // [claim_2_2_reduced_variation_ad]
 }
-/// The variation of \f$\xi = g^{-1}\dot g\f$ when g varies by \f$\eta = g^{-1}\delta g\f$: \f$\dot\eta + [\xi, \eta]\f$.
+/// The variation of \f$\xi = g^{-1}\dot g\f$ when g varies by \f$\eta = g^{-1}\delta g\f$:
+/// \f$\dot\eta + [\xi, \eta]\f$.
 template <Group G, Scalar S>
-Velocity<G, S> reduced_variation_left(Velocity<G, S> const& xi, Velocity<G, S> const& eta, Velocity<G, S> const& eta_rate) {
+Velocity<G, S> reduced_variation_left(Velocity<G, S> const& xi, Velocity<G, S> const& eta,
+                                      Velocity<G, S> const& eta_rate) {
   return eta_rate + ad(xi, eta);
 }
 

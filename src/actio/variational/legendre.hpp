@@ -5,7 +5,8 @@
 
 namespace actio {
 
-/// \f$F L\f$: the momentum of a state, the derivative of L along the fibre, \f$\langle F L(v), \eta\rangle = \frac{d}{d\epsilon}L(g, \xi+\epsilon\eta)\f$.
+/// \f$F L\f$: the momentum of a state, the derivative of L along the fibre, \f$\langle F L(v),
+/// \eta\rangle = \frac{d}{d\epsilon}L(g, \xi+\epsilon\eta)\f$.
 ///
 /// Translated to the identity on the right, as the velocity is: the spatial momentum.
 /// @param L  Lagrangian, energy
@@ -13,8 +14,8 @@ template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> legendre(Lagrangian const& L, State<G, S> const& v) {
   return gradient(
       [&](auto const& xi) {
-        using T = typename std::decay_t<decltype(xi)>::Scalar;
-        return L(State<G, T>{over<T>(v.configuration), xi});
+    using T = typename std::decay_t<decltype(xi)>::Scalar;
+    return L(State<G, T>{over<T>(v.configuration), xi});
       },
       v.velocity);
 }
@@ -25,17 +26,15 @@ template <Group G, Scalar S, class Lagrangian>
 Momentum<G, S> base_derivative(Lagrangian const& L, State<G, S> const& v) {
   return right_differential(
       [&](auto const& g) {
-        using T = typename std::decay_t<decltype(g)>::Scalar;
-        return L(State<G, T>{g, over<T>(v.velocity)});
+    using T = typename std::decay_t<decltype(g)>::Scalar;
+    return L(State<G, T>{g, over<T>(v.velocity)});
       },
       v.configuration);
 }
 
 /// \f$E(v) = \langle F L(v), v\rangle - L(v)\f$.
 template <Group G, Scalar S, class Lagrangian>
-S energy(Lagrangian const& L, State<G, S> const& v) {
-  return pair(legendre(L, v), v.velocity) - L(v);
-}
+S energy(Lagrangian const& L, State<G, S> const& v) { return pair(legendre(L, v), v.velocity) - L(v); }
 
 /// The matrix \f$\partial^2 L/\partial\xi\,\partial\xi\f$: L is regular where it has an inverse.
 template <Group G, Scalar S, class Lagrangian>

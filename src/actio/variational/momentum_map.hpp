@@ -9,7 +9,8 @@
 
 namespace actio {
 
-/// \f$J(v) = \langle F L(v), \vartheta(g)\rangle\f$: the contraction of the lifted generator with \f$\theta_L\f$.
+/// \f$J(v) = \langle F L(v), \vartheta(g)\rangle\f$: the contraction of the lifted generator with
+/// \f$\theta_L\f$.
 ///
 /// \implements{claim_2_1_noether_momentum}
 /// @param generator  Element at any scalar -> Velocity at the same: the generator on G, translated to the
@@ -21,19 +22,17 @@ S noether_momentum(Lagrangian const& L, State<G, S> const& v, Generator const& g
 
 /// The generator of \f$g \mapsto e^{t\zeta}g\f$.
 template <Group G, Scalar S>
-auto left_translation(Velocity<G, S> zeta) {
-  return [zeta](auto const& g) { return like(g, zeta); };
-}
+auto left_translation(Velocity<G, S> zeta) { return [zeta](auto const& g) { return like(g, zeta); }; }
 /// The generator of \f$g \mapsto g\,e^{t\zeta}\f$.
 template <Group G, Scalar S>
-auto right_translation(Velocity<G, S> zeta) {
-  return [zeta](auto const& g) { return Ad(g, like(g, zeta)); };
-}
+auto right_translation(Velocity<G, S> zeta) { return [zeta](auto const& g) { return Ad(g, like(g, zeta)); }; }
 
-/// A generator lifted to TG: how it moves a state, \f$(\vartheta, \delta\xi)\f$ with \f$\delta\xi = \frac{d}{dt}\vartheta - [\xi, \vartheta]\f$ along the motion of the state.
+/// A generator lifted to TG: how it moves a state, \f$(\vartheta, \delta\xi)\f$ with
+/// \f$\delta\xi = \frac{d}{dt}\vartheta - [\xi, \vartheta]\f$ along the motion of the state.
 template <Group G, Scalar S, class Generator>
 StateChange<G, S> lifted_generator(State<G, S> const& v, Generator const& generator) {
-  Velocity<G, S> const none{v.configuration.group, Coordinates<G, S>::Zero(v.configuration.group.dimension())};
+  Velocity<G, S> const none{v.configuration.group,
+                            Coordinates<G, S>::Zero(v.configuration.group.dimension())};
   auto const along = generator(moved(v, {v.velocity, none}).configuration);
   Velocity<G, S> theta = none, rate = none;
   for (Index a = 0; a < theta.coordinates.size(); ++a) {

@@ -22,21 +22,17 @@ struct State {
 /// A tangent vector to TG at a state.
 template <Group G, Scalar S>
 struct StateChange {
-  Velocity<G, S> configuration;     ///< \f$\vartheta = \delta g\,g^{-1}\f$
-  Velocity<G, S> velocity;  ///< \f$\delta\xi\f$
+  Velocity<G, S> configuration;  ///< \f$\vartheta = \delta g\,g^{-1}\f$
+  Velocity<G, S> velocity;       ///< \f$\delta\xi\f$
 };
 
 /// The body velocity, \f$g^{-1}\dot g\f$.
 template <Group G, Scalar S>
-Velocity<G, S> body_velocity(State<G, S> const& v) {
-  return Ad(inverse(v.configuration), v.velocity);
-}
+Velocity<G, S> body_velocity(State<G, S> const& v) { return Ad(inverse(v.configuration), v.velocity); }
 
 /// The same state over a larger scalar, where it is a constant.
 template <Scalar T, Group G, Scalar S>
-State<G, T> over(State<G, S> const& v) {
-  return {over<T>(v.configuration), over<T>(v.velocity)};
-}
+State<G, T> over(State<G, S> const& v) { return {over<T>(v.configuration), over<T>(v.velocity)}; }
 
 /// A state moved infinitely little along a tangent vector: the dual number's only direction.
 template <Group G, Scalar S>
@@ -53,15 +49,13 @@ State<G, Dual<S>> moved(State<G, S> const& v, StateChange<G, S> const& w) {
   return {step * over<D>(v.configuration), velocity};
 }
 
-/// A right-invariant Lagrangian on TG from its restriction to the algebra: \f$L(g, \dot g) = l(\dot g g^{-1})\f$.
+/// A right-invariant Lagrangian on TG from its restriction to the algebra:
+/// \f$L(g, \dot g) = l(\dot g g^{-1})\f$.
 template <class F>
-auto right_invariant(F l) {
-  return [l](auto const& state) { return l(state.velocity); };
-}
-/// A left-invariant Lagrangian on TG from its restriction to the algebra: \f$L(g, \dot g) = l(g^{-1}\dot g)\f$.
+auto right_invariant(F l) { return [l](auto const& state) { return l(state.velocity); }; }
+/// A left-invariant Lagrangian on TG from its restriction to the algebra:
+/// \f$L(g, \dot g) = l(g^{-1}\dot g)\f$.
 template <class F>
-auto left_invariant(F l) {
-  return [l](auto const& state) { return l(body_velocity(state)); };
-}
+auto left_invariant(F l) { return [l](auto const& state) { return l(body_velocity(state)); }; }
 
 }  // namespace actio

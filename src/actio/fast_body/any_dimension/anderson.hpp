@@ -9,8 +9,9 @@ namespace actio {
 
 /// Makes the next argument of a fixed-point iteration from the last few.
 ///
-/// Of all combinations of the last m + 1 residuals F(x) - x with sum of coefficients 1 it takes the smallest (least squares, by
-/// orthogonalisation), and the same combination of the arguments, moved by half the residual.
+/// Of all combinations of the last m + 1 residuals F(x) - x with sum of coefficients 1 it takes the smallest
+/// (least squares, by orthogonalisation), and the same combination of the arguments, moved by half the
+/// residual.
 class Anderson {
  public:
   explicit Anderson(int memory) : memory_(static_cast<std::size_t>(memory)) {}
@@ -25,7 +26,8 @@ class Anderson {
     last_x_ = x, last_residual_ = residual;
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += residual[i] / 2;
 
-    // Newest first: what it spans need not be spanned again by older ones. Steps are combined as the changes are.
+    // Newest first: what it spans need not be spanned again by older ones. Steps are combined as the changes
+    // are.
     std::vector<std::vector<double>> basis, moves;
     for (std::size_t k = steps_.size(); k-- > 0;) {
       auto q = changes_[k], s = steps_[k];

@@ -62,14 +62,16 @@ struct FixedPointStep {
   [[gnu::always_inline]] void finish(Blocked<B> const& shape, bool with_attitude) const {
     if (with_attitude) {
       relative_motion(shape, inertia, square(), momentum(), motion());
-      double *const attitude = body.full(RotatingBody::attitude_), *const product = body.full(RotatingBody::room_);
+      double *const attitude = body.full(RotatingBody::attitude_), *const product =
+                                                                       body.full(RotatingBody::room_);
       product_of(shape, attitude, motion(), product);
       turn(shape, attitude, body.full(RotatingBody::attitude_rest_), product);
     }
     remember();
     double const* terms[RotatingBody::longest];
     for (int k = 0; k < body.continuation_->length; ++k) terms[k] = past(k);
-    advance(shape, inertia, *body.continuation_, terms, momentum(), body.half(RotatingBody::momentum_rest_), guess(), motion());
+    advance(shape, inertia, *body.continuation_, terms, momentum(), body.half(RotatingBody::momentum_rest_),
+            guess(), motion());
   }
 
   /// The square just formed becomes the latest of the past; the oldest makes room.
@@ -83,7 +85,8 @@ struct FixedPointStep {
     if (growing || worse || body.steps_ > body.chosen_ + 1024) choose_extrapolation();
   }
 
-  /// The shortest continuation among those that save the most squares, judged by what it would have made of the latest.
+  /// The shortest continuation among those that save the most squares, judged by what it would have made of
+  /// the latest.
   void choose_extrapolation() const {
     Defect const d = defect(body.shape_, past(0), past(0));
     double const q2 = std::min(rule.contraction(d), body.contraction_);
@@ -95,7 +98,8 @@ struct FixedPointStep {
       if (count < body.expected_) body.expected_ = count, body.continuation_ = &w;
     }
   }
-  /// The square of the norm of what the continuation of the past would have missed of the latest square, from a few thousand entries.
+  /// The square of the norm of what the continuation of the past would have missed of the latest square, from
+  /// a few thousand entries.
   double error_of(Weights const& w) const {
     int const size = static_cast<int>(body.half_size_), apart = 1 + size / 4096;
     double sum = 0;
@@ -134,9 +138,7 @@ ACTIO_FOR_AVX2 bool carry_out_avx2(FixedPointStep const& s, Stage stage, int n) 
   return carry_out<B>(s, stage, n);
 }
 template <int B>
-bool carry_out_plain(FixedPointStep const& s, Stage stage, int n) {
-  return carry_out<B>(s, stage, n);
-}
+bool carry_out_plain(FixedPointStep const& s, Stage stage, int n) { return carry_out<B>(s, stage, n); }
 
 /// The copy for this size and machine.
 inline auto choose_step(int n, Machine machine) -> bool (*)(FixedPointStep const&, Stage, int) {

@@ -1,4 +1,5 @@
-// The largest step of the Moser-Veselov scheme where n is large: the same maximum as in largest_step.hpp, by products of a matrix and a vector.
+// The largest step of the Moser-Veselov scheme where n is large: the same maximum as in largest_step.hpp, by
+// products of a matrix and a vector.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +14,13 @@ namespace detail {
 inline double largest_of_tridiagonal(std::vector<double> const& diagonal, std::vector<double> const& beside) {
   double high = 0;
   for (std::size_t k = 0; k < diagonal.size(); ++k)
-    high = std::max(high, std::abs(diagonal[k]) + (k ? std::abs(beside[k - 1]) : 0.0) + (k < beside.size() ? std::abs(beside[k]) : 0.0));
+    high = std::max(high, std::abs(diagonal[k]) + (k ? std::abs(beside[k - 1]) : 0.0) +
+                              (k < beside.size() ? std::abs(beside[k]) : 0.0));
   double low = *std::max_element(diagonal.begin(), diagonal.end());
   auto const above_all = [&](double x) {
     double pivot = x - diagonal[0];
-    for (std::size_t k = 1; k < diagonal.size() && pivot > 0; ++k) pivot = x - diagonal[k] - beside[k - 1] * beside[k - 1] / pivot;
+    for (std::size_t k = 1; k < diagonal.size() && pivot > 0; ++k)
+      pivot = x - diagonal[k] - beside[k - 1] * beside[k - 1] / pivot;
     return pivot > 0;
   };
   for (int k = 0; k < 60 && low < high; ++k) {
@@ -27,11 +30,14 @@ inline double largest_of_tridiagonal(std::vector<double> const& diagonal, std::v
   return high;
 }
 
-/// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ by Lanczos' method on the negative square of the skew matrix.
+/// \f$s\,\rho\big((s^2+\Lambda^2)^{-1/2}\,iM\,(s^2+\Lambda^2)^{-1/2}\big)\f$ by Lanczos' method on the
+/// negative square of the skew matrix.
 class SpinAgainstInertia {
  public:
   SpinAgainstInertia(Eigen::VectorXd lambda, Eigen::MatrixXd m)
-      : lambda_(std::move(lambda)), m_(std::move(m)), start_(Eigen::VectorXd::LinSpaced(lambda_.size(), 1, 2)) {}
+      : lambda_(std::move(lambda)),
+        m_(std::move(m)),
+        start_(Eigen::VectorXd::LinSpaced(lambda_.size(), 1, 2)) {}
 
   /// @param s       positive
   /// @param digits  relative change of the result below which the iteration ends
@@ -59,7 +65,9 @@ class SpinAgainstInertia {
   }
 
  private:
-  Eigen::VectorXd minus_square(Eigen::VectorXd const& w, Eigen::VectorXd const& x) const { return apply(w, apply(w, x)) * -1; }
+  Eigen::VectorXd minus_square(Eigen::VectorXd const& w, Eigen::VectorXd const& x) const {
+    return apply(w, apply(w, x)) * -1;
+  }
   Eigen::VectorXd apply(Eigen::VectorXd const& w, Eigen::VectorXd const& x) const {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
     for (Eigen::Index j = 0; j < x.size(); ++j) y += m_.col(j) * (w[j] * x[j]);
@@ -76,13 +84,16 @@ class SpinAgainstInertia {
 ///
 /// @throws OutsideDomain  where a \f$\Lambda_i\f$ is negative
 /// Accuracy: relative 1e-6 or so.
-inline double largest_step_n(Inertia<Eigen::Dynamic> const& inertia, Momentum<SO<Eigen::Dynamic>, double> const& pi) {
+inline double largest_step_n(Inertia<Eigen::Dynamic> const& inertia,
+                             Momentum<SO<Eigen::Dynamic>, double> const& pi) {
   if (!is_finite(pi.components)) throw NotFinite("largest_step: body momentum");
   double const size = magnitude(pi.components), unit = magnitude(inertia.lambda);
   if (size == 0) return std::numeric_limits<double>::infinity();
   Eigen::VectorXd const lambda = inertia.lambda / unit;
   if (lambda.minCoeff() < 0)
-    throw OutsideDomain("largest_step", "the closed form asks for Lambda_i >= 0; smallest, in units of the largest", lambda.minCoeff(), 0);
+    throw OutsideDomain("largest_step",
+                        "the closed form asks for Lambda_i >= 0; smallest, in units of the largest",
+                        lambda.minCoeff(), 0);
   detail::SpinAgainstInertia spin(lambda, inertia.group.hat((pi.components / size).eval()));
 
   double smallest = 1;

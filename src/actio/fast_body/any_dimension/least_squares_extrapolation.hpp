@@ -8,11 +8,12 @@
 
 namespace actio::detail {
 
-/// Weights \f$w_a\f$ of \f$x_{k+1}\approx\sum_{a<m}w_ax_{k-a}\f$: the value of the polynomial of degree p-1 that is nearest to the last m terms,
-/// in the sense of least squares.
+/// Weights \f$w_a\f$ of \f$x_{k+1}\approx\sum_{a<m}w_ax_{k-a}\f$: the value of the polynomial of degree p-1
+/// that is nearest to the last m terms, in the sense of least squares.
 ///
-/// With m = p it goes through them, and independent errors of the terms come back multiplied by about \f$2^p\f$. Two terms more divide that
-/// by 4 or 5, and let 3.5 times as much of the next power pass; four terms more divide by 13 and let pass 11 times as much.
+/// With m = p it goes through them, and independent errors of the terms come back multiplied by about
+/// \f$2^p\f$. Two terms more divide that by 4 or 5, and let 3.5 times as much of the next power pass; four
+/// terms more divide by 13 and let pass 11 times as much.
 struct Weights {
   static constexpr int longest = 16;
   int degree = 0;  ///< p

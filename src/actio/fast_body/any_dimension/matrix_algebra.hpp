@@ -1,4 +1,5 @@
-// What is done with whole matrices in blocks: products, commutators, and the sums that tell how large they are.
+// What is done with whole matrices in blocks: products, commutators, and the sums that tell how large they
+// are.
 #pragma once
 
 #include <cmath>
@@ -22,9 +23,14 @@ class MatrixAlgebra {
   explicit MatrixAlgebra(int n, Machine machine = best_machine()) : shape_(n), size_(full_size(shape_)) {
     bool const avx2 = machine == Machine::avx2;
     switch (shape_.blocks()) {
-      case 1: product_ = avx2 ? &product_avx2<1> : &product_plain<1>; break;
-      case 2: product_ = avx2 ? &product_avx2<2> : &product_plain<2>; break;
-      default: product_ = avx2 ? &product_avx2<0> : &product_plain<0>;
+      case 1:
+        product_ = avx2 ? &product_avx2<1> : &product_plain<1>;
+        break;
+      case 2:
+        product_ = avx2 ? &product_avx2<2> : &product_plain<2>;
+        break;
+      default:
+        product_ = avx2 ? &product_avx2<0> : &product_plain<0>;
     }
   }
   Blocked<0> const& shape() const { return shape_; }
@@ -32,7 +38,9 @@ class MatrixAlgebra {
   std::size_t size() const { return size_; }
 
   /// \f$ab^T\f$; a and b may be one.
-  void times_transposed(double const* a, double const* b, double* result) const { product_(shape_.n, a, b, result); }
+  void times_transposed(double const* a, double const* b, double* result) const {
+    product_(shape_.n, a, b, result);
+  }
   /// \f$t - t^T\f$ in place of t: for t = a b^T with skew a and b it is \f$-[a,b]\f$.
   void subtract_transposed(double* t) const {
     pairs(t, [](FourLanes& x, FourLanes& y) {
@@ -71,7 +79,8 @@ class MatrixAlgebra {
   }
 
  private:
-  /// Columns of t and of its transpose, four entries each: what becomes of the first, and of the second at the mirror image.
+  /// Columns of t and of its transpose, four entries each: what becomes of the first, and of the second at
+  /// the mirror image.
   template <class Change>
   void pairs(double* t, Change const& change) const {
     for (int j = 0; j < shape_.blocks(); ++j)

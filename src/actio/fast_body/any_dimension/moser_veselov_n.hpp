@@ -1,10 +1,12 @@
-// The Moser-Veselov scheme on SO(n) at the cost of one square of a matrix a step, and one product for the attitude (thesis, section 5.2).
+// The Moser-Veselov scheme on SO(n) at the cost of one square of a matrix a step, and one product for the
+// attitude (thesis, section 5.2).
 //
-// The same scheme as in rigid_body/moser_veselov.hpp, which solves it by Newton in n(n-1)/2 unknowns. Here the unknown is the square of f - 1, and its
-// equation is a fixed point (relative_motion_sweeps.hpp). For short steps the polynomial through the last few squares leaves so little to be
-// done that one square settles a step; for longer ones sweeps continue until the defect is at rounding
-// (stopping_rule.hpp). Where they do not contract, the general solver takes over, or for large n an
-// accelerated iteration; where there is no solution, the step is refused.
+// The same scheme as in rigid_body/moser_veselov.hpp, which solves it by Newton in n(n-1)/2 unknowns. Here
+// the unknown is the square of f - 1, and its equation is a fixed point (relative_motion_sweeps.hpp). For
+// short steps the polynomial through the last few squares leaves so little to be done that one square settles
+// a step; for longer ones sweeps continue until the defect is at rounding (stopping_rule.hpp). Where they do
+// not contract, the general solver takes over, or for large n an accelerated iteration; where there is no
+// solution, the step is refused.
 //
 //   FastMoserVeselov const scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);
@@ -14,17 +16,18 @@
 #include <atomic>
 
 #include "actio/fast_body/any_dimension/anderson.hpp"
+#include "actio/fast_body/any_dimension/fixed_point_step.hpp"
 #include "actio/fast_body/any_dimension/largest_step_n.hpp"
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
-#include "actio/fast_body/any_dimension/fixed_point_step.hpp"
 #include "actio/rigid_body/moser_veselov.hpp"
 
 namespace actio {
 
-/// The Moser-Veselov scheme for one body in n dimensions and one step. One object serves many bodies, and threads.
+/// The Moser-Veselov scheme for one body in n dimensions and one step. One object serves many bodies, and
+/// threads.
 class FastMoserVeselov {
  public:
-  using Group = SO<Eigen::Dynamic>;      ///< n at run time
+  using Group = SO<Eigen::Dynamic>;         ///< n at run time
   using Rotation = Element<Group, double>;  ///< of the attitude, and of the relative motion
   using BodyMomentum = Momentum<Group, double>;
 
@@ -32,9 +35,10 @@ class FastMoserVeselov {
   /// @param step     h, time; negative steps go back in time
   /// @param sweeps   whether to stop at rounding, or beyond it for long runs
   /// @param machine  for which the copy of the code is taken that runs
-  /// @throws NotFinite, OutsideDomain  where the step is no number, or zero, or so far from the unit of \f$\Lambda\f$ that \f$\Lambda/h\f$ is no
-  ///   number
-  FastMoserVeselov(Inertia<Eigen::Dynamic> inertia, double step, Sweeps sweeps = Sweeps::to_rounding, Machine machine = best_machine())
+  /// @throws NotFinite, OutsideDomain where the step is no number, or zero, or so far from the unit of
+  ///   \f$\Lambda\f$ that \f$\Lambda/h\f$ is no number
+  FastMoserVeselov(Inertia<Eigen::Dynamic> inertia, double step, Sweeps sweeps = Sweeps::to_rounding,
+                   Machine machine = best_machine())
       : inertia_(std::move(inertia)),
         step_(step),
         shape_(inertia_.group.n),
@@ -57,8 +61,9 @@ class FastMoserVeselov {
   RotatingBody release(Rotation const& g, BodyMomentum const& pi) const {
     detail::require_rotation(g.value, shape_.n, "Moser-Veselov: attitude");
     if (pi.components.size() != inertia_.moments.size())
-      throw OutsideDomain("Moser-Veselov", "a momentum with a component for each moment of inertia is needed; components",
-                          static_cast<double>(pi.components.size()), static_cast<double>(inertia_.moments.size()));
+      throw OutsideDomain(
+          "Moser-Veselov", "a momentum with a component for each moment of inertia is needed; components",
+          static_cast<double>(pi.components.size()), static_cast<double>(inertia_.moments.size()));
     if (!is_finite(pi.components)) throw NotFinite("Moser-Veselov: body momentum");
     RotatingBody body(shape_.n);
     body.set_attitude(g.value);
@@ -71,14 +76,15 @@ class FastMoserVeselov {
   /// One step of the momentum alone; the attitude is not updated.
   /// Accuracy: the relative motion is a rotation to \f$\epsilon|f-1|\f$ in the norm of Frobenius, and the
   /// momentum is transported by it to the rounding of the square.
-  /// @throws StepTooLong   where there is no solution, with the largest step that would do; the body is as it was
+  /// @throws StepTooLong   where there is no solution, with the largest step that would do; the body is as it
+  ///                       was
   /// @throws NotConverged  where there is one that could not be found; the body is as it was
   void step(RotatingBody& body) const { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
   void step_with_attitude(RotatingBody& body) const { advance(body, true); }
 
-  /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme, from its square and the momentum; the identity before the
-  /// first.
+  /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme, from its square and
+  /// the momentum; the identity before the first.
   Rotation last_relative_motion(RotatingBody const& body) const {
     Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
@@ -94,8 +100,11 @@ class FastMoserVeselov {
     return f;
   }
 
-  /// The largest step for which a motion with body momentum `pi` exists. Infinite at rest. For n in the hundreds it takes seconds.
-  double longest_step(BodyMomentum const& pi) const { return shape_.n <= 48 ? largest_step(inertia_, pi) : largest_step_n(inertia_, pi); }
+  /// The largest step for which a motion with body momentum `pi` exists. Infinite at rest. For n in the
+  /// hundreds it takes seconds.
+  double longest_step(BodyMomentum const& pi) const {
+    return shape_.n <= 48 ? largest_step(inertia_, pi) : largest_step_n(inertia_, pi);
+  }
 
  private:
   static constexpr int largest_for_newton = 24;  ///< 276 unknowns
@@ -114,7 +123,9 @@ class FastMoserVeselov {
   void advance(RotatingBody& body, bool with_attitude) const {
     using detail::Stage;
     if (body.size() != shape_.n)
-      throw OutsideDomain("Moser-Veselov", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), shape_.n);
+      throw OutsideDomain("Moser-Veselov",
+                          "a body in as many dimensions as there are Lambda is needed; dimensions",
+                          body.size(), shape_.n);
     detail::FixedPointStep const s{body, {lambda_.data(), inverse_.data()}, rule_};
     if (body.scheme_ == RotatingBody::next_scheme) body.scheme_ = id_;
     if (body.scheme_ != id_) carry_out_(s, Stage::prepare, shape_.n), body.scheme_ = id_;
@@ -134,7 +145,8 @@ class FastMoserVeselov {
   void by_newton(detail::FixedPointStep const& s) const {
     auto f = MoserVeselov<Eigen::Dynamic>(inertia_, step_).relative_motion(s.body.momentum()).value;
     for (int j = 0; j < shape_.n; ++j)
-      for (int i = 0; i < shape_.n; ++i) s.motion()[detail::full_entry(shape_, i, j)] = f.value(i, j) - (i == j);
+      for (int i = 0; i < shape_.n; ++i)
+        s.motion()[detail::full_entry(shape_, i, j)] = f.value(i, j) - (i == j);
     carry_out_(s, detail::Stage::square, shape_.n);
     s.body.sweeps_ = 1;
   }

@@ -1,13 +1,14 @@
 // The equation of a step of the natural-chart scheme on SO(n): which rotation with constant velocity has the
 // momentum P at its beginning (thesis, section 5.1).
 //
-// With Z = h zeta the momentum of the step is M0 = chi(ad*_Z) J zeta (momentum_of in rigid_body/natural_chart_scheme.hpp), chi(x) = x/(e^x - 1). What chi
-// divides by is a mean: J zeta is the mean of the momentum while the body turns from its attitude before the
-// step to that after it. So
+// With Z = h zeta the momentum of the step is M0 = chi(ad*_Z) J zeta (momentum_of in
+// rigid_body/natural_chart_scheme.hpp), chi(x) = x/(e^x - 1). What chi divides by is a mean: J zeta is the
+// mean of the momentum while the body turns from its attitude before the step to that after it. So
 //
 //     J Z = Q(Z),      Q(Z) = mean over s in [0,1] of e^{-sZ} P e^{sZ},      P = h M0,
 //
-// which has no pole where chi has one. A sweep divides the error R = Q - J Z again by what the mean has multiplied it with, to second order,
+// which has no pole where chi has one. A sweep divides the error R = Q - J Z again by what the mean has
+// multiplied it with, to second order,
 //
 //     Z <- Z + J^{-1} (R + [Z,R]/2 + [Z,[Z,R]]/12),
 //
@@ -29,13 +30,21 @@ namespace actio::detail {
 /// The equation for one body, in a unit in which moments and momenta are near 1.
 class NaturalChartEquation {
  public:
-  /// @param moments  of the planes in the order of the coordinates, and the unit that they are to be divided by
+  /// @param moments  of the planes in the order of the coordinates, and the unit that they are to be divided
+  ///                 by
   NaturalChartEquation(Inertia<Eigen::Dynamic> const& inertia, double unit, MatrixAlgebra const& algebra)
-      : algebra_(algebra), subgroup_(algebra), moments_(algebra.size()), inverse_(algebra.size()), error_(algebra.size()), room_(algebra.size()), change_(algebra.size()) {
+      : algebra_(algebra),
+        subgroup_(algebra),
+        moments_(algebra.size()),
+        inverse_(algebra.size()),
+        error_(algebra.size()),
+        room_(algebra.size()),
+        change_(algebra.size()) {
     over_planes(algebra.shape().n, [&](int a, int i, int j) {
       double const moment = inertia.moments[a] / unit;
       least_ = std::min(least_, moment);
-      for (auto const at : {full_entry(algebra.shape(), i, j), full_entry(algebra.shape(), j, i)}) moments_.data()[at] = moment, inverse_.data()[at] = 1 / moment;
+      for (auto const at : {full_entry(algebra.shape(), i, j), full_entry(algebra.shape(), j, i)})
+        moments_.data()[at] = moment, inverse_.data()[at] = 1 / moment;
     });
   }
 
@@ -96,7 +105,9 @@ class NaturalChartEquation {
   }
   /// Whether all angles of a rotation are less than pi, where the chart ends.
   bool in_chart(double const* z) {
-    if (algebra_.norm(z) / std::numbers::sqrt2 < std::numbers::pi || subgroup_.angle_bound(z) < std::numbers::pi) return true;
+    if (algebra_.norm(z) / std::numbers::sqrt2 < std::numbers::pi ||
+        subgroup_.angle_bound(z) < std::numbers::pi)
+      return true;
     int const n = algebra_.shape().n;
     Eigen::MatrixXd matrix(n, n);
     for (int j = 0; j < n; ++j)

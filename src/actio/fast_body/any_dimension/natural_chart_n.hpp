@@ -1,9 +1,10 @@
 // The natural-chart scheme on SO(n), n at run time (thesis, section 5.1).
 //
-// The same scheme as in rigid_body/natural_chart_scheme.hpp, whose reduced discrete Lagrangian is l(f) = <J log f, log f>/2h: there by the general road, for a fixed n and
-// any scalar, here by products of matrices (natural_chart_equation.hpp). A step finds the turn Z = h zeta with the momentum M0 at its beginning; with
-// f = exp(-Z) the momentum after it is f M0 f^T, and the attitude g0 f^T. f is orthogonal to the rounding of f - 1, whatever is left in Z: so the spectrum of the
-// momentum is conserved to rounding.
+// The same scheme as in rigid_body/natural_chart_scheme.hpp, whose reduced discrete Lagrangian is l(f) = <J
+// log f, log f>/2h: there by the general road, for a fixed n and any scalar, here by products of matrices
+// (natural_chart_equation.hpp). A step finds the turn Z = h zeta with the momentum M0 at its beginning; with
+// f = exp(-Z) the momentum after it is f M0 f^T, and the attitude g0 f^T. f is orthogonal to the rounding of
+// f - 1, whatever is left in Z: so the spectrum of the momentum is conserved to rounding.
 //
 //   FastNaturalChart scheme(inertia, h);
 //   auto body = scheme.release(attitude, momentum);
@@ -11,16 +12,17 @@
 #pragma once
 
 #include "actio/fast_body/any_dimension/charted_body.hpp"
-#include "actio/fast_body/any_dimension/step_continuation.hpp"
 #include "actio/fast_body/any_dimension/matrix_conditions.hpp"
 #include "actio/fast_body/any_dimension/relative_motion_sweeps.hpp"
+#include "actio/fast_body/any_dimension/step_continuation.hpp"
 
 namespace actio {
 
-/// The natural-chart scheme for one body in n dimensions and one step. One object serves many bodies, one after the other.
+/// The natural-chart scheme for one body in n dimensions and one step. One object serves many bodies, one
+/// after the other.
 class FastNaturalChart {
  public:
-  using Group = SO<Eigen::Dynamic>;      ///< n at run time
+  using Group = SO<Eigen::Dynamic>;         ///< n at run time
   using Rotation = Element<Group, double>;  ///< of the attitude, and of the relative motion
   using BodyMomentum = Momentum<Group, double>;
 
@@ -48,8 +50,9 @@ class FastNaturalChart {
   ChartedBody release(Rotation const& g, BodyMomentum const& pi) const {
     detail::require_rotation(g.value, inertia_.group.n, "natural chart: attitude");
     if (pi.components.size() != inertia_.moments.size())
-      throw OutsideDomain("natural chart", "a momentum with a component for each moment of inertia is needed; components", static_cast<double>(pi.components.size()),
-                          static_cast<double>(inertia_.moments.size()));
+      throw OutsideDomain(
+          "natural chart", "a momentum with a component for each moment of inertia is needed; components",
+          static_cast<double>(pi.components.size()), static_cast<double>(inertia_.moments.size()));
     if (!is_finite(pi.components)) throw NotFinite("natural chart: body momentum");
     ChartedBody body(inertia_.group.n);
     body.set(ChartedBody::attitude_, g.value);
@@ -62,25 +65,30 @@ class FastNaturalChart {
   /// One step of the momentum alone; the attitude is not updated. \implements{eq_5_4}
   /// Accuracy: Z to its rounding where sweeps contract, and as well as the equation determines it elsewhere;
   /// the momentum is transported by f to the rounding of f - 1.
-  /// @throws StepTooLong  where the branch of solutions that begins at rest ends before this step, or n is large and the solver ends there, with the largest step that would do; the body is as it was
+  /// @throws StepTooLong  where the branch of solutions that begins at rest ends before this step, or n is
+  ///                      large and the solver ends there, with the largest step that would do; the body is
+  ///                      as it was
   void step(ChartedBody& body) { advance(body, false); }
   /// One step of momentum and attitude, \f$g_1 = g_0f^{-1}\f$. Throws what \ref step throws.
   void step_with_attitude(ChartedBody& body) { advance(body, true); }
 
-  /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme; the identity before the first.
+  /// The relative motion \f$f = g_1^Tg_0\f$ of the last step of a body under this scheme; the identity before
+  /// the first.
   Rotation last_relative_motion(ChartedBody& body) {
     Rotation f = identity<double>(inertia_.group);
     if (body.past_ == 0) return f;
     equation_.subgroup().relative_motion(body.past(0), e_.data());
     for (int j = 0; j < body.size(); ++j)
-      for (int i = 0; i < body.size(); ++i) f.value(i, j) += e_.data()[detail::full_entry(algebra_.shape(), i, j)];
+      for (int i = 0; i < body.size(); ++i)
+        f.value(i, j) += e_.data()[detail::full_entry(algebra_.shape(), i, j)];
     return f;
   }
 
  private:
   static constexpr int largest_for_newton = 16;  ///< 120 unknowns
 
-  /// The ratio of changes that still counts as contraction: where a sweep is a tenth of a second, a hundred of them are too many.
+  /// The ratio of changes that still counts as contraction: where a sweep is a tenth of a second, a hundred
+  /// of them are too many.
   double slowest() const { return inertia_.group.n <= 128 ? 0.9 : 0.5; }
   /// How often the part of a step between one that is taken and one that is not is halved.
   int halvings() const { return inertia_.group.n <= 128 ? 5 : 3; }
@@ -99,11 +107,14 @@ class FastNaturalChart {
 
   void advance(ChartedBody& body, bool with_attitude) {
     if (body.size() != inertia_.group.n)
-      throw OutsideDomain("natural chart", "a body in as many dimensions as there are Lambda is needed; dimensions", body.size(), inertia_.group.n);
+      throw OutsideDomain("natural chart",
+                          "a body in as many dimensions as there are Lambda is needed; dimensions",
+                          body.size(), inertia_.group.n);
     if (body.step_ != step_) body.past_ = 0, body.contraction_ = 1, body.step_ = step_;
     std::copy(body.array(ChartedBody::momentum_), body.array(ChartedBody::momentum_rest_), p_.data());
     algebra_.scale(1 / unit_, p_.data()), algebra_.scale(step_, p_.data());
-    if (!is_finite(algebra_.norm(p_.data()))) throw NotFinite("natural chart: step times body momentum over inertia");
+    if (!is_finite(algebra_.norm(p_.data())))
+      throw NotFinite("natural chart: step times body momentum over inertia");
     solve(body);
     equation_.subgroup().relative_motion(z_.data(), e_.data());
     transport_momentum(body);
@@ -118,14 +129,16 @@ class FastNaturalChart {
   /// Z from P.
   void solve(ChartedBody& body) {
     guess(body);
-    if (equation_.by_sweeps(p_.data(), z_.data(), body.contraction_, slowest()) && equation_.in_chart(z_.data())) {
+    if (equation_.by_sweeps(p_.data(), z_.data(), body.contraction_, slowest()) &&
+        equation_.in_chart(z_.data())) {
       body.contraction_ = equation_.contraction(), body.sweeps_ = equation_.sweeps();
       return;
     }
     body.contraction_ = 1, body.sweeps_ = 0;
     if (inertia_.group.n <= largest_for_newton) {
       double const reached = detail::StepContinuation(equation_, p_.data()).follow(z_.data());
-      if (reached < 1) throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * reached * (1 - 1e-6));
+      if (reached < 1)
+        throw StepTooLong("natural chart", std::abs(step_), std::abs(step_) * reached * (1 - 1e-6));
     } else {
       by_sweeps_from_rest();
     }
@@ -157,12 +170,14 @@ class FastNaturalChart {
     if (body.past_ == 0) return equation_.guess(p_.data(), z_.data());
     detail::Weights const& w = detail::all_extrapolations()[body.continuation_];
     std::fill(z_.data(), z_.data() + algebra_.size(), 0.0);
-    for (int k = 0; k < w.length; ++k) algebra_.add(w.weight[static_cast<std::size_t>(k)], body.past(k), z_.data());
+    for (int k = 0; k < w.length; ++k)
+      algebra_.add(w.weight[static_cast<std::size_t>(k)], body.past(k), z_.data());
   }
 
   /// \f$M_1 = fM_0f^T = M_0 + eM_0 + M_0e^T + eM_0e^T\f$.
   void transport_momentum(ChartedBody& body) {
-    double *const m = body.array(ChartedBody::momentum_), *const e = e_.data(), *const em = room_.data(), *const eme = product_.data();
+    double *const m = body.array(ChartedBody::momentum_), *const e = e_.data(), *const em = room_.data(),
+                  *const eme = product_.data();
     // -e M0, and -e M0 e^T.
     algebra_.times_transposed(e, m, em);
     algebra_.times_transposed(em, e, eme);
@@ -187,7 +202,8 @@ class FastNaturalChart {
     for (detail::Weights const& w : detail::all_extrapolations()) {
       if (w.length >= body.past_) break;
       std::copy(body.past(0), body.past(0) + algebra_.size(), room_.data());
-      for (int k = 0; k < w.length; ++k) algebra_.add(-w.weight[static_cast<std::size_t>(k)], body.past(k + 1), room_.data());
+      for (int k = 0; k < w.length; ++k)
+        algebra_.add(-w.weight[static_cast<std::size_t>(k)], body.past(k + 1), room_.data());
       missed.push_back(algebra_.norm(room_.data()));
       best = std::min(best, missed.back());
     }

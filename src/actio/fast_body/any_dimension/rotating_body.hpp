@@ -15,7 +15,8 @@ namespace detail {
 struct FixedPointStep;
 }
 
-/// A free body in n dimensions on its way. Made by `FastMoserVeselov::release`, moved by its steps; copies are independent.
+/// A free body in n dimensions on its way. Made by `FastMoserVeselov::release`, moved by its steps; copies
+/// are independent.
 ///
 /// Momentum and attitude are each a rounded matrix and the accumulated rounding errors (compensated
 /// summation), so that a million small steps add up as one sum.
@@ -38,44 +39,63 @@ class RotatingBody {
   /// without the attitude.
   Momentum<Group, double> spatial_momentum() const {
     auto const g = attitude();
-    return {g.group, g.group.vee((g.value * g.group.hat(momentum().components) * g.value.transpose()).eval())};
+    return {g.group,
+            g.group.vee((g.value * g.group.hat(momentum().components) * g.value.transpose()).eval())};
   }
   int size() const { return shape_.n; }
   /// How many steps it has made under this scheme.
   long steps() const { return steps_; }
   /// How many squares the last step took.
   int squares() const { return sweeps_; }
-  /// \f$|ff^T-1|\f$ in the norm of Frobenius, the last that was seen: the relative motion used is nearer by one sweep.
+  /// \f$|ff^T-1|\f$ in the norm of Frobenius, the last that was seen: the relative motion used is nearer by
+  /// one sweep.
   double defect() const { return std::sqrt(defect_); }
   /// How many steps the guess at the next one is made of.
   int remembered() const { return continuation_ ? continuation_->length : 0; }
 
-  /// Saves, or restores, all that the bits of the next step depend on, besides the scheme: `memory(numbers...)` takes each of them by reference.
+  /// Saves, or restores, all that the bits of the next step depend on, besides the scheme:
+  /// `memory(numbers...)` takes each of them by reference.
   ///
   /// It is restored into a body of the same size, and continues under the next scheme that steps it, which
   /// must be the one it was saved under or its equal.
   /// @throws OutsideDomain  where what is restored is no body of this size
   template <class Memory>
   void remember(Memory& memory) {
-    int size = shape_.n, continuation = continuation_ ? static_cast<int>(continuation_ - detail::all_extrapolations().data()) : -1;
+    int size = shape_.n,
+        continuation =
+            continuation_ ? static_cast<int>(continuation_ - detail::all_extrapolations().data()) : -1;
     unsigned long scheme = scheme_;
-    memory(size, continuation, scheme, latest_, past_, sweeps_, expected_, steps_, chosen_, defect_, contraction_, solved_);
-    bool const fits = size == shape_.n && -1 <= continuation && continuation < static_cast<int>(detail::all_extrapolations().size()) && 0 <= latest_ && latest_ < longest && 0 <= past_ && past_ <= longest;
-    if (!fits) throw OutsideDomain("rotating body", "a body of this size is to be restored; dimensions", size, shape_.n);
-    continuation_ = continuation < 0 ? nullptr : &detail::all_extrapolations()[static_cast<std::size_t>(continuation)];
+    memory(size, continuation, scheme, latest_, past_, sweeps_, expected_, steps_, chosen_, defect_,
+           contraction_, solved_);
+    bool const fits = size == shape_.n && -1 <= continuation &&
+                      continuation < static_cast<int>(detail::all_extrapolations().size()) && 0 <= latest_ &&
+                      latest_ < longest && 0 <= past_ && past_ <= longest;
+    if (!fits)
+      throw OutsideDomain("rotating body", "a body of this size is to be restored; dimensions", size,
+                          shape_.n);
+    continuation_ =
+        continuation < 0 ? nullptr : &detail::all_extrapolations()[static_cast<std::size_t>(continuation)];
     // The number of a scheme means nothing in another process.
     if (scheme != scheme_) scheme_ = scheme ? next_scheme : 0;
     for (int const k : {motion_, attitude_, attitude_rest_}) remember_array(memory, full(k), full_size_);
-    for (int const k : {static_cast<int>(momentum_), static_cast<int>(momentum_rest_), guess_}) remember_array(memory, half(k), half_size_);
-    for (int k = 0; k < past_; ++k) remember_array(memory, half(ring_[static_cast<std::size_t>((latest_ + k) % longest)]), half_size_);
+    for (int const k : {static_cast<int>(momentum_), static_cast<int>(momentum_rest_), guess_})
+      remember_array(memory, half(k), half_size_);
+    for (int k = 0; k < past_; ++k)
+      remember_array(memory, half(ring_[static_cast<std::size_t>((latest_ + k) % longest)]), half_size_);
   }
 
  private:
   friend struct detail::FixedPointStep;
   friend class FastMoserVeselov;
 
-  enum : int { motion_, attitude_, attitude_rest_, room_, full_arrays };  // e, g and what rounding left of it, room to work in
-  static constexpr int longest = detail::Weights::longest + 1;            // squares of the past
+  enum : int {
+    motion_,
+    attitude_,
+    attitude_rest_,
+    room_,
+    full_arrays
+  };  // e, g and what rounding left of it, room to work in
+  static constexpr int longest = detail::Weights::longest + 1;  // squares of the past
   enum : int { momentum_, momentum_rest_, first_square_, half_arrays = first_square_ + longest + 2 };
 
   explicit RotatingBody(int n)
@@ -105,7 +125,8 @@ class RotatingBody {
     Group const group{size()};
     Momentum<Group, double> pi{group, Eigen::VectorXd(group.dimension())};
     over_planes(size(), [&](int a, int i, int j) {
-      pi.components[a] = i > j ? half(array)[detail::half_entry(shape_, i, j)] : -half(array)[detail::half_entry(shape_, j, i)];
+      pi.components[a] = i > j ? half(array)[detail::half_entry(shape_, i, j)]
+                               : -half(array)[detail::half_entry(shape_, j, i)];
     });
     return pi;
   }
@@ -128,8 +149,9 @@ class RotatingBody {
   detail::Weights const* continuation_ = nullptr;
   int past_ = 0, sweeps_ = 0, expected_ = 0;  // squares of the last step, and how many it was to take
   long steps_ = 0, chosen_ = 0;               // and when the continuation was chosen
-  double defect_ = 0, contraction_ = 1;       // squares of the last defect, and of the factor by which sweeps make it smaller
-  bool solved_ = false;                       // whether the last sweeps came to an end
+  double defect_ = 0,
+         contraction_ = 1;  // squares of the last defect, and of the factor by which sweeps make it smaller
+  bool solved_ = false;     // whether the last sweeps came to an end
   // Whose steps are remembered: none's, those of the scheme that steps next, or one's by its number.
   static constexpr unsigned long next_scheme = ~0ul;
   unsigned long scheme_ = 0;

@@ -1,7 +1,9 @@
-// The eigenvalues of a skew matrix: they are i times real numbers, in pairs of opposite signs, and zero once more where the size is odd.
+// The eigenvalues of a skew matrix: they are i times real numbers, in pairs of opposite signs, and zero once
+// more where the size is odd.
 //
-// Reflections take the matrix to tridiagonal form, which diag(1, i, i^2, ...) takes to i times a symmetric one with a diagonal of zeros. Its positive
-// eigenvalues are found by bisection on the signs of its pivots, each for itself: nothing that has to converge.
+// Reflections take the matrix to tridiagonal form, which diag(1, i, i^2, ...) takes to i times a symmetric
+// one with a diagonal of zeros. Its positive eigenvalues are found by bisection on the signs of its pivots,
+// each for itself: nothing that has to converge.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +31,8 @@ inline std::vector<double> skew_tridiagonal(Eigen::MatrixXd a) {
     // (1 - 2 v v^T/|v|^2) A (1 - 2 v v^T/|v|^2) = A + v w^T - w v^T with w = 2 A v/|v|^2, since v^T A v = 0.
     w.head(left).setZero();
     for (Eigen::Index j = 0; j < left; ++j) w.head(left) += a.col(k + 1 + j).tail(left) * (2 / square * v[j]);
-    for (Eigen::Index j = 0; j < left; ++j) a.col(k + 1 + j).tail(left) += v.head(left) * w[j] - w.head(left) * v[j];
+    for (Eigen::Index j = 0; j < left; ++j)
+      a.col(k + 1 + j).tail(left) += v.head(left) * w[j] - w.head(left) * v[j];
   }
   return beside;
 }
@@ -50,7 +53,8 @@ inline int count_below(std::vector<double> const& beside_squared, double x) {
 
 }  // namespace detail
 
-/// The moduli of the eigenvalues of a skew matrix, in ascending order: as many as it has rows, those of a pair equal.
+/// The moduli of the eigenvalues of a skew matrix, in ascending order: as many as it has rows, those of a
+/// pair equal.
 ///
 /// Moduli below 8 n epsilon of the largest, which rounding cannot tell from zero, are zero.
 /// @param a  skew; only what is below the diagonal counts
@@ -59,16 +63,19 @@ inline int count_below(std::vector<double> const& beside_squared, double x) {
 inline Eigen::VectorXd skew_spectrum(Eigen::MatrixXd const& a) {
   Eigen::Index const n = a.rows();
   if (a.cols() != n || n == 0)
-    throw OutsideDomain("skew spectrum", "a square matrix with at least one row is needed; columns", static_cast<double>(a.cols()), static_cast<double>(n));
+    throw OutsideDomain("skew spectrum", "a square matrix with at least one row is needed; columns",
+                        static_cast<double>(a.cols()), static_cast<double>(n));
   require_finite(a, "skew spectrum");
   Eigen::VectorXd moduli = Eigen::VectorXd::Zero(n);
   // In a unit near the largest entry, so that squares are numbers.
   int exponent = 0;
   std::frexp(magnitude(a), &exponent);
-  auto squares = detail::skew_tridiagonal(a * std::ldexp(1.0, -exponent / 2) * std::ldexp(1.0, exponent / 2 - exponent));
+  auto squares =
+      detail::skew_tridiagonal(a * std::ldexp(1.0, -exponent / 2) * std::ldexp(1.0, exponent / 2 - exponent));
   double largest = 0;
   for (double& b : squares) largest = std::max(largest, b), b *= b;
-  double const high = 2 * largest, nothing = 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest;
+  double const high = 2 * largest,
+               nothing = 8 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() * largest;
   for (Eigen::Index k = 0; k < n / 2 && largest > 0; ++k) {
     // The k-th from the top.
     double below = nothing, above = high;

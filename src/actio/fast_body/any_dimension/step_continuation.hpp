@@ -1,17 +1,18 @@
 // Long steps of the natural-chart scheme on SO(n), by numerical continuation: the solution is followed from
 // rest, along a growing step.
 //
-// The equation J Z = Q(Z) depends on the step through P = h M0 alone, so a step that grows is a P that grows. Where n is small each piece of the way is solved by
-// Newton, with differences for the derivative, whose determinant must stay positive; it ends where the derivative has no inverse, or an angle reaches half a turn.
-// Where n is large sweeps must contract: so they do on this branch alone.
+// The equation J Z = Q(Z) depends on the step through P = h M0 alone, so a step that grows is a P that grows.
+// Where n is small each piece of the way is solved by Newton, with differences for the derivative, whose
+// determinant must stay positive; it ends where the derivative has no inverse, or an angle reaches half a
+// turn. Where n is large sweeps must contract: so they do on this branch alone.
 #pragma once
 
 #include <gsl/gsl_linalg.h>
 
 #include <vector>
 
-#include "actio/numbers/eigenvalues.hpp"
 #include "actio/fast_body/any_dimension/natural_chart_equation.hpp"
+#include "actio/numbers/eigenvalues.hpp"
 
 namespace actio::detail {
 
@@ -19,7 +20,12 @@ namespace actio::detail {
 class StepContinuation {
  public:
   /// @param p  h M0 of the whole step
-  StepContinuation(NaturalChartEquation& equation, double const* p) : equation_(equation), algebra_(equation.algebra()), whole_(algebra_.size()), p_(algebra_.size()), z_(algebra_.size()) {
+  StepContinuation(NaturalChartEquation& equation, double const* p)
+      : equation_(equation),
+        algebra_(equation.algebra()),
+        whole_(algebra_.size()),
+        p_(algebra_.size()),
+        z_(algebra_.size()) {
     std::copy(p, p + algebra_.size(), whole_.data());
   }
 
@@ -32,9 +38,11 @@ class StepContinuation {
       double const part = std::min(1.0, reached + gap);
       std::vector<double> next = now;
       // Along the secant; from rest along the velocity of the first guess.
-      if (reached == 0) next = first_guess(part);
+      if (reached == 0)
+        next = first_guess(part);
       else
-        for (std::size_t a = 0; a < next.size(); ++a) next[a] += (now[a] - before[a]) * ((part - reached) / (reached - previous));
+        for (std::size_t a = 0; a < next.size(); ++a)
+          next[a] += (now[a] - before[a]) * ((part - reached) / (reached - previous));
       std::vector<double> const expected = next;
       if (solve(part, next) && distance(next, expected) <= 0.3 * distance(next, now)) {
         before = now, previous = reached, now = next, reached = part, gap *= 2;
@@ -48,7 +56,8 @@ class StepContinuation {
 
  private:
   static constexpr double smallest_gap = 1e-8;
-  static constexpr double rounding_at_end = 1e-8;  // next to the end of the branch half of the digits are lost
+  static constexpr double rounding_at_end =
+      1e-8;  // next to the end of the branch half of the digits are lost
 
   int size() const { return algebra_.shape().n; }
   int unknowns() const { return size() * (size() - 1) / 2; }
@@ -66,7 +75,8 @@ class StepContinuation {
   void put(std::vector<double> const& x, double* z) const {
     std::size_t a = 0;
     for (int j = 0; j < size(); ++j)
-      for (int i = j + 1; i < size(); ++i, ++a) z[full_entry(algebra_.shape(), i, j)] = x[a], z[full_entry(algebra_.shape(), j, i)] = -x[a];
+      for (int i = j + 1; i < size(); ++i, ++a)
+        z[full_entry(algebra_.shape(), i, j)] = x[a], z[full_entry(algebra_.shape(), j, i)] = -x[a];
   }
   std::vector<double> taken(double const* z) const {
     std::vector<double> x;
@@ -74,7 +84,9 @@ class StepContinuation {
       for (int i = j + 1; i < size(); ++i) x.push_back(z[full_entry(algebra_.shape(), i, j)]);
     return x;
   }
-  static double norm(std::vector<double> const& x) { return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).norm(); }
+  static double norm(std::vector<double> const& x) {
+    return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).norm();
+  }
   static double distance(std::vector<double> x, std::vector<double> const& y) {
     for (std::size_t a = 0; a < x.size(); ++a) x[a] -= y[a];
     return norm(x);
@@ -84,7 +96,8 @@ class StepContinuation {
     return taken(equation_.change(p_.data(), z_.data()));
   }
 
-  /// Newton for a part of the step. The derivative is taken where it begins, and again where the moves no longer fall; where they fall no more from there, they are rounding.
+  /// Newton for a part of the step. The derivative is taken where it begins, and again where the moves no
+  /// longer fall; where they fall no more from there, they are rounding.
   bool solve(double part, std::vector<double>& x) {
     std::copy(whole_.data(), whole_.data() + algebra_.size(), p_.data());
     algebra_.scale(part, p_.data());
@@ -96,7 +109,8 @@ class StepContinuation {
         for (std::size_t a = 0; a < x.size(); ++a) x[a] += move[a];
         double const size = norm(move);
         if (!(size < 1)) return false;
-        bool const stalls = size > before / 4, settled = derivatives > 0 && stalls && size <= rounding_at_end * norm(x);
+        bool const stalls = size > before / 4,
+                   settled = derivatives > 0 && stalls && size <= rounding_at_end * norm(x);
         if (size <= 4 * std::numeric_limits<double>::epsilon() * norm(x) || settled) {
           put(x, z_.data());
           return equation_.in_chart(z_.data()) && (derivatives > 0 || differentiate(x));
@@ -108,7 +122,8 @@ class StepContinuation {
     return false;
   }
 
-  /// The derivative of the change, by differences, in triangular factors. Whether its determinant has the sign that it has at rest.
+  /// The derivative of the change, by differences, in triangular factors. Whether its determinant has the
+  /// sign that it has at rest.
   bool differentiate(std::vector<double> const& x) {
     int const n = unknowns();
     double const apart = 1e-7 * std::max(1.0, norm(x));
@@ -118,7 +133,9 @@ class StepContinuation {
       auto moved = x;
       moved[static_cast<std::size_t>(b)] += apart;
       auto const at_moved = change(moved);
-      for (int a = 0; a < n; ++a) derivative_(a, b) = (at_x[static_cast<std::size_t>(a)] - at_moved[static_cast<std::size_t>(a)]) / apart;
+      for (int a = 0; a < n; ++a)
+        derivative_(a, b) =
+            (at_x[static_cast<std::size_t>(a)] - at_moved[static_cast<std::size_t>(a)]) / apart;
     }
     if (!derivative_.allFinite()) return false;
     order_.resize(static_cast<std::size_t>(n));

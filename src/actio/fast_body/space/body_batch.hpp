@@ -21,7 +21,8 @@ namespace actio {
 struct BodyRefused : Error {
   std::size_t index;  ///< of the body in the batch
   /// @param which  index of the body
-  BodyRefused(std::size_t which, std::string const& why) : Error("body " + std::to_string(which) + ": " + why), index(which) {}
+  BodyRefused(std::size_t which, std::string const& why)
+      : Error("body " + std::to_string(which) + ": " + why), index(which) {}
 };
 
 namespace detail {
@@ -48,8 +49,10 @@ inline Eigen::Vector4d frame_quaternion(Three<double> const& u, Three<double> co
 /// A body that cannot be stepped has an index of its own: its entry stays empty, it is in \ref refused, and
 /// asking for its state throws.
 ///
-/// Accuracy: each step is exact to a few roundings. Next to the separatrix a rounding grows as fast as the motion leaves the middle axis, and a batch does not go back to the orbit for it as
-/// `FreeSteps` does: a body that is let go within 1e-5 of that axis may be off by 1e-5 after a few turns over. The function `at` of a `FreeBody` has no such trouble.
+/// Accuracy: each step is exact to a few roundings. Next to the separatrix a rounding grows as fast as the
+/// motion leaves the middle axis, and a batch does not go back to the orbit for it as `FreeSteps` does: a
+/// body that is let go within 1e-5 of that axis may be off by 1e-5 after a few turns over. The function `at`
+/// of a `FreeBody` has no such trouble.
 class BodyBatch {
  public:
   /// An empty batch.
@@ -64,12 +67,14 @@ class BodyBatch {
   /// @param momenta    body momenta at the start, as many; energy x time
   /// @param attitudes  unit quaternions, body to space, as many
   /// @throws OutsideDomain  where the lists are not of one length
-  BodyBatch(std::vector<Inertia<3>> const& inertias, std::vector<Momentum<SO<3>, double>> const& momenta, std::vector<Element<SU2, double>> const& attitudes,
-            double h, Machine machine = best_machine())
+  BodyBatch(std::vector<Inertia<3>> const& inertias, std::vector<Momentum<SO<3>, double>> const& momenta,
+            std::vector<Element<SU2, double>> const& attitudes, double h, Machine machine = best_machine())
       : BodyBatch(h, machine) {
     if (momenta.size() != inertias.size() || attitudes.size() != inertias.size())
-      throw OutsideDomain("batch", "as many momenta and attitudes as bodies are needed; the length that is off",
-                          static_cast<double>(momenta.size() != inertias.size() ? momenta.size() : attitudes.size()), static_cast<double>(inertias.size()));
+      throw OutsideDomain(
+          "batch", "as many momenta and attitudes as bodies are needed; the length that is off",
+          static_cast<double>(momenta.size() != inertias.size() ? momenta.size() : attitudes.size()),
+          static_cast<double>(inertias.size()));
     for (std::size_t i = 0; i < inertias.size(); ++i) try {
         add(inertias[i], momenta[i], attitudes[i]);
       } catch (BodyRefused const& why) {
@@ -81,7 +86,8 @@ class BodyBatch {
   /// One more body, at its start now. @return its index
   /// @throws BodyRefused  where it cannot be stepped, with the index that it would have had; the batch is as
   ///   before
-  std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{})) {
+  std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum,
+                  Element<SU2, double> const& attitude = identity<double>(SU2{})) {
     try {
       inertia_from_moments(inertia.moments);
       FreeBody const body(inertia, momentum, attitude);
@@ -112,7 +118,8 @@ class BodyBatch {
     require_attitudes();
     run<true>(count);
   }
-  /// Momenta alone, so many steps on: nothing of the attitudes is computed, and they cannot be asked for any more.
+  /// Momenta alone, so many steps on: nothing of the attitudes is computed, and they cannot be asked for any
+  /// more.
   /// @throws OutsideDomain  where count is negative
   void step_momentum(long count = 1) {
     run<false>(count);
@@ -121,7 +128,9 @@ class BodyBatch {
 
   /// Body momentum, energy x time.
   /// @throws BodyRefused, OutsideDomain  where there is no such body
-  Momentum<SO<3>, double> momentum(std::size_t i) const { return cold(i).body->state({normalized(entry(lanes_[i / 4].u, i % 4)), {1, 0, 0, 0}}).body_momentum; }
+  Momentum<SO<3>, double> momentum(std::size_t i) const {
+    return cold(i).body->state({normalized(entry(lanes_[i / 4].u, i % 4)), {1, 0, 0, 0}}).body_momentum;
+  }
   /// Attitude, body to space; of the two quaternions the one with a positive scalar part.
   /// @throws BodyRefused, OutsideDomain  where there is no such body, or after \ref step_momentum
   Element<SU2, double> attitude(std::size_t i) const {
@@ -129,8 +138,10 @@ class BodyBatch {
     require_attitudes();
     auto const n = static_cast<double>(steps_ - c.since);
     double const turned = n * c.twist, lost = std::fma(n, c.twist, -turned);
-    Eigen::Vector4d const twist(std::cos(turned) - lost * std::sin(turned), std::sin(turned) + lost * std::cos(turned), 0, 0);
-    Eigen::Vector4d q = SU2::compose<double>(SU2::compose<double>(c.frame, twist), SU2::inverse<double>(frame(i)));
+    Eigen::Vector4d const twist(std::cos(turned) - lost * std::sin(turned),
+                                std::sin(turned) + lost * std::cos(turned), 0, 0);
+    Eigen::Vector4d q =
+        SU2::compose<double>(SU2::compose<double>(c.frame, twist), SU2::inverse<double>(frame(i)));
     if (q[0] < 0) q = -q;
     return c.body->state({normalized(entry(lanes_[i / 4].u, i % 4)), {q[0], q[1], q[2], q[3]}}).attitude;
   }
@@ -139,10 +150,10 @@ class BodyBatch {
   using Lanes = Pack<4>;
   /// What a step does not need.
   struct Cold {
-    std::shared_ptr<FreeBody const> body;        ///< none where it was refused
-    Eigen::Vector4d frame{1, 0, 0, 0};           ///< attitude of the frame (u, w, u x w) at the start
-    double twist = 0;                            ///< T
-    long since = 0;                              ///< the step it came in
+    std::shared_ptr<FreeBody const> body;  ///< none where it was refused
+    Eigen::Vector4d frame{1, 0, 0, 0};     ///< attitude of the frame (u, w, u x w) at the start
+    double twist = 0;                      ///< T
+    long since = 0;                        ///< the step it came in
   };
 
   static Three<double> entry(Three<Lanes> const& x, std::size_t lane) {
@@ -162,14 +173,18 @@ class BodyBatch {
     return detail::frame_quaternion(u, normalized(w));
   }
   Cold const& cold(std::size_t i) const {
-    if (i >= size()) throw OutsideDomain("batch", "no such body; index", static_cast<double>(i), static_cast<double>(size()));
+    if (i >= size())
+      throw OutsideDomain("batch", "no such body; index", static_cast<double>(i),
+                          static_cast<double>(size()));
     if (!cold_[i].body)
       for (auto const& why : refused_)
         if (why.index == i) throw why;
     return cold_[i];
   }
   void require_attitudes() const {
-    if (!attitudes_) throw OutsideDomain("batch", "step_momentum has left the attitudes behind; attitudes that are known", 0, 1);
+    if (!attitudes_)
+      throw OutsideDomain("batch", "step_momentum has left the attitudes behind; attitudes that are known", 0,
+                          1);
   }
 
   /// A lane that stands still.
@@ -180,7 +195,8 @@ class BodyBatch {
     for (int l = static_cast<int>(i % 4); l < 4; ++l)
       for (int k = 0; k < 3; ++k) {
         lanes.u[k].set(l, k == 0), lanes.w[k].set(l, k == 1);
-        lanes.stretch[k].set(l, 1), lanes.shear[k].set(l, 0), lanes.delta[k].set(l, 0), lanes.sum[k].set(l, 0);
+        lanes.stretch[k].set(l, 1), lanes.shear[k].set(l, 0), lanes.delta[k].set(l, 0),
+            lanes.sum[k].set(l, 0);
         lanes.product.set(l, 0), lanes.newton.set(l, 1);
       }
     cold_.push_back({nullptr, {1, 0, 0, 0}, 0, steps_});
@@ -188,22 +204,28 @@ class BodyBatch {
   void put(FreeBody const& body, StepParameters<double> const& parameters) {
     Three<double> const& u = body.start().direction;
     // At right angles to u: the part of the axis that is farthest from it.
-    int const far = std::abs(u[0]) <= std::abs(u[1]) && std::abs(u[0]) <= std::abs(u[2]) ? 0 : std::abs(u[1]) <= std::abs(u[2]) ? 1 : 2;
+    int const far = std::abs(u[0]) <= std::abs(u[1]) && std::abs(u[0]) <= std::abs(u[2]) ? 0
+                    : std::abs(u[1]) <= std::abs(u[2])                                   ? 1
+                                                                                         : 2;
     Three<double> w{-u[far] * u[0], -u[far] * u[1], -u[far] * u[2]};
     w[far] += 1;
     w = normalized(w);
     Three<double> const& stretch = parameters.stretch;
-    if (!std::isfinite(dot(stretch, stretch) + dot(parameters.gap, parameters.gap))) throw NotFinite("free body: parameters of a step");
+    if (!std::isfinite(dot(stretch, stretch) + dot(parameters.gap, parameters.gap)))
+      throw NotFinite("free body: parameters of a step");
     leave_out();
     std::size_t const i = size() - 1;
     int const l = static_cast<int>(i % 4);
     detail::FreeLanes& lanes = lanes_[i / 4];
     Three<double> const& d = parameters.delta;
-    lanes.product.set(l, d[0] * d[1] * d[2]), lanes.newton.set(l, 1 / (1 + d[0] * d[1] + d[1] * d[2] + d[2] * d[0]));
-    if (!std::isfinite(lanes.product[l]) || !std::isfinite(lanes.newton[l])) lanes.product.set(l, 0), lanes.newton.set(l, 0);
+    lanes.product.set(l, d[0] * d[1] * d[2]),
+        lanes.newton.set(l, 1 / (1 + d[0] * d[1] + d[1] * d[2] + d[2] * d[0]));
+    if (!std::isfinite(lanes.product[l]) || !std::isfinite(lanes.newton[l]))
+      lanes.product.set(l, 0), lanes.newton.set(l, 0);
     for (int k = 0; k < 3; ++k) {
       lanes.u[k].set(l, u[k]), lanes.w[k].set(l, w[k]);
-      lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, parameters.gap[k]), lanes.delta[k].set(l, d[k]);
+      lanes.stretch[k].set(l, stretch[k]), lanes.shear[k].set(l, parameters.gap[k]),
+          lanes.delta[k].set(l, d[k]);
       lanes.sum[k].set(l, d[(k + 1) % 3] + d[(k + 2) % 3]);
       lanes.gentle = lanes.gentle && std::abs(parameters.delta[k]) <= 1;
     }
@@ -215,7 +237,8 @@ class BodyBatch {
 
   template <bool attitude>
   void run(long count) {
-    if (count < 0) throw OutsideDomain("batch", "the number of steps must not be negative", static_cast<double>(count), 0);
+    if (count < 0)
+      throw OutsideDomain("batch", "the number of steps must not be negative", static_cast<double>(count), 0);
     std::size_t k = 0;
     for (; k + 4 <= lanes_.size(); k += 4) run_packs<4, attitude>(k, count);
     for (; k + 2 <= lanes_.size(); k += 2) run_packs<2, attitude>(k, count);

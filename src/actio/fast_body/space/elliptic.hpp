@@ -1,7 +1,8 @@
 // Jacobi's elliptic functions and an integral of the third kind, from the complementary modulus.
 //
-// Near the separatrix of a rigid body 1 - k^2 is tiny and all that matters, so it is the argument here. Means of Gauss for the functions, duplication
-// after Carlson for the integral \cite carlson_1995; both double or better their digits in each round.
+// Near the separatrix of a rigid body 1 - k^2 is tiny and all that matters, so it is the argument here. Means
+// of Gauss for the functions, duplication after Carlson for the integral \cite carlson_1995; both double or
+// better their digits in each round.
 #pragma once
 
 #include <array>
@@ -38,7 +39,9 @@ class JacobiFunctions {
   }
 
   /// The real quarter period K; infinite for k = 1.
-  S quarter_period() const { return degenerate_ ? std::numeric_limits<S>::infinity() : S(pi() / (S(2) * limit_)); }
+  S quarter_period() const {
+    return degenerate_ ? std::numeric_limits<S>::infinity() : S(pi() / (S(2) * limit_));
+  }
 
   /// sn, cn, dn.
   struct Values {
@@ -53,7 +56,8 @@ class JacobiFunctions {
       S const sech = S(1) / S(cosh(u));
       return {tanh(u), sech, sech};
     }
-    // Beyond half the quarter period from its end: there cn is as small as k', and is to have its digits all the same.
+    // Beyond half the quarter period from its end: there cn is as small as k', and is to have its digits all
+    // the same.
     if (S const size = magnitude(u), quarter = quarter_period(); S(2) * size > quarter) {
       auto const [sn, cn, dn] = below_half(S(quarter - size));
       return {u < S(0) ? S(-cn / dn) : S(cn / dn), conjugate_ * sn / dn, conjugate_ / dn};

@@ -3,20 +3,21 @@
 //     FreeBody body(inertia_from_moments(0.6, 0.8, 1), momentum, attitude);
 //     auto later = body.at(1000);                               // one evaluation, whatever the time
 //
-// Inertia, momentum and attitude are those of any frame of the body: one rotation leads to its principal axes, counted so that the middle moment of inertia
-// belongs to the second. There momentum and attitude are kept by direction and unit quaternion.
-// No body needs a tolerance: spheres, symmetric bodies, rods, plates and turns about any axis are on the same road, and next to their limits nothing is lost.
+// Inertia, momentum and attitude are those of any frame of the body: one rotation leads to its principal
+// axes, counted so that the middle moment of inertia belongs to the second. There momentum and attitude are
+// kept by direction and unit quaternion. No body needs a tolerance: spheres, symmetric bodies, rods, plates
+// and turns about any axis are on the same road, and next to their limits nothing is lost.
 #pragma once
 
 #include <string>
 
-#include "actio/groups/unit_quaternions.hpp"
 #include "actio/fast_body/space/exact_flow.hpp"
-#include "actio/rigid_body/principal_inertia.hpp"
-#include "actio/rigid_body/largest_step.hpp"
 #include "actio/fast_body/space/middle_axis_frame.hpp"
 #include "actio/fast_body/space/modified_inertia.hpp"
 #include "actio/fast_body/space/symmetric_body.hpp"
+#include "actio/groups/unit_quaternions.hpp"
+#include "actio/rigid_body/largest_step.hpp"
+#include "actio/rigid_body/principal_inertia.hpp"
 
 namespace actio {
 
@@ -26,23 +27,29 @@ struct FreeState {
   Element<SU2, double> attitude;          ///< unit quaternion, body to space
 
   /// The momentum in space, constant along a free motion.
-  Momentum<SO<3>, double> spatial_momentum() const { return {SO<3>{}, SU2::Ad<double>(attitude.value, body_momentum.components)}; }
+  Momentum<SO<3>, double> spatial_momentum() const {
+    return {SO<3>{}, SU2::Ad<double>(attitude.value, body_momentum.components)};
+  }
 };
 
 /// A body that turns freely, from a given start.
 class FreeBody {
  public:
-  /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
+  /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude
+  ///                  are of the same frame
   /// @param momentum  body momentum at the start, energy x time
   /// @param attitude  at the start, body to space
-  /// @throws NotFinite, OutsideDomain  where a number is none, the quaternion not near unit length, or the principal axes no rotation
-  FreeBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude = identity<double>(SU2{}))
+  /// @throws NotFinite, OutsideDomain where a number is none, the quaternion not near unit length, or the
+  ///         principal axes no rotation
+  FreeBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
+           Element<SU2, double> const& attitude = identity<double>(SU2{}))
       : inertia_(inertia), frame_(inertia) {
     if (!is_finite(momentum.components)) throw NotFinite("free body: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("free body: attitude");
     amount_ = momentum.components.stableNorm();
     Eigen::Vector3d const direction =
-        amount_ > 0 ? frame_.axes().enter(Eigen::Vector3d(momentum.components / amount_)).normalized() : Eigen::Vector3d::UnitX();
+        amount_ > 0 ? frame_.axes().enter(Eigen::Vector3d(momentum.components / amount_)).normalized()
+                    : Eigen::Vector3d::UnitX();
     Element<SU2, double> const unit = restore(attitude);
     start_ = {frame_.counted(direction), frame_.enter(unit.value)};
     symmetry_ = axis_of_symmetry(frame_.moments());
@@ -63,9 +70,9 @@ class FreeBody {
   /// \f$|M|\f$, energy x time.
   double amount() const { return amount_; }
 
-  /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal moments sines and cosines.
-  /// The quaternion is the one that the given one becomes as time goes on, its sign too.
-  /// Accuracy: a few epsilon times the angle turned.
+  /// The state at time t, before or after the start: one exact step of that length; for bodies with two equal
+  /// moments sines and cosines. The quaternion is the one that the given one becomes as time goes on, its
+  /// sign too. Accuracy: a few epsilon times the angle turned.
   FreeState at(double t) const { return state(frame_state_at(t)); }
   /// The momentum alone, to the same bits: nothing of the attitude is computed.
   Momentum<SO<3>, double> body_momentum_at(double t) const {
@@ -84,24 +91,36 @@ class FreeBody {
 
   /// The parameters of the exact flow over a time t.
   /// @throws NotFinite  where t is no number, or the angle overflows
-  StepParameters<double> step_parameters(double t) const { return exact_flow<double>(moments_, start_.direction, half(t)); }
+  StepParameters<double> step_parameters(double t) const {
+    return exact_flow<double>(moments_, start_.direction, half(t));
+  }
 
-  /// The parameters of a step of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified moments of inertia, 4, 6, 8, ...
+  /// The parameters of a step of the Moser-Veselov scheme, `order` 2, or of the same scheme with modified
+  /// moments of inertia, 4, 6, 8, ...
   /// @throws OutsideDomain  where the order is odd or not positive
   /// @throws StepTooLong    where there is no solution, with the largest step that would do
   StepParameters<double> moser_veselov_parameters(double h, int order) const {
-    if (order < 2 || order % 2 != 0 || order > 40) throw OutsideDomain("free body", "the order of the scheme must be 2, 4, ... 40", order, order < 2 ? 2 : 40);
+    if (order < 2 || order % 2 != 0 || order > 40)
+      throw OutsideDomain("free body", "the order of the scheme must be 2, 4, ... 40", order,
+                          order < 2 ? 2 : 40);
     double const t = half(h);
-    auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
+    auto const modified = order == 2 ? ModifiedInertia<double>{1, 0}
+                                     : modified_inertia<double>(moments_, start_.direction, t, order);
     bool found = false;
-    StepParameters<double> const parameters = actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
-    // With modified moments there may be roots again beyond the longest step; they do not grow out of the identity.
-    if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5) found = !(longest_step(h, order) < std::abs(h));
-    if (!found) throw StepTooLong("Moser-Veselov of order " + std::to_string(order), std::abs(h), longest_step(h, order));
+    StepParameters<double> const parameters =
+        actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
+    // With modified moments there may be roots again beyond the longest step; they do not grow out of the
+    // identity.
+    if (found && order > 2 && std::abs(t) * std::max(moments_.J[0], moments_.J[2]) > 0.5)
+      found = !(longest_step(h, order) < std::abs(h));
+    if (!found)
+      throw StepTooLong("Moser-Veselov of order " + std::to_string(order), std::abs(h),
+                        longest_step(h, order));
     return parameters;
   }
 
-  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No perturbation grows faster.
+  /// \f$L\sqrt{s_1}\f$, 1/time: between once and the root of twice the frequency of Jacobi's functions. No
+  /// perturbation grows faster.
   double pace() const { return std::sqrt(Orbit<double>(moments_, start_.direction).s1) * rate_; }
   /// Whether the orbit passes the middle axis closely: \f$k'^2\f$ about 1/100, or less.
   bool near_separatrix() const {
@@ -111,7 +130,8 @@ class FreeBody {
 
   /// Where the body starts, in the axes that the steps use.
   FrameState<double> const& start() const { return start_; }
-  /// The inverse moments in the axes that the steps use, in units of a power of two near that of the largest moment.
+  /// The inverse moments in the axes that the steps use, in units of a power of two near that of the largest
+  /// moment.
   InverseMoments<double> const& inverse_moments() const { return moments_; }
 
   /// The momentum and attitude of a state in the axes of the steps.
@@ -119,7 +139,9 @@ class FreeBody {
     return {momentum_along(state.direction), {SU2{}, frame_.leave(state.attitude).normalized()}};
   }
   /// The body momentum with such a direction.
-  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const { return {SO<3>{}, amount_ * frame_.leave(direction)}; }
+  Momentum<SO<3>, double> momentum_along(Three<double> const& direction) const {
+    return {SO<3>{}, amount_ * frame_.leave(direction)};
+  }
 
  private:
   double half(double t) const {
@@ -127,14 +149,18 @@ class FreeBody {
     if (!is_finite(angle)) throw NotFinite("free body: time, or time times momentum over inertia");
     return angle;
   }
-  /// The longest step up to h of the scheme of this order. Order 2 has a closed form, where no Lambda_i is negative; beyond that the first step that has no solution is looked for
-  /// upwards, and then between it and the last that had one.
+  /// The longest step up to h of the scheme of this order. Order 2 has a closed form, where no Lambda_i is
+  /// negative; beyond that the first step that has no solution is looked for upwards, and then between it and
+  /// the last that had one.
   double longest_step(double h, int order) const {
     if (order == 2 && !(inertia_.inertia.lambda.minCoeff() < 0))
-      return largest_step(inertia_.inertia, Momentum<SO<3>, double>{SO<3>{}, frame_.axes().enter(momentum_along(start_.direction).components)});
+      return largest_step(
+          inertia_.inertia,
+          Momentum<SO<3>, double>{SO<3>{}, frame_.axes().enter(momentum_along(start_.direction).components)});
     auto const solvable = [&](double step) {
       double const t = half(step);
-      auto const modified = order == 2 ? ModifiedInertia<double>{1, 0} : modified_inertia<double>(moments_, start_.direction, t, order);
+      auto const modified = order == 2 ? ModifiedInertia<double>{1, 0}
+                                       : modified_inertia<double>(moments_, start_.direction, t, order);
       bool found = false;
       actio::moser_veselov_parameters<double>(half_step(moments_, modified, t), start_.direction, found);
       return found;
@@ -143,8 +169,10 @@ class FreeBody {
     double low = 0, high = 0;
     for (double step = 0.01 / (rate_ * std::max(moments_.J[0], moments_.J[2])); high == 0; step *= 1.05) {
       double const next = std::min(step, std::abs(h));
-      if (!solvable(next)) high = next;
-      else if (low = next; next == std::abs(h)) return low;
+      if (!solvable(next))
+        high = next;
+      else if (low = next; next == std::abs(h))
+        return low;
     }
     for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
       double const middle = (low + high) / 2;

@@ -19,18 +19,19 @@ template <class T>
 [[gnu::always_inline]] inline Three<T> seen_from(Four<T> const& q, Three<T> const& n) {
   Three<T> const d{n[0] + n[0], n[1] + n[1], n[2] + n[2]};
   Three<T> const t{q[2] * d[2] - q[3] * d[1], q[3] * d[0] - q[1] * d[2], q[1] * d[1] - q[2] * d[0]};
-  return {(n[0] - q[0] * t[0]) + (q[2] * t[2] - q[3] * t[1]), (n[1] - q[0] * t[1]) + (q[3] * t[0] - q[1] * t[2]),
+  return {(n[0] - q[0] * t[0]) + (q[2] * t[2] - q[3] * t[1]),
+          (n[1] - q[0] * t[1]) + (q[3] * t[0] - q[1] * t[2]),
           (n[2] - q[0] * t[2]) + (q[1] * t[1] - q[2] * t[0])};
 }
 
 /// The torque of gravity. Made by \ref gravity_gradient or \ref gravity_gradient_in_orbit, which check it.
 class GravityGradient {
  public:
-  Three<double> moments;   ///< of inertia, mass x length^2
-  double strength;         ///< \f$3\mu/r^3\f$, 1/time^2
-  Three<double> towards;   ///< unit vector to the centre at time 0, in space
-  Three<double> ahead;     ///< where it moves to: a unit vector at right angles, in space
-  double rate;             ///< at which it goes round, 1/time; zero where it stands still
+  Three<double> moments;  ///< of inertia, mass x length^2
+  double strength;        ///< \f$3\mu/r^3\f$, 1/time^2
+  Three<double> towards;  ///< unit vector to the centre at time 0, in space
+  Three<double> ahead;    ///< where it moves to: a unit vector at right angles, in space
+  double rate;            ///< at which it goes round, 1/time; zero where it stands still
 
   /// The unit vector to the centre, in space.
   Three<double> direction(double time) const {
@@ -40,17 +41,22 @@ class GravityGradient {
   }
   /// \f$3\mu/r^3\,(I_k-I_j)\f$, (i, j, k) cyclic; energy.
   Three<double> coefficients() const {
-    return {strength * (moments[2] - moments[1]), strength * (moments[0] - moments[2]), strength * (moments[1] - moments[0])};
+    return {strength * (moments[2] - moments[1]), strength * (moments[0] - moments[2]),
+            strength * (moments[1] - moments[0])};
   }
   /// The torque on the body, in its own axes, energy. In time too where the direction moves.
   /// @param q  unit quaternion, body to space
-  [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double time) const { return of_direction(coefficients(), q, direction(time)); }
+  [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double time) const {
+    return of_direction(coefficients(), q, direction(time));
+  }
   /// The same with everything at hand.
   template <class T>
-  [[gnu::always_inline]] static Three<T> of_direction(Three<T> const& coefficients, Four<T> const& q, Three<T> const& direction) {
+  [[gnu::always_inline]] static Three<T> of_direction(Three<T> const& coefficients, Four<T> const& q,
+                                                      Three<T> const& direction) {
     // [gravity_gradient]
     Three<T> const n = seen_from(q, direction);
-    return {coefficients[0] * (n[1] * n[2]), coefficients[1] * (n[2] * n[0]), coefficients[2] * (n[0] * n[1])};
+    return {coefficients[0] * (n[1] * n[2]), coefficients[1] * (n[2] * n[0]),
+            coefficients[2] * (n[0] * n[1])};
     // [gravity_gradient]
   }
   /// V, energy.
@@ -70,10 +76,13 @@ class GravityGradient {
 /// @param strength   \f$3\mu/r^3\f$, 1/time^2, not negative
 /// @param direction  to the centre, in space, of any length
 /// @throws NotFinite, OutsideDomain  where a number is none, the strength negative or the direction zero
-inline GravityGradient gravity_gradient(Inertia<3> const& inertia, double strength, Eigen::Vector3d const& direction) {
-  if (!is_finite(strength) || !is_finite(direction)) throw NotFinite("gravity gradient: strength or direction");
+inline GravityGradient gravity_gradient(Inertia<3> const& inertia, double strength,
+                                        Eigen::Vector3d const& direction) {
+  if (!is_finite(strength) || !is_finite(direction))
+    throw NotFinite("gravity gradient: strength or direction");
   if (strength < 0) throw OutsideDomain("gravity gradient", "the strength must not be negative", strength, 0);
-  if (!(magnitude(direction) > 0)) throw OutsideDomain("gravity gradient", "the direction must differ from zero", 0, 0);
+  if (!(magnitude(direction) > 0))
+    throw OutsideDomain("gravity gradient", "the direction must differ from zero", 0, 0);
   Eigen::Vector3d const n = direction.stableNormalized().normalized(), ahead = n.unitOrthogonal();
   auto const& I = inertia.moments;
   return {{I[0], I[1], I[2]}, strength, {n[0], n[1], n[2]}, {ahead[0], ahead[1], ahead[2]}, 0};
@@ -83,14 +92,21 @@ inline GravityGradient gravity_gradient(Inertia<3> const& inertia, double streng
 /// @param towards  to the centre at time 0, in space, of any length
 /// @param normal   of the orbit, about which the direction turns; not along `towards`
 /// @throws NotFinite, OutsideDomain  where a number is none, or the two vectors do not span the orbit
-inline GravityGradient gravity_gradient_in_orbit(Inertia<3> const& inertia, double rate, Eigen::Vector3d const& towards, Eigen::Vector3d const& normal) {
-  if (!is_finite(rate) || !is_finite(normal)) throw NotFinite("gravity gradient: mean motion or normal of the orbit");
+inline GravityGradient gravity_gradient_in_orbit(Inertia<3> const& inertia, double rate,
+                                                 Eigen::Vector3d const& towards,
+                                                 Eigen::Vector3d const& normal) {
+  if (!is_finite(rate) || !is_finite(normal))
+    throw NotFinite("gravity gradient: mean motion or normal of the orbit");
   GravityGradient torque = gravity_gradient(inertia, 3 * rate * rate, towards);
-  Eigen::Vector3d const n(torque.towards[0], torque.towards[1], torque.towards[2]), up = normal.stableNormalized();
-  Eigen::Vector3d const ahead(up[1] * n[2] - up[2] * n[1], up[2] * n[0] - up[0] * n[2], up[0] * n[1] - up[1] * n[0]);
+  Eigen::Vector3d const n(torque.towards[0], torque.towards[1], torque.towards[2]),
+      up = normal.stableNormalized();
+  Eigen::Vector3d const ahead(up[1] * n[2] - up[2] * n[1], up[2] * n[0] - up[0] * n[2],
+                              up[0] * n[1] - up[1] * n[0]);
   if (!(ahead.norm() > 1e-8))
-    throw OutsideDomain("gravity gradient", "the normal of the orbit must not be along the direction to the centre; sine of the angle", ahead.norm(),
-                        1e-8);
+    throw OutsideDomain(
+        "gravity gradient",
+        "the normal of the orbit must not be along the direction to the centre; sine of the angle",
+        ahead.norm(), 1e-8);
   for (int i = 0; i < 3; ++i) torque.ahead[i] = ahead[i] / ahead.norm();
   torque.rate = rate;
   return torque;

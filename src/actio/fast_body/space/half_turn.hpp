@@ -1,10 +1,12 @@
 // One step of a free body in three dimensions, as a half turn, which is a rotation by pi, and a rotation
 // about the momentum (a twist).
 //
-// Let u be the direction of the body momentum and L its amount. A step of the scheme of Moser and Veselov, of the same scheme with other moments of inertia, and
-// of the exact motion too, takes u to its mirror image under a half turn, about the null vector v of diag(delta) + [u]x:
+// Let u be the direction of the body momentum and L its amount. A step of the scheme of Moser and Veselov, of
+// the same scheme with other moments of inertia, and of the exact motion too, takes u to its mirror image
+// under a half turn, about the null vector v of diag(delta) + [u]x:
 //
-//     v_i = (1 + delta_j delta_k) u_i + (delta_k - delta_j) u_j u_k,          u' = 2 (u.v)/(v.v) v - u,          (i, j, k) cyclic.
+//     v_i = (1 + delta_j delta_k) u_i + (delta_k - delta_j) u_j u_k, u' = 2 (u.v)/(v.v) v - u, (i, j, k)
+//     cyclic.
 //
 // The three numbers delta_i belong to the orbit and to the step length, not to the point of the orbit. The
 // rotation of the body over the step is the half turn followed by a turn about the momentum, which in space
@@ -12,8 +14,9 @@
 //
 //     e = ( cos T (u.v),  (sin T + cos T delta_i) v_i ) / |v|,          q' = q e.
 //
-// So a step needs no iteration: one division for the momentum, one square root more for the attitude. Which delta and T make which method is told in
-// explicit_moser_veselov.hpp, modified_inertia.hpp and exact_flow.hpp.
+// So a step needs no iteration: one division for the momentum, one square root more for the attitude. Which
+// delta and T make which method is told in explicit_moser_veselov.hpp, modified_inertia.hpp and
+// exact_flow.hpp.
 #pragma once
 
 #include <array>
@@ -33,10 +36,16 @@ using Four = std::array<T, 4>;
 template <class T>
 struct StepParameters {
   Three<T> delta;  ///< \f$\delta_i = D_i/L\f$, of the axis of the half turn
-  Three<T> gap;    ///< \f$\delta_k-\delta_j\f$, (i, j, k) cyclic: given apart, for a difference would lose its digits where moments are nearly equal
-  T cos_twist;     ///< \f$\cos T\f$
-  T sin_twist;     ///< \f$\sin T\f$
-  Three<T> stretch;  ///< \f$1+\delta_j\delta_k\f$: given apart, for the sum may be as small as the distance to the middle axis, for a long step
+  Three<T>
+      /// \f$\delta_k-\delta_j\f$, (i, j, k) cyclic: given apart, for a difference would lose its digits where
+      /// moments are nearly equal
+      gap;
+  T cos_twist;  ///< \f$\cos T\f$
+  T sin_twist;  ///< \f$\sin T\f$
+  Three<T>
+      /// \f$1+\delta_j\delta_k\f$: given apart, for the sum may be as small as the distance to the middle
+      /// axis, for a long step
+      stretch;
 };
 
 /// \f$1+\delta_j\delta_k\f$, where nothing cancels: for short steps.
@@ -82,8 +91,10 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Four<T> compose(Four<T> const& p, Four<T> const& q) {
   // Sums of two and two: half as long a wait as one after the other.
-  return {(p[0] * q[0] - p[1] * q[1]) - (p[2] * q[2] + p[3] * q[3]), (p[0] * q[1] + q[0] * p[1]) + (p[2] * q[3] - p[3] * q[2]),
-          (p[0] * q[2] + q[0] * p[2]) + (p[3] * q[1] - p[1] * q[3]), (p[0] * q[3] + q[0] * p[3]) + (p[1] * q[2] - p[2] * q[1])};
+  return {(p[0] * q[0] - p[1] * q[1]) - (p[2] * q[2] + p[3] * q[3]),
+          (p[0] * q[1] + q[0] * p[1]) + (p[2] * q[3] - p[3] * q[2]),
+          (p[0] * q[2] + q[0] * p[2]) + (p[3] * q[1] - p[1] * q[3]),
+          (p[0] * q[3] + q[0] * p[3]) + (p[1] * q[2] - p[2] * q[1])};
 }
 
 /// A map that takes many steps with the same parameters: what does not change from step to step is computed
@@ -97,7 +108,8 @@ class HalfTurn {
  public:
   HalfTurn() = default;
   /// @param parameters  of the orbit on which the steps will be
-  explicit HalfTurn(StepParameters<T> const& parameters) : along_(parameters.cos_twist), about_(parameters.sin_twist) {
+  explicit HalfTurn(StepParameters<T> const& parameters)
+      : along_(parameters.cos_twist), about_(parameters.sin_twist) {
     for (int i = 0; i < 3; ++i) {
       stretch_[i] = parameters.stretch[i];
       shear_[i] = parameters.gap[i];
@@ -107,7 +119,8 @@ class HalfTurn {
 
   /// The axis of the half turn that maps the direction u to the next, of any length.
   [[gnu::always_inline]] Three<T> axis(Three<T> const& u) const {
-    return {stretch_[0] * u[0] + shear_[0] * (u[1] * u[2]), stretch_[1] * u[1] + shear_[1] * (u[2] * u[0]), stretch_[2] * u[2] + shear_[2] * (u[0] * u[1])};
+    return {stretch_[0] * u[0] + shear_[0] * (u[1] * u[2]), stretch_[1] * u[1] + shear_[1] * (u[2] * u[0]),
+            stretch_[2] * u[2] + shear_[2] * (u[0] * u[1])};
   }
 
   /// The momentum alone: 9 products for the axis, 6 and a division for the half turn.
@@ -115,8 +128,7 @@ class HalfTurn {
     // [half_turn]
     Three<T> const v = axis(u);
     T const twice = 2 * dot(u, v), inverse = 1 / dot(v, v);
-    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1],
-         (twice * v[2]) * inverse - u[2]};
+    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1], (twice * v[2]) * inverse - u[2]};
     // [half_turn]
   }
 
@@ -127,11 +139,11 @@ class HalfTurn {
     // [half_turn_attitude]
     Three<T> const v = axis(u);
     T const uv = dot(u, v), inverse = 1 / dot(v, v), root = sqrt(inverse);
-    Four<T> const q = compose(body.attitude, {along_ * uv, across_[0] * v[0], across_[1] * v[1], across_[2] * v[2]});
+    Four<T> const q =
+        compose(body.attitude, {along_ * uv, across_[0] * v[0], across_[1] * v[1], across_[2] * v[2]});
     body.attitude = {q[0] * root, q[1] * root, q[2] * root, q[3] * root};
     T const twice = 2 * uv;
-    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1],
-         (twice * v[2]) * inverse - u[2]};
+    u = {(twice * v[0]) * inverse - u[0], (twice * v[1]) * inverse - u[1], (twice * v[2]) * inverse - u[2]};
     // [half_turn_attitude]
   }
 

@@ -1,8 +1,11 @@
-// The principal axes of a body, counted so that the middle moment of inertia belongs to the second, and a unit of inertia.
+// The principal axes of a body, counted so that the middle moment of inertia belongs to the second, and a
+// unit of inertia.
 //
-// The way there from the frame of the body is one rotation, which is composed of the turn to the principal axes and of the counting.
-// One of the three ways to count cyclically does it, and these keep the orientation. Space is counted in the same way, so that a quaternion keeps its scalar part. The unit is a power
-// of two: dividing by it rounds nothing. A rounded difference of two moments that are nearly equal would be another body.
+// The way there from the frame of the body is one rotation, which is composed of the turn to the principal
+// axes and of the counting. One of the three ways to count cyclically does it, and these keep the
+// orientation. Space is counted in the same way, so that a quaternion keeps its scalar part. The unit is a
+// power of two: dividing by it rounds nothing. A rounded difference of two moments that are nearly equal
+// would be another body.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,8 @@
 // One step of the natural-chart scheme for a free body in three dimensions, in closed form.
 //
-// A step turns the body by the vector v = h zeta, |v| less than pi. The momenta before and after it, times h, are chi(ad* v) I v and the same at -v (thesis, 5.1). For rotations in
-// 3-space the series chi(x) = x/(e^x - 1) ends with the square of x: with y = I v,
+// A step turns the body by the vector v = h zeta, |v| less than pi. The momenta before and after it, times h,
+// are chi(ad* v) I v and the same at -v (thesis, 5.1). For rotations in 3-space the series
+// chi(x) = x/(e^x - 1) ends with the square of x: with y = I v,
 //
 //     p = a y + v x y/2 + c (v.y) v,          c = (1 - a)/|v|^2,          a = (|v|/2) cot(|v|/2),
 //
@@ -28,8 +29,16 @@ struct ChartFactors {
   explicit ChartFactors(double s) {
     if (s < 0.25) {
       // c = sum |B_2k| s^(k-1)/(2k)!: the first term that is left out is below 1e-18.
-      constexpr double b[] = {1.0 / 12, 1.0 / 720, 1.0 / 30240, 1.0 / 1209600, 1.0 / 47900160, 691.0 / 1307674368000, 1.0 / 74724249600, 3617.0 / 10670622842880000,
-                              43867.0 / 5109094217170944000, 174611.0 / 802857662698291200000.0};
+      constexpr double b[] = {1.0 / 12,
+                              1.0 / 720,
+                              1.0 / 30240,
+                              1.0 / 1209600,
+                              1.0 / 47900160,
+                              691.0 / 1307674368000,
+                              1.0 / 74724249600,
+                              3617.0 / 10670622842880000,
+                              43867.0 / 5109094217170944000,
+                              174611.0 / 802857662698291200000.0};
       c = b[9], slope_c = 0;
       for (int k = 8; k >= 0; --k) slope_c = slope_c * s + c, c = c * s + b[k];
       a = 1 - c * s, slope_a = -(c + slope_c * s);
@@ -52,10 +61,11 @@ class NaturalChartStep {
   struct StepRotation {
     Three<double> v;       ///< rotation vector, body frame
     double angle_squared;  ///< \f$|v|^2\f$
-    bool found;            ///< whether v is less than half a turn, on the branch that grows out of the identity
+    bool found;  ///< whether v is less than half a turn, on the branch that grows out of the identity
   };
 
-  /// \f$\chi(\mathrm{ad}^*_v)\,Iv\f$: step times momentum before a step that turns by v; after it, the same at -v with the other sign.
+  /// \f$\chi(\mathrm{ad}^*_v)\,Iv\f$: step times momentum before a step that turns by v; after it, the same
+  /// at -v with the other sign.
   Three<double> momentum(Three<double> const& v) const { return at(v).p; }
 
   /// The turn of the step that begins with p = h M, by Newton's method from a guess.
@@ -90,7 +100,9 @@ class NaturalChartStep {
   }
 
   /// \f$I^{-1}p\f$, where a search begins.
-  Three<double> velocity(Three<double> const& p) const { return {p[0] / moments_[0], p[1] / moments_[1], p[2] / moments_[2]}; }
+  Three<double> velocity(Three<double> const& p) const {
+    return {p[0] / moments_[0], p[1] / moments_[1], p[2] / moments_[2]};
+  }
 
  private:
   static constexpr double half_turn_squared = 9.869604401089358;  // pi^2
@@ -99,13 +111,14 @@ class NaturalChartStep {
   struct Linearization {
     Three<double> p;
     double s, determinant;
-    std::array<Three<double>, 3> rows;      // of the derivative
+    std::array<Three<double>, 3> rows;  // of the derivative
     std::array<Three<double>, 3> cofactors;
 
     /// \f$A^{-1}r\f$ by Cramer's rule.
     Three<double> solve(Three<double> const& r) const {
       Three<double> x;
-      for (int i = 0; i < 3; ++i) x[i] = (cofactors[0][i] * r[0] + cofactors[1][i] * r[1] + cofactors[2][i] * r[2]) / determinant;
+      for (int i = 0; i < 3; ++i)
+        x[i] = (cofactors[0][i] * r[0] + cofactors[1][i] * r[1] + cofactors[2][i] * r[2]) / determinant;
       return x;
     }
   };
@@ -131,7 +144,9 @@ class NaturalChartStep {
   static Three<double> cross(Three<double> const& a, Three<double> const& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
-  static double largest(Three<double> const& x) { return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}); }
+  static double largest(Three<double> const& x) {
+    return std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])});
+  }
 
   Three<double> moments_, gap_;
 };

@@ -1,9 +1,11 @@
 // A free rigid body in steps of the natural-chart scheme, and of its compositions.
 //
 //     NaturalChartSteps motion(inertia, momentum, attitude, 0.01);               // order 2
-//     NaturalChartSteps better(inertia, momentum, attitude, 0.1, suzuki<double>());  // order 4: the scheme is its own adjoint
+//     NaturalChartSteps better(inertia, momentum, attitude, 0.1, suzuki<double>()); // order 4: the scheme is
+//     its own adjoint
 //
-// A step of -h undoes one of h, since the discrete Lagrangian is the same at f and at its inverse. So substeps by the fractions of composition.hpp make steps of higher order.
+// A step of -h undoes one of h, since the discrete Lagrangian is the same at f and at its inverse. So
+// substeps by the fractions of composition.hpp make steps of higher order.
 #pragma once
 
 #include <vector>
@@ -21,25 +23,35 @@ namespace actio {
 /// with what the sums before have lost. Each search begins where the three before it point to.
 class NaturalChartSteps {
  public:
-  /// @param inertia    of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
+  /// @param inertia    of the body, by principal moments or in a frame of any choice; momentum and attitude
+  ///                   are of the same frame
   /// @param momentum   body momentum at the start, energy x time
   /// @param attitude   at the start, body to space
   /// @param h          step, time, not zero
   /// @param fractions  of a step, for its substeps; they add up to 1
-  /// @throws NotFinite, OutsideDomain  where a number is none, the step is zero, the fractions do not add up to 1, or the quaternion is not near unit length
+  /// @throws NotFinite, OutsideDomain where a number is none, the step is zero, the fractions do not add up
+  ///         to 1, or the quaternion is not near unit length
   /// @throws StepTooLong               where the first step has no solution: the chart ends at half a turn
-  NaturalChartSteps(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1})
-      : step_(h), axes_(inertia.axes), unit_(unit_of(inertia)), scheme_(over(inertia.inertia.moments, unit_)), fractions_(std::move(fractions)), guesses_(fractions_.size()) {
+  NaturalChartSteps(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
+                    Element<SU2, double> const& attitude, double h, std::vector<double> fractions = {1})
+      : step_(h),
+        axes_(inertia.axes),
+        unit_(unit_of(inertia)),
+        scheme_(over(inertia.inertia.moments, unit_)),
+        fractions_(std::move(fractions)),
+        guesses_(fractions_.size()) {
     if (!is_finite(h)) throw NotFinite("natural-chart steps: step");
     if (h == 0) throw OutsideDomain("natural-chart steps", "the step must differ from zero", 0, 0);
     double sum = 0;
     for (double const f : fractions_) sum += f;
-    if (!(std::abs(sum - 1) <= 1e-12)) throw OutsideDomain("natural-chart steps", "the fractions of a step must add up to 1", sum, 1);
+    if (!(std::abs(sum - 1) <= 1e-12))
+      throw OutsideDomain("natural-chart steps", "the fractions of a step must add up to 1", sum, 1);
     if (!is_finite(momentum.components)) throw NotFinite("natural-chart steps: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("natural-chart steps: attitude");
     Eigen::Vector4d const q = axes_.enter(restore(attitude).value);
     now_ = {over(axes_.enter(momentum.components), unit_), {q[0], q[1], q[2], q[3]}};
-    if (!is_finite(dot(now_.direction, now_.direction))) throw NotFinite("natural-chart steps: momentum over inertia");
+    if (!is_finite(dot(now_.direction, now_.direction)))
+      throw NotFinite("natural-chart steps: momentum over inertia");
     if (!possible(now_.direction, h)) too_long();
   }
 
@@ -52,17 +64,19 @@ class NaturalChartSteps {
     take<false>(count);
   }
 
-  /// Saves, or restores, what the next step depends on besides body and step: `memory(numbers...)` takes each of them by reference.
+  /// Saves, or restores, what the next step depends on besides body and step: `memory(numbers...)` takes each
+  /// of them by reference.
   template <class Memory>
-  void remember(Memory& memory) {
-    memory(now_, compensation_, taken_, attitude_known_, guesses_);
-  }
+  void remember(Memory& memory) { memory(now_, compensation_, taken_, attitude_known_, guesses_); }
 
   double step() const { return step_; }
   /// Momentum and attitude now.
   /// @throws OutsideDomain  after \ref advance_momentum, after which the attitude is unknown
   FreeState state() const {
-    if (!attitude_known_) throw OutsideDomain("natural-chart steps", "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
+    if (!attitude_known_)
+      throw OutsideDomain(
+          "natural-chart steps",
+          "the attitude is not known after steps with the momentum alone; steps with attitude", 0, 1);
     auto const q = plus(now_.attitude, compensation_.attitude);
     return {body_momentum(), {SU2{}, axes_.leave(Eigen::Vector4d(q[0], q[1], q[2], q[3])).normalized()}};
   }
@@ -82,7 +96,9 @@ class NaturalChartSteps {
     if (!is_finite(inertia.inertia.moments)) throw NotFinite("natural-chart steps: moments of inertia");
     return MiddleAxisFrame(inertia).unit();
   }
-  static Three<double> over(Eigen::Vector3d const& x, double unit) { return {x[0] / unit, x[1] / unit, x[2] / unit}; }
+  static Three<double> over(Eigen::Vector3d const& x, double unit) {
+    return {x[0] / unit, x[1] / unit, x[2] / unit};
+  }
   static Three<double> times(double c, Three<double> const& x) { return {c * x[0], c * x[1], c * x[2]}; }
   static Three<double> cross(Three<double> const& a, Three<double> const& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -97,7 +113,8 @@ class NaturalChartSteps {
   }
   /// The relative motion of a turn: \f$e-1\f$, so that nothing is lost where it is small.
   static Four<double> change_of(NaturalChartStep::StepRotation const& turn) {
-    double const half = std::sqrt(turn.angle_squared) / 2, ratio = half > 0 ? std::sin(half) / (2 * half) : 0.5;
+    double const half = std::sqrt(turn.angle_squared) / 2,
+                 ratio = half > 0 ? std::sin(half) / (2 * half) : 0.5;
     Three<double> const e = times(ratio, turn.v);
     return {-dot(e, e) / (1 + std::cos(half)), e[0], e[1], e[2]};
   }
@@ -122,8 +139,11 @@ class NaturalChartSteps {
         }
         guesses_[k] = {turn.v, guesses_[k].v1, guesses_[k].v2};
         Four<double> const change = change_of(turn);
-        if constexpr (with_attitude) CompensatedState<double>::add(now_.attitude, compensation_.attitude, compose(now_.attitude, change));
-        CompensatedState<double>::add(now_.direction, compensation_.direction, momentum_change(change, now_.direction));
+        if constexpr (with_attitude)
+          CompensatedState<double>::add(now_.attitude, compensation_.attitude,
+                                        compose(now_.attitude, change));
+        CompensatedState<double>::add(now_.direction, compensation_.direction,
+                                      momentum_change(change, now_.direction));
       }
       ++taken_;
     }
@@ -142,7 +162,8 @@ class NaturalChartSteps {
   [[noreturn]] void too_long() const {
     auto const& m = now_.direction;
     // Moments are at most 1 here: no turn of less than pi has more than |p| = |y| (1 + pi/2 + 1) < 12.
-    double const size = std::max({std::abs(m[0]), std::abs(m[1]), std::abs(m[2])}), share = *std::max_element(fractions_.begin(), fractions_.end());
+    double const size = std::max({std::abs(m[0]), std::abs(m[1]), std::abs(m[2])}),
+                 share = *std::max_element(fractions_.begin(), fractions_.end());
     double low = 0, high = std::min(std::abs(step_), 12 / size / share);
     for (int i = 0; i < 60 && high - low > 1e-12 * high; ++i) {
       double const middle = (low + high) / 2;
@@ -157,7 +178,7 @@ class NaturalChartSteps {
   NaturalChartStep scheme_;
   std::vector<double> fractions_;
   FrameState<double> now_{}, compensation_{};  ///< the momentum in units of inertia, and the attitude
-  std::vector<Guess> guesses_, before_;  ///< of each substep; before_ as they were when the step began
+  std::vector<Guess> guesses_, before_;        ///< of each substep; before_ as they were when the step began
   long taken_ = 0;
   bool attitude_known_ = true;
 };

@@ -1,7 +1,8 @@
 // From the frame in which a body is described to its principal axes, and back.
 //
-// The momentum is turned by the transpose of the axes A, M -> A^T M. The attitude is composed with A as a quaternion, q -> q a,
-// and then takes the principal axes to space. A body that is described along its principal axes is left as it is, to the bit.
+// The momentum is turned by the transpose of the axes A, M -> A^T M. The attitude is composed with A as a
+// quaternion, q -> q a, and then takes the principal axes to space. A body that is described along its
+// principal axes is left as it is, to the bit.
 #pragma once
 
 #include "actio/groups/unit_quaternions.hpp"
@@ -18,20 +19,30 @@ class PrincipalAxes {
     if (!turned_) return;
     if (!is_finite(axes)) throw NotFinite("principal axes");
     double const off = magnitude((axes.transpose() * axes - Eigen::Matrix3d::Identity()).eval());
-    if (!(off <= 1e-9)) throw OutsideDomain("principal axes", "unit vectors at right angles are needed; largest entry of A^T A - 1", off, 1e-9);
+    if (!(off <= 1e-9))
+      throw OutsideDomain("principal axes",
+                          "unit vectors at right angles are needed; largest entry of A^T A - 1", off, 1e-9);
     double const volume = axes.determinant();
-    if (!(volume > 0)) throw OutsideDomain("principal axes", "a rotation is needed, not a reflection; the determinant", volume, 1);
+    if (!(volume > 0))
+      throw OutsideDomain("principal axes", "a rotation is needed, not a reflection; the determinant", volume,
+                          1);
     turn_ = quaternion_of_rotation<double>(axes);
   }
 
   /// A vector of the body, along the principal axes.
-  Eigen::Vector3d enter(Eigen::Vector3d const& v) const { return turned_ ? Eigen::Vector3d(axes_.transpose() * v) : v; }
+  Eigen::Vector3d enter(Eigen::Vector3d const& v) const {
+    return turned_ ? Eigen::Vector3d(axes_.transpose() * v) : v;
+  }
   /// An attitude, principal axes to space.
-  Eigen::Vector4d enter(Eigen::Vector4d const& q) const { return turned_ ? Eigen::Vector4d(SU2::compose<double>(q, turn_)) : q; }
+  Eigen::Vector4d enter(Eigen::Vector4d const& q) const {
+    return turned_ ? Eigen::Vector4d(SU2::compose<double>(q, turn_)) : q;
+  }
   /// A vector along the principal axes, in the frame of the body.
   Eigen::Vector3d leave(Eigen::Vector3d const& v) const { return turned_ ? Eigen::Vector3d(axes_ * v) : v; }
   /// An attitude of the principal axes, as that of the frame of the body.
-  Eigen::Vector4d leave(Eigen::Vector4d const& q) const { return turned_ ? Eigen::Vector4d(SU2::compose<double>(q, SU2::inverse<double>(turn_))) : q; }
+  Eigen::Vector4d leave(Eigen::Vector4d const& q) const {
+    return turned_ ? Eigen::Vector4d(SU2::compose<double>(q, SU2::inverse<double>(turn_))) : q;
+  }
 
   /// Whether the two frames differ.
   bool turned() const { return turned_; }

@@ -1,26 +1,30 @@
 // The exact motion of a free body over a short step, by a power series without a branch.
 //
-// Axis 2 is the one with the middle moment; J = 1/I, and 2H = J1 M1^2 + J2 M2^2 + J3 M3^2 twice the energy. Start the clock where M2 = 0;
-// then M2 is an odd function m(t), and
+// Axis 2 is the one with the middle moment; J = 1/I, and 2H = J1 M1^2 + J2 M2^2 + J3 M3^2 twice the energy.
+// Start the clock where M2 = 0; then M2 is an odd function m(t), and
 //
-//     delta_i = (m/m') (J_i (L^2 - m^2) - (2H - J2 m^2)) / L,        T = L J2 t + L (2H - J2 L^2) int_0^t ds/(L^2 - m(s)^2),        t = h/2,
+//     delta_i = (m/m') (J_i (L^2 - m^2) - (2H - J2 m^2)) / L, T = L J2 t + L (2H - J2 L^2) int_0^t
+//     ds/(L^2 - m(s)^2), t = h/2,
 //
 // make the half turn of half_turn.hpp the exact motion over h, from every point of the orbit. With m^2 = a b
 // z, a = J1 L^2 - 2H, b = 2H - J3 L^2,
 //
-//     z'' = 2 - 4 s1 z + 6 s2 z^2,      s1 = (J1 - J2) b + (J2 - J3) a,      s2 = (J1 - J2) (J2 - J3) a b,      z = t^2 - ...
+//     z'' = 2 - 4 s1 z + 6 s2 z^2, s1 = (J1 - J2) b + (J2 - J3) a, s2 = (J1 - J2) (J2 - J3) a b,
+//     z = t^2 - ...
 //
-// Everything is a sum of terms of one sign: nothing is lost for bodies that are nearly symmetric, spherical, long, flat, or turn about the middle axis.
+// Everything is a sum of terms of one sign: nothing is lost for bodies that are nearly symmetric, spherical,
+// long, flat, or turn about the middle axis.
 #pragma once
 
 #include <algorithm>
 
-#include "actio/fast_body/space/half_turn.hpp"
 #include "actio/fast_body/pack.hpp"
+#include "actio/fast_body/space/half_turn.hpp"
 
 namespace actio {
 
-/// Differences of inverse moments, without the cancellation: \f$J_i-J_j = (I_j-I_i)/(I_iI_j)\f$. Axis 2, index 1, must have the middle moment.
+/// Differences of inverse moments, without the cancellation: \f$J_i-J_j = (I_j-I_i)/(I_iI_j)\f$. Axis 2,
+/// index 1, must have the middle moment.
 template <class T>
 struct InverseMoments {
   Three<T> J;  ///< \f$1/I_i\f$
@@ -31,7 +35,10 @@ struct InverseMoments {
   InverseMoments() = default;
   /// @param I  moments of inertia, in any unit
   explicit InverseMoments(Three<T> const& I)
-      : J{1 / I[0], 1 / I[1], 1 / I[2]}, d12((I[1] - I[0]) * J[0] * J[1]), d23((I[2] - I[1]) * J[1] * J[2]), d13(d12 + d23) {}
+      : J{1 / I[0], 1 / I[1], 1 / I[2]},
+        d12((I[1] - I[0]) * J[0] * J[1]),
+        d23((I[2] - I[1]) * J[1] * J[2]),
+        d13(d12 + d23) {}
 };
 
 /// An orbit of the momentum: the constants that the exact flow over a short time depends on. The momentum has
@@ -41,8 +48,10 @@ struct Orbit {
   T a;       ///< \f$J_1-2H\f$
   T b;       ///< \f$2H-J_3\f$, of the same sign
   T beside;  ///< \f$2H-J_2\f$; zero on the separatrix
-  T s1;      ///< \f$(J_1-J_2)b+(J_2-J_3)a \ge 0\f$; between once and twice the square of the frequency of Jacobi's functions
-  T s2;      ///< \f$(J_1-J_2)(J_2-J_3)ab\f$
+  /// \f$(J_1-J_2)b+(J_2-J_3)a \ge 0\f$; between once and twice the square of the frequency of Jacobi's
+  /// functions
+  T s1;
+  T s2;  ///< \f$(J_1-J_2)(J_2-J_3)ab\f$
 
   /// @param u  direction of the body momentum
   [[gnu::always_inline]] Orbit(InverseMoments<T> const& body, Three<T> const& u) {
@@ -63,7 +72,8 @@ struct ShortTable;
 /// The three functions of the exact flow over a short time, each divided by the first term of its series:
 /// power series in \f$X = s_1t^2\f$, \f$Y = s_2t^4\f$ and \f$W = abt^2\f$.
 ///
-/// Cut after `terms` terms in \f$t^2\f$; the first that is left out is of the relative size \f$(0.41\,X)^{terms}\f$ or less.
+/// Cut after `terms` terms in \f$t^2\f$; the first that is left out is of the relative size
+/// \f$(0.41\,X)^{terms}\f$ or less.
 template <class T>
 struct ShortSeries {
   T lever;   ///< \f$m/(m't) = 1 + X/3 + \dots\f$
@@ -87,15 +97,18 @@ struct ShortSeries {
     return {square / slope, square, mean};
   }
 
-  /// The same polynomials with coefficients from a table, for doubles: short chains of operations, and no division.
+  /// The same polynomials with coefficients from a table, for doubles: short chains of operations, and no
+  /// division.
   template <int terms>
-  [[gnu::always_inline]] static ShortSeries by_table(detail::ShortTable<terms, T> const& table, T const& X, T const& Y, T const& W);
+  [[gnu::always_inline]] static ShortSeries by_table(detail::ShortTable<terms, T> const& table, T const& X,
+                                                     T const& Y, T const& W);
 };
 
 namespace detail {
 
-/// Coefficients of the polynomials of \ref ShortSeries: of \f$Y^jX^i\f$, and of \f$W^kY^jX^i\f$, with \f$k+2j+i\f$ less than `terms`.
-/// Worked out when the program starts to use it, and for lanes as often as there are lanes: as constants of the code they would be spread out anew each time.
+/// Coefficients of the polynomials of \ref ShortSeries: of \f$Y^jX^i\f$, and of \f$W^kY^jX^i\f$, with
+/// \f$k+2j+i\f$ less than `terms`. Worked out when the program starts to use it, and for lanes as often as
+/// there are lanes: as constants of the code they would be spread out anew each time.
 template <int terms, class T>
 struct ShortTable {
   static constexpr int rows = (terms + 1) / 2;
@@ -112,7 +125,8 @@ struct ShortTable {
       for (int j = 0; j < rows; ++j) {
         z[n][j] = -4 * z[n - 1][j] / ((2 * n + 2) * (2 * n + 1));
         for (int i = 0; i + 1 < n; ++i)
-          for (int k = 0; k < j; ++k) z[n][j] += 6 * z[i][k] * z[n - 2 - i][j - 1 - k] / ((2 * n + 2) * (2 * n + 1));
+          for (int k = 0; k < j; ++k)
+            z[n][j] += 6 * z[i][k] * z[n - 2 - i][j - 1 - k] / ((2 * n + 2) * (2 * n + 1));
       }
       // (sum (n+1) z_n) ratio = sum z_n, and (1 - W t^2 sum z_n) inverse = 1
       for (int j = 0; j < rows; ++j) {
@@ -128,7 +142,8 @@ struct ShortTable {
       for (int j = 0; 2 * j <= n; ++j) {
         lever[j][n - 2 * j] = T(static_cast<double>(ratio[n][j]));
         square[j][n - 2 * j] = T(static_cast<double>(z[n][j]));
-        for (int w = 0; w + 2 * j <= n; ++w) mean[w][j][n - 2 * j - w] = T(static_cast<double>(inverse[n][w][j] / (2 * n + 1)));
+        for (int w = 0; w + 2 * j <= n; ++w)
+          mean[w][j][n - 2 * j - w] = T(static_cast<double>(inverse[n][w][j] / (2 * n + 1)));
       }
   }
 };
@@ -143,9 +158,11 @@ template <class T>
 struct Powers {
   T const& one;  // no copy: one of SIMD lanes would go through memory
   T two, four, eight;
-  [[gnu::always_inline]] explicit Powers(T const& x) : one(x), two(x * x), four(two * two), eight(four * four) {}
+  [[gnu::always_inline]] explicit Powers(T const& x)
+      : one(x), two(x * x), four(two * two), eight(four * four) {}
 };
-/// \f$\sum_{n<count} c_n x^n\f$, halved again and again, so that the chain of operations grows with the logarithm of their number.
+/// \f$\sum_{n<count} c_n x^n\f$, halved again and again, so that the chain of operations grows with the
+/// logarithm of their number.
 template <int count, class T>
 [[gnu::always_inline]] inline T power_sum(T const* c, Powers<T> const& x) {
   if constexpr (count == 1)
@@ -181,7 +198,8 @@ template <int count, int k = 0, class T, class Planes>
 /// The same polynomials with coefficients from a table.
 template <class T>
 template <int terms>
-[[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(detail::ShortTable<terms, T> const& table, T const& X, T const& Y, T const& W) {
+[[gnu::always_inline]] inline ShortSeries<T> ShortSeries<T>::by_table(
+    detail::ShortTable<terms, T> const& table, T const& X, T const& Y, T const& W) {
   detail::Powers<T> const powers(X);
   // Of the mean the terms without W are 1 alone.
   return {detail::plane_sum<terms>(table.lever, powers, Y), detail::plane_sum<terms>(table.square, powers, Y),
@@ -195,9 +213,11 @@ struct ShortFlow {
   T square;  ///< \f$m^2\f$
   T twist;   ///< T
 
-  /// @param t  half the step, times the amount of the momentum; \f$s_1t^2\f$ small against 1: see \ref ShortSeries for what `terms` leave out
+  /// @param t  half the step, times the amount of the momentum; \f$s_1t^2\f$ small against 1: see
+  ///           \ref ShortSeries for what `terms` leave out
   template <int terms>
-  [[gnu::always_inline]] static ShortFlow at(InverseMoments<T> const& body, Orbit<T> const& orbit, T const& t) {
+  [[gnu::always_inline]] static ShortFlow at(InverseMoments<T> const& body, Orbit<T> const& orbit,
+                                             T const& t) {
     T const x = t * t, X = orbit.s1 * x, Y = orbit.s2 * (x * x), W = orbit.a * orbit.b * x;
     ShortSeries<T> s;
     if constexpr (of_doubles<T> && terms <= 12)

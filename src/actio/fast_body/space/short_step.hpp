@@ -1,8 +1,9 @@
 // A short step of a free body that is not prepared: for a momentum that has just changed, as under a torque.
 //
-// The half turn of half_turn.hpp with the series of short_flow.hpp, both in the momentum p itself instead of its direction.
-// Time runs from 0 to 2 and p is a pure number: p = hM/(2 I) with some unit I of inertia, and moments in that unit. The amount |p| is needed nowhere,
-// so there is no root. With V = v|p| the axis of the half turn,
+// The half turn of half_turn.hpp with the series of short_flow.hpp, both in the momentum p itself instead of
+// its direction. Time runs from 0 to 2 and p is a pure number: p = hM/(2 I) with some unit I of inertia, and
+// moments in that unit. The amount |p| is needed nowhere, so there is no root. With V = v|p| the axis of the
+// half turn,
 //
 //     tan^2(u, V) = |p x V|^2/(p.V)^2 = sum (D_i V_i)^2/(p.V)^2 =: e2,        |p||V| = (p.V) sqrt(1 + e2),
 //
@@ -14,7 +15,8 @@
 
 namespace actio {
 
-/// Coefficients of all the series of a \ref short_step: \ref ShortSeries, \f$(-1)^n/(2n)!\f$, \f$(-1)^n/(2n+1)!\f$ and those of \f$(1+x)^{-1/2}\f$.
+/// Coefficients of all the series of a \ref short_step: \ref ShortSeries, \f$(-1)^n/(2n)!\f$,
+/// \f$(-1)^n/(2n+1)!\f$ and those of \f$(1+x)^{-1/2}\f$.
 ///
 /// The sines are good to 1e-17 for \f$T^2\f$ up to 1/25 with 6 terms, up to 1/4 with 8.
 template <int terms, class T>
@@ -49,9 +51,12 @@ struct Reach {
   T turn;   ///< \f$X + e_2\f$, at most \ref short_reach
   T twist;  ///< \f$T^2\f$, at most \ref short_twist
 };
-/// The largest \f$X + e_2\f$ for which nothing beyond rounding is left out of a \ref short_step with so many terms: \f$(0.41X)^{terms} = \varepsilon/2\f$.
+/// The largest \f$X + e_2\f$ for which nothing beyond rounding is left out of a \ref short_step with so many
+/// terms: \f$(0.41X)^{terms} = \varepsilon/2\f$.
 template <int terms>
-inline constexpr double short_reach = terms == 5 ? 1.5e-3 : terms == 8 ? 2.4e-2 : 0;
+inline constexpr double short_reach = terms == 5   ? 1.5e-3
+                                      : terms == 8 ? 2.4e-2
+                                                   : 0;
 /// The largest \f$T^2\f$ for the sines that go with them.
 template <int terms>
 inline constexpr double short_twist = terms == 5 ? 0.04 : 0.25;
@@ -59,22 +64,26 @@ inline constexpr double short_twist = terms == 5 ? 0.04 : 0.25;
 /// Whether the step is exact to rounding, in every lane. A NaN is not.
 template <int terms, class T>
 [[gnu::always_inline]] inline bool all_within(Reach<T> const& reach) {
-  bool const turn = all_within(reach.turn, short_reach<terms>), twist = all_within(reach.twist, short_twist<terms>);
+  bool const turn = all_within(reach.turn, short_reach<terms>),
+             twist = all_within(reach.twist, short_twist<terms>);
   return turn && twist;
 }
 
 /// Momentum and attitude after a free motion over the time 2.
 ///
 /// @param  table  of the series, with 5 or 8 terms
-/// @param  body   inverse moments; those of a step by a part c of the whole are c times as large, c may be negative
+/// @param  body   inverse moments; those of a step by a part c of the whole are c times as large, c may be
+///                negative
 /// @param  p      momentum, a pure number; in, out
 /// @param  q      unit quaternion, body to space; in, out
 /// @return        whether that was a short step; if not, p and q have no meaning
 template <int terms, class T>
-[[gnu::always_inline]] inline Reach<T> short_step(StepTable<terms, T> const& table, InverseMoments<T> const& body, Three<T>& p, Four<T>& q) {
+[[gnu::always_inline]] inline Reach<T> short_step(StepTable<terms, T> const& table,
+                                                  InverseMoments<T> const& body, Three<T>& p, Four<T>& q) {
   double const tiny = 1e-140;  // so that a body at rest has a direction; its inverse has a square
   T const x = p[0] * p[0], y = p[1] * p[1], z = p[2] * p[2], pp = x + y + (z + tiny), inverse = 1.0 / pp;
-  T const A = body.d12 * y + body.d13 * z, B = body.d13 * x + body.d23 * y, beside = body.d12 * x - body.d23 * z;
+  T const A = body.d12 * y + body.d13 * z, B = body.d13 * x + body.d23 * y,
+          beside = body.d12 * x - body.d23 * z;
   T const X = body.d12 * B + body.d23 * A, AB = A * B, Y = body.d12 * body.d23 * AB, W = AB * inverse;
   auto const s = ShortSeries<T>::template by_table<terms>(table, X, Y, W);
 
@@ -82,22 +91,27 @@ template <int terms, class T>
   T const m2 = AB * s.square, rest = s.lever * (1.0 - W * s.square);
   T const D1 = s.lever * (A - body.d12 * m2), D2 = -(s.lever * beside), D3 = s.lever * (body.d23 * m2 - B);
   T const e1 = D2 * D3 * inverse, e2 = D3 * D1 * inverse, e3 = D1 * D2 * inverse;
-  T const V1 = p[0] + (e1 * p[0] - rest * body.d23 * (p[1] * p[2])), V2 = p[1] + (e2 * p[1] + rest * body.d13 * (p[2] * p[0])),
+  T const V1 = p[0] + (e1 * p[0] - rest * body.d23 * (p[1] * p[2])),
+          V2 = p[1] + (e2 * p[1] + rest * body.d13 * (p[2] * p[0])),
           V3 = p[2] + (e3 * p[2] - rest * body.d12 * (p[0] * p[1]));
 
   // p.V and how far V is from p.
-  T const along = 1.0 / ((pp + e1 * x) + (e2 * y + e3 * z)), w1 = V1 * along, w2 = V2 * along, w3 = V3 * along;
+  T const along = 1.0 / ((pp + e1 * x) + (e2 * y + e3 * z)), w1 = V1 * along, w2 = V2 * along,
+          w3 = V3 * along;
   T const g1 = D1 * V1, g2 = D2 * V2, g3 = D3 * V3, off = (g1 * g1 + (g2 * g2 + g3 * g3)) * (along * along);
-  T const root = detail::power_sum<StepTable<terms, T>::roots>(table.inverse_root.data(), detail::Powers<T>(off));
+  T const root =
+      detail::power_sum<StepTable<terms, T>::roots>(table.inverse_root.data(), detail::Powers<T>(off));
 
   T const rate = body.J[1] + beside * inverse * s.mean, square = pp * (rate * rate);
   detail::Powers<T> const powers(square);
   T const cosine = detail::power_sum<StepTable<terms, T>::sines>(table.cosine.data(), powers),
           sine = pp * rate * detail::power_sum<StepTable<terms, T>::sines>(table.sinc.data(), powers);
   T const n1 = w1 * root, n2 = w2 * root, n3 = w3 * root, twice = 2.0 * pp * along * (root * root);
-  q = compose(q, Four<T>{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2, (sine + cosine * D3) * n3});
+  q = compose(q, Four<T>{cosine * root, (sine + cosine * D1) * n1, (sine + cosine * D2) * n2,
+                         (sine + cosine * D3) * n3});
   // What is added, since p x V = -(D_i V_i): the rounding of a step is that of a small number.
-  p = {p[0] - twice * (g2 * w3 - g3 * w2), p[1] - twice * (g3 * w1 - g1 * w3), p[2] - twice * (g1 * w2 - g2 * w1)};
+  p = {p[0] - twice * (g2 * w3 - g3 * w2), p[1] - twice * (g3 * w1 - g1 * w3),
+       p[2] - twice * (g1 * w2 - g2 * w1)};
   return {X + off, square};
 }
 

@@ -23,9 +23,9 @@ struct TorquedLanes {
   InverseMoments<Lanes> body;
   Three<Lanes> coefficients;  ///< of the torque, times what a kick multiplies it with
   Three<Lanes> towards, ahead;
-  Lanes rate;                 ///< times the step
-  Lanes cosine, sine;         ///< of the angle that the direction has gone round by
-  bool orbits = false;        ///< whether a rate differs from zero
+  Lanes rate;           ///< times the step
+  Lanes cosine, sine;   ///< of the angle that the direction has gone round by
+  bool orbits = false;  ///< whether a rate differs from zero
 };
 
 /// One lane of a bundle.
@@ -41,7 +41,8 @@ void set_lane(std::array<Pack<4>, n>& x, int l, std::array<double, n> const& y) 
 }
 
 /// The drift of each lane by itself.
-[[gnu::noinline, gnu::cold]] inline void drift_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p, Four<Pack<4>>& q) {
+[[gnu::noinline, gnu::cold]] inline void drift_apart(TorquedLanes const& c, double part, Three<Pack<4>>& p,
+                                                     Four<Pack<4>>& q) {
   for (int l = 0; l < 4; ++l) {
     InverseMoments<double> body;
     for (int i = 0; i < 3; ++i) body.J[i] = c.body.J[i][l];
@@ -61,7 +62,8 @@ struct TorquedLaneSteps {
   Splitting const& method;
   long from, count;
 
-  /// The angle at the beginning, from the number of steps: what is multiplied up from there has no time to go astray.
+  /// The angle at the beginning, from the number of steps: what is multiplied up from there has no time to go
+  /// astray.
   void place_direction(double steps) {
     for (int l = 0; l < 4; ++l) {
       lanes.cosine.set(l, std::cos(lanes.rate[l] * steps));
@@ -74,12 +76,15 @@ struct TorquedLaneSteps {
     sine = sine * c + cosine * s;
     cosine = next;
   }
-  [[gnu::always_inline]] void kick(double part, Lanes const& cosine, Lanes const& sine, Three<Lanes>& p, Four<Lanes> const& q) const {
+  [[gnu::always_inline]] void kick(double part, Lanes const& cosine, Lanes const& sine, Three<Lanes>& p,
+                                   Four<Lanes> const& q) const {
     auto const& [to, ahead] = std::tie(lanes.towards, lanes.ahead);
     Three<Lanes> t;
     if constexpr (orbits)
       t = GravityGradient::of_direction<Lanes>(
-          lanes.coefficients, q, {cosine * to[0] + sine * ahead[0], cosine * to[1] + sine * ahead[1], cosine * to[2] + sine * ahead[2]});
+          lanes.coefficients, q,
+          {cosine * to[0] + sine * ahead[0], cosine * to[1] + sine * ahead[1],
+           cosine * to[2] + sine * ahead[2]});
     else
       t = GravityGradient::of_direction<Lanes>(lanes.coefficients, q, to);
     p = {p[0] + part * t[0], p[1] + part * t[1], p[2] + part * t[2]};
@@ -122,7 +127,7 @@ struct TorquedLaneSteps {
   }
 
   std::vector<InverseMoments<Lanes>> const& parts;  ///< of the drifts
-  std::vector<Lanes> rotation{};                    ///< cosine and sine of what the direction turns by in each of them
+  std::vector<Lanes> rotation{};  ///< cosine and sine of what the direction turns by in each of them
 };
 
 }  // namespace detail
@@ -142,17 +147,21 @@ class TorquedBatch {
     if (!is_finite(h)) throw NotFinite("batch: step");
     if (h == 0) throw OutsideDomain("batch", "the step must differ from zero", 0, 0);
     if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
-      throw OutsideDomain("batch", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
+      throw OutsideDomain("batch", "one kick more than drifts is needed; kicks",
+                          static_cast<double>(method_.kicks.size()),
                           static_cast<double>(method_.drifts.size() + 1));
   }
   /// @throws OutsideDomain  where the lists are not of one length
-  TorquedBatch(std::vector<Inertia<3>> const& inertias, std::vector<Momentum<SO<3>, double>> const& momenta, std::vector<Element<SU2, double>> const& attitudes,
-               std::vector<GravityGradient> const& torques, double h, Splitting method = strang_splitting(), Machine machine = best_machine())
+  TorquedBatch(std::vector<Inertia<3>> const& inertias, std::vector<Momentum<SO<3>, double>> const& momenta,
+               std::vector<Element<SU2, double>> const& attitudes,
+               std::vector<GravityGradient> const& torques, double h, Splitting method = strang_splitting(),
+               Machine machine = best_machine())
       : TorquedBatch(h, std::move(method), machine) {
     for (std::size_t const size : {momenta.size(), attitudes.size(), torques.size()})
       if (size != inertias.size())
-        throw OutsideDomain("batch", "as many momenta, attitudes and torques as bodies are needed; the length that is off", static_cast<double>(size),
-                            static_cast<double>(inertias.size()));
+        throw OutsideDomain(
+            "batch", "as many momenta, attitudes and torques as bodies are needed; the length that is off",
+            static_cast<double>(size), static_cast<double>(inertias.size()));
     for (std::size_t i = 0; i < inertias.size(); ++i) try {
         add(inertias[i], momenta[i], attitudes[i], torques[i]);
       } catch (BodyRefused const& why) {
@@ -164,14 +173,16 @@ class TorquedBatch {
   /// One more body, from now on. @return its index
   /// @throws BodyRefused  where it cannot be stepped, with the index that it would have had; the batch is as
   ///   before
-  std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, GravityGradient const& torque) {
+  std::size_t add(Inertia<3> const& inertia, Momentum<SO<3>, double> const& momentum,
+                  Element<SU2, double> const& attitude, GravityGradient const& torque) {
     try {
       detail::TorquedFrame const frame(inertia, h_);
       auto const state = frame.enter(momentum, attitude);
       GravityGradient const turned = torque.in(frame.axes());
       Three<double> coefficients = turned.coefficients();
       for (double& c : coefficients) c *= frame.kick();
-      if (!std::isfinite(dot(coefficients, coefficients) + dot(turned.towards, turned.towards) + dot(turned.ahead, turned.ahead) + turned.rate * h_))
+      if (!std::isfinite(dot(coefficients, coefficients) + dot(turned.towards, turned.towards) +
+                         dot(turned.ahead, turned.ahead) + turned.rate * h_))
         throw NotFinite("torqued body: torque");
       leave_out();
       put(frame, state, turned, coefficients);
@@ -192,7 +203,8 @@ class TorquedBatch {
   /// So many steps.
   /// @throws OutsideDomain  where count is negative
   void step(long count = 1) {
-    if (count < 0) throw OutsideDomain("batch", "the number of steps must not be negative", static_cast<double>(count), 0);
+    if (count < 0)
+      throw OutsideDomain("batch", "the number of steps must not be negative", static_cast<double>(count), 0);
     if (count == 0) return;
     for (auto& lanes : lanes_) lanes.orbits ? run<true>(lanes, count) : run<false>(lanes, count);
     steps_ += count;
@@ -206,7 +218,9 @@ class TorquedBatch {
   /// Momentum and attitude.
   /// @throws BodyRefused, OutsideDomain  where there is no such body
   FreeState state(std::size_t i) const {
-    if (i >= size()) throw OutsideDomain("batch", "no such body; index", static_cast<double>(i), static_cast<double>(size()));
+    if (i >= size())
+      throw OutsideDomain("batch", "no such body; index", static_cast<double>(i),
+                          static_cast<double>(size()));
     if (!frames_[i])
       for (auto const& why : refused_)
         if (why.index == i) throw why;
@@ -222,9 +236,11 @@ class TorquedBatch {
     auto& lanes = lanes_[i / 4];
     int const l = static_cast<int>(i % 4);
     frames_[i] = nullptr;
-    detail::set_lane<3>(lanes.p, l, {0, 0, 0}), detail::set_lane<4>(lanes.q, l, {1, 0, 0, 0}), detail::set_lane<3>(lanes.body.J, l, {1, 1, 1});
+    detail::set_lane<3>(lanes.p, l, {0, 0, 0}), detail::set_lane<4>(lanes.q, l, {1, 0, 0, 0}),
+        detail::set_lane<3>(lanes.body.J, l, {1, 1, 1});
     lanes.body.d12.set(l, 0), lanes.body.d23.set(l, 0), lanes.body.d13.set(l, 0);
-    detail::set_lane<3>(lanes.coefficients, l, {0, 0, 0}), detail::set_lane<3>(lanes.towards, l, {1, 0, 0}), detail::set_lane<3>(lanes.ahead, l, {0, 1, 0});
+    detail::set_lane<3>(lanes.coefficients, l, {0, 0, 0}), detail::set_lane<3>(lanes.towards, l, {1, 0, 0}),
+        detail::set_lane<3>(lanes.ahead, l, {0, 1, 0});
     lanes.rate.set(l, 0), lanes.cosine.set(l, 1), lanes.sine.set(l, 0);
   }
   void leave_out() {
@@ -235,27 +251,32 @@ class TorquedBatch {
     for (std::size_t k = i; opens && k < i + 4; ++k) empty(k);
     frames_.resize(i + 1);
   }
-  void put(detail::TorquedFrame const& frame, detail::TorquedState const& state, GravityGradient const& torque, Three<double> const& coefficients) {
+  void put(detail::TorquedFrame const& frame, detail::TorquedState const& state,
+           GravityGradient const& torque, Three<double> const& coefficients) {
     std::size_t const i = size() - 1;
     auto& lanes = lanes_[i / 4];
     int const l = static_cast<int>(i % 4);
     frames_[i] = std::make_shared<detail::TorquedFrame const>(frame);
     auto const& body = frame.body();
-    detail::set_lane(lanes.p, l, state.p), detail::set_lane(lanes.q, l, state.q), detail::set_lane(lanes.body.J, l, body.J);
+    detail::set_lane(lanes.p, l, state.p), detail::set_lane(lanes.q, l, state.q),
+        detail::set_lane(lanes.body.J, l, body.J);
     lanes.body.d12.set(l, body.d12), lanes.body.d23.set(l, body.d23), lanes.body.d13.set(l, body.d13);
-    detail::set_lane(lanes.coefficients, l, coefficients), detail::set_lane(lanes.towards, l, torque.towards), detail::set_lane(lanes.ahead, l, torque.ahead);
+    detail::set_lane(lanes.coefficients, l, coefficients), detail::set_lane(lanes.towards, l, torque.towards),
+        detail::set_lane(lanes.ahead, l, torque.ahead);
     lanes.rate.set(l, torque.rate * h_);
     lanes.orbits = lanes.orbits || torque.rate != 0;
   }
   template <bool orbits>
   void run(detail::TorquedLanes& lanes, long count) {
     parts_.resize(method_.drifts.size());
-    for (std::size_t k = 0; k < parts_.size(); ++k) parts_[k] = detail::scaled<Lanes>(lanes.body, method_.drifts[k]);
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      parts_[k] = detail::scaled<Lanes>(lanes.body, method_.drifts[k]);
     detail::TorquedLaneSteps<orbits> steps{lanes, method_, steps_, count, parts_};
     if constexpr (orbits)
       for (double const part : method_.drifts) {
         Lanes c, s;
-        for (int l = 0; l < 4; ++l) c.set(l, std::cos(part * lanes.rate[l])), s.set(l, std::sin(part * lanes.rate[l]));
+        for (int l = 0; l < 4; ++l)
+          c.set(l, std::cos(part * lanes.rate[l])), s.set(l, std::sin(part * lanes.rate[l]));
         steps.rotation.push_back(c), steps.rotation.push_back(s);
       }
     run_on(machine_, steps);

@@ -1,8 +1,8 @@
 // A rigid body under a torque, by splitting: kicks, and drifts, which are the exact flow of the free body, in
 // between.
 //
-//     TorquedBody body(inertia, momentum, attitude, gravity_gradient(inertia, 3 * mu / (r * r * r), towards), 0.1);
-//     body.step(1000);
+//     TorquedBody body(inertia, momentum, attitude, gravity_gradient(inertia, 3 * mu / (r * r * r), towards),
+//     0.1); body.step(1000);
 //
 // After each kick the body is on another orbit, so a drift is set up anew each time: by the power series of
 // short_step.hpp as long as it is short, by elliptic functions otherwise. Free motion is exact whatever the
@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "actio/fast_body/space/gravity_gradient.hpp"
-#include "actio/fast_body/space/splitting.hpp"
 #include "actio/fast_body/space/short_step.hpp"
+#include "actio/fast_body/space/splitting.hpp"
 
 namespace actio {
 namespace detail {
@@ -45,12 +45,14 @@ class TorquedFrame {
   TorquedState enter(Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude) const {
     if (!is_finite(momentum.components)) throw NotFinite("torqued body: body momentum");
     if (!is_finite(attitude.value)) throw NotFinite("torqued body: attitude");
-    TorquedState const state{frame_.enter(Eigen::Vector3d(momentum.components / frame_.unit() * (h_ / 2))), frame_.enter(restore(attitude).value)};
+    TorquedState const state{frame_.enter(Eigen::Vector3d(momentum.components / frame_.unit() * (h_ / 2))),
+                             frame_.enter(restore(attitude).value)};
     if (!is_finite(dot(state.p, state.p))) throw NotFinite("torqued body: step times momentum over inertia");
     return state;
   }
   FreeState leave(TorquedState const& state) const {
-    return {{SO<3>{}, frame_.leave(state.p) / (h_ / 2) * frame_.unit()}, {SU2{}, frame_.leave(state.q).normalized()}};
+    return {{SO<3>{}, frame_.leave(state.p) / (h_ / 2) * frame_.unit()},
+            {SU2{}, frame_.leave(state.q).normalized()}};
   }
 
  private:
@@ -70,9 +72,11 @@ template <class T>
 
 /// A drift over the part c of a step, of any length.
 /// @throws NotFinite  where the momentum is no number
-[[gnu::noinline, gnu::cold]] inline TorquedState long_step(InverseMoments<double> const& body, double c, TorquedState state) {
+[[gnu::noinline, gnu::cold]] inline TorquedState long_step(InverseMoments<double> const& body, double c,
+                                                           TorquedState state) {
   double const size = std::max({std::abs(state.p[0]), std::abs(state.p[1]), std::abs(state.p[2])});
-  if (!std::isfinite(size) || !std::isfinite(dot(state.p, state.p))) throw NotFinite("torqued body: momentum, in the course of the motion");
+  if (!std::isfinite(size) || !std::isfinite(dot(state.p, state.p)))
+    throw NotFinite("torqued body: momentum, in the course of the motion");
   if (size == 0) return state;
   Three<double> u{state.p[0] / size, state.p[1] / size, state.p[2] / size};
   double const length = std::sqrt(dot(u, u));
@@ -85,8 +89,9 @@ template <class T>
 }
 
 /// A drift over the part c of a step; `terms` is 5 or 8, as many as the last one needed.
-[[gnu::always_inline]] inline TorquedState drift(InverseMoments<double> const& body, InverseMoments<double> const& part, double c, TorquedState const& state,
-                                               int& terms) {
+[[gnu::always_inline]] inline TorquedState drift(InverseMoments<double> const& body,
+                                                 InverseMoments<double> const& part, double c,
+                                                 TorquedState const& state, int& terms) {
   if (terms == 5) {
     TorquedState next = state;
     if (all_within<5>(short_step(StepTable<5, double>::get(), part, next.p, next.q))) [[likely]]
@@ -112,7 +117,8 @@ struct TorqueOfFrame {
   Torque torque;
   MiddleAxisFrame frame;
   [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double time) const {
-    if (frame.axes().turned()) [[unlikely]] return by_way_of_frame(q, time);
+    if (frame.axes().turned()) [[unlikely]]
+      return by_way_of_frame(q, time);
     int const back = 3 - frame.first();
     Four<double> const outside{q[0], q[1 + back % 3], q[1 + (back + 1) % 3], q[1 + (back + 2) % 3]};
     return frame.counted(torque(outside, time));
@@ -162,7 +168,8 @@ struct TorquedSteps {
         at = drift(body, parts[k], method.drifts[k], at, order_of_series);
         reached += method.drifts[k];
         bool const last = k + 1 == stages;
-        double const time = last ? static_cast<double>(from + n + 1) * h : (static_cast<double>(from + n) + reached) * h;
+        double const time =
+            last ? static_cast<double>(from + n + 1) * h : (static_cast<double>(from + n) + reached) * h;
         kick_by(last && n + 1 < count ? joined : method.kicks[k + 1], time, at);
       }
       if ((from + n) % 64 == 63) tidy(at.q);
@@ -175,47 +182,60 @@ struct TorquedSteps {
 
 /// A body under a torque.
 ///
-/// @tparam Torque  (Four<double> const& attitude, double time) -> Three<double>: the torque on the body in its own axes, energy,
-///                 from the unit quaternion (scalar first) that takes the body to space
+/// @tparam Torque  (Four<double> const& attitude, double time) -> Three<double>: the torque on the body in
+///                 its own axes, energy, from the unit quaternion (scalar first) that takes the body to space
 template <class Torque>
 class TorquedBody {
  public:
-  /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude are of the same frame
+  /// @param inertia   of the body, by principal moments or in a frame of any choice; momentum and attitude
+  ///                  are of the same frame
   /// @param momentum  body momentum at the start, energy x time
   /// @param attitude  at the start
   /// @param h         step, time, not zero; negative steps go back in time
   /// @param method    order 2 or 4: \ref strang_splitting, \ref blanes_moan_splitting
   /// @param start     time at the start
-  /// @throws UnphysicalInertia, NotFinite, OutsideDomain  where a number is none, no body has such moments, or the quaternion is not near unit length
-  TorquedBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum, Element<SU2, double> const& attitude, Torque const& torque, double h,
+  /// @throws UnphysicalInertia, NotFinite, OutsideDomain where a number is none, no body has such moments, or
+  ///         the quaternion is not near unit length
+  TorquedBody(PrincipalInertia const& inertia, Momentum<SO<3>, double> const& momentum,
+              Element<SU2, double> const& attitude, Torque const& torque, double h,
               Splitting method = strang_splitting(), double start = 0, Machine machine = best_machine())
-      : frame_(inertia, h), torque_(detail::in_axes_of(frame_.axes(), torque)), method_(std::move(method)), start_(start), machine_(machine),
+      : frame_(inertia, h),
+        torque_(detail::in_axes_of(frame_.axes(), torque)),
+        method_(std::move(method)),
+        start_(start),
+        machine_(machine),
         state_(frame_.enter(momentum, attitude)) {
     if (!is_finite(start)) throw NotFinite("torqued body: time at the start");
     if (method_.drifts.empty() || method_.kicks.size() != method_.drifts.size() + 1)
-      throw OutsideDomain("torqued body", "one kick more than drifts is needed; kicks", static_cast<double>(method_.kicks.size()),
+      throw OutsideDomain("torqued body", "one kick more than drifts is needed; kicks",
+                          static_cast<double>(method_.kicks.size()),
                           static_cast<double>(method_.drifts.size() + 1));
     for (double const c : method_.drifts) parts_.push_back(detail::scaled(frame_.body(), c));
   }
 
   /// So many steps.
-  /// @throws NotFinite      where the torque or the momentum is no number any more; the body is where it was then
+  /// @throws NotFinite      where the torque or the momentum is no number any more; the body is where it was
+  ///                        then
   /// @throws OutsideDomain  where count is negative
   void step(long count = 1) {
-    if (count < 0) throw OutsideDomain("torqued body", "the number of steps must not be negative", static_cast<double>(count), 0);
+    if (count < 0)
+      throw OutsideDomain("torqued body", "the number of steps must not be negative",
+                          static_cast<double>(count), 0);
     if (count == 0) return;
-    auto const shifted = [this](Four<double> const& q, double time) __attribute__((always_inline)) { return torque_(q, start_ + time); };
-    detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(), frame_.kick(), steps_, count, state_, terms_};
+    auto const shifted = [this](Four<double> const& q, double time) __attribute__((always_inline)) {
+      return torque_(q, start_ + time);
+    };
+    detail::TorquedSteps<decltype(shifted)> steps{frame_.body(), parts_, method_, shifted, frame_.step(),
+                                                  frame_.kick(), steps_, count,   state_,  terms_};
     run_on(machine_, steps);
     if (!std::isfinite(dot(steps.state.p, steps.state.p))) throw NotFinite("torqued body: torque");
     state_ = steps.state, terms_ = steps.terms, steps_ += count;
   }
 
-  /// Saves, or restores, what the next step depends on besides body, torque, step and method: `memory(numbers...)` takes each of them by reference.
+  /// Saves, or restores, what the next step depends on besides body, torque, step and method:
+  /// `memory(numbers...)` takes each of them by reference.
   template <class Memory>
-  void remember(Memory& memory) {
-    memory(state_, terms_, steps_);
-  }
+  void remember(Memory& memory) { memory(state_, terms_, steps_); }
 
   /// Momentum and attitude now.
   FreeState state() const { return frame_.leave(state_); }
@@ -227,7 +247,8 @@ class TorquedBody {
   Splitting const& method() const { return method_; }
 
  private:
-  using TorqueInAxes = decltype(detail::in_axes_of(std::declval<MiddleAxisFrame const&>(), std::declval<Torque const&>()));
+  using TorqueInAxes =
+      decltype(detail::in_axes_of(std::declval<MiddleAxisFrame const&>(), std::declval<Torque const&>()));
 
   detail::TorquedFrame frame_;
   TorqueInAxes torque_;

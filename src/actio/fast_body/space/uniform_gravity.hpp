@@ -12,10 +12,10 @@
 //
 // S the action of the free motion from g0 to g1 in the time h, and the potential by the trapezoid. For -D1 S
 // and D2 S are the momenta with which the drift begins and ends, so that
-// -D1 L_d and D2 L_d are these with half a kick more on either side: the discrete Euler-Lagrange equations match the momenta node by node. Compositions such as that of Blanes and Moan
-// are the same with more nodes. So the motion is symplectic, and the momentum map of the symmetry is
-// conserved: V is invariant under rotations about the vertical, so the momentum about the vertical is
-// constant.
+// -D1 L_d and D2 L_d are these with half a kick more on either side: the discrete Euler-Lagrange equations
+// match the momenta node by node. Compositions such as that of Blanes and Moan are the same with more nodes.
+// So the motion is symplectic, and the momentum map of the symmetry is conserved: V is invariant under
+// rotations about the vertical, so the momentum about the vertical is constant.
 #pragma once
 
 #include "actio/fast_body/space/gravity_gradient.hpp"
@@ -33,7 +33,8 @@ class UniformGravity {
   [[gnu::always_inline]] Three<double> operator()(Four<double> const& q, double) const {
     // [uniform_gravity]
     Three<double> const n = seen_from(q, towards);
-    return {lever[1] * n[2] - lever[2] * n[1], lever[2] * n[0] - lever[0] * n[2], lever[0] * n[1] - lever[1] * n[0]};
+    return {lever[1] * n[2] - lever[2] * n[1], lever[2] * n[0] - lever[0] * n[2],
+            lever[0] * n[1] - lever[1] * n[0]};
     // [uniform_gravity]
   }
   /// V, energy; zero with the centre of mass as high as the fixed point.
@@ -48,12 +49,14 @@ class UniformGravity {
 };
 
 /// The torque of a uniform field.
-/// @param lever    mass times the amount of gravity times the way from the fixed point to the centre of mass, in the axes of the body; energy
+/// @param lever    mass times the amount of gravity times the way from the fixed point to the centre of mass,
+///                 in the axes of the body; energy
 /// @param gravity  of any length but zero, in space
 /// @throws NotFinite, OutsideDomain  where a number is none, or the direction is zero
 inline UniformGravity uniform_gravity(Eigen::Vector3d const& lever, Eigen::Vector3d const& gravity) {
   if (!is_finite(lever) || !is_finite(gravity)) throw NotFinite("uniform gravity: lever or direction");
-  if (!(magnitude(gravity) > 0)) throw OutsideDomain("uniform gravity", "the direction must differ from zero", 0, 0);
+  if (!(magnitude(gravity) > 0))
+    throw OutsideDomain("uniform gravity", "the direction must differ from zero", 0, 0);
   Eigen::Vector3d const n = gravity.stableNormalized().normalized();
   return {{lever[0], lever[1], lever[2]}, {n[0], n[1], n[2]}};
 }

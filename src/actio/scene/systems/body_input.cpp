@@ -24,7 +24,9 @@ PrincipalInertia read_inertia(SceneTable const& system) {
 }
 
 PrincipalInertia read_body_or_inertia(SceneTable const& system) {
-  if (system.has("body") && system.has("inertia")) system.fail("inertia", "body and inertia exclude each other: a body of the library has its inertia with it");
+  if (system.has("body") && system.has("inertia"))
+    system.fail("inertia",
+                "body and inertia exclude each other: a body of the library has its inertia with it");
   if (!system.has("body")) return read_inertia(system);
   return find_body(system.choice("body", "body", names_of_bodies(), "actio list bodies"))->principal;
 }
@@ -39,9 +41,13 @@ Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& rema
   double const off = std::abs(q.stableNorm() - 1);
   std::string const normalised = fmt::format("[{}, {}, {}, {}]", unit[0], unit[1], unit[2], unit[3]);
   if (!(off <= 1e-9))
-    initial.fail("attitude", fmt::format("attitude: a unit quaternion is expected; its length is {}, off by {:.2g} where 1e-9 is taken{}", q.stableNorm(), off,
-                                         q.stableNorm() > 0 ? "; normalised it is " + normalised : ""));
-  if (off > 4 * std::numeric_limits<double>::epsilon()) remarks.push_back(fmt::format("attitude: off unit length by {:.2g}, normalised to {}", off, normalised));
+    initial.fail(
+        "attitude",
+        fmt::format(
+            "attitude: a unit quaternion is expected; its length is {}, off by {:.2g} where 1e-9 is taken{}",
+            q.stableNorm(), off, q.stableNorm() > 0 ? "; normalised it is " + normalised : ""));
+  if (off > 4 * std::numeric_limits<double>::epsilon())
+    remarks.push_back(fmt::format("attitude: off unit length by {:.2g}, normalised to {}", off, normalised));
   return unit;
 }
 
@@ -52,19 +58,24 @@ Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInerti
                      by_velocity ? "angular_velocity and angular_momentum exclude each other"
                                  : "[initial] needs 'angular_velocity' or 'angular_momentum'");
   std::string const key = by_velocity ? "angular_velocity" : "angular_momentum";
-  Eigen::Vector3d const given(by_velocity ? read_angles(initial, key, 3).data() : initial.numbers(key, 3).data());
-  Momentum<SO<3>, double> const M = by_velocity ? body_momentum(inertia, velocity(SO<3>{}, given)) : momentum(SO<3>{}, given);
+  Eigen::Vector3d const given(by_velocity ? read_angles(initial, key, 3).data()
+                                          : initial.numbers(key, 3).data());
+  Momentum<SO<3>, double> const M =
+      by_velocity ? body_momentum(inertia, velocity(SO<3>{}, given)) : momentum(SO<3>{}, given);
   auto const& m = M.components;
   auto const omega = body_velocity(inertia, M).coordinates;
   if (!is_finite(m) || !is_finite(m.squaredNorm()) || !is_finite(omega.squaredNorm()))
     initial.fail(key, key + ": the numbers are too large: energy and |M|^2 are beyond 1e308");
   double const least = std::numeric_limits<double>::min();
   if (magnitude(given) > 0 && (magnitude(m) < least || magnitude(omega) < least))
-    initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is below {:.3g}, where digits are lost", key, least));
+    initial.fail(key, fmt::format("{}: the numbers are too small: momentum or angular velocity is below "
+                                  "{:.3g}, where digits are lost",
+                                  key, least));
   return M;
 }
 
-FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia, std::vector<std::string>& remarks) {
+FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
+                     std::vector<std::string>& remarks) {
   Element<SU2, double> const attitude{{}, read_attitude(initial, remarks)};
   return {read_momentum(initial, inertia), attitude};
 }
@@ -82,12 +93,16 @@ std::vector<Parameter> initial_parameters(std::string const& momentum) {
   return all;
 }
 
-Eigen::Matrix3d rotation(Eigen::Vector4d const& q) { return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix(); }
+Eigen::Matrix3d rotation(Eigen::Vector4d const& q) {
+  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+}
 Eigen::Vector4d quaternion(Eigen::Matrix3d const& rotation) {
   Eigen::Quaterniond const q(rotation);
   Eigen::Vector4d const out(q.w(), q.x(), q.y(), q.z());
   return out[0] < 0 ? Eigen::Vector4d(-out) : out;
 }
-Eigen::Vector4d compose(Eigen::Vector4d const& p, Eigen::Vector4d const& q) { return SU2::compose<double>(p, q); }
+Eigen::Vector4d compose(Eigen::Vector4d const& p, Eigen::Vector4d const& q) {
+  return SU2::compose<double>(p, q);
+}
 
 }  // namespace actio::scene

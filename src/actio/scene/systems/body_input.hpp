@@ -1,9 +1,9 @@
-// What the scenes of bodies in space have in common: inertia, attitude, and the momentum at the start. All of them are in the
-// frame in which the scene gives the inertia.
+// What the scenes of bodies in space have in common: inertia, attitude, and the momentum at the start. All of
+// them are in the frame in which the scene gives the inertia.
 #pragma once
 
-#include "actio/scene/system.hpp"
 #include "actio/fast_body/space/free_body.hpp"
+#include "actio/scene/system.hpp"
 
 namespace actio::scene {
 
@@ -13,15 +13,17 @@ PrincipalInertia read_inertia(SceneTable const& system);
 /// `body` or `inertia`.
 PrincipalInertia read_body_or_inertia(SceneTable const& system);
 
-/// `attitude`, body to space: a unit quaternion, scalar first, a rotation matrix, or a turn about an axis; the
-/// identity, written back, where it is left out. Off by at most 1e-9 it is normalised, and said in `remarks`.
+/// `attitude`, body to space: a unit quaternion, scalar first, a rotation matrix, or a turn about an axis;
+/// the identity, written back, where it is left out. Off by at most 1e-9 it is normalised, and said in
+/// `remarks`.
 /// @throws SceneError  where it is farther off, with the normalised value
 Eigen::Vector4d read_attitude(SceneTable initial, std::vector<std::string>& remarks);
 
 /// `angular_velocity` or `angular_momentum`, as body momentum.
 Momentum<SO<3>, double> read_momentum(SceneTable const& initial, PrincipalInertia const& inertia);
 /// Attitude and momentum at the start.
-FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia, std::vector<std::string>& remarks);
+FreeState read_start(SceneTable const& initial, PrincipalInertia const& inertia,
+                     std::vector<std::string>& remarks);
 
 /// The records of `attitude`, `angular_velocity` and `angular_momentum`.
 /// @param momentum  what is said of the momentum

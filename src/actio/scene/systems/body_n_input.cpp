@@ -40,9 +40,11 @@ std::string written(Eigen::MatrixXd const& g) {
 Inertia<Eigen::Dynamic> read_lambda(SceneTable const& system) {
   auto const lambda = system.numbers("lambda");
   if (lambda.size() < 2 || lambda.size() > most_dimensions)
-    system.fail("lambda", fmt::format("lambda: from 2 to {} numbers are expected, found {}", most_dimensions, lambda.size()));
+    system.fail("lambda", fmt::format("lambda: from 2 to {} numbers are expected, found {}", most_dimensions,
+                                      lambda.size()));
   try {
-    return inertia_from_lambda<Eigen::Dynamic, double>(Eigen::Map<Eigen::VectorXd const>(lambda.data(), static_cast<Eigen::Index>(lambda.size())));
+    return inertia_from_lambda<Eigen::Dynamic, double>(
+        Eigen::Map<Eigen::VectorXd const>(lambda.data(), static_cast<Eigen::Index>(lambda.size())));
   } catch (Error const& error) {
     system.fail("lambda", error.what());
   }
@@ -56,14 +58,20 @@ Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::stri
   if (!(off <= most)) {
     // Within a half in each row the iteration finds it; a matrix of more than four rows is too long to paste.
     bool const near = n <= 4 && n * off < 0.5;
-    initial.fail("attitude", fmt::format("attitude: a rotation is expected; the largest entry of g^T g - 1 is {:.2g} where 1e-9 is taken{}", off,
-                                         near ? "; normalised it is " + written(nearest_orthogonal(g)) : ""));
+    initial.fail("attitude",
+                 fmt::format("attitude: a rotation is expected; the largest entry of g^T g - 1 is {:.2g} "
+                             "where 1e-9 is taken{}",
+                             off, near ? "; normalised it is " + written(nearest_orthogonal(g)) : ""));
   }
-  if (actio::detail::sign_of_determinant(g) != 1) initial.fail("attitude", "attitude: a rotation is expected, with determinant 1; this is a reflection, with determinant -1");
+  if (actio::detail::sign_of_determinant(g) != 1)
+    initial.fail(
+        "attitude",
+        "attitude: a rotation is expected, with determinant 1; this is a reflection, with determinant -1");
   // What rounding to 17 digits leaves of a rotation.
   if (off > 4 * std::sqrt(n) * std::numeric_limits<double>::epsilon()) {
     g = nearest_orthogonal(g);
-    remarks.push_back(fmt::format("attitude: off a rotation by {:.2g} (the largest entry of g^T g - 1), normalised", off));
+    remarks.push_back(
+        fmt::format("attitude: off a rotation by {:.2g} (the largest entry of g^T g - 1), normalised", off));
   }
   return g;
 }

@@ -6,16 +6,17 @@
 
 namespace actio::scene {
 
-/// A body in n dimensions has at most so many: its velocity is then 130816 numbers and its attitude 262144, which with 17 digits fill a scene of 16 MB
-/// by half, and a step is a fraction of a second.
+/// A body in n dimensions has at most so many: its velocity is then 130816 numbers and its attitude 262144,
+/// which with 17 digits fill a scene of 16 MB by half, and a step is a fraction of a second.
 inline constexpr int most_dimensions = 512;
 
 /// `lambda`: the diagonal of Lambda.
-/// @throws SceneError  where there are fewer than 2 or more than \ref most_dimensions numbers, or a sum of two is not positive
+/// @throws SceneError  where there are fewer than 2 or more than \ref most_dimensions numbers, or a sum of
+///                     two is not positive
 Inertia<Eigen::Dynamic> read_lambda(SceneTable const& system);
 
-/// `attitude`: an n by n rotation; the identity, written back, where it is left out. Where the largest entry of \f$g^Tg-1\f$ is at most 1e-9 the nearest rotation is
-/// taken, and said in `remarks`.
+/// `attitude`: an n by n rotation; the identity, written back, where it is left out. Where the largest entry
+/// of \f$g^Tg-1\f$ is at most 1e-9 the nearest rotation is taken, and said in `remarks`.
 /// @throws SceneError  where it is farther off, or a reflection
 Eigen::MatrixXd read_attitude_n(SceneTable initial, int n, std::vector<std::string>& remarks);
 

@@ -10,8 +10,10 @@ class ExactMotion : public TurningBody {
  public:
   explicit ExactMotion(FreeBody body) : body_(std::move(body)), now_(body_.at(0)) {}
   void go_to(double time) override {
-    if (attitude_wanted()) now_ = body_.at(time);
-    else now_.body_momentum = body_.body_momentum_at(time);
+    if (attitude_wanted())
+      now_ = body_.at(time);
+    else
+      now_.body_momentum = body_.body_momentum_at(time);
   }
   Eigen::Vector3d body_momentum() const override { return now_.body_momentum.components; }
   Eigen::Vector4d attitude() const override { return now_.attitude.value; }
@@ -25,7 +27,8 @@ class ExactMotion : public TurningBody {
 template <class Steps>
 class SteppedMotion : public TurningBody {
  public:
-  SteppedMotion(StepsFrom<Steps> from, FreeState const& start, double step) : from_(std::move(from)), steps_(from_(start, step)) {}
+  SteppedMotion(StepsFrom<Steps> from, FreeState const& start, double step)
+      : from_(std::move(from)), steps_(from_(start, step)) {}
   void advance(long count) override {
     ahead_.reset();
     move(steps_, count);
@@ -34,7 +37,9 @@ class SteppedMotion : public TurningBody {
     ahead_.reset();
     if (time == 0) return;
     // Without an attitude any will do.
-    ahead_.emplace(from_({steps_.body_momentum(), attitude_wanted() ? steps_.state().attitude : identity<double>(SU2{})}, time));
+    ahead_.emplace(
+        from_({steps_.body_momentum(), attitude_wanted() ? steps_.state().attitude : identity<double>(SU2{})},
+              time));
     move(*ahead_, 1);
   }
   void remember(CheckpointStream& stream) override { steps_.remember(stream); }
@@ -43,8 +48,10 @@ class SteppedMotion : public TurningBody {
 
  private:
   void move(Steps& steps, long count) const {
-    if (attitude_wanted()) steps.advance(count);
-    else steps.advance_momentum(count);
+    if (attitude_wanted())
+      steps.advance(count);
+    else
+      steps.advance_momentum(count);
   }
   Steps const& now() const { return ahead_ ? *ahead_ : steps_; }
 
@@ -55,11 +62,14 @@ class SteppedMotion : public TurningBody {
 
 }  // namespace
 
-std::unique_ptr<TurningBody> exact_motion(FreeBody body) { return std::make_unique<ExactMotion>(std::move(body)); }
+std::unique_ptr<TurningBody> exact_motion(FreeBody body) {
+  return std::make_unique<ExactMotion>(std::move(body));
+}
 std::unique_ptr<TurningBody> stepped_motion(StepsFrom<FreeSteps> steps, FreeState const& start, double step) {
   return std::make_unique<SteppedMotion<FreeSteps>>(std::move(steps), start, step);
 }
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, FreeState const& start, double step) {
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, FreeState const& start,
+                                            double step) {
   return std::make_unique<SteppedMotion<NaturalChartSteps>>(std::move(steps), start, step);
 }
 

@@ -1,4 +1,5 @@
-// Motions of a free body in space: to any time at once, and in steps. All numbers are those of the frame of the scene.
+// Motions of a free body in space: to any time at once, and in steps. All numbers are those of the frame of
+// the scene.
 #pragma once
 
 #include <functional>
@@ -18,6 +19,7 @@ std::unique_ptr<TurningBody> exact_motion(FreeBody body);
 /// A free body in steps.
 std::unique_ptr<TurningBody> stepped_motion(StepsFrom<FreeSteps> steps, FreeState const& start, double step);
 /// The same by the natural-chart scheme.
-std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, FreeState const& start, double step);
+std::unique_ptr<TurningBody> stepped_motion(StepsFrom<NaturalChartSteps> steps, FreeState const& start,
+                                            double step);
 
 }  // namespace actio::scene

@@ -4,9 +4,9 @@
 #include "actio/fast_body/space/torqued_body.hpp"
 #include "actio/fast_body/space/uniform_gravity.hpp"
 #include "actio/rigid_body/heavy_top_body.hpp"
-#include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/systems/free_motion.hpp"
+#include "actio/scene/systems/method_input.hpp"
 
 namespace actio::scene {
 namespace {
@@ -32,18 +32,51 @@ std::vector<Parameter> parameters() {
 }
 
 std::vector<Method> methods() {
-  return {{"variational", {"4", "2"}, "Kicks of gravity and the exact flow of the free body: the action of the free motion and the trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).", ""}};
+  return {{"variational",
+           {"4", "2"},
+           "Kicks of gravity and the exact flow of the free body: the action of the free motion and the "
+           "trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).",
+           ""}};
 }
 
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
   auto all = turning_body_quantities(false);
-  all.push_back({"direction_of_gravity", Kind::vector, "The unit vector along gravity, in the frame of the body; of the third axis of space downwards where there is no gravity.", "\\Gamma = R(q)^T g/|g|", "1", "", {"attitude"}, false});
-  all.push_back({"vertical_momentum", Kind::scalar, "The angular momentum about the vertical through the fixed point, against gravity.", "-\\langle\\pi, g/|g|\\rangle", "energy x time", "", {"spatial_momentum"}, true});
-  all.push_back({"energy", Kind::scalar, "Kinetic and potential energy; the potential is zero with the centre of mass as high as the fixed point.",
-                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle", "energy", "", {"body_momentum", "angular_velocity", "direction_of_gravity"}, true});
-  all.push_back({"casimir", Kind::list, "The Casimirs of the dual of se(3), where momentum and direction of gravity move: |Gamma|^2 and M.Gamma.", "|\\Gamma|^2, \\langle M, \\Gamma\\rangle",
-                 "1, and energy x time", "", {"body_momentum", "direction_of_gravity"}, true});
+  all.push_back({"direction_of_gravity",
+                 Kind::vector,
+                 "The unit vector along gravity, in the frame of the body; of the third axis of space "
+                 "downwards where there is no gravity.",
+                 "\\Gamma = R(q)^T g/|g|",
+                 "1",
+                 "",
+                 {"attitude"},
+                 false});
+  all.push_back({"vertical_momentum",
+                 Kind::scalar,
+                 "The angular momentum about the vertical through the fixed point, against gravity.",
+                 "-\\langle\\pi, g/|g|\\rangle",
+                 "energy x time",
+                 "",
+                 {"spatial_momentum"},
+                 true});
+  all.push_back({"energy",
+                 Kind::scalar,
+                 "Kinetic and potential energy; the potential is zero with the centre of mass as high as the "
+                 "fixed point.",
+                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle - m|g|\\langle\\chi, \\Gamma\\rangle",
+                 "energy",
+                 "",
+                 {"body_momentum", "angular_velocity", "direction_of_gravity"},
+                 true});
+  all.push_back({"casimir",
+                 Kind::list,
+                 "The Casimirs of the dual of se(3), where momentum and direction of gravity move: |Gamma|^2 "
+                 "and M.Gamma.",
+                 "|\\Gamma|^2, \\langle M, \\Gamma\\rangle",
+                 "1, and energy x time",
+                 "",
+                 {"body_momentum", "direction_of_gravity"},
+                 true});
   return all;
 }
 
@@ -52,7 +85,8 @@ using Top = TorquedBody<UniformGravity>;
 /// Steps of kicks and drifts.
 class TopMotion : public TurningBody {
  public:
-  TopMotion(StepsFrom<Top> from, FreeState const& start, double step) : from_(std::move(from)), top_(from_(start, step)), now_(top_.state()) {}
+  TopMotion(StepsFrom<Top> from, FreeState const& start, double step)
+      : from_(std::move(from)), top_(from_(start, step)), now_(top_.state()) {}
   void advance(long steps) override {
     top_.step(steps);
     now_ = top_.state();
@@ -85,7 +119,9 @@ struct GivenTop {
 
   /// @param centre  of mass, from the fixed point
   GivenTop(TurnedHeavyTop const& turned, Eigen::Vector3d const& centre)
-      : inertia(turned.top.inertia, turned.axes), lever(centre * (turned.top.mass * turned.top.pull())), down(-turned.top.vertical()) {}
+      : inertia(turned.top.inertia, turned.axes),
+        lever(centre * (turned.top.mass * turned.top.pull())),
+        down(-turned.top.vertical()) {}
 };
 GivenTop read_top(SceneTable const& system) {
   double const mass = system.positive("mass");
@@ -95,7 +131,9 @@ GivenTop read_top(SceneTable const& system) {
     // On a principal axis through the centre of mass the axes at the fixed point are the same.
     bool const on_axis = (centre.array() != 0).count() <= 1;
     if (!about_centre.is_turned() && on_axis)
-      return {{held_at_a_point<double>(mass, about_centre.inertia, centre, gravity), Eigen::Matrix3d::Identity()}, centre};
+      return {
+          {held_at_a_point<double>(mass, about_centre.inertia, centre, gravity), Eigen::Matrix3d::Identity()},
+          centre};
     return {held_anywhere(mass, about_centre.tensor(), centre, gravity), centre};
   } catch (UnphysicalInertia const& error) {
     system.fail("inertia", std::string("about the fixed point: ") + error.what());
@@ -109,15 +147,19 @@ struct TopScene {
   SceneTable initial, method;
   std::vector<std::string> remarks;
   GivenTop top;
-  FreeState start;                     ///< momentum about the fixed point, and attitude
+  FreeState start;  ///< momentum about the fixed point, and attitude
   MethodChoice choice;
-  double fastest,                      ///< a bound of the angular velocity, 1/time
+  double fastest,  ///< a bound of the angular velocity, 1/time
       step;
 
   explicit TopScene(Request const& request)
-      : initial(request.file.section("initial")), method(request.file.section("method")), top(read_top(request.file.section("system"))),
-        start(read_start(initial, top.inertia, remarks)), choice(read_method(method, methods())),
-        fastest(fastest_of_fall()), step(read_step(method, request.schedule, fastest)) {}
+      : initial(request.file.section("initial")),
+        method(request.file.section("method")),
+        top(read_top(request.file.section("system"))),
+        start(read_start(initial, top.inertia, remarks)),
+        choice(read_method(method, methods())),
+        fastest(fastest_of_fall()),
+        step(read_step(method, request.schedule, fastest)) {}
 
   bool is_free() const { return !(magnitude(top.lever) > 0); }
 
@@ -125,36 +167,49 @@ struct TopScene {
   /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
   double fastest_of_fall() const {
     double const kinetic = kinetic_energy(top.inertia, start.body_momentum),
-                 fall = top.lever.norm() - top.lever.dot(rotation(start.attitude.value).transpose() * top.down);
-    if (!is_finite(kinetic + fall)) throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
+                 fall =
+                     top.lever.norm() - top.lever.dot(rotation(start.attitude.value).transpose() * top.down);
+    if (!is_finite(kinetic + fall))
+      throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
     return fastest_turn(top.inertia, kinetic + fall);
   }
 };
 
-/// Between two kicks gravity is taken to pull as it does at the first of them. So the scheme is meant for steps in which the body turns little: beyond
-/// `most` radians it is refused, beyond `much` it is remarked on.
+/// Between two kicks gravity is taken to pull as it does at the first of them. So the scheme is meant for
+/// steps in which the body turns little: beyond `most` radians it is refused, beyond `much` it is remarked
+/// on.
 namespace turn_of_a_step {
 constexpr double much = 0.25, most = 1;
 }
 void check_step(TopScene& scene, Schedule const& schedule) {
   double const turn = scene.step * scene.fastest;
   if (turn > turn_of_a_step::most * (1 + 1e-9))
-    fail_for_long_step(scene.method, schedule, StepTooLong("variational", scene.step, turn_of_a_step::most / scene.fastest), fmt::format("the top may turn by {:.3g} rad in a step of {}, and the scheme is meant for at most {} rad", turn, scene.step, turn_of_a_step::most));
+    fail_for_long_step(
+        scene.method, schedule, StepTooLong("variational", scene.step, turn_of_a_step::most / scene.fastest),
+        fmt::format(
+            "the top may turn by {:.3g} rad in a step of {}, and the scheme is meant for at most {} rad",
+            turn, scene.step, turn_of_a_step::most));
   if (turn > turn_of_a_step::much)
-    scene.remarks.push_back(fmt::format("step: the top may turn by {:.2g} rad in a step of {}; up to {} rad, a step of {:.2g}, the scheme is accurate", turn, scene.step,
-                                        turn_of_a_step::much, turn_of_a_step::much / scene.fastest));
+    scene.remarks.push_back(
+        fmt::format("step: the top may turn by {:.2g} rad in a step of {}; up to {} rad, a step of {:.2g}, "
+                    "the scheme is accurate",
+                    turn, scene.step, turn_of_a_step::much, turn_of_a_step::much / scene.fastest));
 }
 
 /// In steps of the scheme of the scene.
 std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
   PrincipalInertia const& inertia = scene.top.inertia;
   if (scene.is_free()) {
-    auto const steps = [=](FreeState const& start, double h) { return FreeSteps(FreeBody(inertia, start.body_momentum, start.attitude), h); };
+    auto const steps = [=](FreeState const& start, double h) {
+      return FreeSteps(FreeBody(inertia, start.body_momentum, start.attitude), h);
+    };
     return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, step);
   }
   auto const gravity = uniform_gravity(scene.top.lever, scene.top.down);
   auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
-  auto const steps = [=](FreeState const& start, double h) { return Top(inertia, start.body_momentum, start.attitude, gravity, h, method); };
+  auto const steps = [=](FreeState const& start, double h) {
+    return Top(inertia, start.body_momentum, start.attitude, gravity, h, method);
+  };
   return std::make_unique<TopMotion>(steps, scene.start, step);
 }
 
@@ -171,28 +226,43 @@ std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule
   return exact_motion(FreeBody(scene.top.inertia, scene.start.body_momentum, scene.start.attitude));
 }
 
-/// Steps three times as long cost a little less than a third of the run, since short and long drifts take the same series.
+/// Steps three times as long cost a little less than a third of the run, since short and long drifts take the
+/// same series.
 Companion companion_of(TopScene const& scene, std::optional<bool> wanted) {
   if (scene.is_free()) return {nullptr, 0, 0, true, "exact: no error but that of rounding"};
   if (!wanted.value_or(true)) return {nullptr, 0, 0, true, "left out by output.error_estimate"};
-  return {stepped(scene, 3 * scene.step), 3, std::stoi(scene.choice.order), true, "estimated from a companion run with steps three times as long"};
+  return {stepped(scene, 3 * scene.step), 3, std::stoi(scene.choice.order), true,
+          "estimated from a companion run with steps three times as long"};
 }
 
 void define_top(QuantityGraph& graph, TopScene const& scene) {
-  graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector), [down = scene.top.down](auto needs, double* gamma) {
+  graph.define("direction_of_gravity", column_ends(Quantity::Kind::vector),
+               [down = scene.top.down](auto needs, double* gamma) {
     as_matrix<3, 1>(gamma) = SU2::Ad<double>(SU2::inverse<double>(as_matrix<4, 1>(needs[0])), down);
   });
-  graph.define("vertical_momentum", {""}, [down = scene.top.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
-               [](auto needs, double const*, std::size_t) { return magnitude(Eigen::Vector3d(ConstVector(needs[0]))); });
-  graph.define("energy", {""}, [lever = scene.top.lever](auto needs, double* energy) {
+  graph.define(
+      "vertical_momentum", {""},
+      [down = scene.top.down](auto needs, double* momentum) { *momentum = -down.dot(ConstVector(needs[0])); },
+      [](auto needs, double const*, std::size_t) {
+    return magnitude(Eigen::Vector3d(ConstVector(needs[0])));
+      });
+  graph.define(
+      "energy", {""},
+      [lever = scene.top.lever](auto needs, double* energy) {
     *energy = ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 - lever.dot(ConstVector(needs[2]));
-  }, [lever = scene.top.lever](auto needs, double const*, std::size_t) {
+      },
+      [lever = scene.top.lever](auto needs, double const*, std::size_t) {
     return ConstVector(needs[0]).dot(ConstVector(needs[1])) / 2 + std::abs(lever.dot(ConstVector(needs[2])));
   });
-  graph.define("casimir", {"_gamma", "_cross"}, [](auto needs, double* casimir) {
+  graph.define(
+      "casimir", {"_gamma", "_cross"},
+      [](auto needs, double* casimir) {
     ConstVector const M(needs[0]), gamma(needs[1]);
     casimir[0] = gamma.squaredNorm(), casimir[1] = M.dot(gamma);
-  }, [](auto needs, double const*, std::size_t component) { return component == 0 ? 1 : magnitude(Eigen::Vector3d(ConstVector(needs[0]))); });
+      },
+      [](auto needs, double const*, std::size_t component) {
+    return component == 0 ? 1 : magnitude(Eigen::Vector3d(ConstVector(needs[0])));
+  });
 }
 
 Simulation prepare(Request const& request) {
@@ -218,15 +288,26 @@ Simulation prepare(Request const& request) {
 
 BodyShape shape(SceneFile const& file) {
   SceneTable const system = file.section("system");
-  return {read_inertia(system), {}, BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
+  return {read_inertia(system),
+          {},
+          BodyShape::Top{system.number("mass"), system.vector("centre_of_mass"), system.vector("gravity")}};
 }
 
 }  // namespace
 
 /// The rigid body held at a point under gravity.
 System heavy_top_system() {
-  return {"heavy_top", "Heavy top", "A rigid body held at a point under uniform gravity.", "chapter 3", parameters(), methods(), quantities(), prepare,
-          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, 1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery = 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n",
+  return {"heavy_top",
+          "Heavy top",
+          "A rigid body held at a point under uniform gravity.",
+          "chapter 3",
+          parameters(),
+          methods(),
+          quantities(),
+          prepare,
+          "[system]\nkind = \"heavy_top\"\nmass = 1\ninertia = [1, 1, 0.5]\ncentre_of_mass = [0, 0, "
+          "1]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.5, 0, 20]\n[run]\nuntil = 5\nevery "
+          "= 0.01\n[output]\nquantities = [\"attitude\", \"energy\"]\n",
           shape};
 }
 

@@ -71,7 +71,10 @@ class SteppedMotion : public TurningBodyN {
   using Make = std::function<Substeps<Scheme>(double step)>;
 
   SteppedMotion(Make make, double step, Start const& start, bool with_attitude)
-      : make_(std::move(make)), steps_(make_(step)), body_(released(steps_.front(), start.attitude, start.momentum)), with_attitude_(with_attitude) {
+      : make_(std::move(make)),
+        steps_(make_(step)),
+        body_(released(steps_.front(), start.attitude, start.momentum)),
+        with_attitude_(with_attitude) {
     // Only the first step shows whether it is too long.
     auto body = body_;
     steps_.step(body, false);
@@ -110,10 +113,12 @@ class SteppedMotion : public TurningBodyN {
   bool with_attitude_;
 };
 
-/// What does not move: the momentum, without an attitude, of a body all whose moments are equal; and the start of a motion that can take no step.
+/// What does not move: the momentum, without an attitude, of a body all whose moments are equal; and the
+/// start of a motion that can take no step.
 class ConstantMomentum : public TurningBodyN {
  public:
-  explicit ConstantMomentum(MatrixXd momentum, MatrixXd attitude = {}) : momentum_(std::move(momentum)), attitude_(std::move(attitude)) {}
+  explicit ConstantMomentum(MatrixXd momentum, MatrixXd attitude = {})
+      : momentum_(std::move(momentum)), attitude_(std::move(attitude)) {}
   MatrixXd body_momentum() const override { return momentum_; }
   MatrixXd attitude() const override { return attitude_; }
 
@@ -123,32 +128,47 @@ class ConstantMomentum : public TurningBodyN {
 
 /// @throws SceneError  where energy, |M|^2 or a Casimir that was asked for is beyond the numbers
 void require_finite_start(SceneTable const& initial, Start const& start, bool casimirs) {
-  bool const finite = is_finite(start.momentum.squaredNorm()) && is_finite(start.momentum.cwiseAbs().cwiseProduct(start.velocity.cwiseAbs()).sum()) && is_finite(start.velocity.squaredNorm());
-  if (!finite) initial.fail("angular_velocity", "angular_velocity: the numbers are too large: energy and |M|^2 are beyond 1e308");
+  bool const finite = is_finite(start.momentum.squaredNorm()) &&
+                      is_finite(start.momentum.cwiseAbs().cwiseProduct(start.velocity.cwiseAbs()).sum()) &&
+                      is_finite(start.velocity.squaredNorm());
+  if (!finite)
+    initial.fail("angular_velocity",
+                 "angular_velocity: the numbers are too large: energy and |M|^2 are beyond 1e308");
   if (!casimirs) return;
   int const n = start.inertia.group.n;
   double const largest = skew_spectrum(start.momentum).maxCoeff(), most = largest_modulus_for_casimirs(n);
   if (largest > most)
-    initial.fail("angular_velocity", fmt::format("angular_velocity: the largest modulus in the spectrum of M is {}; with more than {} casimir_{} is beyond 1e300 (spectrum tells as much)", largest, most, n / 2 * 2));
+    initial.fail("angular_velocity",
+                 fmt::format("angular_velocity: the largest modulus in the spectrum of M is {}; with more "
+                             "than {} casimir_{} is beyond 1e300 (spectrum tells as much)",
+                             largest, most, n / 2 * 2));
 }
 
-Start read_start(SceneTable const& system, SceneTable const& initial, bool casimirs, std::vector<std::string>& remarks) {
+Start read_start(SceneTable const& system, SceneTable const& initial, bool casimirs,
+                 std::vector<std::string>& remarks) {
   Start start{read_lambda(system), {}, {}, {}};
   int const n = start.inertia.group.n;
   start.attitude = read_attitude_n(initial, n, remarks);
   start.velocity = read_velocity_n(initial, n);
-  start.momentum = start.inertia.lambda.asDiagonal() * start.velocity + start.velocity * start.inertia.lambda.asDiagonal();
+  start.momentum =
+      start.inertia.lambda.asDiagonal() * start.velocity + start.velocity * start.inertia.lambda.asDiagonal();
   require_finite_start(initial, start, casimirs);
   return start;
 }
 
 std::vector<Method> methods() {
   return {
-      {"moser_veselov", {"6", "4", "2"},
-       "The scheme of Moser and Veselov, order 2: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the spectrum of M, "
-       "and that of a matrix polynomial with it.", "thm_5_2_1"},
-      {"natural_chart", {"2", "4", "6"},
-       "The scheme of the natural chart, order 2: the action of a step is that of a turn with constant velocity; composed of substeps 4 and 6. It keeps the spectrum of M.", "eq_5_4"},
+      {"moser_veselov",
+       {"6", "4", "2"},
+       "The scheme of Moser and Veselov, order 2: h M_0 = f^T Lambda - Lambda f, M_1 = f M_0 f^T; composed "
+       "of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the spectrum of M, "
+       "and that of a matrix polynomial with it.",
+       "thm_5_2_1"},
+      {"natural_chart",
+       {"2", "4", "6"},
+       "The scheme of the natural chart, order 2: the action of a step is that of a turn with constant "
+       "velocity; composed of substeps 4 and 6. It keeps the spectrum of M.",
+       "eq_5_4"},
   };
 }
 
@@ -158,7 +178,9 @@ long steps_in_5_ms(bool chart, int n) {
   return std::max(1L, static_cast<long>(5e-3 / seconds));
 }
 
-std::vector<double> fractions_of(int order) { return order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>(); }
+std::vector<double> fractions_of(int order) {
+  return order == 2 ? std::vector<double>{1} : order == 4 ? suzuki<double>() : kahan_li<double>();
+}
 
 /// What is stepped, and how.
 struct Choice {
@@ -167,18 +189,26 @@ struct Choice {
   bool attitude;
 };
 
-std::unique_ptr<TurningBodyN> motion_of(Choice const& choice, Start const& start, double step, Sweeps sweeps = Sweeps::beyond_rounding) {
+std::unique_ptr<TurningBodyN> motion_of(Choice const& choice, Start const& start, double step,
+                                        Sweeps sweeps = Sweeps::beyond_rounding) {
   auto const fractions = fractions_of(choice.order);
   auto const inertia = start.inertia;
   auto const stepped = [&]<class Scheme>(std::type_identity<Scheme>, auto make) {
-    return std::make_unique<SteppedMotion<Scheme>>([=](double h) { return Substeps<Scheme>(fractions, h, make); }, step, start, choice.attitude);
+    return std::make_unique<SteppedMotion<Scheme>>(
+        [=](double h) { return Substeps<Scheme>(fractions, h, make); }, step, start, choice.attitude);
   };
-  if (choice.chart) return stepped(std::type_identity<FastNaturalChart>{}, [=](double h) { return FastNaturalChart(inertia, h); });
-  return stepped(std::type_identity<FastMoserVeselov>{}, [=](double h) { return FastMoserVeselov(inertia, h, sweeps); });
+  if (choice.chart)
+    return stepped(std::type_identity<FastNaturalChart>{},
+                   [=](double h) { return FastNaturalChart(inertia, h); });
+  return stepped(std::type_identity<FastMoserVeselov>{},
+                 [=](double h) { return FastMoserVeselov(inertia, h, sweeps); });
 }
 
-/// The longest step of a composition is that of its longest substep; a little less is tried where a later substep is still too long.
-[[noreturn]] void fail_for_long_composition(Choice const& choice, Start const& start, SceneTable const& method, Schedule const& schedule, double step, StepTooLong const& error) {
+/// The longest step of a composition is that of its longest substep; a little less is tried where a later
+/// substep is still too long.
+[[noreturn]] void fail_for_long_composition(Choice const& choice, Start const& start,
+                                            SceneTable const& method, Schedule const& schedule, double step,
+                                            StepTooLong const& error) {
   double longest = 0;
   for (double const fraction : fractions_of(choice.order)) longest = std::max(longest, std::abs(fraction));
   double largest = std::min(step, error.largest_step / longest);
@@ -188,36 +218,46 @@ std::unique_ptr<TurningBodyN> motion_of(Choice const& choice, Start const& start
     } catch (Error const&) {
       largest *= 0.9;
     }
-  fail_for_long_step(method, schedule, StepTooLong(choice.chart ? "natural chart" : "Moser-Veselov", step, largest));
+  fail_for_long_step(method, schedule,
+                     StepTooLong(choice.chart ? "natural chart" : "Moser-Veselov", step, largest));
 }
 
-/// By default a step of order 6 is so long that the error stays below 1e-6 until the end. With the fastest plane
-/// turning by theta in a step and by Theta until the end, 400 bodies with random Lambda in 3 to 10 dimensions had
-/// errors of c theta^6 Theta: of the momentum c = 5e-4 in the median and 1e-3 at most, of the attitude 1.4e-3 and
-/// 1.9e-3. A tenth of the bound is aimed at. A tenth of a radian is not exceeded; other orders take a twentieth.
+/// By default a step of order 6 is so long that the error stays below 1e-6 until the end. With the fastest
+/// plane turning by theta in a step and by Theta until the end, 400 bodies with random Lambda in 3 to 10
+/// dimensions had errors of c theta^6 Theta: of the momentum c = 5e-4 in the median and 1e-3 at most, of the
+/// attitude 1.4e-3 and 1.9e-3. A tenth of the bound is aimed at. A tenth of a radian is not exceeded; other
+/// orders take a twentieth.
 double default_turn(Choice const& choice, double fastest, double until) {
   if (choice.chart || choice.order != 6) return 0.05;
   return std::clamp(std::pow(1e-7 / (2e-3 * std::max(1.0, fastest * until)), 1.0 / 6), 1e-3, 0.1);
 }
 
-/// Steps four times as long. Of Moser and Veselov's scheme they cost less than a third of the run up to a tenth of a radian a step, as the companion need not solve each
-/// step to rounding, and up to two fifths beyond; of the natural chart, which takes more sweeps for longer steps, a third to two thirds.
+/// Steps four times as long. Of Moser and Veselov's scheme they cost less than a third of the run up to a
+/// tenth of a radian a step, as the companion need not solve each step to rounding, and up to two fifths
+/// beyond; of the natural chart, which takes more sweeps for longer steps, a third to two thirds.
 Companion companion_of(Choice const& choice, Start const& start, double step, std::optional<bool> wanted) {
   if (!wanted.value_or(true)) return {nullptr, 0, 0, choice.attitude, "left out by output.error_estimate"};
-  if (choice.chart && !wanted) return {nullptr, 0, 0, choice.attitude, "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
+  if (choice.chart && !wanted)
+    return {nullptr, 0, 0, choice.attitude,
+            "not estimated: it costs more than a third of the run; output.error_estimate = true asks for it"};
   Sweeps const sweeps = choice.order == 2 ? Sweeps::to_half_the_digits : Sweeps::to_rounding;
   for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
-      return {motion_of(choice, start, steps * step, sweeps), steps, choice.order, choice.attitude, fmt::format("estimated from a companion run with steps {} times as long", in_words)};
+      return {motion_of(choice, start, steps * step, sweeps), steps, choice.order, choice.attitude,
+              fmt::format("estimated from a companion run with steps {} times as long", in_words)};
     } catch (Error const&) {
       // So long a step is beyond the scheme.
     }
-  return {nullptr, 0, 0, choice.attitude, "not estimated: steps twice as long are beyond the scheme; with half of the step there is an estimate"};
+  return {
+      nullptr, 0, 0, choice.attitude,
+      "not estimated: steps twice as long are beyond the scheme; with half of the step there is an estimate"};
 }
 
 Simulation prepare(Request const& request) {
   SceneTable system = request.file.section("system"), initial = request.file.section("initial"),
              method = request.file.section("method");
-  auto const asked = [&](char const* name) { return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end(); };
+  auto const asked = [&](char const* name) {
+    return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end();
+  };
   bool const with_attitude = asked("attitude");
 
   Simulation simulation(turning_body_n_quantities());
@@ -225,13 +265,16 @@ Simulation prepare(Request const& request) {
   MethodChoice const asked_method = read_method(method, methods());
   Choice const choice{asked_method.name == "natural_chart", asked_method.number(), with_attitude};
   double const fastest = skew_spectrum(start.velocity).maxCoeff();
-  simulation.step = read_step(method, request.schedule, fastest, default_turn(choice, fastest, request.schedule.until()));
-  simulation.steps_at_once = std::max(1L, steps_in_5_ms(choice.chart, start.inertia.group.n) / (choice.order == 2 ? 1 : 40));
+  simulation.step =
+      read_step(method, request.schedule, fastest, default_turn(choice, fastest, request.schedule.until()));
+  simulation.steps_at_once =
+      std::max(1L, steps_in_5_ms(choice.chart, start.inertia.group.n) / (choice.order == 2 ? 1 : 40));
   std::unique_ptr<TurningBodyN> motion;
   try {
     motion = motion_of(choice, start, simulation.step);
   } catch (StepTooLong const& error) {
-    if (choice.order != 2) fail_for_long_composition(choice, start, method, request.schedule, simulation.step, error);
+    if (choice.order != 2)
+      fail_for_long_composition(choice, start, method, request.schedule, simulation.step, error);
     fail_for_long_step(method, request.schedule, error);
   } catch (Error const& error) {
     simulation.failure = method.place("step").text() + ": " + error.what();
@@ -244,7 +287,8 @@ Simulation prepare(Request const& request) {
     motion = std::make_unique<ConstantMomentum>(start.momentum);
   }
   bool const constant = dynamic_cast<ConstantMomentum const*>(motion.get()) != nullptr;
-  simulation.companion = constant ? Companion{nullptr, 0, 0, false, "exact: the momentum is constant"} : companion_of(choice, start, simulation.step, request.error_estimate);
+  simulation.companion = constant ? Companion{nullptr, 0, 0, false, "exact: the momentum is constant"}
+                                  : companion_of(choice, start, simulation.step, request.error_estimate);
   define_turning_body_n(simulation.quantities, *motion, start.inertia);
   simulation.quantities.ask(request.quantities);
   simulation.motion = std::move(motion);
@@ -268,11 +312,13 @@ std::vector<Parameter> parameters() {
                                             "1/time", "[0.1, 0.2, 0.3, 0.4, 0.5, 0.6]"},
                                            "[5, 10, 15, 20, 25, 30]");
   all.insert(all.end(), velocities.begin(), velocities.end());
-  all.push_back({"method.step", "a number > 0", "from the time asked",
-                 "The time that a step takes, a whole number of times in the time between two rows. By default, for order "
-                 "6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the plane that "
-                 "turns fastest; otherwise 0.05 radians.",
-                 "time", "0.01"});
+  all.push_back(
+      {"method.step", "a number > 0", "from the time asked",
+       "The time that a step takes, a whole number of times in the time between two rows. By default, for "
+       "order "
+       "6, so long that the error stays below 1e-6 until the end, and at most 0.1 radians of the plane that "
+       "turns fastest; otherwise 0.05 radians.",
+       "time", "0.01"});
   return all;
 }
 
@@ -288,7 +334,9 @@ System rigid_body_n_system() {
           methods(),
           turning_body_n_quantities(),
           prepare,
-          "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\nangular_velocity = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"momentum\", \"energy\"]\n"};
+          "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\nangular_velocity = [0.1, "
+          "0.2, 0.3, 0.4, 0.5, 0.6]\n[run]\nuntil = 20\nevery = 0.1\n[output]\nquantities = [\"momentum\", "
+          "\"energy\"]\n"};
 }
 
 }  // namespace actio::scene

@@ -28,18 +28,56 @@ std::vector<Quantity> turning_body_quantities(bool free) {
   using Kind = Quantity::Kind;
   using Shown = Quantity::Shown;
   return {
-      {"attitude", Kind::quaternion, "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one given.", "q", "1", "", {}, false, Shown::as_direction},
-      {"body_momentum", Kind::vector, "The angular momentum in the frame of the body.", "M", "energy x time", "eq_5_1", {}, false, Shown::as_direction},
-      {"angular_velocity", Kind::vector, "The angular velocity in the frame of the body.", "\\omega = I^{-1}M", "1/time", "", {"body_momentum"}, false, Shown::as_direction},
-      {"spatial_momentum", Kind::vector, "The angular momentum in space.", "\\pi = R(q)\\,M", "energy x time", "claim_5_2_spatial_momentum", {"attitude", "body_momentum"}, free, Shown::beside_motion},
+      {"attitude",
+       Kind::quaternion,
+       "The unit quaternion, scalar first, that takes the body to space; its sign is continuous from the one "
+       "given.",
+       "q",
+       "1",
+       "",
+       {},
+       false,
+       Shown::as_direction},
+      {"body_momentum",
+       Kind::vector,
+       "The angular momentum in the frame of the body.",
+       "M",
+       "energy x time",
+       "eq_5_1",
+       {},
+       false,
+       Shown::as_direction},
+      {"angular_velocity",
+       Kind::vector,
+       "The angular velocity in the frame of the body.",
+       "\\omega = I^{-1}M",
+       "1/time",
+       "",
+       {"body_momentum"},
+       false,
+       Shown::as_direction},
+      {"spatial_momentum",
+       Kind::vector,
+       "The angular momentum in space.",
+       "\\pi = R(q)\\,M",
+       "energy x time",
+       "claim_5_2_spatial_momentum",
+       {"attitude", "body_momentum"},
+       free,
+       Shown::beside_motion},
   };
 }
 
 void define_turning_body(QuantityGraph& graph, TurningBody const& motion, PrincipalInertia const& inertia) {
   using Kind = Quantity::Kind;
-  graph.define("attitude", column_ends(Kind::quaternion), [&motion](auto, double* q) { Eigen::Map<Eigen::Vector4d>{q} = motion.attitude(); });
-  graph.define("body_momentum", column_ends(Kind::vector), [&motion](auto, double* M) { Vector{M} = motion.body_momentum(); });
-  graph.define("angular_velocity", column_ends(Kind::vector), [inverse = inertia.inverse_tensor()](auto needs, double* w) { Vector{w} = inverse * ConstVector(needs[0]); });
+  graph.define("attitude", column_ends(Kind::quaternion),
+               [&motion](auto, double* q) { Eigen::Map<Eigen::Vector4d>{q} = motion.attitude(); });
+  graph.define("body_momentum", column_ends(Kind::vector),
+               [&motion](auto, double* M) { Vector{M} = motion.body_momentum(); });
+  graph.define("angular_velocity", column_ends(Kind::vector),
+               [inverse = inertia.inverse_tensor()](auto needs, double* w) {
+    Vector{w} = inverse * ConstVector(needs[0]);
+  });
   graph.define("spatial_momentum", column_ends(Kind::vector), [](auto needs, double* pi) {
     Vector{pi} = Eigen::Vector3d(SU2::Ad<double>(as_matrix<4, 1>(needs[0]), as_matrix<3, 1>(needs[1])));
   });

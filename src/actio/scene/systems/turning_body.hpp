@@ -33,7 +33,8 @@ std::vector<Quantity> turning_body_quantities(bool free);
 /// @param inertia  in the frame of the scene, as all else
 void define_turning_body(QuantityGraph& graph, TurningBody const& motion, PrincipalInertia const& inertia);
 
-/// A bound of the angular velocity of a body with that kinetic energy: \f$|\omega|^2 \le 2E/I_{min}\f$; 1/time.
+/// A bound of the angular velocity of a body with that kinetic energy: \f$|\omega|^2 \le 2E/I_{min}\f$;
+/// 1/time.
 double fastest_turn(PrincipalInertia const& inertia, double kinetic_energy);
 
 }  // namespace actio::scene

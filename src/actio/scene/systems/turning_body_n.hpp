@@ -20,7 +20,8 @@ class TurningBodyN : public Motion {
 /// `attitude`, `momentum`, `energy`, `spectrum`, `casimir`.
 std::vector<Quantity> turning_body_n_quantities();
 /// How these come from a motion.
-void define_turning_body_n(QuantityGraph& graph, TurningBodyN const& motion, Inertia<Eigen::Dynamic> const& inertia);
+void define_turning_body_n(QuantityGraph& graph, TurningBodyN const& motion,
+                           Inertia<Eigen::Dynamic> const& inertia);
 /// The largest modulus in the spectrum of M with which no Casimir leaves the numbers, with some room.
 double largest_modulus_for_casimirs(int n);
 
