@@ -197,12 +197,12 @@ STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form 
 }
 
 STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of the variation") {
-  claim.corrected(
-      R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_\epsilon(t))",
-      R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
-      "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend on t, and "
-      "(2.6) fails unless "
-      "it is evaluated at one end only.");
+  claim.corrected(R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_)"
+                  R"(\epsilon(t))",
+                  R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
+                  "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend "
+                  "on t, and (2.6) fails unless "
+                  "it is evaluated at one end only.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -836,14 +836,13 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
 namespace {}  // namespace
 
 STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
-  claim.corrected(
-      R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| q \text{ a } C^2 \text{ curve in } G\Bigr\} )"
-      R"(\text{ of } TG)",
-      R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } G\Bigr\} )"
-      R"(\subset T(TG))",
-      "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with T(projection) w "
-      "= base point of w. "
-      "As printed it would lie in TG; the curve is g, not q.");
+  claim.corrected(R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| q \text{ a } C^2 \text{ curve in } )"
+                  R"(G\Bigr\} \text{ of } TG)",
+                  R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } )"
+                  R"(G\Bigr\} \subset T(TG))",
+                  "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with "
+                  "T(projection) w = base point of w. "
+                  "As printed it would lie in TG; the curve is g, not q.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const curve = draw_curve<S>(draw, group);

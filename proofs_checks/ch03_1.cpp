@@ -33,7 +33,8 @@ auto discretize_at_the_identity(Lagrangian L, S h, S where) {
 
 STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations that are held") {
   claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))",
-                  R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb L(g_k,g_{k+1}))",
+                  R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb )"
+                  R"(L(g_k,g_{k+1}))",
                   "The configurations are g_0, ..., g_N and the ends g_0 and g_N are held, so the sum runs "
                   "over the N pairs between them; the printed range leaves "
                   "g_0 out, needs a configuration g_{N+1}, and its variation at g_1 is not (3.2).");
@@ -226,10 +227,10 @@ STATEMENT(eq_3_2, "the discrete Euler-Lagrange equations are the stationarity of
 
 STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
   claim.corrected(
-      R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
-      R"(L(g_{k-1},g_k)\delta g_k=\dots)",
-      R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
-      R"(L(g_k,g_{k+1})\delta g_k=\dots)",
+      R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1)"
+      R"(\mathbb L(g_{k-1},g_k)\delta g_k=\dots)",
+      R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1)"
+      R"(\mathbb L(g_k,g_{k+1})\delta g_k=\dots)",
       "In the first line the arguments of the two sums are exchanged, so that it asks for configurations "
       "g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -258,13 +259,12 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
 
 STATEMENT(claim_3_1_action_differential_split,
           "first slots and second slots of the action, each with its own range") {
-  claim.corrected(
-      R"(\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_{k-1},g_k)\delta )"
-      R"(g_k)",
-      R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb L(g_k,g_{k+1})\delta )"
-      R"(g_k)",
-      "A configuration is the second of the pair before it and the first of the pair after it: D_2 goes with "
-      "(g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
+  claim.corrected(R"(\sum_{k=1}^{N}D_2\mathbb L(g_k,g_{k+1})\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
+                  R"(L(g_{k-1},g_k)\delta g_k)",
+                  R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
+                  R"(L(g_k,g_{k+1})\delta g_k)",
+                  "A configuration is the second of the pair before it and the first of the pair after it: "
+                  "D_2 goes with (g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
@@ -391,15 +391,14 @@ STATEMENT(claim_3_1_exterior_derivative_sum, "the exterior derivatives of the tw
 }
 
 STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
-  claim.corrected(
-      R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_k^i\wedge )"
-      R"(dg_{k+1}^j)",
-      R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j}\,dg_{k+1}^j)"
-      R"(\wedge dg_k^i)",
-      "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, for with "
-      "omega = d theta+ the coordinates, the chain for "
-      "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega = d theta-, "
-      "which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
+  claim.corrected(R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
+                  R"(\,dg_k^i\wedge dg_{k+1}^j)",
+                  R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
+                  R"(\,dg_{k+1}^j\wedge dg_k^i)",
+                  "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, "
+                  "for with omega = d theta+ the coordinates, the chain for "
+                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega "
+                  "= d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -602,7 +601,8 @@ STATEMENT(rem_3_1_2,
 
 STATEMENT(eq_3_6, "differential of the action along motions: one one-form at either end") {
   claim.corrected(R"(d\mathbb S=\theta^-_{\mathbb L}+F^*\theta^+_{\mathbb L})",
-                  R"(d\mathbb S=\theta^-_{\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
+                  R"(d\mathbb S=\theta^-_{)"
+                  R"(\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
                   "The last of N pairs is N-1 steps of the flow from the first; the printed single step is "
                   "right for N = 2 only. F is the flow, not the Legendre transformation.");
   claim.maybe_scan();
@@ -692,14 +692,13 @@ STATEMENT(claim_3_1_flow_symplectic, "the discrete flow preserves the discrete t
 
 STATEMENT(claim_3_1_symplecticity_chain,
           "symplecticity from the vanishing second differential of the action") {
-  claim.corrected(
-      R"(\mathbb F^*\omega_{\mathbb L}=\mathbb F^*(d\theta^+_{\mathbb L})=-d\theta^-_{\mathbb L}=\omega_{)"
-      R"(\mathbb L})",
-      R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb L}=\omega_{)"
-      R"(\mathbb L})",
-      "With the page's own omega = d theta- = -d theta+ the first and the last sign are wrong and cancel; "
-      "the middle equality, from ddS = 0, is right. The chain holds as printed if omega is defined as d "
-      "theta+.");
+  claim.corrected(R"(\mathbb F^*\omega_{\mathbb L}=\mathbb F^*(d\theta^+_{\mathbb L})=-d\theta^-_{\mathbb )"
+                  R"(L}=\omega_{\mathbb L})",
+                  R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb )"
+                  R"(L}=\omega_{\mathbb L})",
+                  "With the page's own omega = d theta- = -d theta+ the first and the last sign are wrong "
+                  "and cancel; the middle equality, from ddS = 0, is right. The chain holds as printed if "
+                  "omega is defined as d theta+.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);
     auto const L = draw_with_motion<S>(draw, g);

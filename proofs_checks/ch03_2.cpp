@@ -128,7 +128,8 @@ STATEMENT(claim_3_2_reduced_lagrangian,
 
 STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
   claim.corrected(R"(s : G^{N+1}\to\mathbb R \text{ in condition (3), } N\ge3)",
-                  R"(s : G^{N}\to\mathbb R,\quad N\ge2)",
+                  R"(s : G^{N}\to\mathbb R,)"
+                  R"(\quad N\ge2)",
                   "N pairs have N relative motions, so s is a function on G^N; an extremum is a stationary "
                   "point; the equivalence holds from N = 2 on.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
@@ -982,10 +983,11 @@ STATEMENT(eq_3_16, "spatial momentum of a right-invariant system in time") {
 
 STATEMENT(claim_3_2_dlp_chain, "the chain of equalities that leads to the update") {
   claim.corrected(
-      R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = )"
-      R"(\mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
-      R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = )"
-      R"(\mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
+      R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}}\mu_0 = \mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}})"
+      R"(\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mathrm{Ad}^*_{g_k}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
+      R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = )"
+      R"(\mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}})"
+      R"(\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
       "Two inverses are missing, at g_{k+1} and at g_k, where (3.16) is used; the second and the last "
       "expression are right.");
   claim.maybe_scan();
@@ -1207,11 +1209,12 @@ STATEMENT(eq_3_17, "discrete Lie-Poisson update, right-invariant case") {
 }
 
 STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries") {
-  claim.corrected(
-      R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k}\pi_0)",
-      R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k}\pi_0)",
-      "The definition of Pi_k is right and contradicts the update as printed, (3.18), which lacks an "
-      "inverse.");
+  claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k})"
+                  R"(\pi_0)",
+                  R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k})"
+                  R"(\pi_0)",
+                  "The definition of Pi_k is right and contradicts the update as printed, (3.18), which "
+                  "lacks an inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -1311,12 +1314,11 @@ STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
 }
 
 STATEMENT(claim_3_2_orbits_and_bracket, "a map that preserves every orbit need not preserve the bracket") {
-  claim.corrected(
-      R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
-      R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}}\ell'(f_{kk+1}), \text{ )"
-      R"(the Poisson structure})",
-      "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu preserves every "
-      "orbit for any f(mu), and the bracket only for special ones.");
+  claim.corrected(R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
+                  R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}})"
+                  R"(\ell'(f_{kk+1}), \text{ the Poisson structure})",
+                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu "
+                  "preserves every orbit for any f(mu), and the bracket only for special ones.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const l = draw_reduced_lagrangian<S>(draw, group);

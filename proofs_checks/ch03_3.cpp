@@ -338,13 +338,12 @@ STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its tr
 
 STATEMENT(claim_3_3_chart_condition,
           "condition on two group elements for the discrete Lagrangian to be defined") {
-  claim.corrected(
-      R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))",
-      R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,\quad\text{where } U \text{ contains the ball of radius } r )"
-      R"(\text{ about } e)",
-      "Two configurations nearer to each other than the diameter of $U$ may be further from the base point "
-      "than $U$ reaches: with the base point at either end the radius counts, half the diameter of a ball. "
-      "The printed bound is enough where the base point is half-way.");
+  claim.corrected(R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))",
+                  R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,)"
+                  R"(\quad\text{where } U \text{ contains the ball of radius } r \text{ about } e)",
+                  "Two configurations nearer to each other than the diameter of $U$ may be further from the "
+                  "base point than $U$ reaches: with the base point at either end the radius counts, half "
+                  "the diameter of a ball. The printed bound is enough where the base point is half-way.");
   // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by
   // nearly +- a right angle are nearly half a turn apart.
   auto const so3 = spanned("SO(3)", SO<3>{});
@@ -837,9 +836,10 @@ STATEMENT(eq_3_24, "discrete Lagrangian for the chart centred at the second poin
     // Controls: q and zeta as printed, one at a time.
     claim.refutes("zeta as printed", model, S(h * lagrangian(State<SpannedGroup, S>{q, -zeta}) - value),
                   scale);
+    // one number, small by chance
     claim.refutes("q as printed", model,
                   S(h * lagrangian(State<SpannedGroup, S>{exp(log(g1 * g2) / S(2)), zeta}) - value), scale,
-                  1e-5);  // one number, small by chance
+                  1e-5);
   });
 }
 
@@ -856,7 +856,8 @@ STATEMENT(claim_3_3_midpoint_eta, "average algebra element eta for the chart at 
 
 STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point") {
   claim.corrected(R"(q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2})",
-                  R"(q = \psi_{g_{k+1}}^{-1}(\eta) = (g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
+                  R"(q = \psi_{g_{k+1}}^{-1}(\eta) = )"
+                  R"((g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
                   "The inverse of the chart takes $\\eta$ to the configuration half-way along "
                   "$e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two "
                   "configurations commute, and is not equivariant.");
@@ -886,7 +887,8 @@ STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point"
 STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the second point") {
   claim.corrected(
       R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))",
-      R"(\zeta = -\frac1{\Delta t}\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
+      R"(\zeta = -\frac1{\Delta t})"
+      R"(\log(g_kg_{k+1}^{-1}) = \frac1{\Delta t}\log(g_{k+1}g_k^{-1}))",
       "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart "
       "of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
   claim.maybe_scan();
@@ -949,7 +951,8 @@ double error_after_unit_time(F const& l, Discretize const& discretize, Algebra<N
 
 STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
   claim.corrected(R"(\ell(f_{kk+1}) = l(\log(f_{kk+1})/\Delta t))",
-                  R"(\ell(f_{kk+1}) = l(-\log(f_{kk+1})/\Delta t))",
+                  R"(\ell(f_{kk+1}) = l(-\log(f_{kk+1})/)"
+                  R"(\Delta t))",
                   "$f_{kk+1} = g_kg_{k+1}^{-1}$ looks back. The printed form is right where $l$ is even; "
                   "elsewhere its motions are those of $l(-\\xi)$. The library's carries the factor $h$.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
@@ -995,12 +998,12 @@ STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
 
 STATEMENT(eq_3_26, "implicit algorithm on the Lie algebra through the function chi") {
   claim.corrected(
-      R"(l'(\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(\xi_{k-1k}/\Delta t)\cdot\chi()"
-      R"(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi)\cdot)"
-      R"(\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
-      R"(l'(-\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(-\xi_{k-1k}/\Delta t)\cdot\chi()"
-      R"(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi)\cdot)"
-      R"(\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
+      R"(l'(\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(\xi_{k-1k}/\Delta t))"
+      R"(\cdot\chi(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi))"
+      R"(\cdot\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
+      R"(l'(-\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(-\xi_{k-1k}/\Delta t))"
+      R"(\cdot\chi(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi()"
+      R"(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
       "Two slips: the sign of the velocity (3.25) and the sign in $\\chi$. No choice of bracket saves the "
       "second, for $\\exp(\\mathrm{ad}_\\xi) = \\mathrm{Ad}_{\\exp\\xi}$ needs the commutator and the "
       "printed $\\chi$ its opposite.");

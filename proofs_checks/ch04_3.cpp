@@ -115,13 +115,12 @@ STATEMENT(eq_4_7, "the square in coordinates") {
 }
 
 STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
-  claim.corrected(
-      R"(R_{g_k}^*\Bigl(R_{g_{k+1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{\partial\ell}{)"
-      R"(\partial f})",
-      R"(R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{\partial\ell}{)"
-      R"(\partial f})",
-      "The inverse is missing in the term between; the sentence after the equation has it. Both ends are "
-      "right, and the quotient map in the first term is that of pairs.");
+  claim.corrected(R"(R_{g_k}^*\Bigl(R_{g_{k+1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{)"
+                  R"(\partial\ell}{\partial f})",
+                  R"(R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\frac{)"
+                  R"(\partial\ell}{\partial f})",
+                  "The inverse is missing in the term between; the sentence after the equation has it. Both "
+                  "ends are right, and the quotient map in the first term is that of pairs.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -262,13 +261,12 @@ STATEMENT(claim_4_3_tangent_square, "the tangent maps of the square commute") {
 }
 
 STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections") {
-  claim.corrected(
-      R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak g^*\to )"
-      R"(T_g^*G)",
-      R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ \text{with}\ )"
-      R"(\mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-      "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must preserve "
-      "the momentum of the symmetry, the body momentum; then g moves with mu.");
+  claim.corrected(R"(\omega_\mu = (\pi^{-1})^*\omega_{\mathrm{can}},\quad \pi^{-1} = R^*_{g^{-1}}:\mathfrak )"
+                  R"(g^*\to T_g^*G)",
+                  R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ )"
+                  R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
+                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must "
+                  "preserve the momentum of the symmetry, the body momentum; then g moves with mu.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -331,14 +329,13 @@ STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
 }
 
 STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
-  claim.corrected(
-      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v\bigr),\quad T)"
-      R"(\pi^{-1} = TR^*_{g^{-1}})",
-      R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v\bigr) = )"
-      R"(\omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb L^{-1}T\sigma\,TF\ell\,v)"
-      R"(\bigr))",
-      "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as printed, both "
-      "sides on the right are zero.");
+  claim.corrected(R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\pi^{-1}TF\ell\,u,\ T\pi^{-1}TF\ell\,v)"
+                  R"(\bigr),\quad T\pi^{-1} = TR^*_{g^{-1}})",
+                  R"(\omega_f(u,v) = \omega_{\mathrm{can}}\bigl(T\sigma\,TF\ell\,u,\ T\sigma\,TF\ell\,v)"
+                  R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
+                  R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
+                  "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
+                  "printed, both sides on the right are zero.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
@@ -368,14 +365,13 @@ STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
 
 STATEMENT(claim_4_3_reduced_form_lifts,
           "the form of a leaf on the images of invariant fields is omega_L on the fields") {
-  claim.corrected(
-      R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V \text{ with } u = )"
-      R"(T\pi_d U,\ v = T\pi_d V)",
-      R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a level of the )"
-      R"(momentum map of the symmetry})",
-      "Invariant lifts of one vector differ by generators of the symmetry, and $\\omega_{\\mathbb L}$ "
-      "contracted with a generator is the differential of its momentum, which vanishes on tangent vectors of "
-      "a level only.");
+  claim.corrected(R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for } G\text{-invariant } U, V )"
+                  R"(\text{ with } u = T\pi_d U,\ v = T\pi_d V)",
+                  R"(\omega_f(u,v) = \omega_{\mathbb L}(U,V)\quad\text{for such } U, V \text{ tangent to a )"
+                  R"(level of the momentum map of the symmetry})",
+                  "Invariant lifts of one vector differ by generators of the symmetry, and "
+                  "$\\omega_{\\mathbb L}$ contracted with a generator is the differential of its momentum, "
+                  "which vanishes on tangent vectors of a level only.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
@@ -652,8 +648,8 @@ STATEMENT(claim_4_3_time_step_legendre,
         for (int k = 0; k < n; ++k) {
           double const step = k % 2 == 0 ? 2 * h / 3 : 4 * h / 3;
           auto const l = natural_chart_lagrangian_right(reduced(top), step);
-          if (!with_factor && k > 0)
-            mu = S(step / before) * mu;  // D_2 of one average matches D_1 of the other
+          // D_2 of one average matches D_1 of the other
+          if (!with_factor && k > 0) mu = S(step / before) * mu;
           f = relative_motion_from_momentum_right(l, mu, k == 0 ? exp(S(-step) * v.velocity) : f).value;
           mu = lie_poisson_update_right(f, mu);
           before = step;

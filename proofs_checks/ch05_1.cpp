@@ -110,7 +110,8 @@ STATEMENT(claim_5_1_base_point, "base point of the chart discretisation, left-in
 
 STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisation, left-invariant case") {
   claim.corrected(R"(\zeta_{k+1k} = \frac1h\log(g_{k+1}^{-1}g_k))",
-                  R"(\zeta_{k+1k} = -\frac1h\log(g_{k+1}^{-1}g_k) = \frac1h\log(g_k^{-1}g_{k+1}))",
+                  R"(\zeta_{k+1k} = -\frac1h)"
+                  R"(\log(g_{k+1}^{-1}g_k) = \frac1h\log(g_k^{-1}g_{k+1}))",
                   "The printed one leads from the later configuration to the earlier. The kinetic energy is "
                   "even and does not depend on it; (5.4) goes with the printed "
                   "sign.");
@@ -144,15 +145,14 @@ STATEMENT(claim_5_1_velocity_element, "discrete velocity of the chart discretisa
 }
 
 STATEMENT(eq_5_2, "discrete rigid body Lagrangian from the chart") {
-  claim.corrected(
-      R"(L(g_k,g_{k+1}) = \tfrac12\langle\zeta_{k+1k},\zeta_{k+1k}\rangle = \tfrac12\langle\zeta_{k+1k},)"
-      R"(\mathcal J(\zeta_{k+1k})\rangle)",
-      R"(L(g_k,g_{k+1}) = (\zeta_{k+1k},\zeta_{k+1k}) = \tfrac14\langle\zeta_{k+1k},\mathcal J()"
-      R"(\zeta_{k+1k})\rangle)",
-      "By the pairing of (5.1), for which the kinetic energy has $\\tfrac14$ and the metric "
-      "$(\\cdot,\\cdot)$ has it too. The factor drops out "
-      "of the equations. By the pairing of coordinates, half of that, $\\tfrac12$ is right here and the "
-      "$\\tfrac14$ of (5.1) is not.");
+  claim.corrected(R"(L(g_k,g_{k+1}) = \tfrac12\langle\zeta_{k+1k},\zeta_{k+1k}\rangle = \tfrac12\langle)"
+                  R"(\zeta_{k+1k},\mathcal J(\zeta_{k+1k})\rangle)",
+                  R"(L(g_k,g_{k+1}) = (\zeta_{k+1k},\zeta_{k+1k}) = \tfrac14\langle\zeta_{k+1k},\mathcal J()"
+                  R"(\zeta_{k+1k})\rangle)",
+                  "By the pairing of (5.1), for which the kinetic energy has $\\tfrac14$ and the metric "
+                  "$(\\cdot,\\cdot)$ has it too. The factor drops out "
+                  "of the equations. By the pairing of coordinates, half of that, $\\tfrac12$ is right here "
+                  "and the $\\tfrac14$ of (5.1) is not.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g0 = draw_near(draw, g1),
                k = draw.template element<S>(group);

@@ -413,7 +413,8 @@ STATEMENT(eq_5_6, "constrained discrete action with matrix multipliers") {
 
 STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elements") {
   claim.corrected(R"(\bar\lambda_k = g^T\lambda_k g \text{ for all } g \in G)",
-                  R"(\bar\lambda_k = g_k^T\lambda_k g_k)",
+                  R"(\bar\lambda_k = g_k^T)"
+                  R"(\lambda_k g_k)",
                   "With one element, the configuration itself: the multiplier in the body frame. All "
                   "conjugates of $\\lambda_k$ are symmetric, but only this one "
                   "is in the reduced equation, and they are all the same only where $\\lambda_k$ is a "
@@ -461,19 +462,19 @@ STATEMENT(claim_5_2_conjugate_multiplier, "multiplier conjugated by group elemen
 }
 
 STATEMENT(claim_5_2_operator_equation, "operator equation from varying the constrained reduced action") {
-  claim.corrected(
-      R"(-\ell'(f_{kk-1})TR_{f_{kk-1}} + \ell'(f_{k+1k})\mathrm{Ad}_{f_{k+1k}}TR_{f_{k+1k}} = \bar\lambda_k)",
-      R"(\ell'(f_{kk-1})TR_{f_{kk-1}}\vartheta_k^T + \ell'(f_{k+1k})TR_{f_{k+1k}}\mathrm{Ad}_{f_{k+1k}})"
-      R"(\vartheta_k = \mathrm{Tr}(\bar\lambda_k\vartheta_k))",
-      "For skew $\\vartheta_k$ the two are the same, both multipliers drop out, and (3.11) is left. But a "
-      "multiplier is there so that "
-      "$\\vartheta_k = g_k^T\\delta g_k$ may be any matrix, and then (5.6), where $f_{kk-1} = g_k^Tg_{k-1}$, "
-      "has $\\vartheta_k^T$ in place of "
-      "$-\\vartheta_k$; only so does the next equation follow. With inverses in place of transposes the "
-      "printed operators stand, but "
-      "for another multiplier, $\\Lambda f_{k+1k} - f_{kk-1}\\Lambda$. $\\mathrm{Ad}$ comes before $TR$, "
-      "which leaves the algebra; as products of matrices "
-      "either order gives $f\\vartheta$.");
+  claim.corrected(R"(-\ell'(f_{kk-1})TR_{f_{kk-1}} + \ell'(f_{k+1k})\mathrm{Ad}_{f_{k+1k}}TR_{f_{k+1k}} = )"
+                  R"(\bar\lambda_k)",
+                  R"(\ell'(f_{kk-1})TR_{f_{kk-1}}\vartheta_k^T + \ell'(f_{k+1k})TR_{f_{k+1k}})"
+                  R"(\mathrm{Ad}_{f_{k+1k}}\vartheta_k = \mathrm{Tr}(\bar\lambda_k\vartheta_k))",
+                  "For skew $\\vartheta_k$ the two are the same, both multipliers drop out, and (3.11) is "
+                  "left. But a multiplier is there so that "
+                  "$\\vartheta_k = g_k^T\\delta g_k$ may be any matrix, and then (5.6), where $f_{kk-1} = "
+                  "g_k^Tg_{k-1}$, has $\\vartheta_k^T$ in place of "
+                  "$-\\vartheta_k$; only so does the next equation follow. With inverses in place of "
+                  "transposes the printed operators stand, but "
+                  "for another multiplier, $\\Lambda f_{k+1k} - f_{kk-1}\\Lambda$. $\\mathrm{Ad}$ comes "
+                  "before $TR$, which leaves the algebra; as products of matrices "
+                  "either order gives $f\\vartheta$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const corrected =

@@ -38,7 +38,8 @@ auto printed_casimir(Matrix<S> const& lambda) {
 
 STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its expression in R^3") {
   claim.corrected(R"(C_{\mathfrak{so}(3)^*}(y) = \|y\|^2)",
-                  R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}(\mu^2) = -2\|y\|^2)",
+                  R"(C_{\mathfrak{so}(3)^*}(y) = \mathrm{Tr}()"
+                  R"(\mu^2) = -2\|y\|^2)",
                   "Either is a Casimir, but they are not the same function: the square of a skew matrix has "
                   "no positive trace. Spheres and area form are right; the Kirillov-Kostant form is "
                   "the area form over the radius.");

@@ -47,13 +47,12 @@ actio::Matrix<S, n, 1> printed_acceleration(Medium const& medium, SecondJet<S, n
 }  // namespace
 
 STATEMENT(claim_6_2_material_acceleration, "the material acceleration in coordinates") {
-  claim.corrected(
-      R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^a_{bc})"
-      R"(\,\dot\phi^b\dot\phi^c)",
-      R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + \gamma^b_{ac})"
-      R"(\,\dot\phi^a\dot\phi^c)",
-      "The free index $b$ of the left side is summed on the right, where $a$ is left over: the names of $a$ "
-      "and $b$ are exchanged in the last term.");
+  claim.corrected(R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + )"
+                  R"(\gamma^a_{bc}\,\dot\phi^b\dot\phi^c)",
+                  R"(\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b \equiv \frac{\partial\dot\phi^b}{\partial t} + )"
+                  R"(\gamma^b_{ac}\,\dot\phi^a\dot\phi^c)",
+                  "The free index $b$ of the left side is summed on the right, where $a$ is left over: the "
+                  "names of $a$ and $b$ are exchanged in the last term.");
   // A metric of degree 4 and its inverse, a section of degree 3, a chart of degree 3.
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -146,13 +145,12 @@ STATEMENT(eq_6_15, "the equation of motion with constant metrics") {
 }
 
 STATEMENT(claim_6_2_covariant_divergence, "the covariant divergence of a two-point tensor") {
-  claim.corrected(
-      R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^i)"
-      R"(\,\gamma^b_{ac}\,F_j{}^c)",
-      R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j)"
-      R"(\,\gamma^b_{ac}\,F^c{}_j)",
-      "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence is fixed by "
-      "Leibniz' rule with vector fields of space.");
+  claim.corrected(R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - )"
+                  R"(\mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c)",
+                  R"(\frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} - )"
+                  R"(\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j)",
+                  "In the last term $i$ and $j$ are left over; they are one index, summed. The divergence is "
+                  "fixed by Leibniz' rule with vector fields of space.");
   claim.maybe_scan();
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -547,10 +545,11 @@ struct Expansion {
 
 STATEMENT(eq_6_17, "the left side for a barotropic fluid, in three lines") {
   claim.corrected(
-      R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial)"
-      R"(\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\det[g]}{\partial x^k})",
-      R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl(\tfrac{\partial)"
-      R"(\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\sqrt{\det[g]}}{\partial x^k})",
+      R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl()"
+      R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\det[g]}{\partial x^k})",
+      R"(\frac{P\det\bigl(\frac{\partial\phi}{\partial x}\bigr)}{\sqrt{\det[G]}}\Bigl(\bigl()"
+      R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a\frac{\partial\sqrt{\det[g]}}{)"
+      R"(\partial x^k})",
       "The last term of the middle line lacks the root over $\\det g$. The first and the last line are "
       "right.");
   claim.maybe_scan();
@@ -719,10 +718,10 @@ STATEMENT(eq_6_14, "the Cauchy stress from the stored energy") {
 
 STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
   claim.corrected(
-      R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl()"
-      R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k)",
-      R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\Bigl(\bigl()"
-      R"(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a)",
+      R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J)"
+      R"(\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k)",
+      R"(\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J)"
+      R"(\Bigl(\bigl(\tfrac{\partial\phi}{\partial x}\bigr)^{-1}\Bigr)^k_a)",
       "The inverse gradient lacks its lower index $a$. Otherwise right, with a mass density that varies.");
   claim.maybe_scan();
   over_media<S>(draw,

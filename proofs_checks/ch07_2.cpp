@@ -180,7 +180,8 @@ STATEMENT(eq_7_1, "induced constraint function on sections") {
                                                                  draw_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
     auto const x = draw_event<S, n>(draw);
-    // J by the definition of a volume: that of the image of the coordinate vectors, which are pushed forward.
+    // J by the definition of a volume: that of the image of the coordinate vectors, which are pushed
+    // forward.
     Tangents<S, n + 1, n> sides = Tangents<S, n + 1, n>::Zero();
     for (int i = 0; i < n; ++i) sides(i + 1, i) = S(1);
     auto const image = pushed(phi, x, sides);

@@ -66,8 +66,8 @@ struct GroupPolynomial {
   std::vector<Matrix<S>> squares;
   Matrix<S> linear;
   S kappa, lambda;
-  std::vector<Matrix<S>> phi,
-      psi;  // corrections by sum c_k <phi_k, f> <psi_k, f>, none unless a motion was asked for
+  // corrections by sum c_k <phi_k, f> <psi_k, f>, none unless a motion was asked for
+  std::vector<Matrix<S>> phi, psi;
   Vector<S> correction;
 
   template <class T>

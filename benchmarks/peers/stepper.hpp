@@ -35,8 +35,8 @@ class Stepper {
 /// A method.
 struct Method {
   std::string name;
-  std::function<std::unique_ptr<Stepper>(Task const&, double h)>
-      make;  ///< may throw where the step is too long for it
+  /// may throw where the step is too long for it
+  std::function<std::unique_ptr<Stepper>(Task const&, double h)> make;
 };
 
 /// A stepper from its state, one step, and a way to read the state.

@@ -30,8 +30,8 @@ struct Submarine {
   actio::Vector<double, 3> half_axes{2.0, 0.8, 0.5};     // m
   double mass = 1000 * 4 * M_PI / 3 * half_axes.prod();  // kg
   Vector6d inertia;                                      // kg m^2 of turning, kg of gliding
-  Vector6d cast_off{
-      {0.15, 0.1, 0.06, 1.0, 0.1, 0.05}};  // ahead at 1 m/s, turning a little about each axis; rad/s, m/s
+  // ahead at 1 m/s, turning a little about each axis; rad/s, m/s
+  Vector6d cast_off{{0.15, 0.1, 0.06, 1.0, 0.1, 0.05}};
 
   Submarine() {
     actio::Vector<double, 3> const b = half_axes.cwiseAbs2(), alpha = lamb(half_axes);

@@ -81,9 +81,8 @@ int main(int argc, char** argv) {
   // 2. The top on pairs of attitudes, and on the action groupoid (turn, gamma).
   PairGroupoid<SO<3>> const attitudes;
   ActionGroupoid<SO<3>> const with_vertical;
-  auto const seen = [](auto const& r) {
-    return r.value.row(2).transpose().eval();
-  };  // the vertical in the body
+  // the vertical in the body
+  auto const seen = [](auto const& r) { return r.value.row(2).transpose().eval(); };
   auto const on_attitudes = [&](auto const& g) {
     using S = typename std::decay_t<decltype(g)>::Scalar;
     return top<S>((inverse(g.first) * g.second).value, seen(g.first), seen(g.second));

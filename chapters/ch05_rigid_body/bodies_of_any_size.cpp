@@ -37,8 +37,8 @@ Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, lon
   } catch (StepTooLong const& refusal) {
     found.refused = std::abs(refusal.largest_step / longest - 1) < 1e-9;
   }
-  MoserVeselov<n>(inertia, 0.999 * longest)
-      .relative_motion(body.body_momentum);  // throws where there is none
+  // throws where there is none
+  MoserVeselov<n>(inertia, 0.999 * longest).relative_motion(body.body_momentum);
 
   // Momenta in units of their size, so that all squares are near 1.
   auto const start = body.spatial_momentum();

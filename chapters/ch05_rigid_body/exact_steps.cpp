@@ -67,8 +67,8 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
   double worst = 0, least = 1;
   for (double const angle : {0.1, 0.5, 1.0, 2.0, 3.0}) {
     double const h = angle / spin;
-    Three<double> const j = inertia_of(
-        body.step_parameters(h));  // axes as the steps name them: for ascending moments those of the body
+    // axes as the steps name them: for ascending moments those of the body
+    Three<double> const j = inertia_of(body.step_parameters(h));
     Vector3d const modified = (h * body.amount() / 2) * Vector3d(1 / j[0], 1 / j[1], 1 / j[2]);
     Element<SO<3>, double> const f{SO<3>{}, matrix_of(true_state(brick, h).attitude).transpose()};
     Momentum<SO<3>, double> const M = body_momentum(brick.principal.inertia, brick.principal_spin());

@@ -29,7 +29,8 @@ double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int coun
   auto const f10 = scheme.relative_motion(body_momentum(scheme.inertia(), spin)).value;
   Rotation const start = identity<double>(SO<3>{});
   Rotation a0 = start, a1 = reconstruct_left(start, f10);  // unreduced: a pair of configurations
-  Rotation b1 = a1, f = f10;  // reduced: a relative motion, and the configuration it leads to
+  // reduced: a relative motion, and the configuration it leads to
+  Rotation b1 = a1, f = f10;
   double largest = 0;
   for (int k = 0; k < count; ++k) {
     Rotation const a2 = step_euler_lagrange(lifted, a0, a1).value;

@@ -89,8 +89,8 @@ template <class Law>
 struct SimpleWave {
   Vector<double, 3> n = Vector<double, 3>(2, -1, 2) / 3;
   template <class T>
-  T along(T const& s,
-          T const& t) const {  // f(s, t): along a characteristic f changes at the rate of velocity + c q
+  // f(s, t): along a characteristic f changes at the rate of velocity + c q
+  T along(T const& s, T const& t) const {
     T const label = label_of<Law>(s, t), q = stretch(label);
     return placed(label) + (Law::speed(q) * q - Law::travel(q) + Law::travel(1.0)) * t;
   }

@@ -103,8 +103,8 @@ inline double outflow(Gas const& gas, Cloud const& phi, Cell const& cell) {
   for (int k = 0; k < 2; ++k)
     for (bool upper : {false, true}) {
       double const at = (upper ? cell.high : cell.low)[k];
-      if (k == 0 && (at == 0 || at == 1))
-        continue;  // the face at the centre has no length, and at the rim there is no gas
+      // the face at the centre has no length, and at the rim there is no gas
+      if (k == 0 && (at == 0 || at == 1)) continue;
       auto const q = [&](Point const& along_face) {
         actio::Event<double, 2> x(phi.t, along_face[0], along_face[0]);
         x[1 + k] = at;

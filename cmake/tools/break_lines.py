@@ -168,8 +168,10 @@ def move_comments_above(lines):
 def split_raw_strings(lines):
     done = []
     for line in lines:
-        while len(line) > LIMIT and (match := re.search(r'R"\(([^"]*)\)"', line)):
-            begin = match.start(1) + 20
+        while len(line) > LIMIT:
+            # The string that passes the limit, not one beside it.
+            match = next((m for m in re.finditer(r'R"\(([^"]*?)\)"', line) if m.start(1) < LIMIT - 2 < m.end(1) + 2), None)
+            begin = match.start(1) + 20 if match else LIMIT
             cut = max(line.rfind(" ", begin, LIMIT - 2) + 1, line.rfind("\\", begin, LIMIT - 2))
             if cut <= begin:
                 break

@@ -10,9 +10,11 @@ format() {
   command -v clang-format-16 >/dev/null || { echo "clang-format-16 is needed: apt install clang-format-16" >&2; exit 2; }
   mapfile -t sources < <(git ls-files '*.hpp' '*.cpp')
   mapfile -t others < <(git ls-files run '*.sh' '*.cmake' '*CMakeLists.txt' '*.mjs' '*.js' 'data/*.toml')
-  clang-format-16 -i "${sources[@]}"
   python3 cmake/tools/break_lines.py "${others[@]}" >/dev/null || true
-  # Comments that moved make room, or take it: twice, and nothing moves any more.
+  # Comments beside long lines move above them before the formatter tears these, and once more after it has
+  # moved things.
+  python3 cmake/tools/break_lines.py "${sources[@]}" >/dev/null || true
+  clang-format-16 -i "${sources[@]}"
   python3 cmake/tools/break_lines.py "${sources[@]}" >/dev/null || true
   clang-format-16 -i "${sources[@]}"
   python3 cmake/tools/break_lines.py "${sources[@]}"

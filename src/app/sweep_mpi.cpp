@@ -56,8 +56,8 @@ class Ranks : public SweepSharing {
     std::vector<MemberResult> out;
     MPI_Status status;
     for (int there = 1;;) {
-      MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there,
-                 &status);  // this also lets the counter be read by others
+      // this also lets the counter be read by others
+      MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
       if (!there) return out;
       int bytes = 0;
       MPI_Get_count(&status, MPI_BYTE, &bytes);

@@ -12,8 +12,8 @@ namespace command {
 /// A table in HDF5, and what it says of itself.
 struct Hdf5Table : Table {
   std::map<std::string, std::vector<unsigned long long>> extents;  ///< of each data set
-  std::map<std::string, std::map<std::string, std::string>>
-      attributes;  ///< of each data set, and of the file under ""
+  /// of each data set, and of the file under ""
+  std::map<std::string, std::map<std::string, std::string>> attributes;
 };
 /// Reads it strictly, as any ordinary reader does: opened for reading and nothing else.
 /// @param writing  whether it is open for writing, or its writer was killed: rows are then counted up to the

@@ -147,7 +147,8 @@ void add_sections(Scenes& out, GoodScene const& scene) {
   for (char const* section : {"scene", "system", "initial", "method", "run", "output"}) {
     std::string const name = section;
     if (scene.has("[" + name + "]")) {
-      out.push_back(scene.with_line("output", "[" + name + "]", 1));  // twice
+      // twice
+      out.push_back(scene.with_line("output", "[" + name + "]", 1));
       out.push_back(scene.with_line_instead("[" + name + "]", "[[" + name + "]]", 1,
                                             "a section [" + name + "] is expected"));
     }

@@ -97,9 +97,10 @@ BOOST_AUTO_TEST_CASE(an_inertia_is_three_moments_or_a_symmetric_matrix) {
   // The same body, its principal axes turned by a quarter: x is y and y is -x.
   auto const principal = series_of(minimal),
              full = series_of(with(minimal, "[1, 2, 3]", "[[1, 0, 0], [0, 2, 0], [0, 0, 3]]"));
+  // both are some roundings from the flow
   for (std::size_t i = 1; i < principal.columns.size(); ++i)
     BOOST_TEST(std::abs(principal.rows[1][i] - full.rows[1][i]) <=
-               64 * std::numeric_limits<double>::epsilon());  // both are some roundings from the flow
+               64 * std::numeric_limits<double>::epsilon());
   BOOST_TEST(has(complaint(with(minimal, "[1, 2, 3]", "[[1, 0.5, 0], [0, 2, 0], [0, 0, 3]]")), "inertia"));
 }
 

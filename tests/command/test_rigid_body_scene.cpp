@@ -96,9 +96,8 @@ BOOST_AUTO_TEST_CASE(a_full_tensor_tells_the_same_motion_as_its_principal_axes) 
   BOOST_REQUIRE(b.size() == 7u);
   std::vector<double> turned(7, 0);
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      turned[i] += R[i][j] * a[j],
-          turned[4 + i] += R[i][j] * a[4 + j];  // the attitude 1 is that of another frame
+    // the attitude 1 is that of another frame
+    for (int j = 0; j < 3; ++j) turned[i] += R[i][j] * a[j], turned[4 + i] += R[i][j] * a[4 + j];
   turned[3] = a[3];
   // Roundings of the tensor, some ten, times the angle turned.
   BOOST_TEST(apart(turned, b) <= 40 * eps * 10);

@@ -65,8 +65,8 @@ BOOST_AUTO_TEST_CASE(its_steps_are_those_of_the_general_road) {
       auto const s = fast.state();
       auto const& q = s.attitude.value;
       Eigen::Matrix3d const R = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-      double const room =
-          200 * k * eps;  // a residual of tens of epsilon over the least moment a step on the general road
+      // a residual of tens of epsilon over the least moment a step on the general road
+      double const room = 200 * k * eps;
       BOOST_TEST((s.body_momentum.components - pi.components).norm() <= room * size);
       BOOST_TEST((R - g.value).norm() <= room);
     }

@@ -69,8 +69,8 @@ BOOST_AUTO_TEST_CASE(about_a_principal_axis_the_sine_of_the_angle_is_h_times_the
     BOOST_TEST(std::abs(largest_step(inertia, pi) - 1) <= 1e-12);  // h M_i = I_i
     for (double const h : {1e-6, 0.1, 0.9, 0.999}) {
       auto const turn = log(MoserVeselov<3>(inertia, h).relative_motion(pi).value).coordinates;
-      BOOST_TEST(std::abs(turn[axis] + std::asin(h)) <=
-                 8 * eps / std::sqrt(1 - h * h));  // f looks back: the angle is negative
+      // f looks back: the angle is negative
+      BOOST_TEST(std::abs(turn[axis] + std::asin(h)) <= 8 * eps / std::sqrt(1 - h * h));
     }
   }
 }

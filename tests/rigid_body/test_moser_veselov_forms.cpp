@@ -24,9 +24,8 @@ void three_forms_agree(double angle) {
     auto const next = scheme.step_euler_poincare(f).value;
     auto const next_pi = scheme.step_lie_poisson(pi);
     auto const g2 = scheme.step_euler_lagrange(g0, g1);
-    double const room =
-        100 * (k + 1) *
-        eps;  // the error of a relative motion is a residual of 4 epsilon over the least moment; they add up
+    // the error of a relative motion is a residual of 4 epsilon over the least moment; they add up
+    double const room = 100 * (k + 1) * eps;
     BOOST_TEST(magnitude((scheme.momentum_before(next) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude((relative_motion_left(g1, g2).value - next.value).eval()) <= room);
     BOOST_TEST(magnitude((lie_poisson_update_left(f, pi) - next_pi).components) <= room * scale);

@@ -25,8 +25,8 @@ void the_forms_are_one_motion() {
     auto const next = scheme.step_euler_poincare(f).value;
     auto const next_pi = scheme.step_lie_poisson(pi);
     auto const g2 = scheme.step_euler_lagrange(g0, g1), u2 = scheme.step_unreduced(u0, u1).value;
-    double const room =
-        200 * (k + 1) * eps;  // a residual of tens of epsilon over the least moment a step; they add up
+    // a residual of tens of epsilon over the least moment a step; they add up
+    double const room = 200 * (k + 1) * eps;
     BOOST_TEST(magnitude((scheme.momentum_before(next) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude((scheme.momentum_after(f) - next_pi).components) <= room * scale);
     BOOST_TEST(magnitude((relative_motion_left(g1, g2).value - next.value).eval()) <= room);

@@ -18,8 +18,9 @@ BOOST_AUTO_TEST_CASE(what_would_command_a_terminal_is_told_in_letters) {
   BOOST_TEST(printable("\xc2\x9b"
                        "31m") == "\\u009b31m");  // the one-character escape
   BOOST_TEST(printable("\xe2\x80\xae"
-                       "drows") == "\\u202edrows");                       // from here on backwards
-  BOOST_TEST(printable("\xe2\x80\xa8\xef\xbb\xbf") == "\\u2028\\ufeff");  // a line of its own; nothing to see
+                       "drows") == "\\u202edrows");  // from here on backwards
+  // a line of its own; nothing to see
+  BOOST_TEST(printable("\xe2\x80\xa8\xef\xbb\xbf") == "\\u2028\\ufeff");
   BOOST_TEST(printable("\xf3\xa0\x80\x81") == "\\U000e0001");
 }
 

@@ -16,15 +16,14 @@ struct Body {
   std::string source;   ///< where the figures are from
   std::string derived;  ///< what was computed from them, and how; may be empty
   std::string time;     ///< unit of time of `spin`
-  std::string unit;     ///< of the moments: "kg m^2", or "ratio" where only their ratios are known
-  PrincipalInertia
-      /// inertia about the centre of mass: principal moments, and their axes in the frame of the body
-      principal;
-  Velocity<SO<3>, double>
-      spin;  ///< body velocity at the start, in the frame of the body; rad per unit of time
-  std::vector<PointMass>
-      /// that the body is made of, from its centre of mass; empty where its inertia is given otherwise
-      points;
+  /// of the moments: "kg m^2", or "ratio" where only their ratios are known
+  std::string unit;
+  /// inertia about the centre of mass: principal moments, and their axes in the frame of the body
+  PrincipalInertia principal;
+  /// body velocity at the start, in the frame of the body; rad per unit of time
+  Velocity<SO<3>, double> spin;
+  /// that the body is made of, from its centre of mass; empty where its inertia is given otherwise
+  std::vector<PointMass> points;
   std::vector<Cylinder> cylinders;  ///< likewise
 
   /// `spin` along the principal axes, in which the inertia is diagonal.

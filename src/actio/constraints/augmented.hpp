@@ -27,8 +27,8 @@ Jet<S, n, k> multiplier_part(Jet<S, n, M> const& jet) {
 template <class Section, class Multiplier>
 struct ExtendedSection {
   Section phi;  ///< \f$\phi\f$
-  Multiplier
-      lambda;  ///< \f$\lambda\f$, a callable on points of space-time that returns a column of k numbers
+  /// \f$\lambda\f$, a callable on points of space-time that returns a column of k numbers
+  Multiplier lambda;
 
   /// Place and multiplier at a point of space-time, in one column.
   template <class V>

@@ -36,12 +36,12 @@ struct NotRegular : OutsideDomain {
 /// its kernel.
 template <class S>
 struct Echelon {
-  Matrix<S, Dynamic, Dynamic>
-      matrix;  ///< the first `rank` rows have the identity in the first `rank` of the exchanged columns
+  /// the first `rank` rows have the identity in the first `rank` of the exchanged columns
+  Matrix<S, Dynamic, Dynamic> matrix;
   std::vector<int> column;  ///< where the columns came from
   int rank = 0;             ///< how many pivots stand out of rounding
-  double pivot =
-      1;  ///< the last pivot that was tried, over the largest term it was made from: 0 where nothing was left
+  /// the last pivot that was tried, over the largest term it was made from: 0 where nothing was left
+  double pivot = 1;
   double bound = 0;  ///< what a pivot has to exceed
 
   /// Whether the map reaches everything.

@@ -42,23 +42,18 @@ concept Groupoid = requires(Gamma const& gamma, Arrow<Gamma, double> const& g, P
 /// A groupoid whose arrows and points can be moved about and written down: what its algebroid is computed
 /// from (algebroid.hpp).
 template <class Gamma>
-concept MovableGroupoid = Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<Gamma, double> const& g,
-                                                      Vector<double> const& w,
-                                                      Point<Gamma, Dual<double>> const& x) {
-  {
-    gamma.base_dimension()
-  } -> std::convertible_to<int>;  // of the base; that of the groupoid is base_dimension() + dimension()
-  {
-    gamma.entries(g)
-  } -> std::convertible_to<Vector<double>>;  // numbers that tell arrows apart, by their first derivatives too
-  {
-    gamma.moved(g, w)
-  } -> std::convertible_to<
-      Arrow<Gamma, double>>;  // g moved by an infinitesimal w, base_dimension() + dimension() components
-  {
-    gamma.base_rate(x)
-  } -> std::convertible_to<Vector<double>>;  // how a point moves, base_dimension() components
-};
+concept MovableGroupoid =
+    Groupoid<Gamma> && requires(Gamma const& gamma, Arrow<Gamma, double> const& g, Vector<double> const& w,
+                                Point<Gamma, Dual<double>> const& x) {
+      // of the base; that of the groupoid is base_dimension() + dimension()
+      { gamma.base_dimension() } -> std::convertible_to<int>;
+      // numbers that tell arrows apart, by their first derivatives too
+      { gamma.entries(g) } -> std::convertible_to<Vector<double>>;
+      // g moved by an infinitesimal w, base_dimension() + dimension() components
+      { gamma.moved(g, w) } -> std::convertible_to<Arrow<Gamma, double>>;
+      // how a point moves, base_dimension() components
+      { gamma.base_rate(x) } -> std::convertible_to<Vector<double>>;
+    };
 
 /// A point of the dual of the algebroid: a covector on the fibre over a point of the base.
 template <class Gamma, Scalar S>

@@ -244,8 +244,8 @@ actio::Matrix<S, n, n> rotation_logarithm(actio::Matrix<S, n, n> const& r) {
   // may be zero.
   auto const [u, t] = schur_form(Matrix(r + S(4) * Matrix::Identity(r.rows(), r.cols())));
   int const size = static_cast<int>(r.rows());
-  Base<S> const edge =
-      Base<S>(8) * edge_of_chart<S>();  // the Schur form brings its own rounding, up to about 30 epsilon
+  // the Schur form brings its own rounding, up to about 30 epsilon
+  Base<S> const edge = Base<S>(8) * edge_of_chart<S>();
   Matrix turns = Matrix::Zero(size, size);
   for (int i = 0; i < size; ++i) {
     if (i + 1 < size && t(i + 1, i) != S(0)) {

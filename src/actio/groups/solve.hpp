@@ -12,9 +12,8 @@ namespace actio {
 /// What a solver did.
 struct Report {
   int evaluations = 0;  ///< how often the residual (with its derivative) was evaluated
-  std::vector<double>
-      /// at each iterate, the largest component of the residual relative to its row of the derivative
-      residuals;
+  /// at each iterate, the largest component of the residual relative to its row of the derivative
+  std::vector<double> residuals;
   double tolerance = 0;  ///< the rounding level they had to come under
 };
 

@@ -26,9 +26,10 @@ struct Jet {
   static constexpr int fibre = N;                            ///< dimension of the space M
   static constexpr int dimension = n + 1 + N + N * (n + 1);  ///< of the jet bundle
 
-  Event<S, n> x;          ///< point of space-time, t first
-  Matrix<S, N, 1> y;      ///< place \f$y^a\f$
-  Matrix<S, N, n + 1> v;  ///< \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
+  Event<S, n> x;      ///< point of space-time, t first
+  Matrix<S, N, 1> y;  ///< place \f$y^a\f$
+  /// \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
+  Matrix<S, N, n + 1> v;
 
   /// \f$v^a{}_0\f$.
   Matrix<S, N, 1> velocity() const { return v.col(0); }

@@ -47,11 +47,10 @@ struct MatrixAction {
 /// semidirect product.
 template <Group G, Scalar S, int m>
 struct AdvectedState {
-  Momentum<G, S>
-      /// of the body for a left-invariant system, in space for a right-invariant one; energy x time
-      momentum;
-  Matrix<S, m, 1>
-      vector;  ///< \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
+  /// of the body for a left-invariant system, in space for a right-invariant one; energy x time
+  Momentum<G, S> momentum;
+  /// \f$g^{-1}c\f$ for a left-invariant system, \f$g\,c\f$ for a right-invariant one
+  Matrix<S, m, 1> vector;
 };
 
 namespace detail {

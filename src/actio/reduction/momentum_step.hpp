@@ -20,9 +20,8 @@ namespace actio {
 template <Group G, Scalar S>
 struct MomentumState {
   Momentum<G, S> momentum;  ///< energy x time; spatial (right-invariant) or of the body (left-invariant)
-  Velocity<G, S>
-      /// 1/time; from where the next step looks for its relative motion, no part of the map of momenta
-      velocity;
+  /// 1/time; from where the next step looks for its relative motion, no part of the map of momenta
+  Velocity<G, S> velocity;
 };
 
 /// The state with velocity \f$\xi\f$ and momentum \f$\partial l/\partial\xi\f$.

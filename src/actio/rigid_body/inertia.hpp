@@ -26,8 +26,8 @@ template <int n, Real S = double>
 struct Inertia {
   [[no_unique_address]] SO<n> group;  ///< the rotations of the space the body lives in
   Matrix<S, n, 1> lambda;             ///< second moments of the mass along the body axes; mass x length^2
-  Coordinates<SO<n>, S>
-      moments;  ///< \f$\Lambda_i+\Lambda_j\f$ of the plane of each coordinate; mass x length^2
+  /// \f$\Lambda_i+\Lambda_j\f$ of the plane of each coordinate; mass x length^2
+  Coordinates<SO<n>, S> moments;
 
   /// The same inertia over another scalar.
   template <Real T>

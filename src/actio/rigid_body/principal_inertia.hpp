@@ -11,8 +11,8 @@ namespace actio {
 /// An `Inertia<3>` alone is that of a body whose frame is that of its principal axes.
 struct PrincipalInertia {
   Inertia<3> inertia;  ///< along the principal axes
-  Eigen::Matrix3d axes =
-      Eigen::Matrix3d::Identity();  ///< principal axes as columns, in the frame of the body; a rotation
+  /// principal axes as columns, in the frame of the body; a rotation
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 
   /// No body: to be assigned.
   PrincipalInertia() = default;

@@ -72,8 +72,8 @@ class BackgroundSeries : public Series {
     for (;;) {
       changed_.wait(lock, [this] { return closing_ || !waiting_.empty(); });
       if (waiting_.empty()) return;
-      Block& block =
-          waiting_.front();  // it stays in the queue while it is written, and a deque does not move it
+      // it stays in the queue while it is written, and a deque does not move it
+      Block& block = waiting_.front();
       bool const failed = error_ != nullptr;
       lock.unlock();
       std::exception_ptr error = failed ? nullptr : written(block);

@@ -37,8 +37,8 @@ class ErrorEstimate {
 
   /// The largest error so far of one quantity.
   struct Entry {
-    std::string
-        name;      ///< `attitude`, in radians, or `momentum`, relative to the largest modulus that it has had
+    /// `attitude`, in radians, or `momentum`, relative to the largest modulus that it has had
+    std::string name;
     double error;  ///< in that unit
   };
   /// Of the attitude, where it is reconstructed, and of the momentum; none where nothing is estimated.

@@ -24,10 +24,9 @@ struct Overview {
   struct Drifting {
     std::string name;     ///< of the quantity
     Envelope difference;  ///< |Q(t) - Q(0)|
-    double unit =
-        /// what the difference is relative to: that of summary.json; where there is none |Q(0)|, or the
-        /// largest |Q|
-        0;
+    /// what the difference is relative to: that of summary.json; where there is none |Q(0)|, or the largest
+    /// |Q|
+    double unit = 0;
   };
   /// A picture with more curves tells nothing.
   static constexpr std::size_t most_components = 12;

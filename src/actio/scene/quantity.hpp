@@ -41,9 +41,9 @@ struct Quantity {
   std::string formula;    ///< TeX
   std::string unit;       ///< in words: "energy x time"
   std::string statement;  ///< of the thesis; may be empty
-  std::vector<std::string>
-      needs;               ///< other quantities of the system that it is computed from; none: the state
-  bool conserved = false;  ///< whether the motion keeps it, so that its drift is an error
+  /// other quantities of the system that it is computed from; none: the state
+  std::vector<std::string> needs;
+  bool conserved = false;          ///< whether the motion keeps it, so that its drift is an error
   Shown shown = Shown::by_curves;  ///< besides its curves
 };
 

@@ -26,10 +26,9 @@ enum class Ending {
 /// What is to be done with a run besides the scene.
 struct RunOptions {
   bool quiet = false;  ///< nothing on standard error
-  bool durable =
-      /// files are on the disk at each checkpoint, the first before the first step; otherwise for other
-      /// programs to see alone
-      true;
+  /// files are on the disk at each checkpoint, the first before the first step; otherwise for other programs
+  /// to see alone
+  bool durable = true;
   double checkpoint_interval = 2;            ///< seconds
   std::function<bool()> stop = interrupted;  ///< whether to end between two steps
   /// Told how far the run is, from 0 to 1, and its time: about a hundred times a second. May be empty.
@@ -44,11 +43,11 @@ struct RunReport {
   long rows = 0;                    ///< of the whole run, that of t = 0 included
   double seconds = 0;               ///< of all its processes
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
-  std::vector<ErrorEstimate::Entry>
-      error;              ///< of attitude and momentum, estimated; none where that was not possible
+  /// of attitude and momentum, estimated; none where that was not possible
+  std::vector<ErrorEstimate::Entry> error;
   std::string error_how;  ///< in words: how it is estimated, or why it is not
-  std::vector<double>
-      last_row;         ///< of the run where it is done, otherwise that this process wrote; the time first
+  /// of the run where it is done, otherwise that this process wrote; the time first
+  std::vector<double> last_row;
   std::string summary;  ///< as in summary.json
 };
 

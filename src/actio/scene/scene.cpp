@@ -35,9 +35,8 @@ Simulation prepared(System const& system, Request const& request, Schedule& sche
           "run.between_steps: the times of the rows have no divisor in common, so that a shorter step of the "
           "same scheme goes to each row between two steps");
     }
-    if (!simulation.exact)
-      StepsToRows(request.schedule, simulation.step,
-                  request.file.section("method"));  // refuses a step that does not meet the rows
+    // refuses a step that does not meet the rows
+    if (!simulation.exact) StepsToRows(request.schedule, simulation.step, request.file.section("method"));
     return simulation;
   } catch (SceneError const&) {
     throw;

@@ -84,7 +84,8 @@ class SceneTable {
   void set(std::string const& key, bool value);                                          ///< true or false
   void set(std::string const& key, std::string const& value);                            ///< a text
   void set(std::string const& key, char const* value) { set(key, std::string(value)); }  ///< a text
-  void set(std::string const& key, std::vector<double> const& values);       ///< a list of numbers
+  /// a list of numbers
+  void set(std::string const& key, std::vector<double> const& values);
   void set(std::string const& key, Eigen::MatrixXd const& values);           ///< a list of rows
   void set(std::string const& key, std::vector<std::string> const& values);  ///< a list of texts
 

@@ -6,8 +6,8 @@
 namespace actio::scene::detail {
 namespace {
 
-constexpr int most_names =
-    32;  // a.b.c...: each is a table in a table, and the stack is spent on taking them down
+// a.b.c...: each is a table in a table, and the stack is spent on taking them down
+constexpr int most_names = 32;
 
 /// Looks for bytes of another encoding, for names that are joined by too many dots, and for texts in three
 /// quotes that never end.

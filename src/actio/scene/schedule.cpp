@@ -9,8 +9,8 @@ namespace actio::scene {
 namespace {
 
 constexpr double most = 9007199254740992;  // 2^53: whole numbers beyond it are not all doubles
-constexpr double near =
-    1e-9;  // of the contract: how far t/h may be from a whole number, relative to it where it is large
+// of the contract: how far t/h may be from a whole number, relative to it where it is large
+constexpr double near = 1e-9;
 
 bool is_multiple(double ratio) { return std::abs(ratio - std::round(ratio)) <= near * std::max(1.0, ratio); }
 

@@ -48,11 +48,12 @@ class Motion {
 /// A second motion beside the first, from which the error of the first is estimated.
 struct Companion {
   std::unique_ptr<Motion> motion;  ///< null: there is none
-  long steps =
-      4;  ///< of the run to one of the companion; 0: the companion is exact, and goes to any time at once
+  /// of the run to one of the companion; 0: the companion is exact, and goes to any time at once
+  long steps = 4;
   int order = 2;         ///< of the method
   bool attitude = true;  ///< whether the attitude is reconstructed
-  std::string how;       ///< in words, for the reader of the estimate; where there is no companion: why not
+  /// in words, for the reader of the estimate; where there is no companion: why not
+  std::string how;
 };
 
 /// A system that is ready to run. Its quantities look at its motion, and were asked for.
@@ -64,17 +65,15 @@ struct Simulation {
   QuantityGraph quantities;                                ///< what can be told of it
   bool exact = false;                                      ///< goes to any time at once, and has no steps
   double step = std::numeric_limits<double>::quiet_NaN();  ///< time; of a method with steps
-  long steps_at_once =
-      1
-      /// so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the
-      /// machine, since the digits may depend on it
-      << 14;
-  std::string
-      /// why it can take no step from its start, for instance since the step is too long; empty where it can
-      failure;
+  /// so many take a few milliseconds: how often the clock is looked at. Never a matter of the load of the
+  /// machine, since the digits may depend on it
+  long steps_at_once = 1 << 14;
+  /// why it can take no step from its start, for instance since the step is too long; empty where it can
+  std::string failure;
   Companion companion;                 ///< from which the error is estimated
   std::vector<std::string> shortcuts;  ///< what the scene allows to leave out, for the plan
-  std::vector<std::string> remarks;    ///< what was done to the input, for instance a quaternion normalised
+  /// what was done to the input, for instance a quaternion normalised
+  std::vector<std::string> remarks;
 };
 
 }  // namespace actio::scene

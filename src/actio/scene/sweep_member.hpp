@@ -8,13 +8,14 @@ namespace actio::scene {
 
 /// How a member went.
 struct MemberResult {
-  long member = -1;     ///< its number
-  int status = 0;       ///< the exit status that `actio run` would have; 128 + signal where one ended it
-  std::string message;  ///< where it did not end well: what went wrong
-  long rows = 0;        ///< of its series
-  double bytes = 0;     ///< that its series will take, about
-  long steps = 0;       ///< that were made
-  double seconds = 0;   ///< that it took
+  long member = -1;  ///< its number
+  /// the exit status that `actio run` would have; 128 + signal where one ended it
+  int status = 0;
+  std::string message;                      ///< where it did not end well: what went wrong
+  long rows = 0;                            ///< of its series
+  double bytes = 0;                         ///< that its series will take, about
+  long steps = 0;                           ///< that were made
+  double seconds = 0;                       ///< that it took
   std::vector<Drift::Entry> drift;          ///< of each conserved quantity
   std::vector<ErrorEstimate::Entry> error;  ///< of attitude and momentum, estimated
   std::vector<std::string> columns;         ///< of its series, the time first

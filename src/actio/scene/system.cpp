@@ -1,7 +1,12 @@
 #include "actio/scene/system.hpp"
 
 // One line for each system, in the order in which they are told: systems/NAME.cpp defines NAME_system().
-#define ACTIO_EACH_SYSTEM(with) with(rigid_body) with(rigid_body_n) with(heavy_top)
+// clang-format off
+#define ACTIO_EACH_SYSTEM(with) \
+  with(rigid_body)              \
+  with(rigid_body_n)            \
+  with(heavy_top)
+// clang-format on
 
 namespace actio::scene {
 

@@ -16,8 +16,8 @@ namespace actio::scene {
 struct Parameter {
   std::string key;      ///< with its section: "system.body"
   std::string expects;  ///< "three numbers, or a symmetric 3 by 3 matrix"
-  std::string
-      fallback;  ///< what stands where it is left out; "needed"; "or KEY" where that other key excludes it
+  /// what stands where it is left out; "needed"; "or KEY" where that other key excludes it
+  std::string fallback;
   std::string meaning;                    ///< a sentence or two
   std::string unit = "";                  ///< in words: "mass x length^2"; empty where there is none
   std::string example = "";               ///< a value, as a scene writes it
@@ -37,9 +37,8 @@ struct Request {
   SceneFile file;                       ///< whose sections the system reads
   Schedule const& schedule;             ///< when there are rows
   std::vector<std::string> quantities;  ///< names of those that the rows hold
-  std::optional<bool>
-      /// whether an estimate of the error is wanted; none: where it costs less than a third of the run
-      error_estimate;
+  /// whether an estimate of the error is wanted; none: where it costs less than a third of the run
+  std::optional<bool> error_estimate;
 };
 
 struct BodyShape;

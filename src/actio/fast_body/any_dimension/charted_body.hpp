@@ -91,8 +91,8 @@ class ChartedBody {
   detail::Blocked<0> shape_;
   std::size_t array_size_;
   detail::Zeros numbers_;
-  int latest_ = 0, past_ = 0,
-      sweeps_ = 0;  // where the last rotation vector is, how many there are, and what the last one took
+  // where the last rotation vector is, how many there are, and what the last one took
+  int latest_ = 0, past_ = 0, sweeps_ = 0;
   long steps_ = 0;
   double contraction_ = 1;        // of the sweeps of the last step
   double step_ = 0;               // of the steps with these rotation vectors

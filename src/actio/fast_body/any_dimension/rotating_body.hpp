@@ -88,13 +88,8 @@ class RotatingBody {
   friend struct detail::FixedPointStep;
   friend class FastMoserVeselov;
 
-  enum : int {
-    motion_,
-    attitude_,
-    attitude_rest_,
-    room_,
-    full_arrays
-  };  // e, g and what rounding left of it, room to work in
+  // e, g and what rounding left of it, room to work in
+  enum : int { motion_, attitude_, attitude_rest_, room_, full_arrays };
   static constexpr int longest = detail::Weights::longest + 1;  // squares of the past
   enum : int { momentum_, momentum_rest_, first_square_, half_arrays = first_square_ + longest + 2 };
 
@@ -149,9 +144,9 @@ class RotatingBody {
   detail::Weights const* continuation_ = nullptr;
   int past_ = 0, sweeps_ = 0, expected_ = 0;  // squares of the last step, and how many it was to take
   long steps_ = 0, chosen_ = 0;               // and when the continuation was chosen
-  double defect_ = 0,
-         contraction_ = 1;  // squares of the last defect, and of the factor by which sweeps make it smaller
-  bool solved_ = false;     // whether the last sweeps came to an end
+  // squares of the last defect, and of the factor by which sweeps make it smaller
+  double defect_ = 0, contraction_ = 1;
+  bool solved_ = false;  // whether the last sweeps came to an end
   // Whose steps are remembered: none's, those of the scheme that steps next, or one's by its number.
   static constexpr unsigned long next_scheme = ~0ul;
   unsigned long scheme_ = 0;

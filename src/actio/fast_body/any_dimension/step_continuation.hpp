@@ -56,8 +56,8 @@ class StepContinuation {
 
  private:
   static constexpr double smallest_gap = 1e-8;
-  static constexpr double rounding_at_end =
-      1e-8;  // next to the end of the branch half of the digits are lost
+  // next to the end of the branch half of the digits are lost
+  static constexpr double rounding_at_end = 1e-8;
 
   int size() const { return algebra_.shape().n; }
   int unknowns() const { return size() * (size() - 1) / 2; }

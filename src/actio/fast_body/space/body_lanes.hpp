@@ -35,10 +35,9 @@ struct FreeLanes {
   Three<Lanes> delta;    ///< \f$\delta_i\f$
   Three<Lanes> sum;      ///< \f$\delta_j+\delta_k\f$
   Lanes product;         ///< \f$\delta_1\delta_2\delta_3\f$
-  Lanes
-      /// \f$1/(1+\delta_1\delta_2+\delta_2\delta_3+\delta_3\delta_1)\f$, one over the slope of the
-      /// determinant at its root
-      newton;
+  /// \f$1/(1+\delta_1\delta_2+\delta_2\delta_3+\delta_3\delta_1)\f$, one over the slope of the determinant at
+  /// its root
+  Lanes newton;
   bool gentle = true;  ///< whether no \f$\delta_i\f$ is larger than 1
 };
 
@@ -106,10 +105,8 @@ struct LaneSteps {
   /// The packs one after another in one body of the loop, so that each can stay in registers.
   template <std::size_t... k>
   [[gnu::always_inline]] void run(std::index_sequence<k...>) const {
-    long const between =
-        gentle ? 1024
-               // counted from the start of the batch: how its steps are spread over calls makes no difference
-               : 1;
+    // counted from the start of the batch: how its steps are spread over calls makes no difference
+    long const between = gentle ? 1024 : 1;
     Three<Lanes> u[packs] = {lanes[k].u...}, w[packs] = {lanes[k].w...};
     for (long done = 0; done < count;) {
       long const row = std::min(count - done, between - (from + done) % between);

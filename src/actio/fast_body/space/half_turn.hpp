@@ -36,16 +36,14 @@ using Four = std::array<T, 4>;
 template <class T>
 struct StepParameters {
   Three<T> delta;  ///< \f$\delta_i = D_i/L\f$, of the axis of the half turn
-  Three<T>
-      /// \f$\delta_k-\delta_j\f$, (i, j, k) cyclic: given apart, for a difference would lose its digits where
-      /// moments are nearly equal
-      gap;
+  /// \f$\delta_k-\delta_j\f$, (i, j, k) cyclic: given apart, for a difference would lose its digits where
+  /// moments are nearly equal
+  Three<T> gap;
   T cos_twist;  ///< \f$\cos T\f$
   T sin_twist;  ///< \f$\sin T\f$
-  Three<T>
-      /// \f$1+\delta_j\delta_k\f$: given apart, for the sum may be as small as the distance to the middle
-      /// axis, for a long step
-      stretch;
+  /// \f$1+\delta_j\delta_k\f$: given apart, for the sum may be as small as the distance to the middle axis,
+  /// for a long step
+  Three<T> stretch;
 };
 
 /// \f$1+\delta_j\delta_k\f$, where nothing cancels: for short steps.

@@ -61,7 +61,8 @@ class NaturalChartStep {
   struct StepRotation {
     Three<double> v;       ///< rotation vector, body frame
     double angle_squared;  ///< \f$|v|^2\f$
-    bool found;  ///< whether v is less than half a turn, on the branch that grows out of the identity
+    /// whether v is less than half a turn, on the branch that grows out of the identity
+    bool found;
   };
 
   /// \f$\chi(\mathrm{ad}^*_v)\,Iv\f$: step times momentum before a step that turns by v; after it, the same

@@ -127,7 +127,8 @@ struct TorquedLaneSteps {
   }
 
   std::vector<InverseMoments<Lanes>> const& parts;  ///< of the drifts
-  std::vector<Lanes> rotation{};  ///< cosine and sine of what the direction turns by in each of them
+  /// cosine and sine of what the direction turns by in each of them
+  std::vector<Lanes> rotation{};
 };
 
 }  // namespace detail
