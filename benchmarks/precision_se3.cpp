@@ -10,7 +10,7 @@ using namespace actio;
 constexpr double inertia[6] = {0.6, 0.8, 1, 1, 1.5, 2};
 
 /// Angular and linear momentum, quaternion and place.
-auto const rate = [](auto const& y, auto& out) {
+auto const equations = [](auto const& y, auto& out) {
   using S = std::decay_t<decltype(y[0] + y[0])>;
   S w[6];
   for (int i = 0; i < 6; ++i) w[i] = y[i] / S(inertia[i]);
@@ -44,8 +44,8 @@ int main(int argc, char** argv) {
       argc, argv,
       "work and precision on SE(3): a Lagrangian of one's own beside codes for differential equations");
   Matrix<double, 6, 1> const xi{1.8, -1, 0.7, 0.4, 0.2, -0.3};
-  benchmark::System<13, 18, decltype(rate), decltype(shown)> system{
-      rate, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
+  benchmark::System<13, 18, decltype(equations), decltype(shown)> system{
+      equations, shown, {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}};
   for (int i = 0; i < 6; ++i) system.start[i] = inertia[i] * xi[i];
   auto const start = momentum_state(energy, velocity(SE<3>{}, xi));
   auto const way = [&](std::string const& name, auto const& step, double first) {

@@ -10,7 +10,7 @@ using namespace actio;
 constexpr double inertia[3] = {0.6, 0.8, 1};
 
 /// Momentum and quaternion.
-auto const rate = [](auto const& y, auto& out) {
+auto const equations = [](auto const& y, auto& out) {
   using S = std::decay_t<decltype(y[0] + y[0])>;
   S const w[3] = {y[0] / S(inertia[0]), y[1] / S(inertia[1]), y[2] / S(inertia[2])},
           half[3] = {w[0] / 2, w[1] / 2, w[2] / 2};
@@ -32,8 +32,8 @@ int main(int argc, char** argv) {
   benchmark::Benchmark program(
       argc, argv,
       "work and precision on SO(3): a Lagrangian of one's own beside codes for differential equations");
-  benchmark::System<7, 12, decltype(rate), decltype(shown)> system{
-      rate, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
+  benchmark::System<7, 12, decltype(equations), decltype(shown)> system{
+      equations, shown, {1.08, -0.8, 0.7, 1, 0, 0, 0}};
   auto const start = momentum_state(energy, velocity(SO<3>{}, Vector<double, 3>(1.8, -1, 0.7)));
   auto const way = [&](std::string const& name, auto const& step, double first) {
     return benchmark::road_way(
