@@ -221,7 +221,7 @@ STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of t
     time.part[0] = S(1);
     auto const xi = tangent(motion, b).velocity;
     claim.equal("its velocity part", model, lifted.velocity,
-                rate(along_time(time)) - bracket(xi, lifted.configuration), amplification);
+                rate_of(along_time(time)) - bracket(xi, lifted.configuration), amplification);
     // (2.6) along a motion is its boundary part.
     S const dS = action_variation(m, family, a, b, rule);
     auto const end = [&](S const& t, auto const& w) { return lagrange_one_form(m, tangent(motion, t), w); };
@@ -371,8 +371,8 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     auto const rate_of_form = [&](auto const& vector_field) {
       auto const carried = [&](StateChange<SpannedGroup, S> const& w) {
         auto const change = vector_field(moved(v, w));
-        auto const theta_rate = rate(change.configuration) + bracket(v.velocity, w.configuration),
-                   xi_rate = rate(change.velocity);
+        auto const theta_rate = rate_of(change.configuration) + bracket(v.velocity, w.configuration),
+                   xi_rate = rate_of(change.velocity);
         StateChange<SpannedGroup, Dual<S>> result{over<Dual<S>>(w.configuration), over<Dual<S>>(w.velocity)};
         for (int a = 0; a < group.dimension(); ++a) {
           result.configuration.coordinates[a].part[0] = theta_rate.coordinates[a];
@@ -757,15 +757,16 @@ STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the 
   auto const acceleration = draw.template velocity<S>(group);
   SideOfSeam<S> const above{true}, below{false};
   auto const map_jump = euler_lagrange(above, v, acceleration) - euler_lagrange(below, v, acceleration);
-  auto const form_jump = rate(legendre(above, moved(v, across))) - rate(legendre(below, moved(v, across)));
+  auto const form_jump =
+      rate_of(legendre(above, moved(v, across))) - rate_of(legendre(below, moved(v, across)));
   auto const map_slope = euler_lagrange(above, moved(v, across), over<Dual<S>>(acceleration)) -
                          euler_lagrange(below, moved(v, across), over<Dual<S>>(acceleration));
   claim.zero("L of class C^2: D_EL is continuous", "seam of x^3", map_jump, S(1));
   claim.zero("L of class C^2: theta_L has one derivative", "seam of x^3", form_jump, S(1));
   claim.refutes("D_EL has a derivative", "seam of x^3", map_slope, size_of(acceleration));
   claim.refutes("theta_L has two derivatives", "seam of x^3",
-                rate(rate(legendre(above, moved(moved(v, across), again)))) -
-                    rate(rate(legendre(below, moved(moved(v, across), again)))),
+                rate_of(rate_of(legendre(above, moved(moved(v, across), again)))) -
+                    rate_of(rate_of(legendre(below, moved(moved(v, across), again)))),
                 S(1));
 }
 
@@ -791,10 +792,10 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
         using T = std::decay_t<decltype(s)>;
         Dual<T> moving_time(s);
         moving_time.part[0] = T(1);
-        return rate(theta(moving_time));
+        return rate_of(theta(moving_time));
       };
       rows.row(i) << theta(t).coordinates.transpose(), theta_rate(t).coordinates.transpose(),
-          rate(theta_rate(time)).coordinates.transpose();
+          rate_of(theta_rate(time)).coordinates.transpose();
       response[i] = L(varied_tangent(family, t)).part[0];
     }
     // A system of random rows of up to 18 unknowns costs a few digits.
@@ -803,7 +804,7 @@ STATEMENT(claim_2_1_el_map_and_form_unique, "there is one Euler-Lagrange map and
 
     // beta = 0; alpha is the one-form of the library; the coefficient of theta is D + alpha'.
     auto const state = tangent(curve, t);
-    auto const mu = legendre(L, state), mu_rate = rate(legendre(L, tangent(curve, time)));
+    auto const mu = legendre(L, state), mu_rate = rate_of(legendre(L, tangent(curve, time)));
     auto const map = euler_lagrange(L, state, second_tangent(curve, t).velocity);
     claim.zero("the form does not depend on changes of the velocity", model, Vector<S>(found.tail(n)),
                size_of(mu), condition);

@@ -268,7 +268,7 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
     auto const [chart, q, p] = draw_canonical<S>(draw, group);
     auto const along = moved_by_hamilton(H, chart, q, p);
     Momentum<SpannedGroup, S> const momentum{group, values(along.momentum.components)},
-        momentum_rate = rate(along.momentum);
+        momentum_rate = rate_of(along.momentum);
 
     // i gives the equation for g, and iii; the equation for g and iii together give p', so they give i back.
     claim.equal("i: g' = T_eR_g dh/dmu", model, rate_right(along.configuration), gradient(h, momentum),
@@ -292,7 +292,7 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
 
     // Controls: the sign; the body's momentum in place of lambda; the minus bracket.
     claim.differs("mu' = + ad* mu", model, momentum_rate, lie_poisson_rate_left(h, momentum));
-    claim.refutes("T_e^*L_g p in place of T_e^*R_g p", model, rate(body_momentum(along)) - momentum_rate,
+    claim.refutes("T_e^*L_g p in place of T_e^*R_g p", model, rate_of(body_momentum(along)) - momentum_rate,
                   size_of(momentum_rate));
     claim.differs("the minus bracket", model, f(by_iii).part[0], lie_poisson_bracket_minus(f, h, momentum));
   });
@@ -317,12 +317,12 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
     // at the next instant by that of the next: the rate of the velocity is that of dh/dmu along mu'.
     auto const f = in_canonical(H, chart);
     auto const q_later = moving(q, momenta(f, q, p)), p_later = moving(p, Vector<S>(-slopes(f, q, p)));
-    auto const xi_rate = rate(
+    auto const xi_rate = rate_of(
         rate_right(costate_in(chart, moving(q_later, momenta(f, q_later, p_later)), moving(p_later, p_later))
                        .configuration));
     Momentum<SpannedGroup, Dual<S>> const later{
         group, moving(at.momentum.components, lie_poisson_rate_right(h, at.momentum).components)};
-    claim.equal("and stays so", model, xi_rate, rate(gradient(h, later)), 10 * frame_condition);
+    claim.equal("and stays so", model, xi_rate, rate_of(gradient(h, later)), 10 * frame_condition);
     // Controls: the momentum frozen, whose velocity has no rate; the components of p(0) taken for an element
     // of the dual algebra.
     claim.refutes("mu frozen at its initial value", model, xi_rate, size_of(xi));
@@ -351,7 +351,7 @@ STATEMENT(claim_2_2_lie_poisson_equivalence,
     auto const field = hamiltonian_vector_field(H, at);
     claim.equal("Hamilton's equations, configuration", model, field.configuration,
                 rate_right(along.configuration), frame_condition);
-    claim.equal("Hamilton's equations, momentum", model, field.momentum, rate(along.momentum),
+    claim.equal("Hamilton's equations, momentum", model, field.momentum, rate_of(along.momentum),
                 frame_condition);
     claim.equal("i and ii: F' = {F, H}", model, F(moved(at, field)).part[0], canonical_bracket(F, H, at));
 
@@ -429,7 +429,7 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
     auto const here = Ad_star(inverse(curve(t)), mu);
 
     // The orbit through mu: its tangent vectors are ad* of velocities, whatever the curve in G.
-    auto const tangent_vector = rate(Ad_star(inverse(curve(time)), over<Dual<S>>(mu)));
+    auto const tangent_vector = rate_of(Ad_star(inverse(curve(time)), over<Dual<S>>(mu)));
     claim.equal("tangent vectors are ad*", model, ad_star(orbit_generator(here, tangent_vector), here),
                 tangent_vector, orbit_condition);
     // The form is well defined: the generators that the library finds give what any others give.
@@ -512,8 +512,8 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
         p.configuration.value * group.hat(zeta.coordinates) * inverse_matrix(p.configuration.value);
     claim.equal("J is the momentum map of multiplication from the right", model, pair(J, zeta),
                 pair(p.momentum, Velocity<SpannedGroup, S>{group, group.vee(generator)}));
-    claim.zero("J is constant along motions", model, rate(body_momentum(along)),
-               size_of(rate(along.momentum)));
+    claim.zero("J is constant along motions", model, rate_of(body_momentum(along)),
+               size_of(rate_of(along.momentum)));
     // So mu is carried back from it by g, over whatever time.
     claim.equal("mu = Ad*_{g^-1} J", model, Ad_star(inverse(p.configuration), J), p.momentum);
     // The other way round: along any curve, mu(t) = Ad*_{g^-1(t)} mu_0 has the rate - ad*_xi mu of the
@@ -523,21 +523,21 @@ STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") 
     Dual<S> time(t);
     time.part[0] = S(1);
     auto const mu = Ad_star(inverse(curve(t)), J),
-               mu_rate = rate(Ad_star(inverse(curve(time)), over<Dual<S>>(J)));
+               mu_rate = rate_of(Ad_star(inverse(curve(time)), over<Dual<S>>(J)));
     claim.equal("the formula solves mu' = - ad*_xi mu", model, mu_rate,
                 -ad_star(tangent(curve, t).velocity, mu));
 
     // Controls: no inverse; the spatial momentum taken for the constant one; the initial value of mu although
     // g(0) is not e; a left-invariant Hamiltonian.
     claim.differs("Ad*_g", model, Ad_star(p.configuration, J), p.momentum);
-    auto const without_inverse = rate(Ad_star(curve(time), over<Dual<S>>(J)));
+    auto const without_inverse = rate_of(Ad_star(curve(time), over<Dual<S>>(J)));
     claim.differs("Ad*_g solves it too", model, without_inverse,
                   -ad_star(tangent(curve, t).velocity, Ad_star(curve(t), J)));
     auto const g0 = curve(S(0));
     claim.differs("mu_0 = mu(0) although g(0) is not e", model,
                   Ad_star(inverse(curve(t)), Ad_star(inverse(g0), J)), mu);
     auto const of_left = moved(p, hamiltonian_vector_field(left_invariant_function(h), p));
-    claim.refutes("J of a left-invariant Hamiltonian", model, rate(body_momentum(of_left)), size_of(J));
+    claim.refutes("J of a left-invariant Hamiltonian", model, rate_of(body_momentum(of_left)), size_of(J));
   });
 }
 
@@ -634,7 +634,7 @@ STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocit
     auto const body_eta = [&](auto const& s) { return Ad(inverse(curve(s)), eta(s)); };
     auto const varied = varied_tangent(family, t);
     auto const body_xi = Ad(inverse(varied.configuration), varied.velocity);
-    claim.equal("g^-1 g' varies by eta' + [xi, eta]", model, rate(body_xi),
+    claim.equal("g^-1 g' varies by eta' + [xi, eta]", model, rate_of(body_xi),
                 rate_along(body_eta, t) + commutator(value_of(body_xi), body_eta(t)));
     // Control: as printed.
     claim.differs("as printed, eta' + [xi, eta]", model, delta, rate_along(eta, t) + commutator(xi, eta(t)));

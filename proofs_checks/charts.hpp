@@ -152,7 +152,7 @@ template <class S, class Path>
 Velocity<SpannedGroup, S> rate_along(Path const& path, S const& t) {
   Dual<S> time(t);
   time.part[0] = S(1);
-  return rate(path(time));
+  return rate_of(path(time));
 }
 
 }  // namespace actio::checks

@@ -46,13 +46,13 @@ template <class Medium, class S, int n, int N>
 Matrix<S, N, 1> medium_equation(Medium const& medium, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
   examine(medium, first);
-  auto const weighted = [&]<class T>(Jet<T, n, N> const& jet) {
+  auto const rho_W_v_sqrt_det_G = [&]<class T>(Jet<T, n, N> const& jet) {
     T const weight = medium.rho(jet.particle()) * volume<T>(medium.G(jet.particle()));
     return partial_F(medium, jet) * weight;
   };
+  S const sqrt_det_G = volume<S>(medium.G(j.particle()));
   // [eq_6_13]
-  Matrix<S, N, 1> const r = inertial_force(medium, j) -
-                            two_point_rates(weighted, j).divergence / volume<S>(medium.G(j.particle())) -
+  Matrix<S, N, 1> const r = inertial_force(medium, j) - total_divergence(rho_W_v_sqrt_det_G, j) / sqrt_det_G -
                             metric_force(medium, first);
   // [eq_6_13]
   require_derivative(r, first, "medium_equation");
@@ -69,11 +69,10 @@ template <class Medium, class S, int n>
 Matrix<S, n, 1> fluid_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
   Jet<S, n, n> const& first = j;
   examine(medium, first);
-  Matrix<S, n, 1> dP;
-  for (int k = 0; k < n; ++k)
-    dP[k] = total_derivative(
-        k + 1, [&](auto const& jet) { return material_pressure(medium, jet); }, j);
+  auto const P = [&](auto const& jet) { return material_pressure(medium, jet); };
   // [eq_6_18]
+  Matrix<S, n, 1> dP;
+  for (int k = 0; k < n; ++k) dP[k] = total_derivative(k + 1, P, j);
   Matrix<S, n, 1> const r = inertial_force(medium, j) +
                             area_transformation(medium.G(j.particle()), medium.g(j.y), j.gradient()) * dP;
   // [eq_6_18]
@@ -104,19 +103,19 @@ template <class Medium, class S, int n>
   requires MediumOver<Medium, S, n, n>
 Matrix<S, n, 1> stress_equation(Medium const& medium, SecondJet<S, n, n> const& j) {
   Jet<S, n, n> const& first = j;
+  // [eq_6_20]
   Matrix<S, n, 1> r = inertial_force(medium, j) - stress_divergence(medium, j);
   if constexpr (!is_constant_metric<std::remove_cvref_t<decltype(medium.g)>>) {
     auto const g = medium.g(j.y);
     S const J = jacobian(medium.G(j.particle()), g, j.gradient());
     auto const gamma = christoffel(medium.g, j.y);
-    // [eq_6_20]
     Matrix<S, n, n> const excess = first_piola_kirchhoff_stress(medium, first) * j.gradient().transpose() -
                                    lowered(g, cauchy_stress(medium, first)) * J;
     for (int a = 0; a < n; ++a)
       for (int b = 0; b < n; ++b)
         for (int c = 0; c < n; ++c) r[a] -= gamma[b](a, c) * excess(b, c);
-    // [eq_6_20]
   }
+  // [eq_6_20]
   return r;
 }
 

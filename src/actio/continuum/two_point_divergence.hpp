@@ -30,6 +30,14 @@ TwoPointRates<S, n, N> two_point_rates(Tensor const& T, SecondJet<S, n, N> const
   return rates;
 }
 
+/// The sum \f$D_iT_a{}^i\f$ of the total derivatives of a two-point tensor, without Christoffel symbols.
+/// @param T  two-point tensor: a callable on first jets, over any scalar
+/// @param j  second jet of the section
+template <class S, int n, int N, class Tensor>
+Matrix<S, N, 1> total_divergence(Tensor const& T, SecondJet<S, n, N> const& j) {
+  return two_point_rates(T, j).divergence;
+}
+
 /// The covariant divergence \f$T_a{}^i{}_{|i} = \partial_iT_a{}^i + T_a{}^j\,\Gamma^k_{jk}
 /// - T_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ along a section.
 ///

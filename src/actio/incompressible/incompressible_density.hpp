@@ -55,15 +55,13 @@ DualJet<S, n, M> incompressible_momenta(IncompressibleDensity<Medium, BodyMetric
           J = density.constraint.volume_ratio(j);
   Matrix<S, n, n> const W_v = partial_F(medium, j), cofactor = area_transformation(G, g, j.gradient());
   DualJet<S, n, M> z{extended.x, extended.y, S(0), Matrix<S, M, n + 1>::Zero()};
+  // [eq_8_4]
   z.p.col(0).template head<n>() = lowered(g, velocity) * S(rho * sqrt_det_G);
-  S work(0);
   for (int k = 0; k < n; ++k)
-    for (int a = 0; a < n; ++a) {
-      // [eq_8_4]
-      z.p(a, k + 1) = (P * cofactor(a, k) - rho * W_v(a, k)) * sqrt_det_G;
-      // [eq_8_4]
-      work += W_v(a, k) * j.v(a, k + 1);
-    }
+    z.p.col(k + 1).template head<n>() = (cofactor.col(k) * P - W_v.col(k) * rho) * sqrt_det_G;
+  // [eq_8_4]
+  S work(0);
+  for (int k = 0; k < n; ++k) work += W_v.col(k).dot(j.v.col(k + 1).template head<n>());
   S const energy = medium.W(x, G, g, j.gradient());
   // [claim_8_2_affine_momentum]
   z.Pi =

@@ -44,14 +44,9 @@ Event<S, n> boundary_current(L const& density, Jet<S, n, N> const& j, Variation<
   auto const p = momenta(density, j);
   auto const q = vertical_part(j, V);
   S const value = density(j);
-  Event<S, n> B;
   // [eq_6_7]
-  for (int mu = 0; mu <= n; ++mu) {
-    B[mu] = value * V[mu];
-    for (int a = 0; a < N; ++a) B[mu] += p(a, mu) * q[a];
-  }
+  return p.transpose() * q + V.template head<n + 1>() * value;
   // [eq_6_7]
-  return B;
 }
 
 /// The first jet of \f$\phi + \epsilon V\f$ to first order in \f$\epsilon\f$.
@@ -83,7 +78,7 @@ template <class S, int n, int N, class L>
 Matrix<S, N, 1> linearised_euler_lagrange(L const& density, SecondJet<S, n, N> const& j,
                                           SecondJet<S, n, N> const& V) {
   examine(density, static_cast<Jet<S, n, N> const&>(j));
-  return rate(euler_lagrange(density, varied(j, V)));
+  return rate_of(euler_lagrange(density, varied(j, V)));
 }
 
 /// The current \f$\omega^\mu = \delta_Vp_a{}^\mu\,W^a - \delta_Wp_a{}^\mu\,V^a\f$ of two vertical variations:
@@ -102,7 +97,7 @@ template <class S, int n, int N, class L>
 Event<S, n> multisymplectic_current(L const& density, Jet<S, n, N> const& j, Jet<S, n, N> const& V,
                                     Jet<S, n, N> const& W) {
   examine(density, j);
-  auto const delta_p = [&](Jet<S, n, N> const& by) { return rate(momenta(density, varied(j, by))); };
+  auto const delta_p = [&](Jet<S, n, N> const& by) { return rate_of(momenta(density, varied(j, by))); };
   // [eq_6_11]
   Event<S, n> const current = delta_p(V).transpose() * W.y - delta_p(W).transpose() * V.y;
   // [eq_6_11]

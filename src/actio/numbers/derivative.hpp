@@ -26,10 +26,10 @@ using Moved = Dual<S, batch>;
 
 /// How a number changes in the direction of its dual numbers.
 template <class S>
-S rate(Dual<S> const& x) { return x.part[0]; }
+S rate_of(Dual<S> const& x) { return x.part[0]; }
 /// How a matrix changes in the direction of its dual numbers.
 template <class S, int R, int C>
-Matrix<S, R, C> rate(Matrix<Dual<S>, R, C> const& x) {
+Matrix<S, R, C> rate_of(Matrix<Dual<S>, R, C> const& x) {
   return x.unaryExpr([](Dual<S> const& entry) -> S { return entry.part[0]; });
 }
 
@@ -65,7 +65,7 @@ namespace detail {
 template <class D, class Y>
 auto value_and_rate(Y const& y) {
   auto const dual = over_dual<D>(y);
-  return ValueAndRate<decltype(without_parts(dual))>{without_parts(dual), actio::rate(dual)};
+  return ValueAndRate<decltype(without_parts(dual))>{without_parts(dual), rate_of(dual)};
 }
 }  // namespace detail
 

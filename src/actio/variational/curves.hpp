@@ -31,18 +31,18 @@ Velocity<G, S> rate_right(Element<G, Dual<S>> const& g) {
 }
 /// How a velocity changes.
 template <Group G, Scalar S>
-Velocity<G, S> rate(Velocity<G, Dual<S>> const& xi) {
+Velocity<G, S> rate_of(Velocity<G, Dual<S>> const& xi) {
   return {xi.group, xi.coordinates.unaryExpr([](Dual<S> const& x) { return x.part[0]; })};
 }
 /// How a momentum changes.
 template <Group G, Scalar S>
-Momentum<G, S> rate(Momentum<G, Dual<S>> const& mu) {
+Momentum<G, S> rate_of(Momentum<G, Dual<S>> const& mu) {
   return {mu.group, mu.components.unaryExpr([](Dual<S> const& x) { return x.part[0]; })};
 }
 /// How a state moves, as a tangent vector to TG: undoes \ref moved.
 template <MatrixGroup G, Scalar S>
 StateChange<G, S> change_of(State<G, Dual<S>> const& v) {
-  return {rate_right(v.configuration), rate(v.velocity)};
+  return {rate_right(v.configuration), rate_of(v.velocity)};
 }
 
 /// The tangent \f$(g, \dot g g^{-1})\f$ of a curve, a point of TG.
