@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # line_length.sh ROOT: no line of C++ passes column 110, code or comment. `./run format` breaks those that do.
 set -uo pipefail
-cd "$1"
+cd "$1" || exit
 export LC_ALL=C.UTF-8
 long() { find "$@" -name '*.[hc]pp' -print0 | xargs -0 grep -nP '^.{111,}' | sed -E 's/^([^:]+:[0-9]+):.*/\1/'; }
 found=$(long src chapters proofs_checks tests benchmarks)

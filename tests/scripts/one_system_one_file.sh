@@ -20,7 +20,7 @@ violations() {
   done
   grep -rnE "(==|!=|find_system\(|case) *\"($all)\"|\"($all)\" *(==|!=)" \
     "$1/src/actio/scene" "$1/src/app" "$1/src/python" "$1/data/viewer" | grep -v "/src/actio/scene/systems/" || true
-  grep -rnwE "($(sed 's/|/_system|/g' <<<"$all")_system)" "$1/src" | grep -v "/src/actio/scene/systems/" || true
+  grep -rnwE "(${all//|/_system|}_system)" "$1/src" | grep -v "/src/actio/scene/systems/" || true
 }
 
 found=$(violations "$root")

@@ -6,8 +6,8 @@ set -euo pipefail
 cd "$1"
 
 misplaced() { # LIST
-  local file from to executables description count
-  while IFS=$'\t' read -r file from to executables description; do
+  local file from to description count
+  while IFS=$'\t' read -r file from to _ description; do
     [[ -n $file && $file != '#'* ]] || continue
     [[ -n $description ]] || { echo "a line of fewer than five columns: $file $from"; continue; }
     [[ -f $file ]] || { echo "$file: no such file"; continue; }
