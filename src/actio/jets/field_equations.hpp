@@ -32,11 +32,12 @@ template <class S, int n, int N, class L>
 Matrix<S, N, 1> euler_lagrange_by_terms(L const& density, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
   examine(density, first);
+  auto const dL_dv = [&](int mu) {
+    return [&density, mu](auto const& z) { return partial_v(density, z, mu); };
+  };
   // [eq_6_12]
   Matrix<S, N, 1> E = partial_y(density, first);
-  for (int mu = 0; mu <= n; ++mu)
-    E -= total_derivative(
-        mu, [&](auto const& z) { return partial_v(density, z, mu); }, j);
+  for (int mu = 0; mu <= n; ++mu) E -= total_derivative(mu, dL_dv(mu), j);
   // [eq_6_12]
   require_derivative(E, first, "euler_lagrange_by_terms");
   return E;
