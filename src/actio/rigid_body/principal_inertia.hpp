@@ -23,7 +23,7 @@ struct PrincipalInertia {
       : inertia(along_axes), axes(along) {}
 
   /// Whether the frame of the body is another than that of the principal axes.
-  bool is_turned() const { return !axes.isIdentity(0); }
+  bool is_turned() const { return axes != Eigen::Matrix3d::Identity(); }
   /// I in the frame of the body; mass x length^2.
   Eigen::Matrix3d tensor() const { return axes * inertia.moments.asDiagonal() * axes.transpose(); }
   /// \f$I^{-1}\f$ in the frame of the body; 1/(mass x length^2).

@@ -15,7 +15,7 @@ class PrincipalAxes {
  public:
   /// @param axes  as columns, in the frame of the body
   /// @throws NotFinite, OutsideDomain  where an entry is no number, or the axes are no rotation to 1e-9
-  explicit PrincipalAxes(Eigen::Matrix3d const& axes) : axes_(axes), turned_(!axes.isIdentity(0)) {
+  explicit PrincipalAxes(Eigen::Matrix3d const& axes) : turned_(!is_identity(axes)) {
     if (!turned_) return;
     if (!is_finite(axes)) throw NotFinite("principal axes");
     double const off = magnitude((axes.transpose() * axes - Eigen::Matrix3d::Identity()).eval());
@@ -26,6 +26,7 @@ class PrincipalAxes {
     if (!(volume > 0))
       throw OutsideDomain("principal axes", "a rotation is needed, not a reflection; the determinant", volume,
                           1);
+    axes_ = axes;
     turn_ = quaternion_of_rotation<double>(axes);
   }
 
@@ -48,8 +49,15 @@ class PrincipalAxes {
   bool turned() const { return turned_; }
 
  private:
-  Eigen::Matrix3d axes_;
+  // Entry by entry, one branch: most bodies are described along their principal axes.
+  static bool is_identity(Eigen::Matrix3d const& a) {
+    double const* e = a.data();
+    return (e[0] == 1) & (e[4] == 1) & (e[8] == 1) & (e[1] == 0) & (e[2] == 0) & (e[3] == 0) & (e[5] == 0) &
+           (e[6] == 0) & (e[7] == 0);
+  }
+
   bool turned_;
+  Eigen::Matrix3d axes_;  // set where turned_
   Eigen::Vector4d turn_ = {1, 0, 0, 0};
 };
 
