@@ -71,7 +71,13 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
   # Not the catalogue, which few tests read; nor natural charts and steppers, which few units take; nor the
   # heavy top, principal axes and the bodies that are moved fast: functions there that are no templates would
   # be compiled in every unit; nor Part II, which few units need.
-  list(FILTER own EXCLUDE REGEX "bodies/|principal_inertia|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps|remembered_solutions|composition|galerkin|heavy_top|numbers/(second_order|square_root|divergence|number_row)|/(fast_body|scene|forms|jets|continuum|constraints|incompressible|noether)/")
+  foreach(rarely IN ITEMS
+      "bodies/|principal_inertia|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps"
+      "remembered_solutions|composition|galerkin|heavy_top"
+      "numbers/(second_order|square_root|divergence|number_row)"
+      "/(fast_body|scene|forms|jets|continuum|constraints|incompressible|noether)/")
+    list(FILTER own EXCLUDE REGEX "${rarely}")
+  endforeach()
   # The witnesses that most tests call.
   foreach(witness IN ITEMS draw reference_solution taylor_reference)
     list(APPEND own "${PROJECT_SOURCE_DIR}/src/witness/${witness}.hpp")

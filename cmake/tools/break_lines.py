@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """break_lines.py FILE...: ends the lines of comments by column 110, which clang-format leaves alone.
 
-What is short enough stays as it is: a paragraph is filled anew from its first long line on. Formulas, `code` and
-references are not torn. In C++ a comment beside a long line moves above it, a long raw string becomes two, and a body
-of one statement stands beside the head of its template, where clang-format 15 and later insist on three lines.
+What is short enough stays as it is: a paragraph is filled anew from its first long line on. Formulas, `code`
+and references are not torn. In C++ a comment beside a long line moves above it, a long raw string becomes two,
+and a body of one statement stands beside the head of its template, where clang-format 15 and later insist on
+three lines.
 What is left too long is printed, and the status is 1.
 """
 import re
@@ -11,9 +12,11 @@ import sys
 
 LIMIT = 110
 
-# What begins a paragraph: a command, an item of a list, a row of a table, a formula on display, the mark of a snippet.
+# What begins a paragraph: a command, an item of a list, a row of a table, a formula on display, the mark of a
+# snippet.
 START = re.compile(
-    r"^(?:[@\\](?!f[$\[]|ref\b|p\b|a\b|c\b|e\b|b\b|em\b|cite\b)|[-*+] |\d+\. |\||```|#|\\f\[|\\f\]|\[\w+\]\s*$)")
+    r"^(?:[@\\](?!f[$\[]|ref\b|p\b|a\b|c\b|e\b|b\b|em\b|cite\b)"
+    r"|[-*+] |\d+\. |\||```|#|\\f\[|\\f\]|\[\w+\]\s*$)")
 ITEM = re.compile(r"^\s+\S+\s{2,}\S")
 HEAD = re.compile(
     r"^([@\\](?:param(?:\[\w+\])?|tparam|throws|returns?|retval|note|pre|post|see|sa)"
@@ -22,7 +25,7 @@ OPERATORS = {"=", "<", ">", "<=", ">=", "+", "-", "*", "/", "^", "+-", "->", r"\
 
 
 def words(text):
-    """The words of a text: a formula or a piece of code is one where it is not too long, a reference has its name."""
+    """The words of a text: a formula or `code` is one where it is not too long, a reference has its name."""
     found = []
     for match in re.finditer(r"\S*?(?:\\f\$.*?\\f\$|`[^`]*`)\S*|\S+", text):
         found += match.group(0).split() if len(match.group(0)) > 70 else [match.group(0)]
@@ -62,7 +65,8 @@ def fill(lead, paragraph):
         text = paragraph[0].lstrip()
         head = re.match(r"^([@\\]\w+(?:\[\w+\])?(?:\s+\S+)?\s\s+|[@\\]\w+\s+|\S+\s{2,})", text)
         if head and (ITEM.match(paragraph[0]) or text[0] in "@\\"):
-            rest = [head.group(1)[:-1]] + words(text[head.end():] + " " + " ".join(t.strip() for t in paragraph[1:]))
+            further = " ".join(t.strip() for t in paragraph[1:])
+            rest = [head.group(1)[:-1]] + words(text[head.end():] + " " + further)
     line = leading(paragraph[first]) if first == 0 else hang
     line += rest[0]
     for word in rest[1:]:
@@ -158,8 +162,8 @@ def move_comments_above(lines):
     for line in lines:
         at = comment_beside(line) if len(line) > LIMIT and 'R"' not in line else -1
         if at > 0 and line[:at].strip():
-            after = line.startswith("///<", at)
-            done.append(leading(line) + ("/// " if after else "// ") + line[at + (4 if after else 2):].strip())
+            mark, text = ("/// ", line[at + 4:]) if line.startswith("///<", at) else ("// ", line[at + 2:])
+            done.append(leading(line) + mark + text.strip())
             line = line[:at].rstrip()
         done.append(line)
     return done
@@ -170,7 +174,8 @@ def split_raw_strings(lines):
     for line in lines:
         while len(line) > LIMIT:
             # The string that passes the limit, not one beside it.
-            match = next((m for m in re.finditer(r'R"\(([^"]*?)\)"', line) if m.start(1) < LIMIT - 2 < m.end(1) + 2), None)
+            strings = re.finditer(r'R"\(([^"]*?)\)"', line)
+            match = next((m for m in strings if m.start(1) < LIMIT - 2 < m.end(1) + 2), None)
             begin = match.start(1) + 20 if match else LIMIT
             cut = max(line.rfind(" ", begin, LIMIT - 2) + 1, line.rfind("\\", begin, LIMIT - 2))
             if cut <= begin:
@@ -186,7 +191,7 @@ def join_short_bodies(lines):
     done, i = [], 0
     while i < len(lines):
         line = lines[i]
-        if (i + 2 < len(lines) and done and line.endswith(") {") | line.endswith("const {") | line.endswith("noexcept {")
+        if (i + 2 < len(lines) and done and line.endswith((") {", "const {", "noexcept {"))
                 and re.match(r"\s*(template\b|requires\b)", done[-1]) and lines[i + 2] == leading(line) + "}"
                 and leading(lines[i + 1]) == leading(line) + "  " and lines[i + 1].endswith(";")
                 and not re.match(r"\s*(if|for|while|do|switch|//|template|requires)\b", line)

@@ -7,7 +7,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 # A function is read whole before it runs: this file may change meanwhile.
 format() {
   # Versions differ in what they write; this one knows requires clauses.
-  command -v clang-format-16 >/dev/null || { echo "clang-format-16 is needed: apt install clang-format-16" >&2; exit 2; }
+  if ! command -v clang-format-16 >/dev/null; then
+    echo "clang-format-16 is needed: apt install clang-format-16" >&2
+    exit 2
+  fi
   mapfile -t sources < <(git ls-files '*.hpp' '*.cpp')
   mapfile -t others < <(git ls-files run '*.sh' '*.cmake' '*CMakeLists.txt' '*.mjs' '*.js' 'data/*.toml')
   python3 cmake/tools/break_lines.py "${others[@]}" >/dev/null || true

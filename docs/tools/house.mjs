@@ -8,49 +8,60 @@ import fs from 'node:fs';
 import path from 'node:path';
 import { boxed, escapeHtml, walk } from './lib.mjs';
 
-/** The modules in the order of their declaration: { name, uses, about, files, lines, floor }. A floor is one above the highest that is used. */
+/** The modules in the order of their declaration: { name, uses, about, files, lines, floor }.
+ *  A floor is one above the highest that is used. */
 export function readHouse(root, errors) {
   const read = file => fs.readFileSync(path.join(root, file), 'utf8');
-  const about = new Map([...read('docs/rooms.dox').matchAll(/\\dir src\/actio\/(\w+)\s+\\brief ([^]*?)\s*\*\//g)].map(m => [m[1], m[2]]));
+  const rooms = read('docs/rooms.dox').matchAll(/\\dir src\/actio\/(\w+)\s+\\brief ([^]*?)\s*\*\//g);
+  const about = new Map([...rooms].map(m => [m[1], m[2]]));
+  const dox = path.join(root, 'docs/rooms.dox');
   const house = new Map();
   for (const [, name, rest] of read('CMakeLists.txt').matchAll(/^actio_module\((\w+)(.*)\)$/gm)) {
     const uses = (/USES ([\w ]+?)(?: LINKS|$)/.exec(rest.trim())?.[1] ?? '').split(' ').filter(Boolean);
     const files = walk(path.join(root, 'src/actio', name)).filter(f => /\.[hc]pp$/.test(f));
     const lines = files.reduce((sum, f) => sum + fs.readFileSync(f, 'utf8').split('\n').length - 1, 0);
     const floor = uses.reduce((highest, u) => Math.max(highest, house.get(u).floor + 1), 0);
-    if (!about.has(name)) errors.add(path.join(root, 'docs/rooms.dox'), 1, `nothing is said of src/actio/${name}`);
+    if (!about.has(name)) errors.add(dox, 1, `nothing is said of src/actio/${name}`);
     house.set(name, { name, uses, about: about.get(name) ?? '', files: files.length, lines, floor });
   }
   for (const name of about.keys())
-    if (!house.has(name)) errors.add(path.join(root, 'docs/rooms.dox'), 1, `CMakeLists.txt declares no module ${name}`);
+    if (!house.has(name)) errors.add(dox, 1, `CMakeLists.txt declares no module ${name}`);
   return house;
 }
 
-/** The rooms floor by floor, the ground floor at the bottom, and an arrow from each room to those that it uses. */
+/** The rooms floor by floor, the ground floor at the bottom; an arrow from each room to those that it uses. */
 export function housePlan(house) {
   const floors = [];
   for (const room of house.values()) (floors[room.floor] ??= []).push(room);
   const width = 760, high = 34, step = 72, wide = 128, place = new Map();
   floors.forEach((rooms, floor) => rooms.forEach((room, i) => {
-    // Under the middle of what it uses, where no other room of the floor is in the way.
-    place.set(room.name, { x: width * (i + 1) / (rooms.length + 1), y: step * (floors.length - 1 - floor) + high });
+    const x = width * (i + 1) / (rooms.length + 1), y = step * (floors.length - 1 - floor) + high;
+    place.set(room.name, { x, y });
   }));
   const arrows = [...house.values()].flatMap(room => room.uses.map(used => {
     const from = place.get(room.name), to = place.get(used), a = from.y + high / 2, b = to.y - high / 2 - 5;
-    return `<path d="M${from.x} ${a} C${from.x} ${(a + b) / 2} ${to.x} ${(a + b) / 2} ${to.x} ${b}" marker-end="url(#house-tip)"/>`;
+    const middle = (a + b) / 2, curve = `M${from.x} ${a} C${from.x} ${middle} ${to.x} ${middle} ${to.x} ${b}`;
+    return `<path d="${curve}" marker-end="url(#house-tip)"/>`;
   }));
   const boxes = [...house.values()].map(({ name }) => {
     const { x, y } = place.get(name);
-    return `<rect x="${x - wide / 2}" y="${y - high / 2}" width="${wide}" height="${high}" rx="5"/><text x="${x}" y="${y + 5}">${name}</text>`;
+    const box = `<rect x="${x - wide / 2}" y="${y - high / 2}" width="${wide}" height="${high}" rx="5"/>`;
+    return `${box}<text x="${x}" y="${y + 5}">${name}</text>`;
   });
-  return `<figure class="house-plan"><svg viewBox="0 0 ${width} ${step * floors.length}" role="img" aria-label="The modules and what they use">
-<defs><marker id="house-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto"><path d="M0 0L8 4L0 8z" class="tip"/></marker></defs>
+  const view = `viewBox="0 0 ${width} ${step * floors.length}" role="img" aria-label="The modules and what they use"`;
+  return `<figure class="house-plan"><svg ${view}>
+<defs><marker id="house-tip" viewBox="0 0 8 8" refX="6" refY="4" markerWidth="7" markerHeight="7" orient="auto">
+<path d="M0 0L8 4L0 8z" class="tip"/></marker></defs>
 <g class="arrows">${arrows.join('')}</g><g class="rooms">${boxes.join('')}</g></svg>
-<figcaption>An arrow leads from a module to what it uses; what that uses comes along. All arrows lead down.</figcaption></figure>`;
+<figcaption>An arrow leads from a module to what it uses; what that uses comes along.
+All arrows lead down.</figcaption></figure>`;
 }
 
 /** What each room holds, which modules it uses, and how large it is. */
 export function houseTable(house) {
-  const rows = [...house.values()].map(r => `<tr><td><code>${r.name}</code></td><td>${escapeHtml(r.about)}</td><td>${r.uses.join(', ') || '–'}</td><td>${r.files}</td><td>${r.lines}</td></tr>`);
-  return boxed(`<table class="programs house"><thead><tr><th>module</th><th>what it holds</th><th>uses</th><th>files</th><th>lines</th></tr></thead><tbody>${rows.join('')}</tbody></table>`);
+  const row = (cell, cells) => `<tr>${cells.map(c => `<${cell}>${c}</${cell}>`).join('')}</tr>`;
+  const head = row('th', ['module', 'what it holds', 'uses', 'files', 'lines']);
+  const rows = [...house.values()].map(r =>
+    row('td', [`<code>${r.name}</code>`, escapeHtml(r.about), r.uses.join(', ') || '–', r.files, r.lines]));
+  return boxed(`<table class="programs house"><thead>${head}</thead><tbody>${rows.join('')}</tbody></table>`);
 }

@@ -3,7 +3,9 @@
 set -uo pipefail
 cd "$1" || exit
 export LC_ALL=C.UTF-8
-long() { find "$@" -name '*.[hc]pp' -print0 | xargs -0 grep -nP '^.{111,}' | sed -E 's/^([^:]+:[0-9]+):.*/\1/'; }
+long() { # FOLDER...
+  find "$@" -name '*.[hc]pp' -print0 | xargs -0 grep -nP '^.{111,}' /dev/null | sed -E 's/^([^:]+:[0-9]+):.*/\1/'
+}
 found=$(long src chapters proofs_checks tests benchmarks)
 [[ -z $found ]] || { printf 'past column 110:\n%s\n' "$found"; exit 1; }
 
@@ -13,5 +15,9 @@ planted=$(mktemp -d)
 trap 'rm -rf "$planted"' EXIT
 printf '//%0107dé\n' 0 >"$planted/short.hpp"
 printf '//%0109d\n' 0 >"$planted/long.hpp"
-[[ $(long "$planted") == "$planted/long.hpp:1" ]] || { echo "planted lines: found '$(long "$planted")'"; exit 1; }
-echo "no line of $(find src chapters proofs_checks tests benchmarks -name '*.[hc]pp' | wc -l) files passes column 110"
+if [[ $(long "$planted") != "$planted/long.hpp:1" ]]; then
+  echo "planted lines: found '$(long "$planted")'"
+  exit 1
+fi
+files=$(find src chapters proofs_checks tests benchmarks -name '*.[hc]pp' | wc -l)
+echo "no line of $files files passes column 110"
