@@ -1,0 +1,114 @@
+// The lines to try of chapter 6: jets, momenta, the Cartan form, the sign of (6.8), Piola's identity and stresses.
+//
+// All but the last two are about the gas of gas_ellipse.hpp, `thrown_gas()`, a turning ellipse that spreads.
+#include "actio/continuum/stresses.hpp"
+#include "actio/continuum/two_point_divergence.hpp"
+#include "actio/jets/cartan.hpp"
+#include "actio/jets/field_equations.hpp"
+#include "actio/jets/first_variation.hpp"
+#include "actio/jets/prolongation.hpp"
+#include "book/try_it.hpp"
+#include "gas_ellipse.hpp"
+
+using namespace actio;
+
+TRY_IT(jet) {
+  auto const phi = linear_motion<2>(EllipticGas{0.2, 1.4}, thrown_gas());  // phi(t, X) = A(t) X
+  auto const seen_from_a_train = [&](auto const& x) {                      // y' = y - 3 t along the first axis
+    auto y = phi(x);
+    y[0] -= 3.0 * x[0];
+    return y;
+  };
+  Event<double, 2> const x(0.1, 0.6, 0.3);  // the time, then the particle
+  auto const j = first_jet(phi, x);
+  print("velocity", j.velocity());
+  print("deformation gradient F", j.gradient());
+  print("the same jet from the train", first_jet(seen_from_a_train, x).v);
+  print("Jacobian", jacobian(Kronecker<2>{}, Kronecker<2>{}, Matrix<double, 2, 2>(j.gradient())));
+}
+
+TRY_IT(legendre) {
+  EllipticGas const gas{0.2, 1.4};
+  auto const medium = gas.medium();
+  auto const j = first_jet(linear_motion<2>(gas, thrown_gas()), Event<double, 2>(0.1, 0.6, 0.3));
+  auto const z = legendre(medium, j);  // a point of the dual jet bundle: x, y, Pi, p
+  double const e = energy_density(medium, j), work = pairing(z, j) - z.Pi - z.p.col(0).dot(j.velocity());
+  print("momenta p, a column for each mu", z.p);
+  print("Pi", z.Pi);
+  print("Pi + p_a^j v^a_j + e", z.Pi + work + e);
+  print("its value on its own jet less L", pairing(z, j) - medium(j));
+}
+
+TRY_IT(holonomic) {
+  EllipticGas const gas{0.2, 1.4};
+  auto const medium = gas.medium();
+  auto const phi = linear_motion<2>(gas, thrown_gas());
+  // Sections of the jet bundle over the same places, with the second component of the velocity scaled.
+  auto const section = [&](double scale) {
+    return [&, scale](auto const& x) {
+      auto j = first_jet(phi, x);
+      j.v(1, 0) *= scale;
+      return coordinates(j);
+    };
+  };
+  Event<double, 2> const x(0.1, 0.6, 0.3);
+  Tangents<double, 3, 3> const sides = Tangents<double, 3, 3>::Identity();
+  for (double const scale : {1.0, 0.0, 2.0})  // the jet of phi; velocity cut; velocity doubled
+    print("z* Theta_L - L(z)", pull_back(section(scale), cartan_form<2, 2>(medium))(x, sides) -
+                                   medium(jet_at<2, 2>(section(scale)(x))));
+}
+
+TRY_IT(sign) {
+  EllipticGas const gas{0.2, 1.4};
+  auto const medium = gas.medium();
+  auto const phi = [](auto const& x) {  // solves nothing
+    auto y = linear_motion<2>(EllipticGas{0.2, 1.4}, thrown_gas())(x);
+    y[0] += x[1] * x[1] * x[2] * 2.0;
+    return y;
+  };
+  auto const V = [](auto const& at) {  // (V^mu, V^a), moves space-time and places
+    auto rate = at;
+    rate << at[1], at[0] + 0.5, at[2] * at[3], at[4] * at[1], at[3] - at[0];
+    return rate;
+  };
+  Event<double, 2> const x(0.1, 0.6, 0.3);
+  auto const j = second_jet(phi, x);
+  Matrix<double, 5, 1> at;
+  at << x, phi(x);
+  // [eq_6_8]
+  auto const Omega = multisymplectic_form<2, 2>(medium);
+  double const left = euler_lagrange(medium, j).dot(vertical_part<double, 2, 2>(j, V(at)));
+  double const right = pull_back(jet_extension(phi), contract(prolonged<2, 2>(V), Omega))(
+      x, Tangents<double, 3, 3>::Identity());
+  // [eq_6_8]
+  print("E_a (V^a - v^a_mu V^mu)", left);
+  print("pulled back j1V hook Omega", right);
+  print("their sum", left + right);
+}
+
+TRY_IT(cofactors) {
+  auto const bend = [](auto const& x) {  // a deformation of the plane at the time x[0]
+    auto y = x.template tail<2>().eval();
+    y[0] += x[1] * x[2] * 0.3, y[1] += x[1] * x[1] * 0.2 * x[0];
+    return y;
+  };
+  auto j = second_jet(bend, Event<double, 2>(0.5, 0.4, -0.2));
+  print("divergence of J F^-1, a gradient", piola_identity(Euclidean<2>{}, Euclidean<2>{}, j));
+  j.w[1](0, 2) += 0.1;  // d_1 F^1_2 is no longer d_2 F^1_1: no deformation has this second jet
+  print("the same, no gradient", piola_identity(Euclidean<2>{}, Euclidean<2>{}, j));
+}
+
+TRY_IT(stresses) {
+  Continuum const rubber{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{},
+                         OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};
+  Jet<double, 3, 3> j = Jet<double, 3, 3>{Event<double, 3>::Zero(), Vector<double, 3>::Zero(), {}};
+  j.v << 0, 1.4, 0.2, 0, 0, -0.1, 0.8, 0.1, 0, 0, 0, 0.9;  // at rest, stretched and sheared
+  Matrix<double, 3, 3> const F = j.gradient(), P = first_piola_kirchhoff_stress(rubber, j),
+                             sigma = cauchy_stress(rubber, j);
+  print("first Piola-Kirchhoff stress", P);
+  print("Cauchy stress", sigma);
+  print("P less Piola's transformation of sigma",
+        (P - piola_transformation(Kronecker<3>{}, Kronecker<3>{}, F, sigma)).norm());
+}
+
+TRY_IT_MAIN("the lines to try of chapter 6")
