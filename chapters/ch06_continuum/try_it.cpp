@@ -13,8 +13,8 @@
 using namespace actio;
 
 TRY_IT(jet) {
-  auto const phi = linear_motion<2>(EllipticGas{0.2, 1.4}, thrown_gas());  // phi(t, X) = A(t) X
-  auto const seen_from_a_train = [&](auto const& x) {                      // y' = y - 3 t along the first axis
+  auto const phi = linear_motion<2>(EllipticGas{0.2, 1.4}, thrown_gas());  // A(t) x
+  auto const from_a_train = [&](auto const& x) {  // with the velocity 3 along the first axis
     auto y = phi(x);
     y[0] -= 3.0 * x[0];
     return y;
@@ -23,16 +23,19 @@ TRY_IT(jet) {
   auto const j = first_jet(phi, x);
   print("velocity", j.velocity());
   print("deformation gradient F", j.gradient());
-  print("the same jet from the train", first_jet(seen_from_a_train, x).v);
-  print("Jacobian", jacobian(Kronecker<2>{}, Kronecker<2>{}, Matrix<double, 2, 2>(j.gradient())));
+  print("the same jet from the train", first_jet(from_a_train, x).v);
+  Matrix<double, 2, 2> const F = j.gradient();
+  print("Jacobian", jacobian(Kronecker<2>{}, Kronecker<2>{}, F));
 }
 
 TRY_IT(legendre) {
   EllipticGas const gas{0.2, 1.4};
   auto const medium = gas.medium();
-  auto const j = first_jet(linear_motion<2>(gas, thrown_gas()), Event<double, 2>(0.1, 0.6, 0.3));
+  auto const phi = linear_motion<2>(gas, thrown_gas());
+  auto const j = first_jet(phi, Event<double, 2>(0.1, 0.6, 0.3));
   auto const z = legendre(medium, j);  // a point of the dual jet bundle: x, y, Pi, p
-  double const e = energy_density(medium, j), work = pairing(z, j) - z.Pi - z.p.col(0).dot(j.velocity());
+  double const e = energy_density(medium, j);
+  double const work = pairing(z, j) - z.Pi - z.p.col(0).dot(j.velocity());  // p_a^j v^a_j
   print("momenta p, a column for each mu", z.p);
   print("Pi", z.Pi);
   print("Pi + p_a^j v^a_j + e", z.Pi + work + e);
@@ -43,7 +46,7 @@ TRY_IT(holonomic) {
   EllipticGas const gas{0.2, 1.4};
   auto const medium = gas.medium();
   auto const phi = linear_motion<2>(gas, thrown_gas());
-  // Sections of the jet bundle over the same places, with the second component of the velocity scaled.
+  // Sections of the jet bundle over the same places; the second velocity is scaled.
   auto const section = [&](double scale) {
     return [&, scale](auto const& x) {
       auto j = first_jet(phi, x);
@@ -53,9 +56,11 @@ TRY_IT(holonomic) {
   };
   Event<double, 2> const x(0.1, 0.6, 0.3);
   Tangents<double, 3, 3> const sides = Tangents<double, 3, 3>::Identity();
-  for (double const scale : {1.0, 0.0, 2.0})  // the jet of phi; velocity cut; velocity doubled
-    print("z* Theta_L - L(z)", pull_back(section(scale), cartan_form<2, 2>(medium))(x, sides) -
-                                   medium(jet_at<2, 2>(section(scale)(x))));
+  auto const Theta = cartan_form<2, 2>(medium);
+  for (double const scale : {1.0, 0.0, 2.0}) {  // the jet of phi; velocity cut; velocity doubled
+    auto const z = section(scale);
+    print("z* Theta_L - L(z)", pull_back(z, Theta)(x, sides) - medium(jet_at<2, 2>(z(x))));
+  }
 }
 
 TRY_IT(sign) {
@@ -73,13 +78,17 @@ TRY_IT(sign) {
   };
   Event<double, 2> const x(0.1, 0.6, 0.3);
   auto const j = second_jet(phi, x);
-  Matrix<double, 5, 1> at;
+  auto const E = euler_lagrange(medium, j);
+  Variation<double, 2, 2> at, V_here;
   at << x, phi(x);
-  // [eq_6_8]
+  V_here = V(at);
+  auto const j1V = prolonged<2, 2>(V);
   auto const Omega = multisymplectic_form<2, 2>(medium);
-  double const left = euler_lagrange(medium, j).dot(vertical_part<double, 2, 2>(j, V(at)));
-  double const right = pull_back(jet_extension(phi), contract(prolonged<2, 2>(V), Omega))(
-      x, Tangents<double, 3, 3>::Identity());
+  Tangents<double, 3, 3> const sides = Tangents<double, 3, 3>::Identity();
+  // [eq_6_8]
+  double const left = E.dot(vertical_part<double, 2, 2>(j, V_here));
+  auto const contracted = pull_back(jet_extension(phi), contract(j1V, Omega));
+  double const right = contracted(x, sides);
   // [eq_6_8]
   print("E_a (V^a - v^a_mu V^mu)", left);
   print("pulled back j1V hook Omega", right);
@@ -93,22 +102,25 @@ TRY_IT(cofactors) {
     return y;
   };
   auto j = second_jet(bend, Event<double, 2>(0.5, 0.4, -0.2));
-  print("divergence of J F^-1, a gradient", piola_identity(Euclidean<2>{}, Euclidean<2>{}, j));
-  j.w[1](0, 2) += 0.1;  // d_1 F^1_2 is no longer d_2 F^1_1: no deformation has this second jet
-  print("the same, no gradient", piola_identity(Euclidean<2>{}, Euclidean<2>{}, j));
+  Euclidean<2> const flat;
+  print("divergence of J F^-1, a gradient", piola_identity(flat, flat, j));
+  j.w[1](0, 2) += 0.1;  // d_1 F^1_2 is no longer d_2 F^1_1: F is no gradient
+  print("the same, no gradient", piola_identity(flat, flat, j));
 }
 
 TRY_IT(stresses) {
   Continuum const rubber{Euclidean<3>{}, Euclidean<3>{}, Homogeneous<double>{},
                          OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};
-  Jet<double, 3, 3> j = Jet<double, 3, 3>{Event<double, 3>::Zero(), Vector<double, 3>::Zero(), {}};
+  Jet<double, 3, 3> j;
+  j.x.setZero(), j.y.setZero();
   j.v << 0, 1.4, 0.2, 0, 0, -0.1, 0.8, 0.1, 0, 0, 0, 0.9;  // at rest, stretched and sheared
-  Matrix<double, 3, 3> const F = j.gradient(), P = first_piola_kirchhoff_stress(rubber, j),
-                             sigma = cauchy_stress(rubber, j);
+  Matrix<double, 3, 3> const F = j.gradient();
+  Matrix<double, 3, 3> const P = first_piola_kirchhoff_stress(rubber, j);
+  Matrix<double, 3, 3> const sigma = cauchy_stress(rubber, j);
   print("first Piola-Kirchhoff stress", P);
   print("Cauchy stress", sigma);
-  print("P less Piola's transformation of sigma",
-        (P - piola_transformation(Kronecker<3>{}, Kronecker<3>{}, F, sigma)).norm());
+  Kronecker<3> const flat;
+  print("P less Piola's transformation of sigma", (P - piola_transformation(flat, flat, F, sigma)).norm());
 }
 
 TRY_IT_MAIN("the lines to try of chapter 6")

@@ -51,7 +51,7 @@ template <class Phi, class V>
 Terms terms(Phi const& phi, V const& field, int count) {
   auto const medium = gas.medium();
   int const degree = 2 * count - 1;
-  auto const E_on_vertical_part = [&](Event<double, 2> const& x) {
+  auto const E_on_vertical = [&](Event<double, 2> const& x) {
     Matrix<double, 5, 1> at;
     at << x, phi(x);
     auto const jet = second_jet(phi, x);
@@ -64,10 +64,11 @@ Terms terms(Phi const& phi, V const& field, int count) {
   auto const vertical_form = [&]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, 3> const& T) -> S {
     return affine_form<2, 2>(momenta(medium, jet_at<2, 2>(at)), S(0), at, T);
   };
+  auto const Theta = cartan_form<2, 2>(medium);
   // [eq_6_7]
   double const dS = action_variation(medium, phi, field, box, degree);
-  double const inside = integral(E_on_vertical_part, box.low, box.high, degree);
-  double const boundary = boundary_integral(contracted(cartan_form<2, 2>(medium)), box, degree);
+  double const inside = integral(E_on_vertical, box.low, box.high, degree);
+  double const boundary = boundary_integral(contracted(Theta), box, degree);
   // [eq_6_7]
   return {dS, inside, boundary, boundary_integral(contracted(vertical_form), box, degree)};
 }
