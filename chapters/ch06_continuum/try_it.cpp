@@ -57,42 +57,37 @@ TRY_IT(holonomic) {
   Event<double, 2> const x(0.1, 0.6, 0.3);
   Tangents<double, 3, 3> const sides = Tangents<double, 3, 3>::Identity();
   auto const Theta = cartan_form<2, 2>(medium);
-  for (double const scale : {1.0, 0.0, 2.0}) {  // the jet of phi; velocity cut; velocity doubled
+  for (double const scale : {1.0, 0.0, 2.0}) {  // the jet of phi; velocity cut; doubled
     auto const z = section(scale);
-    print("z* Theta_L - L(z)", pull_back(z, Theta)(x, sides) - medium(jet_at<2, 2>(z(x))));
+    double const density = medium(jet_at<2, 2>(z(x)));
+    print("z* Theta_L - L(z)", pull_back(z, Theta)(x, sides) - density);
   }
 }
 
 TRY_IT(sign) {
   EllipticGas const gas{0.2, 1.4};
   auto const medium = gas.medium();
-  auto const phi = [](auto const& x) {  // solves nothing
-    auto y = linear_motion<2>(EllipticGas{0.2, 1.4}, thrown_gas())(x);
-    y[0] += x[1] * x[1] * x[2] * 2.0;
-    return y;
+  auto const motion = linear_motion<2>(gas, thrown_gas());
+  auto const phi = [&](auto const& x) {  // solves nothing
+    return (motion(x) * (x[1] * x[1] + 1.0)).eval();
   };
-  auto const V = [](auto const& at) {  // (V^mu, V^a), moves space-time and places
-    auto rate = at;
-    rate << at[1], at[0] + 0.5, at[2] * at[3], at[4] * at[1], at[3] - at[0];
-    return rate;
+  auto const V = [](auto at) {  // (V^mu, V^a): moves space-time and places
+    at << 1.0, 0.5, 0.0, 0.3, 1.0;
+    return at;
   };
   Event<double, 2> const x(0.1, 0.6, 0.3);
   auto const j = second_jet(phi, x);
   auto const E = euler_lagrange(medium, j);
-  Variation<double, 2, 2> at, V_here;
-  at << x, phi(x);
-  V_here = V(at);
-  auto const j1V = prolonged<2, 2>(V);
+  auto const q = vertical_part<double, 2, 2>(j, V(Variation<double, 2, 2>()));
   auto const Omega = multisymplectic_form<2, 2>(medium);
   Tangents<double, 3, 3> const sides = Tangents<double, 3, 3>::Identity();
   // [eq_6_8]
-  double const left = E.dot(vertical_part<double, 2, 2>(j, V_here));
-  auto const contracted = pull_back(jet_extension(phi), contract(j1V, Omega));
-  double const right = contracted(x, sides);
+  double const left = E.dot(q);
+  auto const contracted = contract(prolonged<2, 2>(V), Omega);
+  double const right = -pull_back(jet_extension(phi), contracted)(x, sides);
   // [eq_6_8]
-  print("E_a (V^a - v^a_mu V^mu)", left);
-  print("pulled back j1V hook Omega", right);
-  print("their sum", left + right);
+  print("left and right side of (6.8)", Vector<double, 2>(left, right));
+  print("with the printed sign they differ by", left + right);
 }
 
 TRY_IT(cofactors) {
@@ -113,14 +108,15 @@ TRY_IT(stresses) {
                          OfGreenTensor{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}}};
   Jet<double, 3, 3> j;
   j.x.setZero(), j.y.setZero();
-  j.v << 0, 1.4, 0.2, 0, 0, -0.1, 0.8, 0.1, 0, 0, 0, 0.9;  // at rest, stretched and sheared
+  j.v << 0, 1.4, 0.2, 0, 0, -0.1, 0.8, 0.1, 0, 0, 0, 0.9;  // stretched, sheared
   Matrix<double, 3, 3> const F = j.gradient();
   Matrix<double, 3, 3> const P = first_piola_kirchhoff_stress(rubber, j);
   Matrix<double, 3, 3> const sigma = cauchy_stress(rubber, j);
   print("first Piola-Kirchhoff stress", P);
   print("Cauchy stress", sigma);
   Kronecker<3> const flat;
-  print("P less Piola's transformation of sigma", (P - piola_transformation(flat, flat, F, sigma)).norm());
+  Matrix<double, 3, 3> const carried = piola_transformation(flat, flat, F, sigma);
+  print("P less Piola's transformation of sigma", (P - carried).norm());
 }
 
 TRY_IT_MAIN("the lines to try of chapter 6")
