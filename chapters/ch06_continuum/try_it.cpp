@@ -1,4 +1,5 @@
-// The lines to try of chapter 6: jets, momenta, the Cartan form, the sign of (6.8), Piola's identity and stresses.
+// The lines to try of chapter 6: jets, momenta, the Cartan form, the sign of (6.8), Newton's law, Piola's identity and
+// stresses.
 //
 // All but the last two are about the gas of gas_ellipse.hpp, `thrown_gas()`, a turning ellipse that spreads.
 #include "actio/continuum/stresses.hpp"
@@ -88,6 +89,21 @@ TRY_IT(sign) {
   // [eq_6_8]
   print("left and right side of (6.8)", Vector<double, 2>(left, right));
   print("with the printed sign they differ by", left + right);
+}
+
+TRY_IT(newton) {
+  EllipticGas const gas{0.2, 1.4};
+  auto const medium = gas.medium();
+  auto const phi = linear_motion<2>(gas, thrown_gas());
+  auto const j = second_jet(phi, Event<double, 2>(0.1, 0.6, 0.3));
+  double const rho = medium.rho(j.particle());
+  auto const P = [&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); };
+  // [eq_6_15]
+  Vector<double, 2> const left = rho * j.acceleration();
+  Vector<double, 2> const right = total_divergence(P, j);
+  // [eq_6_15]
+  print("mass times acceleration", left);
+  print("divergence of the stress", right);
 }
 
 TRY_IT(cofactors) {
