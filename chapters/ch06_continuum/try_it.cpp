@@ -1,5 +1,5 @@
-// The lines to try of chapter 6: jets, momenta, the Cartan form, the sign of (6.8), Newton's law, Piola's identity and
-// stresses.
+// The lines to try of chapter 6: jets, momenta, the Cartan form, the sign of (6.8), Newton's law, Piola's
+// identity and stresses.
 //
 // All but the last two are about the gas of gas_ellipse.hpp, `thrown_gas()`, a turning ellipse that spreads.
 #include "actio/continuum/stresses.hpp"
