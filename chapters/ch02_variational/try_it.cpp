@@ -11,16 +11,18 @@
 #include "book/try_it.hpp"
 #include "running_examples.hpp"
 using namespace actio;
+using Vector1 = actio::Vector<double, 1>;
 using Vector2 = actio::Vector<double, 2>;
 using Vector3 = actio::Vector<double, 3>;
 
 TRY_IT(pendulum) {
   auto const pendulum = [](auto const& v) {  // v is a State, at any scalar
     auto const& xi = v.velocity.coordinates[0];
-    return xi * xi / 2.0 + 9.81 * v.configuration.value(0, 0);  // the entry is the cosine of the angle
+    auto const cosine = v.configuration.value(0, 0);  // of the angle
+    return xi * xi / 2.0 + 9.81 * cosine;
   };
-  State<SO<2>, double> const v{exp(velocity(SO<2>{}, Vector<double, 1>(0.5))),
-                               velocity(SO<2>{}, Vector<double, 1>(2.0))};
+  auto const g = exp(velocity(SO<2>{}, Vector1(0.5)));
+  State<SO<2>, double> const v{g, velocity(SO<2>{}, Vector1(2.0))};
   print("acceleration", lagrange_acceleration(pendulum, v));
   print("-9.81 sin(0.5)", -9.81 * std::sin(0.5));
   print("regular: d2L/dxi2", fibre_hessian(pendulum, v));
@@ -29,29 +31,39 @@ TRY_IT(pendulum) {
 
 TRY_IT(moving_ends) {
   auto const L = right_invariant(ball_in_field());
-  auto const a = velocity(SO<3>{}, Vector3(0.3, -0.2, 0.5)), b = velocity(SO<3>{}, Vector3(0.1, 0.4, -0.3));
-  auto const curve = [&]<class T>(T const& t) { return retract(t * over<T>(a)) * retract(t * t * over<T>(b)); };
-  auto const family = [&]<class T>(T const& e, T const& t) { return retract(e * t * over<T>(b)) * curve(t); };
+  auto const a = velocity(SO<3>{}, Vector3(0.3, -0.2, 0.5));
+  auto const b = velocity(SO<3>{}, Vector3(0.1, 0.4, -0.3));
+  auto const curve = [&]<class T>(T const& t) {
+    return retract(t * over<T>(a)) * retract(t * t * over<T>(b));
+  };
+  auto const family = [&]<class T>(T const& e, T const& t) {
+    return retract(e * t * over<T>(b)) * curve(t);
+  };
+  auto const integrand = [&](double t) {
+    auto const D = euler_lagrange(L, tangent(curve, t), second_tangent(curve, t).velocity);
+    return pair(D, lifted_variation(family, t).configuration);
+  };
   Quadrature<double> const rule(24);
-  double const dS = action_variation(L, family, 0.0, 1.0, rule);
-  double const inside = rule([&](double t) {
-    return pair(euler_lagrange(L, tangent(curve, t), second_tangent(curve, t).velocity),
-                lifted_variation(family, t).configuration);
-  }, 0.0, 1.0);
-  double const end = lagrange_one_form(L, tangent(curve, 1.0), lifted_variation(family, 1.0));
-  print("dS", dS);
+  auto const end = [&](double t) {
+    return lagrange_one_form(L, tangent(curve, t), lifted_variation(family, t));
+  };
+  double const inside = rule(integrand, 0.0, 1.0);
+  print("dS", action_variation(L, family, 0.0, 1.0, rule));
   print("integral alone", inside);
-  print("integral and boundary term", inside + end);
+  print("integral and boundary term", inside + end(1.0) - end(0.0));
 }
 
 TRY_IT(two_momenta) {
   auto const L = right_invariant(ball_in_field());
   auto const g = exp(velocity(SO<3>{}, Vector3(0.4, 0.1, -0.7)));
   State<SO<3>, double> const v{g, velocity(SO<3>{}, Vector3(2.0, 1.0, -3.0))};
-  auto const later = moved(v, lagrange_vector_field(L, v));  // v, moved infinitely little along its motion
+  auto const later = moved(v, lagrange_vector_field(L, v));  // a dual number
   auto const zeta = velocity(SO<3>{}, Vector3(1.0, 0.0, 0.0));
-  print("rate along a turn from the right", noether_momentum(L, later, right_translation(zeta)).part[0]);
-  print("rate along a turn from the left", noether_momentum(L, later, left_translation(zeta)).part[0]);
+  auto const rate = [&](auto const& generator) {
+    return noether_momentum(L, later, generator).part[0];
+  };
+  print("rate of J, turns from the right", rate(right_translation(zeta)));
+  print("rate of J, turns from the left", rate(left_translation(zeta)));
 }
 
 TRY_IT(larmor) {
@@ -64,7 +76,8 @@ TRY_IT(larmor) {
   };
   print("mu'", lie_poisson_rate_right(h, mu));
   print("mu x b / I", Vector3(mu.components.cross(ball_field) / ball_inertia));
-  print("Euler-Poincaré", Vector3(ball_inertia * euler_poincare_acceleration_right(l, xi).coordinates));
+  auto const rate = euler_poincare_acceleration_right(l, xi);
+  print("Euler-Poincaré", Vector3(ball_inertia * rate.coordinates));
 }
 
 TRY_IT(stars_matter) {
