@@ -18,18 +18,17 @@ using namespace actio;
 using Matrix3d = actio::Matrix<double, 3, 3>;
 using Vector3d = actio::Vector<double, 3>;
 
-// 1. The book and its Lagrangian: a function of the body velocity, at every scalar; the same one on TG. Axis 1
-//    runs along the height of the book, 2 across, 3 through the pages. It is thrown with the momentum of 12
-//    radians a second about the middle axis.
+// 1. The book and its Lagrangian: a function of the body velocity, at every
+//    scalar; the same one on TG. Axis 1 runs along the height of the book, 2
+//    across, 3 through the pages. It is thrown with the momentum of 12 radians
+//    a second about the middle axis.
 auto const l = thrown_book();
 auto const L = left_invariant(l);
 auto const& I = book_inertia;
 double const p = 12 * I[1], h = 1.25e-4, duration = 4;
 
-// 2. Its two momenta, in the frame of the book and in that of space.
-auto body(Vector3d const& w) { return velocity(SO<3>{}, w); }
-
-// A state of the book: attitude and body velocity, with sums and multiples for the Runge-Kutta method.
+// 2. A state, attitude and body velocity, and its two momenta, in the frame of
+//    the book and in that of space.
 struct Motion {
   Matrix3d R;
   Vector3d Omega;
@@ -37,29 +36,37 @@ struct Motion {
 };
 Motion operator*(double s, Motion const& a) { return {s * a.R, s * a.Omega}; }
 
+Element<SO<3>, double> attitude(Motion const& m) { return {{}, m.R}; }
+auto body(Vector3d const& w) { return velocity(SO<3>{}, w); }
 auto Pi_of(Motion const& m) { return gradient(l, body(m.Omega)); }
-auto mu_of(Motion const& m) { return Ad_star(inverse(Element<SO<3>, double>{{}, m.R}), Pi_of(m)); }
+auto mu_of(Motion const& m) { return Ad_star(inverse(attitude(m)), Pi_of(m)); }
 
-// 3. Three equations of motion: Euler-Poincaré in the algebra with R reconstructed; the same with the sign of
-//    right-invariant systems, as a control; and Euler-Lagrange on TG, which uses no symmetry.
+// 3. Three equations of motion: Euler-Poincaré in the algebra, with R
+//    reconstructed; the same with the sign of right-invariant systems, as a
+//    control; and Euler-Lagrange on TG, which uses no symmetry.
 Motion reduced(Motion const& m) {
-  return {m.R * SO<3>::hat(m.Omega), euler_poincare_acceleration_left(l, body(m.Omega)).coordinates};
+  auto const rate = euler_poincare_acceleration_left(l, body(m.Omega));
+  return {m.R * SO<3>::hat(m.Omega), rate.coordinates};
 }
 Motion wrong_side(Motion const& m) {
-  return {m.R * SO<3>::hat(m.Omega), euler_poincare_acceleration_right(l, body(m.Omega)).coordinates};
+  auto const rate = euler_poincare_acceleration_right(l, body(m.Omega));
+  return {m.R * SO<3>::hat(m.Omega), rate.coordinates};
 }
 Motion unreduced(Motion const& m) {
-  // On TG the velocity is the spatial one, omega = R Omega. Turned back, its rate is that of Omega, because
-  // R itself turns about omega.
-  Element<SO<3>, double> const R{{}, m.R};
+  // On TG the velocity is the spatial one, xi = Ad_R Omega. Turned back, its
+  // rate is that of Omega: R itself turns about xi.
+  auto const R = attitude(m);
   State<SO<3>, double> const state{R, Ad(R, body(m.Omega))};
-  return {m.R * SO<3>::hat(m.Omega), Ad(inverse(R), lagrange_acceleration(L, state)).coordinates};
+  auto const rate = Ad(inverse(R), lagrange_acceleration(L, state));
+  return {m.R * SO<3>::hat(m.Omega), rate.coordinates};
 }
 
-// 4. One throw: follow it along one of the equations, and measure what should be constant.
+// 4. One throw: follow it along one of the equations by the classical
+//    Runge-Kutta method, and measure what should be constant.
 template <class Equation>
 Motion step(Equation const& rate, Motion const& m) {
-  Motion const k1 = rate(m), k2 = rate(m + h / 2 * k1), k3 = rate(m + h / 2 * k2), k4 = rate(m + h * k3);
+  Motion const k1 = rate(m), k2 = rate(m + h / 2 * k1);
+  Motion const k3 = rate(m + h / 2 * k2), k4 = rate(m + h * k3);
   return m + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
 }
 struct Throw {
@@ -71,12 +78,13 @@ Throw follow(Equation const& rate, Vector3d const& direction) {
   Vector3d const start = p * direction.normalized();
   Throw thrown{{{Matrix3d::Identity(), start.cwiseQuotient(I)}}};
   double const energy = l(body(thrown.path[0].Omega));
+  auto const keep = [](double& largest, double x) { largest = std::max(largest, x); };
   for (int k = 0; k * h < duration; ++k) {
     Motion const m = step(rate, thrown.path.back());
     thrown.path.push_back(m);
-    thrown.orbit = std::max(thrown.orbit, std::abs(Pi_of(m).components.norm() / p - 1));
-    thrown.energy = std::max(thrown.energy, std::abs(l(body(m.Omega)) / energy - 1));
-    thrown.space = std::max(thrown.space, (mu_of(m).components - start).norm() / p);
+    keep(thrown.orbit, std::abs(Pi_of(m).components.norm() / p - 1));
+    keep(thrown.energy, std::abs(l(body(m.Omega)) / energy - 1));
+    keep(thrown.space, (mu_of(m).components - start).norm() / p);
   }
   return thrown;
 }
