@@ -1,13 +1,13 @@
 // A charged ball in a magnetic field: the right-invariant example, with its motion in closed form.
 //
-// What is shown. The Lagrangian of the ball depends on the spatial angular velocity alone. So the body momentum
-// is constant, the spatial momentum precesses about the field on its coadjoint orbit, and the attitude is the
-// product of two uniform turns. Read first. Section 2.2.
+// What is shown. The Lagrangian of the ball depends on the spatial angular velocity alone. So the body
+// momentum is constant, the spatial momentum precesses about the field on its coadjoint orbit, and the
+// attitude is the product of two uniform turns. Read first. Section 2.2.
 //
-//   g     attitude in SO(3), body to space            l    Lagrangian on the algebra, a function of xi, J
-//   xi    spatial velocity g' g^-1, 1/s               b    the field, as a momentum, kg m^2/s
-//   mu    spatial momentum dl/dxi = I xi + b, J s     I    moment of inertia of the ball, kg m^2
-//   h     step of the Runge-Kutta method, s
+//   g    attitude in SO(3), body to space             l        Lagrangian on the algebra, J
+//   xi   spatial velocity g' g^-1, 1/s                gamma B  the field, as a momentum, J s
+//   mu   spatial momentum I xi + gamma B, J s         I        moment of inertia of the ball, kg m^2
+//   dt   step of the Runge-Kutta method, s
 #include "actio/variational/euler_lagrange.hpp"
 #include "book/sphere.hpp"
 #include "running_examples.hpp"
@@ -16,7 +16,7 @@ using namespace actio;
 using Ball = State<SO<3>, double>;
 using Vector3d = actio::Vector<double, 3>;
 
-double const I = ball_inertia, h = 1e-3, duration = 8;
+double const I = ball_inertia, dt = 1e-3, duration = 8;
 
 // 1. The equations of motion on TG, which use no symmetry, and one step of Runge-Kutta along them.
 Ball step(Ball const& v) {
@@ -25,7 +25,7 @@ Ball step(Ball const& v) {
   for (int i = 0; i < 4; ++i) {
     auto const turning = (SO<3>::hat(stage.velocity.coordinates) * stage.configuration.value).eval();
     auto const rate = lagrange_acceleration(L, stage);
-    double const share = h * (i == 0 || i == 3 ? 1 : 2) / 6, next = i == 2 ? h : h / 2;
+    double const share = dt * (i == 0 || i == 3 ? 1 : 2) / 6, next = i == 2 ? dt : dt / 2;
     sum.configuration.value += share * turning, sum.velocity = sum.velocity + share * rate;
     stage.configuration.value = v.configuration.value + next * turning;
     stage.velocity = v.velocity + next * rate;
@@ -49,11 +49,11 @@ int main(int argc, char** argv) {
     Vector3d const start(amount * std::sin(angle), 0, amount * std::cos(angle));
     Ball v{turn(0, start), velocity(SO<3>{}, Vector3d((start - ball_field) / I))};
     std::vector<Vector3d> path{start};
-    for (int k = 1; k * h < duration + h / 2; ++k) {
+    for (int k = 1; k * dt < duration + dt / 2; ++k) {
       v = step(v);
       Vector3d const mu = I * v.velocity.coordinates + ball_field;
       if (k % 20 == 0) path.push_back(mu);
-      apart = std::max(apart, (v.configuration.value - attitude(k * h, start).value).norm());
+      apart = std::max(apart, (v.configuration.value - attitude(k * dt, start).value).norm());
       body = std::max(body, (v.configuration.value.transpose() * mu - start).norm() / amount);
       along_field = std::max(along_field, std::abs(mu[2] - start[2]) / amount);
       around = std::max(around, (mu - start).norm() / amount);
@@ -68,8 +68,8 @@ int main(int argc, char** argv) {
   program.figure("body", body, "largest change of the body momentum, relative");
   program.figure("around", around, "largest change of the spatial momentum, relative");
 
-  // 4. What must be so. A step has an error of about (h xi)^5/120, and all of them may add up.
-  double const allowed = duration / h * std::pow(h * 2 * amount / I, 5) / 120;
+  // 4. What must be so. A step has an error of about (dt xi)^5/120, and all of them may add up.
+  double const allowed = duration / dt * std::pow(dt * 2 * amount / I, 5) / 120;
   program.claim(book::measured(apart) < allowed, "the attitude is the product of two uniform turns");
   program.claim(book::measured(body) < allowed, "the body momentum is constant");
   program.claim(book::measured(along_field) < allowed,

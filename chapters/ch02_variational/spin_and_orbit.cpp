@@ -7,7 +7,7 @@
 //   R      attitude in SO(3), body to space            L     Lagrangian on TG, J
 //   Omega  body velocity R^-1 R', 1/s                  l     the same on the algebra, a function of Omega
 //   Pi     body momentum dl/dOmega, J s                mu    spatial momentum, Pi = Ad*_R mu
-//   h      step of the Runge-Kutta method, s           I     moments of inertia, kg m^2
+//   dt     step of the Runge-Kutta method, s           I     moments of inertia, kg m^2
 #include "actio/groups/rotations.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/euler_poincare.hpp"
@@ -25,7 +25,7 @@ using Vector3d = actio::Vector<double, 3>;
 auto const l = thrown_book();
 auto const L = left_invariant(l);
 auto const& I = book_inertia;
-double const p = 12 * I[1], h = 1.25e-4, duration = 4;
+double const amount = 12 * I[1], dt = 1.25e-4, duration = 4;
 
 // 2. A state, attitude and body velocity, and its two momenta, in the frame of
 //    the book and in that of space.
@@ -65,9 +65,9 @@ Motion unreduced(Motion const& m) {
 //    Runge-Kutta method, and measure what should be constant.
 template <class Equation>
 Motion step(Equation const& rate, Motion const& m) {
-  Motion const k1 = rate(m), k2 = rate(m + h / 2 * k1);
-  Motion const k3 = rate(m + h / 2 * k2), k4 = rate(m + h * k3);
-  return m + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  Motion const k1 = rate(m), k2 = rate(m + dt / 2 * k1);
+  Motion const k3 = rate(m + dt / 2 * k2), k4 = rate(m + dt * k3);
+  return m + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
 }
 struct Throw {
   std::vector<Motion> path;
@@ -75,16 +75,16 @@ struct Throw {
 };
 template <class Equation>
 Throw follow(Equation const& rate, Vector3d const& direction) {
-  Vector3d const start = p * direction.normalized();
+  Vector3d const start = amount * direction.normalized();
   Throw thrown{{{Matrix3d::Identity(), start.cwiseQuotient(I)}}};
   double const energy = l(body(thrown.path[0].Omega));
   auto const keep = [](double& largest, double x) { largest = std::max(largest, x); };
-  for (int k = 0; k * h < duration; ++k) {
+  for (int k = 0; k * dt < duration; ++k) {
     Motion const m = step(rate, thrown.path.back());
     thrown.path.push_back(m);
-    keep(thrown.orbit, std::abs(Pi_of(m).components.norm() / p - 1));
+    keep(thrown.orbit, std::abs(Pi_of(m).components.norm() / amount - 1));
     keep(thrown.energy, std::abs(l(body(m.Omega)) / energy - 1));
-    keep(thrown.space, (mu_of(m).components - start).norm() / p);
+    keep(thrown.space, (mu_of(m).components - start).norm() / amount);
   }
   return thrown;
 }
@@ -129,7 +129,7 @@ int main(int argc, char** argv) {
   double apart = 0, lowest = 1;
   for (std::size_t k = 0; k < right.path.size(); ++k) {
     apart = std::max(apart, (right.path[k].R - whole.path[k].R).norm());
-    lowest = std::min(lowest, Pi_of(right.path[k]).components[1] / p);
+    lowest = std::min(lowest, Pi_of(right.path[k]).components[1] / amount);
   }
   program.table("three", {"equation", "|Pi| changes by", "energy changes by", "mu changes by"},
                 {{"Euler-Poincaré, left", book::number(right.orbit), book::number(right.energy),
@@ -143,9 +143,9 @@ int main(int argc, char** argv) {
   program.figure("apart", apart, "reduced and unreduced motion, largest distance of the attitudes");
   program.figure("wrong_side", wrong.space, "change of the spatial momentum with the sign of the other side");
 
-  // A step has an error of about (h Omega)^5/120, and all of them may add up; a hundredth off the unstable
+  // A step has an error of about (dt Omega)^5/120, and all of them may add up; a hundredth off the unstable
   // axis a motion is a hundred times as sensitive.
-  double const allowed = duration / h * std::pow(h * p / I[0], 5) / 120;
+  double const allowed = duration / dt * std::pow(dt * amount / I[0], 5) / 120;
   program.claim(book::measured(worst.orbit) < allowed && book::measured(worst.energy) < allowed,
                 "the body momentum stays on its sphere and on its level of the energy");
   program.claim(book::measured(worst.space) < allowed, "the spatial momentum is constant");

@@ -75,7 +75,7 @@ TRY_IT(larmor) {
     return (x(0) * x(0) + x(1) * x(1) + x(2) * x(2)) / (2 * ball_inertia);
   };
   print("mu'", lie_poisson_rate_right(h, mu));
-  print("mu x b / I", Vector3(mu.components.cross(ball_field) / ball_inertia));
+  print("mu x gamma B / I", Vector3(mu.components.cross(ball_field) / ball_inertia));
   auto const rate = euler_poincare_acceleration_right(l, xi);
   print("Euler-Poincaré", Vector3(ball_inertia * rate.coordinates));
 }
