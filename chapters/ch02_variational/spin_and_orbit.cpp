@@ -154,8 +154,8 @@ int main(int argc, char** argv) {
   program.claim(book::measured(wrong.orbit) < 100 * allowed && book::measured(wrong.space) > 0.5,
                 "with the sign of the other side the sphere is kept and the spatial momentum is not");
   program.claim(book::measured(lowest) < -0.9, "thrown about the middle axis the book turns over");
-  program.headline(
-      "spatial momentum conserved to " + book::number(worst.space, 2) + ", not with the sign of the other side",
-      worst.space);
+  program.headline("spatial momentum conserved to " + book::number(worst.space, 2) +
+                       ", not with the sign of the other side",
+                   worst.space);
   return program.finish();
 }

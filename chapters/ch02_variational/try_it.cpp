@@ -1,4 +1,5 @@
 // Lines to try of chapter 2.
+#include "book/try_it.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"
 #include "actio/numbers/rank.hpp"
@@ -8,7 +9,6 @@
 #include "actio/variational/euler_poincare.hpp"
 #include "actio/variational/lie_poisson.hpp"
 #include "actio/variational/momentum_map.hpp"
-#include "book/try_it.hpp"
 #include "running_examples.hpp"
 using namespace actio;
 using Vector1 = actio::Vector<double, 1>;
@@ -37,7 +37,8 @@ TRY_IT(moving_ends) {
     return retract(t * over<T>(a)) * retract(t * t * over<T>(b));
   };
   auto const family = [&]<class T>(T const& e, T const& t) {
-    return retract(e * t * over<T>(b)) * curve(t);
+    T const shift = e * t;
+    return retract(shift * over<T>(b)) * curve(t);
   };
   auto const integrand = [&](double t) {
     auto const D = euler_lagrange(L, tangent(curve, t), second_tangent(curve, t).velocity);
@@ -60,7 +61,8 @@ TRY_IT(two_momenta) {
   auto const later = moved(v, lagrange_vector_field(L, v));  // a dual number
   auto const zeta = velocity(SO<3>{}, Vector3(1.0, 0.0, 0.0));
   auto const rate = [&](auto const& generator) {
-    return noether_momentum(L, later, generator).part[0];
+    auto const J = noether_momentum(L, later, generator);
+    return J.part[0];
   };
   print("rate of J, turns from the right", rate(right_translation(zeta)));
   print("rate of J, turns from the left", rate(left_translation(zeta)));
