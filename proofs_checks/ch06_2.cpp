@@ -367,8 +367,8 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
 
 STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical variations only") {
   claim.holds(
-      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$, which no vertical "
-      "variation sees.");
+      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$, which vertical "
+      "variations do not determine.");
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);

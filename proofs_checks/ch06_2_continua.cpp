@@ -462,8 +462,8 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
 STATEMENT(claim_6_2_barotropic_spatial_form,
           "the barotropic equation with spatial density and spatial pressure") {
   claim.holds(
-      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ carried to the particle, and the "
-      "gradient is that of $g$.");
+      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, and "
+      "the gradient is that of $g$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;

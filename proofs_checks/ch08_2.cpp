@@ -85,7 +85,7 @@ STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
   });
 }
 
-STATEMENT(claim_8_2_restricted_legendre, "what is left of the Legendre transformation") {
+STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its target restricted") {
   claim.corrected(
       "\\text{restricted to }\\{\\pi^\\mu = 0\\}\\text{ it is non-degenerate}",
       "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
