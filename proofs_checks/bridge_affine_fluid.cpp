@@ -123,7 +123,7 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
   auto const one = identity<double>(SL<n>{});
   StepOfDrop<double> const L{h};
   ReducedStep<double, n> const l{h};
-  // The first step leaves with the momentum of the velocity V at the identity.
+  // The momentum at the start of the first step is that of the velocity V at the identity.
   int const dim = SL<n>{}.dimension();
   Momentum<SL<n>, double> mu{SL<n>{}, Coordinates<SL<n>, double>(dim)};
   for (int a = 0; a < dim; ++a)

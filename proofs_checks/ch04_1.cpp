@@ -170,7 +170,8 @@ auto constant_target(Gamma const& gamma, A const& g) { return gamma.target(gamma
 }  // namespace
 
 STATEMENT(def_4_1_1,
-          "critical points of $\\mathcal L(g) + \\mathcal L(h)$ among composable pairs with a fixed product") {
+          "critical points of $\\mathcal L(g) + \\mathcal L(h)$ among composable pairs "
+          "with a fixed product") {
   claim.holds(
       "On pairs these are the discrete Euler-Lagrange equations (3.2). On a group they are (3.10), on its "
       "opposite (3.11), both with all signs changed: a relative motion looks back.");

@@ -105,8 +105,8 @@ STATEMENT(claim_4_2_invariant_generating_function,
     claim.equal("the transformation of momenta is equivariant", model,
                 D1(generating, g[2] * g[0], g[2] * g[1]),
                 coadjoint(inverse(g[2]), D1(generating, g[0], g[1])), 100);
-    // Controls: a function that is not invariant; the relative motion that looks ahead; the quotient by the
-    // other side.
+    // Controls: a function that is not invariant; the relative motion that points forwards; the quotient by
+    // the other side.
     auto const any = draw_pair_polynomial<S>(draw, group);
     claim.differs("no invariance", model, any(g[0], g[1]), any(e, f), 1e-4);
     claim.differs("S_L(g0^-1 g)", model, reduced(inverse(f)), reduced(f), 1e-4);
@@ -151,7 +151,7 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi,
                     q = middle + field.inverse_a * (p0 * t + field.c * (t * t / S(2)));
     auto const composed = [&](auto const& x, auto const& y, auto const& time) {
       using T = std::decay_t<decltype(time)>;
-      // Stationary in the place between: a (m - y) = a (x - m)/t - c t/2.
+      // Stationary in the configuration between: a (m - y) = a (x - m)/t - c t/2.
       Vector<T> const fall = field.inverse_a.template cast<T>() * field.c.template cast<T>();
       Vector<T> const m = (y * time + x - fall * (time * time / 2)) / (time + T(1));
       return T(free(m, y, T(1)) + field(x, m, time));
@@ -234,7 +234,7 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
       by_definition[a] = slope(l, f, from_right(f, basis_velocity<S>(group, a)));
     claim.equal("on matrices", model, column(value), by_definition);
     claim.equal("minus the momentum of the step", model, -value, momentum_before_left(l, f));
-    // Controls: R* in place of L*; the relative motion that looks ahead; the momentum at the other end.
+    // Controls: R* in place of L*; the relative motion that points forwards; the momentum at the other end.
     claim.differs("R* in place of L*", model, right_differential(l, f), start_momentum);
     claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, left_differential(l, inverse(f)), start_momentum);
     claim.differs("at g_k", model, -coadjoint(g[1], D2(lifted_left(l), g[0], g[1])), value);

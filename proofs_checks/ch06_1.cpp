@@ -98,7 +98,7 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
     claim.differs("without the change of space-time", model, v, charts.transformed(j, x, false));
     claim.differs("as if places did not depend on space-time", model, v,
                   charts.transformed(j, x, true, false));
-    // Two jets over one place and a point on the line through them.
+    // Two jets over one point of Y and a point on the line through them.
     Matrix<S, N, n + 1> const w = first_jet(psi, at).v;
     S const s = draw.number<S>();
     auto const moved = [&](Matrix<S, N, n + 1> const& slope) {
@@ -135,7 +135,7 @@ STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on
         claim.zero("dx^nu ^ d^nx_mu", model,
                    S(wedge(differential_of_coordinate(nu), below)(x, V) - (mu == nu ? determinant(V) : S(0))),
                    determinant(V));
-      // The determinant of the other rows, in their order, with the sign of the place that is left out.
+      // The determinant of the other rows, in their order, with the sign of the row that is left out.
       Matrix<S, n, n> rows;
       for (int r = 0, to = 0; r <= n; ++r)
         if (r != mu) rows.row(to++) = sides.row(r);
@@ -360,8 +360,8 @@ STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward me
       "$g$ does not invert the matrix of $c$.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    // Draw the inverse of a deformation, which takes places to particles: the push-forward by the one is the
-    // pull-back by the other.
+    // Draw the inverse of a deformation, which takes points of space to particles: the push-forward by the
+    // one is the pull-back by the other.
     TwoMetrics<S, n, n> const m(draw);
     Matrix<S, n, 1> const y = m.x, x = m.j.y;
     auto const pushed_forward = matrix_of(pull_back(m.deformation(), as_form(m.space)), y);

@@ -183,7 +183,7 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
     Fluid<S, n> const pressed{fluid.G, fluid.g, fluid.rho, {pressed_more(fluid.W.w, c)}};
     auto const P = draw_cubic<S, n + 1>(draw);
     auto const phi = draw_section<S, n, n>(draw);
-    // What the law gives away the multiplier takes up.
+    // What the law subtracts the multiplier adds.
     auto const relieved = [&](auto const& x) {
       Matrix<ScalarOf<decltype(x)>, n, 1> const particle = x.template tail<n>();
       using T = ScalarOf<decltype(x)>;
@@ -423,7 +423,7 @@ STATEMENT(eq_8_14, "the equation of the pressure") {
 }
 
 // ----
-// Section 8.3: the ideal incompressible fluid as space sees it, and as the body does.
+// Section 8.3: the ideal incompressible fluid in the spatial and in the material description.
 
 namespace {
 

@@ -23,7 +23,7 @@ struct Isentropic {
   }
 };
 
-/// An energy that sees the first axis of space, and so more than the Green tensor: \f$(F^1{}_1)^2\f$.
+/// An energy that depends on the first axis of space, and so more than the Green tensor: \f$(F^1{}_1)^2\f$.
 struct Fibred {
   template <class X, class BodyMetric, class SpaceMetric, class M>
   auto operator()(X const&, BodyMetric const&, SpaceMetric const&, M const& F) const {
@@ -69,7 +69,7 @@ struct Inversion {
     return Matrix<T, V::RowsAtCompileTime, 1>(y / square);
   }
 };
-/// Space-time stays, places go by a map of space.
+/// Space-time is fixed, space is mapped.
 template <int N, class Map>
 auto of_space(Map const& map) {
   return Automorphism{[](auto const& x) { return x; },

@@ -14,8 +14,8 @@ using namespace actio::checks;
 
 namespace {
 
-/// Any automorphism with an inverse: time and body are stretched and mixed, places go by a polynomial of
-/// everything.
+/// Any automorphism with an inverse: time and body are stretched and mixed, points of space go by a
+/// polynomial of everything.
 template <class S, int n, int N>
 struct AnyAutomorphism {
   Stretch<S, n> stretch;
