@@ -1,0 +1,88 @@
+// The lines to try of chapter 9: symmetries of a medium, Noether's identity, circulation.
+#include <numbers>
+
+#include "actio/noether/circulation.hpp"
+#include "actio/noether/current_divergence.hpp"
+#include "actio/noether/relabelling.hpp"
+#include "actio/noether/time_translation.hpp"
+#include "book/try_it.hpp"
+#include "momentum_map_forms.hpp"
+#include "two_media.hpp"
+
+using namespace actio;
+
+TRY_IT(moved_jet) {
+  auto const phi = motion_of(cloud, 0.0);       // the gas of chapter 6, thrown
+  auto const eta = relabelling<2>(Squeeze{2});  // (t, X^1, X^2) -> (t, 2 X^1, X^2/2), places stay
+  auto const back = relabelling<2>(Squeeze{0.5}).base;
+  Event<double, 2> const x(0.0, 0.2, 0.1);
+  print("jet of the moved section", first_jet(moved_section(eta, back, phi), eta.base(x)).v);
+  print("prolongation of the jet, (9.2)", prolongation(eta, first_jet(phi, x)).v);
+}
+
+TRY_IT(symmetry) {
+  auto const j = first_jet(motion_of(cloud, 0.0), Event<double, 2>(0.0, 0.2, 0.1));
+  print("gas, labels squeezed", equivariance_defect(uniform_gas, relabelling<2>(Squeeze{2}), j));
+  print("gas, labels stretched", equivariance_defect(uniform_gas, relabelling<2>(Stretched{2}), j));
+  print("rubber, labels squeezed", equivariance_defect(uniform_rubber, relabelling<2>(Squeeze{2}), j));
+  print("rubber, labels turned", equivariance_defect(uniform_rubber, relabelling<2>(QuarterTurn{}), j));
+}
+
+TRY_IT(off_shell) {
+  auto const phi = [](auto const& x) {  // a section that solves nothing
+    return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1] + x[0] * x[2], x[2] * 2.0 + x[0] * x[0] * x[1]);
+  };
+  auto const xi = [](auto const& p) {  // a field on Y that is no symmetry
+    return std::remove_cvref_t<decltype(p)>(p[0] * p[1], p[2] * p[2], p[0] + p[1], p[3] * p[4], p[1] - p[4]);
+  };
+  auto const j = second_jet(phi, Event<double, 2>(0.3, 0.2, 0.1));
+  Jet<double, 2, 2> const& first = j;
+  print("divergence of the current", current_divergence(uniform_gas, xi, j));
+  print("r - E q", equivariance_rate(uniform_gas, xi, first) + noether_identity(uniform_gas, xi, j));
+  print("-E q alone", noether_identity(uniform_gas, xi, j));
+}
+
+TRY_IT(kelvin) {
+  auto const loop = [](auto const& a) {  // a circle of particles about X = (0.2, 0.1)
+    using std::cos, std::sin;
+    return Matrix<decltype(a * 1.0), 2, 1>(0.2 + 0.5 * cos(a), 0.1 + 0.5 * sin(a));
+  };
+  auto const along = [&](auto const& body, double t) {
+    return circulation(motion_of(body, t), Euclidean<2>{}, loop, t);
+  };
+  for (double const t : {0.0, 0.5, 1.0})
+    print("gas, rubber, rubber with fibres",
+          Vector<double, 3>(along(cloud, t), along(rubber, t), along(fibred_rubber, t)));
+}
+
+TRY_IT(labels_by_mass) {
+  auto const j = second_jet(motion_of(cloud, 0.4), Event<double, 2>(0.4, 0.2, 0.3));
+  auto const A = [](auto const& X) { return Matrix<decltype(X[0] * 1.0), 1, 1>(X[0] * X[0] * X[1]); };
+  auto const keeping = [&](auto const& metric) {
+    return current_divergence(cloud.medium(), relabelling_field<2>(RelabellingField{metric, A}), j);
+  };
+  print("the field preserves areas of the body", keeping(Euclidean<2>{}));
+  print("the field preserves masses", keeping(MassAsArea{}));
+}
+
+TRY_IT(forms) {
+  auto const phi = motion_of(cloud, 0.0);
+  auto const at = coordinates(first_jet(phi, Event<double, 2>(0.0, 0.2, 0.1)));
+  auto const V = some_vectors<11, 3>();
+  auto const turned = relabelling_field<2>(QuarterTurn{});
+  auto const pulled = [](auto const& p) { return std::remove_cvref_t<decltype(p)>(0, 0, 0, p[3], p[4]); };
+  print("(9.4), labels turned", momentum_map_defect<2, 2>(cloud.medium(), turned, at, V));
+  print("(9.4), places pulled", momentum_map_defect<2, 2>(cloud.medium(), pulled, at, V));
+}
+
+TRY_IT(moved_action) {
+  auto const phi = motion_of(cloud, 0.0);
+  Box<double, 2> const box{{0, 0, 0}, {0.1, 0.2, 0.4}}, squeezed{{0, 0, 0}, {0.1, 0.4, 0.2}};
+  auto const left = [&](auto const& eta, auto const& back, auto const& region) {
+    return action_defect(uniform_gas, relabelling<2>(eta), relabelling<2>(back).base, phi, box, region, 15);
+  };
+  print("labels squeezed, the box with them", left(Squeeze{2}, Squeeze{0.5}, squeezed));
+  print("labels squeezed, the box left", left(Squeeze{2}, Squeeze{0.5}, box));
+}
+
+TRY_IT_MAIN("the lines to try of chapter 9: symmetries of media, Noether's identity, circulation")
