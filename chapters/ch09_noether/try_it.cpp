@@ -1,4 +1,5 @@
-// The lines to try of chapter 9: symmetries of a medium, Noether's identity, circulation.
+// The lines to try of chapters 9 and 10: symmetries of a medium, Noether's identity, circulation; reciprocity
+// and Newmark's scheme.
 #include <numbers>
 
 #include "actio/noether/circulation.hpp"
@@ -85,4 +86,36 @@ TRY_IT(moved_action) {
   print("labels squeezed, the box left", left(Squeeze{2}, Squeeze{0.5}, box));
 }
 
-TRY_IT_MAIN("the lines to try of chapter 9: symmetries of media, Noether's identity, circulation")
+TRY_IT(betti) {
+  auto const field = [](double a, double b, double c) {  // displacements (a x^2 + b y^2, c x y)
+    return [a, b, c](auto const& x) {
+      return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1] * x[1] * a + x[2] * x[2] * b, x[1] * x[2] * c);
+    };
+  };
+  auto const rest = [](auto const& x) { return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1], x[2]); };
+  auto const flux = [&](auto const& V, auto const& W) {
+    auto const current = [&](Event<double, 2> const& x) {
+      return multisymplectic_current(uniform_rubber, first_jet(rest, x), first_jet(V, x), first_jet(W, x));
+    };
+    return boundary_integral(flux_form(current), Box<double, 2>{{0, 0, 0}, {1, 1, 2}}, 8);
+  };
+  print("two equilibria", flux(field(1, -4, 0), field(0, 3, -2)));
+  print("one equilibrium, one that needs a force inside", flux(field(1, 0, 0), field(0, 3, -2)));
+}
+
+TRY_IT(newmark) {
+  double const h = 0.1, beta = 0.25;
+  auto const a = [](double q) { return -q - q * q * q; };  // acceleration in V = q^2/2 + q^4/4
+  double q[3] = {1, 0, 0}, v = 0;
+  for (int k = 0; k < 2; ++k) {  // two steps of Newmark's scheme, the implicit equation by iteration
+    q[k + 1] = q[k];
+    for (int i = 0; i < 50; ++i)
+      q[k + 1] = q[k] + h * v + h * h * ((0.5 - beta) * a(q[k]) + beta * a(q[k + 1]));
+    v += h / 2 * (a(q[k]) + a(q[k + 1]));
+  }
+  auto const z = [&](int k) { return q[k] - beta * h * h * a(q[k]); };
+  print("second difference of z", z(2) - 2 * z(1) + z(0));
+  print("h^2 times the acceleration", h * h * a(q[1]));
+}
+
+TRY_IT_MAIN("the lines to try of chapters 9 and 10: symmetries, Noether's identity, circulation, reciprocity")
