@@ -48,24 +48,27 @@ double residual_of(Medium const& gas) {
 // 2. The currents: the largest divergence of a current over its largest size.
 template <class Medium, class Xi>
 double leak(Medium const& gas, Xi const& xi) {
-  return largest([&](auto const& j) { return current_divergence(gas, xi, j); }) / largest([&](auto const& j) {
-           return noether_current(gas, xi, static_cast<Jet<double, 2, 2> const&>(j)).norm();
-         });
+  auto const divergence = [&](auto const& j) { return current_divergence(gas, xi, j); };
+  auto const size = [&](Jet<double, 2, 2> const& j) { return noether_current(gas, xi, j).norm(); };
+  return largest(divergence) / largest(size);
 }
 template <class Medium>
 double leak_of_stream(Medium const& gas, bool zonal) {
   return leak(gas, relabelling_field<2>(RelabellingField{gas.G, Stream{zonal}}));
 }
 double leak_where_masses_stay() {
-  return leak(air.by_place(), relabelling_field<2>(RelabellingField{LaidOut{{air.s()}}, Stream{false}}));
+  auto const masses = LaidOut{{air.s()}};
+  return leak(air.by_place(), relabelling_field<2>(RelabellingField{masses, Stream{false}}));
 }
 double leak_of_spin(int kind) { return leak(air.by_mass(), motion_of_space<2>(Spin{kind})); }
-// The result is the largest of those that should be none, and the smallest of those that should not.
+// The result is the largest of those that should vanish and the smallest of those that should not.
 std::pair<double, double> show_currents(book::Program& program) {
-  double const all = leak_of_stream(air.by_mass(), false), zonal = leak_of_stream(air.by_place(), true),
-               broken = leak_of_stream(air.by_place(), false), masses = leak_where_masses_stay();
-  double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2),
-               closed = std::max({all, zonal, masses, axis, across});
+  double const all = leak_of_stream(air.by_mass(), false);
+  double const zonal = leak_of_stream(air.by_place(), true);
+  double const broken = leak_of_stream(air.by_place(), false);
+  double const masses = leak_where_masses_stay();
+  double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2);
+  double const closed = std::max({all, zonal, masses, axis, across});
   program.table("currents", {"field", "labels", "divergence over current"},
                 {{"any stream function", "by mass", number(all)},
                  {"stream function of the latitude", "by place", number(zonal)},

@@ -23,23 +23,29 @@ TRY_IT(moved_jet) {
 
 TRY_IT(symmetry) {
   auto const j = first_jet(motion_of(cloud, 0.0), Event<double, 2>(0.0, 0.2, 0.1));
-  print("gas, labels squeezed", equivariance_defect(uniform_gas, relabelling<2>(Squeeze{2}), j));
-  print("gas, labels stretched", equivariance_defect(uniform_gas, relabelling<2>(Stretched{2}), j));
-  print("rubber, labels squeezed", equivariance_defect(uniform_rubber, relabelling<2>(Squeeze{2}), j));
-  print("rubber, labels turned", equivariance_defect(uniform_rubber, relabelling<2>(QuarterTurn{}), j));
+  auto const defect = [&](auto const& medium, auto const& eta) {
+    return equivariance_defect(medium, relabelling<2>(eta), j);
+  };
+  print("gas, labels squeezed", defect(uniform_gas, Squeeze{2}));
+  print("gas, labels stretched", defect(uniform_gas, Stretched{2}));
+  print("rubber, labels squeezed", defect(uniform_rubber, Squeeze{2}));
+  print("rubber, labels turned", defect(uniform_rubber, QuarterTurn{}));
 }
 
 TRY_IT(off_shell) {
   auto const phi = [](auto const& x) {  // a section that solves nothing
-    return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1] + x[0] * x[2], x[2] * 2.0 + x[0] * x[0] * x[1]);
+    using T = decltype(x[0] * 1.0);
+    return Matrix<T, 2, 1>(x[1] + x[0] * x[2], x[2] * 2.0 + x[0] * x[0] * x[1]);
   };
   auto const xi = [](auto const& p) {  // a field on Y that is no symmetry
-    return std::remove_cvref_t<decltype(p)>(p[0] * p[1], p[2] * p[2], p[0] + p[1], p[3] * p[4], p[1] - p[4]);
+    using Point = std::remove_cvref_t<decltype(p)>;
+    return Point(p[0] * p[1], p[2] * p[2], p[0] + p[1], p[3] * p[4], p[1] - p[4]);
   };
   auto const j = second_jet(phi, Event<double, 2>(0.3, 0.2, 0.1));
   Jet<double, 2, 2> const& first = j;
   print("divergence of the current", current_divergence(uniform_gas, xi, j));
-  print("r - E q", equivariance_rate(uniform_gas, xi, first) + noether_identity(uniform_gas, xi, j));
+  double const r = equivariance_rate(uniform_gas, xi, first);
+  print("r - E q", r + noether_identity(uniform_gas, xi, j));
   print("-E q alone", noether_identity(uniform_gas, xi, j));
 }
 
@@ -58,9 +64,12 @@ TRY_IT(kelvin) {
 
 TRY_IT(labels_by_mass) {
   auto const j = second_jet(motion_of(cloud, 0.4), Event<double, 2>(0.4, 0.2, 0.3));
-  auto const A = [](auto const& X) { return Matrix<decltype(X[0] * 1.0), 1, 1>(X[0] * X[0] * X[1]); };
+  auto const A = [](auto const& X) {
+    return Matrix<decltype(X[0] * 1.0), 1, 1>(X[0] * X[0] * X[1]);
+  };
   auto const keeping = [&](auto const& metric) {
-    return current_divergence(cloud.medium(), relabelling_field<2>(RelabellingField{metric, A}), j);
+    auto const xi = relabelling_field<2>(RelabellingField{metric, A});
+    return current_divergence(cloud.medium(), xi, j);
   };
   print("the field preserves areas of the body", keeping(Euclidean<2>{}));
   print("the field preserves masses", keeping(MassAsArea{}));
@@ -71,7 +80,9 @@ TRY_IT(forms) {
   auto const at = coordinates(first_jet(phi, Event<double, 2>(0.0, 0.2, 0.1)));
   auto const V = some_vectors<11, 3>();
   auto const turned = relabelling_field<2>(QuarterTurn{});
-  auto const pulled = [](auto const& p) { return std::remove_cvref_t<decltype(p)>(0, 0, 0, p[3], p[4]); };
+  auto const pulled = [](auto const& p) {
+    return std::remove_cvref_t<decltype(p)>(0, 0, 0, p[3], p[4]);
+  };
   print("(9.4), labels turned", momentum_map_defect<2, 2>(cloud.medium(), turned, at, V));
   print("(9.4), places pulled", momentum_map_defect<2, 2>(cloud.medium(), pulled, at, V));
 }
@@ -80,7 +91,8 @@ TRY_IT(moved_action) {
   auto const phi = motion_of(cloud, 0.0);
   Box<double, 2> const box{{0, 0, 0}, {0.1, 0.2, 0.4}}, squeezed{{0, 0, 0}, {0.1, 0.4, 0.2}};
   auto const left = [&](auto const& eta, auto const& back, auto const& region) {
-    return action_defect(uniform_gas, relabelling<2>(eta), relabelling<2>(back).base, phi, box, region, 15);
+    auto const moving = relabelling<2>(eta);
+    return action_defect(uniform_gas, moving, relabelling<2>(back).base, phi, box, region, 15);
   };
   print("labels squeezed, the box with them", left(Squeeze{2}, Squeeze{0.5}, squeezed));
   print("labels squeezed, the box left", left(Squeeze{2}, Squeeze{0.5}, box));
@@ -89,15 +101,20 @@ TRY_IT(moved_action) {
 TRY_IT(betti) {
   auto const field = [](double a, double b, double c) {  // displacements (a x^2 + b y^2, c x y)
     return [a, b, c](auto const& x) {
-      return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1] * x[1] * a + x[2] * x[2] * b, x[1] * x[2] * c);
+      auto const first = x[1] * x[1] * a + x[2] * x[2] * b;
+      return Matrix<decltype(x[0] * 1.0), 2, 1>(first, x[1] * x[2] * c);
     };
   };
-  auto const rest = [](auto const& x) { return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1], x[2]); };
+  auto const rest = [](auto const& x) {
+    return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1], x[2]);
+  };
   auto const flux = [&](auto const& V, auto const& W) {
     auto const current = [&](Event<double, 2> const& x) {
-      return multisymplectic_current(uniform_rubber, first_jet(rest, x), first_jet(V, x), first_jet(W, x));
+      auto const j = first_jet(rest, x);
+      return multisymplectic_current(uniform_rubber, j, first_jet(V, x), first_jet(W, x));
     };
-    return boundary_integral(flux_form(current), Box<double, 2>{{0, 0, 0}, {1, 1, 2}}, 8);
+    Box<double, 2> const box{{0, 0, 0}, {1, 1, 2}};
+    return boundary_integral(flux_form(current), box, 8);
   };
   print("two equilibria", flux(field(1, -4, 0), field(0, 3, -2)));
   print("one equilibrium, one that needs a force inside", flux(field(1, 0, 0), field(0, 3, -2)));
