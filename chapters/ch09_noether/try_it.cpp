@@ -98,6 +98,16 @@ TRY_IT(moved_action) {
   print("labels squeezed, the box left", left(Squeeze{2}, Squeeze{0.5}, box));
 }
 
+TRY_IT(energy) {
+  auto const leak = [](auto const& body, auto const& motion) {
+    auto const j = second_jet(motion, Event<double, 2>(0.4, 0.2, 0.3));
+    return current_divergence(body.medium(), TimeTranslation{}, j);
+  };
+  print("gas", leak(cloud, motion_of(cloud, 0.4)));
+  print("rubber with fibres", leak(fibred_rubber, motion_of(fibred_rubber, 0.4)));
+  print("the same in the motion of the gas", leak(fibred_rubber, motion_of(cloud, 0.4)));
+}
+
 TRY_IT(betti) {
   auto const field = [](double a, double b, double c) {  // displacements (a x^2 + b y^2, c x y)
     return [a, b, c](auto const& x) {
