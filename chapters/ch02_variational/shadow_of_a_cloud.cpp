@@ -80,8 +80,8 @@ int main(int argc, char** argv) {
 
   // 3. What must be so. Runge-Kutta is of order 4.
   double const h = 0.005;
-  program.claim(preserved < std::pow(h, 4), "the area of the cloud stays as it is");
-  program.claim(grown > 0.4, "under explicit Euler it grows by more than two fifths");
+  program.claim(book::measured(preserved) < std::pow(h, 4), "the area of the cloud stays as it is");
+  program.claim(book::measured(grown) > 0.4, "under explicit Euler it grows by more than two fifths");
   program.headline("area of a cloud preserved to " + book::number(preserved, 2) + "; explicit Euler adds " +
                        book::number(100 * grown, 2) + " %",
                    preserved);

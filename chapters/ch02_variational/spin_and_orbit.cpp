@@ -170,14 +170,14 @@ void show_flip(book::Program& program, Flip const& flip) {
 //    the point on the curve is a hundred times as sensitive.
 void claim_what_must_be_so(book::Program& program, Lost const& off, Flip const& flip) {
   double const allowed = duration / h * std::pow(h * p / I[0], 5) / 120;
-  program.claim(off.orbit < allowed && off.energy < allowed,
+  program.claim(book::measured(off.orbit) < allowed && book::measured(off.energy) < allowed,
                 "the momentum stays on its sphere and on its level of the energy");
-  program.claim(off.space < allowed, "the spatial momentum is constant");
-  program.claim(flip.apart < 100 * allowed,
+  program.claim(book::measured(off.space) < allowed, "the spatial momentum is constant");
+  program.claim(book::measured(flip.apart) < 100 * allowed,
                 "Euler-Poincaré with the attitude reconstructed is the motion of Euler-Lagrange");
-  program.claim(flip.wrong_space > 0.5,
+  program.claim(book::measured(flip.wrong_space) > 0.5,
                 "with the sign of the other side the spatial momentum is not conserved");
-  program.claim(flip.lowest < -0.9 * p, "thrown about the middle axis the book turns over");
+  program.claim(book::measured(flip.lowest) < -0.9 * p, "thrown about the middle axis the book turns over");
 }
 
 int main(int argc, char** argv) {

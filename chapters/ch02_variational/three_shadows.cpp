@@ -88,9 +88,11 @@ int main(int argc, char** argv) {
 
   // 3. What must be so. Runge-Kutta is of order 4, and the fastest rate is about 5 per unit of time.
   auto const [least, most] = std::ranges::minmax(each[2]);
-  program.claim(body_kept < std::pow(5 * h, 4), "the sum of the shadows stays as it is");
-  program.claim(body_split < std::pow(5 * h, 4), "the integral of the one-form is the sum of the shadows");
-  program.claim(most - least > std::abs(sum_before), "a single shadow changes by more than the sum");
+  program.claim(book::measured(body_kept) < std::pow(5 * h, 4), "the sum of the shadows stays as it is");
+  program.claim(book::measured(body_split) < std::pow(5 * h, 4),
+                "the integral of the one-form is the sum of the shadows");
+  program.claim(book::measured(most - least) > std::abs(sum_before),
+                "a single shadow changes by more than the sum");
   program.headline("sum of three shadows conserved to " + book::number(body_kept, 2), body_kept);
   return program.finish();
 }

@@ -66,9 +66,9 @@ int main(int argc, char** argv) {
                   "The Casimir functions of the coadjoint orbit, over 10 000 steps of 0.2 s.");
 
   // 4. What must be so: a rounding error or two a step, which add up at worst.
-  program.claim(discrete.maxCoeff() < 2 * steps * 0x1p-52,
+  program.claim(book::measured(discrete.maxCoeff()) < 2 * steps * 0x1p-52,
                 "the discrete Lie-Poisson algorithm conserves both to rounding");
-  program.claim(classical.minCoeff() > 1e-4, "Runge-Kutta does not");
+  program.claim(book::measured(classical.minCoeff()) > 1e-4, "Runge-Kutta does not");
   program.figure("kept", discrete.maxCoeff(),
                  "change of |P|^2 and Pi . P under the discrete Lie-Poisson algorithm, relative");
   program.figure("lost", classical.maxCoeff(), "the same under Runge-Kutta");

@@ -139,9 +139,11 @@ double measure_the_order(book::Program& program) {
 //    number of steps.
 void claim_what_must_be_so(book::Program& program, Roads const& roads, double order) {
   double const epsilon = 0x1p-52;
-  program.claim(std::abs(lamb(energy.half_axes).sum() - 2) < 1e3 * epsilon, "Lamb's integrals add up to 2");
-  program.claim(roads.apart < 16.0 * steps * steps * epsilon, "both roads lead to the same configurations");
-  program.claim(std::abs(order - 2) < 0.05, "the order is 2");
+  program.claim(book::measured(std::abs(lamb(energy.half_axes).sum() - 2)) < 1e3 * epsilon,
+                "Lamb's integrals add up to 2");
+  program.claim(book::measured(roads.apart) < 16.0 * steps * steps * epsilon,
+                "both roads lead to the same configurations");
+  program.claim(book::measured(std::abs(order - 2)) < 0.05, "the order is 2");
   program.figure("apart", roads.apart, "distance of the two roads, relative");
   program.figure("cost", roads.unreduced_time / roads.reduced_time,
                  book::number(roads.unreduced_time / roads.reduced_time, 2),

@@ -112,9 +112,11 @@ int main(int argc, char** argv) {
         book::exponent({steps.begin() + 2, steps.end()}, {misses[i].begin() + 2, misses[i].end()});
     program.figure("order" + std::to_string(orders[i]), order, book::number(order, 4),
                    "order with " + std::to_string(i + 1) + " term(s), fitted");
-    program.claim(std::abs(order - orders[i]) < 0.1, "the order is " + std::to_string(orders[i]));
+    program.claim(book::measured(std::abs(order - orders[i])) < 0.1,
+                  "the order is " + std::to_string(orders[i]));
   }
-  program.claim(off_sphere < 2 * steps_of_picture * 0x1p-52, "the momentum stays on its sphere to rounding");
+  program.claim(book::measured(off_sphere) < 2 * steps_of_picture * 0x1p-52,
+                "the momentum stays on its sphere to rounding");
   program.figure("sphere", off_sphere,
                  "largest change of the amount of the momentum at the coarse step, relative");
   double const gain = misses[0].back() / misses[2].back();

@@ -157,8 +157,9 @@ void draw_section(book::Program& program) {
 //    turn.
 void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   double const quarter = edge(Vector3d(0, 0, 1));
-  program.claim(motion.worst < 20 * steps * 0x1p-52, "the relative motions stay on the leaf to rounding");
-  program.claim(std::abs(quarter - M_PI / 2) < 1e-12,
+  program.claim(book::measured(motion.worst) < 20 * steps * 0x1p-52,
+                "the relative motions stay on the leaf to rounding");
+  program.claim(book::measured(std::abs(quarter - M_PI / 2)) < 1e-12,
                 "about a principal axis the structure ends at a quarter of a turn");
   auto const at = rotation({-0.3, 0.2, 0.4});
   Matrix<double, 3, 3> const bracket = legendre_bivector_left(brick, at);
@@ -174,7 +175,7 @@ void claim_what_must_be_so(book::Program& program, Motion const& motion) {
                                              .components)
                                   .norm() /
       bracket.norm();
-  program.claim(differential < 1e-14, "C has no bracket with anything");
+  program.claim(book::measured(differential) < 1e-14, "C has no bracket with anything");
   program.figure(
       "kept", motion.worst,
       "change of C along ten thousand steps, relative to its distance from the value at the identity");

@@ -120,12 +120,13 @@ int main(int argc, char** argv) {
 
   // 5. What must be so. A few epsilon are rounding.
   double const rounding = 100 * 0x1p-52;
-  program.claim(first.leaf < rounding && second.leaf < rounding, "both maps stay on the coadjoint orbit");
-  program.claim(second.poisson < rounding && second.back < rounding,
+  program.claim(book::measured(first.leaf) < rounding && book::measured(second.leaf) < rounding,
+                "both maps stay on the coadjoint orbit");
+  program.claim(book::measured(second.poisson) < rounding && book::measured(second.back) < rounding,
                 "the three turns are Poisson and go back the way they came");
-  program.claim(first.poisson > rounding && first.back > rounding,
+  program.claim(book::measured(first.poisson) > rounding && book::measured(first.back) > rounding,
                 "the map that is put back on the sphere does neither");
-  program.claim(std::abs(lost[0]) > 10 * worst[1],
+  program.claim(book::measured(std::abs(lost[0])) > 10 * worst[1],
                 "it dissipates energy, more than ten times what that of the three turns goes up and down by");
   program.headline("on the sphere to " + book::number(first.leaf, 1) + " and not Poisson by " +
                        book::number(first.poisson, 2),

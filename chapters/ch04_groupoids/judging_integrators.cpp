@@ -89,7 +89,7 @@ void claim_what_it_keeps(book::Program& program, std::string const& name, Defect
   program.claim(
       (name == "Runge-Kutta 4" || name == "Lie-Euler" || name == "Munthe-Kaas 4") == (d.back > rounding),
       name + ": whether it goes back the way it came");
-  program.claim(std::abs(d.order - std::round(d.order)) < 0.15,
+  program.claim(book::measured(std::abs(d.order - std::round(d.order))) < 0.15,
                 name + " has the order " + book::number(std::round(d.order)));
 }
 
@@ -141,7 +141,7 @@ void let_the_step_grow(book::Program& program, Trial const& trial) {
     program.figure("power_" + std::to_string(i), power, book::number(power, 2),
                    trial.contestants[i].name + ": power of the step in its Poisson defect");
     program.claim(
-        power > least - 0.2,
+        book::measured(power) > least - 0.2,
         trial.contestants[i].name + ": the Poisson defect falls at least as fast as the error of a step");
   }
   program.picture(

@@ -129,10 +129,11 @@ int main(int argc, char** argv) {
         book::number(vertical_kept, 2)}},
       "Two systems on the groupoids that their symmetry leaves; dimensions of base and fibre.");
   double const rounding = 0x1p-52 * steps;
-  program.claim(apart < 1000 * rounding, "the pendulum goes the same way on both groupoids");
-  program.claim(top_apart < 1000 * rounding, "and the top");
-  program.claim(momentum_kept < 20 * rounding, "the pendulum conserves its vertical momentum to rounding");
-  program.claim(vertical_kept < 20 * rounding, "and so does the top");
+  program.claim(book::measured(apart) < 1000 * rounding, "the pendulum goes the same way on both groupoids");
+  program.claim(book::measured(top_apart) < 1000 * rounding, "and the top");
+  program.claim(book::measured(momentum_kept) < 20 * rounding,
+                "the pendulum conserves its vertical momentum to rounding");
+  program.claim(book::measured(vertical_kept) < 20 * rounding, "and so does the top");
   program.figure("apart", std::max(apart, top_apart), "distance of the two roads");
   program.figure("kept", std::max(momentum_kept, vertical_kept), "change of the vertical momentum, relative");
   program.headline(

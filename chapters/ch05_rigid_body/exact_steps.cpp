@@ -84,8 +84,10 @@ void equation_along_the_motion(book::Program& program, Body const& brick) {
                 "and Veselov along the true motion, over the momentum.");
   program.figure("residual", worst,
                  "largest residual of the equation, in units of the round-off of its terms");
-  program.claim(worst < 20, "the true motion satisfies the equation with modified moments, to rounding");
-  program.claim(least > 1e-3, "with the body's own moments it does not, by the square of the step");
+  program.claim(book::measured(worst) < 20,
+                "the true motion satisfies the equation with modified moments, to rounding");
+  program.claim(book::measured(least) > 1e-3,
+                "with the body's own moments it does not, by the square of the step");
 }
 
 // How the error after `duration` falls with the step, for the scheme of one order.
@@ -127,7 +129,8 @@ double orders(book::Program& program, Body const& brick) {
                   "modified moments cut off, and with their closed form.");
   double const exact = *std::max_element(errors.begin(), errors.end());
   program.figure("exact", exact, "largest error of the exact steps, from four radians a step to a sixtieth");
-  program.claim(exact < 200 * 16 * eps, "the exact steps are exact: sixteen epsilon for each radian");
+  program.claim(book::measured(exact) < 200 * 16 * eps,
+                "the exact steps are exact: sixteen epsilon for each radian");
   return exact;
 }
 
@@ -156,7 +159,7 @@ void far_ahead(book::Program& program, Body const& apophis) {
   double const error = apart(released(apophis).at(later), true_state(apophis, later));
   program.figure("apophis", error,
                  "Apophis after ten precessions: one evaluation against a power series in fifty digits");
-  program.claim(error < 100 * 16 * eps, "one evaluation over ten precessions is exact, too");
+  program.claim(book::measured(error) < 100 * 16 * eps, "one evaluation over ten precessions is exact, too");
 }
 
 int main(int argc, char** argv) {

@@ -108,9 +108,10 @@ int main(int argc, char** argv) {
   program.picture("drift", plot.svg(), "Largest relative change of Tr M^2 so far, n = 8, steps of 0.1.");
 
   double const eps = std::numeric_limits<double>::epsilon();
-  program.claim(worst < 100 * eps,
+  program.claim(book::measured(worst) < 100 * eps,
                 "fast and general road have the same relative motion, to a hundred epsilon of the angle");
-  program.claim(random_walk < 100 * eps, "a million steps change Tr M^2 by less than a hundred epsilon");
+  program.claim(book::measured(random_walk) < 100 * eps,
+                "a million steps change Tr M^2 by less than a hundred epsilon");
   program.headline("Tr M^2 conserved to " + book::number(random_walk, 2) + " over a million steps",
                    random_walk);
   return program.finish();

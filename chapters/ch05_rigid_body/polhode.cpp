@@ -132,10 +132,12 @@ int main(int argc, char** argv) {
   program.figure("order_precession", order_precession, "order of the period of precession");
 
   // 3. What must be so. The published periods have six and seven digits and the catalogue's spin ten.
-  program.claim(farthest < 1e-12, "the steps lie on the exact curve to rounding");
-  program.claim(errors_rotation.back() < 1e-3 && errors_precession.back() < 1e-3,
-                "both periods of Apophis come out");
-  program.claim(std::abs(order_rotation - 2) < 0.1 && std::abs(order_precession - 2) < 0.1,
+  program.claim(book::measured(farthest) < 1e-12, "the steps lie on the exact curve to rounding");
+  program.claim(
+      book::measured(errors_rotation.back()) < 1e-3 && book::measured(errors_precession.back()) < 1e-3,
+      "both periods of Apophis come out");
+  program.claim(book::measured(std::abs(order_rotation - 2)) < 0.1 &&
+                    book::measured(std::abs(order_precession - 2)) < 0.1,
                 "the periods converge with order 2");
   program.headline("steps on the exact polhode to " + book::number(farthest, 2), farthest);
   return program.finish();

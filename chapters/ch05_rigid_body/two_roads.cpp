@@ -128,10 +128,12 @@ int main(int argc, char** argv) {
 
   // 5. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and
   //    the attitude adds those up again.
-  program.claim(chart < 1e-10 && mv < 1e-10, "the two roads agree to rounding");
-  program.claim(std::abs(order_chart - 2) < 0.05 && std::abs(order_mv - 2) < 0.05,
-                "both schemes are of order two");
-  program.claim(known < 1e-8, "the converged rates are those known");
+  program.claim(book::measured(chart) < 1e-10 && book::measured(mv) < 1e-10,
+                "the two roads agree to rounding");
+  program.claim(
+      book::measured(std::abs(order_chart - 2)) < 0.05 && book::measured(std::abs(order_mv - 2)) < 0.05,
+      "both schemes are of order two");
+  program.claim(book::measured(known) < 1e-8, "the converged rates are those known");
   program.headline("two roads apart by " + book::number(std::max(chart, mv), 2) + " after 300 steps",
                    std::max(chart, mv));
   return program.finish();

@@ -152,12 +152,13 @@ int main(int argc, char** argv) {
   program.figure("flux", kept, "flux of two neighbouring ellipses through the boundary");
   program.figure("flux_lost", lost, "the same with one that is no first variation");
 
-  program.claim(theorem < 1e-12 && whole < 1e-12,
+  program.claim(book::measured(theorem) < 1e-12 && book::measured(whole) < 1e-12,
                 "derivative of the action = inside + boundary, to rounding");
-  program.claim(vertical < 1e-12 && missing > 1e-2,
+  program.claim(book::measured(vertical) < 1e-12 && book::measured(missing) > 1e-2,
                 "vertical variations see all of the Cartan form but its last term");
-  program.claim(off > 1e-2, "a motion that solves nothing has something inside");
-  program.claim(kept < 1e-12 && lost > 1e-3, "two first variations have no flux through the boundary");
+  program.claim(book::measured(off) > 1e-2, "a motion that solves nothing has something inside");
+  program.claim(book::measured(kept) < 1e-12 && book::measured(lost) > 1e-3,
+                "two first variations have no flux through the boundary");
   program.headline("derivative of the action equals the boundary integral to " + book::number(theorem, 2),
                    theorem);
   return program.finish();

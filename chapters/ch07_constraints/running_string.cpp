@@ -80,11 +80,11 @@ double show_equations(book::Program& program) {
                 "What is left of the field equations, over the largest force in them, and the relative error "
                 "of the tension found at single points. "
                 "The last two are controls.");
-  program.claim(std::max({left[0], left[1], left[2]}) < 1e-12,
+  program.claim(book::measured(std::max({left[0], left[1], left[2]})) < 1e-12,
                 "the field equations and the constraint hold to rounding");
-  program.claim(std::max({error[0], error[1], error[2]}) < 1e-10,
+  program.claim(book::measured(std::max({error[0], error[1], error[2]})) < 1e-10,
                 "the tension found at single points is the exact one");
-  program.claim(std::min(slack, forgotten) > 0.1,
+  program.claim(book::measured(std::min(slack, forgotten)) > 0.1,
                 "a wrong tension leaves a force as large as those in balance");
   return std::max(left[0], left[2]);
 }
@@ -117,7 +117,7 @@ void show_boundary_values(book::Program& program) {
   program.figure("round", worst, "relative error of the loop's tension, found from its place and velocity");
   program.figure("order", order, "order at which the chain's tension is found so");
   program.figure("finest", errors.back(), "relative error on the finest grid");
-  program.claim(worst < 1e-10 && std::abs(order - 2) < 0.1,
+  program.claim(book::measured(worst) < 1e-10 && book::measured(std::abs(order - 2)) < 0.1,
                 "place and velocity give the tension, to second order in the grid");
 }
 

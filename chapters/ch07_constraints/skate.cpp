@@ -126,9 +126,10 @@ int main(int argc, char** argv) {
                     book::number(end) + " s.");
   program.figure("deepest", deepest, book::number(100 * deepest) + " cm", "how far down the cycloid gets");
   program.figure("far", other.x, book::number(other.x) + " m", "how far down the other one is at the end");
-  program.claim(left < 1e-12, "the cycloid satisfies virtual work");
-  program.claim(worst < 1e-10, "the other motion satisfies the augmented equations and the constraint");
-  program.claim(missing > 0.1 && other.x > 10 * deepest, "the two differ");
+  program.claim(book::measured(left) < 1e-12, "the cycloid satisfies virtual work");
+  program.claim(book::measured(worst) < 1e-10,
+                "the other motion satisfies the augmented equations and the constraint");
+  program.claim(book::measured(missing) > 0.1 && book::measured(other.x) > 10 * deepest, "the two differ");
   program.headline(
       "the principles part by " + book::number(other.x - deepest) + " m in " + book::number(end) + " s",
       other.x - deepest);

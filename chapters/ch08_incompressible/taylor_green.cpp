@@ -65,7 +65,7 @@ void show_paths(book::Program& program) {
                   "One cell: particles on their paths, and the lines of equal pressure, which is highest in "
                   "the corners and lowest in the middle.");
   program.figure("path_error", worst, "largest distance of a particle from its place by elliptic functions");
-  program.claim(worst < 1e-10, "particles are where elliptic functions have them");
+  program.claim(book::measured(worst) < 1e-10, "particles are where elliptic functions have them");
 }
 
 // ---- 2. The edge of a patch of dye at four times.
@@ -89,7 +89,7 @@ void show_dye(book::Program& program) {
                   "The edge of a patch of dye at four times: the constraint keeps its area, and nothing "
                   "keeps its shape.");
   program.figure("volume", worst, "largest deviation of J from 1 around the patch");
-  program.claim(worst < 1e-9, "the motion keeps areas");
+  program.claim(book::measured(worst) < 1e-9, "the motion keeps areas");
 }
 
 // ---- 3. The pressure of a particle less that of another: the multiplier's derivatives along the straight
@@ -132,7 +132,8 @@ void compare_pressures(book::Program& program) {
                 "in space by the equation of the pressure.");
   program.figure("by_multiplier", by_multiplier, "largest error of the pressure by the multiplier");
   program.figure("by_poisson", by_poisson, "largest error of the pressure by (8.14)");
-  program.claim(by_multiplier < 1e-7 && by_poisson < 1e-12, "the two pressures agree with the closed form");
+  program.claim(book::measured(by_multiplier) < 1e-7 && book::measured(by_poisson) < 1e-12,
+                "the two pressures agree with the closed form");
   program.headline(
       "pressure by multiplier and by Poisson's equation agree to " + book::number(by_multiplier, 2),
       by_multiplier);

@@ -42,8 +42,8 @@ double show_moments(book::Program& program) {
   program.figure("balance", worst,
                  "largest balance of a cell over the largest rate, 144 cells at four times");
   program.figure("control", control, "the same with a tenth too much acceleration");
-  program.claim(worst < 1e-12, "each cell loses what leaves through its faces, to rounding");
-  program.claim(control > 1e-3, "not so when the motion is no solution");
+  program.claim(book::measured(worst) < 1e-12, "each cell loses what leaves through its faces, to rounding");
+  program.claim(book::measured(control) > 1e-3, "not so when the motion is no solution");
   return worst;
 }
 
@@ -82,7 +82,7 @@ void show_rings(book::Program& program) {
                  "largest balance of a ring, over the time, over the energy of the rings up to it");
   program.figure("total", std::abs(total_after / total_before - 1), "relative change of the whole energy");
   program.figure("outermost", growth, "energy of the outermost ring at the end over that at the beginning");
-  program.claim(over_time < 1e-10, "over a time as well");
+  program.claim(book::measured(over_time) < 1e-10, "over a time as well");
 }
 
 // ---- 3. The cells where they are, in the colour of what they do: one for gaining, one for losing energy,

@@ -97,7 +97,7 @@ void show_circulation(book::Program& program) {
       "circulation", {"loop of particles", "at t = 0", "at t = 7", "closed form"}, rows,
       "Circulation along loops of particles: by the trapezoidal rule with 64 points, and in closed form.");
   program.figure("circulation_error", worst, "largest relative error of a circulation");
-  program.claim(worst < 1e-13, "circulations are constant and have their closed forms");
+  program.claim(book::measured(worst) < 1e-13, "circulations are constant and have their closed forms");
 }
 
 // ---- 4. Density by latitude; circles of equal mass and a loop of particles.
@@ -147,9 +147,9 @@ int main(int argc, char** argv) {
   program.picture("sphere", sphere(),
                   "Circles that hold the same mass at rest and at M = 1.6, and a loop of particles that is "
                   "carried along.");
-  program.claim(field < 1e-11, "the motion is exact");
-  program.claim(closed < 1e-11, "the currents of the symmetries are closed");
-  program.claim(open > 1e-3, "and those of fields that are no symmetries are not");
+  program.claim(book::measured(field) < 1e-11, "the motion is exact");
+  program.claim(book::measured(closed) < 1e-11, "the currents of the symmetries are closed");
+  program.claim(book::measured(open) > 1e-3, "and those of fields that are no symmetries are not");
   program.headline("currents closed to " + number(closed, 2), closed);
   return program.finish();
 }

@@ -65,15 +65,39 @@ void Program::picture(std::string const& name, std::string const& svg, std::stri
                       json::quote(file.filename().string()) + ", \"caption\": " + json::quote(caption) + "}");
 }
 
-void Program::claim(bool holds, std::string const& what) {
-  judge(holds, what);
-  failed_ += !holds;
+void Program::claim(Comparison const& compared, std::string const& what) {
+  judge(compared, what);
+  failed_ += !compared.holds;
 }
 
-void Program::judge(bool holds, std::string const& what) {
-  if (!holds) std::cerr << name_ << ": a claim does not hold: " << what << '\n';
-  claims_.push_back("{\"holds\": " + std::string(holds ? "true" : "false") +
-                    ", \"text\": " + json::quote(what) + "}");
+void Program::judge(Comparison const& compared, std::string const& what) {
+  std::string const figures = compared.said.empty() ? "" : " (" + compared.said + ")";
+  if (compared.holds)
+    std::cout << "  holds: " << what << figures << '\n';
+  else
+    std::cerr << name_ << ": a claim does not hold: " << what << figures << '\n';
+  claims_.push_back("{\"holds\": " + std::string(compared.holds ? "true" : "false") + ", \"text\": " +
+                    json::quote(what) + ", \"measured\": " + json::quote(compared.said) + "}");
+}
+
+void Program::motion(std::string const& name, Row const& header,
+                     std::vector<std::vector<double>> const& rows) {
+  std::vector<std::string> lines;
+  for (auto const& row : rows) {
+    if (row.size() != header.size())
+      throw std::invalid_argument(
+          text("motion ", name, ": a row has ", row.size(), " values, the header ", header.size(), " names"));
+    std::vector<std::string> cells;
+    // Five digits are more than a screen can show.
+    for (double const value : row) cells.push_back(number(value, 5));
+    lines.push_back(json::array(cells));
+  }
+  motions_.push_back("{\"name\": " + json::quote(name) + ", \"header\": " + json::strings(header) +
+                     ", \"rows\": " + json::array(lines) + "}");
+}
+
+void Program::snippet(std::string const& name, std::string const& said) {
+  snippets_.push_back("{\"name\": " + json::quote(name) + ", \"said\": " + json::quote(said) + "}");
 }
 
 void Program::property(std::string const& name, std::string const& value) {
@@ -96,6 +120,7 @@ int Program::finish() {
           ",\n \"headline\": " + (headline_.empty() ? "null" : headline_) +
           ",\n \"figures\": " + json::array(figures_) + ",\n \"tables\": " + json::array(tables_) +
           ",\n \"pictures\": " + json::array(pictures_) + ",\n \"claims\": " + json::array(claims_) +
+          ",\n \"motions\": " + json::array(motions_) + ",\n \"snippets\": " + json::array(snippets_) +
           properties_ + ",\n \"seconds\": " + json::number(std::round(seconds.count() * 1e3) / 1e3) + "}\n");
   return failed_ == 0 ? 0 : 1;
 }

@@ -58,6 +58,32 @@ inline std::size_t width(std::string_view text) {
   return count;
 }
 
+/// What a claim compared, as its reader sees it: whether it holds, and the measured value with its bound.
+struct Comparison {
+  bool holds;        ///< the outcome
+  std::string said;  ///< "4.5e-14 < 2.2e-12"
+};
+
+/// A measured value, to be compared with its bound in a claim: `claim(measured(drift) < bound, "...")`.
+struct Measured {
+  double value;  ///< what was measured
+
+  /// The comparison with an upper bound.
+  friend Comparison operator<(Measured a, double bound) {
+    return {a.value < bound, number(a.value) + " < " + number(bound)};
+  }
+  /// The comparison with a lower bound.
+  friend Comparison operator>(Measured a, double bound) {
+    return {a.value > bound, number(a.value) + " > " + number(bound)};
+  }
+};
+/// Marks the value that a claim is about.
+inline Measured measured(double value) { return {value}; }
+/// Both comparisons.
+inline Comparison operator&&(Comparison const& a, Comparison const& b) {
+  return {a.holds && b.holds, a.said + ", " + b.said};
+}
+
 /// A program of a chapter, as its reader meets it: what it says, shows, measures and claims.
 class Program {
  public:
@@ -85,7 +111,16 @@ class Program {
 
   /// What the program asserts, in words: "the energy stays within 1e-12". Where it is not so, the program
   /// fails.
-  void claim(bool holds, std::string const& what);
+  void claim(bool holds, std::string const& what) { claim(Comparison{holds, ""}, what); }
+  /// The same, with the measured value and its bound.
+  void claim(Comparison const& compared, std::string const& what);
+
+  /// A motion for the book to play: moments in rows, each with a value under every name of the header.
+  /// @throws std::invalid_argument  where a row has another length than the header
+  void motion(std::string const& name, Row const& header, std::vector<std::vector<double>> const& rows);
+
+  /// What a snippet printed, see try_it.hpp.
+  void snippet(std::string const& name, std::string const& said);
 
   /// The one measured figure that stands for the program in the table of all programs.
   void headline(std::string const& text, double value);
@@ -96,7 +131,9 @@ class Program {
 
  protected:
   /// A claim that is shown and reported, whether it holds or not, and does not make the program fail.
-  void judge(bool holds, std::string const& what);
+  void judge(Comparison const& compared, std::string const& what);
+  /// The same for a plain condition.
+  void judge(bool holds, std::string const& what) { judge(Comparison{holds, ""}, what); }
   /// A further member of the report; `value` is JSON.
   void property(std::string const& name, std::string const& value);
 
@@ -107,7 +144,7 @@ class Program {
   std::filesystem::path folder_;
   std::string shows_;
   std::string headline_, properties_;
-  std::vector<std::string> figures_, tables_, pictures_, claims_;
+  std::vector<std::string> figures_, tables_, pictures_, claims_, motions_, snippets_;
   int failed_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

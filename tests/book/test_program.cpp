@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "book/program.hpp"
+#include "book/try_it.hpp"
 
 namespace {
 
@@ -50,6 +51,44 @@ BOOST_AUTO_TEST_CASE(a_claim_that_does_not_hold_fails_the_program) {
   called.program.claim(false, "two and two are five");
   BOOST_TEST(called.program.finish() == 1);
   BOOST_TEST(called.report()["claims"][0]["holds"] == false);
+}
+
+BOOST_AUTO_TEST_CASE(a_claim_shows_what_was_measured_and_its_bound) {
+  Called called;
+  called.program.headline("all well", 0);
+  called.program.claim(book::measured(1e-15) < 1e-14 && book::measured(3) > 2, "both hold");
+  called.program.claim(book::measured(3) < 2, "three is below two");
+  BOOST_TEST(called.program.finish() == 1);
+  auto const claims = called.report()["claims"];
+  BOOST_TEST(claims[0]["holds"] == true);
+  BOOST_TEST(claims[0]["measured"] == "1e-15 < 1e-14, 3 > 2");
+  BOOST_TEST(claims[1]["holds"] == false);
+  // What is not a number is on no side of a bound.
+  BOOST_TEST(!(book::measured(std::nan("")) < 1).holds);
+  BOOST_TEST(!(book::measured(std::nan("")) > 1).holds);
+}
+
+BOOST_AUTO_TEST_CASE(a_motion_has_a_value_for_every_name) {
+  Called called;
+  called.program.headline("all well", 0);
+  called.program.motion("flip", {"t", "x"}, {{0, 1}, {0.5, 1.0 / 3}});
+  BOOST_CHECK_THROW(called.program.motion("flop", {"t", "x"}, {{0, 1, 2}}), std::invalid_argument);
+  BOOST_TEST(called.program.finish() == 0);
+  BOOST_TEST(called.report()["motions"][0]["rows"][1][1].get<double>() == 0.33333);
+}
+
+BOOST_AUTO_TEST_CASE(a_snippet_is_kept_with_what_it_printed) {
+  auto const before = book::tries();
+  book::tries() = {{"one", [] { actio::print("one", 1); }}, {"silent", [] {}}};
+  std::string name = "bin/ch03_try_it", option = "--report", where = Called().folder.string();
+  char* argv[3] = {name.data(), option.data(), where.data()};
+  // A snippet that prints nothing teaches nothing: the program fails.
+  BOOST_TEST(book::run_tries(3, argv, "lines to try") == 1);
+  auto const report = nlohmann::json::parse(std::ifstream(std::filesystem::path(where) / "ch03_try_it.json"));
+  BOOST_TEST(report["snippets"][0]["said"] == "one: 1\n");
+  BOOST_TEST(report["claims"][1]["holds"] == false);
+  book::tries() = before;
+  std::filesystem::remove_all(where);
 }
 
 BOOST_AUTO_TEST_CASE(a_figure_that_is_not_a_number_fails_the_program) {
