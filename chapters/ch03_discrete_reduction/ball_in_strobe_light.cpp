@@ -3,9 +3,9 @@
 //
 // What is shown. A charged ball spins in a magnetic field and is photographed every tenth of a second. The
 // four conditions of Theorem 3.2.1 are evaluated by four separate pieces of code: along a motion all of them
-// vanish, on any other sequence all of them are one and the same covector. A patch painted on the ball that
-// the field can feel breaks the invariance, and the last two fail. Then the reduced motion is compared with the
-// precession that theory predicts, and with what the sign of (3.25) in print makes of it.
+// vanish, on any other sequence all of them are one and the same covector. Paint on which the field acts breaks
+// the invariance, and the last two fail. Then the reduced motion is compared with the precession that theory
+// predicts, and with what the sign of (3.25) in print makes of it.
 // Read first. Sections 3.1 and 3.2 of chapter 3, up to Theorem 3.2.1.
 //
 //   g     attitude in SO(3)                        L    discrete Lagrangian on pairs of attitudes, J s
@@ -23,23 +23,27 @@ using Attitude = Element<SO<3>, double>;
 using Covector = Momentum<SO<3>, double>;
 SO<3> const turns;
 
-// 1. The ball. Its Lagrangian on TG depends on the spatial velocity alone; the natural chart makes a discrete
-//    Lagrangian of it, and a reduced one.
+// 1. The ball. Its Lagrangian on TG depends on the spatial velocity alone; the natural chart
+//    makes a discrete Lagrangian of it, and a reduced one.
 double const h = 0.1;
-auto const L = discretize_right([](auto const& v) { return ball_in_field()(v.velocity); }, h, at_second);
-auto const l = natural_chart_lagrangian_right(ball_in_field(), h);
+auto const on_TG = [](auto const& v) { return ball_in_field()(v.velocity); };
+auto const L = discretize_right(on_TG, h, at_second);               // (3.24)
+auto const l = natural_chart_lagrangian_right(ball_in_field(), h);  // (3.25)
 
-// 2. The first two pictures: the step starts with the momentum of a ball that spins about a tilted axis.
+// 2. The first two pictures: the step starts with the momentum of a ball that spins about a
+//    tilted axis.
 Vector<double, 3> const spin(3, 0, 1);  // 1/s
 Covector const mu0 = momentum(turns, ball_inertia* spin + ball_field);
-auto const f01 = relative_motion_from_momentum_right(l, mu0, exp(-h * velocity(turns, spin))).value;
+auto const guess = exp(-h * velocity(turns, spin));
+auto const f01 = relative_motion_from_momentum_right(l, mu0, guess).value;
 Attitude const g0 = exp(velocity(turns, Vector<double, 3>(0.4, -0.2, 0.7)));
 
-// 3. The four conditions at the middle one of three pictures, each as a covector: how the action sum changes
-//    when the attitude in the middle is turned; the two terms of (3.2); how the reduced sum changes with the
-//    two relative motions that are induced; the two terms of (3.10).
+// 3. The four conditions at the middle one of three pictures, each as a covector: how the action
+//    sum changes when the attitude in the middle is turned; the two terms of (3.2); how the
+//    reduced sum changes with the two relative motions that are induced; the two terms of (3.10).
+using Pictures = std::vector<Attitude>;
 template <class Pair, class Reduced>
-std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, std::vector<Attitude> const& g) {
+std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, Pictures const& g) {
   auto const f01 = relative_motion_right(g[0], g[1]), f12 = relative_motion_right(g[1], g[2]);
   auto const action = [&](auto const& middle) {
     return discrete_action(L, std::array{like(middle, g[0]), middle, like(middle, g[2])});
@@ -47,12 +51,14 @@ std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, std::ve
   auto const reduced_action = [&](auto const& turn) {
     return l(like(turn, f01) * inverse(turn)) + l(turn * like(turn, f12));
   };
-  return {right_differential(action, g[1]), discrete_euler_lagrange(L, g[0], g[1], g[2]),
-          right_differential(reduced_action, identity<double>(turns)), euler_poincare_right(l, f01, f12)};
+  return {right_differential(action, g[1]),                             // (1)
+          discrete_euler_lagrange(L, g[0], g[1], g[2]),                 // (2)
+          right_differential(reduced_action, identity<double>(turns)),  // (3)
+          euler_poincare_right(l, f01, f12)};                           // (4)
 }
 
-// 4. Three sequences: a motion; the same with the picture in the middle turned a little; a motion of a ball
-//    that is not invariant, because a painted patch lets the field feel how the ball is turned.
+// 4. Three sequences: a motion; the same with the picture in the middle turned a little; a motion
+//    of a ball that is not invariant, because the field acts on its paint.
 struct Trial {
   std::string name;
   std::array<Covector, 4> conditions;
@@ -68,23 +74,22 @@ std::vector<Trial> try_the_theorem() {
     return l(f) + (f.value(2, 2) + 1.0) * (h * ball_inertia);
   };
   auto const p2 = step_euler_lagrange(painted, g0, g1).value;
-  return {{"a motion", four_conditions(L, l, std::vector{g0, g1, g2})},
-          {"middle picture turned", four_conditions(L, l, std::vector{g0, nudge * g1, g2})},
-          {"a motion, painted ball", four_conditions(painted, painted_l, std::vector{g0, g1, p2})}};
+  return {{"a motion", four_conditions(L, l, Pictures{g0, g1, g2})},
+          {"middle picture turned", four_conditions(L, l, Pictures{g0, nudge * g1, g2})},
+          {"a motion, painted ball", four_conditions(painted, painted_l, Pictures{g0, g1, p2})}};
 }
 double size(Covector const& mu) { return mu.components.norm() / mu0.components.norm(); }
 
-// 5. What theory says: mu precesses about the field at the rate |b| / I (Larmor), and so g is known as well.
-Vector<double, 3> larmor(double t) {
-  return exp(velocity(turns, (-t / ball_inertia * ball_field).eval())).value * mu0.components;
+// 5. What theory says: mu precesses about the field at the rate |b| / I (Larmor), and so g is known.
+Attitude turned(Vector<double, 3> const& momentum, double t) {
+  Vector<double, 3> const angle = t / ball_inertia * momentum;
+  return exp(velocity(turns, angle));
 }
-Attitude larmor_attitude(double t) {
-  return exp(velocity(turns, (-t / ball_inertia * ball_field).eval())) *
-         exp(velocity(turns, (t / ball_inertia * mu0.components).eval())) * g0;
-}
+Vector<double, 3> larmor(double t) { return turned(ball_field, -t).value * mu0.components; }
+Attitude larmor_attitude(double t) { return turned(ball_field, -t) * turned(mu0.components, t) * g0; }
 
-// 6. Reduced steps: solve (3.10) for the next relative motion, move the momentum by (3.17), put the attitudes
-//    together by (3.14).
+// 6. Reduced steps: move the momentum by (3.17), put the attitudes together by (3.14), solve (3.10)
+//    for the next relative motion.
 struct Film {
   std::vector<Vector<double, 3>> momenta;
   Attitude last;
@@ -103,17 +108,19 @@ Film take_pictures(Reduced const& l, double h, int count) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "a charged ball photographed in a magnetic field: (3.10) from (3.2), and the precession "
-                        "of its momentum");
+  book::Program program(
+      argc, argv,
+      "a charged ball photographed in a magnetic field: (3.10) from (3.2), and the precession "
+      "of its momentum");
   // The theorem.
   auto const trials = try_the_theorem();
   std::vector<std::vector<std::string>> rows;
   for (auto const& [name, c] : trials)
-    rows.push_back({name, book::number(size(c[0]), 2), book::number(size(c[1]), 2), book::number(size(c[2]), 2),
-                    book::number(size(c[3]), 2)});
-  program.table("conditions", {"sequence", "(1) action", "(2) DEL", "(3) reduced action", "(4) DEP"}, rows,
-                "The four conditions of Theorem 3.2.1 at the middle of three pictures, relative to the momentum.");
+    rows.push_back({name, book::number(size(c[0]), 2), book::number(size(c[1]), 2),
+                    book::number(size(c[2]), 2), book::number(size(c[3]), 2)});
+  program.table(
+      "conditions", {"sequence", "(1) action", "(2) DEL", "(3) reduced action", "(4) DEP"}, rows,
+      "The four conditions of Theorem 3.2.1 at the middle of three pictures, relative to the momentum.");
   auto const apart = [&](Trial const& t, int i) { return size(t.conditions[i] - t.conditions[0]); };
   double const same = std::max({apart(trials[1], 1), apart(trials[1], 2), apart(trials[1], 3)});
   program.claim(book::measured(size(trials[0].conditions[3])) < 1e-13, "a motion of (3.2) satisfies (3.10)");
