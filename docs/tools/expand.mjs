@@ -1,4 +1,4 @@
-// Expands the book's own commands in its pages (docs/pages, chapters/*/chapter.md) from the reports of the
+// Expands the book's own commands in its pages (docs/pages, chapters/*/*.md) from the reports of the
 // build.
 //
 // A command becomes a token that Doxygen carries through unchanged; finish.mjs puts the token's HTML in its
@@ -217,6 +217,7 @@ for (const p of pages) {
   const emit = text => { for (const l of text.split('\n')) { out.push(l); map.push(line); } };
   const block = (html, anchors = []) => emit(`\n${anchors.map(a => `\\anchor ${a} `).join('')}${token(html)}\n`);
   const open = [];
+  const anchorHome = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file; };
   const anchorHere = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file && h.line === line ? [id] : []; };
   const heading = (id, text) => `<a class="here" href="#${id}" title="permanent link">${text}</a>`;
 
@@ -258,7 +259,9 @@ for (const p of pages) {
       const top = open.pop();
       if (top?.kind !== 'beside') return errors.add(p.file, line, '\\endbeside without \\beside');
       if (!top.code) errors.add(p.file, line, '\\beside has no \\asCode');
-      block('</div></div>');
+      // Outside a statement's box, what was wrong with it stands below.
+      const alone = !open.some(o => o.kind === 'statement') && anchorHome(top.id, 'beside');
+      block(`</div></div>${alone ? verdictNote(book, top.id) : ''}`);
     },
     evidence(id) {
       if (!known(p, line, id)) return;

@@ -131,18 +131,18 @@ function evidenceLine(r) {
   const kind = strength.find(k => r.evidence.some(e => e.kind === k)) ?? r.evidence[0].kind;
   const of = r.evidence.filter(e => e.kind === kind), models = new Set(r.evidence.map(e => e.model).filter(Boolean)).size;
   const points = of.reduce((sum, e) => sum + (e.points ?? 0), 0);
-  const over = kind === 'exact' ? ` over ${[...new Set(of.map(e => columnNames[e.scalar]))].filter(Boolean).join(' and ')}${points ? `, ${points} points` : ''}` : '';
+  const over = kind === 'exact' ? ` title="over ${[...new Set(of.map(e => columnNames[e.scalar]))].filter(Boolean).join(' and ')}${points ? `, ${points} points` : ''}"` : '';
   const w = worst(r), orders = r.evidence.filter(e => e.kind === 'order').map(e => Number(e.slope));
   const rounded = r.evidence.filter(e => e.kind === 'precision' && Number(e.epsilon) > 0);
   const largest = rounded.length ? rounded.reduce((a, b) => (Number(b.measured) / Number(b.epsilon) > Number(a.measured) / Number(a.epsilon) ? b : a)) : null;
-  const residual = largest ? `residual at most ${inEpsilons(largest.measured, largest.epsilon)}` : w ? `residual ${number(w.entry.measured)}` : '';
+  const residual = largest ? `residual ≤ ${inEpsilons(largest.measured, largest.epsilon)}` : w ? `residual ${number(w.entry.measured)}` : '';
   const controls = (r.control ?? []).map(c => Number(c.measured));
-  return `<span class="evidence-title">Evidence</span>${[
-    `<span class="evidence-kind">${kind}${over}${models > 1 ? `, ${models} models` : ''}</span>`,
+  return `<span class="evidence-title">Evidence</span>${badge(r.verdict)}${[
+    `<span class="evidence-kind"${over}>${kind}${models > 1 ? `, ${models} models` : ''}${kind === 'exact' && points ? `, ${points} points` : ''}</span>`,
     residual ? `<span>${residual}</span>` : '',
     orders.length ? `<span>order ${[...new Set([Math.min(...orders), Math.max(...orders)].map(x => x.toFixed(2)))].join(' to ')}</span>` : '',
     controls.length ? `<span>least control ${number(Math.min(...controls))}</span>` : '',
-  ].join('')}${badge(r.verdict)}`;
+  ].join('')}`;
 }
 
 // ---- The ledger page
