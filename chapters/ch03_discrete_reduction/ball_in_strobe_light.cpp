@@ -38,9 +38,9 @@ auto const guess = exp(-h * velocity(turns, spin));
 auto const f01 = relative_motion_from_momentum_right(l, mu0, guess).value;
 Attitude const g0 = exp(velocity(turns, Vector<double, 3>(0.4, -0.2, 0.7)));
 
-// 3. The four conditions at the middle one of three pictures, each as a covector: how the action
-//    sum changes when the attitude in the middle is turned; the two terms of (3.2); how the
-//    reduced sum changes with the two relative motions that are induced; the two terms of (3.10).
+// 3. The four conditions at the middle one of three pictures, each as a covector: how the
+//    action sum changes when the middle attitude is turned; the two terms of (3.2); how the
+//    reduced sum changes with the induced variations; the two terms of (3.10).
 using Pictures = std::vector<Attitude>;
 template <class Pair, class Reduced>
 std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, Pictures const& g) {
@@ -57,8 +57,8 @@ std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, Picture
           euler_poincare_right(l, f01, f12)};                           // (4)
 }
 
-// 4. Three sequences: a motion; the same with the picture in the middle turned a little; a motion
-//    of a ball that is not invariant, because the field acts on its paint.
+// 4. Three sequences: a motion; the same with the picture in the middle turned a little; a
+//    motion of a ball that is not invariant, because the field acts on its paint.
 struct Trial {
   std::string name;
   std::array<Covector, 4> conditions;
@@ -80,16 +80,16 @@ std::vector<Trial> try_the_theorem() {
 }
 double size(Covector const& mu) { return mu.components.norm() / mu0.components.norm(); }
 
-// 5. What theory says: mu precesses about the field at the rate |b| / I (Larmor), and so g is known.
+// 5. What theory says: mu precesses about the field at the rate |b| / I (Larmor), and g follows.
 Attitude turned(Vector<double, 3> const& momentum, double t) {
   Vector<double, 3> const angle = t / ball_inertia * momentum;
   return exp(velocity(turns, angle));
 }
 Vector<double, 3> larmor(double t) { return turned(ball_field, -t).value * mu0.components; }
-Attitude larmor_attitude(double t) { return turned(ball_field, -t) * turned(mu0.components, t) * g0; }
+Attitude at_time(double t) { return turned(ball_field, -t) * turned(mu0.components, t) * g0; }
 
-// 6. Reduced steps: move the momentum by (3.17), put the attitudes together by (3.14), solve (3.10)
-//    for the next relative motion.
+// 6. Reduced steps: move the momentum by (3.17), put the attitudes together by (3.14), solve
+//    (3.10) for the next relative motion.
 struct Film {
   std::vector<Vector<double, 3>> momenta;
   Attitude last;
@@ -135,7 +135,7 @@ int main(int argc, char** argv) {
   for (int n = 21; n <= 336; n *= 2) {
     double const step = revolution / n;
     Film const film = take_pictures(natural_chart_lagrangian_right(ball_in_field(), step), step, n);
-    double const error = (film.last.value - larmor_attitude(revolution).value).norm();
+    double const error = (film.last.value - at_time(revolution).value).norm();
     steps.push_back(step), errors.push_back(error);
     orders.push_back({book::number(step), book::number(error, 2)});
   }
