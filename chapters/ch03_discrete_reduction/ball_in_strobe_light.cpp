@@ -3,8 +3,8 @@
 //
 // What is shown. A charged ball spins in a magnetic field and is photographed every tenth of a second. The
 // four conditions of Theorem 3.2.1 are evaluated by four separate pieces of code: along a motion all of them
-// vanish, on any other sequence all of them are one and the same covector. Paint on which the field acts breaks
-// the invariance, and the last two fail. Then the reduced motion is compared with the precession that theory
+// vanish, on any other sequence all of them are one and the same covector. A magnet in the ball, on which the
+// field acts, breaks the invariance, and the last two fail. Then the reduced motion is compared with the precession that theory
 // predicts, and with what the sign of (3.25) in print makes of it.
 // Read first. Sections 3.1 and 3.2 of chapter 3, up to Theorem 3.2.1.
 //
@@ -58,7 +58,7 @@ std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, Picture
 }
 
 // 4. Three sequences: a motion; the same with the picture in the middle turned a little; a
-//    motion of a ball that is not invariant, because the field acts on its paint.
+//    motion of a ball that is not invariant, because the field acts on a magnet in it.
 struct Trial {
   std::string name;
   std::array<Covector, 4> conditions;
@@ -67,16 +67,16 @@ std::vector<Trial> try_the_theorem() {
   auto const g1 = reconstruct_right(g0, f01);
   auto const g2 = step_euler_lagrange(L, g0, g1).value;
   auto const nudge = exp(velocity(turns, Vector<double, 3>(0.05, 0.02, -0.03)));
-  auto const painted = [](auto const& a, auto const& b) {
+  auto const L_magnet = [](auto const& a, auto const& b) {
     return L(a, b) + (a.value(2, 2) + b.value(2, 2)) * (h * ball_inertia);
   };
-  auto const painted_l = [](auto const& f) {  // restricted to pairs (f, 1)
+  auto const l_magnet = [](auto const& f) {  // restricted to pairs (f, 1)
     return l(f) + (f.value(2, 2) + 1.0) * (h * ball_inertia);
   };
-  auto const p2 = step_euler_lagrange(painted, g0, g1).value;
+  auto const p2 = step_euler_lagrange(L_magnet, g0, g1).value;
   return {{"a motion", four_conditions(L, l, Pictures{g0, g1, g2})},
           {"middle picture turned", four_conditions(L, l, Pictures{g0, nudge * g1, g2})},
-          {"a motion, painted ball", four_conditions(painted, painted_l, Pictures{g0, g1, p2})}};
+          {"a motion, ball with magnet", four_conditions(L_magnet, l_magnet, Pictures{g0, g1, p2})}};
 }
 double size(Covector const& mu) { return mu.components.norm() / mu0.components.norm(); }
 
