@@ -4,8 +4,8 @@
 // What is shown. A charged ball spins in a magnetic field and is photographed every tenth of a second. The
 // four conditions of Theorem 3.2.1 are evaluated by four separate pieces of code: along a motion all of them
 // vanish, on any other sequence all of them are one and the same covector. A magnet in the ball, on which the
-// field acts, breaks the invariance, and the last two fail. Then the reduced motion is compared with the precession that theory
-// predicts, and with what the sign of (3.25) in print makes of it.
+// field acts, breaks the invariance, and the last two fail. Then the reduced motion is compared with the
+// precession that theory predicts, and with what the sign of (3.25) in print makes of it.
 // Read first. Sections 3.1 and 3.2 of chapter 3, up to Theorem 3.2.1.
 //
 //   g     attitude in SO(3)                        L    discrete Lagrangian on pairs of attitudes, J s
