@@ -1,4 +1,4 @@
-// An atmosphere that turns about a sphere as a whole, labelled by mass or by place, and the fields of labels
+// An atmosphere that turns about a sphere as a whole, with two metrics of the body, and the fields of labels
 // and of space that are tried on it.
 //
 // The gas has the pressure P = K rho/J^2 of a polytropic gas of exponent 2 and turns with the angular
@@ -27,19 +27,19 @@ struct Sphere {
   template <class V>
   auto operator()(V const& y) const { return sphere_metric(y, typename V::Scalar(1)); }
 };
-// Density by latitude, 1 + s (1/3 - z^2): over area.
+// Mass density by latitude, 1 + s (1/3 - z^2): mass per area of the sphere.
 struct Density {
   double s;
   template <class V>
   auto operator()(V const& x) const { return typename V::Scalar(1 + s * (1.0 / 3 - x[0] * x[0])); }
 };
-// The body whose area is the mass: a label is as stretched as the gas is dense.
+// The metric of the body by mass: its area is the mass of the gas.
 struct LaidOut {
   Density density;
   template <class V>
   auto operator()(V const& x) const { return sphere_metric(x, density(x)); }
 };
-// The gas by places: its energy K rho(x)/J per mass varies with the label.
+// The gas in the metric by place: its energy K rho(x)/J per mass varies with the particle.
 struct PlacedEnergy {
   double K;
   Density density;
@@ -58,7 +58,8 @@ struct Turning {
   }
 };
 
-// The same gas with labels by mass, for which it is homogeneous, and with labels by place.
+// The same gas in two metrics of the body. By mass: area is mass, and the gas is homogeneous. By place: the
+// metric of the sphere, in which the mass density varies.
 struct Atmosphere {
   double Omega, K;
   double s() const { return Omega * Omega / (4 * K); }

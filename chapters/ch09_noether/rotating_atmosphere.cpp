@@ -1,15 +1,15 @@
 // An atmosphere that turns about a sphere as a whole: an exact motion of a barotropic gas, and the currents
 // of its symmetries.
 //
-// What is shown. Labels are chosen so that the mass of the body is its area. Then every stream function has a
-// closed current, every loop of particles keeps its circulation, and each rotation of the sphere has a
-// current of angular momentum. With labels by place a field that preserves areas of the body has a closed
-// current only if it runs along latitudes, and every field that preserves masses has one. Read first.
-// atmosphere.hpp, the gas and its motion.
+// What is shown. The body has the metric by mass, whose area is the mass of the gas. Then every stream
+// function has a closed current, every loop of particles keeps its circulation, and each rotation of the
+// sphere has a current of angular momentum. In the metric by place, that of the sphere, a field that
+// preserves areas of the body has a closed current only if it runs along latitudes, and every field that
+// preserves masses has one. Read first. atmosphere.hpp, the gas and its motion.
 //
 //   z, l   sine of the latitude, longitude
 //   M      speed at the equator over that of sound at rest, M^2 = Omega^2/(2K) = 2 s
-//   Z      label by mass, of which (1 + Z)/2 lies south of z
+//   Z      coordinate by mass: the part (1 + Z)/2 of the mass lies south of z
 #include <random>
 
 #include "actio/noether/circulation.hpp"
@@ -25,10 +25,10 @@ using namespace actio;
 using book::number;
 using std::numbers::pi;
 
-Atmosphere const air{1.2, 0.5};  // so that M is Omega
+// 1. The gas with Omega = 1.2 and K = 1/2, so that M is Omega, and its motion. The largest value of a
+// function of second jets of the motion over points of space-time; the residual of the field equations.
+Atmosphere const air{1.2, 0.5};
 Turning const phi{air.Omega};
-
-// The largest value of a function of second jets of the motion over points of space-time.
 template <class F>
 double largest(F const& f) {
   std::mt19937_64 random(1);
@@ -39,7 +39,6 @@ double largest(F const& f) {
   return most;
 }
 
-// 1. The residual of the field equations on the motion.
 template <class Medium>
 double residual_of(Medium const& gas) {
   return largest([&](auto const& j) { return euler_lagrange(gas, j).norm(); });
@@ -69,7 +68,7 @@ std::pair<double, double> show_currents(book::Program& program) {
   double const masses = leak_where_masses_stay();
   double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2);
   double const closed = std::max({all, zonal, masses, axis, across});
-  program.table("currents", {"field", "labels", "divergence over current"},
+  program.table("currents", {"field", "metric of the body", "divergence over current"},
                 {{"any stream function", "by mass", number(all)},
                  {"stream function of the latitude", "by place", number(zonal)},
                  {"any stream function", "by place", number(broken)},
@@ -78,7 +77,7 @@ std::pair<double, double> show_currents(book::Program& program) {
                  {"rotation about a horizontal axis", "by mass", number(across)},
                  {"a field that is not Killing", "by mass", number(no_rotation)}},
                 "Largest divergence of a current at 400 points of space-time, over its largest size.");
-  program.figure("broken", broken, "the relabelling current where the density of the labels varies");
+  program.figure("broken", broken, "the relabelling current where the mass density varies from particle to particle");
   // The density at a pole is linear in s = M^2/2.
   Matrix<double, 1, 1> const pole(1.0);
   program.figure("emptying", std::sqrt(2 / (1 - Density{1}(pole))), "M at which the poles are empty");

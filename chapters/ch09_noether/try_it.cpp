@@ -37,7 +37,7 @@ TRY_IT(off_shell) {
     using T = decltype(x[0] * 1.0);
     return Matrix<T, 2, 1>(x[1] + x[0] * x[2], x[2] * 2.0 + x[0] * x[0] * x[1]);
   };
-  auto const xi = [](auto const& p) {  // a field on Y that is no symmetry
+  auto const xi = [](auto const& p) {  // at p = (t, x1, x2, y1, y2) of Y; no symmetry
     using Point = std::remove_cvref_t<decltype(p)>;
     return Point(p[0] * p[1], p[2] * p[2], p[0] + p[1], p[3] * p[4], p[1] - p[4]);
   };
@@ -62,7 +62,7 @@ TRY_IT(kelvin) {
           Vector<double, 3>(along(cloud, t), along(rubber, t), along(fibred_rubber, t)));
 }
 
-TRY_IT(labels_by_mass) {
+TRY_IT(masses_preserved) {
   auto const j = second_jet(motion_of(cloud, 0.4), Event<double, 2>(0.4, 0.2, 0.3));
   auto const A = [](auto const& X) {
     return Matrix<decltype(X[0] * 1.0), 1, 1>(X[0] * X[0] * X[1]);
@@ -79,7 +79,7 @@ TRY_IT(forms) {
   auto const phi = motion_of(cloud, 0.0);
   auto const at = coordinates(first_jet(phi, Event<double, 2>(0.0, 0.2, 0.1)));
   auto const V = some_vectors<11, 3>();
-  auto const turned = relabelling_field<2>(QuarterTurn{});
+  auto const turned = relabelling_field<2>(QuarterTurn{});  // X -> (-X^2, X^1), as a field
   auto const pulled = [](auto const& p) {
     return std::remove_cvref_t<decltype(p)>(0, 0, 0, p[3], p[4]);
   };
