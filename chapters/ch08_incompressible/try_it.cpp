@@ -1,0 +1,104 @@
+// Lines to try of chapter 8: a constraint and its pressure, a drop, a layered fluid, the projection of a field, rubber.
+#include <cmath>
+
+#include "actio/continuum/materials.hpp"
+#include "actio/incompressible/bracket_of_fields.hpp"
+#include "actio/incompressible/ideal_fluid.hpp"
+#include "actio/incompressible/incompressible_equations.hpp"
+#include "actio/incompressible/two_pressures.hpp"
+#include "actio/jets/field_equations.hpp"
+#include "book/try_it.hpp"
+using namespace actio;
+
+TRY_IT(drawn_out) {
+  // A drop that is drawn out: (a x1, x2/a) with a = 1 + t, and its pressure in the place of each particle.
+  auto const motion = []<class T>(Matrix<T, 3, 1> const& x) {
+    return Matrix<T, 2, 1>(T(x[1] * (x[0] + 1.0)), T(x[2] / (x[0] + 1.0)));
+  };
+  auto const P = []<class T>(Matrix<T, 3, 1> const& x) {
+    T const y2 = x[2] / ((x[0] + 1.0) * (x[0] + 1.0));
+    return T(-(y2 * y2));
+  };
+  Euclidean<2> const flat;
+  auto const fluid = incompressible(Continuum{flat, flat, Homogeneous<double>{}, NoStoredEnergy{}});
+  auto const j = second_jet(with_pressure(motion, P, flat), Event<double, 2>(1, 0.3, 0.4));
+  print("J - 1", fluid.constraint(deformation(j))[0]);
+  print("residual of (8.9)", ideal_fluid_residual(flat, flat, j));
+  print("dP/dx that the motion requires", required_pressure_gradient(fluid, deformation(j)));
+  print("dP/dx of the given pressure", pressure_gradient(flat, j));
+}
+
+TRY_IT(in_space) {
+  // The same motion seen from space: u = (y1, -y2)/a, and p = -(y2/a)^2.
+  auto const u = []<class T>(Matrix<T, 3, 1> const& at) {
+    return Matrix<T, 2, 1>(T(at[1] / (at[0] + 1.0)), T(-at[2] / (at[0] + 1.0)));
+  };
+  auto const p = []<class T>(Matrix<T, 3, 1> const& at) {
+    T const y = at[2] / (at[0] + 1.0);
+    return T(-(y * y));
+  };
+  Euclidean<2> const flat;
+  Vector<double, 3> const at(1, 0.6, 0.2);
+  print("du/dt + u.grad u", eulerian_acceleration(flat, u, at));
+  print("-grad p", (-gradient(flat, p, at)).eval());
+  print("laplacian of p", laplacian(flat, p, at));
+  print("source of (8.14)", pressure_source(flat, u, at));
+}
+
+TRY_IT(stiff_drop) {
+  // A'' = -2 kappa (J - 1) J A^-T beside A'' = m A^-T: one unit of time by a Runge-Kutta method.
+  using Matrix2 = Matrix<double, 2, 2>;
+  auto const after_one = [](auto const& f) {
+    double const h = 1e-3;
+    Matrix2 A = Matrix2::Identity(), V;
+    V << 0.5, 1, -0.3, -0.5;
+    for (int i = 0; i < 1000; ++i) {
+      Matrix2 const a = f(A, V), b = f(A + h / 2 * V, V + h / 2 * a), c = f(A + h / 2 * V + h * h / 4 * a, V + h / 2 * b),
+                    d = f(A + h * V + h * h / 2 * b, V + h * c);
+      A += h * V + h * h / 6 * (a + b + c), V += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+    return A;
+  };
+  Matrix2 const drop = after_one([](Matrix2 const& A, Matrix2 const& V) {
+    Matrix2 const inverse = A.inverse(), rate = V * inverse;
+    return Matrix2((rate * rate).trace() / (inverse * inverse.transpose()).trace() * inverse.transpose());
+  });
+  print("J - 1 of the drop", drop.determinant() - 1);
+  for (double const kappa : {1e2, 1e3, 1e4}) {
+    Matrix2 const gas = after_one([kappa](Matrix2 const& A, Matrix2 const&) {
+      double const J = A.determinant();
+      return Matrix2(-2 * kappa * (J - 1) * J * A.inverse().transpose());
+    });
+    print("kappa", kappa);
+    print("  distance of the gas from the drop", (gas - drop).norm());
+  }
+}
+
+TRY_IT(bracket) {
+  // Two shears of the plane, and the bracket of the Lie algebra of diffeomorphisms.
+  auto const X = []<class T>(Matrix<T, 2, 1> const& y) { return Matrix<T, 2, 1>(T(y[1] * y[1]), T(0.0)); };
+  auto const Y = []<class T>(Matrix<T, 2, 1> const& y) { return Matrix<T, 2, 1>(T(0.0), T(y[0])); };
+  Vector<double, 2> const at(0.3, 0.5);
+  auto const Z = diffeomorphism_bracket(X, Y);
+  print("[X, Y]", Z(at));
+  print("its divergence", derivative(Z, at).matrix.trace());
+}
+
+TRY_IT(stiff_rubber) {
+  // A block of the neo-Hookean solid, stretched by 1.5 with free sides; kappa resists the change of volume.
+  double const stretch = 1.5, exact = 1 / stretch - 1;  // pressure over rho mu if J = 1
+  for (double const kappa : {1e1, 1e3, 1e5}) {
+    double side = 1 / std::sqrt(stretch);  // the stress on the sides vanishes: side - 1/side + kappa (J-1) J/side = 0
+    for (int i = 0; i < 30; ++i) {
+      double const J = stretch * side * side;
+      double const f = side * side - 1 + kappa * (J - 1) * J, df = 2 * side * (1 + kappa * stretch * (2 * J - 1));
+      side -= f / df;
+    }
+    double const J = stretch * side * side;
+    print("kappa", kappa);
+    print("  J - 1", J - 1);
+    print("  -kappa (J - 1), less the pressure of the constraint", -kappa * (J - 1) - exact);
+  }
+}
+
+TRY_IT_MAIN("the lines to try of chapter 8")
