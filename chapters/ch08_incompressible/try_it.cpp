@@ -51,23 +51,25 @@ TRY_IT(stiff_drop) {
   auto const after_one = [](auto const& f) {
     double const h = 1e-3;
     Matrix2 A = Matrix2::Identity(), V;
-    V << 0.5, 1, -0.3, -0.5;
+    V << 0.5, 1, 0.3, -0.5;
     for (int i = 0; i < 1000; ++i) {
-      Matrix2 const a = f(A, V), b = f(A + h / 2 * V, V + h / 2 * a), c = f(A + h / 2 * V + h * h / 4 * a, V + h / 2 * b),
+      Matrix2 const a = f(A, V), b = f(A + h / 2 * V, V + h / 2 * a),
+                    c = f(A + h / 2 * V + h * h / 4 * a, V + h / 2 * b),
                     d = f(A + h * V + h * h / 2 * b, V + h * c);
       A += h * V + h * h / 6 * (a + b + c), V += h / 6 * (a + 2 * b + 2 * c + d);
     }
     return A;
   };
   Matrix2 const drop = after_one([](Matrix2 const& A, Matrix2 const& V) {
-    Matrix2 const inverse = A.inverse(), rate = V * inverse;
-    return Matrix2((rate * rate).trace() / (inverse * inverse.transpose()).trace() * inverse.transpose());
+    Matrix2 const inverse = inverse_matrix(A), rate = V * inverse;
+    double const m = (rate * rate).trace() / (inverse * inverse.transpose()).trace();
+    return Matrix2(m * inverse.transpose());
   });
-  print("J - 1 of the drop", drop.determinant() - 1);
+  print("J - 1 of the drop", determinant(drop) - 1);
   for (double const kappa : {1e2, 1e3, 1e4}) {
     Matrix2 const gas = after_one([kappa](Matrix2 const& A, Matrix2 const&) {
-      double const J = A.determinant();
-      return Matrix2(-2 * kappa * (J - 1) * J * A.inverse().transpose());
+      double const J = determinant(A);
+      return Matrix2(-2 * kappa * (J - 1) * J * inverse_matrix(A).transpose());
     });
     print("kappa", kappa);
     print("  distance of the gas from the drop", (gas - drop).norm());
@@ -88,11 +90,10 @@ TRY_IT(stiff_rubber) {
   // A block of the neo-Hookean solid, stretched by 1.5 with free sides; kappa resists the change of volume.
   double const stretch = 1.5, exact = 1 / stretch - 1;  // pressure over rho mu if J = 1
   for (double const kappa : {1e1, 1e3, 1e5}) {
-    double side = 1 / std::sqrt(stretch);  // the stress on the sides vanishes: side - 1/side + kappa (J-1) J/side = 0
+    double side = 1 / std::sqrt(stretch);  // no stress on the sides: side^2 - 1 + kappa (J - 1) J = 0
     for (int i = 0; i < 30; ++i) {
       double const J = stretch * side * side;
-      double const f = side * side - 1 + kappa * (J - 1) * J, df = 2 * side * (1 + kappa * stretch * (2 * J - 1));
-      side -= f / df;
+      side -= (side * side - 1 + kappa * (J - 1) * J) / (2 * side * (1 + kappa * stretch * (2 * J - 1)));
     }
     double const J = stretch * side * side;
     print("kappa", kappa);
