@@ -1,10 +1,11 @@
 // A skate on a slope: a constraint on velocities, for which the two principles part.
 //
-// What is shown. The blade does not slip sideways. By the principle of Lagrange and d'Alembert (virtual work) the
-// skate that is let go spinning runs along a cycloid, across the slope, and never gets farther down than its first
-// arc; by the vakonomic principle, an extremum of the action among the motions that satisfy the constraint, it goes
-// down for ever. Real skates do the former. The multiplier of the augmented density is the vakonomic principle, so
-// the chapter keeps to constraints without derivatives in time. Read first. The two principles in the chapter.
+// What is shown. The blade does not slip sideways. By the principle of Lagrange and d'Alembert (virtual
+// work) the skate that is let go spinning runs along a cycloid, across the slope, and never gets farther
+// down than its first arc; by the vakonomic principle, an extremum of the action among the motions that
+// satisfy the constraint, it goes down for ever. Real skates do the former. The multiplier of the augmented
+// density is the vakonomic principle, so the chapter keeps to constraints without derivatives in time. Read
+// first. The two principles in the chapter.
 //
 //   x      down the slope, m      theta  direction of the blade      u      speed along the blade, m/s
 //   y      across it, m           omega  first rate of turning, 1/s  m, I   mass, moment of inertia
@@ -17,8 +18,8 @@ using namespace actio;
 using Points = std::vector<double>;
 double const m = 70, inertia = 20, downhill = 0.6, omega = 1.5;
 
-// 1. The body on its slope, free of the blade, and the velocity across the blade, which vanishes. The fields are
-// over time alone, n = 0.
+// 1. The body on its slope, free of the blade, and the velocity across the blade, which
+// vanishes. The fields are over time alone, n = 0.
 struct Slope {
   template <class T>
   T operator()(Jet<T, 0, 3> const& j) const {
@@ -35,8 +36,8 @@ struct Blade {
   }
 };
 
-// 2. The motion of Lagrange and d'Alembert: the blade turns uniformly, and the speed along it is
-// downhill/omega sin(omega t). That is a cycloid.
+// 2. The motion of Lagrange and d'Alembert: the blade turns uniformly, and the speed along
+// it is downhill/omega sin(omega t). That is a cycloid.
 struct Cycloid {
   template <class V>
   auto operator()(V const& x) const {
@@ -48,8 +49,9 @@ struct Cycloid {
   }
 };
 
-// 3. The vakonomic motion: its momenta are (m downhill t, 0), hence u = downhill t cos theta and
-// lambda = m downhill t sin theta; theta and its rate are integrated by the classical method of Runge and Kutta.
+// 3. The vakonomic motion: its momenta are (m downhill t, 0), hence u = downhill t cos theta
+// and lambda = m downhill t sin theta; theta and its rate are integrated by the classical
+// method of Runge and Kutta.
 struct Vakonomic {
   double t = 0, theta = 0, rate = omega, x = 0, y = 0;
   using State = Vector<double, 4>;  // theta, rate, x, y
@@ -79,9 +81,9 @@ struct Vakonomic {
   }
 };
 
-// 4. What remains of the free equations along the cycloid, over the weight down the slope, once a force across the
-// blade is allowed; and what remains without one, which is what the augmented density asks for: as the blade turns
-// uniformly, its equation leaves lambda u = 0.
+// 4. What remains of the free equations along the cycloid, over the weight down the slope,
+// once a force across the blade is allowed; and what remains without one, which is what the
+// augmented density asks for: as the blade turns uniformly, its equation leaves lambda u = 0.
 std::pair<double, double> along_cycloid(double end) {
   double left = 0, other = 0;
   for (int i = 1; i <= 200; ++i) {
@@ -129,7 +131,8 @@ int main(int argc, char** argv) {
   program.claim(book::measured(left) < 1e-12, "the cycloid satisfies the Lagrange-d'Alembert equations");
   program.claim(book::measured(worst) < 1e-10,
                 "the vakonomic motion satisfies the augmented equations and the constraint");
-  program.claim(book::measured(missing) > 0.1 && book::measured(other.x) > 10 * deepest, "the two principles differ");
+  program.claim(book::measured(missing) > 0.1 && book::measured(other.x) > 10 * deepest,
+                "the two principles differ");
   program.headline(
       "the principles part by " + book::number(other.x - deepest) + " m in " + book::number(end) + " s",
       other.x - deepest);

@@ -9,7 +9,9 @@ using namespace actio;
 
 TRY_IT(multiplier) {
   auto const height = [](auto const& q) { return q[0] * 3.0 + q[1] * 4.0; };
-  auto const sphere = []<class T>(Matrix<T, 3, 1> const& q) { return Matrix<T, 1, 1>(T(q.dot(q) - 1.0)); };
+  auto const sphere = []<class T>(Matrix<T, 3, 1> const& q) {
+    return Matrix<T, 1, 1>(T(q.dot(q) - 1.0));
+  };
   auto const hill = constrained<1>(height, sphere);
   Vector<double, 3> const top(0.6, 0.8, 0), beside(1, 0, 0);
   print("multiplier at the top", hill.multiplier(top));
@@ -23,7 +25,7 @@ TRY_IT(multiplier) {
 }
 
 TRY_IT(stiff_spring) {
-  // The same problem with a spring of stiffness k in place of the constraint: 5 r + k (r^2 - 1)^2 / 2.
+  // A spring of stiffness k in place of the constraint: 5 r + k (r^2 - 1)^2 / 2.
   for (double const k : {1e2, 1e4, 1e6}) {
     double r = 1;
     for (int i = 0; i < 20; ++i) r -= (5 + 2 * k * (r * r - 1) * r) / (k * (6 * r * r - 2));
@@ -40,9 +42,11 @@ TRY_IT(string) {
   };
   auto const held_by = [&](double tension) {
     auto const lambda = [tension](auto const& x) {
-      return Matrix<typename std::remove_cvref_t<decltype(x)>::Scalar, 1, 1>(x[0] * 0.0 + tension);
+      using T = typename std::remove_cvref_t<decltype(x)>::Scalar;
+      return Matrix<T, 1, 1>(T(tension));
     };
-    AugmentedDensity const density{HeavyString<double, 2>{rho, {0, 0}}, Inextensible{Euclidean<2>{}}};
+    HeavyString<double, 2> const string{rho, {0, 0}};
+    AugmentedDensity const density{string, Inextensible{Euclidean<2>{}}};
     return euler_lagrange(density, ExtendedSection{hoop, lambda}, Event<double, 1>(0.1, 0.2));
   };
   print("residual with the tension rho v^2", held_by(rho * v * v));
@@ -50,11 +54,14 @@ TRY_IT(string) {
 }
 
 TRY_IT(wheel) {
-  // A wheel of radius 1 that rolls round a circle: place (x, y), heading, angle of rolling; all inertias are 1.
-  auto const free = []<class T>(Jet<T, 0, 4> const& j) { return T(j.v.col(0).dot(j.v.col(0)) / 2.0); };
+  // A wheel of radius 1 that rolls round a circle: place, heading, angle of rolling.
+  auto const free = []<class T>(Jet<T, 0, 4> const& j) {
+    return T(j.v.col(0).dot(j.v.col(0)) / 2.0);
+  };
   auto const rolls = constraint<2>([]<class T>(Jet<T, 0, 4> const& j) {
     using std::cos, std::sin;
-    return Matrix<T, 2, 1>(j.v(0, 0) - j.v(3, 0) * cos(j.y[2]), j.v(1, 0) - j.v(3, 0) * sin(j.y[2]));
+    T const x = j.v(0, 0), y = j.v(1, 0), rolling = j.v(3, 0);
+    return Matrix<T, 2, 1>(x - rolling * cos(j.y[2]), y - rolling * sin(j.y[2]));
   });
   for (double const c : {0.0, 1.0}) {  // added to the multipliers -(x', y')
     auto const section = [c]<class T>(Matrix<T, 1, 1> const& t) {
@@ -63,8 +70,9 @@ TRY_IT(wheel) {
       all << sin(t[0]), -cos(t[0]), t[0], t[0], -cos(t[0]) + T(c), -sin(t[0]);
       return all;
     };
+    AugmentedDensity const augmented{free, rolls};
     print("c", c);
-    print("  vakonomic equations", euler_lagrange(AugmentedDensity{free, rolls}, section, Event<double, 0>(0.7)));
+    print("  vakonomic equations", euler_lagrange(augmented, section, Event<double, 0>(0.7)));
   }
 }
 

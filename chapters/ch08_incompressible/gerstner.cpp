@@ -27,7 +27,6 @@ struct Wave {
     return Matrix<T, 2, 1>(T(x[1] + r * sin(s)), T(x[2] - r * cos(s)));
   }
 };
-
 struct Labels {
   template <class V>
   auto operator()(V const& x) const {
@@ -40,11 +39,13 @@ struct Labels {
   }
 };
 
-// 2. Kinetic energy less the weight, with mass 1 per volume; the constraint J = 1 makes it the augmented density.
+// 2. Kinetic energy less the weight, with mass 1 per volume; the constraint J = 1 makes it the
+// augmented density.
 struct HeavyWater {
   template <class S>
   S operator()(Jet<S, 2, 2> const& j) const {
-    return volume<S>(Labels{}(j.particle())) * (j.velocity().squaredNorm() / 2.0 - j.y[1] * gravity);
+    return volume<S>(Labels{}(j.particle())) *
+           (j.velocity().squaredNorm() / 2.0 - j.y[1] * gravity);
   }
 };
 AugmentedDensity const water{HeavyWater{}, VolumeConstraint{Labels{}, Euclidean<2>{}}};
@@ -57,16 +58,19 @@ struct Pressure {
   auto operator()(V const& x) const {
     using std::exp;
     using T = typename V::Scalar;
-    return T((surface - x[2]) * gravity - (std::exp(2 * k * surface) - exp(x[2] * (2 * k))) * (c * c / 2));
+    return T((surface - x[2]) * gravity -
+             (std::exp(2 * k * surface) - exp(x[2] * (2 * k))) * (c * c / 2));
   }
 };
 
-// 4. The same pressure from the motion alone. The force that the density without a multiplier leaves over, carried to
-// the body through F, is dP/da and dP/db; integrated from the surface down it is the pressure.
+// 4. The same pressure from the motion alone. The force that the density without a multiplier
+// leaves over, carried to the body through F, is dP/da and dP/db; integrated from the surface
+// down it is the pressure.
 Vector<double, 2> required_slope(Vector<double, 3> const& x) {
   auto const j = second_jet(Wave{}, x);
   water.constraint.examine(static_cast<Jet<double, 2, 2> const&>(j));
-  Vector<double, 2> const force = -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
+  Vector<double, 2> const force =
+      -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
   return -(j.gradient().transpose() * force) /
          water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
 }
@@ -74,12 +78,13 @@ double pressure_by_multiplier(double surface, double t, double a, double b) {
   static auto const rule = gauss_quadrature<double>(16);
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-    sum +=
-        rule.weights[i] * (b - surface) * required_slope({t, a, surface + rule.nodes[i] * (b - surface)})[1];
+    sum += rule.weights[i] * (b - surface) *
+           required_slope({t, a, surface + rule.nodes[i] * (b - surface)})[1];
   return sum;
 }
 
-// 5. Lines of particles with their paths, and a period of the motion of marked particles for the book to play.
+// 5. Lines of particles with their paths, and a period of the motion of marked particles for
+// the book to play.
 void draw_wave(book::Program& program) {
   auto plot = book::Plot("y1", "y2").equal().size(720, 340).x_range(-6.6, 6.6).y_range(-3.4, 1.2);
   for (double const b : {-0.1, -0.4, -0.8, -1.4, -2.2}) {

@@ -1,4 +1,4 @@
-// Lines to try of chapter 8: a constraint and its pressure, a drop, a layered fluid, the projection of a field, rubber.
+// Lines to try of chapter 8: a motion and its pressure a drop, the bracket of fields, rubber.
 #include <cmath>
 
 #include "actio/continuum/materials.hpp"
@@ -11,7 +11,7 @@
 using namespace actio;
 
 TRY_IT(drawn_out) {
-  // A drop that is drawn out: (a x1, x2/a) with a = 1 + t, and its pressure in the place of each particle.
+  // A drop that is drawn out, (tau x1, x2/tau) with tau = 1 + t, and its pressure.
   auto const motion = []<class T>(Matrix<T, 3, 1> const& x) {
     return Matrix<T, 2, 1>(T(x[1] * (x[0] + 1.0)), T(x[2] / (x[0] + 1.0)));
   };
@@ -20,7 +20,8 @@ TRY_IT(drawn_out) {
     return T(-(y2 * y2));
   };
   Euclidean<2> const flat;
-  auto const fluid = incompressible(Continuum{flat, flat, Homogeneous<double>{}, NoStoredEnergy{}});
+  Continuum const water{flat, flat, Homogeneous<double>{}, NoStoredEnergy{}};
+  auto const fluid = incompressible(water);
   auto const j = second_jet(with_pressure(motion, P, flat), Event<double, 2>(1, 0.3, 0.4));
   print("J - 1", fluid.constraint(deformation(j))[0]);
   print("residual of (8.9)", ideal_fluid_residual(flat, flat, j));
@@ -29,7 +30,7 @@ TRY_IT(drawn_out) {
 }
 
 TRY_IT(in_space) {
-  // The same motion seen from space: u = (y1, -y2)/a, and p = -(y2/a)^2.
+  // The same motion seen from space: u = (y1, -y2)/tau, and p = -(y2/tau)^2.
   auto const u = []<class T>(Matrix<T, 3, 1> const& at) {
     return Matrix<T, 2, 1>(T(at[1] / (at[0] + 1.0)), T(-at[2] / (at[0] + 1.0)));
   };
@@ -78,8 +79,12 @@ TRY_IT(stiff_drop) {
 
 TRY_IT(bracket) {
   // Two shears of the plane, and the bracket of the Lie algebra of diffeomorphisms.
-  auto const X = []<class T>(Matrix<T, 2, 1> const& y) { return Matrix<T, 2, 1>(T(y[1] * y[1]), T(0.0)); };
-  auto const Y = []<class T>(Matrix<T, 2, 1> const& y) { return Matrix<T, 2, 1>(T(0.0), T(y[0])); };
+  auto const X = []<class T>(Matrix<T, 2, 1> const& y) {
+    return Matrix<T, 2, 1>(T(y[1] * y[1]), T(0.0));
+  };
+  auto const Y = []<class T>(Matrix<T, 2, 1> const& y) {
+    return Matrix<T, 2, 1>(T(0.0), T(y[0]));
+  };
   Vector<double, 2> const at(0.3, 0.5);
   auto const Z = diffeomorphism_bracket(X, Y);
   print("[X, Y]", Z(at));
@@ -93,7 +98,8 @@ TRY_IT(stiff_rubber) {
     double side = 1 / std::sqrt(stretch);  // no stress on the sides: side^2 - 1 + kappa (J - 1) J = 0
     for (int i = 0; i < 30; ++i) {
       double const J = stretch * side * side;
-      side -= (side * side - 1 + kappa * (J - 1) * J) / (2 * side * (1 + kappa * stretch * (2 * J - 1)));
+      double const slope = 2 * side * (1 + kappa * stretch * (2 * J - 1));
+      side -= (side * side - 1 + kappa * (J - 1) * J) / slope;
     }
     double const J = stretch * side * side;
     print("kappa", kappa);
