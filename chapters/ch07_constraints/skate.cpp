@@ -23,8 +23,8 @@ double const m = 70, inertia = 20, downhill = 0.6, omega = 1.5;
 struct Slope {
   template <class T>
   T operator()(Jet<T, 0, 3> const& j) const {
-    return (j.v(0, 0) * j.v(0, 0) + j.v(1, 0) * j.v(1, 0)) * (m / 2) + j.v(2, 0) * j.v(2, 0) * (inertia / 2) +
-           j.y[0] * (m * downhill);
+    T const x = j.v(0, 0), y = j.v(1, 0), turning = j.v(2, 0);
+    return (x * x + y * y) * (m / 2) + turning * turning * (inertia / 2) + j.y[0] * (m * downhill);
   }
 };
 struct Blade {
@@ -63,8 +63,8 @@ struct Vakonomic {
     return {z[1], torque(t, z[0]), u * std::cos(z[0]), u * std::sin(z[0])};
   }
   void advance(double h) {
-    State const z(theta, rate, x, y), a = slope(t, z), b = slope(t + h / 2, z + h / 2 * a),
-                                      c = slope(t + h / 2, z + h / 2 * b), d = slope(t + h, z + h * c);
+    State const z(theta, rate, x, y), a = slope(t, z), b = slope(t + h / 2, z + h / 2 * a);
+    State const c = slope(t + h / 2, z + h / 2 * b), d = slope(t + h, z + h * c);
     State const next = z + h / 6 * (a + 2 * b + 2 * c + d);
     t += h, theta = next[0], rate = next[1], x = next[2], y = next[3];
   }
@@ -88,8 +88,8 @@ std::pair<double, double> along_cycloid(double end) {
   double left = 0, other = 0;
   for (int i = 1; i <= 200; ++i) {
     Event<double, 0> const t(end * i / 200);
-    Vector<double, 3> const E = euler_lagrange(Slope{}, Cycloid{}, t),
-                            across(std::sin(omega * t[0]), -std::cos(omega * t[0]), 0);
+    Vector<double, 3> const E = euler_lagrange(Slope{}, Cycloid{}, t);
+    Vector<double, 3> const across(std::sin(omega * t[0]), -std::cos(omega * t[0]), 0);
     left = std::max(left, (E - across * across.dot(E)).norm() / (m * downhill));
     other = std::max(other, E.norm() / (m * downhill));
   }
