@@ -47,7 +47,7 @@ TRY_IT(in_space) {
 }
 
 TRY_IT(stiff_drop) {
-  // A'' = -2 kappa (J - 1) J A^-T beside A'' = m A^-T: one unit of time by a Runge-Kutta method.
+  // A'' = -2 kappa (J - 1) J A^-T beside A'' = m A^-T, for one unit of time.
   using Matrix2 = Matrix<double, 2, 2>;
   auto const after_one = [](auto const& f) {
     double const h = 1e-3;
@@ -57,13 +57,14 @@ TRY_IT(stiff_drop) {
       Matrix2 const a = f(A, V), b = f(A + h / 2 * V, V + h / 2 * a),
                     c = f(A + h / 2 * V + h * h / 4 * a, V + h / 2 * b),
                     d = f(A + h * V + h * h / 2 * b, V + h * c);
-      A += h * V + h * h / 6 * (a + b + c), V += h / 6 * (a + 2 * b + 2 * c + d);
+      A += h * V + h * h / 6 * (a + b + c);
+      V += h / 6 * (a + 2 * b + 2 * c + d);
     }
     return A;
   };
   Matrix2 const drop = after_one([](Matrix2 const& A, Matrix2 const& V) {
     Matrix2 const inverse = inverse_matrix(A), rate = V * inverse;
-    double const m = (rate * rate).trace() / (inverse * inverse.transpose()).trace();
+    double const m = (rate * rate).trace() / inverse.squaredNorm();
     return Matrix2(m * inverse.transpose());
   });
   print("J - 1 of the drop", determinant(drop) - 1);
