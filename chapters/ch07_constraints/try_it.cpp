@@ -10,7 +10,8 @@ using namespace actio;
 TRY_IT(multiplier) {
   auto const height = [](auto const& q) { return q[0] * 3.0 + q[1] * 4.0; };
   auto const sphere = []<class T>(Matrix<T, 3, 1> const& q) {
-    return Matrix<T, 1, 1>(T(q.dot(q) - 1.0));
+    T const excess = q.dot(q) - 1.0;
+    return Matrix<T, 1, 1>(excess);
   };
   auto const hill = constrained<1>(height, sphere);
   Vector<double, 3> const top(0.6, 0.8, 0), beside(1, 0, 0);
@@ -56,7 +57,8 @@ TRY_IT(string) {
 TRY_IT(wheel) {
   // A wheel of radius 1 that rolls round a circle: place, heading, angle of rolling.
   auto const free = []<class T>(Jet<T, 0, 4> const& j) {
-    return T(j.v.col(0).dot(j.v.col(0)) / 2.0);
+    auto const velocity = j.v.col(0);
+    return T(velocity.dot(velocity) / 2.0);
   };
   auto const rolls = constraint<2>([]<class T>(Jet<T, 0, 4> const& j) {
     using std::cos, std::sin;

@@ -44,8 +44,8 @@ struct Labels {
 struct HeavyWater {
   template <class S>
   S operator()(Jet<S, 2, 2> const& j) const {
-    return volume<S>(Labels{}(j.particle())) *
-           (j.velocity().squaredNorm() / 2.0 - j.y[1] * gravity);
+    S const kinetic = j.velocity().squaredNorm() / 2.0, weight = j.y[1] * gravity;
+    return volume<S>(Labels{}(j.particle())) * (kinetic - weight);
   }
 };
 AugmentedDensity const water{HeavyWater{}, VolumeConstraint{Labels{}, Euclidean<2>{}}};
@@ -58,8 +58,8 @@ struct Pressure {
   auto operator()(V const& x) const {
     using std::exp;
     using T = typename V::Scalar;
-    return T((surface - x[2]) * gravity -
-             (std::exp(2 * k * surface) - exp(x[2] * (2 * k))) * (c * c / 2));
+    T const square = std::exp(2 * k * surface) - exp(x[2] * (2 * k));
+    return T((surface - x[2]) * gravity - square * (c * c / 2));
   }
 };
 
@@ -69,17 +69,17 @@ struct Pressure {
 Vector<double, 2> required_slope(Vector<double, 3> const& x) {
   auto const j = second_jet(Wave{}, x);
   water.constraint.examine(static_cast<Jet<double, 2, 2> const&>(j));
-  Vector<double, 2> const force =
-      -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
+  double const per_label = volume<double>(Labels{}(j.particle()));
+  Vector<double, 2> const force = -euler_lagrange(HeavyWater{}, j) / per_label;
   return -(j.gradient().transpose() * force) /
          water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
 }
 double pressure_by_multiplier(double surface, double t, double a, double b) {
   static auto const rule = gauss_quadrature<double>(16);
+  double const depth = b - surface;
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-    sum += rule.weights[i] * (b - surface) *
-           required_slope({t, a, surface + rule.nodes[i] * (b - surface)})[1];
+    sum += rule.weights[i] * depth * required_slope({t, a, surface + rule.nodes[i] * depth})[1];
   return sum;
 }
 

@@ -81,10 +81,12 @@ TRY_IT(stiff_drop) {
 TRY_IT(bracket) {
   // Two shears of the plane, and the bracket of the Lie algebra of diffeomorphisms.
   auto const X = []<class T>(Matrix<T, 2, 1> const& y) {
-    return Matrix<T, 2, 1>(T(y[1] * y[1]), T(0.0));
+    T const square = y[1] * y[1];
+    return Matrix<T, 2, 1>(square, T(0.0));
   };
   auto const Y = []<class T>(Matrix<T, 2, 1> const& y) {
-    return Matrix<T, 2, 1>(T(0.0), T(y[0]));
+    T const first = y[0];
+    return Matrix<T, 2, 1>(T(0.0), first);
   };
   Vector<double, 2> const at(0.3, 0.5);
   auto const Z = diffeomorphism_bracket(X, Y);
