@@ -10,6 +10,24 @@
 #include "book/try_it.hpp"
 using namespace actio;
 
+TRY_IT(gas_and_rubber) {
+  // A gas and rubber under the constraint, along a motion that solves nothing, with some pressure.
+  auto const motion = []<class T>(Matrix<T, 3, 1> const& x) {
+    return Matrix<T, 2, 1>(T(x[1] + x[0] * x[2] * x[2]), T(x[2] + x[1] * x[1]));
+  };
+  auto const P = []<class T>(Matrix<T, 3, 1> const& x) { return T(x[1] * x[2]); };
+  Euclidean<2> const flat;
+  Homogeneous<double> const mass;
+  auto const gas = incompressible(Continuum{flat, flat, mass, Barotropic{Polytropic<double>{1, 1.4}}});
+  OfGreenTensor const neo_hookean{NeoHookean{1.0, LogarithmicVolume<double>{2.0}}};
+  auto const rubber = incompressible(Continuum{flat, flat, mass, neo_hookean});
+  auto const j = second_jet(with_pressure(motion, P, flat), Event<double, 2>(0.2, 0.3, 0.4));
+  print("gas, left side of (8.7) minus right", motion_residual(gas, j));
+  print("gas, Euler-Lagrange derivative in y and lambda", euler_lagrange(gas, j));
+  print("rubber, left side of (8.7) minus right", motion_residual(rubber, j));
+  print("rubber, Euler-Lagrange derivative in y and lambda", euler_lagrange(rubber, j));
+}
+
 TRY_IT(drawn_out) {
   // A drop that is drawn out, (tau x1, x2/tau) with tau = 1 + t, and its pressure.
   auto const motion = []<class T>(Matrix<T, 3, 1> const& x) {
