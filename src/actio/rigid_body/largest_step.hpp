@@ -15,6 +15,7 @@ inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> 
   // Plain loops: this is no template, so every unit that includes the header compiles it, and Eigen's product
   // of matrices takes the compiler half a second.
   Index const n = lambda.size();
+  // [longest_step]
   Vector<double> w(n);
   for (Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
   Matrix<double> a(n, n), square(n, n);
@@ -27,6 +28,7 @@ inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> 
       for (Index k = 0; k < n; ++k) square(i, j) += a(k, i) * a(k, j);
     }
   return s * std::sqrt(largest_eigenvalue(square));
+  // [longest_step]
 }
 
 /// The largest value of f between a and b, where it has one hump, by golden section.

@@ -1,0 +1,80 @@
+// Lines to try with rigid bodies: moments, a step, a step that is too long, half turns, integrals, a top.
+//
+// What is shown. Six snippets of a few lines each, which the pages of chapter 5 show beside the notions.
+// Read first. Chapter 5.
+//
+//   book   the inertia of the running example      Pi   body momentum, J s
+//   Omega  body velocity, rad/s                    f    relative motion g1^T g0 of a step
+#include "actio/fast_body/space/free_steps.hpp"
+#include "actio/rigid_body/heavy_top.hpp"
+#include "actio/rigid_body/isospectral.hpp"
+#include "book/try_it.hpp"
+#include "running_examples.hpp"
+
+using namespace actio;
+
+TRY_IT(moments_of_the_book) {
+  auto const book = inertia_from_moments<double>(book_inertia);
+  auto const Omega = velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0));  // turning about its middle axis
+  print("moments of inertia", book.moments);
+  print("second moments Lambda", book.lambda);
+  print("body momentum", body_momentum(book, Omega));
+  print("(5.1)", kinetic_energy(book, Omega));
+  print("the Lagrangian of the running example", thrown_book()(Omega));
+  try { inertia_from_moments(1, 1, 2.1); } catch (UnphysicalInertia const& e) { print(e.what()); }
+}
+
+TRY_IT(one_step) {
+  MoserVeselov<3> const scheme(inertia_from_moments<double>(book_inertia), 0.05);
+  auto const Pi = body_momentum(scheme.inertia(), velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0)));
+  auto const f10 = scheme.relative_motion(Pi).value;   // solves f^T Lambda - Lambda f = h Pi
+  auto const f21 = scheme.step_euler_poincare(f10).value;
+  print("residual of (5.7)", scheme.residual(f10, f21));
+  print("(5.8)", MoserVeselov<3>::transport(f10, Pi));
+  print("momentum at the start of the next step", scheme.momentum_before(f21));
+  print("the same with another step's f, as (5.9) is printed", MoserVeselov<3>::transport(f21, Pi));
+}
+
+TRY_IT(too_long_a_step) {
+  auto const book = inertia_from_moments<double>(book_inertia);
+  auto const Pi = body_momentum(book, velocity(SO<3>{}, Vector<double, 3>(0, 12.5, 0)));
+  double const longest = MoserVeselov<3>(book, 0.01).longest_step(Pi);
+  print("angle of the longest step, radians of the true motion", 12.5 * longest);
+  auto const f = [&](double part) { return MoserVeselov<3>(book, part * longest).relative_motion(Pi).value; };
+  print("cosine of the angle that the scheme makes of 0.9999 of it", f(0.9999).value(0, 0));
+  try { f(1.001); } catch (StepTooLong const& e) { print(e.what()); }
+}
+
+TRY_IT(half_turn_against_newton) {
+  auto const book = inertia_from_moments<double>(book_inertia);
+  auto const Pi = body_momentum(book, velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0)));
+  FreeBody const body(book, Pi);
+  FreeSteps half_turns(body, 0.05, body.moser_veselov_parameters(0.05, 2));  // no iteration
+  half_turns.advance();
+  print("as a half turn", half_turns.state().body_momentum);
+  print("by Newton's method", MoserVeselov<3>(book, 0.05).step_lie_poisson(Pi));
+}
+
+TRY_IT(integrals_in_four_dimensions) {
+  auto const body = inertia_from_lambda<4, double>(Vector<double, 4>(0, 1, 2, 3));  // flat: Lambda_1 = 0
+  MoserVeselov<4> const scheme(body, 0.2);
+  Momentum<SO<4>, double> const M{{}, Vector<double, 6>(0.5, 0.3, -0.4, 0.2, 0.7, -0.1)};
+  auto const after = scheme.step_lie_poisson(M);
+  Matrix<double> const Lambda = body.lambda.asDiagonal();
+  print("integrals before", isospectral_integrals(Lambda, M));
+  print("          after", isospectral_integrals(Lambda, after));
+  print("energy, before and after", Vector<double, 2>(kinetic_energy(body, M), kinetic_energy(body, after)));
+  print("longest step", scheme.longest_step(M));
+}
+
+TRY_IT(a_top_and_its_casimirs) {
+  auto const [top, spin] = bruls_cardona_top<double>();
+  HeavyTopScheme<> const scheme(top, 1e-3);
+  auto state = release(top, identity<double>(SO<3>{}), spin);
+  auto const about_the_vertical = [&] { return state.momentum.components.dot(state.vector); };
+  print("Pi.Gamma, |Gamma|, energy", Vector<double, 3>(about_the_vertical(), state.vector.norm(), top.energy(state)));
+  for (int k = 0; k < 1000; ++k) scheme.advance(state);
+  print("after one second", Vector<double, 3>(about_the_vertical(), state.vector.norm(), top.energy(state)));
+}
+
+TRY_IT_MAIN("the lines to try of chapter 5")
