@@ -29,10 +29,11 @@ TRY_IT(one_step) {
   auto const Pi = body_momentum(scheme.inertia(), velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0)));
   auto const f10 = scheme.relative_motion(Pi).value;   // solves f^T Lambda - Lambda f = h Pi
   auto const f21 = scheme.step_euler_poincare(f10).value;
+  auto const Pi1 = scheme.momentum_before(f21);
   print("residual of (5.7)", scheme.residual(f10, f21));
-  print("(5.8)", MoserVeselov<3>::transport(f10, Pi));
-  print("momentum at the start of the next step", scheme.momentum_before(f21));
-  print("the same with another step's f, as (5.9) is printed", MoserVeselov<3>::transport(f21, Pi));
+  print("momentum at the end of the second step", scheme.momentum_after(f21));
+  print("the same by (5.8)", MoserVeselov<3>::transport(f21, Pi1));
+  print("with the step before, as (5.9) is printed", MoserVeselov<3>::transport(f10, Pi1));
 }
 
 TRY_IT(too_long_a_step) {
@@ -71,10 +72,12 @@ TRY_IT(a_top_and_its_casimirs) {
   auto const [top, spin] = bruls_cardona_top<double>();
   HeavyTopScheme<> const scheme(top, 1e-3);
   auto state = release(top, identity<double>(SO<3>{}), spin);
-  auto const about_the_vertical = [&] { return state.momentum.components.dot(state.vector); };
-  print("Pi.Gamma, |Gamma|, energy", Vector<double, 3>(about_the_vertical(), state.vector.norm(), top.energy(state)));
+  auto const shown = [&] {
+    return Vector<double, 3>(state.momentum.components.dot(state.vector), state.vector.norm(), top.energy(state));
+  };
+  print("Pi.Gamma, |Gamma|, energy", shown());
   for (int k = 0; k < 1000; ++k) scheme.advance(state);
-  print("after one second", Vector<double, 3>(about_the_vertical(), state.vector.norm(), top.energy(state)));
+  print("after one second", shown());
 }
 
 TRY_IT_MAIN("the lines to try of chapter 5")
