@@ -126,7 +126,6 @@ void what_must_be_so(book::Program& program, double gap, std::array<double, 2> c
                      std::array<double, 4> const& drifts) {
   double const walk = 100 * 0x1p-52 * std::sqrt(200000.0),
                casimirs_and_axis = std::max({drifts[0], drifts[1], drifts[2]});
-  program.claim(book::measured(agreement) < 1e-9, "the benchmark comes out to 1e-9 rad/s");
   program.claim(book::measured(std::abs(gap)) < 1e-6, "the axis falls as far as the closed form says");
   program.claim(book::measured(most[0]) < 4 && book::measured(most[1]) > 20,
                 "above the critical spin the top sleeps, below it wakes");

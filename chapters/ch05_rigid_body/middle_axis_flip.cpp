@@ -126,8 +126,8 @@ int main(int argc, char** argv) {
   double const change = throw_the_book(program);
 
   // 5. What must be so: second order, and the energy of the book to rounding.
-  program.claim(std::abs(order - 2) < 0.05, "the time between flips is right to second order in the step");
-  program.claim(change < 1e-12, "the energy of the book stays within 1e-12");
+  program.claim(book::measured(std::abs(order - 2)) < 0.05, "the time between flips is right to second order in the step");
+  program.claim(book::measured(change) < 1e-12, "the energy of the book stays within 1e-12");
   program.headline("time between flips to order " + book::number(order, 3), order);
   return program.finish();
 }

@@ -73,7 +73,8 @@ TRY_IT(a_top_and_its_casimirs) {
   HeavyTopScheme<> const scheme(top, 1e-3);
   auto state = release(top, identity<double>(SO<3>{}), spin);
   auto const shown = [&] {
-    return Vector<double, 3>(state.momentum.components.dot(state.vector), state.vector.norm(), top.energy(state));
+    double const about_the_vertical = state.momentum.components.dot(state.vector);
+    return Vector<double, 3>(about_the_vertical, state.vector.norm(), top.energy(state));
   };
   print("Pi.Gamma, |Gamma|, energy", shown());
   for (int k = 0; k < 1000; ++k) scheme.advance(state);
