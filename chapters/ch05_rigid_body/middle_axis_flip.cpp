@@ -1,9 +1,9 @@
 // A T-handle turning about its middle axis turns over, again and again, and so does a book in the air: the
 // Moser-Veselov scheme against a closed form.
 //
-// What is shown. A free body that turns about its middle axis flips at regular intervals, and the interval has
-// a closed form. The scheme reproduces it to second order in the step, and conserves momentum and energy to
-// rounding meanwhile. The book of the running example is thrown about its middle axis too. Read first. The
+// What is shown. A free body that turns about its middle axis flips at regular intervals, and the interval
+// has a closed form. The scheme reproduces it to second order in the step, and conserves momentum and energy
+// to rounding meanwhile. The book of the running example is thrown about its middle axis too. Read first. The
 // section on the discretization of Moser and Veselov in chapter 5.
 //
 //   I      principal moments, ascending, kg m^2        h     step, s
@@ -19,8 +19,8 @@
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 
-// The time between two flips is half the period of the middle component: 2K(k)/lambda, with Jacobi's functions
-// (differences of L^2 and 2 E I_i written without cancellation).
+// The time between two flips is half the period of the middle component: 2K(k)/lambda, with Jacobi's
+// functions (differences of L^2 and 2 E I_i written without cancellation).
 double flip_time(Vector3d I, Vector3d omega) {
   auto const excess = [&](int i) {  // L^2 - 2 E I_i
     double sum = 0;
@@ -126,7 +126,8 @@ int main(int argc, char** argv) {
   double const change = throw_the_book(program);
 
   // 5. What must be so: second order, and the energy of the book to rounding.
-  program.claim(book::measured(std::abs(order - 2)) < 0.05, "the time between flips is right to second order in the step");
+  program.claim(book::measured(std::abs(order - 2)) < 0.05,
+                "the time between flips is right to second order in the step");
   program.claim(book::measured(change) < 1e-12, "the energy of the book stays within 1e-12");
   program.headline("time between flips to order " + book::number(order, 3), order);
   return program.finish();

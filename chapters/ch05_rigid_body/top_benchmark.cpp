@@ -85,7 +85,7 @@ double benchmark(book::Program& program) {
 }
 
 int main(int argc, char** argv) {
-  book::Program program(argc, argv, "the benchmark of heavy tops to nine places, and the orders of the steps");
+  book::Program program(argc, argv, "the benchmark of heavy tops to nine places, and two orders of steps");
   double const agreement = benchmark(program);
   program.claim(book::measured(agreement) < 1e-9, "the benchmark comes out to 1e-9 rad/s");
   program.headline("benchmark to " + book::number(agreement, 2) + " rad/s", agreement);
