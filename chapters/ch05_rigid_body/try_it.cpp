@@ -15,7 +15,8 @@ using namespace actio;
 
 TRY_IT(moments_of_the_book) {
   auto const book = inertia_from_moments<double>(book_inertia);
-  auto const Omega = velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0));  // turning about its middle axis
+  // It turns about its middle axis, at two turns a second.
+  auto const Omega = velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0));
   print("moments of inertia", book.moments);
   print("second moments Lambda", book.lambda);
   print("body momentum", body_momentum(book, Omega));
@@ -26,7 +27,8 @@ TRY_IT(moments_of_the_book) {
 
 TRY_IT(one_step) {
   MoserVeselov<3> const scheme(inertia_from_moments<double>(book_inertia), 0.05);
-  auto const Pi = body_momentum(scheme.inertia(), velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0)));
+  auto const Omega = velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0));
+  auto const Pi = body_momentum(scheme.inertia(), Omega);
   auto const f10 = scheme.relative_motion(Pi).value;   // solves f^T Lambda - Lambda f = h Pi
   auto const f21 = scheme.step_euler_poincare(f10).value;
   auto const Pi1 = scheme.momentum_before(f21);
@@ -41,7 +43,9 @@ TRY_IT(too_long_a_step) {
   auto const Pi = body_momentum(book, velocity(SO<3>{}, Vector<double, 3>(0, 12.5, 0)));
   double const longest = MoserVeselov<3>(book, 0.01).longest_step(Pi);
   print("angle of the longest step, radians of the true motion", 12.5 * longest);
-  auto const f = [&](double part) { return MoserVeselov<3>(book, part * longest).relative_motion(Pi).value; };
+  auto const f = [&](double part) {
+    return MoserVeselov<3>(book, part * longest).relative_motion(Pi).value;
+  };
   print("cosine of the angle that the scheme makes of 0.9999 of it", f(0.9999).value(0, 0));
   try { f(1.001); } catch (StepTooLong const& e) { print(e.what()); }
 }
@@ -57,14 +61,16 @@ TRY_IT(half_turn_against_newton) {
 }
 
 TRY_IT(integrals_in_four_dimensions) {
-  auto const body = inertia_from_lambda<4, double>(Vector<double, 4>(0, 1, 2, 3));  // flat: Lambda_1 = 0
+  // A flat body: Lambda_1 = 0.
+  auto const body = inertia_from_lambda<4, double>(Vector<double, 4>(0, 1, 2, 3));
   MoserVeselov<4> const scheme(body, 0.2);
   Momentum<SO<4>, double> const M{{}, Vector<double, 6>(0.5, 0.3, -0.4, 0.2, 0.7, -0.1)};
   auto const after = scheme.step_lie_poisson(M);
   Matrix<double> const Lambda = body.lambda.asDiagonal();
   print("integrals before", isospectral_integrals(Lambda, M));
   print("          after", isospectral_integrals(Lambda, after));
-  print("energy, before and after", Vector<double, 2>(kinetic_energy(body, M), kinetic_energy(body, after)));
+  print("energy before", kinetic_energy(body, M));
+  print("       after", kinetic_energy(body, after));
   print("longest step", scheme.longest_step(M));
 }
 
