@@ -55,8 +55,9 @@ double top_of_hump(F const& f, double a, double b) {
 /// A solution X = f^T Lambda factors \f$1 - \lambda hM - \lambda^2\Lambda^2 = (1+\lambda X^T)(1-\lambda
 /// X)\f$. The spectrum can leave the right half plane through the imaginary axis alone, and there the left
 /// side is, up to a factor, the Hermitian matrix \f$s^2+\Lambda^2+ishM\f$: as long as that is positive for
-/// every s there is a factor with its spectrum to the right, and once it is not there is none. For n = 3 and
-/// a rotation about a principal axis: h M_i = I_i.
+/// every s there is a factor with its spectrum to the right, and once it is not there is none. With the body
+/// velocity \f$\xi=J^{-1}M\f$ in coordinates \f$h_{max}|\xi|\ge1\f$: a step of less than one radian has a
+/// solution for every body, and for a rotation about a principal axis no longer one has.
 ///
 /// @param pi  body momentum; energy x time
 /// @return    time, positive; infinite for a body at rest
