@@ -1,10 +1,12 @@
 // Lines to try with rigid bodies: moments, a step, a step that is too long, half turns, integrals, a top.
 //
-// What is shown. Six snippets of a few lines each, which the pages of chapter 5 show beside the notions.
+// What is shown. Nine snippets of a few lines each, which the pages of chapter 5 show beside the notions.
 // Read first. Chapter 5.
 //
 //   book   the inertia of the running example      Pi   body momentum, J s
 //   Omega  body velocity, rad/s                    f    relative motion g1^T g0 of a step
+#include <random>
+
 #include "actio/fast_body/space/free_steps.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/isospectral.hpp"
@@ -60,6 +62,34 @@ TRY_IT(half_turn_against_newton) {
   print("by Newton's method", MoserVeselov<3>(book, 0.05).step_lie_poisson(Pi));
 }
 
+TRY_IT(one_step_anywhere) {
+  auto const book = inertia_from_moments<double>(book_inertia);
+  auto const Pi = body_momentum(book, velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0)));
+  FreeBody const body(book, Pi);
+  FreeSteps fine(body, 0.01), coarse(body, 0.25);
+  FreeSteps moser_veselov(body, 0.01, body.moser_veselov_parameters(0.01, 2));
+  fine.advance(100), coarse.advance(4), moser_veselov.advance(100);
+  print("one evaluation at t = 1 s", body.at(1.0).body_momentum);
+  print("a hundred exact steps", fine.state().body_momentum);
+  print("four exact steps of three radians", coarse.state().body_momentum);
+  print("a hundred steps of Moser and Veselov", moser_veselov.state().body_momentum);
+}
+
+TRY_IT(never_below_one_radian) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  double least = 10;
+  for (int trial = 0; trial < 300; ++trial) {
+    Vector<double, 4> Lambda(0, uniform(random), uniform(random), uniform(random));  // flat
+    Vector<double, 6> xi;
+    for (double& x : xi) x = 2 * uniform(random) - 1;
+    auto const body = inertia_from_lambda<4, double>(Lambda);
+    auto const velocity_of_body = velocity(SO<4>{}, xi);
+    least = std::min(least, xi.norm() * largest_step(body, body_momentum(body, velocity_of_body)));
+  }
+  print("least h_max |xi| among 300 flat bodies in four dimensions", least);
+}
+
 TRY_IT(integrals_in_four_dimensions) {
   // A flat body: Lambda_1 = 0.
   auto const body = inertia_from_lambda<4, double>(Vector<double, 4>(0, 1, 2, 3));
@@ -85,6 +115,20 @@ TRY_IT(a_top_and_its_casimirs) {
   print("Pi.Gamma, |Gamma|, energy", shown());
   for (int k = 0; k < 1000; ++k) scheme.advance(state);
   print("after one second", shown());
+}
+
+TRY_IT(symmetric_or_not) {
+  Vector<double, 3> const centre(0, 0, 0.1), gravity(0, 0, -9.81);
+  for (double const second : {0.02, 0.024}) {
+    auto const inertia = inertia_from_moments(0.02, second, 0.005);  // about the fixed point
+    auto const top = heavy_top<double>(0.5, inertia, centre, gravity);
+    auto state = release(top, exp(velocity(SO<3>{}, Vector<double, 3>(0.5, 0, 0))),
+                         velocity(SO<3>{}, Vector<double, 3>(0, 0, 30)));
+    HeavyTopScheme<> const scheme(top, 1e-3);
+    double const before = state.momentum.components[2];
+    for (int k = 0; k < 2000; ++k) scheme.advance(state);
+    print("change of Pi_3 in two seconds", state.momentum.components[2] - before);
+  }
 }
 
 TRY_IT_MAIN("the lines to try of chapter 5")

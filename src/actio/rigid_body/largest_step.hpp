@@ -57,7 +57,7 @@ double top_of_hump(F const& f, double a, double b) {
 /// side is, up to a factor, the Hermitian matrix \f$s^2+\Lambda^2+ishM\f$: as long as that is positive for
 /// every s there is a factor with its spectrum to the right, and once it is not there is none. With the body
 /// velocity \f$\xi=J^{-1}M\f$ in coordinates \f$h_{max}|\xi|\ge1\f$: a step of less than one radian has a
-/// solution for every body, and for a rotation about a principal axis no longer one has.
+/// solution for every body; about a principal axis a longer one has none.
 ///
 /// @param pi  body momentum; energy x time
 /// @return    time, positive; infinite for a body at rest
