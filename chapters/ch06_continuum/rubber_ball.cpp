@@ -118,7 +118,7 @@ Breath breath(Ball<Energy> const& ball, double blown_up) {
 int main(int argc, char** argv) {
   book::Program program(
       argc, argv,
-      "a rubber ball swings: its stresses by every road, and a material that lets it turn inside out");
+      "a rubber ball swings: its stresses by three routes, and a material that lets it turn inside out");
   Ball const rubber{neo_hookean};
   Ball const stiff{st_venant_kirchhoff};
   Ball const lopsided{Lopsided{}};

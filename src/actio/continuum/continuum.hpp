@@ -74,7 +74,9 @@ Matrix<S, n, n> green_tensor(SpaceMetric const& g, Matrix<S, N, n> const& F) {
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class S, int n>
 Matrix<S, n, n> inverse_finger_tensor(BodyMetric const& G, Matrix<S, n, n> const& F) {
+  // [claim_6_1_finger_tensor]
   return pulled_back(G, Matrix<S, n, n>(inverse_matrix(F, "inverse_finger_tensor")));
+  // [claim_6_1_finger_tensor]
 }
 
 /// A density that is the same everywhere.

@@ -119,8 +119,10 @@ auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
 /// \ref total_derivative.
 template <class S, int n, int N>
 Jet<Dual<S>, n, N> along(SecondJet<S, n, N> const& j, int mu) {
+  // [eq_6_9]
   return {moved_along(j.x, Event<S, n>::Unit(mu)), moved_along(j.y, Matrix<S, N, 1>(j.v.col(mu))),
           moved_along(j.v, j.w[mu])};
+  // [eq_6_9]
 }
 
 /// A function of first jets along a section: its value and its \ref total_derivative in \f$x^\mu\f$, from one

@@ -63,7 +63,9 @@ S discrete_two_form(L const& lagrangian, Element<G, S> const& g0, Element<G, S> 
 /// spatial.
 template <Group G, Scalar S, class L>
 Momentum<G, S> legendre_source(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
+  // [claim_3_1_pullback_canonical]
   return -D1(lagrangian, g0, g1);
+  // [claim_3_1_pullback_canonical]
 }
 /// The momentum at the end of the step, at \f$g_1\f$: \f$D_2 L(g_0, g_1)\f$, spatial.
 template <Group G, Scalar S, class L>
