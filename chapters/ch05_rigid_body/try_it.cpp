@@ -24,14 +24,18 @@ TRY_IT(moments_of_the_book) {
   print("body momentum", body_momentum(book, Omega));
   print("(5.1)", kinetic_energy(book, Omega));
   print("the Lagrangian of the running example", thrown_book()(Omega));
-  try { inertia_from_moments(1, 1, 2.1); } catch (UnphysicalInertia const& e) { print(e.what()); }
+  try {
+    inertia_from_moments(1, 1, 2.1);
+  } catch (UnphysicalInertia const& e) {
+    print(e.what());
+  }
 }
 
 TRY_IT(one_step) {
   MoserVeselov<3> const scheme(inertia_from_moments<double>(book_inertia), 0.05);
   auto const Omega = velocity(SO<3>{}, Vector<double, 3>(0.3, 12.5, 0));
   auto const Pi = body_momentum(scheme.inertia(), Omega);
-  auto const f10 = scheme.relative_motion(Pi).value;   // solves f^T Lambda - Lambda f = h Pi
+  auto const f10 = scheme.relative_motion(Pi).value;  // solves f^T Lambda - Lambda f = h Pi
   auto const f21 = scheme.step_euler_poincare(f10).value;
   auto const Pi1 = scheme.momentum_before(f21);
   print("residual of (5.7)", scheme.residual(f10, f21));
@@ -45,11 +49,13 @@ TRY_IT(too_long_a_step) {
   auto const Pi = body_momentum(book, velocity(SO<3>{}, Vector<double, 3>(0, 12.5, 0)));
   double const longest = MoserVeselov<3>(book, 0.01).longest_step(Pi);
   print("angle of the longest step, radians of the true motion", 12.5 * longest);
-  auto const f = [&](double part) {
-    return MoserVeselov<3>(book, part * longest).relative_motion(Pi).value;
-  };
+  auto const f = [&](double part) { return MoserVeselov<3>(book, part * longest).relative_motion(Pi).value; };
   print("cosine of the angle that the scheme makes of 0.9999 of it", f(0.9999).value(0, 0));
-  try { f(1.001); } catch (StepTooLong const& e) { print(e.what()); }
+  try {
+    f(1.001);
+  } catch (StepTooLong const& e) {
+    print(e.what());
+  }
 }
 
 TRY_IT(half_turn_against_newton) {
