@@ -25,10 +25,11 @@ using namespace actio;
 using book::number;
 using std::numbers::pi;
 
-// 1. The gas with Omega = 1.2 and K = 1/2, so that M is Omega, and its motion. The largest value of a
-// function of second jets of the motion over points of space-time; the residual of the field equations.
+// 1. The gas with Omega = 1.2 and K = 1/2, so that M is Omega, and its motion; the
+// largest value of a function of second jets; the residual of the field equations.
 Atmosphere const air{1.2, 0.5};
 Turning const phi{air.Omega};
+
 template <class F>
 double largest(F const& f) {
   std::mt19937_64 random(1);
