@@ -10,6 +10,8 @@ import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegist
 import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
 import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable, systemPage, viewerFrame, viewerOf } from './scenes.mjs';
 import { knowStatements } from './small_print.mjs';
+import { localHeaders, textbookBlocks } from './textbook.mjs';
+import { coverage } from './coverage.mjs';
 import { housePlan, houseTable, readHouse } from './house.mjs';
 import { keysPage, readKeys } from './keys.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
@@ -26,9 +28,10 @@ const reports = readReports(opt.build);
 if (opt.strict && !reports.statements) errors.add(path.join(opt.build, 'report/statements.json'), 1, 'missing: run the checks and merge the ledger');
 if (opt.strict && !reports.programs) errors.add(path.join(opt.build, 'report/programs'), 1, 'missing: run the chapter programs');
 const book = {
-  root: opt.root, registry, byId: new Map(registry.map(s => [s.id, s])), ...reports,
+  root: opt.root, build: opt.build, registry, byId: new Map(registry.map(s => [s.id, s])), ...reports,
   places: new Map(),      // statement id -> true once a page holds its box
   programPlaces: new Set(),
+  ownIds: new Map(),      // id of a definition or result of our own -> where, title
   ...readScenes(opt.root, opt.build),
   release: { programs: releasedPrograms(opt.root), checks: releasedChecks(opt.root) },
 };
@@ -40,7 +43,13 @@ const pages = walk(at('docs/pages')).filter(f => f.endsWith('.md')).map(file => 
 for (const dir of fs.existsSync(at('chapters')) ? fs.readdirSync(at('chapters')).sort() : []) {
   const file = at('chapters', dir, 'chapter.md');
   const chapter = /^ch(\d+)_/.exec(dir);
-  if (chapter && fs.existsSync(file)) pages.push({ file, out: `21_${dir}.md`, chapter: Number(chapter[1]), id: `ch${chapter[1]}` });
+  if (!chapter) continue;
+  if (fs.existsSync(file)) pages.push({ file, out: `21_${dir}.md`, chapter: Number(chapter[1]), number: String(Number(chapter[1])), id: `ch${chapter[1]}` });
+  // Chapters of our own stand after the one that they grow from.
+  for (const own of fs.readdirSync(at('chapters', dir)).sort()) {
+    const letter = /^ch\d+([a-z])_\w+\.md$/.exec(own)?.[1];
+    if (letter) pages.push({ file: at('chapters', dir, own), out: `21_${dir}_${letter}.md`, chapter: Number(chapter[1]), number: `${Number(chapter[1])}${letter.toUpperCase()}`, id: `ch${chapter[1]}${letter}` });
+  }
 }
 // One page with every key of a scene, where the command has told them.
 const keys = readKeys(opt.build);
@@ -59,7 +68,7 @@ for (const p of pages) {
   p.title = title < 0 ? '' : p.lines[title].replace(/^# /, '').replace(/\s*\{#.*$/, '');
   if (p.chapter === null || title < 0) continue;
   if (!p.lines[title].includes(`{#${p.id}}`)) errors.add(p.file, title + 1, `the page of this chapter is titled "# ... {#${p.id}}"`);
-  p.lines[title] = p.lines[title].replace(/^# (\d+\S*\s+)?/, `# ${p.chapter} · `);
+  p.lines[title] = p.lines[title].replace(/^# (\d+\S*\s+)?(· )?/, `# ${p.number} · `);
 }
 book.chapters = pages.filter(p => p.chapter !== null);
 
@@ -103,7 +112,7 @@ const inCode = lines => {
   return lines.map(l => { const mark = /^\s*(```|~~~)/.test(l) || /[\\@](code|verbatim|endcode|endverbatim)\b/.test(l); if (mark) fence = !fence; return fence || mark; });
 };
 const homes = new Map();   // id -> "file:line:command"
-for (const rank of ['statement', 'beside', 'evidence'])
+for (const rank of ['statement', 'beside', 'equation', 'evidence'])
   for (const p of pages) {
     p.code ??= inCode(p.lines);
     p.lines.forEach((line, i) => {
@@ -208,6 +217,7 @@ for (const p of pages) {
   const emit = text => { for (const l of text.split('\n')) { out.push(l); map.push(line); } };
   const block = (html, anchors = []) => emit(`\n${anchors.map(a => `\\anchor ${a} `).join('')}${token(html)}\n`);
   const open = [];
+  const anchorHome = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file; };
   const anchorHere = (id, rank) => { const h = homes.get(id); return h.rank === rank && h.file === p.file && h.line === line ? [id] : []; };
   const heading = (id, text) => `<a class="here" href="#${id}" title="permanent link">${text}</a>`;
 
@@ -223,6 +233,7 @@ for (const p of pages) {
       const [id, title] = split(arg, 2);
       if (!known(p, line, id)) return;
       open.push({ kind: 'statement', id, line });
+      p.lastNamed = id;
       block(`<div class="statement statement-${book.byId.get(id).kind}" id="${id}"><div class="statement-head">${heading(id, boxTitle(id, title))}<span class="statement-tools">${badge(verdictOf(book, id))}</span></div><div class="statement-body">`, anchorHere(id, 'statement'));
     },
     endstatement() {
@@ -248,7 +259,9 @@ for (const p of pages) {
       const top = open.pop();
       if (top?.kind !== 'beside') return errors.add(p.file, line, '\\endbeside without \\beside');
       if (!top.code) errors.add(p.file, line, '\\beside has no \\asCode');
-      block('</div></div>');
+      // Outside a statement's box, what was wrong with it stands below.
+      const alone = !open.some(o => o.kind === 'statement') && anchorHome(top.id, 'beside');
+      block(`</div></div>${alone ? verdictNote(book, top.id) : ''}`);
     },
     evidence(id) {
       if (!known(p, line, id)) return;
@@ -315,9 +328,13 @@ for (const p of pages) {
       const report = book.programs?.get(name);
       if (book.programs && !report) return errors.add(p.file, line, `no report of program ${name}`);
       if (report && report.output === null && opt.strict) errors.add(p.file, line, `the output of ${name} was not kept`);
-      const card = programCard(book, name, report, src);
+      const headers = localHeaders(opt.root, src), card = programCard(book, name, report, src, headers);
       block(card.before, [`program_${name}`]);
-      emit(`\\include{doc} ${src.include}`.replace('{doc}', ''));
+      emit(`\\include ${src.include}`);
+      for (const header of headers) {
+        block(`</details><details><summary>${escapeHtml(header.name)}, ${header.lines} lines</summary>`);
+        emit(`\\include ${path.relative('chapters', header.path)}`);
+      }
       block(card.after);
     },
     snippet(arg, raw) {
@@ -362,6 +379,8 @@ for (const p of pages) {
     },
   };
 
+  Object.assign(blocks, textbookBlocks(book, { p, line: () => line, errors, block, emit, open, heading, anchorHere, known: id => known(p, line, id), caption: title => caption(p, line, title), unique: () => ++count }));
+
   p.lines.forEach((text, i) => {
     line = i + 1;
     if (p.code[i]) return emit(text);
@@ -373,9 +392,9 @@ for (const p of pages) {
     }
     text = text.replace(/\\(figure|verdict)\{([^}]*)\}/g, (_, name, arg) => token(inline[name](p, line, arg.trim())));
     // A chapter that is not there yet is named without a link.
-    text = text.replace(/\\ref ch(\d\d)\b/g, (all, n) => book.chapters.some(c => c.id === `ch${n}`) ? all : `chapter ${Number(n)}`);
+    text = text.replace(/\\ref (ch(\d\d)([a-z]?))\b(?: "([^"]*)")?/g, (all, id, n, own, words) => book.chapters.some(c => c.id === id) ? all : words ?? `chapter ${Number(n)}${own.toUpperCase()}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');
@@ -386,6 +405,7 @@ for (const p of pages) {
   p.text = out.join('\n');
   p.map = map;
 }
+coverage(book, pages, homes, errors, opt.strict);
 for (const { page, key } of legends) items[key] = legend([...(page.shown ?? [])]);
 errors.exitIfAny('pages');
 
@@ -397,4 +417,4 @@ for (const p of pages) {
   fs.writeFileSync(path.join(target, p.out), p.text);
   maps[p.out] = { file: path.relative(opt.root, p.file), lines: p.map };
 }
-fs.writeFileSync(path.join(target, 'items.json'), JSON.stringify({ items, maps, copies: [...(book.scenes?.values() ?? [])].map(viewerOf).filter(Boolean) }));
+fs.writeFileSync(path.join(target, 'items.json'), JSON.stringify({ items, maps, titles: Object.fromEntries([...book.ownIds].map(([id, o]) => [id, o.title])), copies: [...(book.scenes?.values() ?? [])].map(viewerOf).filter(Boolean) }));

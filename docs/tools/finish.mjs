@@ -12,7 +12,7 @@ const opt = options({ root: '.', html: '', pages: '', registry: '' });
 const katexHome = '/usr/share/javascript/katex';
 const katex = createRequire(import.meta.url)(path.join(katexHome, 'katex.js'));
 const macros = JSON.parse(fs.readFileSync(new URL('../macros.json', import.meta.url), 'utf8'));
-const { items, copies = [] } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
+const { items, copies = [], titles = {} } = JSON.parse(fs.readFileSync(path.join(opt.pages, 'items.json'), 'utf8'));
 const registry = readRegistry(opt.registry || path.join(opt.root, 'proofs_checks/registry.tsv'));
 const ids = new Set(registry.map(s => s.id));
 knowStatements(ids);
@@ -35,7 +35,7 @@ for (const [name, html] of text)
 
 const anchorPage = new Map();
 for (const [name, html] of text)
-  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|rem|claim|bridge|program|erratum|ledger)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
+  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|res|rem|claim|bridge|exercise|program|erratum|ledger)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
 
 function resolve(page, kind, target) {
   if (kind === 'source') {
@@ -101,6 +101,7 @@ for (const [name, original] of text) {
   html = html.replace(/href="@(source|ref):([^"]*)"/g, (_, kind, target) => `href="${resolve(name, kind, target)}"`);
   // A reference to a statement reads as the thesis numbers it.
   html = html.replace(/(<a class="el" href="[^"]*">)((?:eq|thm|prop|lem|cor|def|rem|claim|bridge)_\w+)(<\/a>)/g, (all, a, id, b) => ids.has(id) ? a + escapeHtml(label(id)) + b : all);
+  html = html.replace(/(<a class="el" href="[^"]*">)((?:def|res)_\w+)(<\/a>)/g, (all, a, id, b) => id in titles ? a + escapeHtml(titles[id]) + b : all);
   // In sources and listings the mark of a snippet leads to its statement.
   html = html.replace(/(<span class="comment">\/\/ \[)(\w+)(\]<\/span>)/g, (all, a, id, b) => anchorPage.has(id) ? `${a}<a class="statement-tag" href="${anchorPage.get(id)}#${id}">${id}</a>${b}` : all);
   // Doxygen announces a list of nested classes even where all of them are private.

@@ -117,15 +117,32 @@ export function evidence(book, id, anchor) {
     const model = row => prose([...row.models][0] ?? '');
     unfolded = `<details><summary>by model</summary>${boxed(`<table class="evidence-table by-model">${head('model')}${[...new Set(full.map(row => row.what))].map(w => part(prose(w), measured(of(full, w), model))).join('')}${[...new Set(fullControls.map(row => row.what))].map(w => part(`${prose(w)} <span class="kind">control</span>`, broken(of(fullControls, w), model))).join('')}</table>`)}</details>`;
   }
-  const ratio = controlRatio(r);
-  const summary = `<div class="evidence-foot">${[
-    `<b>Evidence</b> for ${label(id)}: ${[...new Set(r.evidence.map(e => e.kind))].join(', ')}`,
-    ratio === null ? '' : `control / residual: <b>${ratioText(ratio)}</b>`,
+  const foot = [
     released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test</code>` : '',
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
-    where,
-  ].filter(Boolean).map(s => `<span>${s}</span>`).join('')}</div>`;
-  return `<div class="evidence"${idAttribute}>${summary}${worstOnly}${unfolded}</div>`;
+  ].filter(Boolean).map(s => `<span>${s}</span>`).join('');
+  return `<details class="evidence"${idAttribute}><summary>${evidenceLine(r)}<span class="evidence-where">${where}</span></summary>${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}</details>`;
+}
+
+const strength = ['exact', 'precision', 'order'];
+
+/// Evidence in a line: verdict, strongest kind, worst residual, least control.
+function evidenceLine(r) {
+  const kind = strength.find(k => r.evidence.some(e => e.kind === k)) ?? r.evidence[0].kind;
+  const of = r.evidence.filter(e => e.kind === kind), models = new Set(r.evidence.map(e => e.model).filter(Boolean)).size;
+  const points = of.reduce((sum, e) => sum + (e.points ?? 0), 0);
+  const over = kind === 'exact' ? ` title="over ${[...new Set(of.map(e => columnNames[e.scalar]))].filter(Boolean).join(' and ')}${points ? `, ${points} points` : ''}"` : '';
+  const w = worst(r), orders = r.evidence.filter(e => e.kind === 'order').map(e => Number(e.slope));
+  const rounded = r.evidence.filter(e => e.kind === 'precision' && Number(e.epsilon) > 0);
+  const largest = rounded.length ? rounded.reduce((a, b) => (Number(b.measured) / Number(b.epsilon) > Number(a.measured) / Number(a.epsilon) ? b : a)) : null;
+  const residual = largest ? `residual ≤ ${inEpsilons(largest.measured, largest.epsilon)}` : w ? `residual ${number(w.entry.measured)}` : '';
+  const controls = (r.control ?? []).map(c => Number(c.measured));
+  return `<span class="evidence-title">Evidence</span>${badge(r.verdict)}${[
+    `<span class="evidence-kind"${over}>${kind}${models > 1 ? `, ${models} models` : ''}${kind === 'exact' && points ? `, ${points} points` : ''}</span>`,
+    residual ? `<span>${residual}</span>` : '',
+    orders.length ? `<span>order ${[...new Set([Math.min(...orders), Math.max(...orders)].map(x => x.toFixed(2)))].join(' to ')}</span>` : '',
+    controls.length ? `<span>least control ${number(Math.min(...controls))}</span>` : '',
+  ].join('')}`;
 }
 
 // ---- The ledger page
@@ -194,7 +211,7 @@ function tableHead(brief) {
 /// All statements of a chapter; those that have no place of their own unfold into their figures.
 export function chapterLedger(book, list, here) {
   const rows = list.map(s => {
-    const figures = here.has(s.id) && (book.statements?.get(s.id)?.evidence ?? []).length ? `<tr class="figures"><td></td><td colspan="4"><details><summary>figures</summary>${evidence(book, s.id, false)}</details></td></tr>` : '';
+    const figures = here.has(s.id) && (book.statements?.get(s.id)?.evidence ?? []).length ? `<tr class="figures"><td></td><td colspan="4">${evidence(book, s.id, false)}</td></tr>` : '';
     return ledgerRow(book, s, here) + figures;
   });
   return `<div class="ledger"><table class="ledger-table stacked">${tableHead(true)}<tbody>${rows.join('')}</tbody></table></div>`;

@@ -40,12 +40,19 @@ export function inlineSvg(svg, caption, prefix, report = {}) {
   return `<figure class="${`picture ${originClass(report)}`.trim()}">${svg}${text ? `<figcaption>${text}</figcaption>` : ''}</figure>`;
 }
 
-export function programCard(book, name, report, src) {
+/// What a program claims: each with the measured figure and its bound.
+export function claimList(report) {
+  const items = (report.claims ?? []).map(c => `<li class="${c.holds ? 'holds' : 'fails'}">${prose(c.text)}${c.measured ? ` <span class="claimed">${cellText(c.measured.replace(/(?<![<>]) ([<>]) /g, ' $1 '))}</span>` : ''}</li>`);
+  return items.length ? `<ul class="claims">${items.join('')}</ul>` : '';
+}
+
+/// @param headers  those of the chapters that it includes
+export function programCard(book, name, report, src, headers = []) {
   const shows = report ? prose(report.shows) : '';
   const headline = report?.headline ? `<span class="headline">${prose(report.headline.text)}</span>` : '';
   const output = report ? (report.output === null ? '<p class="notrun">the output was not kept</p>' : `<pre class="output">${escapeHtml(report.output.trimEnd())}</pre>`) : '<p><span class="notrun">not run in this build</span></p>';
   return {
-    before: `<div class="program" id="program_${name}"><div class="program-head"><span class="program-name">${escapeHtml(name)}</span>${book.sourceLink(src.path, 1, escapeHtml(src.path))}</div>${shows ? `<p class="program-shows">${shows}${headline ? ` ${headline}` : ''}</p>` : ''}${output}<details><summary>The program, ${src.lines} lines</summary>`,
+    before: `<div class="program" id="program_${name}"><div class="program-head"><span class="program-name">${escapeHtml(name)}</span>${book.sourceLink(src.path, 1, escapeHtml(src.path))}</div>${shows ? `<p class="program-shows">${shows}${headline ? ` ${headline}` : ''}</p>` : ''}${report ? claimList(report) : ''}<details class="said"><summary>What it prints</summary>${output}</details>${headers.length ? `<p class="program-headers">Its physics is in ${headers.map(h => book.sourceLink(h.path, 1, escapeHtml(h.name))).join(', ')} as well, shown below it.</p>` : ''}<details><summary>The program, ${src.lines} lines</summary>`,
     after: '</details></div>',
   };
 }

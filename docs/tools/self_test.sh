@@ -60,11 +60,58 @@ Nothing is lost, \f$\Ad^*_g\mu\f$.
 ## Verified
 
 \verified{3}
+
+\proof{thm_3_2_3}
+By \ref def_turn "the turn".
+\endproof
+
+\definition{def_turn,Turn}
+A *turn* is \f$f\f$.
+\enddefinition
+
+\result{res_own,Lemma,Ours}
+It turns, \ref def_turn.
+\endresult
+
+\proof
+So it is.
+\endproof
+
+\printed{eq_3_9}
+\f[ f = g_1 \f]
+\endprinted
+
+\exercise{code}
+Turn it.
+\hint
+By hand.
+\solution
+Done.
+\endexercise
+
+\tryit{ch03,turn}
+
+\step{ch03_wheel,2}
+
+\prints{ch03_wheel,all is}
+
+\claims{ch03_wheel}
+
+\idea{ch03_turn,A turn, drawn}
+
+\animation{flip,ch03_wheel,It turns}
 X
-  printf '// A wheel.\nint main() {}\n' >chapters/ch03_sample/wheel.cpp
+  printf '// A wheel.\n#include "spokes.hpp"\n\n// 1. One.\nint one;\n\n// 2. Two.\nint two;\n\nint main() {}\n' >chapters/ch03_sample/wheel.cpp
+  printf '// Spokes.\nint spokes;\n' >chapters/ch03_sample/spokes.hpp
+  printf '// Try.\n#include "book/try_it.hpp"\nTRY_IT(turn) {\n  print("turned", 1);\n}\n' >chapters/ch03_sample/try_it.cpp
+  printf '{"chapter":"ch03","program":"ch03_try_it","shows":"lines","headline":{"text":"1","value":1},"snippets":[{"name":"turn","said":"turned: 1\\n"}]}' >build/report/programs/ch03_try_it.json
+  echo 'turned: 1' >build/report/programs/ch03_try_it.txt
+  mkdir -p docs/drawings
+  echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 60 40"><path class="arrow c1" d="M0 0L9 9"/><text class="m" x="1" y="9">g_{k+1}</text></svg>' >docs/drawings/ch03_turn.svg
   cat >build/report/programs/ch03_wheel.json <<'X'
 {"chapter":"ch03","program":"ch03_wheel","shows":"a wheel","headline":{"text":"drift 1e-15","value":1e-15},"figures":[{"name":"drift","value":1e-15,"text":"1e-15"}],
- "tables":[{"name":"orders","header":["scheme","order"],"rows":[["DEP","2.0"]]}],"pictures":[{"name":"path","file":"ch03_wheel.path.svg","caption":"A path"}],"seconds":0.1}
+ "tables":[{"name":"orders","header":["scheme","order"],"rows":[["DEP","2.0"]]}],"pictures":[{"name":"path","file":"ch03_wheel.path.svg","caption":"A path"}],
+ "claims":[{"holds":true,"text":"it rolls","measured":"1e-15 < 2e-12"}],"motions":[{"name":"flip","header":["t","x"],"rows":[[0,1],[1,2]]}],"seconds":0.1}
 X
   echo 'all is well' >build/report/programs/ch03_wheel.txt
   echo '<svg xmlns="http://www.w3.org/2000/svg" width="10" height="10"><path id="a" d="M0 0L9 9"/></svg>' >build/report/programs/ch03_wheel.path.svg
@@ -122,6 +169,19 @@ contains ch03.html 'class="num from-release"><span title="3.14e-50, allowed 3.1e
 contains ch03.html '50 digits and 100 digits: .*measured 2026-01-01 00:00 UTC on a fast processor with GCC 12, commit abc1234567.*of the release'
 contains ch03.html 'class="num from-release">0\.25'
 
+contains ch03.html 'id="def_turn"'
+contains ch03.html 'href="ch03.html#def_turn">turn</a>'
+contains ch03.html '>Proof of Theorem 3.2.3<'
+contains ch03.html 'as printed, <a href="#eq_3_9">'
+contains ch03.html '>Exercise 3.1<'
+contains ch03.html '<summary>Solution</summary>'
+contains ch03.html 'print.*turned'
+contains ch03.html '<pre class="output">turned: 1</pre>'
+contains ch03.html 'spokes.hpp, 2 lines'
+contains ch03.html '>it rolls <span class="claimed">10<sup>−15</sup>\|it rolls <span class="claimed">1·10'
+contains ch03.html 'marker-end="url(#idea[0-9]*-head-c1)"'
+contains ch03.html 'data-animation="flip"'
+
 # What every page must have is looked for in the book as it stands.
 lacks() {  # name, what must be said: the book is changed, and refused
   if node docs/tools/check_pages.mjs build/book >"$work/out" 2>&1; then echo "FAILED  $1: passed"; failures=$((failures + 1))
@@ -175,6 +235,15 @@ project; sed -i 's/\\cite pekarsky2000/\\cite nobody1900/' $chapter; refuses 'an
 project; sed -i 's|/// The motion.*||' src/actio/reduction/relative_motion.hpp; sed -i 's|/// .implements.*||' src/actio/reduction/relative_motion.hpp; refuses 'an undocumented symbol' 'relative_motion.hpp:7: .*not documented'
 project; sed -i 's/implements{eq_3_9}/implements{eq_3_97}/' src/actio/reduction/relative_motion.hpp; refuses 'an unknown statement in a header' 'relative_motion.hpp:5: .*eq_3_97'
 project; sed -i 's/^## Verified/## Verified \\f$\\mu\\f$/' $chapter; refuses 'a formula in a title' 'chapter.md:23: a title holds a formula'
+project; sed -i '/^.proof{thm/,/^.endproof/d' $chapter; refuses 'a theorem without a proof' 'chapter.md:11: Theorem 3.2.3 has no .proof'
+project; sed -i '0,/^.proof$/{/^.proof$/,/^.endproof/d}' $chapter; refuses 'a result of our own without a proof' 'chapter.md:[0-9]*: res_own has no .proof'
+project; sed -i '/^.beside/,/^.endbeside/d; /^.printed/,/^.endprinted/d; s/.ref eq_3_9/it/' $chapter; refuses 'an equation that is not displayed' '.3.9. is not displayed'
+project; sed -i 's/result{res_own/result{def_turn/' $chapter; refuses 'an id of another kind' '"def_turn": an id of this kind is res_'
+project; sed -i 's/ch03,turn}/ch03,twist}/' $chapter; refuses 'a snippet that is not there' 'try_it.cpp has no TRY_IT.twist'
+project; sed -i 's/ch03_wheel,2}/ch03_wheel,3}/' $chapter; refuses 'a step that is not there' 'has no comment "// 3. ..."'
+project; sed -i 's/ch03_wheel,all is}/ch03_wheel,none is}/' $chapter; refuses 'words that are not printed' 'prints no line that starts with "none is"'
+project; sed -i 's/{flip,/{flop,/' $chapter; refuses 'a motion that nobody reports' 'reports no motion "flop"'
+project; sed -i 's/class="arrow c1"/stroke="red"/' docs/drawings/ch03_turn.svg; refuses 'a drawing in a colour of its own' 'a colour is named'
 project; echo '<a href="nowhere.html">x</a>' >>$chapter; refuses 'a dead link' 'dead link: nowhere.html'
 project; echo '<img src="http://example.org/x.png" alt="x"/>' >>$chapter; refuses 'the network' 'reaches for the network'
 

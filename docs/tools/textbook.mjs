@@ -1,5 +1,5 @@
-// What makes a page a textbook: definitions, proofs, exercises, drawings, programs told step by step, lines to try.
-// The commands are told in docs/WRITING.md; expand.mjs calls them.
+// What makes a page a textbook: definitions, proofs, exercises, drawings, programs told step by step, lines
+// to try. The commands are told in docs/WRITING.md; expand.mjs calls them.
 import fs from 'node:fs';
 import path from 'node:path';
 import { badge, escapeHtml, label, prose } from './lib.mjs';
@@ -92,7 +92,8 @@ export function textbookBlocks(book, page) {
       if (!/^(Theorem|Proposition|Lemma|Corollary|Observation)$/.test(kind)) return error(`\\result{id,Theorem,Title}: "${kind}" is no kind of result`);
       if (!ownId(id, 'res', title)) return;
       ++counts.results;
-      p.unproved = kind === 'Observation' ? null : { id, line: page.line() };
+      p.lastNamed = id;
+      if (kind !== 'Observation') (p.toProve ??= []).push({ id, line: page.line() });
       book.ownIds.set(id, { where: `${p.file}:${page.line()}`, title: `${kind} (${title})` });
       box('result', id, `<span class="statement-number">${kind}</span> ${escapeHtml(title)}`, '<span class="statement-tools"><span class="own-result" title="a result of this project, not of the thesis">this project</span></span>', 'statement-result');
     },
@@ -100,10 +101,10 @@ export function textbookBlocks(book, page) {
     proof(arg) {
       ++counts.proofs;
       const id = book.byId.has(arg) ? arg : '';
-      (book.proved ??= new Set()).add(id || p.lastNamed || '');
-      if (p.unproved && !id) book.proved.add(p.unproved.id);
+      // Without a name it proves the last statement above it.
+      (book.proved ??= new Set()).add(id || (book.ownIds.has(arg) ? arg : p.lastNamed) || '');
       open.push({ kind: 'proof', id: '', line: page.line() });
-      block(`<div class="proof"><div class="proof-head">${id ? `Proof of ${label(id)}` : arg ? prose(arg) : 'Proof'}</div>`);
+      block(`<div class="proof"><div class="proof-head">${id ? `Proof of ${label(id)}` : book.ownIds.has(arg) ? `Proof of the ${book.ownIds.get(arg).title}` : arg ? prose(arg) : 'Proof'}</div>`);
     },
     endproof() { close('proof', () => '<div class="qed" title="which was to be shown">∎</div></div>'); },
     equation(id) {
@@ -117,7 +118,7 @@ export function textbookBlocks(book, page) {
     printed(id) {
       if (!page.known(id)) return;
       open.push({ kind: 'printed', id, line: page.line() });
-      block(`<div class="printed"><div class="printed-head">as printed, <a href="@ref:erratum_${id}">${label(id)}</a></div>`);
+      block(`<div class="printed"><div class="printed-head">as printed, <a href="@ref:${['corrected', 'convention'].includes(verdictOf(book, id)) ? 'erratum_' : ''}${id}">${label(id)}</a></div>`);
     },
     endprinted() { close('printed', () => '</div>'); },
 

@@ -20,7 +20,7 @@ int run_tries(int argc, char** argv, char const* shows) {
     program.snippet(snippet.name, said.str());
     program.claim(error.empty() && !said.str().empty(),
                   std::string(snippet.name) +
-                    (error.empty() ? " runs and prints something" : " does not fail with: " + error));
+                      (error.empty() ? " runs and prints something" : " does not fail with: " + error));
   }
   program.headline(text(tries().size(), " snippets run"), static_cast<double>(tries().size()));
   return program.finish();

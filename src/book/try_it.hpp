@@ -1,5 +1,5 @@
-// Lines to try: snippets of a chapter that a reader can paste. Each is compiled and run by the build, and the book
-// shows it with what it printed.
+// Lines to try: snippets of a chapter that a reader can paste. Each is compiled and run by the build, and the
+// book shows it with what it printed.
 //
 //   TRY_IT(relative_motion) {
 //     auto const f = relative_motion_right(g0, g1);
@@ -18,8 +18,8 @@ namespace book {
 
 /// One snippet: its name, and what runs it.
 struct TryIt {
-  char const* name;
-  void (*run)();
+  char const* name;  ///< under which a page shows it
+  void (*run)();     ///< the lines
 };
 
 /// The snippets of the program, in the order of its text.
@@ -34,8 +34,8 @@ int run_tries(int argc, char** argv, char const* shows);
 }  // namespace book
 
 /// A snippet by the name under which a page shows it.
-#define TRY_IT(name)                                                                   \
-  static void try_##name();                                                            \
+#define TRY_IT(name)                                                                          \
+  static void try_##name();                                                                   \
   static bool const registered_##name = (book::tries().push_back({#name, try_##name}), true); \
   static void try_##name()
 

@@ -1,5 +1,5 @@
-// Values on the terminal, for a reader who tries a line: numbers, vectors, matrices, elements of a group, velocities
-// and momenta.
+// Values on the terminal, for a reader who tries a line: numbers, vectors, matrices, elements of a group,
+// velocities and momenta.
 #pragma once
 
 #include <cmath>
@@ -41,21 +41,25 @@ std::string printed(T const& x) {
     return printed_matrix(x.coordinates);
   else if constexpr (requires { x.components; })
     return printed_matrix(x.components);
-  else if constexpr (requires { x.group; x.value; })
+  else if constexpr (requires {
+                       x.group;
+                       x.value;
+                     })
     return printed_matrix(x.value);
-  else if constexpr (requires { x.rows(); x.cols(); })
+  else if constexpr (requires {
+                       x.rows();
+                       x.cols();
+                     })
     return printed_matrix(x);
   else
     return printed_number(x);
 }
 }  // namespace detail
 
-/// Prints a value in a line: a number, a vector, a text, an \ref Element, a \ref Velocity or a \ref Momentum by its
-/// coordinates; a matrix in a line for each row. Numbers are shown in six significant digits.
+/// Prints a value in a line: a number, a vector, a text, an \ref Element, a \ref Velocity or a \ref Momentum
+/// by its coordinates; a matrix in a line for each row. Numbers are shown in six significant digits.
 template <class T>
-void print(T const& value) {
-  std::cout << detail::printed(value) << '\n';
-}
+void print(T const& value) { std::cout << detail::printed(value) << '\n'; }
 /// The same with what it is before it.
 template <class T>
 void print(char const* label, T const& value) {
