@@ -132,7 +132,8 @@ void compare(book::Program& program, TwoWays const& pendulum, TwoWays const& top
                 "Two systems on the groupoids that their symmetry leaves; dimensions of base and fibre.");
   double const rounding = 0x1p-52 * steps, apart = std::max(pendulum.apart, top.apart);
   using book::measured;
-  program.claim(measured(pendulum.apart) < 1000 * rounding, "the pendulum goes the same way on both groupoids");
+  program.claim(measured(pendulum.apart) < 1000 * rounding,
+                "the pendulum goes the same way on both groupoids");
   program.claim(measured(top.apart) < 1000 * rounding, "and so does the top");
   program.claim(measured(pendulum.conserved) < 20 * rounding,
                 "the pendulum conserves its momentum about the vertical");
