@@ -19,7 +19,8 @@
     });
   }
 
-  // ---- Motions: rows of numbers from the run that built the book, drawn frame by frame while they are in sight.
+  // ---- Motions: rows of numbers from the run that built the book, drawn frame by frame while they are in
+  // sight.
   function colours() {
     var style = getComputedStyle(document.documentElement);
     return function (name) { return style.getPropertyValue('--' + name).trim(); };

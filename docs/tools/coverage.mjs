@@ -1,6 +1,6 @@
-// What each chapter gives its reader, counted: named results with a proof on the page, numbered equations displayed,
-// definitions, words, drawings, exercises. The counts go to report/book_coverage.tsv; a named result without a proof
-// and a numbered equation that no page displays are errors of the strict book.
+// What each chapter gives its reader, counted: named results with a proof on the page, numbered equations
+// displayed, definitions, words, drawings, exercises. The counts go to report/book_coverage.tsv; a named
+// result without a proof and a numbered equation that no page displays are errors of the strict book.
 import fs from 'node:fs';
 import path from 'node:path';
 import { label } from './lib.mjs';

@@ -1,4 +1,4 @@
-// Expands the book's own commands in its pages (docs/pages, chapters/*/chapter.md) from the reports of the
+// Expands the book's own commands in its pages (docs/pages, chapters/*/*.md) from the reports of the
 // build.
 //
 // A command becomes a token that Doxygen carries through unchanged; finish.mjs puts the token's HTML in its

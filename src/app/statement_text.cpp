@@ -13,12 +13,14 @@ namespace {
 
 /// A paragraph of Markdown on one line, without what a page alone can show.
 std::string plain_words(std::string text) {
-  static std::regex const reference(R"(\\ref ([a-z0-9_]+))"),
-      command(R"(\\(?:figure|cite|tag)(?:\{[^}]*\}| \S+))"), space(R"(\s+)");
+  static std::regex const reference(R"re(\\ref ([a-z0-9_]+)(?: "([^"]*)")?)re"),
+      command(R"(\\(?:figure|cite|tag|verdict)(?:\{[^}]*\}| [\w-]+))"), space(R"(\s+)");
   for (std::smatch match; std::regex_search(text, match, reference);) {
     scene::Statement const* const known = scene::find_statement(match[1].str());
-    text = match.prefix().str() + (known ? scene::name_in_thesis(*known) : match[1].str()) +
-           match.suffix().str();
+    std::string const name = match[2].matched ? match[2].str()
+                             : known          ? scene::name_in_thesis(*known)
+                                              : match[1].str();
+    text = match.prefix().str() + name + match.suffix().str();
   }
   text = std::regex_replace(std::regex_replace(text, command, "..."), space, " ");
   std::size_t const begin = text.find_first_not_of(' ');
@@ -45,7 +47,8 @@ std::vector<std::string> paragraphs_of(std::string const& text) {
     std::string const tex =
         std::regex_replace(std::regex_replace(text.substr(at + 3, close - at - 3), tag, ""), space, " ");
     if (display) end();
-    running += plain_formula(tex);
+    running +=
+        tex.find("\\begin{CD}") == std::string::npos ? plain_formula(tex) : "(The diagram is in the book.)";
     if (display) end();
     at = close + 3;
   }
@@ -66,8 +69,12 @@ StatementText statement_text(std::string const& id) {
   // Lines that stand for code, pictures and the like are of the page alone.
   std::istringstream lines{std::string(chapters.substr(line + 1, end - line - 1))};
   std::string text;
+  static std::regex const item(R"(\s*(?:\d+\.|-) .*)");
   for (std::string one; std::getline(lines, one);)
-    if (!one.starts_with('\\') || one.starts_with("\\f") || one.starts_with("\\ref"))
+    // Each item of a list is a paragraph.
+    if (std::regex_match(one, item))
+      text += "\n" + one + "\n";
+    else if (!one.starts_with('\\') || one.starts_with("\\f") || one.starts_with("\\ref"))
       text += one + "\n";
     else
       text += "\n";
