@@ -4,7 +4,7 @@
 // what it carries along with what it should have preserved: the symplectic form on T*SO(3), the bracket on
 // so(3)*, the coadjoint orbit, the momentum in space, the way back. Three of the maps stay on their orbit to
 // rounding and are still not Poisson: to conserve the orbit is not enough. What comes from a discrete
-// Lagrangian, or from exact flows, is Poisson. Read first. The section "Judging maps" of chapter 4.
+// Lagrangian, or from exact flows, is Poisson. Read first. Chapter 4A.
 //
 //   Pi     momentum in the body frame          h      step, s
 //   p      costate: attitude and momentum in space defects 0 for what is preserved, at most 1 where nothing
