@@ -123,7 +123,7 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
   auto const one = identity<double>(SL<n>{});
   StepOfDrop<double> const L{h};
   ReducedStep<double, n> const l{h};
-  // The first step leaves with the momentum of the velocity V at the identity.
+  // The momentum at the start of the first step is that of the velocity V at the identity.
   int const dim = SL<n>{}.dimension();
   Momentum<SL<n>, double> mu{SL<n>{}, Coordinates<SL<n>, double>(dim)};
   for (int a = 0; a < dim; ++a)
@@ -160,10 +160,10 @@ Run run(int steps, actio::Matrix<double, n, n> const& V) {
 
 }  // namespace
 
-STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of SL(n)") {
+STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as a motion of $\\SL(n)$") {
   claim.holds(
-      "The kinetic energy is not invariant under all of SL(n): the square $AA^T$ of the configuration is "
-      "advected. The reduced discrete equations are those of remark 3.1.3 with it.");
+      "The kinetic energy is not invariant under all of $\\SL(n)$: the square $AA^T$ of the configuration "
+      "is advected. The reduced discrete equations are those of remark 3.1.3 with it.");
   // Products of some twenty entries of A, its inverse and its velocity, which are of degree 8 in what is
   // drawn.
   auto const in_dimension = [&]<int n>() {

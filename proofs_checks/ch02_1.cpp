@@ -47,7 +47,8 @@ Vector<S> momenta_in_entries(ExactMotions<S> const& m, Entries const& q, S const
 
 STATEMENT(eq_2_1, "the action of a curve") {
   claim.holds(
-      "The integral does not depend on the coordinates that express g and its rate; it depends on a and b.");
+      "The integral does not depend on the coordinates in which $g$ and its rate are expressed; it "
+      "depends on $a$ and $b$.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -139,7 +140,8 @@ STATEMENT(eq_2_3, "first variation of the action, integrated by parts") {
 
 STATEMENT(eq_2_5, "first variation of the action with free ends") {
   claim.holds(
-      "The boundary term is the one-form (dL/dg') dg, which is the Lagrange one-form of the library.");
+      "The boundary term is the one-form $(\\partial L/\\partial\\dot g)\\,dg$, which is the Lagrange "
+      "one-form of the library.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -168,9 +170,8 @@ STATEMENT(eq_2_5, "first variation of the action with free ends") {
 
 STATEMENT(eq_2_6, "variation of the action: Euler-Lagrange map inside, one-form at the ends") {
   claim.convention(
-      "With the lifted variation taken at the time t of the end point, not at t = 0 as its definition below "
-      "(2.6) is printed "
-      "(claim_2_1_lifted_variation).");
+      "With the lifted variation taken at the time $t$ of the end point, not at $t = 0$ as its definition "
+      "below (2.6) is printed (claim_2_1_lifted_variation).");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -200,9 +201,8 @@ STATEMENT(claim_2_1_lifted_variation, "the lift of a variation, at the time of t
   claim.corrected(R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt}\Big|_{t=0} g_)"
                   R"(\epsilon(t))",
                   R"(\hat\delta g(t) \equiv \frac{d}{d\epsilon}\Big|_{\epsilon=0}\frac{d}{dt} g_\epsilon(t))",
-                  "The derivative in time is to be taken at t, not at 0: as printed the lift does not depend "
-                  "on t, and (2.6) fails unless "
-                  "it is evaluated at one end only.");
+                  "The derivative in time is to be taken at $t$, not at 0: as printed the lift does not "
+                  "depend on $t$, and (2.6) fails unless it is evaluated at one end only.");
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_exact_motions<S>(draw, group);
@@ -410,7 +410,7 @@ STATEMENT(claim_2_1_flow_preserves_form, "the flow is symplectic") {
     });
 }
 
-STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because ddS = 0") {
+STATEMENT(claim_2_1_symplecticity_from_action, "the flow is symplectic because $ddS = 0$") {
   claim.holds();
   Quadrature<S> const rule(polynomial_degree);
   over_groups(entry_groups(), claim, [&](auto const& group, auto const& model) {
@@ -721,9 +721,8 @@ struct SideOfSeam {
 
 STATEMENT(thm_2_1_1, "the Euler-Lagrange map and the Lagrange one-form from the variation of the action") {
   claim.convention(
-      "With the second-order set inside TTG rather than TG, and the lifted variation taken at t rather than "
-      "at 0: "
-      "claim_2_1_second_order_set, claim_2_1_lifted_variation.");
+      "With the second-order set inside $TTG$ rather than $TG$, and the lifted variation taken at $t$ "
+      "rather than at 0: claim_2_1_second_order_set, claim_2_1_lifted_variation.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const curve = draw_curve<S>(draw, group);
@@ -841,9 +840,9 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
                   R"(G\Bigr\} \text{ of } TG)",
                   R"(\ddot G \equiv \Bigl\{\frac{d^2 g}{dt^2}(0) \Bigm| g \text{ a } C^2 \text{ curve in } )"
                   R"(G\Bigr\} \subset T(TG))",
-                  "Second derivatives are tangent vectors of TG, so the set lies in T(TG): those w with "
-                  "T(projection) w = base point of w. "
-                  "As printed it would lie in TG; the curve is g, not q.");
+                  "Second derivatives are tangent vectors of $TG$, so the set lies in $T(TG)$: it holds "
+                  "the $w$ for which $T\\tau_G(w)$ is the base point of $w$, where $\\tau_G\\colon TG\\to "
+                  "G$ is the projection. As printed it would lie in $TG$; the curve is $g$, not $q$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_state_polynomial<S>(draw, group);
     auto const curve = draw_curve<S>(draw, group);

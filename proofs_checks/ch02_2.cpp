@@ -40,9 +40,8 @@ S change_along(F const& l, Velocity<SpannedGroup, S> const& xi, Velocity<Spanned
 
 STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
   claim.convention(
-      "With variations eta' - ad_xi eta in condition iv, its first expression; the second one, eta' + [xi, "
-      "eta], has the wrong sign "
-      "(claim_2_2_reduced_variation_bracket).");
+      "With variations $\\dot\\eta - \\ad_\\xi\\eta$ in condition iv, its first expression; the second "
+      "one, $\\dot\\eta + [\\xi,\\eta]$, has the wrong sign (claim_2_2_reduced_variation_bracket).");
   Quadrature<S> const rule(14);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -96,9 +95,8 @@ STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
 STATEMENT(claim_2_2_euler_poincare_equations,
           "the Euler-Poincare equations are the Euler-Lagrange equations of an invariant Lagrangian") {
   claim.holds(
-      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, for "
-      "which ad* has the other sign "
-      "and xi = g^-1 g' (also confirmed).");
+      "For right-invariant Lagrangians; the paragraph before the theorem speaks of left-invariant ones, "
+      "for which $\\ad^*$ has the other sign and $\\xi = g^{-1}\\dot g$ (also confirmed).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const v = draw_state<S>(draw, group);
@@ -215,8 +213,8 @@ auto draw_canonical(Draw& draw, SpannedGroup const& group) {
 
 STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual algebra") {
   claim.holds(
-      "With {q, p} = +1 on T*G and the commutator in the algebra; left-invariant functions give the minus "
-      "bracket.");
+      "With $\\{q, p\\} = +1$ on $T^*G$ and the commutator in the algebra; left-invariant functions give "
+      "the minus bracket.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_algebra_polynomial<S>(draw, group.dimension()),
                h = draw_algebra_polynomial<S>(draw, group.dimension()),
@@ -257,9 +255,9 @@ STATEMENT(thm_2_2_2, "the bracket that right-invariant functions give the dual a
 
 STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
   claim.convention(
-      "With mu = mu(t) in the equation for g (printed: p(0), see claim_2_2_reconstruction_velocity) and "
-      "lambda(p) = T_e^*R_g p (printed "
-      "with the index g(t) in place of e, which would be a map from another fibre).");
+      "With $\\mu = \\mu(t)$ in the equation for $g$ (printed: $p(0)$, see "
+      "claim_2_2_reconstruction_velocity) and $\\lambda(p) = T_e^*R_g\\,p$ (printed with the index $g(t)$ "
+      "in place of $e$, which would be a map from another fibre).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension()),
                f = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -302,9 +300,9 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
   claim.corrected(
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0))",
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t) = \lambda(p(t)))",
-      "The momentum is that of the same instant, translated to the identity. With the momentum frozen at its "
-      "initial value g "
-      "would be a one-parameter group; and p(0) is a covector at g(0), not an element of the dual algebra.");
+      "The momentum is that of the same instant, translated to the identity. With the momentum frozen at "
+      "its initial value $g$ would be a one-parameter group; and $p(0)$ is a covector at $g(0)$, not an "
+      "element of the dual algebra.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const H = right_invariant_function(h);
@@ -334,7 +332,8 @@ STATEMENT(claim_2_2_reconstruction_velocity, "which momentum moves the group ele
 STATEMENT(claim_2_2_lie_poisson_equivalence,
           "Hamilton's equations, Lie-Poisson equations and brackets say the same") {
   claim.holds(
-      "Conditions iii and iv say nothing about g: the equation for g is needed to come back to i and ii.");
+      "Conditions iii and iv say nothing about $g$: the equation for $g$ is needed to come back to i and "
+      "ii.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.dimension();
     auto const F = draw_costate_polynomial<S>(draw, group), H = draw_costate_polynomial<S>(draw, group);
@@ -495,11 +494,10 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
 
 STATEMENT(claim_2_2_reduced_motion, "reduced motion along the coadjoint orbit") {
   claim.convention(
-      "J is the momentum map of multiplication from the right, T_e^*L_g p, taken at p(t) rather than at "
-      "g(t): for a right-invariant "
-      "Hamiltonian the body momentum is constant and mu(t) is the spatial one. mu_0 is the initial value of "
-      "mu only if g(0) = e. "
-      "Ad^*_{g^-1} is the dual of Ad_{g^-1}.");
+      "$J$ is the momentum map of multiplication from the right, $T_e^*L_g\\,p$, taken at $p(t)$ rather "
+      "than at $g(t)$: for a right-invariant Hamiltonian the body momentum is constant and $\\mu(t)$ is "
+      "the spatial one. $\\mu_0$ is the initial value of $\\mu$ only if $g(0) = e$. $\\Ad^*_{g^{-1}}$ is "
+      "the dual of $\\Ad_{g^{-1}}$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const h = draw_algebra_polynomial<S>(draw, group.dimension());
     Costate<SpannedGroup, S> const p{draw.template element<S>(group), draw.template momentum<S>(group)};
@@ -584,8 +582,10 @@ STATEMENT(claim_2_2_coadjoint_action_kk, "the coadjoint action preserves the Kir
 
 namespace {}  // namespace
 
-STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, with ad") {
-  claim.holds("With eta = dg g^-1, xi = g' g^-1 and ad_xi eta = [xi, eta], the commutator.");
+STATEMENT(claim_2_2_reduced_variation_ad, "variation of the reduced velocity, with $\\ad$") {
+  claim.holds(
+      "With $\\eta = \\delta g\\,g^{-1}$, $\\xi = \\dot g\\,g^{-1}$ and $\\ad_\\xi\\eta = [\\xi,\\eta]$, "
+      "the commutator.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);
@@ -615,9 +615,9 @@ STATEMENT(claim_2_2_reduced_variation_bracket, "variation of the reduced velocit
   claim.corrected(
       R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
       R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
-      "The thesis defines ad_xi eta = [xi, eta] (Theorem 2.2.3), so the two printed expressions differ in "
-      "every group that is "
-      "not abelian. The plus sign belongs to xi = g^-1 g' and eta = g^-1 dg, the left-invariant case.");
+      "The thesis defines $\\ad_\\xi\\eta = [\\xi,\\eta]$ (Theorem 2.2.3), so the two printed expressions "
+      "differ in every group that is not abelian. The plus sign belongs to $\\xi = g^{-1}\\dot g$ and "
+      "$\\eta = g^{-1}\\delta g$, the left-invariant case.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_curve<S>(draw, group);
     auto const family = draw_family<S>(draw, group, curve);

@@ -35,9 +35,9 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
   claim.corrected(R"(\mathbb S=\sum_{k=1}^{N}\mathbb L(g_k,g_{k+1}))",
                   R"(\mathbb S=\sum_{k=0}^{N-1}\mathbb )"
                   R"(L(g_k,g_{k+1}))",
-                  "The configurations are g_0, ..., g_N and the ends g_0 and g_N are held, so the sum runs "
-                  "over the N pairs between them; the printed range leaves "
-                  "g_0 out, needs a configuration g_{N+1}, and its variation at g_1 is not (3.2).");
+                  "The configurations are $g_0,\\dots,g_N$ and the ends $g_0$ and $g_N$ are held, so the "
+                  "sum runs over the $N$ pairs between them; the printed range leaves $g_0$ out, needs a "
+                  "configuration $g_{N+1}$, and its variation at $g_1$ is not (3.2).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // Configurations g_0, ..., g_N with N = 4, and g_5, which only the printed range asks for.
     auto const L = draw_pair_polynomial<S>(draw, group);
@@ -63,9 +63,9 @@ STATEMENT(eq_3_1, "the action sums over the pairs between the two configurations
 STATEMENT(claim_3_1_discrete_from_continuous,
           "a discrete Lagrangian from an approximate configuration and an approximate velocity") {
   claim.convention(
-      "For equal steps. Print leaves the step out as a factor, which divides the action and every momentum "
-      "by it; where steps differ the factor h belongs there, and the library's discrete Lagrangians carry "
-      "it.");
+      "For equal steps. The thesis leaves the step out as a factor, which divides the action and every "
+      "momentum by it; where steps differ the factor $h$ belongs there, and the library's discrete "
+      "Lagrangians carry it.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 3);
@@ -232,7 +232,7 @@ STATEMENT(eq_3_3, "differential of the discrete action, ends free") {
       R"(d\mathbb S=\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1)"
       R"(\mathbb L(g_k,g_{k+1})\delta g_k=\dots)",
       "In the first line the arguments of the two sums are exchanged, so that it asks for configurations "
-      "g_{-1} and g_{N+1}; the second line, with the boundary terms, holds as printed.");
+      "$g_{-1}$ and $g_{N+1}$; the second line, with the boundary terms, holds as printed.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 3: configurations all[1], ..., all[4] are g_0, ..., g_3; all[0] and all[5] are the g_{-1} and g_4
     // that the thesis prints.
@@ -263,8 +263,9 @@ STATEMENT(claim_3_1_action_differential_split,
                   R"(L(g_{k-1},g_k)\delta g_k)",
                   R"(\sum_{k=1}^{N}D_2\mathbb L(g_{k-1},g_k)\delta g_k+\sum_{k=0}^{N-1}D_1\mathbb )"
                   R"(L(g_k,g_{k+1})\delta g_k)",
-                  "A configuration is the second of the pair before it and the first of the pair after it: "
-                  "D_2 goes with (g_{k-1}, g_k), D_1 with (g_k, g_{k+1}). The ranges are right.");
+                  "A configuration is the second of the pair before it and the first of the pair after "
+                  "it: $D_2$ goes with $(g_{k-1}, g_k)$, $D_1$ with $(g_k, g_{k+1})$. The ranges are "
+                  "right.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
@@ -295,7 +296,8 @@ STATEMENT(claim_3_1_action_differential_split,
 }
 
 STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), the ends leave one term each") {
-  claim.holds("With the action summed over the pairs from g_0 to g_N, the corrected range of (3.1).");
+  claim.holds(
+      "With the action summed over the pairs from $g_0$ to $g_N$, the corrected range of (3.1).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
@@ -395,10 +397,11 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
                   R"(\,dg_k^i\wedge dg_{k+1}^j)",
                   R"(d\theta^-_{\mathbb L}=\frac{\partial^2\mathbb L}{\partial g_k^i\,\partial g_{k+1}^j})"
                   R"(\,dg_{k+1}^j\wedge dg_k^i)",
-                  "The printed right side is -d theta- = d theta+ everywhere: the slip is in the definition, "
-                  "for with omega = d theta+ the coordinates, the chain for "
-                  "symplecticity and the pull-back of -d theta_0 all hold as printed. The library has omega "
-                  "= d theta-, which is dq ^ dp, as is omega_L = -d theta_L of chapter 2.");
+                  "The printed right side is $-d\\theta^- = d\\theta^+$ everywhere: the slip is in the "
+                  "definition, for with $\\omega = d\\theta^+$ the coordinates, the chain for "
+                  "symplecticity and the pull-back of $-d\\theta_0$ all hold as printed. The library has "
+                  "$\\omega = d\\theta^-$, which is $dq\\wedge dp$, as is $\\omega_L = -d\\theta_L$ of "
+                  "chapter 2.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -433,8 +436,9 @@ STATEMENT(eq_3_5, "the discrete Lagrange two-form in coordinates") {
 STATEMENT(claim_3_1_pullback_canonical,
           "the two-form is the pull-back of the canonical one by the discrete Legendre transformation") {
   claim.convention(
-      "With the printed Legendre transformation (g_k, D_1 L) and omega = d theta- the canonical form is +d "
-      "theta_0. With chapter 2's sign, -d theta_0, it takes the physical momentum, (g_k, -D_1 L).");
+      "With the printed Legendre transformation $(g_k, D_1\\mathbb L)$ and $\\omega = d\\theta^-$ the "
+      "canonical form is $+d\\theta_0$. With chapter 2's sign, $-d\\theta_0$, it takes the physical "
+      "momentum, $(g_k, -D_1\\mathbb L)$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const L = draw_pair_polynomial<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -513,11 +517,11 @@ S determinant(Matrix<S> const& m) {
 STATEMENT(rem_3_1_2,
           "near the diagonal a regular Lagrangian gives a nondegenerate form, far from it perhaps not") {
   claim.convention(
-      "Where the Lagrangian is regular near the diagonal, as one that comes from a regular Lagrangian on TG "
-      "with a short step is. The form itself is defined everywhere; "
-      "it must degenerate somewhere if G is compact (an exact form on a closed manifold), and need not "
-      "elsewhere. Instances: tr(g_0 g_1^-1) on SO(3) degenerates at quarter turns, the squared distance on "
-      "the Heisenberg group nowhere.");
+      "Where the Lagrangian is regular near the diagonal, as one that comes from a regular Lagrangian on "
+      "$TG$ with a short step is. The form itself is defined everywhere; it must degenerate somewhere if "
+      "$G$ is compact (an exact form on a closed manifold), and need not elsewhere. Instances: "
+      "$\\mathrm{tr}(g_0g_1^{-1})$ on $\\SO(3)$ degenerates at quarter turns, the squared distance on the "
+      "Heisenberg group nowhere.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // On the diagonal h D2 D1 L is minus the fibre Hessian, plus h times a remainder that is affine in h: the
     // potential's second derivative comes with h.
@@ -603,8 +607,8 @@ STATEMENT(eq_3_6, "differential of the action along motions: one one-form at eit
   claim.corrected(R"(d\mathbb S=\theta^-_{\mathbb L}+F^*\theta^+_{\mathbb L})",
                   R"(d\mathbb S=\theta^-_{)"
                   R"(\mathbb L}+(\mathbb F^{N-1})^*\theta^+_{\mathbb L})",
-                  "The last of N pairs is N-1 steps of the flow from the first; the printed single step is "
-                  "right for N = 2 only. F is the flow, not the Legendre transformation.");
+                  "The last of $N$ pairs is $N-1$ steps of the flow from the first; the printed single "
+                  "step is right for $N = 2$ only. $F$ is the flow, not the Legendre transformation.");
   claim.maybe_scan();
   over_groups(groups_for_motions<S>(3), claim, [&](auto const& group, auto const& model) {
     // A motion of three pairs, and changes of its first pair mapped by the tangent of the flow.
@@ -696,9 +700,9 @@ STATEMENT(claim_3_1_symplecticity_chain,
                   R"(L}=\omega_{\mathbb L})",
                   R"(\mathbb F^*\omega_{\mathbb L}=-\mathbb F^*(d\theta^+_{\mathbb L})=d\theta^-_{\mathbb )"
                   R"(L}=\omega_{\mathbb L})",
-                  "With the page's own omega = d theta- = -d theta+ the first and the last sign are wrong "
-                  "and cancel; the middle equality, from ddS = 0, is right. The chain holds as printed if "
-                  "omega is defined as d theta+.");
+                  "With the page's own $\\omega = d\\theta^- = -d\\theta^+$ the first and the last sign "
+                  "are wrong and cancel; the middle equality, from $ddS = 0$, is right. The chain holds "
+                  "as printed if $\\omega$ is defined as $d\\theta^+$.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);
     auto const L = draw_with_motion<S>(draw, g);
@@ -762,7 +766,8 @@ Vector<S> over_basis(SpannedGroup const& group, Value const& value) {
 }  // namespace
 
 STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of a motion") {
-  claim.holds("For an invariant Lagrangian along a motion of two pairs, as (3.6) with N = 2.");
+  claim.holds(
+      "For an invariant Lagrangian along a motion of two pairs, as (3.6) with $N = 2$.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
     over_sides(draw, g, model,
@@ -877,10 +882,11 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
     });
 }
 
-STATEMENT(rem_3_1_3, "a symmetry group smaller than G conserves its own momentum and no other") {
+STATEMENT(rem_3_1_3, "a symmetry group smaller than $G$ conserves its own momentum and no other") {
   claim.holds(
-      "The remark sets this case aside for the rest of the chapter; Noether's theorem of this section covers "
-      "it. Instance: K the one-parameter group that fixes a vector, acting on G from the right.");
+      "The remark sets this case aside for the rest of the chapter; Noether's theorem of this section "
+      "covers it. Instance: $K$ is the one-parameter group that fixes a vector, acting on $G$ from the "
+      "right.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // The first basis matrix kills the last vector of the standard basis in each of these groups, save SO(3),
     // where it kills the first.

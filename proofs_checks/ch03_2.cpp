@@ -67,8 +67,8 @@ STATEMENT(eq_3_9, "the quotient of pairs by right multiplication") {
 
 STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instead") {
   claim.holds(
-      "It serves as well, but the equations that follow exchange their sides: L* l~' at the new motion "
-      "equals R* l~' at the one before.");
+      "It serves as well, but the equations that follow exchange their sides: $L^*\\tilde\\ell'$ at the "
+      "new relative motion equals $R^*\\tilde\\ell'$ at the one before.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 4);
@@ -90,10 +90,10 @@ STATEMENT(claim_3_2_alternative_quotient, "g1 g0^-1 as the representative instea
 }
 
 STATEMENT(claim_3_2_reduced_lagrangian,
-          "an invariant discrete Lagrangian is a function of f, its action a sum over f") {
+          "an invariant discrete Lagrangian is a function of $f$, its action a sum over $f$") {
   claim.holds(
-      "The sum over k = 0, ..., N-1 that is printed here belongs to the configurations g_0, ..., g_N; (3.1) "
-      "prints k = 1, ..., N.");
+      "The sum over $k = 0,\\dots,N-1$ that is printed here belongs to the configurations "
+      "$g_0,\\dots,g_N$; (3.1) prints $k = 1,\\dots,N$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const invariant = lifted(l);
@@ -130,8 +130,8 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
   claim.corrected(R"(s : G^{N+1}\to\mathbb R \text{ in condition (3), } N\ge3)",
                   R"(s : G^{N}\to\mathbb R,)"
                   R"(\quad N\ge2)",
-                  "N pairs have N relative motions, so s is a function on G^N; an extremum is a stationary "
-                  "point; the equivalence holds from N = 2 on.");
+                  "$N$ pairs have $N$ relative motions, so $s$ is a function on $G^N$; an extremum is a "
+                  "stationary point; the equivalence holds from $N = 2$ on.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     for (int steps : {2, 3}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
@@ -187,9 +187,9 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
   });
 }
 
-STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of N relative motions") {
+STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of $N$ relative motions") {
   claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)",
-                  "The action sum has N + 1 configurations, the reduced sum N relative motions.");
+                  "The action sum has $N+1$ configurations, the reduced sum $N$ relative motions.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     for (int steps : {3, 4}) {
@@ -282,7 +282,8 @@ STATEMENT(eq_3_10, "discrete Euler-Poincare equations, right-invariant case") {
 
 STATEMENT(claim_3_2_dep_equivalence,
           "the four conditions are one and the same linear form of the variations") {
-  claim.holds("Stationary among induced variations only: for free variations of f it would take l' = 0.");
+  claim.holds(
+      "Stationary among induced variations only: for free variations of $f$ it would take $\\ell' = 0$.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const steps = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -327,7 +328,8 @@ STATEMENT(claim_3_2_dep_equivalence,
 
 STATEMENT(claim_3_2_proof_computation, "the derivative of the reduced action sum, line by line") {
   claim.holds(
-      "The terms k = 0 of the first sum and r = N of the second are gone because the ends do not vary.");
+      "The terms $k = 0$ of the first sum and $r = N$ of the second are absent because the ends do not "
+      "vary.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     int const n = 4;
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -542,7 +544,7 @@ STATEMENT(claim_3_2_projection_of_del,
 STATEMENT(
     claim_3_2_reconstruction_of_dep,
     "a motion of the reduced equations lifts to motions of the full ones, one for each first configuration") {
-  claim.holds("The first configuration is free: one reduced motion has a lift through every g_0.");
+  claim.holds("The first configuration is free: one reduced motion has a lift through every $g_0$.");
   over_groups(groups_for_sequences<S>(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
@@ -647,7 +649,8 @@ std::vector<SpannedGroup> const& small_groups() {
 }  // namespace
 
 STATEMENT(eq_3_12, "the bracket on pairs") {
-  claim.holds("With the momentum -D_1 L it is the canonical bracket of T*G, {q, p} = +1.");
+  claim.holds(
+      "With the momentum $-D_1\\mathbb L$ it is the canonical bracket of $T^*G$, $\\{q, p\\} = +1$.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const lagrangian = draw_pair_polynomial<S>(draw, group);
@@ -783,7 +786,8 @@ STATEMENT(eq_3_13, "the bracket on the group") {
 }
 
 STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
-  claim.holds("The hypothesis on the action is always true; regularity of L is what the bracket needs.");
+  claim.holds(
+      "The hypothesis on the action is always true; regularity of $\\mathbb L$ is what the bracket needs.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 2);
     auto const any = draw_reduced_lagrangian<S>(draw, group);
@@ -934,7 +938,8 @@ STATEMENT(claim_3_2_body_spatial_momenta, "body and spatial momentum of a covect
 }
 
 STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves its body momentum") {
-  claim.holds("First Euler theorem: right-invariant systems conserve m_c, left-invariant ones m_s.");
+  claim.holds(
+      "First Euler theorem: right-invariant systems conserve $m_c$, left-invariant ones $m_s$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     using Side = typename SymmetricLagrangian<S>::Side;
     // Rates of the two momenta along a motion of the Euler-Lagrange equations.
@@ -958,7 +963,8 @@ STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves 
 }
 
 STATEMENT(eq_3_16, "spatial momentum of a right-invariant system in time") {
-  claim.holds("mu_0 is the constant body momentum, which is mu(0) only where g(0) = 1.");
+  claim.holds(
+      "$\\mu_0$ is the constant body momentum, which is $\\mu(0)$ only where $g(0) = 1$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     SymmetricLagrangian<S> const lagrangian{draw_state_polynomial<S>(draw, group),
                                             SymmetricLagrangian<S>::Side::right};
@@ -988,7 +994,7 @@ STATEMENT(claim_3_2_dlp_chain, "the chain of equalities that leads to the update
       R"(\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = )"
       R"(\mathrm{Ad}^*_{(f_{kk+1}^{-1}g_k)^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}})"
       R"(\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{kk+1}}\mu_k)",
-      "Two inverses are missing, at g_{k+1} and at g_k, where (3.16) is used; the second and the last "
+      "Two inverses are missing, at $g_{k+1}$ and at $g_k$, where (3.16) is used; the second and the last "
       "expression are right.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -1084,8 +1090,8 @@ Matrix<S> poisson_defect(MapAt<S> const& map, Covector<S> const& mu) {
 STATEMENT(claim_3_2_coadjoint_lie_poisson,
           "the coadjoint action preserves orbits, their symplectic forms, and the Lie-Poisson brackets") {
   claim.corrected(R"(\mathcal O\subset\mathfrak g)", R"(\mathcal O\subset\mathfrak g^*)",
-                  "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. Under Ad_g "
-                  "in the algebra the brackets do not survive.");
+                  "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. $\\Ad_g$ "
+                  "in the algebra does not preserve the brackets.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group);
@@ -1132,8 +1138,9 @@ STATEMENT(claim_3_2_coadjoint_lie_poisson,
 
 STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of the dual algebra") {
   claim.holds(
-      "In both readings: along a fixed sequence of f, and with f solved from mu, where the proof needs the "
-      "discrete Euler-Poincare equations and not the orbits alone. The minus bracket is preserved as well.");
+      "In both readings: along a fixed sequence of $f$, and with $f$ solved from $\\mu$, where the proof "
+      "needs the discrete Euler-Poincaré equations and not the orbits alone. The minus bracket is "
+      "preserved as well.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const f = draw.template element<S>(group);
@@ -1174,7 +1181,8 @@ STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of th
 }
 
 STATEMENT(eq_3_17, "discrete Lie-Poisson update, right-invariant case") {
-  claim.holds("mu_k = -R* l'(f_{k,k+1}) is the momentum with which the step leaves g_k.");
+  claim.holds(
+      "$\\mu_k = -R^*\\ell'(f_{k,k+1})$ is the momentum at the start of the step from $g_k$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
@@ -1213,8 +1221,8 @@ STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries")
                   R"(\pi_0)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k,\quad \Pi_k := \mathrm{Ad}^*_{g_k})"
                   R"(\pi_0)",
-                  "The definition of Pi_k is right and contradicts the update as printed, (3.18), which "
-                  "lacks an inverse.");
+                  "The definition of $\\Pi_k$ is right and contradicts the update as printed, (3.18), "
+                  "which lacks an inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -1248,7 +1256,8 @@ STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
   claim.corrected(
       R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k)",
       R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k)",
-      "The inverse is missing: f_{k+1,k} is g_{k+1}^{-1} g_k, and Pi_k is Ad* of g_k, not of its inverse.");
+      "The inverse is missing: $f_{k+1,k}$ is $g_{k+1}^{-1}g_k$, and $\\Pi_k$ is $\\Ad^*$ of $g_k$, not "
+      "of its inverse.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -1317,8 +1326,9 @@ STATEMENT(claim_3_2_orbits_and_bracket, "a map that preserves every orbit need n
   claim.corrected(R"(\text{preserves the coadjoint orbits and hence the Poisson structure})",
                   R"(\text{preserves the coadjoint orbits, and, since } \mu_k=-R^*_{f_{kk+1}})"
                   R"(\ell'(f_{kk+1}), \text{ the Poisson structure})",
-                  "The conclusion holds for this algorithm, the inference does not: mu -> Ad*_{f(mu)} mu "
-                  "preserves every orbit for any f(mu), and the bracket only for special ones.");
+                  "The conclusion holds for this algorithm, the inference does not: "
+                  "$\\mu\\mapsto\\Ad^*_{f(\\mu)}\\mu$ preserves every orbit for any $f(\\mu)$, and the "
+                  "bracket only for special ones.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const l = draw_reduced_lagrangian<S>(draw, group);

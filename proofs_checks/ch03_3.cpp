@@ -153,9 +153,9 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
 
 STATEMENT(claim_3_3_quadratic_lie_algebra, "assumption of a regular quadratic Lie algebra") {
   claim.holds(
-      "The assumption is never used: the construction, its invariance and its reduction hold on Aff(1), "
-      "SE(2), the Heisenberg group and others, whose algebras carry no invariant nondegenerate form. (That "
-      "of SE(3) does.)");
+      "The assumption is never used: the construction, its invariance and its reduction hold on "
+      "$\\Aff(1)$, $\\SE(2)$, the Heisenberg group and others, whose algebras carry no invariant "
+      "nondegenerate form. (That of $\\SE(3)$ does.)");
   // Invariant forms are linear in the coefficients that are drawn, their determinant of degree 6 at most; the
   // discrete Lagrangians as everywhere in this section.
   std::vector<SpannedGroup> without = {spanned("Heisenberg", Heisenberg{}), unitriangular(4)};
@@ -449,7 +449,7 @@ STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart 
     }
 }
 
-STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential map in terms of iex") {
+STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential map in terms of $\\iex$") {
   claim.corrected(
       R"(T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta))",
       R"(T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta) = T_eL_{g'}\cdot\mathrm{iex}(-)"
@@ -480,7 +480,7 @@ STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential ma
   });
 }
 
-STATEMENT(eq_3_21, "power series of the function iex") {
+STATEMENT(eq_3_21, "power series of the function $\\iex$") {
   claim.holds();
   over_groups(exact_arithmetic<S>() ? std::vector{unitriangular(5)}
                                     : std::vector{unitriangular(5), spanned("SO(3)", SO<3>{}),
@@ -747,7 +747,7 @@ STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous red
   });
 }
 
-STATEMENT(eq_3_23, "reduced discrete Lagrangian through iex") {
+STATEMENT(eq_3_23, "reduced discrete Lagrangian through $\\iex$") {
   claim.corrected(R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(-\mathrm{ad}_\eta)\zeta))",
                   R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
                   "The minus sign goes with charts by left translation, where $l$ is a function of "
@@ -854,7 +854,7 @@ STATEMENT(claim_3_3_midpoint_eta, "average algebra element eta for the chart at 
   });
 }
 
-STATEMENT(claim_3_3_midpoint_q, "base point q for the chart at the second point") {
+STATEMENT(claim_3_3_midpoint_q, "base point $q$ for the chart at the second point") {
   claim.corrected(R"(q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2})",
                   R"(q = \psi_{g_{k+1}}^{-1}(\eta) = )"
                   R"((g_kg_{k+1}^{-1})^{1/2}g_{k+1})",

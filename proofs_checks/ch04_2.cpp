@@ -89,8 +89,8 @@ struct ActionInEntries {
 STATEMENT(claim_4_2_invariant_generating_function,
           "an invariant generating function is one function of the relative motion") {
   claim.holds(
-      "S_L(f) = S(e, f): there is no other, since every f is the relative motion of (e, f). The canonical "
-      "transformation is then equivariant.");
+      "$S_L(f) = S(e, f)$: there is no other, since every $f$ is the relative motion of $(e, f)$. The "
+      "canonical transformation is then equivariant.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     InvariantFunction<S> const generating{draw_algebra_polynomial<S>(draw, group.dimension())};
     auto const g = draw_configurations<S>(draw, group, 3);
@@ -105,8 +105,8 @@ STATEMENT(claim_4_2_invariant_generating_function,
     claim.equal("the transformation of momenta is equivariant", model,
                 D1(generating, g[2] * g[0], g[2] * g[1]),
                 coadjoint(inverse(g[2]), D1(generating, g[0], g[1])), 100);
-    // Controls: a function that is not invariant; the relative motion that looks ahead; the quotient by the
-    // other side.
+    // Controls: a function that is not invariant; the relative motion that points forwards; the quotient by
+    // the other side.
     auto const any = draw_pair_polynomial<S>(draw, group);
     claim.differs("no invariance", model, any(g[0], g[1]), any(e, f), 1e-4);
     claim.differs("S_L(g0^-1 g)", model, reduced(inverse(f)), reduced(f), 1e-4);
@@ -151,7 +151,7 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi,
                     q = middle + field.inverse_a * (p0 * t + field.c * (t * t / S(2)));
     auto const composed = [&](auto const& x, auto const& y, auto const& time) {
       using T = std::decay_t<decltype(time)>;
-      // Stationary in the place between: a (m - y) = a (x - m)/t - c t/2.
+      // Stationary in the configuration between: a (m - y) = a (x - m)/t - c t/2.
       Vector<T> const fall = field.inverse_a.template cast<T>() * field.c.template cast<T>();
       Vector<T> const m = (y * time + x - fall * (time * time / 2)) / (time + T(1));
       return T(free(m, y, T(1)) + field(x, m, time));
@@ -216,8 +216,8 @@ STATEMENT(claim_4_2_classical_hamilton_jacobi,
 
 STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invariant case") {
   claim.convention(
-      "With l an action, its value at f_{k,k-1} is minus the body momentum with which the step leaves "
-      "g_{k-1}.");
+      "With $\\ell$ an action, its value at $f_{k,k-1}$ is minus the body momentum at the start of the "
+      "step from $g_{k-1}$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -234,7 +234,7 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
       by_definition[a] = slope(l, f, from_right(f, basis_velocity<S>(group, a)));
     claim.equal("on matrices", model, column(value), by_definition);
     claim.equal("minus the momentum of the step", model, -value, momentum_before_left(l, f));
-    // Controls: R* in place of L*; the relative motion that looks ahead; the momentum at the other end.
+    // Controls: R* in place of L*; the relative motion that points forwards; the momentum at the other end.
     claim.differs("R* in place of L*", model, right_differential(l, f), start_momentum);
     claim.differs("f_{k-1,k} in place of f_{k,k-1}", model, left_differential(l, inverse(f)), start_momentum);
     claim.differs("at g_k", model, -coadjoint(g[1], D2(lifted_left(l), g[0], g[1])), value);
@@ -244,8 +244,8 @@ STATEMENT(claim_4_2_left_legendre_map, "the Legendre map L*_g o dl, left-invaria
 
 STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
   claim.convention(
-      "Pi is then minus the body momentum. With the physical momentum both lines take a minus, as (4.2) "
-      "does. f is f_{k+1,k}, and l an action.");
+      "$\\Pi$ is then minus the body momentum. With the physical momentum both lines take a minus, as "
+      "(4.2) does. $f$ is $f_{k+1,k}$, and $\\ell$ an action.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);
@@ -279,8 +279,8 @@ STATEMENT(eq_4_4, "a step of the dual algebra by two lines") {
 
 STATEMENT(claim_4_2_system_and_dep, "the two lines and the discrete Euler-Poincare equation") {
   claim.convention(
-      "One equation (3.11) joins two of these systems: the second line of one step and the first line of the "
-      "next, with Pi_k eliminated.");
+      "One equation (3.11) joins two of these systems: the second line of one step and the first line of "
+      "the next, with $\\Pi_k$ eliminated.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 2);
     auto const any = draw_reduced_lagrangian<S>(draw, group);
@@ -314,7 +314,7 @@ STATEMENT(claim_4_2_system_and_dep, "the two lines and the discrete Euler-Poinca
 STATEMENT(claim_4_2_dlp_consequence, "the momentum update that follows from the two lines") {
   claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}}\cdot\Pi_k)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\cdot\Pi_k)",
-                  "The inverse is missing, as in (3.18); (4.3) has it. Either sign of Pi will do.");
+                  "The inverse is missing, as in (3.18); (4.3) has it. Either sign of $\\Pi$ will do.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
@@ -456,8 +456,9 @@ Taylor<S> energy_of(Free<S> const& l, Vector<Taylor<S>> const& pi) { return l(mo
 
 STATEMENT(eq_4_1, "the Lie-Poisson Hamilton-Jacobi equation") {
   claim.holds(
-      "For the action the left translation will do as well, since energy is conserved; every other solution "
-      "needs the right one, and generates the flow after a fixed Poisson map.");
+      "For the action the left translation will do as well, since energy is conserved, and so it will for "
+      "the action with its time shifted. A general solution needs the right translation, and generates "
+      "the flow after a fixed Poisson map.");
   over_groups(series_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_free<S>(draw, group);
     auto const action = action_family(l, draw);
@@ -510,7 +511,7 @@ STATEMENT(eq_4_1, "the Lie-Poisson Hamilton-Jacobi equation") {
 
 STATEMENT(eq_4_2, "the initial momentum from the reduced generating function") {
   claim.holds(
-      "Its g is the relative motion g(t)^{-1} g_0: for a motion that starts at the identity it is the "
+      "Its $g$ is the relative motion $g(t)^{-1}g_0$: for a motion that starts at the identity it is the "
       "inverse of the configuration, not the configuration.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -543,8 +544,8 @@ STATEMENT(eq_4_2, "the initial momentum from the reduced generating function") {
 
 STATEMENT(eq_4_3, "the final momentum by the coadjoint action, and the Poisson map") {
   claim.convention(
-      "With Ad* the dual of Ad, no inverse in the star. The map is a Lie-Poisson map for the minus bracket, "
-      "and so for the plus bracket, whatever S is.");
+      "With $\\Ad^*$ the dual of $\\Ad$, no inverse in the star. The map is a Lie-Poisson map for the "
+      "minus bracket, and so for the plus bracket, whatever $S$ is.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     auto const g = draw_configurations<S>(draw, group, 2);
@@ -692,11 +693,11 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification,
           "a discrete Lagrangian in the role of the generating function") {
   claim.corrected(R"(\Pi_k = L_f^*\,d\ell(f),\quad \Pi_{k+1} = R_f^*\,d\ell(f))",
                   R"(\Pi_k = -L_f^*\,d\ell(f),\quad \Pi_{k+1} = -R_f^*\,d\ell(f),\quad S_L = \ell)",
-                  "(4.2) has a minus that (4.4) lacks: with the momentum of (4.2) the printed system carries "
-                  "an even l backwards in time. With the signs, and l an action "
-                  "(h times the l of the thesis), it is (4.2) and (4.3) for every l; its g approximates the "
-                  "inverse of the position. The discrete Lagrangian of the natural chart is the first term "
-                  "of the series that solves (4.1).");
+                  "(4.2) has a minus that (4.4) lacks: with the momentum of (4.2) the printed system "
+                  "carries an even $\\ell$ backwards in time. With the signs, and $\\ell$ an action ($h$ "
+                  "times that of the thesis), it is (4.2) and (4.3) for every $\\ell$; its $g$ "
+                  "approximates the inverse of the configuration. The discrete Lagrangian of the natural "
+                  "chart is the first term of the series that solves (4.1).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_group_polynomial<S>(draw, group);
     auto const f = draw.template element<S>(group);
@@ -842,8 +843,8 @@ std::vector<SpannedGroup> const& square_groups() {
 
 STATEMENT(eq_4_5, "the square of group and dual-algebra dynamics") {
   claim.convention(
-      "Sigma takes f_{k,k-1} to f_{k+1,k} by (3.11); of the two the later one is the first factor of the "
-      "product that Definition 4.1.1 holds fixed. Either sign of the Legendre map will do.");
+      "$\\Sigma$ takes $f_{k,k-1}$ to $f_{k+1,k}$ by (3.11); of the two the later one is the first factor "
+      "of the product that Definition 4.1.1 holds fixed. Either sign of the Legendre map will do.");
   over_groups(square_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const f = draw_configurations<S>(draw, group, 2);

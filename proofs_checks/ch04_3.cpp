@@ -265,8 +265,9 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
                   R"(g^*\to T_g^*G)",
                   R"(\omega_\mu = \sigma^*\omega_{\mathrm{can}},\quad \sigma(\mu') = (g', \mu')\ )"
                   R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
-                  "A fibre of T*G is Lagrangian: pulled back to it the canonical form is zero. The lift must "
-                  "preserve the momentum of the symmetry, the body momentum; then g moves with mu.");
+                  "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The "
+                  "lift must preserve the momentum of the symmetry, the body momentum; then $g$ moves "
+                  "with $\\mu$.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -608,8 +609,8 @@ STATEMENT(
 STATEMENT(claim_4_3_time_step_legendre,
           "with a Lagrangian divided by the step, the Legendre map must be multiplied by it") {
   claim.convention(
-      "With the sign of the physical momentum, -h D_1. For a discrete Lagrangian that is an action there is "
-      "nothing to multiply, and steps may differ.");
+      "With the sign of the physical momentum, $-h\\,D_1$. For a discrete Lagrangian that is an action "
+      "there is nothing to multiply, and steps may differ.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // A constant step: the motions are the same, brackets and forms are multiplied by constants.
     auto const m = draw_motion<S>(draw, group);

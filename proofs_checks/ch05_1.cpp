@@ -226,11 +226,10 @@ STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm"
 
 STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity") {
   claim.convention(
-      "With $\\chi$ as (3.26) prints it, $\\chi(\\mathrm{ad})\\,\\mathrm{iex}(-\\mathrm{ad}) = 1$, which is "
-      "the one that left translation needs, "
-      "and $\\zeta$ as printed, from the later configuration to the earlier. With $\\chi$ the inverse of iex "
-      "the factor $\\mathrm{Ad}^*$ is one too many; with $\\zeta$ the velocity all three signs turn, and as "
-      "printed the equation would run back in time.");
+      "With $\\chi$ as (3.26) prints it, $\\chi(\\ad)\\,\\iex(-\\ad) = 1$, which is the one that left "
+      "translation needs, and $\\zeta$ as printed, from the later configuration to the earlier. With "
+      "$\\chi$ the inverse of $\\iex$ the factor $\\Ad^*$ is one too many; with $\\zeta$ the velocity all "
+      "three signs turn, and as printed the equation would run back in time.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     S const h = step_length<S>();
     auto const j = draw_inertia<S>(draw, group);

@@ -77,9 +77,8 @@ STATEMENT(claim_5_2_trace_lagrangian, "rigid body Lagrangian as a single trace")
 
 STATEMENT(eq_5_5, "difference approximation of the body angular velocity") {
   claim.holds(
-      "To first order in the step. The difference D is not in the algebra: $D + D^T = h\\,D^TD$ exactly. Its "
-      "skew part is right to second order, "
-      "half-way through the step.");
+      "To first order in the step. The difference $D$ is not in the algebra: $D + D^T = h\\,D^TD$ "
+      "exactly. Its skew part is right to second order, half-way through the step.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     S const h = step<S>();
     auto const g0 = draw_rotation<S>(draw, group), g1 = draw_rotation<S>(draw, group),
@@ -231,8 +230,8 @@ STATEMENT(claim_5_2_moser_veselov_multiple, "discrete Lagrangian compared with t
 STATEMENT(claim_5_2_reduced_trace_lagrangian, "reduced discrete Lagrangian as a trace") {
   claim.convention(
       "Of the scaled Lagrangian $\\mathrm{Tr}(g_k\\Lambda g_{k+1}^T)$; the one printed before it has "
-      "$-1/h^2$ as well. The trace is the same "
-      "for $f$ and $f^{-1}$: this Lagrangian does not know the direction of time.");
+      "$-1/h^2$ as well. The trace is the same for $f$ and $f^{-1}$: this Lagrangian does not depend on "
+      "the direction of time.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);
@@ -466,15 +465,13 @@ STATEMENT(claim_5_2_operator_equation, "operator equation from varying the const
                   R"(\bar\lambda_k)",
                   R"(\ell'(f_{kk-1})TR_{f_{kk-1}}\vartheta_k^T + \ell'(f_{k+1k})TR_{f_{k+1k}})"
                   R"(\mathrm{Ad}_{f_{k+1k}}\vartheta_k = \mathrm{Tr}(\bar\lambda_k\vartheta_k))",
-                  "For skew $\\vartheta_k$ the two are the same, both multipliers drop out, and (3.11) is "
-                  "left. But a multiplier is there so that "
-                  "$\\vartheta_k = g_k^T\\delta g_k$ may be any matrix, and then (5.6), where $f_{kk-1} = "
-                  "g_k^Tg_{k-1}$, has $\\vartheta_k^T$ in place of "
-                  "$-\\vartheta_k$; only so does the next equation follow. With inverses in place of "
-                  "transposes the printed operators stand, but "
-                  "for another multiplier, $\\Lambda f_{k+1k} - f_{kk-1}\\Lambda$. $\\mathrm{Ad}$ comes "
-                  "before $TR$, which leaves the algebra; as products of matrices "
-                  "either order gives $f\\vartheta$.");
+                  "For skew $\\vartheta_k$ the two are the same, both multipliers drop out, and (3.11) "
+                  "remains. But a multiplier is there so that $\\vartheta_k = g_k^T\\delta g_k$ may be "
+                  "any matrix, and then (5.6), where $f_{kk-1} = g_k^Tg_{k-1}$, has $\\vartheta_k^T$ in "
+                  "place of $-\\vartheta_k$; only so does the next equation follow. With inverses in "
+                  "place of transposes the printed operators stand, but for another multiplier, $\\Lambda "
+                  "f_{k+1k} - f_{kk-1}\\Lambda$. $\\Ad$ comes before $TR$, which leaves the algebra; as "
+                  "products of matrices either order gives $f\\vartheta$.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.matrix_size();
     auto const corrected =

@@ -100,7 +100,7 @@ STATEMENT(claim_5_3_dual_casimir, "trace Casimir on the dual algebra and its exp
   }
 }
 
-STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on SO(3)") {
+STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on $\\SO(3)$") {
   claim.corrected(R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f\Lambda) = f\Lambda - \Lambda f^T)",
                   R"(F\ell(f) = L_f^*\,d\ell(f) = \mathrm{skew}(f^T\Lambda) = f^T\Lambda - \Lambda f)",
                   "The printed matrix is the other translation, $-R_f^*d\\ell(f)$: its negative is the "
@@ -126,8 +126,8 @@ STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on SO(
 
 STATEMENT(eq_5_10, "Casimir function on the rotation group") {
   claim.holds(
-      "Up to constant and sign of $\\|y\\|^2$, in any dimension. On SO(4) and SO(5) it is one of two; the "
-      "other is the pull-back of the Pfaffian, or of the coefficient of fourth degree.");
+      "Up to constant and sign of $\\|y\\|^2$, in any dimension. On $\\SO(4)$ and $\\SO(5)$ it is one of "
+      "two; the other is the pull-back of the Pfaffian, or of the coefficient of fourth degree.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -185,7 +185,7 @@ STATEMENT(claim_5_3_pullback_value, "pull-back of the dual Casimir to the group"
 STATEMENT(claim_5_3_casimir_property, "bracket of the group Casimir with other functions on the group") {
   claim.holds(
       "For the bracket (3.13) of the reduced Moser-Veselov Lagrangian, where that is regular, in any "
-      "dimension. On SO(4) and SO(5) a second function has the property.");
+      "dimension. On $\\SO(4)$ and $\\SO(5)$ a second function has the property.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n, ratio<S>(1, 4));
@@ -271,9 +271,9 @@ S twice_energy(Vector<S> const& moments, Vector<S> const& mu) { return mu.dot(mu
 STATEMENT(claim_5_3_invariant_manifolds,
           "level sets of the group Casimir and the reduced discrete dynamics") {
   claim.convention(
-      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on the "
-      "group, and its own invariant manifolds. On SO(4) and SO(5) the leaves are the common level sets of "
-      "two functions.");
+      "For the Moser-Veselov discretisation of (5.1): another discretisation has a bracket of its own on "
+      "the group, and its own invariant manifolds. On $\\SO(4)$ and $\\SO(5)$ the leaves are the common "
+      "level sets of two functions.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     TraceLagrangian<S> const l{motion.lambda};
@@ -340,9 +340,9 @@ STATEMENT(claim_5_3_algebra_casimir, "Casimir on the rotation algebra through an
       R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual induced by } J)",
       R"(C(\xi) = \langle J\xi, J\xi\rangle \text{ in the metric on the dual that } \mathrm{Ad}^* \text{ )"
       R"(keeps, } -\tfrac12\mathrm{Tr}(\mu^2))",
-      "In the metric that J induces on the dual the right side is $\\langle J\\xi, J^{-1}J\\xi\\rangle$, "
-      "twice the energy: conserved by the motion of the body, but no Casimir unless the moments are equal. "
-      "The formula in coordinates that follows has the right metric.");
+      "In the metric that $J$ induces on the dual the right side is $\\langle J\\xi, "
+      "J^{-1}J\\xi\\rangle$, twice the energy: conserved by the motion of the body, but no Casimir unless "
+      "the moments are equal. The formula in coordinates that follows has the right metric.");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, n));

@@ -82,8 +82,9 @@ auto contracted_volume_above(int mu) {
 
 STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its first jets") {
   claim.corrected("y^a,\\ i = 1,\\dots,N", "y^a,\\ a = 1,\\dots,N",
-                  "The index that is named is not the one that is used. Changes of charts act on the fibres "
-                  "of the jet bundle affinely, not linearly, wherever they mix space-time into the places.");
+                  "The index that is named is not the one that is used. Changes of charts act on the "
+                  "fibres of the jet bundle affinely, not linearly, wherever the chart of space depends "
+                  "on space-time.");
   claim.maybe_scan();
   // Jets of degree 6 in polynomials of second degree.
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
@@ -97,7 +98,7 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
     claim.differs("without the change of space-time", model, v, charts.transformed(j, x, false));
     claim.differs("as if places did not depend on space-time", model, v,
                   charts.transformed(j, x, true, false));
-    // Two jets over one place and a point on the line through them.
+    // Two jets over one point of Y and a point on the line through them.
     Matrix<S, N, n + 1> const w = first_jet(psi, at).v;
     S const s = draw.number<S>();
     auto const moved = [&](Matrix<S, N, n + 1> const& slope) {
@@ -134,7 +135,7 @@ STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on
         claim.zero("dx^nu ^ d^nx_mu", model,
                    S(wedge(differential_of_coordinate(nu), below)(x, V) - (mu == nu ? determinant(V) : S(0))),
                    determinant(V));
-      // The determinant of the other rows, in their order, with the sign of the place that is left out.
+      // The determinant of the other rows, in their order, with the sign of the row that is left out.
       Matrix<S, n, n> rows;
       for (int r = 0, to = 0; r <= n; ++r)
         if (r != mu) rows.row(to++) = sides.row(r);
@@ -285,7 +286,7 @@ Matrix<S, n, n> draw_matrix(Draw& draw) {
 STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
   claim.convention(
       "$[v]$ is the square block $v^a{}_j$, $n = N$: with the velocity it is $n$ by $n + 1$ and has no "
-      "determinant. The metric of space is taken at the place, that of the body at the particle.");
+      "determinant. The metric of space is taken at the point of space, that of the body at the particle.");
   // Frames of degree 13 in a section of degree 6, two determinants of them.
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -303,8 +304,8 @@ STATEMENT(eq_6_1, "Jacobian as a function on the first jet bundle") {
 
 STATEMENT(eq_6_2, "Green and Finger deformation tensors in coordinates") {
   claim.holds(
-      "$g$ is taken at the place, $G$ at the particle; $C$ is defined whether or not the deformation is "
-      "regular, $c$ where $n = N$ and $F$ has an inverse.");
+      "$g$ is taken at the point of space, $G$ at the particle; $C$ is defined whether or not the "
+      "deformation is regular, $c$ where $n = N$ and $F$ has an inverse.");
   over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>>{},
                  [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -359,8 +360,8 @@ STATEMENT(claim_6_1_finger_tensor, "inverse Finger tensor as a pushed-forward me
       "$g$ does not invert the matrix of $c$.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    // Draw the inverse of a deformation, which takes places to particles: the push-forward by the one is the
-    // pull-back by the other.
+    // Draw the inverse of a deformation, which takes points of space to particles: the push-forward by the
+    // one is the pull-back by the other.
     TwoMetrics<S, n, n> const m(draw);
     Matrix<S, n, 1> const y = m.x, x = m.j.y;
     auto const pushed_forward = matrix_of(pull_back(m.deformation(), as_form(m.space)), y);
@@ -430,8 +431,8 @@ STATEMENT(claim_6_1_jacobian_scalar, "Jacobian of a section under coordinate cha
 STATEMENT(claim_6_1_initial_jacobian,
           "Jacobian of a regular motion at and after the identity configuration") {
   claim.corrected("J(x,0) = 1", "J(x,0) = \\sqrt{\\det g(x)/\\det G(x)}",
-                  "It is 1 where the two metrics have the same volume, as for a fluid in its container. That "
-                  "J stays positive for a regular motion is right in either case.");
+                  "It is 1 where the two metrics have the same volume, as for a fluid in its container. "
+                  "That $J$ stays positive for a regular motion is right in either case.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     TwoMetrics<S, n, n> const m(draw);

@@ -367,8 +367,8 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
 
 STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical variations only") {
   claim.holds(
-      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$, which no vertical "
-      "variation sees.");
+      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$, which vertical "
+      "variations do not determine.");
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
@@ -415,7 +415,7 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
     auto const at = coordinates(first_jet(phi, x));
     auto const U = draw_tangents<S, 8, 2>(draw);
     claim.differs("Theta and Theta + kappa are one form", model, theta(at, U), sum(at, U));
-    // Within the class: a variation that sees nothing of a form means that the form is zero. Its coefficients
+    // Within the class: a form that contracts to zero with every variation is zero. Its coefficients
     // are read off coordinate fields.
     auto z = legendre(L, first_jet(phi, x));
     auto const j = first_jet(phi, x);
@@ -540,7 +540,7 @@ namespace {
 /// The total derivative of the momenta with the chain rule written out: second derivatives of L, each by
 /// duals in duals.
 ///
-/// The derivatives at a fixed place, and those by the place, may be left out.
+/// The derivatives at a fixed point of space, and those by the point, may be left out.
 template <class S, int n, int N, class L>
 Matrix<S, N, 1> expanded_divergence(L const& density, SecondJet<S, n, N> const& j, bool with_points = true,
                                     bool with_places = true) {

@@ -462,8 +462,8 @@ STATEMENT(claim_6_2_metric_force, "the force of the metric on a barotropic fluid
 STATEMENT(claim_6_2_barotropic_spatial_form,
           "the barotropic equation with spatial density and spatial pressure") {
   claim.holds(
-      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ carried to the particle, and the "
-      "gradient is that of $g$.");
+      "Motions of a fluid have an inverse; the spatial density is $\\rho/J$ taken at the particle, and "
+      "the gradient is that of $g$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using T = Dual<S, n>;
@@ -473,7 +473,7 @@ STATEMENT(claim_6_2_barotropic_spatial_form,
     auto const x = draw_event<S, n>(draw);
     auto const j = second_jet(phi, x);
     auto const at = point_of_medium(fluid, j);
-    // The particles at the places y + e_a, to first order, at the same time; and the pressure of them, as a
+    // The particles at the points y + e_a, to first order, at the same time; and the pressure of them, as a
     // function on space.
     Event<T, n> particles = x.template cast<T>();
     for (int i = 0; i < n; ++i)
@@ -599,7 +599,7 @@ struct Sphere {
   }
 };
 
-/// A stored energy with a real power that sees F and g other than through the Green tensor:
+/// A stored energy with a real power that depends on F and g other than through the Green tensor:
 /// \f$(2 + g_{11}(F^1{}_1)^2 + g_{12}F^1{}_1 + 3g_{22}F^1{}_2)^{7/5}\f$.
 struct PowerOfStrain {
   template <class BodyMetric, class T>

@@ -356,7 +356,7 @@ STATEMENT(claim_7_2_incompressibility_fits, "incompressibility as an instance of
     };
     auto const loose = [&]<class V>(V const& x) { return Matrix<ScalarOf<V>, 2, 1>(x[1], x[2]); };
     Matrix<S, n, 1> const low = Matrix<S, n, 1>::Zero(), high = Matrix<S, n, 1>::Ones();
-    // sqrt(det g) is of degree 4 in places of degree 2, its derivative is no higher, F adds 2 and the
+    // sqrt(det g) is of degree 4 in values of degree 2, its derivative is no higher, F adds 2 and the
     // displacement 5.
     int const degree = 14;
     // Where numbers have an order: elsewhere a root has a sign at each point, and its integral is none.

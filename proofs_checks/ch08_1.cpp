@@ -163,7 +163,8 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
       claim.equal("the field equation of the multiplier", model, euler_lagrange(density, j)[n],
                   density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0]);
     });
-    // The form on the primary constraint manifold does not see the direction of lambda; off it, it does.
+    // The form on the primary constraint manifold vanishes along the direction of lambda; off it, it does
+    // not.
     constexpr int n = 2, M = 3, D = DualJet<S, n, M>::dimension;
     Matrix<S, D, 1> at = draw.vector<S, Matrix<S, D, 1>>(D);
     auto V = draw_tangents<S, D, n + 2>(draw);

@@ -85,7 +85,7 @@ STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
   });
 }
 
-STATEMENT(claim_8_2_restricted_legendre, "what is left of the Legendre transformation") {
+STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its target restricted") {
   claim.corrected(
       "\\text{restricted to }\\{\\pi^\\mu = 0\\}\\text{ it is non-degenerate}",
       "\\ker T\\mathbb{F}\\mathcal L_\\Phi \\supseteq \\mathrm{span}(\\partial/\\partial\\beta_\\mu)",
@@ -269,7 +269,8 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
     Jet<S, n, n + 1> const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), constraint.G);
     auto const below = deformation(j);
     S const lambda = j.y[n];
-    // From the momenta: the place moves as the motion does along x^j, and the deformation gradient is held.
+    // From the momenta: the point of space moves as the motion does along x^j, and the deformation gradient
+    // is held.
     Matrix<S, n, 1> from_momenta = Matrix<S, n, 1>::Zero(), from_constraint, printed;
     for (int k = 0; k < n; ++k) {
       auto moved = below.template cast<Dual<S>>();

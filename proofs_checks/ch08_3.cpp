@@ -148,8 +148,8 @@ STATEMENT(eq_8_11, "the equation with the pressure in space") {
 
 STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two pressures") {
   claim.convention(
-      "The density is 1; otherwise $\\rho(x)$ stands before the acceleration. The second b in "
-      "$(D_g\\dot\\phi^b/Dt)^b$ is a slip of the pen.");
+      "The density is 1; otherwise $\\rho(x)$ stands before the acceleration. The second $b$ in "
+      "$(D_g\\dot\\phi^b/Dt)^b$ is a misprint.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto fluid = draw_barotropic<S, n>(draw);
@@ -183,7 +183,7 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
     Fluid<S, n> const pressed{fluid.G, fluid.g, fluid.rho, {pressed_more(fluid.W.w, c)}};
     auto const P = draw_cubic<S, n + 1>(draw);
     auto const phi = draw_section<S, n, n>(draw);
-    // What the law gives away the multiplier takes up.
+    // What the law subtracts the multiplier adds.
     auto const relieved = [&](auto const& x) {
       Matrix<ScalarOf<decltype(x)>, n, 1> const particle = x.template tail<n>();
       using T = ScalarOf<decltype(x)>;
@@ -207,8 +207,8 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
 
 STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where the volume is held") {
   claim.convention(
-      "For a homogeneous fluid: $P_W = -\\rho\\,W'(1)$ varies with $\\rho(x)$, and with the point where W "
-      "sees it. The multiplier takes it in all the same.");
+      "For a homogeneous fluid: $P_W = -\\rho\\,W'(1)$ varies with $\\rho(x)$, and with the particle "
+      "where $W$ depends on it. The multiplier takes it in all the same.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const law = draw_fluid<S>(draw);
@@ -384,8 +384,8 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
 
 STATEMENT(eq_8_14, "the equation of the pressure") {
   claim.convention(
-      "It needs $\\mathrm{div}\\,u = 0$ at all times, and the slope of p at the walls to have one solution. "
-      "On a curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
+      "It needs $\\mathrm{div}\\,u = 0$ at all times, and the slope of $p$ at the walls to have one "
+      "solution. On a curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric<S, n>(draw);
@@ -423,7 +423,7 @@ STATEMENT(eq_8_14, "the equation of the pressure") {
 }
 
 // ----
-// Section 8.3: the ideal incompressible fluid as space sees it, and as the body does.
+// Section 8.3: the ideal incompressible fluid in the spatial and in the material description.
 
 namespace {
 
@@ -440,7 +440,7 @@ AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;
 
 }  // namespace
 
-STATEMENT(claim_8_3_euler_equations, "the fluid as space sees it") {
+STATEMENT(claim_8_3_euler_equations, "the fluid in the spatial description") {
   claim.holds("$(u\\cdot\\nabla)u$ is covariant, and so is the divergence.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -497,7 +497,7 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
       "\\mathrm{div}\\text{ of both sides of (8.11)}",
       "(F^{-1})^k{}_a\\,\\nabla_k\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^a = -(\\Delta p)\\circ\\phi",
       "(8.11) is an equation between vectors of space at points of the body: compose with $\\phi_t^{-1}$ "
-      "first. Differentiated in x without $F^{-1}$ it gives another number.");
+      "first. Differentiated in $x$ without $F^{-1}$ it gives another number.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_unimodular_metric<S, n>(draw);

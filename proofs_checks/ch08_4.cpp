@@ -15,7 +15,7 @@ using Solid = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, OfGreen
 
 STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in components") {
   claim.convention(
-      "W is a function of the Green tensor; otherwise the term of (6.20) that compares the two stresses "
+      "$W$ is a function of the Green tensor; otherwise the term of (6.20) that compares the two stresses "
       "stays. The divergence is that of section 6.2 with its index corrected.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -38,7 +38,7 @@ STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in component
 
 STATEMENT(claim_8_4_elasticity_covariant, "an incompressible solid, as vectors of space") {
   claim.convention(
-      "With $J = 1$ in the pressure's term, the index raised by g, and $p = P\\circ\\phi_t^{-1}$.");
+      "With $J = 1$ in the pressure's term, the index raised by $g$, and $p = P\\circ\\phi_t^{-1}$.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     Solid<S, n> const solid{draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw),

@@ -23,7 +23,7 @@ struct Isentropic {
   }
 };
 
-/// An energy that sees the first axis of space, and so more than the Green tensor: \f$(F^1{}_1)^2\f$.
+/// An energy that depends on the first axis of space, and so more than the Green tensor: \f$(F^1{}_1)^2\f$.
 struct Fibred {
   template <class X, class BodyMetric, class SpaceMetric, class M>
   auto operator()(X const&, BodyMetric const&, SpaceMetric const&, M const& F) const {
@@ -69,7 +69,7 @@ struct Inversion {
     return Matrix<T, V::RowsAtCompileTime, 1>(y / square);
   }
 };
-/// Space-time stays, places go by a map of space.
+/// Space-time is fixed, space is mapped.
 template <int N, class Map>
 auto of_space(Map const& map) {
   return Automorphism{[](auto const& x) { return x; },
@@ -84,8 +84,8 @@ auto of_space(Map const& map) {
 STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogeneous fluids") {
   claim.convention(
       "A relabelling must take each level set of the density, and of the entropy, to itself: one that "
-      "exchanges level sets is no symmetry. The stored energy sees the point of the body through these "
-      "alone.");
+      "exchanges level sets is no symmetry. The stored energy depends on the point of the body through "
+      "these alone.");
   // The energy is of degree 24 in the coordinates after clearing denominators, the field of degree 12.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -128,9 +128,9 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
 
 STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries") {
   claim.convention(
-      "The stored energy must see the metric of space and the deformation through the Green tensor alone (or "
-      "be carried along by isometries in another way), and the isometry must respect the boundary "
-      "conditions.");
+      "The stored energy must depend on the metric of space and on the deformation through the Green "
+      "tensor alone (or be equivariant under isometries in another way), and the isometry must respect "
+      "the boundary conditions.");
   // A cubic of the Green tensor, which is of degree 12 with the denominators of the sphere and the body.
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

@@ -14,8 +14,8 @@ using namespace actio::checks;
 
 namespace {
 
-/// Any automorphism with an inverse: time and body are stretched and mixed, places go by a polynomial of
-/// everything.
+/// Any automorphism with an inverse: time and body are stretched and mixed, points of space go by a
+/// polynomial of everything.
 template <class S, int n, int N>
 struct AnyAutomorphism {
   Stretch<S, n> stretch;
@@ -92,8 +92,8 @@ Matrix<S, n, n> tangent_of(Stretch<S, n> const& eta, Jet<S, n, N> const& j) {
 STATEMENT(eq_9_1, "action of relabelling on base, fibres and multiplier") {
   claim.convention(
       "Leaving $\\lambda$ as it is suits only coordinates in which $\\det G$ is constant: there a "
-      "volume-preserving map has determinant 1. In others $\\lambda=\\sqrt{\\det G}\\,P$ goes over as a "
-      "density, and $P$ is what stays.");
+      "volume-preserving map has determinant 1. In others $\\lambda=\\sqrt{\\det G}\\,P$ transforms as a "
+      "density, and $P$ is unchanged.");
   over_points(Plane{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -145,7 +145,7 @@ STATEMENT(eq_9_2, "prolongation of bundle automorphisms to jets") {
 
 STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinates") {
   claim.holds(
-      "For the lift (9.1); with a multiplier that is carried as a density, its rates have a term more.");
+      "For the lift (9.1); with a multiplier that transforms as a density, its rates have one term more.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     Stretch<S, n> const eta{ratio<S>(3, 2), ratio<S>(4, 9)};
@@ -421,9 +421,9 @@ namespace {}  // namespace
 
 STATEMENT(prop_9_1_1, "equivariance of the two fluid Lagrangians under relabelling") {
   claim.convention(
-      "With the same density everywhere, an energy that sees the body through J alone, fields that are "
-      "divergence-free with respect to $\\sqrt{\\det G}$, and, where $\\det G$ varies, a multiplier that "
-      "goes over as a density.");
+      "With the same density everywhere, an energy that depends on the body through $J$ alone, fields "
+      "that are divergence-free with respect to $\\sqrt{\\det G}$, and, where $\\det G$ varies, a "
+      "multiplier that transforms as a density.");
   // Each density is of degree some 24 with its denominators, a field 12.
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -473,7 +473,7 @@ STATEMENT(claim_9_1_incompressible_equivariance,
           "equivariance of the incompressible Lagrangian under relabelling") {
   claim.convention(
       "With the multiplier fixed, as (9.1) has it, only in coordinates with constant $\\det G$; otherwise "
-      "with $\\lambda=\\sqrt{\\det G}\\,P$ carried as a density, P fixed.");
+      "with $\\lambda=\\sqrt{\\det G}\\,P$ transformed as a density, $P$ fixed.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto fluid = draw_homogeneous_fluid<S, n>(draw);
@@ -494,8 +494,8 @@ STATEMENT(claim_9_1_incompressible_equivariance,
 
 STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the determinant of a relabelling") {
   claim.convention(
-      "That the determinant is 1, and the displayed equality without $\\sqrt{\\det G}$, need coordinates in "
-      "which $\\det G$ is constant. In any, J is the same before and after, and $f(J)\\sqrt{\\det "
+      "That the determinant is 1, and the displayed equality without $\\sqrt{\\det G}$, need coordinates "
+      "in which $\\det G$ is constant. In any, $J$ is the same before and after, and $f(J)\\sqrt{\\det "
       "G}\\,d^{n+1}x$ is equivariant.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -526,7 +526,7 @@ namespace {}  // namespace
 STATEMENT(thm_9_1_1, "covariant Noether theorem") {
   claim.holds(
       "Off shell, for any density and any field: "
-      "$d(j^1\\phi)^*J=\\bigl(r-E_a(\\xi^a-v^a{}_\\mu\\xi^\\mu)\\bigr)\\,d^{n+1}x$ with the rate r of "
+      "$d(j^1\\phi)^*J=\\bigl(r-E_a(\\xi^a-v^a{}_\\mu\\xi^\\mu)\\bigr)\\,d^{n+1}x$ with the rate $r$ of "
       "equivariance.");
   over_points(std::tuple<Dimensions<1, 3>, Dimensions<2, 1>>{}, [&]<class D>(D, std::string const& model) {
     auto const L = draw_density<S, D::n, D::N>(draw);
@@ -690,10 +690,10 @@ STATEMENT(claim_9_1_barotropic_current_differential,
       "x^k}\\,J\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
       "\\rho\\,g_{ab}\\left(\\frac{D_g\\dot\\phi}{Dt}\\right)^b=-\\frac{\\partial P}{\\partial "
       "x^k}\\,J\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
-      "The density is missing: print holds for $\\rho=1$. The differential is $-\\sqrt{\\det "
+      "The density is missing: the printed form holds for $\\rho=1$. The differential is $-\\sqrt{\\det "
       "G}\\,\\xi^k\\bigl(\\rho\\,g_{ab}(D_g\\dot\\phi/Dt)^b\\phi^a{}_{,k}+J\\,\\partial_kP\\bigr)d^{n+1}x$; "
-      "closed at a point for all divergence-free fields it gives back the field equations there, since F is "
-      "invertible.");
+      "closed at a point for all divergence-free fields it gives back the field equations there, since "
+      "$F$ is invertible.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);
@@ -747,7 +747,8 @@ STATEMENT(claim_9_1_incompressible_current_differential,
       "x^k}\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
       "\\rho\\,g_{ab}\\left(\\frac{D_g\\dot\\phi}{Dt}\\right)^b=-\\frac{\\partial P}{\\partial "
       "x^k}\\left(\\left(\\frac{\\partial\\phi}{\\partial x}\\right)^{-1}\\right)_a^k",
-      "The density is missing: print holds for $\\rho=1$. That there is no J is right, constraint or not.");
+      "The density is missing: the printed form holds for $\\rho=1$. That there is no $J$ is right, "
+      "constraint or not.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     FlowingFluid<S, n> const flow(draw);

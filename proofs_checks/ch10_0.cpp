@@ -16,8 +16,8 @@ inline constexpr int vectors = 2 * n + 1;
 template <int n>
 inline constexpr int products = vectors<n> * (vectors<n> + 1) / 2;
 
-/// An energy that does not see where space is turned to: a cubic in the point of the body and all scalar
-/// products. Twisted, it sees a fixed direction as well.
+/// An energy that is invariant under rotations of space: a cubic in the point of the body and all scalar
+/// products. Twisted, it depends on a fixed direction as well.
 template <class S, int n>
 struct StrainEnergy {
   Cubic<S, n + products<n>> w;

@@ -161,8 +161,8 @@ struct AnySolidLaw {
 template <class S>
 OfGreenTensor<AnySolidLaw<S>> draw_solid(Draw& draw) { return {{draw_cubic<S, 2>(draw, ratio<S>(1, 2))}}; }
 
-/// A stored energy W(x, G, g, F) of the most general form: it sees the metrics other than through the Green
-/// tensor or the Jacobian, and the point of the body.
+/// A stored energy W(x, G, g, F) of the most general form: it depends on the metrics other than through the
+/// Green tensor or the Jacobian, and the point of the body.
 template <class S, int n, int N>
 struct AnyEnergy {
   static constexpr int arguments = n + n * n + N * N + N * n;

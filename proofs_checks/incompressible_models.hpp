@@ -85,7 +85,7 @@ struct Shears {
     for (int a = 0; a < n; ++a) moved[a + 1] += added[a](moved);
     return moved.template tail<n>().eval();
   }
-  /// The particle that is at a place: from (t, y) to (t, x).
+  /// The particle that is at a point of space: from (t, y) to (t, x).
   template <class V>
   auto particle(V const& y) const {
     auto moved = y.eval();
@@ -113,8 +113,8 @@ struct VelocityInSpace {
   auto operator()(V const& y) const { return first_jet(phi, phi.particle(y)).velocity(); }
 };
 
-/// A field or function of time and space at the place of a particle: from (t, x) to its value at (t, phi(t,
-/// x)).
+/// A field or function of time and space at the position of a particle: from (t, x) to its value at (t,
+/// phi(t, x)).
 template <class Field, class Phi>
 struct CarriedBy {
   Field field;
@@ -164,7 +164,7 @@ SecondJet<S, n, n + 1> draw_extended_jet(Draw& draw, Phi const& phi, BodyMetric 
   return second_jet(with_pressure(phi, P, G), draw_event<S, n>(draw));
 }
 
-/// The Euler-Lagrange derivative in the places, over \f$-\sqrt{\det G}\f$: what equations of motion per unit
+/// The Euler-Lagrange derivative by the motion, over \f$-\sqrt{\det G}\f$: what equations of motion per unit
 /// of volume leave.
 template <class L, class S, int n, int M>
 Matrix<S, n, 1> per_volume(L const& density, SecondJet<S, n, M> const& j) {

@@ -6,7 +6,7 @@
 
 namespace actio::checks {
 
-/// A section of the jet bundle that is no jet: the places of one section and the derivatives of another.
+/// A section of the jet bundle that is no jet: the values of one section and the derivatives of another.
 template <class Phi, class Psi>
 auto not_holonomic(Phi const& phi, Psi const& psi) {
   return [phi, psi]<class T, int rows>(Matrix<T, rows, 1> const& x) {

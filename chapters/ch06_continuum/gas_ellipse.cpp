@@ -119,7 +119,7 @@ int main(int argc, char** argv) {
   }
   program.table("misses",
                 {"gamma", "field equations", "stress", "energy", "momentum", "circulation", "parabola"}, rows,
-                "What is left of the field equations over mass times acceleration, of the Cauchy stress plus "
+                "Residual of the field equations over mass times acceleration, of the Cauchy stress plus "
                 "the pressure over the pressure; relative changes over 20 units of time.");
   program.picture("ellipses", ellipses(air), "A cloud of air spreads into empty space.");
   program.figure("equation", equation, "field equations over mass times acceleration, at 400 random points");

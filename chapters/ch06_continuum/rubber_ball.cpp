@@ -118,7 +118,7 @@ Breath breath(Ball<Energy> const& ball, double blown_up) {
 int main(int argc, char** argv) {
   book::Program program(
       argc, argv,
-      "a rubber ball swings: its stresses by every road, and a material that lets it turn inside out");
+      "a rubber ball swings: its stresses by three routes, and a material that lets it turn inside out");
   Ball const rubber{neo_hookean};
   Ball const stiff{st_venant_kirchhoff};
   Ball const lopsided{Lopsided{}};
@@ -136,9 +136,9 @@ int main(int argc, char** argv) {
                b = show("St Venant and Kirchhoff", misses(stiff, thrown)),
                c = show("lopsided", misses(lopsided, thrown));
   program.table("roads", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
-                "A ball that is thrown and turns: what is left of the field equations; the first "
+                "A ball that is thrown and turns: residual of the field equations; the first "
                 "Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; "
-                "asymmetry of that stress carried to space; change of the angular momentum. All relative.");
+                "asymmetry of that stress times F; change of the angular momentum. All relative.");
 
   Swing const s = swing(rubber, 1.6);
   auto axes = book::Plot("time, radii over the speed of shear waves", "half axes; stress over mass density");

@@ -15,13 +15,14 @@
 
 using namespace actio;
 
+// 1. The cloud, a box of space-time within it, and a variation that moves everything.
 constexpr int nodes = 14;  // of Gauss's rule along each side
 
 EllipticGas const gas{0.2, 1.4};
 Box<double, 2> const box{{0.02, -0.45, -0.3}, {0.22, 0.35, 0.4}};
 double const middle = 0.12;  // of the time of the box: the power series of the motion starts there
 
-// A variation that bends everything: horizontal components times `across`, vertical ones times `upward`.
+// The horizontal components times `across`, the vertical ones times `upward`.
 auto variation(double across, double upward) {
   return [=]<class T>(Matrix<T, 5, 1> const& at) {
     T const t = at[0], x = at[1], y = at[2], u = at[3], w = at[4];
@@ -32,7 +33,7 @@ auto variation(double across, double upward) {
   };
 }
 
-// The cloud as it moves, and one that is pushed about and solves nothing.
+// 2. Two motions: the cloud as it moves, and one that is pushed about and solves nothing.
 auto solution() { return linear_motion<2>(gas, thrown_gas(), middle); }
 auto pushed_about() {
   return [phi = solution()]<class V>(V const& x) {
@@ -42,7 +43,7 @@ auto pushed_about() {
   };
 }
 
-// ---- 1. The three terms of the theorem, and the boundary integral of the form without its last term.
+// 3. The three terms of (6.7), and the boundary integral of the form without its last term.
 struct Terms {
   double derivative, inside, boundary, without_last;
 };
@@ -50,26 +51,29 @@ template <class Phi, class V>
 Terms terms(Phi const& phi, V const& field, int count) {
   auto const medium = gas.medium();
   int const degree = 2 * count - 1;
-  auto const inside = [&](Event<double, 2> const& x) {
+  auto const E_on_vertical = [&](Event<double, 2> const& x) {
     Matrix<double, 5, 1> at;
     at << x, phi(x);
     auto const jet = second_jet(phi, x);
     return euler_lagrange(medium, jet).dot(vertical_part<double, 2, 2>(jet, field(at)));
   };
+  auto const contracted = [&](auto const& form) {
+    return pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form));
+  };
   // The form as far as vertical variations fix it: p dy ^ d^2x_mu.
   auto const vertical_form = [&]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, 3> const& T) -> S {
     return affine_form<2, 2>(momenta(medium, jet_at<2, 2>(at)), S(0), at, T);
   };
-  auto const through = [&](auto const& form) {
-    return boundary_integral(pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), form)), box,
-                             degree);
-  };
-  return {action_variation(medium, phi, field, box, degree), integral(inside, box.low, box.high, degree),
-          through(cartan_form<2, 2>(medium)), through(vertical_form)};
+  auto const Theta = cartan_form<2, 2>(medium);
+  // [eq_6_7]
+  double const dS = action_variation(medium, phi, field, box, degree);
+  double const inside = integral(E_on_vertical, box.low, box.high, degree);
+  double const boundary = boundary_integral(contracted(Theta), box, degree);
+  // [eq_6_7]
+  return {dS, inside, boundary, boundary_integral(contracted(vertical_form), box, degree)};
 }
 
-// ---- 2. The flux of two variations: of ellipses that begin a little otherwise, and of one that is no first
-// variation.
+// 4. A first variation: the rate at which the cloud changes with its state at the start.
 LinearMotion<double, 2> neighbour(std::uint64_t seed) {
   Draw draw(seed);
   auto state = thrown_gas().cast<Dual<double>>().eval();
@@ -80,6 +84,8 @@ LinearMotion<double, 2> neighbour(std::uint64_t seed) {
     variation.terms.emplace_back(term.unaryExpr([](Dual<double> const& a) { return a.part[0]; }));
   return variation;
 }
+
+// 5. The flux of two variations through the boundary of the box, an integral of the multisymplectic form.
 template <class V, class W>
 double flux(V const& first, W const& second) {
   auto const medium = gas.medium();
@@ -97,7 +103,9 @@ double flux(V const& first, W const& second) {
     T << lifted(first, x), lifted(second, x), pushed(jet_extension(phi), x, sides);
     return form(coordinates(first_jet(phi, x)), T);
   };
+  // [eq_6_11]
   return boundary_integral(pulled_back_form, box, 2 * nodes - 1);
+  // [eq_6_11]
 }
 
 int main(int argc, char** argv) {
@@ -114,7 +122,7 @@ int main(int argc, char** argv) {
   auto const all = show("solution, space-time too", terms(solution(), variation(1, 1), nodes));
   auto const wrong = show("pushed about, space-time too", terms(pushed_about(), variation(1, 1), nodes));
   program.table("terms",
-                {"motion and variation", "dS", "inside", "boundary", "without its last term", "what is left"},
+                {"motion and variation", "dS", "inside", "boundary", "without its last term", "residual"},
                 rows,
                 "The derivative of the action on a box of space-time, the integral of the Euler-Lagrange "
                 "derivative inside, and that of the Cartan form over the boundary.");

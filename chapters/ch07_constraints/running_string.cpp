@@ -5,11 +5,11 @@
 // the mass per length times the speed squared. Hung up, a string is a catenary; set running it stays one,
 // with the same added to its tension. Both are exact solutions of the constrained field equations, n = 1,
 // N = 2. The tension is found again from the field equations at single points, and from a boundary value
-// problem that knows place and velocity alone. Read first. The chapter up to the extended bundle;
+// problem that takes position and velocity alone. Read first. The chapter up to the extended bundle;
 // strings.hpp, the strings; tensions.hpp, what the equations make of a tension.
 //
 //   s      length along the string, m            rho    mass per length, kg/m
-//   phi    place, m                              T      tension, N: the multiplier of (1 - |phi_s|^2)/2
+//   phi    position, m                           T      tension, N: the multiplier of (1 - |phi_s|^2)/2
 //   X      shape, by arc length                  v      speed along itself, m/s
 #include "book/measure.hpp"
 #include "book/plot.hpp"
@@ -60,8 +60,8 @@ std::string picture_of_swift() {
   return plot.svg();
 }
 
-// ---- 2. What the equations leave of the strings, and of two with a tension that is wrong. The result is
-// what is left of those that run.
+// ---- 2. The residual of the strings, and of two with a tension that is wrong. The result is
+// the residual of those that run.
 double show_equations(book::Program& program) {
   double const l = loop.X.length;
   Tension<Loop> const of_loop{loop, 0}, half{loop, 0, 0.5};
@@ -77,7 +77,7 @@ double show_equations(book::Program& program) {
                  {"chain that runs", cell(left[2]), cell(error[2])},
                  {"loop with half the tension", cell(slack), "–"},
                  {"chain that runs, with the tension of rest", cell(forgotten), "–"}},
-                "What is left of the field equations, over the largest force in them, and the relative error "
+                "Residual of the field equations, over the largest force in them, and the relative error "
                 "of the tension found at single points. "
                 "The last two are controls.");
   program.claim(book::measured(std::max({left[0], left[1], left[2]})) < 1e-12,
@@ -89,7 +89,7 @@ double show_equations(book::Program& program) {
   return std::max(left[0], left[2]);
 }
 
-// ---- 3. The largest relative error of the tension found from place and velocity alone: at points s round
+// ---- 3. The largest relative error of the tension found from position and velocity alone: at points s round
 // the loop, or along the chain.
 double error_round(Points const& s) {
   double worst = 0;

@@ -14,7 +14,7 @@ using book::number;
 
 Gas const gas{};
 
-// ---- 1. At each moment: what a cell loses leaves through its faces. The largest balance over the largest
+// 1. At each moment: what a cell loses leaves through its faces. The largest balance over the largest
 // rate of a cell; with the motion as it is, and with a tenth too much acceleration.
 struct Balance {
   double right, wrong;
@@ -47,7 +47,7 @@ double show_moments(book::Program& program) {
   return worst;
 }
 
-// ---- 2. Over a time: what leaves each ring through its faces, added up by Gauss's rule in each quarter of
+// 2. Over a time: what leaves each ring through its faces, added up by Gauss's rule in each quarter of
 // it.
 double const end = 1.6;
 std::array<double, rings> outflow_over_time() {
@@ -85,7 +85,7 @@ void show_rings(book::Program& program) {
   program.claim(book::measured(over_time) < 1e-10, "over a time as well");
 }
 
-// ---- 3. The cells where they are, in the colour of what they do: one for gaining, one for losing energy,
+// 3. The cells where they are, in the colour of what they do: one for gaining, one for losing energy,
 // the stronger the more.
 std::string outline(Cloud const& phi, Cell const& cell) {
   std::vector<Corner> corners;

@@ -3,11 +3,12 @@
 //
 // What is shown. Labels are chosen so that the mass of the body is its area. Then every stream function has a
 // closed current, every loop of particles keeps its circulation, and each rotation of the sphere has a
-// current of angular momentum; with labels by place only the relabellings along latitudes are left. Read
-// first. atmosphere.hpp, the gas and its motion.
+// current of angular momentum. With labels by place a field that preserves areas of the body has a closed
+// current only if it runs along latitudes, and every field that preserves masses has one. Read first.
+// atmosphere.hpp, the gas and its motion.
 //
-//   z, l sine of the latitude, longitude M speed at the equator over that of sound at rest,
-//   M^2 = Omega^2/(2K) = 2 s
+//   z, l   sine of the latitude, longitude
+//   M      speed at the equator over that of sound at rest, M^2 = Omega^2/(2K) = 2 s
 //   Z      label by mass, of which (1 + Z)/2 lies south of z
 #include <random>
 
@@ -38,34 +39,41 @@ double largest(F const& f) {
   return most;
 }
 
-// ---- 1. What the field equations leave.
+// 1. The residual of the field equations on the motion.
 template <class Medium>
-double remainder_of(Medium const& gas) {
+double residual_of(Medium const& gas) {
   return largest([&](auto const& j) { return euler_lagrange(gas, j).norm(); });
 }
 
-// ---- 2. The currents: the largest divergence of one over the largest of what its parts are.
+// 2. The currents: the largest divergence of a current over its largest size.
 template <class Medium, class Xi>
 double leak(Medium const& gas, Xi const& xi) {
-  return largest([&](auto const& j) { return current_divergence(gas, xi, j); }) / largest([&](auto const& j) {
-           return noether_current(gas, xi, static_cast<Jet<double, 2, 2> const&>(j)).norm();
-         });
+  auto const divergence = [&](auto const& j) { return current_divergence(gas, xi, j); };
+  auto const size = [&](Jet<double, 2, 2> const& j) { return noether_current(gas, xi, j).norm(); };
+  return largest(divergence) / largest(size);
 }
 template <class Medium>
 double leak_of_stream(Medium const& gas, bool zonal) {
   return leak(gas, relabelling_field<2>(RelabellingField{gas.G, Stream{zonal}}));
 }
+double leak_where_masses_stay() {
+  auto const masses = LaidOut{{air.s()}};
+  return leak(air.by_place(), relabelling_field<2>(RelabellingField{masses, Stream{false}}));
+}
 double leak_of_spin(int kind) { return leak(air.by_mass(), motion_of_space<2>(Spin{kind})); }
-// The result is the largest of those that should be none, and the smallest of those that should not.
+// The result is the largest of those that should vanish and the smallest of those that should not.
 std::pair<double, double> show_currents(book::Program& program) {
-  double const all = leak_of_stream(air.by_mass(), false), zonal = leak_of_stream(air.by_place(), true),
-               broken = leak_of_stream(air.by_place(), false);
-  double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2),
-               closed = std::max({all, zonal, axis, across});
+  double const all = leak_of_stream(air.by_mass(), false);
+  double const zonal = leak_of_stream(air.by_place(), true);
+  double const broken = leak_of_stream(air.by_place(), false);
+  double const masses = leak_where_masses_stay();
+  double const axis = leak_of_spin(0), across = leak_of_spin(1), no_rotation = leak_of_spin(2);
+  double const closed = std::max({all, zonal, masses, axis, across});
   program.table("currents", {"field", "labels", "divergence over current"},
                 {{"any stream function", "by mass", number(all)},
                  {"stream function of the latitude", "by place", number(zonal)},
                  {"any stream function", "by place", number(broken)},
+                 {"any stream function, masses preserved", "by place", number(masses)},
                  {"rotation about the axis", "by mass", number(axis)},
                  {"rotation about a horizontal axis", "by mass", number(across)},
                  {"a field that is not Killing", "by mass", number(no_rotation)}},
@@ -78,7 +86,7 @@ std::pair<double, double> show_currents(book::Program& program) {
   return {closed, std::min(broken, no_rotation)};
 }
 
-// ---- 3. Loops of particles, and what they keep.
+// 3. Loops of particles and their circulation, at two times and in closed form.
 void show_circulation(book::Program& program) {
   std::vector<book::Program::Row> rows;
   double worst = 0;
@@ -100,7 +108,7 @@ void show_circulation(book::Program& program) {
   program.claim(book::measured(worst) < 1e-13, "circulations are constant and have their closed forms");
 }
 
-// ---- 4. Density by latitude; circles of equal mass and a loop of particles.
+// 4. Pictures: density by latitude; circles of equal mass and a loop of particles.
 std::string profile() {
   std::vector<double> latitude;
   for (double d = -90; d <= 90; d += 1.5) latitude.push_back(d);
@@ -137,8 +145,8 @@ int main(int argc, char** argv) {
   book::Program program(
       argc, argv,
       "an atmosphere that turns about a sphere: an exact motion, and the currents of its symmetries");
-  double const field = std::max(remainder_of(air.by_mass()), remainder_of(air.by_place()));
-  program.figure("field_equations", field, "largest remainder of the field equations at 400 points");
+  double const field = std::max(residual_of(air.by_mass()), residual_of(air.by_place()));
+  program.figure("field_equations", field, "largest residual of the field equations at 400 points");
   auto const [closed, open] = show_currents(program);
   show_circulation(program);
   program.picture("profile", profile(),

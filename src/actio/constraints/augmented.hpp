@@ -19,7 +19,7 @@ Jet<S, n, N> configuration(Jet<S, n, M> const& jet) {
 /// The part that belongs to the multipliers: the last k components, as a jet of their own bundle.
 template <int k, class S, int n, int M>
 Jet<S, n, k> multiplier_part(Jet<S, n, M> const& jet) {
-  static_assert(k < M, "a jet of the extended bundle has places before the multipliers");
+  static_assert(k < M, "a jet of the extended bundle has the point of space before the multipliers");
   return {jet.x, jet.y.template tail<k>(), jet.v.template bottomRows<k>()};
 }
 
@@ -30,7 +30,7 @@ struct ExtendedSection {
   /// \f$\lambda\f$, a callable on points of space-time that returns a column of k numbers
   Multiplier lambda;
 
-  /// Place and multiplier at a point of space-time, in one column.
+  /// Point of space and multiplier at a point of space-time, in one column.
   template <class V>
   auto operator()(V const& x) const {
     auto const y = phi(x);

@@ -45,7 +45,7 @@ auto induced_constraint(Phi const& constraint, Section const& phi) {
   };
 }
 
-/// The derivative of a constraint at a jet in the place and the velocities,
+/// The derivative of a constraint at a jet by the point of space and the velocities,
 /// \f$(\partial\Phi/\partial y^a,\ \partial\Phi/\partial v^a{}_\mu)\f$: a row for each component, columns as
 /// in \ref coordinates without x.
 template <class S, int n, int N, class Phi>
@@ -65,7 +65,7 @@ auto constraint_derivative(Phi const& constraint, Jet<S, n, N> const& jet) {
   return rate;
 }
 
-/// Refuses a jet at which the derivative of the constraint in place and velocities is not onto: the jets over
+/// Refuses a jet at which the derivative of the constraint by y and v is not onto: the jets over
 /// x that satisfy it need not be a submanifold.
 ///
 /// That is the local half of the hypothesis of the multiplier theorem. The other half is about sections and

@@ -1,7 +1,7 @@
 // Rods and shells with a director: bodies of one or two dimensions in space whose points carry a vector
 // (chapters 7 and 10 of the thesis).
 //
-// The fibre is R^6: the place r in the first three components, the director d in the last three. The
+// The fibre is R^6: the position r in the first three components, the director d in the last three. The
 // constraint ties the director down; its multipliers are the reactions that keep it so.
 #pragma once
 
@@ -28,7 +28,7 @@ Matrix<S, 3, 2 * n + 1> director_frame(Jet<S, n, 6> const& j) {
 ///
 /// \implements{claim_10_0_rods_and_shells}
 /// @tparam Energy  W, a callable on the point of the body and the matrix of scalar products of
-///                 \ref director_frame: such an energy does not see where space is turned to
+///                 \ref director_frame: such an energy is invariant under rotations of space
 template <class S, class Energy>
 struct DirectedBody {
   S rho;     ///< mass per length of a rod, per area of a shell

@@ -8,7 +8,7 @@ namespace actio {
 
 /// The constraint \f$\tfrac12(1 - g(\phi_s, \phi_s)) = 0\f$ on curves, n = 1: s is the length along the
 /// string. Its multiplier in `AugmentedDensity` is the tension.
-/// @tparam SpaceMetric  g, a callable on places
+/// @tparam SpaceMetric  g, a callable on points of space
 template <class SpaceMetric>
 struct Inextensible {
   static constexpr int components = 1;  ///< one multiplier, the tension

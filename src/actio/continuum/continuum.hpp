@@ -1,8 +1,8 @@
 // The Lagrangian density of a continuous medium (6.3), its Jacobian (6.1) and deformation tensors (6.2).
 //
 // The body B has the metric G and the mass density rho(x), its space M the metric g. The stored energy per
-// unit mass is a callable W(x, G, g, F): a point of the body, the values of the two metrics there and at the
-// place, and the deformation gradient. Energies of fluids and solids are in materials.hpp.
+// unit mass is a callable W(x, G, g, F): a point of the body, the values of the two metrics there and at its
+// image in space, and the deformation gradient. Energies of fluids and solids are in materials.hpp.
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -74,7 +74,9 @@ Matrix<S, n, n> green_tensor(SpaceMetric const& g, Matrix<S, N, n> const& F) {
 /// @throws Singular  where F has no inverse
 template <class BodyMetric, class S, int n>
 Matrix<S, n, n> inverse_finger_tensor(BodyMetric const& G, Matrix<S, n, n> const& F) {
+  // [claim_6_1_finger_tensor]
   return pulled_back(G, Matrix<S, n, n>(inverse_matrix(F, "inverse_finger_tensor")));
+  // [claim_6_1_finger_tensor]
 }
 
 /// A density that is the same everywhere.
@@ -90,7 +92,7 @@ struct Homogeneous {
 ///
 /// \implements{eq_6_3}
 /// @tparam BodyMetric   G, a callable on points of the body
-/// @tparam SpaceMetric  g, a callable on places
+/// @tparam SpaceMetric  g, a callable on points of space
 /// @tparam Mass         rho, a callable on points of the body
 /// @tparam Energy       W, a callable (x, G, g, F) over any scalar: stored energy per unit mass
 template <class BodyMetric, class SpaceMetric, class Mass, class Energy>

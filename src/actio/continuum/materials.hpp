@@ -44,7 +44,7 @@ struct Barotropic {
   template <class BodyMetric, class SpaceMetric, class S, int n>
   void examine(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
                Matrix<S, n, n> const& F) const {
-    require_volume(g, x, "metric of the space at the place of x =");
+    require_volume(g, x, "metric of space at phi(x), x =");
     require_orientation(S(jacobian(G, g, F)), x, "fluid");
   }
 };

@@ -1,6 +1,6 @@
 // The covariant divergence of a two-point tensor along a section (section 6.2 of the thesis).
 //
-// A two-point tensor has one leg in the body and one in space, at a point and its place. Here it is a
+// A two-point tensor has one leg in the body and one in space, at a point and its image. Here it is a
 // callable on first jets, T(jet), over any scalar, whose value has a row for each lower index a of space and
 // a column for each upper index i of the body, as the first Piola-Kirchhoff stress has.
 #pragma once

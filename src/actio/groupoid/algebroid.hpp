@@ -1,7 +1,7 @@
 // The Lie algebroid of a groupoid and the Poisson structure on its dual, computed from the multiplication
 // alone.
 //
-// A vector v over x gives each arrow that arrives at x a direction, g near_unit(x, v). The commutators of
+// A vector v over x gives each arrow that ends at x a direction, g near_unit(x, v). The commutators of
 // these fields are the bracket of the algebroid, and how they move the target is its anchor. Nothing is typed
 // in by hand: the bracket of a group comes out as the commutator, that of pairs as the bracket of vector
 // fields.

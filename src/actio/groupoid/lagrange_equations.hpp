@@ -1,9 +1,9 @@
 // Mechanics on a groupoid: Lagrange equations, Legendre maps, and the map of the dual of the algebroid that a
 // function generates.
 //
-// Two arrows in a row, g and h, are free to exchange what is infinitely near the unit where they meet: (g
-// x)(x^-1 h) = gh. A function L is stationary against that exactly if the covector with which g arrives is
-// the covector with which h leaves.
+// Two successive arrows g and h may be varied without changing their product, (g x)(x^-1 h) = gh with x near
+// the unit of the point where they meet. A function L is stationary under these variations exactly if the
+// momentum at the end of g is the momentum at the start of h.
 #pragma once
 
 #include "actio/groupoid/groupoid.hpp"
@@ -23,7 +23,7 @@ Fibre<Gamma, S> fibre_differential(Gamma const& gamma, Point<Gamma, Moved<S>> co
 }
 }  // namespace detail
 
-/// \f$\tilde\beta\circ dL\f$: the covector with which g arrives,
+/// \f$\tilde\beta\circ dL\f$: the momentum at the end of the arrow g,
 /// \f$v\mapsto\frac{d}{d\epsilon}L(g\,x_\epsilon)\f$ with \f$x_\epsilon\f$ leaving the target of g along v.
 ///
 /// On pairs it is \f$D_2L\f$, on a group \f$L_g^*\ell'(g)\f$.
@@ -40,7 +40,7 @@ auto legendre_at_target(Gamma const& gamma, L const& l, A const& g) {
                            [&](auto const& x) { return l(gamma.compose(wide, x)); }, "legendre_at_target")};
 }
 
-/// \f$\tilde\alpha\circ dL\f$: the covector with which h leaves,
+/// \f$\tilde\alpha\circ dL\f$: the momentum at the start of the arrow h,
 /// \f$v\mapsto-\frac{d}{d\epsilon}L(x_\epsilon^{-1}h)\f$ with \f$x_\epsilon\f$ leaving the source of h along
 /// v.
 ///

@@ -12,7 +12,7 @@
 namespace actio {
 
 namespace detail {
-/// The place of a point (t, y).
+/// The point of space of an event (t, y).
 template <class S, int rows>
 Matrix<S, rows - 1, 1> place_of(Matrix<S, rows, 1> const& at) { return at.template tail<rows - 1>(); }
 }  // namespace detail
@@ -87,14 +87,14 @@ S pressure_source(SpaceMetric const& g, Field const& u, Matrix<S, rows, 1> const
 ///
 /// It is the boundary condition that goes with (8.14), and with which it has one solution but for a function
 /// of time.
-/// @param f  a callable on places, zero on the wall
+/// @param f  a callable on points of space, zero on the wall
 template <class SpaceMetric, class Field, class Wall, class S, int rows>
 S pressure_slope_at_wall(SpaceMetric const& g, Field const& u, Wall const& f, Matrix<S, rows, 1> const& at) {
   return -derivative(f, detail::place_of(at)).gradient().dot(eulerian_acceleration(g, u, at));
 }
 
 /// The Ricci tensor \f$R_{bd} = \partial_a\gamma^a_{bd} - \partial_d\gamma^a_{ba}
-/// + \gamma^a_{ae}\gamma^e_{bd} - \gamma^a_{de}\gamma^e_{ba}\f$ of a metric at a place.
+/// + \gamma^a_{ae}\gamma^e_{bd} - \gamma^a_{de}\gamma^e_{ba}\f$ of a metric at a point.
 ///
 /// With it the source of (8.14) is \f$-u^a{}_{;b}u^b{}_{;a} - R_{ab}u^au^b\f$ wherever
 /// \f$\mathrm{div}\,u = 0\f$ around.

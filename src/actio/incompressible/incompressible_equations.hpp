@@ -1,6 +1,6 @@
 // The equations of motion of incompressible media, as section 8.2 to 8.4 of the thesis write them.
 //
-// Each function returns what is left of an equation: left side minus right side, zero along solutions.
+// Each function returns the residual of an equation: left side minus right side, zero along solutions.
 // Arguments are second jets of the extended section (phi, lambda). Off the constraint, where J is not 1,
 // (8.7) to (8.9) keep their J and (8.11) does not; the Euler-Lagrange derivative of the density is
 // \f$-\sqrt{\det G}\f$ times (8.7) whatever J is.
@@ -11,8 +11,8 @@
 
 namespace actio {
 
-/// \f$\partial P/\partial x^k\,(F^{-1})^k{}_a\f$: the derivatives in space, at the place of the particle, of
-/// the pressure \f$p = P\circ\phi_t^{-1}\f$.
+/// \f$\partial P/\partial x^k\,(F^{-1})^k{}_a\f$: the derivatives in space, where the particle is,
+/// of the pressure \f$p = P\circ\phi_t^{-1}\f$.
 /// @throws Singular  where the deformation gradient has no inverse
 template <class BodyMetric, class S, int n, int M>
 Matrix<S, n, 1> spatial_pressure_gradient(BodyMetric const& G, SecondJet<S, n, M> const& j) {
@@ -35,7 +35,7 @@ Matrix<S, n, 1> lowered_acceleration(SpaceMetric const& g, SecondJet<S, n, n> co
   return lowered(g(j.y), material_acceleration(g, j));
 }
 
-/// What is left of the equation of motion with stored energy and pressure (8.7), a component for each a.
+/// The residual of the equation of motion with stored energy and pressure (8.7), a component for each a.
 ///
 /// \implements{eq_8_7}
 /// @throws Singular  where the deformation gradient has no inverse; NotOrientationPreserving where it turns
@@ -66,7 +66,7 @@ Matrix<S, n, 1> required_pressure_gradient(
   return -(j.gradient().transpose() * force) / density.constraint.volume_ratio(j);
 }
 
-/// What is left of the equation of an ideal homogeneous fluid with the material pressure (8.9), the density
+/// The residual of the equation of an ideal homogeneous fluid with the material pressure (8.9), the density
 /// of mass being 1.
 ///
 /// \implements{eq_8_9}
@@ -78,7 +78,7 @@ Matrix<S, n, 1> ideal_fluid_residual(BodyMetric const& G, SpaceMetric const& g,
   // [eq_8_9]
 }
 
-/// What is left of the same with the spatial pressure \f$p = P\circ\phi_t^{-1}\f$ (8.11):
+/// The residual of the same equation with the spatial pressure \f$p = P\circ\phi_t^{-1}\f$ (8.11):
 /// \f$D_g\dot\phi/Dt + \mathrm{grad}\,p\circ\phi\f$, a vector. It supposes J = 1.
 ///
 /// \implements{eq_8_11,eq_8_13}
@@ -91,7 +91,7 @@ Matrix<S, n, 1> spatial_pressure_residual(BodyMetric const& G, SpaceMetric const
   // [eq_8_11]
 }
 
-/// What is left of the equation of an incompressible solid in components (section 8.4); its stored energy is
+/// The residual of the equation of an incompressible solid in components (section 8.4); its stored energy is
 /// a function of the Green tensor.
 ///
 /// \implements{claim_8_4_elasticity_components}

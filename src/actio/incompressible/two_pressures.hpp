@@ -28,7 +28,7 @@ Pressures<S> pressures(Medium const& fluid, Jet<S, n, M> const& extended) {
   return {material_pressure(fluid, deformation(extended)), multiplier_pressure(fluid.G, extended)};
 }
 
-/// What is left of the equation of motion of such a fluid, written with the sum of the pressures:
+/// The residual of the equation of motion of such a fluid, written with the sum of the pressures:
 /// \f$\rho\,g_{ab}(D_g\dot\phi/Dt)^b + \partial_k(P_W + P_\lambda)\,J(F^{-1})^k{}_a\f$.
 ///
 /// \implements{claim_8_3_combined_pressure_equation}

@@ -14,7 +14,7 @@ namespace actio {
 ///
 /// \implements{eq_8_1}
 /// @tparam BodyMetric   G, a callable on points of the body
-/// @tparam SpaceMetric  g, a callable on places
+/// @tparam SpaceMetric  g, a callable on points of space
 template <class BodyMetric, class SpaceMetric>
 struct VolumeConstraint {
   static constexpr int components = 1;
@@ -62,7 +62,7 @@ SecondJet<S, n, M - 1> deformation(SecondJet<S, n, M> const& j) {
 /// \f$\lambda = \sqrt{\det G}\,P\f$ (8.2).
 ///
 /// \implements{eq_8_2}
-/// @param phi  deformation: a callable from points of space-time to places
+/// @param phi  deformation: a callable from points of space-time to points of space
 /// @param P    material pressure: a callable on points of space-time
 template <class Phi, class Pressure, class BodyMetric>
 auto with_pressure(Phi const& phi, Pressure const& P, BodyMetric const& G) {

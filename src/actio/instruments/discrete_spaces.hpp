@@ -82,8 +82,8 @@ struct PairsOfConfigurations {
   detail::AnyMatrix<S> two_form(PairArrow<G, S> const& x) const {
     return discrete_two_form_matrix(lagrangian, x.first, x.second);
   }
-  /// Where the momentum of a symmetry is read: the configuration and the momentum with which the step
-  /// arrives.
+  /// Where the momentum of a symmetry is read: the configuration and the momentum at the end of the
+  /// step.
   template <Group G, Scalar S>
   Costate<G, S> costate(PairArrow<G, S> const& x) const {
     return {x.second, D2(lagrangian, x.first, x.second)};

@@ -26,7 +26,9 @@ auto volume_form(int mu) {
   auto const d_mu = [mu]<class S, int D>(Matrix<S, D, 1> const&) {
     return Matrix<S, D, 1>(Matrix<S, D, 1>::Unit(mu));
   };
+  // [claim_6_1_contracted_volume]
   return contract(d_mu, volume_form<n>());
+  // [claim_6_1_contracted_volume]
 }
 
 /// The form \f$p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$ of momenta at a point, on n + 1 tangent
@@ -80,8 +82,10 @@ auto cartan_form(L const& density) {
   return [density]<class S, int D>(Matrix<S, D, 1> const& at, Tangents<S, D, n + 1> const& V) -> S {
     static_assert(D == Jet<S, n, N>::dimension, "the Cartan form takes coordinates of the first jet bundle");
     // The dual bundle has the same x and y, and they are all that the vectors meet there.
+    // [eq_6_6]
     auto const z = legendre(density, jet_at<n, N>(at));
     return affine_form<n, N>(z.p, z.Pi, at, V);
+    // [eq_6_6]
   };
 }
 

@@ -44,7 +44,7 @@ void examine(L const& density, Jet<S, n, N> const& jet) {
 
 /// Refuses a derivative at a jet that is not finite.
 /// @param where  who asks, for the message
-/// @throws NoDerivative  with the place
+/// @throws NoDerivative  with the point
 template <MatrixLike M, class S, int n, int N>
 void require_derivative(M const& derivative, Jet<S, n, N> const& jet, char const* where) {
   if constexpr (!is_exact<S>)
@@ -64,7 +64,7 @@ Event<S, n> partial_x(L const& density, Jet<S, n, N> const& jet) {
   return derivative(at_point, jet.x).gradient();
 }
 
-/// The partial derivatives \f$\partial L/\partial y^a\f$ of a density at a jet, by the place.
+/// The partial derivatives \f$\partial L/\partial y^a\f$ of a density at a jet, by the point of space.
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 Matrix<S, N, 1> partial_y(L const& density, Jet<S, n, N> const& jet) {
@@ -124,12 +124,12 @@ struct DualJet {
   static constexpr int dimension = n + 1 + N + 1 + N * (n + 1);  ///< of the dual jet bundle
 
   Event<S, n> x;          ///< point of space-time, t first
-  Matrix<S, N, 1> y;      ///< place
+  Matrix<S, N, 1> y;      ///< point of space
   S Pi;                   ///< \f$\Pi\f$, the affine component
   Matrix<S, N, n + 1> p;  ///< \f$p_a{}^\mu\f$, a row for each a
 };
 
-/// The value \f$\Pi + p_a{}^\mu v^a{}_\mu\f$ of a dual jet on a jet over the same place.
+/// The value \f$\Pi + p_a{}^\mu v^a{}_\mu\f$ of a dual jet on a jet over the same point of Y.
 template <class S, int n, int N>
 S pairing(DualJet<S, n, N> const& z, Jet<S, n, N> const& jet) {
   S sum = z.Pi;

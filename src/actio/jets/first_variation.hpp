@@ -1,7 +1,7 @@
 // First variations of a section: the boundary term of the action, the linearised field equations and the
 // current that two variations make (section 6.2 of the thesis).
 //
-// A vertical variation V moves the places of a section and leaves space-time alone: to first order the
+// A vertical variation V moves the values of a section and leaves space-time fixed: to first order the
 // section is phi + eps V, and V has jets as a section has. A variation that is not vertical has n + 1 + N
 // components, \f$V^\mu\f$ first; what the field equations see of it is its vertical part.
 #pragma once
@@ -35,7 +35,7 @@ Matrix<S, N, 1> vertical_part(Jet<S, n, N> const& j, Variation<S, n, N> const& V
 ///
 /// \implements{eq_6_7}
 /// @param j  first jet of the section
-/// @param V  variation at its place, horizontal components first
+/// @param V  variation at that point, horizontal components first
 /// @return   a component for each \f$\mu\f$; for a symmetry, its Noether current
 /// @throws NoDerivative  where the density has none; and what the density itself refuses
 template <class S, int n, int N, class L>

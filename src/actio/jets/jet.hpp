@@ -1,7 +1,7 @@
 // Sections and their jets (section 6.1 of the thesis).
 //
 // Space-time X = B x R has coordinates x^0 = t and x^1, ..., x^n; the fibre M has y^1, ..., y^N. A section is
-// a callable, written once for every scalar: it takes a point of X and returns the place in M. Its first jet
+// a callable, written once for every scalar: it takes a point of X and returns one of M. Its first jet
 // at x is (x, phi(x), d_mu phi^a), its second jet has d_mu d_nu phi^a as well.
 #pragma once
 
@@ -27,7 +27,7 @@ struct Jet {
   static constexpr int dimension = n + 1 + N + N * (n + 1);  ///< of the jet bundle
 
   Event<S, n> x;      ///< point of space-time, t first
-  Matrix<S, N, 1> y;  ///< place \f$y^a\f$
+  Matrix<S, N, 1> y;  ///< point of space \f$y^a\f$
   /// \f$v^a{}_\mu\f$: column 0 is the velocity, the others the deformation gradient
   Matrix<S, N, n + 1> v;
 
@@ -71,7 +71,7 @@ inline constexpr int fibre_dimension = std::remove_cvref_t<decltype(std::declval
 /// The first jet \f$j^1\phi(x) = (x^\mu, \phi^a(x), \partial_\mu\phi^a(x))\f$ of a section.
 ///
 /// \implements{claim_6_1_jet_bundle}
-/// @param phi  section: a callable from points of space-time to places, over any scalar
+/// @param phi  section: a callable from points of space-time to points of space, over any scalar
 /// @param x    point of space-time, (t, x^1, ..., x^n)
 /// Accuracy: exact but for the rounding of phi itself.
 template <class S, int rows, class Phi>
@@ -79,7 +79,7 @@ template <class S, int rows, class Phi>
 auto first_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0,
-                "a section returns a place with as many coordinates as the fibre has dimensions, known when "
+                "a section returns a point with as many coordinates as the fibre has dimensions, known when "
                 "it is compiled");
   auto const d = derivative(phi, x);
   // [claim_6_1_jet_bundle]
@@ -94,7 +94,7 @@ template <class S, int rows, class Phi>
 auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
   constexpr int n = rows - 1, N = detail::fibre_dimension<Phi, S, n>;
   static_assert(N > 0,
-                "a section returns a place with as many coordinates as the fibre has dimensions, known when "
+                "a section returns a point with as many coordinates as the fibre has dimensions, known when "
                 "it is compiled");
   using D = SecondOrder<S, rows>;
   Event<D, n> moved;
@@ -119,8 +119,10 @@ auto second_jet(Phi const& phi, Matrix<S, rows, 1> const& x) {
 /// \ref total_derivative.
 template <class S, int n, int N>
 Jet<Dual<S>, n, N> along(SecondJet<S, n, N> const& j, int mu) {
+  // [eq_6_9]
   return {moved_along(j.x, Event<S, n>::Unit(mu)), moved_along(j.y, Matrix<S, N, 1>(j.v.col(mu))),
           moved_along(j.v, j.w[mu])};
+  // [eq_6_9]
 }
 
 /// A function of first jets along a section: its value and its \ref total_derivative in \f$x^\mu\f$, from one

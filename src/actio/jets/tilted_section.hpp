@@ -1,7 +1,7 @@
 // Tilted sections: maps of a region U into Y that cover an embedding of U into space-time, their action and
 // its variation (section 6.2 of the thesis).
 //
-// Variations that move space-time as well as places turn a section into such a map. Its action is the
+// Variations that move space-time as well as values turn a section into such a map. Its action is the
 // integral of the density over the image of U, and is computed on U itself: the image's jets, and the
 // determinant by which the embedding stretches space-time.
 #pragma once

@@ -1,6 +1,6 @@
 // Automorphisms of the bundle Y and their prolongations (section 9.1 of the thesis).
 //
-// An automorphism moves points of space-time by eta_X and places by eta_Y, which covers it: the point (x, y)
+// An automorphism moves points of space-time by eta_X and Y by eta_Y, which covers it: the point (x, y)
 // goes to (eta_X(x), eta_Y(x, y)). Both maps are callables over any scalar. A prolongation needs the inverse
 // of the tangent map of eta_X alone; only a section that is moved needs the inverse map.
 #pragma once
@@ -13,7 +13,7 @@ namespace actio {
 
 /// An automorphism \f$(x, y)\mapsto(\eta_X(x), \eta_Y(x, y))\f$ of Y.
 /// @tparam Base   \f$\eta_X\f$, a callable from points of space-time to points of space-time
-/// @tparam Fibre  \f$\eta_Y\f$, a callable from points (x, y) of Y, one column, to places
+/// @tparam Fibre  \f$\eta_Y\f$, a callable from points (x, y) of Y, one column, to points of space
 template <class Base, class Fibre>
 struct Automorphism {
   Base base;    ///< \f$\eta_X\f$

@@ -19,7 +19,9 @@ namespace actio {
 template <class SpaceMetric, class S, int n, int N>
 Matrix<S, n, 1> material_velocity_form(SpaceMetric const& g, Jet<S, n, N> const& j) {
   Matrix<S, N, 1> const lower = lowered(g(j.y), j.velocity());
+  // [circulation_form]
   return j.gradient().transpose() * lower;
+  // [circulation_form]
 }
 
 /// The circulation \f$\oint u_k\,dx^k\f$ along a closed loop of particles at time t.
@@ -38,7 +40,9 @@ S circulation(Phi const& phi, SpaceMetric const& g, Loop const& loop, S const& t
     constexpr int n = std::remove_cvref_t<decltype(place)>::RowsAtCompileTime;
     Event<S, n> x;
     x << t, place;
+    // [circulation]
     sum += material_velocity_form(g, first_jet(phi, x)).dot(tangent) * step;
+    // [circulation]
   }
   return sum;
 }

@@ -37,7 +37,9 @@ template <class L, class Xi, class S, int n, int N>
 S noether_identity(L const& density, Xi const& xi, SecondJet<S, n, N> const& j) {
   Jet<S, n, N> const& first = j;
   Variation<S, n, N> const V = xi(point_of(first));
+  // [noether_identity]
   return -euler_lagrange(density, j).dot(vertical_part(first, V));
+  // [noether_identity]
 }
 
 }  // namespace actio

@@ -21,7 +21,9 @@ struct PulledBackDensity {
   template <class S, int n, int N>
   S operator()(Jet<S, n, N> const& j) const {
     auto const d = tangent<n, N>(eta, j.x, j.y);
+    // [claim_9_1_lifted_actions]
     return determinant(d.base) * density(prolongation(eta, j));
+    // [claim_9_1_lifted_actions]
   }
 };
 /// The density pulled back by an automorphism.
@@ -59,7 +61,9 @@ S equivariance_rate(L const& density, Xi const& xi, Jet<S, n, N> const& j) {
     point << x, j.y.template cast<T>();
     return xi(point).template head<n + 1>();
   };
+  // [rate_of_equivariance]
   return rate + value * divergence(xi_X, j.x);
+  // [rate_of_equivariance]
 }
 
 }  // namespace actio

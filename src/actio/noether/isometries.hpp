@@ -1,8 +1,8 @@
 // Isometries of space as symmetries of a medium (the introduction of chapter 9 of the thesis).
 //
 // A field k on space is Killing where the Lie derivative of g along it vanishes. A medium whose stored energy
-// sees g and the deformation through the Green tensor alone is equivariant under isometries, whatever its
-// body is made of.
+// depends on g and the deformation through the Green tensor alone is equivariant under isometries, whatever
+// its body is made of.
 #pragma once
 
 #include "actio/forms/metric.hpp"
@@ -36,7 +36,7 @@ template <class S, int N>
 struct RigidMotion {
   Matrix<S, N, N> turn;   ///< A, skew
   Matrix<S, N, 1> shift;  ///< velocity of the origin
-  /// The field at a place.
+  /// The field at a point.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
@@ -54,7 +54,7 @@ struct RigidMotion {
 template <class S, int N>
 struct StereographicSphere {
   S radius = S(1);  ///< R
-  /// The metric at a place.
+  /// The metric at a point.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
@@ -73,7 +73,7 @@ template <class S, int N>
 struct SphereRotation {
   Matrix<S, N, N> turn;  ///< A, skew
   Matrix<S, N, 1> tilt;  ///< b
-  /// The field at a place.
+  /// The field at a point.
   template <class V>
   auto operator()(V const& y) const {
     using T = typename V::Scalar;
@@ -91,7 +91,7 @@ struct SphereRotation {
   }
 };
 
-/// The field \f$(0, 0, k(y))\f$ on Y that moves places and leaves space-time alone.
+/// The field \f$(0, 0, k(y))\f$ on Y that moves points of space and leaves space-time fixed.
 template <int N, class Field>
 struct SpaceMotion {
   Field k;  ///< field on space
@@ -104,7 +104,7 @@ struct SpaceMotion {
     return rate;
   }
 };
-/// The motion of places along a field on space of dimension N.
+/// The motion of points of space along a field on space of dimension N.
 template <int N, class Field>
 SpaceMotion<N, Field> motion_of_space(Field const& k) { return {k}; }
 

@@ -61,7 +61,7 @@ void require_divergence_free(Metric const& G, Xi const& xi, Matrix<S, n, 1> cons
         rate > Base<S>(0) ? to_double(Base<S>(found / rate)) : to_double(found), to_double(bound));
 }
 
-/// The field \f$(0, \xi(x), 0)\f$ on Y that relabels the body and leaves places alone: the generator of
+/// The field \f$(0, \xi(x), 0)\f$ on Y that relabels the body and leaves space fixed: the generator of
 /// (9.1), whose prolongation is (9.3).
 ///
 /// \implements{eq_9_1}

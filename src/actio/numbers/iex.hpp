@@ -76,7 +76,11 @@ typename M::PlainObject iex(M const& w) {
 /// @throws Singular  where iex(w) has no inverse: an eigenvalue of w at a nonzero multiple of 2 pi i
 template <MatrixLike M>
   requires Real<typename M::Scalar>
-auto chi(M const& w) { return inverse_matrix(iex(w), "chi"); }
+auto chi(M const& w) {
+  // [claim_3_3_chi_function]
+  return inverse_matrix(iex(w), "chi");
+  // [claim_3_3_chi_function]
+}
 
 /// \f$e^w\f$ of a square matrix: \f$1 + w\,\mathrm{iex}(w)\f$ of a small fraction of w, squared as often as
 /// it takes.

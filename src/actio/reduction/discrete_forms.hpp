@@ -59,13 +59,15 @@ S discrete_two_form(L const& lagrangian, Element<G, S> const& g0, Element<G, S> 
   // [eq_3_5]
 }
 
-/// The momentum with which the step leaves \f$g_0\f$: \f$-D_1 L(g_0, g_1)\f$, with its physical sign,
+/// The momentum at the start of the step, at \f$g_0\f$: \f$-D_1 L(g_0, g_1)\f$, with its physical sign,
 /// spatial.
 template <Group G, Scalar S, class L>
 Momentum<G, S> legendre_source(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
+  // [claim_3_1_pullback_canonical]
   return -D1(lagrangian, g0, g1);
+  // [claim_3_1_pullback_canonical]
 }
-/// The momentum with which the step arrives at \f$g_1\f$: \f$D_2 L(g_0, g_1)\f$, spatial.
+/// The momentum at the end of the step, at \f$g_1\f$: \f$D_2 L(g_0, g_1)\f$, spatial.
 template <Group G, Scalar S, class L>
 Momentum<G, S> legendre_target(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1) {
   return D2(lagrangian, g0, g1);

@@ -27,7 +27,7 @@ Momentum<G, S> lie_poisson_update_right(Element<G, S> const& f, Momentum<G, S> c
   return Ad_star(f, mu);
   // [eq_3_17]
 }
-/// \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\,\Pi_k\f$, left-invariant. The inverse is missing in print.
+/// \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\,\Pi_k\f$, left-invariant. The thesis omits the inverse.
 ///
 /// \implements{eq_3_18}
 template <Group G, Scalar S>

@@ -153,7 +153,7 @@ struct GalerkinStep {
         },
         start);
 
-    // The relative motion looks back. The velocity at the end is where the next step starts its search.
+    // The relative motion points backwards. The velocity at the end is where the next step starts its search.
     Velocity<G, Dual<S>> end{mu.group, Coordinates<G, Dual<S>>::Zero(n)};
     for (int a = 0; a < n; ++a) {
       end.coordinates[a].value = xi.value[(s - 1) * n + a];

@@ -59,8 +59,10 @@ struct ChartMidpoint {
 template <ExponentialGroup G, Scalar S, class T>
 ChartMidpoint<G, S> chart_midpoint_right(Element<G, S> const& g, Element<G, S> const& g1,
                                          Element<G, S> const& g2, T const& h) {
+  // [eq_3_20]
   auto const first = natural_chart_right(g, g1), second = natural_chart_right(g, g2);
   return {(first + second) / S(2), (second - first) / detail::constant<S>(h)};
+  // [eq_3_20]
 }
 /// The same in the chart by left translation.
 template <ExponentialGroup G, Scalar S, class T>
@@ -73,7 +75,9 @@ ChartMidpoint<G, S> chart_midpoint_left(Element<G, S> const& g, Element<G, S> co
 /// \f$\eta\f$ changes at the rate \f$\zeta\f$.
 template <Group G, Scalar S>
 Velocity<G, S> fibre_element_right(ChartMidpoint<G, S> const& m) {
+  // [claim_3_3_derivative_of_exponential]
   return {m.zeta.group, iex(ad_matrix(m.eta)) * m.zeta.coordinates};
+  // [claim_3_3_derivative_of_exponential]
 }
 /// \f$\mathrm{iex}(-\mathrm{ad}_\eta)\,\zeta\f$: the velocity \f$q^{-1}\dot q\f$ of \f$q = g\,e^\eta\f$ when
 /// \f$\eta\f$ changes at the rate \f$\zeta\f$.

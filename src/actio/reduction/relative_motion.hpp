@@ -47,7 +47,9 @@ Velocity<G, S> relative_variation_left(Element<G, S> const& f, Velocity<G, S> co
 /// \implements{claim_3_2_reduced_lagrangian}
 template <class F>
 auto lift_right(F l) {
+  // [claim_3_2_reduced_lagrangian]
   return [l](auto const& g0, auto const& g1) { return l(relative_motion_right(g0, g1)); };
+  // [claim_3_2_reduced_lagrangian]
 }
 /// The discrete Lagrangian on G x G that a function of \f$g_1^{-1}g_0\f$ stands for.
 template <class F>

@@ -9,9 +9,9 @@
 // * The superblock on the disk never has the mark: the file looks closed.
 // * Before anything tells of a place, room for it is reserved on the disk, and the superblock has an end of
 //   the file beyond it. So a full disk is noticed before the first byte that tells of what has no room.
-// * That end is some way beyond what is used, and the file, with a hole, as long. Whoever opened it a while
-//   ago finds what was added since. The true end is in sixteen bytes after it, and the hole is gone as soon
-//   as the file is closed.
+// * That end is some way beyond what is used, and the file, with a hole, as long. A reader that opened it a
+//   while ago finds what was added since. The true end is in sixteen bytes after it, and the hole is gone as
+//   soon as the file is closed.
 //
 // Room for numbers is taken in sixteens of bytes, so that a chunk can be given a length of four bytes more or
 // less, and with it other properties, where it is.

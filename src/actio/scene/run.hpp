@@ -70,7 +70,7 @@ struct TooLarge : Error {
 };
 
 /// Runs a scene into a folder that is there, or goes on from the checkpoint in it. Every row that was
-/// computed is in the files when it returns, whatever the ending. Whoever calls has the folder for himself
+/// computed is in the files when it returns, whatever the ending. The caller has the folder for itself
 /// (\ref RunFolder).
 /// @throws FileError  where its files cannot be made, or those that are there are not those of the checkpoint
 RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOptions const& options = {});

@@ -15,10 +15,11 @@
 //
 // While an HDF5 file is written its data sets may differ in length by the rows that are on their way: the
 // shortest length counts. It is then followed by a hole, which takes no room on the disk but counts in the
-// length of the file, and which is gone at the end. Whoever has it open sees the rows of the time when he
-// opened it. To follow it, open it anew, or for following: h5py.File("series.h5", "r", swmr=True). A reader
-// that meets a write in its midst is told of a wrong checksum, and finds the file whole when it looks again;
-// a reader for following does so by itself. After the writer has ended, however it did, every look succeeds.
+// length of the file, and which is gone at the end. A reader that has it open sees the rows of the time
+// when it was opened. To follow it, open it anew, or for following: h5py.File("series.h5", "r", swmr=True). A
+// reader that meets a write in its midst is told of a wrong checksum, and finds the file whole when it looks
+// again; a reader for following does so by itself. After the writer has ended, however it did, every look
+// succeeds.
 //
 // Every chunk of numbers has a checksum (Fletcher32). Readers refuse a chunk in which a bit was turned, and
 // so does `resume`, which reads all of them.
@@ -35,7 +36,7 @@
 
 namespace actio::scene {
 
-/// A table that grows by rows, on disk or elsewhere. Whoever looks at it at any instant finds whole rows.
+/// A table that grows by rows, on disk or elsewhere. A reader finds whole rows at any instant.
 /// After an error there is no going on: whatever is called throws it again.
 class Series {
  public:

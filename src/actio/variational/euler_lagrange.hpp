@@ -45,14 +45,18 @@ Velocity<G, S> lagrange_acceleration(Lagrangian const& L, State<G, S> const& v) 
   Velocity<G, S> const none{v.configuration.group,
                             Coordinates<G, S>::Zero(v.configuration.group.dimension())};
   auto const force = euler_lagrange(L, v, none);
+  // [claim_2_1_regular_second_order_ode]
   return {v.configuration.group,
           solve_linear(fibre_hessian(L, v), force.components, "lagrange_acceleration: d2L/dxi2")};
+  // [claim_2_1_regular_second_order_ode]
 }
 
 /// The Lagrange vector field \f$X_E\f$ as a tangent vector to TG at v.
 template <Group G, Scalar S, class Lagrangian>
 StateChange<G, S> lagrange_vector_field(Lagrangian const& L, State<G, S> const& v) {
+  // [claim_2_1_lagrange_vector_field]
   return {v.velocity, lagrange_acceleration(L, v)};
+  // [claim_2_1_lagrange_vector_field]
 }
 
 }  // namespace actio

@@ -26,7 +26,11 @@ struct CostateChange {
 /// The body momentum, \f$T_e^*L_g\,p = \mathrm{Ad}^*_g\,\mu\f$: what multiplication from the
 /// right conserves.
 template <Group G, Scalar S>
-Momentum<G, S> body_momentum(Costate<G, S> const& p) { return Ad_star(p.configuration, p.momentum); }
+Momentum<G, S> body_momentum(Costate<G, S> const& p) {
+  // [claim_2_2_reduced_motion]
+  return Ad_star(p.configuration, p.momentum);
+  // [claim_2_2_reduced_motion]
+}
 
 /// The same costate over a larger scalar, where it is a constant.
 template <Scalar T, Group G, Scalar S>

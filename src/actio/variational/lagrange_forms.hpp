@@ -9,7 +9,9 @@ namespace actio {
 /// configuration changes.
 template <Group G, Scalar S, class Lagrangian>
 S lagrange_one_form(Lagrangian const& L, State<G, S> const& v, StateChange<G, S> const& w) {
+  // [thm_2_1_1]
   return pair(legendre(L, v), w.configuration);
+  // [thm_2_1_1]
 }
 
 /// \f$\omega_L = -d\theta_L\f$ on two tangent vectors at v.

@@ -17,7 +17,9 @@ namespace actio {
 ///   identity on the right
 template <Group G, Scalar S, class Lagrangian, class Generator>
 S noether_momentum(Lagrangian const& L, State<G, S> const& v, Generator const& generator) {
+  // [claim_2_1_noether_momentum]
   return pair(legendre(L, v), generator(v.configuration));
+  // [claim_2_1_noether_momentum]
 }
 
 /// The generator of \f$g \mapsto e^{t\zeta}g\f$.

@@ -14,7 +14,7 @@
 
 namespace actio {
 
-/// \f$R^Tn\f$: a vector of space as a body of attitude q sees it.
+/// \f$R^Tn\f$: a vector of space in the frame of a body with the attitude q.
 template <class T>
 [[gnu::always_inline]] inline Three<T> seen_from(Four<T> const& q, Three<T> const& n) {
   Three<T> const d{n[0] + n[0], n[1] + n[1], n[2] + n[2]};

@@ -4,7 +4,7 @@
 // alone, the scheme makes the exact step \cite hairer_vilmart_2006. Both are known here in closed form: in
 // j_i = hL/(2I_i) the replacement for parameters delta, T is cos T (sin T + cos T delta_i). Cut off after
 // h^{r-2} the power series of s and d give order r. They come from those of short_flow.hpp, by arithmetic of
-// series; with 2|p| rho = h^2 H, |p|^2 = h^2 C/2 the first terms are those that Hairer and Vilmart print.
+// series; with 2|p| rho = h^2 H, |p|^2 = h^2 C/2 the first terms are those of Hairer and Vilmart.
 #pragma once
 
 #include "actio/fast_body/space/explicit_moser_veselov.hpp"
