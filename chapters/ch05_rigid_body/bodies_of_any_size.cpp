@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
                         "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum "
                         "conserved to rounding");
   std::vector<book::Program::Row> rows;
-  double casimir = 0, spatial = 0;
+  double casimir = 0, spatial = 0, least = INFINITY;
   bool refused = true;
   auto plot = book::Plot("steps", "change of the momentum in space, relative").log_x().log_y().size(660, 340);
   auto const add =
@@ -75,7 +75,7 @@ int main(int argc, char** argv) {
                     book::number(found.energy, 2), book::number(found.growth, 2),
                     book::number(found.longest, 6)});
     casimir = std::max(casimir, found.casimir), spatial = std::max(spatial, found.spatial),
-    refused = refused && found.refused;
+    refused = refused && found.refused, least = std::min(least, found.longest);
     if (drawn) plot.curve(found.steps, found.drift, name);
   };
 
@@ -122,6 +122,7 @@ int main(int argc, char** argv) {
   // 4. What must be so: a random walk of 1e5 roundings is below 1e-13; a hundred times that.
   program.claim(book::measured(casimir) < 1e-11 && book::measured(spatial) < 1e-11,
                 "Casimir and momentum in space stay within 1e-11");
+  program.claim(book::measured(1 - least) < 1e-9, "no longest step is shorter than one radian");
   program.claim(refused, "a thousandth beyond the longest step every body is refused, with that step");
   program.headline(
       "Casimir conserved to " + book::number(casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)",

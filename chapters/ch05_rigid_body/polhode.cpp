@@ -60,6 +60,25 @@ std::pair<double, double> periods(Body const& body, double h, int turns) {
   }
 }
 
+void orbit_of(book::Program& program, Body const& body) {
+  auto const& inertia = body.principal.inertia;
+  MoserVeselov<3> const scheme(inertia, 0.5);
+  auto motion = release(inertia, identity<double>(SO<3>{}), body.principal_spin());
+  double const amount = motion.body_momentum.components.norm(),
+               energy = kinetic_energy(inertia, motion.body_momentum);
+  std::vector<std::vector<double>> rows;
+  for (int k = 0; k < 560; ++k) {
+    Vector3d const e = motion.body_momentum.components / amount;
+    rows.push_back({0.5 * k, e[0], e[1], e[2]});
+    advance(scheme, motion);
+  }
+  program.motion("orbit", {"t", "x", "y", "z"}, rows);
+  char const* const names[] = {"a", "b", "c"};
+  for (int i = 0; i < 3; ++i)
+    program.figure(names[i], std::sqrt(2 * energy * inertia.moments[i]) / amount,
+                   "half axis of the ellipsoid of energy of Apophis, over the amount of the momentum");
+}
+
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
                         "two tumbling asteroids: the steps of the scheme on the exact curve, and the periods "
@@ -101,11 +120,14 @@ int main(int argc, char** argv) {
                     body.title + ": the direction of its momentum in the body frame, 48 steps of " +
                         book::number(h) + " " + body.time + ".");
   }
+  // 2. The curve of Apophis in time, for the animation: half an hour between frames, and the half axes of its
+  //    ellipsoid of energy in units of the amount of its momentum.
+  orbit_of(program, read_body(ACTIO_DATA "/bodies.toml", "apophis"));
   program.figure(
       "distance", farthest,
       "largest distance from the exact curve among every tenth of 100000 steps, the sphere having radius 1");
 
-  // 2. The periods of Apophis from finer and finer steps.
+  // 3. The periods of Apophis from finer and finer steps.
   Body const apophis = read_body(ACTIO_DATA "/bodies.toml", "apophis");
   double const rotation = 264.178, precession = 27.38547;
   std::vector<double> steps, errors_rotation, errors_precession;
@@ -131,7 +153,7 @@ int main(int argc, char** argv) {
   program.figure("order_rotation", order_rotation, "order of the period of rotation");
   program.figure("order_precession", order_precession, "order of the period of precession");
 
-  // 3. What must be so. The published periods have six and seven digits and the catalogue's spin ten.
+  // 4. What must be so. The published periods have six and seven digits and the catalogue's spin ten.
   program.claim(book::measured(farthest) < 1e-12, "the steps lie on the exact curve to rounding");
   program.claim(
       book::measured(errors_rotation.back()) < 1e-3 && book::measured(errors_precession.back()) < 1e-3,

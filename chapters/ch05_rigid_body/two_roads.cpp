@@ -4,8 +4,8 @@
 // What is shown. The discrete Euler-Lagrange equations on SO(3) x SO(3) know nothing of a symmetry. The
 // reduced equations solve for the relative motion alone, and reconstruction puts the attitude back: the same
 // numbers to rounding, for the natural-chart scheme and for Moser and Veselov's. Then the check case itself:
-// body rates after 30 s, by both schemes, against a solution by somebody else's code. Read first. Chapter 3,
-// "Nothing is lost"; the sections on the two schemes of chapter 5.
+// body rates after 30 s, by both schemes, against a solution by somebody else's code. Read first.
+// Section 3.2, and sections 5.1 and 5.2.
 //
 //   g      attitude, body to space                h     step, s
 //   f      relative motion g1^-1 g0               p, q, r  body rates, degrees per second

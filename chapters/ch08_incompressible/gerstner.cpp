@@ -17,6 +17,7 @@
 using namespace actio;
 double const k = 1, gravity = 1, c = std::sqrt(gravity / k);
 
+// 1. The motion, and the volume that a label stands for: G = diag(1, (1 - e^(2kb))^2).
 struct Wave {
   template <class V>
   auto operator()(V const& x) const {
@@ -26,8 +27,6 @@ struct Wave {
     return Matrix<T, 2, 1>(T(x[1] + r * sin(s)), T(x[2] - r * cos(s)));
   }
 };
-
-// The volume that a label stands for: G = diag(1, (1 - e^(2kb))^2).
 struct Labels {
   template <class V>
   auto operator()(V const& x) const {
@@ -40,44 +39,52 @@ struct Labels {
   }
 };
 
-// Kinetic energy less the weight; density of mass 1.
+// 2. Kinetic energy less the weight, with mass 1 per volume; the constraint J = 1 makes it the
+// augmented density.
 struct HeavyWater {
   template <class S>
   S operator()(Jet<S, 2, 2> const& j) const {
-    return volume<S>(Labels{}(j.particle())) * (j.velocity().squaredNorm() / 2.0 - j.y[1] * gravity);
+    S const kinetic = j.velocity().squaredNorm() / 2.0, weight = j.y[1] * gravity;
+    return volume<S>(Labels{}(j.particle())) * (kinetic - weight);
   }
 };
 AugmentedDensity const water{HeavyWater{}, VolumeConstraint{Labels{}, Euclidean<2>{}}};
 
-// p = (b0 - b) g - c^2 (e^(2kb0) - e^(2kb))/2, zero at the surface b = b0.
+// 3. The pressure in closed form, zero at the surface b = b0:
+// P = (b0 - b) gravity - c^2 (e^(2kb0) - e^(2kb))/2.
 struct Pressure {
   double surface;
   template <class V>
   auto operator()(V const& x) const {
     using std::exp;
     using T = typename V::Scalar;
-    return T((surface - x[2]) * gravity - (std::exp(2 * k * surface) - exp(x[2] * (2 * k))) * (c * c / 2));
+    T const square = std::exp(2 * k * surface) - exp(x[2] * (2 * k));
+    return T((surface - x[2]) * gravity - square * (c * c / 2));
   }
 };
 
-// dP/da and dP/db from the material equation of the motion alone: the force of the density without a
-// multiplier, through F.
+// 4. The same pressure from the motion alone. The force that the density without a multiplier
+// leaves over, carried to the body through F, is dP/da and dP/db; integrated from the surface
+// down it is the pressure.
 Vector<double, 2> required_slope(Vector<double, 3> const& x) {
   auto const j = second_jet(Wave{}, x);
   water.constraint.examine(static_cast<Jet<double, 2, 2> const&>(j));
-  Vector<double, 2> const force = -euler_lagrange(HeavyWater{}, j) / volume<double>(Labels{}(j.particle()));
+  double const per_label = volume<double>(Labels{}(j.particle()));
+  Vector<double, 2> const force = -euler_lagrange(HeavyWater{}, j) / per_label;
   return -(j.gradient().transpose() * force) /
          water.constraint.volume_ratio(static_cast<Jet<double, 2, 2> const&>(j));
 }
 double pressure_by_multiplier(double surface, double t, double a, double b) {
   static auto const rule = gauss_quadrature<double>(16);
+  double const depth = b - surface;
   double sum = 0;
   for (std::size_t i = 0; i < rule.nodes.size(); ++i)
-    sum +=
-        rule.weights[i] * (b - surface) * required_slope({t, a, surface + rule.nodes[i] * (b - surface)})[1];
+    sum += rule.weights[i] * depth * required_slope({t, a, surface + rule.nodes[i] * depth})[1];
   return sum;
 }
 
+// 5. Lines of particles with their paths, and a period of the motion of marked particles for
+// the book to play.
 void draw_wave(book::Program& program) {
   auto plot = book::Plot("y1", "y2").equal().size(720, 340).x_range(-6.6, 6.6).y_range(-3.4, 1.2);
   for (double const b : {-0.1, -0.4, -0.8, -1.4, -2.2}) {
@@ -100,14 +107,36 @@ void draw_wave(book::Program& program) {
                   "Gerstner's wave: every line of particles is a trochoid on which the pressure is the same, "
                   "every path is a circle.");
 }
+void report_motion(book::Program& program) {
+  double const period = 2 * M_PI / (k * c);
+  int const across = 24, frames = 80;
+  book::Program::Row header{"t"};
+  std::vector<std::vector<double>> rows;
+  for (int frame = 0; frame < frames; ++frame) {
+    double const t = period * frame / frames;
+    std::vector<double> row{t};
+    for (double const b : {-0.1, -0.5, -1.0, -1.7, -2.6})
+      for (int i = 0; i < across; ++i) {
+        auto const at = Wave{}(Vector<double, 3>(t, 4 * M_PI * (i + 0.5) / across - 2 * M_PI, b));
+        if (frame == 0) {
+          std::string const particle = std::to_string((header.size() - 1) / 2);
+          header.push_back("x" + particle), header.push_back("y" + particle);
+        }
+        row.push_back(at[0]), row.push_back(at[1]);
+      }
+    rows.push_back(row);
+  }
+  program.motion("fluid", header, rows);
+}
 
+// 6. The claims: the field equations of the extended bundle, and both pressures beside each other.
 int main(int argc, char** argv) {
   book::Program program(argc, argv,
                         "Gerstner's wave: an exact motion with a free surface, its pressure as the "
                         "multiplier of the constraint");
   draw_wave(program);
+  report_motion(program);
 
-  // The field equations of the extended bundle, and the pressure that the motion alone asks for.
   double field = 0, constraint = 0, along_surface = 0;
   std::vector<book::Program::Row> rows;
   double pressure_error = 0;

@@ -80,7 +80,7 @@ export function evidence(book, id, anchor) {
   const r = book.statements.get(id);
   if (!r) return '';
   const source = book.checkSource(id);
-  const where = source ? book.sourceLink(source.path, source.line, 'the check') : '';
+  const where = source ? book.sourceLink(source.path, source.line, 'check') : '';
   if (r.verdict === 'pending' || !(r.evidence ?? []).length)
     return `<div class="evidence evidence-empty"${idAttribute}>${badge(r.verdict)} <span>${book.boxes.has(id) ? escapeHtml(verdictText[r.verdict]?.[1] ?? '') : prose(r.note) || escapeHtml(verdictText[r.verdict]?.[1] ?? '')}</span> ${where}</div>`;
 
@@ -137,7 +137,7 @@ function evidenceLine(r) {
   const largest = rounded.length ? rounded.reduce((a, b) => (Number(b.measured) / Number(b.epsilon) > Number(a.measured) / Number(a.epsilon) ? b : a)) : null;
   const residual = largest ? `residual ≤ ${inEpsilons(largest.measured, largest.epsilon)}` : w ? `residual ${number(w.entry.measured)}` : '';
   const controls = (r.control ?? []).map(c => Number(c.measured));
-  return `<span class="evidence-title">Evidence</span>${badge(r.verdict)}${[
+  return `<span class="evidence-title">Evidence <span>for ${shortLabel(r.id)}</span></span>${badge(r.verdict)}${[
     `<span class="evidence-kind"${over}>${kind}${models > 1 ? `, ${models} models` : ''}${kind === 'exact' && points ? `, ${points} points` : ''}</span>`,
     residual ? `<span>${residual}</span>` : '',
     orders.length ? `<span>order ${[...new Set([Math.min(...orders), Math.max(...orders)].map(x => x.toFixed(2)))].join(' to ')}</span>` : '',

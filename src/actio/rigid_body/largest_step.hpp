@@ -15,6 +15,7 @@ inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> 
   // Plain loops: this is no template, so every unit that includes the header compiles it, and Eigen's product
   // of matrices takes the compiler half a second.
   Index const n = lambda.size();
+  // [longest_step]
   Vector<double> w(n);
   for (Index i = 0; i < n; ++i) w[i] = 1 / std::sqrt(lambda[i] * lambda[i] + s * s);
   Matrix<double> a(n, n), square(n, n);
@@ -27,6 +28,7 @@ inline double spin_against_inertia(Vector<double> const& lambda, Matrix<double> 
       for (Index k = 0; k < n; ++k) square(i, j) += a(k, i) * a(k, j);
     }
   return s * std::sqrt(largest_eigenvalue(square));
+  // [longest_step]
 }
 
 /// The largest value of f between a and b, where it has one hump, by golden section.
@@ -53,8 +55,9 @@ double top_of_hump(F const& f, double a, double b) {
 /// A solution X = f^T Lambda factors \f$1 - \lambda hM - \lambda^2\Lambda^2 = (1+\lambda X^T)(1-\lambda
 /// X)\f$. The spectrum can leave the right half plane through the imaginary axis alone, and there the left
 /// side is, up to a factor, the Hermitian matrix \f$s^2+\Lambda^2+ishM\f$: as long as that is positive for
-/// every s there is a factor with its spectrum to the right, and once it is not there is none. For n = 3 and
-/// a rotation about a principal axis: h M_i = I_i.
+/// every s there is a factor with its spectrum to the right, and once it is not there is none. With the body
+/// velocity \f$\xi=J^{-1}M\f$ in coordinates \f$h_{max}|\xi|\ge1\f$: a step of less than one radian has a
+/// solution for every body; about a principal axis a longer one has none.
 ///
 /// @param pi  body momentum; energy x time
 /// @return    time, positive; infinite for a body at rest

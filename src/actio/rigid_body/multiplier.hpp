@@ -181,8 +181,11 @@ M euler_poincare_with_multiplier(M const& lambda, M const& f10, M const& f21, M 
 /// @throws NotFinite, OutsideDomain  as \ref constrained_action
 template <class M>
 M euler_poincare_without_multiplier(M const& lambda, M const& f10, M const& f21) {
-  M const pull = euler_poincare_with_multiplier(lambda, f10, f21, M(M::Zero(lambda.rows(), lambda.cols())));
-  return pull - pull.transpose();
+  detail::require_squares({&lambda, &f10, &f21}, lambda.rows(), "Euler-Poincare without multiplier");
+  detail::require_symmetric(lambda, "Euler-Poincare without multiplier: Lambda");
+  // [eq_5_7]
+  return f21.transpose() * lambda - lambda * f21 - (lambda * f10.transpose() - f10 * lambda);
+  // [eq_5_7]
 }
 
 }  // namespace actio

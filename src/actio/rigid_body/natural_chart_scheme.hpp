@@ -77,8 +77,10 @@ class NaturalChartScheme {
   ///
   /// Equating it after one step with it before the next gives (5.4).
   BodyMomentum momentum_of(Velocity<SO<n>, S> const& zeta) const {
+    // [eq_5_4]
     auto const turn = ad_matrix(step_ * zeta);
     return {zeta.group, chi(turn).transpose() * body_momentum(inertia_, zeta).components};
+    // [eq_5_4]
   }
 
  private:
