@@ -88,14 +88,14 @@ export function textbookBlocks(book, page) {
     },
     enddefinition() { close('definition', () => '</div></div>'); },
     result(arg) {
-      const [id, kind, title] = split(arg, 3);
-      if (!/^(Theorem|Proposition|Lemma|Corollary|Observation)$/.test(kind)) return error(`\\result{id,Theorem,Title}: "${kind}" is no kind of result`);
+      const [id, word, title] = split(arg, 3), known = word.startsWith('known '), kind = word.replace(/^known /, '');
+      if (!/^(Theorem|Proposition|Lemma|Corollary|Observation)$/.test(kind)) return error(`\\result{id,Theorem,Title}: "${kind}" is no kind of result, nor is it "known Theorem"`);
       if (!ownId(id, 'res', title)) return;
-      ++counts.results;
+      if (!known) ++counts.results;
       p.lastNamed = id;
       if (kind !== 'Observation') (p.toProve ??= []).push({ id, line: page.line() });
       book.ownIds.set(id, { where: `${p.file}:${page.line()}`, title: `${kind} (${title})` });
-      box('result', id, `<span class="statement-number">${kind}</span> ${escapeHtml(title)}`, '<span class="statement-tools"><span class="own-result" title="a result of this project, not of the thesis">this project</span></span>', 'statement-result');
+      box('result', id, `<span class="statement-number">${kind}</span> ${escapeHtml(title)}`, `<span class="statement-tools">${known ? '<span class="own-result known" title="not of the thesis; the text says whose it is">known</span>' : '<span class="own-result" title="a result of this project, not of the thesis">this project</span>'}</span>`, 'statement-result');
     },
     endresult() { close('result', () => '</div></div>'); },
     proof(arg) {
