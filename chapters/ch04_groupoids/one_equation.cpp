@@ -74,8 +74,8 @@ TwoWays swing_the_pendulum() {
     double const theta = arrow.to[0], phi = azimuth - turn;
     double const across = std::sin(theta);
     found.path.push_back({across * std::cos(phi), across * std::sin(phi), -std::cos(theta)});
-    found.apart = std::max(found.apart, std::abs(theta - pair.second.value[0]) +
-                                            std::abs(azimuth - pair.second.value[1]));
+    found.apart = std::max(found.apart,
+                           std::abs(theta - pair.second.value[0]) + std::abs(azimuth - pair.second.value[1]));
     found.conserved = std::max(found.conserved, std::abs(momentum() / spin - 1));
   }
   return found;
@@ -108,8 +108,7 @@ TwoWays spin_the_top() {
   for (int k = 0; k < steps; ++k) {
     auto const same_again = pair.second * inverse(pair.first) * pair.second;
     pair = step_lagrange(attitudes, on_attitudes, pair, {pair.second, same_again}).value;
-    arrow = step_lagrange(with_vertical, on_turns, arrow,
-                          {arrow.element, with_vertical.target(arrow).value})
+    arrow = step_lagrange(with_vertical, on_turns, arrow, {arrow.element, with_vertical.target(arrow).value})
                 .value;
     arrow.element = restore(arrow.element), pair.second = restore(pair.second);
     found.path.push_back(pair.second.value.col(2));

@@ -1,4 +1,5 @@
 // The lines to try of chapters 4 and 4A.
+#include "book/try_it.hpp"
 #include "actio/groupoid/generating_series.hpp"
 #include "actio/groupoid/group_as_groupoid.hpp"
 #include "actio/groupoid/hamilton_jacobi.hpp"
@@ -11,7 +12,6 @@
 #include "actio/reduction/discrete_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"
 #include "running_examples.hpp"
-#include "book/try_it.hpp"
 
 using namespace actio;
 using Vector3d = actio::Vector<double, 3>;

@@ -136,10 +136,9 @@ struct Costs {
 // 3. A gyrostat; a body with a wheel in still water; a body that is sheared and stretched in a plane.
 void study_three_groups(book::Program& program, Costs& costs) {
   long asked = 0;
-  costs.take_in(program, "SO3", "SO(3)",
-                     "A body with a wheel in it, turning: error against work, on SO(3).",
-                     study(Body<SO<3>>{{}, Vector3d(1.0, 1.7, 2.4), Vector3d(0.3, -0.2, 0.5), &asked},
-                           Vector3d(0.9, 0.4, -0.7), 4));
+  costs.take_in(program, "SO3", "SO(3)", "A body with a wheel in it, turning: error against work, on SO(3).",
+                study(Body<SO<3>>{{}, Vector3d(1.0, 1.7, 2.4), Vector3d(0.3, -0.2, 0.5), &asked},
+                      Vector3d(0.9, 0.4, -0.7), 4));
   Vector6d const heavy{{1.0, 1.7, 2.4, 1.2, 1.9, 2.5}}, wheel{{0.3, -0.2, 0.5, 0, 0, 0}},
       cast_off{{0.5, 0.3, -0.4, 0.8, 0.3, -0.2}};
   costs.take_in(
