@@ -4,7 +4,7 @@
 // that no discrete motion leaves: what its Legendre map sends to spheres of momentum. Each rotation is drawn
 // as its rotation vector. The first picture is one leaf, made from its sphere, with ten thousand relative
 // motions of the brick on it; the second a section through all leaves, out to where the Lagrangian is no
-// longer regular and the leaves end. Read first. The section "A Poisson structure on the group" of chapter 4.
+// longer regular and the leaves end. Read first. "Invariant leaves" in chapter 4.
 //
 //   f      relative motion g1^-1 g0           l    reduced discrete Lagrangian Tr((1 - f) Lambda)/h, J s
 //   pi     body momentum -L*_f l'(f), J s     C    Tr(f Lambda f Lambda), the Casimir (5.10)
@@ -29,17 +29,15 @@ struct Brick {
     for (int i = 0; i < 3; ++i) sum += (S(1) - f.value(i, i)) * S(lambda[i]);
     return sum / S(h);
   }
-  double casimir(Rotation const& f) const {
-    Matrix<double, 3, 3> const m = f.value * lambda.asDiagonal();
-    return (m * m).trace();
+  template <class S>
+  S casimir(Element<SO<3>, S> const& f) const {
+    auto const m = (f.value * lambda.template cast<S>().asDiagonal()).eval();
+    return (m * m).eval().trace();
   }
 };
 Rotation rotation(Vector3d const& v) { return exp(velocity(SO<3>{}, v)); }
 Brick const brick;
 double const rest = std::pow(brick.lambda.norm(), 2);  // C at the identity
-
-// What decides whether the Lagrangian is regular at f.
-double regularity(Brick const& l, Rotation const& f) { return determinant(left_second_differential(l, f)); }
 
 // The distance from the identity along a direction at which `value` changes its sign.
 template <class F>
@@ -100,22 +98,21 @@ void draw_leaf(book::Program& program, Motion const& motion) {
   book::Plot leaf("", "");
   leaf.equal().size(620, 520);
   for (int k = 0; k < 6; ++k) {
-    draw_circle(leaf, motion.radius, [&](double a) {
-      return Vector3d(std::cos(k * M_PI / 6) * std::cos(a), std::sin(k * M_PI / 6) * std::cos(a),
-                      std::sin(a));
-    });
+    double const c = std::cos(k * M_PI / 6), s = std::sin(k * M_PI / 6);
     double const height = -0.83 + 0.333 * k, wide = std::sqrt(1 - height * height);
-    draw_circle(leaf, motion.radius,
-                [&](double a) { return Vector3d(wide * std::cos(a), wide * std::sin(a), height); });
+    auto const meridian = [&](double a) { return Vector3d(c * std::cos(a), s * std::cos(a), std::sin(a)); };
+    auto const parallel = [&](double a) { return Vector3d(wide * std::cos(a), wide * std::sin(a), height); };
+    draw_circle(leaf, motion.radius, meridian), draw_circle(leaf, motion.radius, parallel);
   }
   leaf.dots(motion.seen.x, motion.seen.y, "relative motions of the brick", {.colour = 2});
   program.picture("leaf", leaf.svg(),
                   "A leaf in SO(3), drawn in rotation vectors, and two hundred relative motions in a row.");
 }
 
-// How far the Lagrangian is regular along a direction.
+// How far the Lagrangian is regular along a direction: as far as its second derivative has an inverse.
 double edge(Vector3d const& direction) {
-  return first_change(direction, [](Rotation const& g) { return regularity(brick, g); });
+  auto const regularity = [](Rotation const& g) { return determinant(left_second_differential(brick, g)); };
+  return first_change(direction, regularity);
 }
 
 // A curve around the identity, at a distance given for each direction.
@@ -139,22 +136,18 @@ void draw_section(book::Program& program) {
   section.equal().size(620, 520);
   for (int k = 1; k <= 6; ++k) {
     double const c = rest - 0.35 * k * k * (rest / 12);
-    draw_around(
-        section,
-        [&](Vector3d const& d) {
-      double const r = first_change(d, [&](Rotation const& g) { return brick.casimir(g) - c; }),
-                   end = edge(d);
-      return r < end ? r : NAN;
-        },
-        k == 1 ? "leaves" : "", 1, 1);
+    auto const as_far_as_it_goes = [&](Vector3d const& d) {
+      double const r = first_change(d, [&](Rotation const& g) { return brick.casimir(g) - c; });
+      return r < edge(d) ? r : NAN;
+    };
+    draw_around(section, as_far_as_it_goes, k == 1 ? "leaves" : "", 1, 1);
   }
   draw_around(section, edge, "no longer regular", 3, 2);
   program.picture("section", section.svg(),
                   "A section through the leaves, out to where the Lagrangian is no longer regular.");
 }
 
-// 4. What must be so. About a principal axis the momentum is I sin(angle)/h, which ends at a quarter of a
-//    turn.
+// 4. What must be so. About a principal axis the momentum is I sin(angle)/h: it ends at a quarter of a turn.
 void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   double const quarter = edge(Vector3d(0, 0, 1));
   program.claim(book::measured(motion.worst) < 20 * steps * 0x1p-52,
@@ -164,17 +157,8 @@ void claim_what_must_be_so(book::Program& program, Motion const& motion) {
   auto const at = rotation({-0.3, 0.2, 0.4});
   Matrix<double, 3, 3> const bracket = legendre_bivector_left(brick, at);
   program.claim(matrix_rank(bracket) == 2, "the bracket has rank 2: the leaves are surfaces");
-  double const differential = (bracket * right_differential(
-                                             [&](auto const& g) {
-    auto const m =
-        (g.value * brick.lambda.template cast<typename std::decay_t<decltype(g)>::Scalar>().asDiagonal())
-            .eval();
-    return (m * m).eval().trace();
-                                             },
-                                             at)
-                                             .components)
-                                  .norm() /
-      bracket.norm();
+  auto const slope = right_differential([](auto const& g) { return brick.casimir(g); }, at).components;
+  double const differential = (bracket * slope).norm() / bracket.norm();
   program.claim(book::measured(differential) < 1e-14, "C has no bracket with anything");
   program.figure(
       "kept", motion.worst,

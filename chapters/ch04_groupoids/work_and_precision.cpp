@@ -4,7 +4,7 @@
 // composition, several steps of which some go backwards, and by Galerkin paths, polynomials in the natural
 // chart. Both preserve the coadjoint orbit and the bracket as the step of order 2 does. Each is run on three
 // groups; its error, against power series, is set against how often the Lagrangian was evaluated. Read first.
-// The sections "Momentum, carried along" of chapter 3 and "Higher order" of chapter 4.
+// "Higher order by composition" and "Galerkin paths" of chapter 4A.
 //
 //   l        Lagrangian on the algebra              Pi    body momentum
 //   I, b     inertia; momentum of a wheel inside    h     step
@@ -101,18 +101,15 @@ std::vector<Runs> study(Body<G> const& body, Coordinates<G, double> const& xi, d
   return all;
 }
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "orders 2, 4 and 6 on three groups: how much work for how much precision");
-  long asked = 0;
+// 2. Error against work on one group, and what an error of 1e-7 costs.
+struct Costs {
   double const accuracy = 1e-7;
-  std::vector<book::Program::Row> rows;
+  std::vector<book::Program::Row> rows = {};
   double least_gain = HUGE_VAL, largest_miss = 0, time_gain = 0;
   bool paths_are_cheapest = true;
 
-  auto const report = [&](std::string const& name, std::string const& title, std::string const& what,
-                          std::vector<Runs> const& all) {
-    // 2. Error against work.
+  void take_in(book::Program& program, std::string const& name, std::string const& title,
+               std::string const& what, std::vector<Runs> const& all) {
     auto plot =
         book::Plot("evaluations of the Lagrangian for a unit of time", "error of the momentum, relative")
             .log_x()
@@ -133,41 +130,50 @@ int main(int argc, char** argv) {
     paths_are_cheapest = paths_are_cheapest && best == all[4].at(all[4].work, accuracy);
     least_gain = std::min(least_gain, all[0].at(all[0].work, accuracy) / best);
     if (name == "SE3") time_gain = all[0].at(all[0].seconds, accuracy) / fastest;
-  };
+  }
+};
 
-  // 3. A gyrostat; a body with a wheel in still water; a body that is sheared and stretched in a plane.
-  report("SO3", "SO(3)", "A body with a wheel in it, turning: error against work, on SO(3).",
-         study(Body<SO<3>>{{}, Vector3d(1.0, 1.7, 2.4), Vector3d(0.3, -0.2, 0.5), &asked},
-               Vector3d(0.9, 0.4, -0.7), 4));
+// 3. A gyrostat; a body with a wheel in still water; a body that is sheared and stretched in a plane.
+void study_three_groups(book::Program& program, Costs& costs) {
+  long asked = 0;
+  costs.take_in(program, "SO3", "SO(3)", "A body with a wheel in it, turning: error against work, on SO(3).",
+                study(Body<SO<3>>{{}, Vector3d(1.0, 1.7, 2.4), Vector3d(0.3, -0.2, 0.5), &asked},
+                      Vector3d(0.9, 0.4, -0.7), 4));
   Vector6d const heavy{{1.0, 1.7, 2.4, 1.2, 1.9, 2.5}}, wheel{{0.3, -0.2, 0.5, 0, 0, 0}},
       cast_off{{0.5, 0.3, -0.4, 0.8, 0.3, -0.2}};
-  report("SE3", "SE(3)",
-         "A body with a wheel in it in still water, where it tumbles as it glides: error against work, on "
-         "SE(3). A curve bends where shorter steps save the "
-         "solver an iteration.",
-         study(Body<SE<3>>{{}, heavy, wheel, &asked}, cast_off, 4));
-  report("SL2", "SL(2)",
-         "A body that is sheared and stretched in its plane without a change of area: error against work, on "
-         "SL(2).",
-         study(Body<SL2>{{}, Vector3d(2.0, 1.5, 1.0), Vector3d(0.2, -0.1, 0.3), &asked},
-               Vector3d(0.3, 0.5, -0.4), 4));
+  costs.take_in(
+      program, "SE3", "SE(3)",
+      "A body with a wheel in it in still water, where it tumbles as it glides: error against work, on "
+      "SE(3). A curve bends where shorter steps save the solver an iteration.",
+      study(Body<SE<3>>{{}, heavy, wheel, &asked}, cast_off, 4));
+  costs.take_in(
+      program, "SL2", "SL(2)",
+      "A body that is sheared and stretched in its plane, its area unchanged: error against work, on SL(2).",
+      study(Body<SL2>{{}, Vector3d(2.0, 1.5, 1.0), Vector3d(0.2, -0.1, 0.3), &asked},
+            Vector3d(0.3, 0.5, -0.4), 4));
+}
 
-  // 4. What it takes for seven digits.
-  program.table("cost", {"group", "step", "order", "evaluations", "milliseconds"}, rows,
-                "Order, fitted, and what a unit of time costs at an error of " + book::number(accuracy) +
+// 4. What it takes for seven digits.
+int main(int argc, char** argv) {
+  book::Program program(argc, argv,
+                        "orders 2, 4 and 6 on three groups: how much work for how much precision");
+  Costs all;
+  study_three_groups(program, all);
+  program.table("cost", {"group", "step", "order", "evaluations", "milliseconds"}, all.rows,
+                "Order, fitted, and what a unit of time costs at an error of " + book::number(all.accuracy) +
                     ": evaluations of the Lagrangian, and time.");
-  program.figure(
-      "gain", least_gain, book::number(least_gain, 2),
-      "evaluations of order 2 over those of the best of higher order, at the group where it gains least");
-  program.figure("time_gain", time_gain, book::number(time_gain, 2), "the same in running time, on SE(3)");
-  program.figure("miss", largest_miss, "largest distance of a measured order from what it should be");
-  // The longest of the five steps still bend the line a little.
-  program.claim(book::measured(largest_miss) < 0.2, "every order is what it should be");
-  program.claim(book::measured(least_gain) > 10,
+  program.figure("gain", all.least_gain, book::number(all.least_gain, 2),
+                 "evaluations of order 2 over those of the best higher order, where it gains least");
+  program.figure("time_gain", all.time_gain, book::number(all.time_gain, 2),
+                 "the same in running time, on SE(3)");
+  program.figure("miss", all.largest_miss, "largest distance of a measured order from what it should be");
+  using book::measured;  // the longest of the five steps still bend the line a little
+  program.claim(measured(all.largest_miss) < 0.2, "every order is what it should be");
+  program.claim(measured(all.least_gain) > 10,
                 "for seven digits a higher order saves nine evaluations in ten, on every group");
-  program.claim(paths_are_cheapest, "Galerkin paths of degree three need the fewest, on every group");
-  program.headline("seven digits of the momentum: order 2 takes " + book::number(least_gain, 2) +
+  program.claim(all.paths_are_cheapest, "Galerkin paths of degree three need the fewest, on every group");
+  program.headline("seven digits of the momentum: order 2 takes " + book::number(all.least_gain, 2) +
                        " times the evaluations of order 6, or more",
-                   least_gain);
+                   all.least_gain);
   return program.finish();
 }

@@ -166,8 +166,11 @@ export function textbookBlocks(book, page) {
       if (!src) return error(`program ${name} has no source under chapters/`);
       const part = stepLines(fs.readFileSync(path.join(book.root, src.path), 'utf8').split('\n'), step);
       if (!part) return error(`${src.path} has no comment "// ${step}. ..."`);
-      block('<div class="step">');
-      emit(['```cpp', ...part.lines, '```'].join('\n'));
+      // The comment at its head is set as text, the lines below it as code.
+      const head = part.lines.findIndex(l => !/^\s*\/\//.test(l)), said = part.lines.slice(0, Math.max(0, head)).map(l => l.replace(/^\s*\/\/ ?/, '')).join(' ');
+      const words = said ? `<p class="step-head">${prose(said).replace(/^(\d+)\. /, '<b>Step $1.</b> ')}</p>` : '';
+      block(`<div class="step">${words}`);
+      emit(['```cpp', ...part.lines.slice(Math.max(0, head)), '```'].join('\n'));
       block(`<div class="snippet-source">${book.sourceLink(src.path, part.first, `${escapeHtml(src.path)}:${part.first}`)}</div></div>`);
     },
     prints(arg) {

@@ -1,0 +1,91 @@
+// The lines to try of chapters 4 and 4A.
+#include "book/try_it.hpp"
+#include "actio/groupoid/generating_series.hpp"
+#include "actio/groupoid/group_as_groupoid.hpp"
+#include "actio/groupoid/hamilton_jacobi.hpp"
+#include "actio/groupoid/lagrange_equations.hpp"
+#include "actio/groupoid/pair_groupoid.hpp"
+#include "actio/groupoid/poisson_on_group.hpp"
+#include "actio/instruments/leaf_defect.hpp"
+#include "actio/instruments/poisson_defect.hpp"
+#include "actio/reduction/composition.hpp"
+#include "actio/reduction/discrete_poisson.hpp"
+#include "actio/reduction/natural_chart.hpp"
+#include "running_examples.hpp"
+
+using namespace actio;
+using Vector3d = actio::Vector<double, 3>;
+
+TRY_IT(one_equation_on_two_groupoids) {
+  auto const l = natural_chart_lagrangian_right(ball_in_field(), 0.1);
+  auto const on_pairs = [&](auto const& arrow) { return l(arrow.first * inverse(arrow.second)); };
+  auto const g = [](double x, double y, double z) { return exp(velocity(SO<3>{}, Vector3d(x, y, z))); };
+  PairArrow<SO<3>, double> const first{g(0, 0, 0), g(0.1, -0.3, 0.2)},
+      second{first.second, g(0.4, -0.2, 0.1)};
+  auto const f01 = first.first * inverse(first.second), f12 = second.first * inverse(second.second);
+  print("(4.1.1) on pairs    ", lagrange_equations(PairGroupoid<SO<3>>{}, on_pairs, first, second));
+  print("(4.1.1) on the group", lagrange_equations(GroupAsGroupoid<SO<3>>{}, l, f01, f12));
+  print("(3.10)              ", euler_poincare_right(l, f01, f12));
+}
+
+TRY_IT(exact_action_of_the_ball) {
+  Vector3d const larmor = ball_field / ball_inertia;
+  auto const action = [&]<class S>(Element<SO<3>, S> const& f, S const& t) {
+    auto const frame = exp(velocity(SO<3>{}, Vector<S, 3>(t * larmor[0], t * larmor[1], t * larmor[2])));
+    auto const turn = log(frame * inverse(f)).coordinates;
+    return S((turn.dot(turn) / t - t * larmor.squaredNorm()) * (ball_inertia / 2));
+  };
+  auto const energy = [](auto const& mu) {
+    auto const spin = (mu.components - ball_field).eval();
+    return spin.dot(spin) / (2 * ball_inertia);
+  };
+  auto const f = exp(velocity(SO<3>{}, Vector3d(-0.3, 0.2, -0.4)));
+  auto const later = [&](auto const& k, auto const& t) { return action(k, decltype(t + t)(t + 0.1)); };
+  auto const twice = [&](auto const& k, auto const& t) { return action(k, t) * 2.0; };
+  print("(4.1), action at t      ", hamilton_jacobi_right(action, energy, f, 0.5));
+  print("(4.1), action at t + 0.1", hamilton_jacobi_right(later, energy, f, 0.5));
+  print("(4.1), twice the action ", hamilton_jacobi_right(twice, energy, f, 0.5));
+  auto const mu = momentum(SO<3>{}, Vector3d(2e-4, 1e-4, 5e-4));
+  print("a step of 1 s by (4.2), (4.3)", hamilton_jacobi_step_right(at_time(action, 1.0), mu, f).final);
+  print("the precession               ", Ad_star(exp(velocity(SO<3>{}, larmor)), mu));
+}
+
+TRY_IT(one_bracket_two_ways) {
+  auto const l = natural_chart_lagrangian_right(ball_in_field(), 0.1);
+  auto const f = exp(velocity(SO<3>{}, Vector3d(-0.3, 0.2, -0.4)));
+  auto const unit = 1 / ball_inertia;
+  print("by reduction, (3.13)", reduced_bivector_right(l, f) / unit);
+  print("pulled back along +R*l'", legendre_bivector_right(l, f) / unit);
+}
+
+TRY_IT(orbit_kept_bracket_lost) {
+  auto const lie_euler = []<class S>(S const& h, Momentum<SO<3>, S> const& Pi) {
+    auto const Omega = velocity(Pi.group, Vector<S, 3>(Pi.components.cwiseQuotient(book_inertia.cast<S>())));
+    return Ad_star(exp(h * Omega), Pi);
+  };
+  auto const one_step = [&]<class S>(Momentum<SO<3>, S> const& Pi) { return lie_euler(S(0.02), Pi); };
+  auto const Pi = momentum(SO<3>{}, Vector3d(0.01, 0.03, 0.02));
+  print("leaf defect   ", leaf_defect(LiePoissonMinus{}, lie_euler, 0.02, Pi));
+  print("Poisson defect", poisson_defect(LiePoissonMinus{}, one_step, Pi));
+}
+
+TRY_IT(conditions_of_composition) {
+  print("one step       ", composition_conditions(std::vector<double>{1}));
+  print("triple jump    ", composition_conditions(triple_jump<double>()));
+  print("Suzuki, five   ", composition_conditions(suzuki<double>()));
+  print("Kahan-Li, nine ", composition_conditions(kahan_li<double>()));
+}
+
+TRY_IT(series_and_action) {
+  Vector3d const larmor = ball_field / ball_inertia;
+  Matrix<double, 3, 3> const inertia = ball_inertia * Matrix<double, 3, 3>::Identity();
+  auto const series = generating_series(QuadraticLagrangian<SO<3>, double>(SO<3>{}, inertia, ball_field), 4);
+  auto const w = velocity(SO<3>{}, Vector3d(1.0, 0.5, -0.3));
+  for (double t : {0.4, 0.2, 0.1}) {
+    auto const turn = log(exp(t * velocity(SO<3>{}, larmor)) * exp(t * w)).coordinates;
+    double const action = (turn.squaredNorm() / t - t * larmor.squaredNorm()) * (ball_inertia / 2);
+    print("the series less the action, over t^7", (series(exp(-t * w), t) - action) / std::pow(t, 7));
+  }
+}
+
+TRY_IT_MAIN("the lines to try of chapters 4 and 4A")
