@@ -2,7 +2,7 @@
 //
 // What is shown. The blade does not slip sideways. By the principle of Lagrange and d'Alembert (virtual
 // work) the skate that is let go spinning runs along a cycloid, across the slope, and never gets farther
-// down than its first arc; by the vakonomic principle, an extremum of the action among the motions that
+// down than its first arc; by the vakonomic principle, a critical point of the action among the motions that
 // satisfy the constraint, it goes down for ever. Real skates do the former. The multiplier of the augmented
 // density is the vakonomic principle, so the chapter keeps to constraints without derivatives in time. Read
 // first. The two principles in the chapter.

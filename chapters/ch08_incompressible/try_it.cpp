@@ -1,4 +1,4 @@
-// Lines to try of chapter 8: a motion and its pressure a drop, the bracket of fields, rubber.
+// Lines to try of chapter 8: a gas and rubber, a drop and its pressure, the bracket of fields.
 #include <cmath>
 
 #include "actio/continuum/materials.hpp"
