@@ -4,7 +4,8 @@
 // What is shown. Moments of inertia from 1e-47 to 1e8 kg m^2, a planar body whose Lambda has a zero on its
 // diagonal, and bodies on SO(n): over many steps the Casimir |M|^2 and the momentum in space change by
 // rounding alone, and like a random walk. For each body the longest step is computed in closed form; a little
-// beyond it the scheme refuses. Read first. middle_axis_flip.
+// beyond it the scheme refuses. Read first. Section 5B.1,
+// middle_axis_flip.
 //
 //   M   body momentum             longest   the largest step that has a solution, as the angle |omega| h
 //   m   momentum in space         growth    exponent a in: change ~ steps^a (1/2 is a random walk)

@@ -4,7 +4,8 @@
 // Veselov with other moments of inertia: the residual is rounding, at steps of three radians too, and with
 // the body's own moments it is of the size of the square of the step. Cutting the series of these moments
 // gives orders 4 to 10. Steps of three radians draw the flips of the T-handle, and one step of any length
-// tells where Apophis will be. Read first. middle_axis_flip, polhode.
+// tells where Apophis will be. Read first. The page
+// 5A, The exact free body; middle_axis_flip, polhode.
 //
 //   I      principal moments                  delta, T   numbers of the half turn and the twist of a step
 //   M      body momentum, L its amount        f          relative motion, g1^T g0

@@ -4,10 +4,11 @@
 // its momentum and the vertical in the body frame: half of the impulse of gravity, a step of Moser and
 // Veselov's, the other half. Momentum about the vertical, length of the vertical and, for a symmetric top,
 // momentum about its axis are conserved to rounding at every step length and every order.
-// Read first. The page on the heavy top beside chapter 5.
+// Read first. The page 5C, The heavy top.
 //
 //   Omega, Pi   body velocity, rad/s, and body momentum, J s     p     weight times centre of mass, J
-//   Gamma       the vertical in the body frame u height of the axis, cosine of its angle with the vertical
+//   Gamma       the vertical in the body frame
+//   u           height of the axis, cosine of its angle with the vertical
 #include "actio/rigid_body/heavy_top.hpp"
 #include "book/measure.hpp"
 #include "book/plot.hpp"

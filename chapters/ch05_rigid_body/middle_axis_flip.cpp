@@ -3,8 +3,8 @@
 //
 // What is shown. A free body that turns about its middle axis flips at regular intervals, and the interval
 // has a closed form. The scheme reproduces it to second order in the step, and conserves momentum and energy
-// to rounding meanwhile. The book of the running example is thrown about its middle axis too. Read first. The
-// section on the discretization of Moser and Veselov in chapter 5.
+// to rounding meanwhile. The book of the running example is thrown about its middle axis too. Read first.
+// Section 5.2.
 //
 //   I      principal moments, ascending, kg m^2        h     step, s
 //   omega  body velocity, rad/s                        M     body momentum, J s

@@ -1,9 +1,10 @@
 // Bodies in many dimensions: a step for the price of one square of a matrix, and where a drift comes from.
 //
-// What is shown. The fixed point of the section "One square a step" is the scheme that Newton's method
+// What is shown. The fixed point of section 5B.5 is the scheme that Newton's method
 // solves, to rounding, and a short step takes one square. Over a million steps the momentum's Casimir Tr M^2
 // walks by rounding at random if each step is solved beyond rounding, and in proportion to the time if it is
-// solved to rounding only: what an iteration leaves out is no noise. Read first. bodies_of_any_size.
+// solved to rounding only: what an iteration leaves out is no noise. Read first. Section 5B.5,
+// bodies_of_any_size.
 //
 //   n        dimensions                     f   relative motion of a step
 //   Lambda   second moments, random         M   body momentum, with an angular velocity of norm 1

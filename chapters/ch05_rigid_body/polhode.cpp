@@ -5,11 +5,14 @@
 // conserves both, so its steps lie on the exact curve to rounding, at every step length; what the step length
 // costs is the time at which they get there, to second order. The spin of Apophis in the catalogue is the one
 // that has the two periods of its light curves; the scheme gives them back, to second order. Read first.
-// middle_axis_flip.
+// middle_axis_flip, and section 5.3.
 //
-//   I      principal moments (only their ratios are known), ascending h step, in the body's unit of time
-//   M      body momentum, e = M/|M| P_rot period of M, once round its curve
-//   g      attitude, body to space P_prec mean period of the long axis about the momentum in space
+//   I      principal moments (only their ratios are known), ascending
+//   h      step, in the body's unit of time
+//   M      body momentum, e = M/|M|
+//   P_rot  period of M, once round its curve
+//   g      attitude, body to space
+//   P_prec mean period of the long axis about the momentum in space
 #include <Eigen/Geometry>
 
 #include "actio/bodies/body_catalogue.hpp"
