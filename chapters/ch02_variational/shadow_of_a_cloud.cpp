@@ -2,7 +2,7 @@
 //
 // What is shown. Nearby states of a pendulum form a cloud. Its motion bends and stretches it, but its area
 // stays what it was, which is what F^* omega = omega says; under explicit Euler the cloud grows. Read first.
-// The section "Letting the ends move" of chapter 2.
+// The section "The standard geometric setting" of chapter 2.
 //
 //   v        state (g, xi) in TG                      L      Lagrangian on TG
 //   w        tangent vector to TG at v                theta  Lagrange one-form, p dq

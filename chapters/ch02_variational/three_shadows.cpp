@@ -3,9 +3,9 @@
 // What is shown. A flat body adrift in still water has three coordinates and three momenta, and a thin sheet
 // of its states casts three shadows, one in the plane of each pair: each of them changes, their sum does not.
 // The sum is the integral of the Lagrange one-form round the rim, and that it stays is F^* omega = omega.
-// Read first. The section "Letting the ends move" of chapter 2, and shadow_of_a_cloud.
+// Read first. The section "The standard geometric setting" of chapter 2, and shadow_of_a_cloud.
 //
-//   v        state (g, xi) in TG l reduced Lagrangian, function of the body velocity
+//   v        state (g, xi) in TG                      l      reduced Lagrangian, of the body velocity
 //   rim      closed curve of states, each a dual      h      step
 //            number that carries its tangent
 #include <algorithm>
