@@ -22,7 +22,9 @@ std::string plain_words(std::string text) {
                                               : match[1].str();
     text = match.prefix().str() + name + match.suffix().str();
   }
+  static std::regex const emphasis(R"re((^|[ (])\*([A-Za-z][^*]*[A-Za-z0-9)])\*(?=[ ,.;:)]|$))re");
   text = std::regex_replace(std::regex_replace(text, command, "..."), space, " ");
+  text = std::regex_replace(text, emphasis, "$1$2");
   std::size_t const begin = text.find_first_not_of(' ');
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
 }
