@@ -45,7 +45,7 @@ TRY_IT(legendre) {
 }
 
 TRY_IT(roots) {
-  ConstantMetric<double, 2> const G{Matrix<double, 2, 2>{{4, 0}, {0, 1}}};  // labels of half the size
+  ConstantMetric<double, 2> const G{Matrix<double, 2, 2>{{4, 0}, {0, 1}}};  // the root of det G is 2
   EllipticGas const gas{0.2, 1.4};
   Continuum const medium{G, Euclidean<2>{}, Homogeneous<double>{}, gas.medium().W};
   auto const phi = linear_motion<2>(gas, thrown_gas());

@@ -98,11 +98,11 @@ namespace detail {
 /// The stored energy of a fluid's particle as a function of J: `W.law_at(x)` where the law differs from
 /// particle to particle, else `W.w`.
 template <class Energy, class S, int n>
-auto law_at(Energy const& W, Matrix<S, n, 1> const& x) {
+decltype(auto) law_at(Energy const& W, Matrix<S, n, 1> const& x) {
   if constexpr (requires { W.law_at(x); })
     return W.law_at(x);
   else
-    return W.w;
+    return (W.w);
 }
 }  // namespace detail
 
