@@ -152,7 +152,7 @@ TRY_IT(cofactors) {
   print("(II)", Vector<double, 2>(total_divergence(inverse, j) * det(j)));
   Euclidean<2> const flat;
   print("their sum", piola_identity(flat, flat, j));
-  j.w[1](0, 2) += 0.1;  // d_1 F^1_2 is no longer d_2 F^1_1: F is no gradient
+  j.w[1](0, 2) += 0.1;  // a second derivative: d_1 F^1_2 is no longer d_2 F^1_1, F is no gradient
   print("their sum, no gradient", piola_identity(flat, flat, j));
 }
 
