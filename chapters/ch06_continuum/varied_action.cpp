@@ -85,7 +85,7 @@ LinearMotion<double, 2> neighbour(std::uint64_t seed) {
   return variation;
 }
 
-// 5. The flux of two variations V, W through the boundary of the box, an integral of the multisymplectic form.
+// 5. The flux of two variations through the boundary of the box, an integral of the multisymplectic form.
 template <class FieldV, class FieldW>
 double flux(FieldV const& V, FieldW const& W) {
   auto const medium = gas.medium();
