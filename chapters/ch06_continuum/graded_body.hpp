@@ -14,7 +14,7 @@
 #include <cmath>
 #include <vector>
 
-#include "actio/continuum/continuum.hpp"
+#include "actio/continuum/materials.hpp"
 #include "witness/taylor_reference.hpp"
 
 // 1 - |X|^2, the square of the half chord through X.
@@ -40,9 +40,20 @@ struct GradedEnergy {
                actio::Matrix<S, N, n> const& F) const {
     return fading(X) * w(X, G, g, F);
   }
+  // Where w is a fluid's: the energy of the particle X as a function of J.
+  template <class V>
+  auto law_at(V const& X) const
+    requires actio::is_barotropic<Energy>
+  {
+    return [this, scale = fading(X)]<class T>(T const& J) { return T(T(scale) * w.w(J)); };
+  }
 };
 template <class Energy>
 GradedEnergy(Energy) -> GradedEnergy<Energy>;
+
+// A graded fluid is a fluid: its energy is a function of the particle and of J.
+template <class Energy>
+inline constexpr bool actio::is_barotropic<GradedEnergy<Energy>> = actio::is_barotropic<Energy>;
 
 // A state of a linear motion: A, then its rate of change, each column after column.
 template <class S, int n>

@@ -1,8 +1,8 @@
 // A simple wave in a gas and in a solid: exact until it breaks, oblique to all coordinates.
 //
-// What is shown. Let the particles move along one direction n only, x = X + n (f(s, t) - s) with s = n.X.
+// What is shown. Let the particles move along one direction n only, x = X + d (f(s, t) - s) with s = d.X.
 // Where W is isotropic that is an exact motion if f_tt = c(f_s)^2 f_ss with c^2 = w''(q), w(q) the stored
-// energy of the stretch q along n. A wave that runs one way carries each stretch at its own speed c(q); where
+// energy of the stretch q along d. A wave that runs one way carries each stretch at its own speed c(q); where
 // the speeds differ the wave steepens and breaks, in a gas at the front of a compression. The field equations
 // vanish on it to rounding, in three dimensions and up to the moment of breaking, where it is no motion any
 // more. Read first. gas_ellipse.
@@ -84,12 +84,12 @@ T label_of(T const& s, T const& t) {
   return label;
 }
 
-// The wave as a section of three dimensions, along the oblique direction n.
+// The wave as a section of three dimensions, along the oblique direction d.
 template <class Law>
 struct SimpleWave {
-  Vector<double, 3> n = Vector<double, 3>(2, -1, 2) / 3;
-  template <class T>
+  Vector<double, 3> d = Vector<double, 3>(2, -1, 2) / 3;
   // f(s, t): along a characteristic f changes at the rate of velocity + c q
+  template <class T>
   T along(T const& s, T const& t) const {
     T const label = label_of<Law>(s, t), q = stretch(label);
     return placed(label) + (Law::speed(q) * q - Law::travel(q) + Law::travel(1.0)) * t;
@@ -98,8 +98,8 @@ struct SimpleWave {
   auto operator()(V const& x) const {
     using T = typename V::Scalar;
     Matrix<T, 3, 1> const X = x.template tail<3>();
-    T const s = X[0] * n[0] + X[1] * n[1] + X[2] * n[2], shift = along(s, T(x[0])) - s;
-    return Matrix<T, 3, 1>(X[0] + shift * n[0], X[1] + shift * n[1], X[2] + shift * n[2]);
+    T const s = X[0] * d[0] + X[1] * d[1] + X[2] * d[2], shift = along(s, T(x[0])) - s;
+    return Matrix<T, 3, 1>(X[0] + shift * d[0], X[1] + shift * d[1], X[2] + shift * d[2]);
   }
 };
 

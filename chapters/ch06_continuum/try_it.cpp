@@ -2,6 +2,7 @@
 // identity and stresses.
 //
 // All but the last two are about the gas of gas_ellipse.hpp, `thrown_gas()`, a turning ellipse that spreads.
+#include "actio/continuum/continuum_equations.hpp"
 #include "actio/continuum/stresses.hpp"
 #include "actio/continuum/two_point_divergence.hpp"
 #include "actio/jets/cartan.hpp"
@@ -35,12 +36,25 @@ TRY_IT(legendre) {
   auto const phi = linear_motion<2>(gas, thrown_gas());
   auto const j = first_jet(phi, Event<double, 2>(0.1, 0.6, 0.3));
   auto const z = legendre(medium, j);  // a point of the dual jet bundle: x, y, Pi, p
-  double const e = energy_density(medium, j);
-  double const work = pairing(z, j) - z.Pi - z.p.col(0).dot(j.velocity());  // p_a^j v^a_j
   print("momenta p, a column for each mu", z.p);
   print("Pi", z.Pi);
+  auto other = j;  // another jet at the same point
+  other.v(0, 0) += 0.1;
+  print("L and the affine map, on its own jet", Vector<double, 2>(medium(j), pairing(z, j)));
+  print("the same on the other jet", Vector<double, 2>(medium(other), pairing(z, other)));
+}
+
+TRY_IT(roots) {
+  ConstantMetric<double, 2> const G{Matrix<double, 2, 2>{{4, 0}, {0, 1}}};  // the root of det G is 2
+  EllipticGas const gas{0.2, 1.4};
+  Continuum const medium{G, Euclidean<2>{}, Homogeneous<double>{}, gas.medium().W};
+  auto const phi = linear_motion<2>(gas, thrown_gas());
+  auto const j = first_jet(phi, Event<double, 2>(0.1, 0.6, 0.3));
+  auto const z = legendre(medium, j);
+  double const e = energy_density(medium, j);
+  double const work = z.p.rightCols<2>().cwiseProduct(j.gradient()).sum();  // p_a^j v^a_j
   print("Pi + p_a^j v^a_j + e", z.Pi + work + e);
-  print("its value on its own jet less L", pairing(z, j) - medium(j));
+  print("as printed, with e times the root of det G", z.Pi + work + 2 * e);
 }
 
 TRY_IT(holonomic) {
@@ -58,11 +72,12 @@ TRY_IT(holonomic) {
   Event<double, 2> const x(0.1, 0.6, 0.3);
   Tangents<double, 3, 3> const sides = Tangents<double, 3, 3>::Identity();
   auto const Theta = cartan_form<2, 2>(medium);
-  for (double const scale : {1.0, 0.0, 2.0}) {  // the jet of phi; velocity cut; doubled
-    auto const z = section(scale);
-    double const density = medium(jet_at<2, 2>(z(x)));
-    print("z* Theta_L - L(z)", pull_back(z, Theta)(x, sides) - density);
-  }
+  auto const miss = [&](auto const& z) {  // z* Theta_L - L(z)
+    return pull_back(z, Theta)(x, sides) - medium(jet_at<2, 2>(z(x)));
+  };
+  print("the jet of phi", miss(section(1.0)));
+  print("one velocity put to zero", miss(section(0.0)));
+  print("one velocity doubled", miss(section(2.0)));
 }
 
 TRY_IT(sign) {
@@ -97,13 +112,28 @@ TRY_IT(newton) {
   auto const phi = linear_motion<2>(gas, thrown_gas());
   auto const j = second_jet(phi, Event<double, 2>(0.1, 0.6, 0.3));
   double const rho = medium.rho(j.particle());
-  auto const P = [&](auto const& jet) { return first_piola_kirchhoff_stress(medium, jet); };
+  auto const stress = [&](auto const& jet) {  // rho dW/dv, a matrix; it gets its name in (6.19)
+    return first_piola_kirchhoff_stress(medium, jet);
+  };
   // [eq_6_15]
   Vector<double, 2> const left = rho * j.acceleration();
-  Vector<double, 2> const right = total_divergence(P, j);
+  Vector<double, 2> const right = total_divergence(stress, j);
   // [eq_6_15]
   print("mass times acceleration", left);
   print("divergence of the stress", right);
+}
+
+TRY_IT(pressure) {
+  EllipticGas const gas{0.2, 1.4};
+  auto const medium = gas.medium();
+  auto const phi = linear_motion<2>(gas, thrown_gas());
+  auto const j = second_jet(phi, Event<double, 2>(0.1, 0.6, 0.3));
+  Jet<double, 2, 2> const first = j;
+  double const J = determinant(first.gradient()), rho = medium.rho(j.particle());
+  print("material pressure", material_pressure(medium, first));
+  print("K (rho/J)^gamma", gas.K * std::pow(rho / J, gas.gamma));
+  print("Cauchy stress", cauchy_stress(medium, first));
+  print("residual of (6.18)", fluid_equation(medium, j));
 }
 
 TRY_IT(cofactors) {
@@ -113,10 +143,17 @@ TRY_IT(cofactors) {
     return y;
   };
   auto j = second_jet(bend, Event<double, 2>(0.5, 0.4, -0.2));
+  auto const det = [](auto const& jet) { return determinant(jet.gradient()); };
+  auto const inverse = [](auto const& jet) {  // a row for each a, a column for each k
+    return inverse_matrix(jet.gradient()).transpose().eval();
+  };
+  Vector<double, 2> const slopes(total_derivative(1, det, j), total_derivative(2, det, j));
+  print("(I)", Vector<double, 2>(inverse(j) * slopes));
+  print("(II)", Vector<double, 2>(total_divergence(inverse, j) * det(j)));
   Euclidean<2> const flat;
-  print("divergence of J F^-1, a gradient", piola_identity(flat, flat, j));
-  j.w[1](0, 2) += 0.1;  // d_1 F^1_2 is no longer d_2 F^1_1: F is no gradient
-  print("the same, no gradient", piola_identity(flat, flat, j));
+  print("their sum", piola_identity(flat, flat, j));
+  j.w[1](0, 2) += 0.1;  // a second derivative: d_1 F^1_2 is no longer d_2 F^1_1, F is no gradient
+  print("their sum, no gradient", piola_identity(flat, flat, j));
 }
 
 TRY_IT(stresses) {
@@ -132,7 +169,7 @@ TRY_IT(stresses) {
   print("Cauchy stress", sigma);
   Kronecker<3> const flat;
   Matrix<double, 3, 3> const carried = piola_transformation(flat, flat, F, sigma);
-  print("P less Piola's transformation of sigma", (P - carried).norm());
+  print("difference from Piola's transformation of sigma", (P - carried).norm());
 }
 
 TRY_IT_MAIN("the lines to try of chapter 6")

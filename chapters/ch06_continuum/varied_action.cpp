@@ -25,10 +25,10 @@ double const middle = 0.12;  // of the time of the box: the power series of the 
 // The horizontal components times `across`, the vertical ones times `upward`.
 auto variation(double across, double upward) {
   return [=]<class T>(Matrix<T, 5, 1> const& at) {
-    T const t = at[0], x = at[1], y = at[2], u = at[3], w = at[4];
+    T const t = at[0], x1 = at[1], x2 = at[2], y1 = at[3], y2 = at[4];
     Matrix<T, 5, 1> V;
-    V << (x * y + t * 0.5 + 0.2) * across, (y - x * x + t) * across, (t * x + 0.3) * across,
-        (u * w + t * x * 2.0 + 0.4) * upward, (w - u * u * t + y) * upward;
+    V << (x1 * x2 + t * 0.5 + 0.2) * across, (x2 - x1 * x1 + t) * across, (t * x1 + 0.3) * across,
+        (y1 * y2 + t * x1 * 2.0 + 0.4) * upward, (y2 - y1 * y1 * t + x2) * upward;
     return V;
   };
 }
@@ -86,8 +86,8 @@ LinearMotion<double, 2> neighbour(std::uint64_t seed) {
 }
 
 // 5. The flux of two variations through the boundary of the box, an integral of the multisymplectic form.
-template <class V, class W>
-double flux(V const& first, W const& second) {
+template <class FieldV, class FieldW>
+double flux(FieldV const& V, FieldW const& W) {
   auto const medium = gas.medium();
   auto const phi = solution();
   auto const form = multisymplectic_form<2, 2>(medium);
@@ -100,7 +100,8 @@ double flux(V const& first, W const& second) {
   };
   auto const pulled_back_form = [&](Event<double, 2> const& x, Tangents<double, 3, 2> const& sides) {
     Tangents<double, 11, 4> T;
-    T << lifted(first, x), lifted(second, x), pushed(jet_extension(phi), x, sides);
+    // W is contracted first, so it stands in the first slot.
+    T << lifted(W, x), lifted(V, x), pushed(jet_extension(phi), x, sides);
     return form(coordinates(first_jet(phi, x)), T);
   };
   // [eq_6_11]

@@ -228,6 +228,36 @@ BOOST_AUTO_TEST_CASE(fluids_have_the_pressures_that_their_names_say) {
   BOOST_TEST(w.part[0].part[0] == rational(35));
 }
 
+namespace {
+/// A fluid that is the stiffer the farther a particle is along the first coordinate.
+struct StifferAlong {
+  WholeTait<rational, 2> w;
+  template <class BodyMetric, class SpaceMetric, class S, int n>
+  S operator()(Matrix<S, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<S, n, n> const& F) const {
+    return (x[0] + S(1)) * w(jacobian(G, g, F));
+  }
+  template <class V>
+  auto law_at(V const& x) const {
+    return [this, scale = x[0]]<class T>(T const& J) { return T((T(scale) + T(1)) * w(J)); };
+  }
+};
+}  // namespace
+template <>
+inline constexpr bool actio::is_barotropic<StifferAlong> = true;
+
+BOOST_AUTO_TEST_CASE(a_fluid_whose_law_differs_from_particle_to_particle_has_a_pressure) {
+  Draw draw(8);
+  using S = rational;
+  auto const j = any_second_jet<S, 2>(draw);
+  Jet<S, 2, 2> const& first = j;
+  Continuum const fluid{Euclidean<2>{}, Euclidean<2>{}, Homogeneous<S>{S(2)}, StifferAlong{{S(3)}}};
+  static_assert(FluidMedium<decltype(fluid)>);
+  Square<S, 2> const push = Square<S, 2>::Identity() * material_pressure(fluid, first);
+  BOOST_TEST(magnitude((cauchy_stress(fluid, first) + push).eval()) == S(0));
+  BOOST_TEST(magnitude((euler_lagrange(fluid, j) + fluid_equation(fluid, j)).eval()) == S(0));
+}
+
 BOOST_AUTO_TEST_CASE(a_fluid_stays_at_rest_and_its_stress_is_its_pressure) {
   Draw draw(5);
   using S = rational;

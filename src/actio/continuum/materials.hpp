@@ -51,7 +51,7 @@ struct Barotropic {
 template <class Law>
 Barotropic(Law) -> Barotropic<Law>;
 
-/// Whether a stored energy is a function of the Jacobian alone.
+/// Whether a stored energy is a function of the particle and of the Jacobian alone.
 template <class Energy>
 inline constexpr bool is_barotropic = false;
 /// These are.

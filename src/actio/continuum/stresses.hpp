@@ -94,11 +94,26 @@ Matrix<S, n, n> cauchy_stress(Medium const& medium, Jet<S, n, n> const& j) {
   return stress;
 }
 
-/// A medium whose stored energy is a function of the Jacobian alone.
+namespace detail {
+/// The stored energy of a fluid's particle as a function of J: `W.law_at(x)` where the law differs from
+/// particle to particle, else `W.w`.
+template <class Energy, class S, int n>
+decltype(auto) law_at(Energy const& W, Matrix<S, n, 1> const& x) {
+  if constexpr (requires { W.law_at(x); })
+    return W.law_at(x);
+  else
+    return (W.w);
+}
+}  // namespace detail
+
+/// A medium whose stored energy is a function of the particle and of the Jacobian alone.
+///
+/// An energy of one's own says so by a specialisation of `is_barotropic`. It has a member `w`, the function
+/// of J, or a member function `law_at(x)` that returns one for each particle.
 template <class Medium>
 concept FluidMedium = is_barotropic<std::remove_cvref_t<decltype(std::declval<Medium const&>().W)>>;
 
-/// The material pressure \f$P = -\rho\,dW/dJ\f$ of a barotropic fluid (6.16), a function on the body.
+/// The material pressure \f$P = -\rho\,\partial W/\partial J\f$ of a barotropic fluid (6.16), a function on the body.
 ///
 /// \implements{eq_6_16}
 /// @throws NotOrientationPreserving  where J is not positive; and what else the medium refuses
@@ -107,7 +122,8 @@ template <class Medium, class S, int n>
 S material_pressure(Medium const& medium, Jet<S, n, n> const& j) {
   examine(medium, j);
   Matrix<S, n, 1> const x = j.particle();
-  auto const [W, dW_dJ] = derivative(medium.W.w, jacobian(medium.G(x), medium.g(j.y), j.gradient()));
+  auto const [W, dW_dJ] = derivative(detail::law_at(medium.W, x),
+                                     jacobian(medium.G(x), medium.g(j.y), j.gradient()));
   // [eq_6_16]
   S const P = -(S(medium.rho(x)) * dW_dJ);
   // [eq_6_16]

@@ -146,8 +146,8 @@ S pairing(DualJet<S, n, N> const& z, Jet<S, n, N> const& jet) {
 template <class S, int n, int N, class L>
   requires DensityOver<L, S, n, N>
 DualJet<S, n, N> legendre(L const& density, Jet<S, n, N> const& jet) {
-  DualJet<S, n, N> z{jet.x, jet.y, S(0), momenta(density, jet)};
   // [claim_6_2_affine_momentum]
+  DualJet<S, n, N> z{jet.x, jet.y, S(0), momenta(density, jet)};  // Pi = 0 for the moment
   z.Pi = density(jet) - pairing(z, jet);
   // [claim_6_2_affine_momentum]
   return z;
