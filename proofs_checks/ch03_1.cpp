@@ -296,8 +296,7 @@ STATEMENT(claim_3_1_action_differential_split,
 }
 
 STATEMENT(claim_3_1_action_differential_regrouped, "interior terms are (3.2), the ends leave one term each") {
-  claim.holds(
-      "With the action summed over the pairs from $g_0$ to $g_N$, the corrected range of (3.1).");
+  claim.holds("With the action summed over the pairs from $g_0$ to $g_N$, the corrected range of (3.1).");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const N = 4;
     auto const L = draw_pair_polynomial<S>(draw, group);
@@ -766,8 +765,7 @@ Vector<S> over_basis(SpannedGroup const& group, Value const& value) {
 }  // namespace
 
 STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of a motion") {
-  claim.holds(
-      "For an invariant Lagrangian along a motion of two pairs, as (3.6) with $N = 2$.");
+  claim.holds("For an invariant Lagrangian along a motion of two pairs, as (3.6) with $N = 2$.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
     over_sides(draw, g, model,

@@ -649,8 +649,7 @@ std::vector<SpannedGroup> const& small_groups() {
 }  // namespace
 
 STATEMENT(eq_3_12, "the bracket on pairs") {
-  claim.holds(
-      "With the momentum $-D_1\\mathbb L$ it is the canonical bracket of $T^*G$, $\\{q, p\\} = +1$.");
+  claim.holds("With the momentum $-D_1\\mathbb L$ it is the canonical bracket of $T^*G$, $\\{q, p\\} = +1$.");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     int const d = group.dimension();
     auto const lagrangian = draw_pair_polynomial<S>(draw, group);
@@ -938,8 +937,7 @@ STATEMENT(claim_3_2_body_spatial_momenta, "body and spatial momentum of a covect
 }
 
 STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves its body momentum") {
-  claim.holds(
-      "First Euler theorem: right-invariant systems conserve $m_c$, left-invariant ones $m_s$.");
+  claim.holds("First Euler theorem: right-invariant systems conserve $m_c$, left-invariant ones $m_s$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     using Side = typename SymmetricLagrangian<S>::Side;
     // Rates of the two momenta along a motion of the Euler-Lagrange equations.
@@ -963,8 +961,7 @@ STATEMENT(claim_3_2_body_momentum_constant, "a right-invariant system conserves 
 }
 
 STATEMENT(eq_3_16, "spatial momentum of a right-invariant system in time") {
-  claim.holds(
-      "$\\mu_0$ is the constant body momentum, which is $\\mu(0)$ only where $g(0) = 1$.");
+  claim.holds("$\\mu_0$ is the constant body momentum, which is $\\mu(0)$ only where $g(0) = 1$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     SymmetricLagrangian<S> const lagrangian{draw_state_polynomial<S>(draw, group),
                                             SymmetricLagrangian<S>::Side::right};
@@ -1181,8 +1178,7 @@ STATEMENT(prop_3_2_1, "the discrete Lie-Poisson algorithm is a Poisson map of th
 }
 
 STATEMENT(eq_3_17, "discrete Lie-Poisson update, right-invariant case") {
-  claim.holds(
-      "$\\mu_k = -R^*\\ell'(f_{k,k+1})$ is the momentum at the start of the step from $g_k$.");
+  claim.holds("$\\mu_k = -R^*\\ell'(f_{k,k+1})$ is the momentum at the start of the step from $g_k$.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);

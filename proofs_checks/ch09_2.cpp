@@ -42,8 +42,7 @@ S energy_rate(Medium const& medium, SecondJet<S, n, N> const& j) {
 }  // namespace
 
 STATEMENT(claim_9_2_time_invariance, "time translation and the two Lagrangian densities") {
-  claim.holds(
-      "Mass, metrics and energy are those of the body and do not depend on time.");
+  claim.holds("Mass, metrics and energy are those of the body and do not depend on time.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = with_varying_mass(draw_homogeneous_fluid<S, n>(draw), draw);
@@ -105,8 +104,7 @@ STATEMENT(claim_9_2_fluid_energy, "energy continuity of a barotropic fluid") {
 }
 
 STATEMENT(claim_9_2_elastic_energy, "energy continuity of standard elasticity") {
-  claim.holds(
-      "For any stored energy $W(x, G, g, F)$, along solutions.");
+  claim.holds("For any stored energy $W(x, G, g, F)$, along solutions.");
   {
     std::string const model = "n = 2, N = 2";
     auto const medium = draw_medium<S>(draw);

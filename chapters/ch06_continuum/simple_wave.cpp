@@ -150,8 +150,7 @@ int main(int argc, char** argv) {
   book::Program program(argc, argv,
                         "a wave steepens and breaks: an exact solution oblique to all coordinates");
   double const gas = miss<Gas>(), solid = miss<Solid>();
-  program.figure("gas", gas,
-                 "gas: residual of the field equations over the largest mass times acceleration");
+  program.figure("gas", gas, "gas: residual of the field equations over the largest mass times acceleration");
   program.figure("solid", solid, "St Venant and Kirchhoff's solid: the same");
   program.figure("gas_breaks", breaks_at<Gas>(), "time at which the wave in the gas breaks");
   program.figure("solid_breaks", breaks_at<Solid>(), "time at which the wave in the solid breaks");

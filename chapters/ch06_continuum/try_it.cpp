@@ -2,6 +2,7 @@
 // identity and stresses.
 //
 // All but the last two are about the gas of gas_ellipse.hpp, `thrown_gas()`, a turning ellipse that spreads.
+#include "book/try_it.hpp"
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/continuum/stresses.hpp"
 #include "actio/continuum/two_point_divergence.hpp"
@@ -9,7 +10,6 @@
 #include "actio/jets/field_equations.hpp"
 #include "actio/jets/first_variation.hpp"
 #include "actio/jets/prolongation.hpp"
-#include "book/try_it.hpp"
 #include "gas_ellipse.hpp"
 
 using namespace actio;

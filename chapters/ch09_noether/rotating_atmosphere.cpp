@@ -78,7 +78,8 @@ std::pair<double, double> show_currents(book::Program& program) {
                  {"rotation about a horizontal axis", "by mass", number(across)},
                  {"a field that is not Killing", "by mass", number(no_rotation)}},
                 "Largest divergence of a current at 400 points of space-time, over its largest size.");
-  program.figure("broken", broken, "the relabelling current where the mass density varies from particle to particle");
+  program.figure("broken", broken,
+                 "the relabelling current where the mass density varies from particle to particle");
   // The density at a pole is linear in s = M^2/2.
   Matrix<double, 1, 1> const pole(1.0);
   program.figure("emptying", std::sqrt(2 / (1 - Density{1}(pole))), "M at which the poles are empty");

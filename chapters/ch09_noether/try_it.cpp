@@ -64,9 +64,7 @@ TRY_IT(kelvin) {
 
 TRY_IT(masses_preserved) {
   auto const j = second_jet(motion_of(cloud, 0.4), Event<double, 2>(0.4, 0.2, 0.3));
-  auto const A = [](auto const& X) {
-    return Matrix<decltype(X[0] * 1.0), 1, 1>(X[0] * X[0] * X[1]);
-  };
+  auto const A = [](auto const& X) { return Matrix<decltype(X[0] * 1.0), 1, 1>(X[0] * X[0] * X[1]); };
   auto const keeping = [&](auto const& metric) {
     auto const xi = relabelling_field<2>(RelabellingField{metric, A});
     return current_divergence(cloud.medium(), xi, j);
@@ -80,9 +78,7 @@ TRY_IT(forms) {
   auto const at = coordinates(first_jet(phi, Event<double, 2>(0.0, 0.2, 0.1)));
   auto const V = some_vectors<11, 3>();
   auto const turned = relabelling_field<2>(QuarterTurn{});  // X -> (-X^2, X^1), as a field
-  auto const pulled = [](auto const& p) {
-    return std::remove_cvref_t<decltype(p)>(0, 0, 0, p[3], p[4]);
-  };
+  auto const pulled = [](auto const& p) { return std::remove_cvref_t<decltype(p)>(0, 0, 0, p[3], p[4]); };
   print("(9.4), labels turned", momentum_map_defect<2, 2>(cloud.medium(), turned, at, V));
   print("(9.4), places pulled", momentum_map_defect<2, 2>(cloud.medium(), pulled, at, V));
 }
@@ -115,9 +111,7 @@ TRY_IT(betti) {
       return Matrix<decltype(x[0] * 1.0), 2, 1>(first, x[1] * x[2] * c);
     };
   };
-  auto const rest = [](auto const& x) {
-    return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1], x[2]);
-  };
+  auto const rest = [](auto const& x) { return Matrix<decltype(x[0] * 1.0), 2, 1>(x[1], x[2]); };
   auto const flux = [&](auto const& V, auto const& W) {
     auto const current = [&](Event<double, 2> const& x) {
       auto const j = first_jet(rest, x);

@@ -189,8 +189,7 @@ BOOST_AUTO_TEST_CASE(a_statement_is_told_with_what_the_book_says_of_it) {
     BOOST_TEST(has(theorem, part), theorem);
   // Formulas are in plain letters, references are names.
   std::string const reconstruction = actio({"show", "thm_3_2_3"}).out;
-  for (auto const& part :
-       {"then f_(k,k+1) = g_k g_(k+1)^-1 satisfies (3.10).", "g_(k+1) = f_(k,k+1)^-1 g_k"})
+  for (auto const& part : {"then f_(k,k+1) = g_k g_(k+1)^-1 satisfies (3.10).", "g_(k+1) = f_(k,k+1)^-1 g_k"})
     BOOST_TEST(has(reconstruction, part), reconstruction);
   int told = 0;
   std::istringstream registry(command::contents(ACTIO_DATA "/../proofs_checks/registry.tsv"));

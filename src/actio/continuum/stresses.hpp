@@ -113,7 +113,8 @@ decltype(auto) law_at(Energy const& W, Matrix<S, n, 1> const& x) {
 template <class Medium>
 concept FluidMedium = is_barotropic<std::remove_cvref_t<decltype(std::declval<Medium const&>().W)>>;
 
-/// The material pressure \f$P = -\rho\,\partial W/\partial J\f$ of a barotropic fluid (6.16), a function on the body.
+/// The material pressure \f$P = -\rho\,\partial W/\partial J\f$ of a barotropic fluid (6.16), a function on
+/// the body.
 ///
 /// \implements{eq_6_16}
 /// @throws NotOrientationPreserving  where J is not positive; and what else the medium refuses
@@ -122,8 +123,8 @@ template <class Medium, class S, int n>
 S material_pressure(Medium const& medium, Jet<S, n, n> const& j) {
   examine(medium, j);
   Matrix<S, n, 1> const x = j.particle();
-  auto const [W, dW_dJ] = derivative(detail::law_at(medium.W, x),
-                                     jacobian(medium.G(x), medium.g(j.y), j.gradient()));
+  auto const [W, dW_dJ] =
+      derivative(detail::law_at(medium.W, x), jacobian(medium.G(x), medium.g(j.y), j.gradient()));
   // [eq_6_16]
   S const P = -(S(medium.rho(x)) * dW_dJ);
   // [eq_6_16]
