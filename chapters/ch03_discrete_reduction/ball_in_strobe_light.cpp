@@ -48,8 +48,8 @@ std::array<Covector, 4> four_conditions(Pair const& L, Reduced const& l, Picture
   auto const action = [&](auto const& middle) {
     return discrete_action(L, std::array{like(middle, g[0]), middle, like(middle, g[2])});
   };
-  auto const reduced_action = [&](auto const& turn) {
-    return l(like(turn, f01) * inverse(turn)) + l(turn * like(turn, f12));
+  auto const reduced_action = [&](auto const& k) {
+    return l(like(k, f01) * inverse(k)) + l(k * like(k, f12));
   };
   return {right_differential(action, g[1]),                             // (1)
           discrete_euler_lagrange(L, g[0], g[1], g[2]),                 // (2)
@@ -95,14 +95,14 @@ struct Film {
   Attitude last;
 };
 template <class Reduced>
-Film take_pictures(Reduced const& l, double h, int count) {
-  auto f = relative_motion_from_momentum_right(l, mu0, exp(-h * velocity(turns, spin))).value;
+Film take_pictures(Reduced const& reduced, double step, int count) {
+  auto f = relative_motion_from_momentum_right(reduced, mu0, exp(-step * velocity(turns, spin))).value;
   Film film{{mu0.components}, g0};
   Covector mu = mu0;
   for (int k = 0; k < count; ++k) {
     mu = lie_poisson_update_right(f, mu), film.momenta.push_back(mu.components);
     film.last = reconstruct_right(film.last, f);
-    f = step_euler_poincare_right(l, f).value;
+    f = step_euler_poincare_right(reduced, f).value;
   }
   return film;
 }

@@ -4,12 +4,11 @@
 // and so the submarine tumbles without any force. Its energy does not care where it is (Kirchhoff's
 // equations). One road solves the discrete Euler-Lagrange equations (3.2) for configurations; the other
 // solves (3.11) for relative motions and puts the configurations together afterwards (3.15). They lead to the
-// same configurations, and the second is shorter. Read first. The sections "From pairs to relative motions"
-// and "Nothing is lost" of chapter 3.
+// same configurations, and the second is shorter.
+// Read first. Section 3.2 of chapter 3, up to "Reconstruction".
 //
-//   g        configuration in SE(3), body to space l Lagrangian on the algebra, J; reduced discrete
-//            Lagrangian, J s
-//   f        relative motion g1^-1 g0 L discrete Lagrangian on pairs of configurations, l(g1^-1 g0)
+//   g        configuration in SE(3), body to space    l     reduced discrete Lagrangian, J s
+//   f        relative motion g1^-1 g0                 L     the same on pairs of configurations, l(g1^-1 g0)
 //   xi       turning and gliding                      h     step, s
 #include "actio/groups/motions.hpp"
 #include "actio/reduction/discrete_forms.hpp"
