@@ -13,7 +13,7 @@ const macros = JSON.parse(fs.readFileSync(new URL('../macros.json', import.meta.
 
 const greek =
   'alpha|beta|gamma|delta|epsilon|zeta|eta|theta|iota|kappa|lambda|mu|nu|xi|pi|rho|sigma|tau|phi|chi|psi|omega|Gamma|Delta|Theta|Lambda|Xi|Pi|Sigma|Phi|Psi|Omega|eps';
-const functions = 'Tr|tr|det|log|exp|ker|dim|Ad|ad|div|diag|cay|iex';
+const functions = 'Tr|tr|det|log|exp|ker|dim|dist|diam|floor|Ad|ad|div|diag|cay|iex';
 const english = new Set('a an as at be by do he if in is it no of on or so to up us we I pt'.split(' '));
 const isSymbol = letters => letters.length === 1 || (letters.length === 2 && !english.has(letters)) ||
   new RegExp(`^d?(?:${greek})$|^(?:${functions})$|^d[a-z]?[A-Z]?$`).test(letters);
@@ -22,13 +22,18 @@ const isSymbol = letters => letters.length === 1 || (letters.length === 2 && !en
 const telling = new RegExp(
   `(?:^|[^A-Za-z])(?:d?(?:${greek})\\d?)(?![A-Za-z])|(?:^|[^A-Za-z0-9])(?:[A-Za-z]{1,2}|d?(?:${greek})|${
     functions})[\\d']*\\*?[_^](?:[A-Za-z0-9{(*#+-])|\\)\\^|\\}_|\\bd[a-z] \\^ d[a-z]|\\b(?:Ad|ad)\\*`);
+/// Or a relation or a sum, N = 2 and K + P; a letter or function with its argument, p(0) and dist(g1, g2); a
+/// letter with a star, R*; a capital that stands alone; a derivative along something, dS.V.
+const tellingToo = new RegExp(
+  `(?:^|[\\s(|])[-+]?[A-Za-z][A-Za-z0-9'()*/]*\\s(?:=|\\+|-|<|>|<=|>=)\\s[-(|{<]?[A-Za-z0-9|({]|(?:^|[^A-Za-z])(?:[A-Za-z]'?|${
+    functions})\\([^()\\s]|(?:^|[\\s(+/-])[A-Za-z]\\*(?![A-Za-z]{2})|(?:^|[\\s(|])[B-HJ-Z](?=$|[\\s,;:)|])|\\bd[A-Z]\\.[A-Z]|<[^\\s<>=][^<>]*>`);
 /// What may stand within a formula beside such a word: operators, numbers, letters, names of functions.
-const operator = /^(?:=|\+|-|->|<|>|<=|>=|\/|\^|:=|\|)$/;
+const operator = /^(?:=|\+|-|->|<|>|<=|>=|\/|\^|:=|\||\.)$/;
 function fits(word) {
-  if (operator.test(word)) return true;
+  if (operator.test(word) || /^\.\.\.,?$/.test(word)) return true;
   const bare = word.replace(/[.,;:]+$/, '');
   if (!/^[-+A-Za-z0-9'()[\]{}<>|^_*/=,.~#]+$/.test(bare) || english.has(bare) || isCode(bare)) return false;
-  return /^\.\.\.$/.test(bare) || (bare.match(/[A-Za-z]+/g) ?? []).every(isSymbol);
+  return (bare.match(/[A-Za-z]+/g) ?? []).every(isSymbol);
 }
 /// The name of something in the code or of a statement.
 export const isCode = word => /^[a-z]{2,}(?:_[a-z0-9]+)+$/.test(word) && !isSymbol(word.split('_')[0]);
@@ -45,9 +50,11 @@ export function asTex(text) {
       .replace(/(\\langle [^<>]*)>/g, '$1\\rangle ')
       .replace(/\s\^\s/g, ' \\wedge ')
       .replace(/\so\s/g, ' \\circ ')
+      .replace(/\s\.\s/g, ' \\cdot ')
       // Braces that are no arguments are braces.
       .replace(/(^|[^_^])\{((?:[^{}]|\{[^{}]*\})*)\}/g, (all, before, inner) => `${before}\\{${inner}\\}`)
       .replace(/([A-Za-z)}])\*(?=[_\s)(\]},;]|$)/g, '$1^*')
+      .replace(/([A-Z])\*(?=[A-Za-z])/g, '$1^*')
       .replace(/\^\*_/g, '^*_')
       .replace(/\^#/g, '^\\sharp ')
       .replace(/\^\(([^()]*)\)/g, '^{($1)}')
@@ -63,7 +70,8 @@ export function asTex(text) {
       .replace(
         new RegExp(`(^|[^A-Za-z\\\\])(d?)(${greek})(\\d?)(?![A-Za-z])`, 'g'),
         (all, before, d, name, digit) => `${before}${d}\\${name}${digit ? `_${digit}` : ' '}`)
-      .replace(new RegExp(`(^|[^A-Za-z\\\\])(${functions})(?![A-Za-z])`, 'g'), '$1\\mathrm{$2}')
+      .replace(new RegExp(`(^|[^A-Za-z\\\\])(${functions})(?![A-Za-z])`, 'g'), '$1\\operatorname{$2}')
+      .replace(/(^|[^A-Za-z\\])(SO|SE|SU|SL|GL|UT|Sp|Aff)(?=\()/g, '$1\\mathrm{$2}')
       .replace(/(\\(?:theta|Theta) )([-+])(?=\s*(?:$|[,;)]))/g, '$1^$2')
       .replace(/([A-Za-z}])(\d)(?=[\s),^]|$)/g, (all, a, n) => (/\\[A-Za-z]*$/.test(a) ? all : `${a}_${n}`))
       .replace(/([A-Za-z])\.(?=[A-Za-z\\])/g, '$1\\cdot ')
@@ -116,7 +124,7 @@ export function mathematics(text) {
 function formulaFrom(words, start) {
   if (words[start].trim() === '' || !fits(words[start])) return null;
   let last = start;
-  while (last + 2 < words.length && !/[.;:]$/.test(words[last].replace(/\.\.\.,?$/, '')) &&
+  while (last + 2 < words.length && (words[last] === '.' || !/[.;:]$/.test(words[last].replace(/\.\.\.,?$/, ''))) &&
          fits(words[last + 2]))
     last += 2;
   for (; last >= start; last -= 2) {
@@ -124,8 +132,8 @@ function formulaFrom(words, start) {
           formula = run.slice(0, run.length - after.length);
     // It begins and ends with something that is no operator between two things.
     if (
-      !telling.test(formula) || /(?<!_)[=+/<^]$|->$|\s-$|\s\|$/.test(formula) ||
-      /^(?:[=/<>^]|->|[+-]\s)/.test(formula) || !balanced(formula))
+      !(telling.test(formula) || tellingToo.test(formula)) || /(?<!_)[=+/<^]$|->$|\s-$|\s\|$/.test(formula) ||
+      /^(?:[=/>^]|<(?![^\s=<>][^<>]*>)|->|[+-]\s)/.test(formula) || !balanced(formula))
       continue;
     const tex = asTex(formula);
     if (sets(tex)) return { tex, after, next: last + 1 };
