@@ -67,13 +67,13 @@ TRY_IT(a_step_in_the_algebra) {
   auto const l = natural_chart_lagrangian_right(ball_in_field(), h);
   print("by (3.26)", xi12);
   print("by (3.10)", log(step_euler_poincare_right(l, exp(xi01)).value));
-  auto const mu01 = gradient(ball_in_field(), -xi01 / h);
-  auto const mu12 = gradient(ball_in_field(), -xi12 / h);
+  auto const slope01 = gradient(ball_in_field(), -xi01 / h);
+  auto const slope12 = gradient(ball_in_field(), -xi12 / h);
   auto const exp01 = matrix_exponential(ad_matrix(xi01));
   print("residual, chi as printed",
-        composed(mu12, chi(ad_matrix(-xi12))) - composed(mu01, chi(ad_matrix(-xi01)) * exp01));
+        composed(slope12, chi(ad_matrix(-xi12))) - composed(slope01, chi(ad_matrix(-xi01)) * exp01));
   print("residual, right chi",
-        composed(mu12, chi(ad_matrix(xi12))) - composed(mu01, chi(ad_matrix(xi01)) * exp01));
+        composed(slope12, chi(ad_matrix(xi12))) - composed(slope01, chi(ad_matrix(xi01)) * exp01));
 }
 
 TRY_IT_MAIN("the lines to try of chapter 3")

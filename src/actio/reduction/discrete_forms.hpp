@@ -51,10 +51,10 @@ template <Group G, Scalar S, class L>
 S discrete_two_form(L const& lagrangian, Element<G, S> const& g0, Element<G, S> const& g1,
                     PairChange<G, S> const& w1, PairChange<G, S> const& w2) {
   auto const m = mixed_derivative(lagrangian, g0, g1);
+  // [eq_3_5]
   auto const product = [&](auto const& earlier, auto const& later) {
     return earlier.first.coordinates.dot(m * later.second.coordinates);
   };
-  // [eq_3_5]
   return product(w2, w1) - product(w1, w2);
   // [eq_3_5]
 }

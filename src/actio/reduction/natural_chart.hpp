@@ -253,11 +253,11 @@ template <Group G, Scalar S, class F, class T>
 Momentum<G, S> algebra_euler_poincare_right(F const& l, T const& h, Velocity<G, S> const& xi01,
                                             Velocity<G, S> const& xi12) {
   detail::nonzero_step(h);
-  auto const mu01 = gradient(l, -xi01 / detail::constant<S>(h)),
-             mu12 = gradient(l, -xi12 / detail::constant<S>(h));
+  auto const slope01 = gradient(l, -xi01 / detail::constant<S>(h)),
+             slope12 = gradient(l, -xi12 / detail::constant<S>(h));
   auto const ad01 = ad_matrix(xi01), ad12 = ad_matrix(xi12);
   // [eq_3_26]
-  return composed(mu12, chi(ad12)) - composed(mu01, chi(ad01) * matrix_exponential(ad01));
+  return composed(slope12, chi(ad12)) - composed(slope01, chi(ad01) * matrix_exponential(ad01));
   // [eq_3_26]
 }
 /// The residual of the implicit algorithm on the algebra, left-invariant: minus the residual (3.11) of
