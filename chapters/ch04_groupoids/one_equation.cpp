@@ -23,7 +23,7 @@ using Vector3d = actio::Vector<double, 3>;
 double const h = 0.02, gravity = 9.81;
 int const steps = 1500;
 
-// What a system on two groupoids leaves behind: how far the two ways come apart, how well the momentum about
+// The result for a system on two groupoids: how far the two ways come apart, how well the momentum about
 // the vertical is conserved, and the path on the sphere.
 struct TwoWays {
   double apart = 0, conserved = 0;

@@ -1,4 +1,4 @@
-// check_pages.mjs BOOK [--whole]: what every page of the book has, whoever opens it: an entry of the tree
+// check_pages.mjs BOOK [--whole]: what every page of the book has for every reader: an entry of the tree
 // that the tree finds, the way past it, a table of contents for narrow screens; and what none has: a path of
 // the machine that made it, a backslash in a caption; in a whole book, the place of a figure that was not
 // measured.

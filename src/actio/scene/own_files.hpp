@@ -63,9 +63,8 @@ class OwnFiles {
   /// Refuses what would be no file of the program's own: a link or a folder of such a name.
   /// @throws SceneError
   void check() const;
-  /// Removes the files in the list, `plots` and `snapshots` where they are empty then, and the list; so that
-  /// what is left of it when this is cut short can be
-  /// resumed, or removed.
+  /// Removes the files in the list, `plots` and `snapshots` where they are empty then, and the list last: a
+  /// run whose removal was cut short can be resumed, or removed.
   /// @throws FileError
   void remove();
 
