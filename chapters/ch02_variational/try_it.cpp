@@ -2,6 +2,7 @@
 #include "book/try_it.hpp"
 #include "actio/groups/affine_line.hpp"
 #include "actio/groups/rotations.hpp"
+#include "actio/numbers/print.hpp"
 #include "actio/numbers/rank.hpp"
 #include "actio/variational/action.hpp"
 #include "actio/variational/coadjoint_orbit.hpp"

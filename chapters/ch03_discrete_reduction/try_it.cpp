@@ -1,6 +1,7 @@
 // Lines to try of chapter 3: relative motions, the momenta at the two ends of a step, a reduced step and its
 // reconstruction, the inverse in (3.18), the sign of iex, and the step in the algebra.
 #include "book/try_it.hpp"
+#include "actio/numbers/print.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/discrete_momentum.hpp"
 #include "actio/reduction/natural_chart.hpp"

@@ -8,6 +8,7 @@
 #include "actio/groupoid/poisson_on_group.hpp"
 #include "actio/instruments/leaf_defect.hpp"
 #include "actio/instruments/poisson_defect.hpp"
+#include "actio/numbers/print.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/reduction/discrete_poisson.hpp"
 #include "actio/reduction/natural_chart.hpp"

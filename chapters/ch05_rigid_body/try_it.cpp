@@ -8,6 +8,7 @@
 #include <random>
 
 #include "actio/fast_body/space/free_steps.hpp"
+#include "actio/numbers/print.hpp"
 #include "actio/rigid_body/heavy_top.hpp"
 #include "actio/rigid_body/isospectral.hpp"
 #include "book/try_it.hpp"

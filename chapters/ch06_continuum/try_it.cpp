@@ -10,6 +10,7 @@
 #include "actio/jets/field_equations.hpp"
 #include "actio/jets/first_variation.hpp"
 #include "actio/jets/prolongation.hpp"
+#include "actio/numbers/print.hpp"
 #include "gas_ellipse.hpp"
 
 using namespace actio;

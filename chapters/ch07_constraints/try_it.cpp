@@ -4,6 +4,7 @@
 #include "actio/constraints/inextensible.hpp"
 #include "actio/constraints/multiplier_theorem.hpp"
 #include "actio/jets/field_equations.hpp"
+#include "actio/numbers/print.hpp"
 #include "book/try_it.hpp"
 using namespace actio;
 

@@ -7,6 +7,7 @@
 #include "actio/incompressible/incompressible_equations.hpp"
 #include "actio/incompressible/two_pressures.hpp"
 #include "actio/jets/field_equations.hpp"
+#include "actio/numbers/print.hpp"
 #include "book/try_it.hpp"
 using namespace actio;
 

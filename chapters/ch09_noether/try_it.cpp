@@ -6,6 +6,7 @@
 #include "actio/noether/current_divergence.hpp"
 #include "actio/noether/relabelling.hpp"
 #include "actio/noether/time_translation.hpp"
+#include "actio/numbers/print.hpp"
 #include "book/try_it.hpp"
 #include "momentum_map_forms.hpp"
 #include "two_media.hpp"

@@ -42,7 +42,7 @@ export function snippetOf(text, name) {
   if (start < 0) return null;
   const end = lines.findIndex((l, i) => i > start && l.startsWith('}'));
   const body = lines.slice(start + 1, end).map(l => l.replace(/^  /, ''));
-  const above = lines.slice(0, start).filter(l => /^#include|^using /.test(l)).map(l => l.replace('"book/try_it.hpp"', '"actio/groups/print.hpp"'));
+  const above = lines.slice(0, start).filter(l => /^#include|^using /.test(l) && !l.includes('"book/try_it.hpp"'));
   return { first: start + 1, body, program: [...above, '', 'int main() {', ...body.map(l => (l ? `  ${l}` : l)), '}', ''].join('\n') };
 }
 

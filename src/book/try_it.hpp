@@ -1,6 +1,7 @@
 // Lines to try: snippets of a chapter that a reader can paste. Each is compiled and run by the build, and the
 // book shows it with what it printed.
 //
+//   #include "actio/numbers/print.hpp"
 //   TRY_IT(relative_motion) {
 //     auto const f = relative_motion_right(g0, g1);
 //     print("f", f);
@@ -11,7 +12,6 @@
 #include <exception>
 #include <vector>
 
-#include "actio/groups/print.hpp"
 #include "book/program.hpp"
 
 namespace book {

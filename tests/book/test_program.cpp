@@ -3,6 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "actio/numbers/print.hpp"
 #include "book/program.hpp"
 #include "book/try_it.hpp"
 

@@ -15,7 +15,7 @@ int main() {
   double const h = 0.05;
   auto const l = natural_chart_lagrangian_left(energy, h);  // a discrete Lagrangian on SE(2)
   auto g = identity<double>(SE<2>{});                       // where the fish is
-  // how it gets on, looking back
+  // the relative motion, which points backwards
   auto const f = exp(velocity(SE<2>{}, Vector<double, 3>(-0.7, -1.0, -0.2) * h));
   EulerPoincareStepsLeft motion(l, f);
   auto const spatial = [&] { return Ad_star(inverse(g), momentum_before_left(l, motion.relative_motion())); };
