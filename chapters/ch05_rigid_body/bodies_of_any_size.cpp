@@ -24,7 +24,7 @@ struct Drift {
   std::vector<double> steps, drift;
 };
 
-// The largest changes over `count` steps of a tenth of a radian, and how they grow.
+// 1. A run of `count` steps of a tenth of a radian gives the largest changes, and how they grow.
 template <int n>
 Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, long count) {
   Drift found;
@@ -61,16 +61,15 @@ Drift drift_of(Inertia<n> const& inertia, Velocity<SO<n>, double> const& xi, lon
   return found;
 }
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum "
-                        "conserved to rounding");
+// 2. What the bodies conserved is gathered: a line of the table for each, the worst values, and the curves.
+struct Kept {
   std::vector<book::Program::Row> rows;
   double casimir = 0, spatial = 0, least = INFINITY;
   bool refused = true;
-  auto plot = book::Plot("steps", "change of the momentum in space, relative").log_x().log_y().size(660, 340);
-  auto const add =
-      [&](std::string const& name, std::string const& moments, long count, Drift const& found, bool drawn) {
+  book::Plot plot =
+      book::Plot("steps", "change of the momentum in space, relative").log_x().log_y().size(660, 340);
+
+  void add(std::string const& name, std::string const& moments, long count, Drift const& found, bool drawn) {
     rows.push_back({name, moments, book::number(static_cast<double>(count), 1),
                     book::number(found.casimir, 2), book::number(found.spatial, 2),
                     book::number(found.energy, 2), book::number(found.growth, 2),
@@ -78,22 +77,24 @@ int main(int argc, char** argv) {
     casimir = std::max(casimir, found.casimir), spatial = std::max(spatial, found.spatial),
     refused = refused && found.refused, least = std::min(least, found.longest);
     if (drawn) plot.curve(found.steps, found.drift, name);
-  };
+  }
+};
 
-  // 1. The bodies of the catalogue.
+// 3. The bodies of the catalogue come first.
+void add_catalogue(Kept& kept) {
   for (Body const& body : read_bodies(ACTIO_DATA "/bodies.toml")) {
     auto const I = body.principal.inertia.moments;
     std::string const unit = body.unit == "ratio" ? "(ratio)" : "kg m²";
     long const count = 100000;
-    add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count,
-        drift_of(body.principal.inertia, body.principal_spin(), count),
-        body.name == "water" || body.name == "iss");
+    kept.add(body.title, book::number(I.minCoeff()) + " to " + book::number(I.maxCoeff()) + " " + unit, count,
+             drift_of(body.principal.inertia, body.principal_spin(), count),
+             body.name == "water" || body.name == "iss");
   }
+}
 
-  // 2. Bodies on SO(4), SO(5), SO(8): Lambda and velocity at random.
-  unsigned const seed = 20;
+// 4. Bodies on SO(4), SO(5), SO(8) follow, with Lambda and velocity at random.
+void add_random_bodies(Kept& kept, unsigned seed) {
   std::mt19937 random(seed);
-  program.say("random bodies on SO(n) from seed ", seed);
   for (int const n : {4, 5, 8}) {
     std::uniform_real_distribution<double> uniform(0.5, 2.0);
     Vector<double> lambda(n), xi(n * (n - 1) / 2);
@@ -101,32 +102,46 @@ int main(int argc, char** argv) {
     for (auto& x : xi) x = uniform(random) - 1.25;
     auto const inertia = inertia_from_lambda<Dynamic, double>(lambda);
     long const count = 40000;
-    add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count,
-        drift_of(inertia, velocity(inertia.group, xi), count), true);
+    kept.add("body on SO(" + std::to_string(n) + ")", "0.5 to 2 (Lambda)", count,
+             drift_of(inertia, velocity(inertia.group, xi), count), true);
   }
+}
 
-  // 3. What they conserved.
+// 5. A table shows what they conserved, and a plot the momentum in space beside a random walk.
+void show_drifts(book::Program& program, Kept& kept) {
   program.table(
       "kept",
       {"body", "moments", "steps", "Casimir", "momentum in space", "energy", "growth", "longest step, rad"},
-      rows,
+      kept.rows,
       "Largest relative changes with steps of 0.1 rad; the exponent with which the change of the momentum in "
       "space grows; and the longest step there is a solution for.");
   std::vector<double> const walk_steps{100, 100000}, walk{1e-15, 1e-15 * std::sqrt(1000.0)};
-  plot.curve(walk_steps, walk, "square root of the number of steps", {.colour = 6, .dashed = true});
-  program.picture("drift", plot.svg(),
+  kept.plot.curve(walk_steps, walk, "square root of the number of steps", {.colour = 6, .dashed = true});
+  program.picture("drift", kept.plot.svg(),
                   "The momentum in space changes like a random walk of rounding errors, for a molecule as "
                   "for a space station.");
-  program.figure("casimir", casimir, "largest change of the Casimir, all bodies");
-  program.figure("spatial", spatial, "largest change of the momentum in space, all bodies");
+  program.figure("casimir", kept.casimir, "largest change of the Casimir, all bodies");
+  program.figure("spatial", kept.spatial, "largest change of the momentum in space, all bodies");
+}
 
-  // 4. What must be so: a random walk of 1e5 roundings is below 1e-13; a hundred times that.
-  program.claim(book::measured(casimir) < 1e-11 && book::measured(spatial) < 1e-11,
+int main(int argc, char** argv) {
+  book::Program program(argc, argv,
+                        "bodies from 1e-47 to 1e8 kg m^2 and in up to eight dimensions: Casimir and momentum "
+                        "conserved to rounding");
+  unsigned const seed = 20;
+  Kept kept;
+  add_catalogue(kept);
+  program.say("random bodies on SO(n) from seed ", seed);
+  add_random_bodies(kept, seed);
+  show_drifts(program, kept);
+
+  // 6. What must be so: a random walk of 1e5 roundings is below 1e-13; a hundred times that.
+  program.claim(book::measured(kept.casimir) < 1e-11 && book::measured(kept.spatial) < 1e-11,
                 "Casimir and momentum in space stay within 1e-11");
-  program.claim(book::measured(1 - least) < 1e-9, "no longest step is shorter than one radian");
-  program.claim(refused, "a thousandth beyond the longest step every body is refused, with that step");
+  program.claim(book::measured(1 - kept.least) < 1e-9, "no longest step is shorter than one radian");
+  program.claim(kept.refused, "a thousandth beyond the longest step every body is refused, with that step");
   program.headline(
-      "Casimir conserved to " + book::number(casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)",
-      casimir);
+      "Casimir conserved to " + book::number(kept.casimir, 2) + " from 1e-47 to 1e8 kg m² and up to SO(8)",
+      kept.casimir);
   return program.finish();
 }

@@ -20,8 +20,8 @@ using namespace actio;
 using Vector3d = actio::Vector<double, 3>;
 using Rotation = Element<SO<3>, double>;
 
-// Largest distance between attitudes on the two roads over `count` steps. The unreduced road solves (3.2) for
-// `lifted`, a function of two configurations.
+// 1. The two roads are taken over `count` steps; the result is the largest distance between their attitudes.
+//    The unreduced road solves (3.2) for `lifted`, a function of two configurations.
 template <class Scheme>
 double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int count,
              std::vector<double>& history) {
@@ -43,31 +43,15 @@ double apart(Scheme const& scheme, Velocity<SO<3>, double> const& spin, int coun
   return largest;
 }
 
-// Body rates after `duration`, in degrees per second: the velocity of the momentum.
-template <class Scheme>
-Vector3d rates_after(Scheme const& scheme, Velocity<SO<3>, double> const& spin, double duration) {
-  auto pi = body_momentum(scheme.inertia(), spin);
-  auto f = scheme.relative_motion(pi).value;
-  for (long k = std::lround(duration / scheme.step()); k > 0; --k) {
-    pi = scheme.momentum_after(f);
-    if (k > 1) f = scheme.step_euler_poincare(f).value;
-  }
-  return body_velocity(scheme.inertia(), pi).coordinates * (180 / M_PI);
-}
-
-int main(int argc, char** argv) {
-  book::Program program(
-      argc, argv,
-      "a tumbling brick on two roads, pairs of attitudes and relative motions: the same motion to rounding");
-
-  // 1. The brick of the check case, and its two schemes.
-  Body const brick = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
+// 2. Reconstruction is compared with the unreduced run, for both schemes, over 300 steps of 0.1 s.
+struct Apart {
+  double chart, mv;
+};
+Apart two_roads(book::Program& program, Body const& brick) {
   double const h = 0.1;
   int const count = 300;
   std::vector<double> history_chart, history_mv, time;
   for (int k = 1; k <= count; ++k) time.push_back(k * h);
-
-  // 2. Reconstruction against the unreduced run.
   double const chart =
       apart(NaturalChartScheme<3>(brick.principal.inertia, h), brick.principal_spin(), count, history_chart);
   double const mv =
@@ -81,52 +65,82 @@ int main(int argc, char** argv) {
   program.picture("roads", roads.svg(),
                   "The attitude from pairs of configurations and from relative motions with reconstruction: "
                   "what lies between them is rounding.");
+  return {chart, mv};
+}
 
-  // 3. The truth at 30 s, by the Prince-Dormand method of the GNU Scientific Library.
+// 3. The truth at 30 s comes from the Prince-Dormand method of the GNU Scientific Library.
+Vector3d converged_rates(Body const& brick) {
   Vector3d const I = brick.principal.inertia.moments;
   auto const euler = [&](double, Vector3d const& w) {
     return Vector3d(cross(I.cwiseProduct(w), w).cwiseQuotient(I));
   };
-  Vector3d const truth =
-      reference_solution(euler, Vector3d(brick.principal_spin().coordinates), 0, 30) * (180 / M_PI);
-  Vector3d const nasa(12.61842377, -17.3974441, 31.11960301);
+  return reference_solution(euler, Vector3d(brick.principal_spin().coordinates), 0, 30) * (180 / M_PI);
+}
 
-  // 4. Both schemes at five steps and more.
-  std::vector<double> steps, errors_chart, errors_mv;
+// 4. The body rates after `duration`, in degrees per second, are the velocity of the momentum.
+template <class Scheme>
+Vector3d rates_after(Scheme const& scheme, Velocity<SO<3>, double> const& spin, double duration) {
+  auto pi = body_momentum(scheme.inertia(), spin);
+  auto f = scheme.relative_motion(pi).value;
+  for (long k = std::lround(duration / scheme.step()); k > 0; --k) {
+    pi = scheme.momentum_after(f);
+    if (k > 1) f = scheme.step_euler_poincare(f).value;
+  }
+  return body_velocity(scheme.inertia(), pi).coordinates * (180 / M_PI);
+}
+
+// 5. The check case is run by both schemes at six lengths of the step, and compared with the truth, as NASA's
+//    reference tool is. The errors are in degrees per second.
+struct Errors {
+  std::vector<double> steps, chart, mv;
+};
+Errors check_case(book::Program& program, Body const& brick, Vector3d const& truth) {
+  Errors errors;
   std::vector<book::Program::Row> rows;
-  auto const row = [](std::string const& name, Vector3d const& w, std::string const& error) {
-    return book::Program::Row{name, book::number(w[0], 10), book::number(w[1], 10), book::number(w[2], 10),
-                              error};
+  auto const row = [&](std::string const& name, Vector3d const& w, std::string const& error) {
+    rows.push_back({name, book::number(w[0], 10), book::number(w[1], 10), book::number(w[2], 10), error});
   };
   for (double step : {0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625}) {
-    Vector3d const a = rates_after(NaturalChartScheme<3>(brick.principal.inertia, step),
-                                   brick.principal_spin(), 30),
-                   b = rates_after(MoserVeselov<3>(brick.principal.inertia, step), brick.principal_spin(),
-                                   30);
-    steps.push_back(step), errors_chart.push_back((a - truth).norm()),
-        errors_mv.push_back((b - truth).norm());
+    NaturalChartScheme<3> const chart(brick.principal.inertia, step);
+    MoserVeselov<3> const mv(brick.principal.inertia, step);
+    Vector3d const a = rates_after(chart, brick.principal_spin(), 30),
+                   b = rates_after(mv, brick.principal_spin(), 30);
+    errors.steps.push_back(step), errors.chart.push_back((a - truth).norm()),
+        errors.mv.push_back((b - truth).norm());
     if (step == 0.2 || step == 0.00625) {
-      rows.push_back(row("natural charts, h = " + book::number(step), a, book::number(errors_chart.back())));
-      rows.push_back(row("Moser-Veselov, h = " + book::number(step), b, book::number(errors_mv.back())));
+      row("natural charts, h = " + book::number(step), a, book::number(errors.chart.back()));
+      row("Moser-Veselov, h = " + book::number(step), b, book::number(errors.mv.back()));
     }
   }
-  rows.push_back(row("NASA's reference tool", nasa, book::number((nasa - truth).norm())));
-  rows.push_back(row("converged", truth, ""));
+  Vector3d const nasa(12.61842377, -17.3974441, 31.11960301);
+  row("NASA's reference tool", nasa, book::number((nasa - truth).norm()));
+  row("converged", truth, "");
   program.table("check_case", {"method", "p", "q", "r", "error"}, rows,
                 "Body rates of the tumbling brick after 30 s, degrees per second. Converged: rk8pd of the "
                 "GNU Scientific Library.");
   auto plot = book::Plot("step, s", "error of the body rates after 30 s, degrees per second").log_x().log_y();
-  plot.curve(steps, errors_chart, "natural charts", {.dots = true})
-      .curve(steps, errors_mv, "Moser-Veselov", {.dots = true});
+  plot.curve(errors.steps, errors.chart, "natural charts", {.dots = true})
+      .curve(errors.steps, errors.mv, "Moser-Veselov", {.dots = true});
   program.picture("orders", plot.svg(), "Both schemes are of order two.");
+  return errors;
+}
 
-  double const order_chart = book::exponent(steps, errors_chart), order_mv = book::exponent(steps, errors_mv);
+int main(int argc, char** argv) {
+  book::Program program(
+      argc, argv,
+      "a tumbling brick on two roads, pairs of attitudes and relative motions: the same motion to rounding");
+  Body const brick = read_body(ACTIO_DATA "/bodies.toml", "nesc_brick");
+  auto const [chart, mv] = two_roads(program, brick);
+  Vector3d const truth = converged_rates(brick);
+  Errors const errors = check_case(program, brick, truth);
+  double const order_chart = book::exponent(errors.steps, errors.chart),
+               order_mv = book::exponent(errors.steps, errors.mv);
   program.figure("order_chart", order_chart, "order of the natural-chart scheme");
   program.figure("order_mv", order_mv, "order of the Moser-Veselov scheme");
   double const known = (truth - Vector3d(12.6183907759, -17.3974747616, 31.1195888869)).norm();
   program.figure("known", known, "our converged rates against the published digits of another converged run");
 
-  // 5. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and
+  // 6. What must be so. The errors of the relative motions, a few epsilon each, add up over 300 steps, and
   //    the attitude adds those up again.
   program.claim(book::measured(chart) < 1e-10 && book::measured(mv) < 1e-10,
                 "the two roads agree to rounding");

@@ -46,8 +46,11 @@ struct Ball {
 };
 template <class Energy>
 Ball(Energy) -> Ball<Energy>;
+Ball const rubber{neo_hookean};
+Ball const stiff{st_venant_kirchhoff};
 
-// ---- 1. The field equations and the roads to the stress, along the motion: the worst at random particles.
+// 1. The field equations and the roads to the stress are evaluated along the motion, the worst of random
+//    particles counting.
 struct Misses {
   double equation = 0, momenta = 0, piola = 0, symmetry = 0, turning = 0;
 };
@@ -81,85 +84,78 @@ Misses misses(Ball<Energy> const& ball, LinearState<double, 3> state) {
   return most;
 }
 
-// ---- 2. Half the length of the ball, and the stresses at its centre along it, as it swings.
-struct Swing {
-  std::vector<double> time, length, width, cauchy, piola;
-};
-Swing swing(Ball<std::remove_const_t<decltype(neo_hookean)>> const& ball, double pulled) {
-  auto state = linear_state<double, 3>(Vector<double, 3>(pulled, 0.8, 0.8).asDiagonal(), Matrix3d::Zero());
-  auto const medium = ball.medium();
-  Swing s;
-  for (double t = 0; t <= 8; t += 0.04) {
-    auto const jet =
-        first_jet(linear_motion<3>(ball, state, 0, 2), Event<double, 3>(Event<double, 3>::Zero()));
-    s.time.push_back(t), s.length.push_back(jet.v(0, 1)), s.width.push_back(jet.v(1, 2));
-    s.cauchy.push_back(cauchy_stress(medium, jet)(0, 0)),
-        s.piola.push_back(first_piola_kirchhoff_stress(medium, jet)(0, 0));
-    state = taylor_reference(state_rate<3>(ball), state, 0.04);
-  }
-  return s;
+// 2. Three balls are thrown and turn; the third is the lopsided one.
+std::array<Misses, 3> throw_balls(book::Program& program) {
+  Matrix3d A0, V0;
+  A0 << 1.4, 0.2, 0, -0.1, 0.8, 0.1, 0, 0, 0.9;
+  V0 << 0, -0.5, 0.2, 0.6, 0, 0, 0.1, 0, 0;
+  auto const thrown = linear_state<double, 3>(A0, V0);
+  std::vector<book::Program::Row> rows;
+  auto const follow = [&](char const* name, auto const& ball) {
+    Misses const m = misses(ball, thrown);
+    rows.push_back({name, book::number(m.equation, 2), book::number(m.momenta, 2), book::number(m.piola, 2),
+                    book::number(m.symmetry, 2), book::number(m.turning, 2)});
+    return m;
+  };
+  std::array const found{follow("neo-Hookean", rubber), follow("St Venant and Kirchhoff", stiff),
+                         follow("lopsided", Ball{Lopsided{}})};
+  program.table("roads", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
+                "A ball that is thrown and turns: residual of the field equations; the first "
+                "Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; "
+                "asymmetry of that stress times F; change of the angular momentum. All relative.");
+  return found;
 }
 
-// ---- 3. The radius of a ball that is blown up and let go.
-struct Breath {
-  std::vector<double> time, radius;
-};
+// 3. A ball is pulled long and let go: half its length and width, and the stresses at its centre along it,
+//    are drawn as it swings.
+void swing(book::Program& program) {
+  auto state = linear_state<double, 3>(Vector<double, 3>(1.6, 0.8, 0.8).asDiagonal(), Matrix3d::Zero());
+  auto const medium = rubber.medium();
+  std::vector<double> time, length, width, cauchy, piola;
+  for (double t = 0; t <= 8; t += 0.04) {
+    auto const jet =
+        first_jet(linear_motion<3>(rubber, state, 0, 2), Event<double, 3>(Event<double, 3>::Zero()));
+    time.push_back(t), length.push_back(jet.v(0, 1)), width.push_back(jet.v(1, 2));
+    cauchy.push_back(cauchy_stress(medium, jet)(0, 0)),
+        piola.push_back(first_piola_kirchhoff_stress(medium, jet)(0, 0));
+    state = taylor_reference(state_rate<3>(rubber), state, 0.04);
+  }
+  auto axes = book::Plot("time, radii over the speed of shear waves", "half axes; stress over mass density");
+  axes.curve(time, length, "half length")
+      .curve(time, width, "half width")
+      .curve(time, piola, "first Piola-Kirchhoff stress", {.dashed = true})
+      .curve(time, cauchy, "Cauchy stress", {.dashed = true});
+  program.picture("swing", axes.svg(),
+                  "A neo-Hookean ball pulled to 1.6 times its length and let go; stresses at its centre "
+                  "along it, over the mass density.");
+}
+
+// 4. A ball is blown up and let go: its radius is drawn, and the smallest is the result.
 template <class Energy>
-Breath breath(Ball<Energy> const& ball, double blown_up) {
-  auto state = linear_state<double, 3>(Matrix3d::Identity() * blown_up, Matrix3d::Zero());
-  Breath b;
+double breath(Ball<Energy> const& ball, book::Plot& radii, char const* name) {
+  auto state = linear_state<double, 3>(Matrix3d::Identity() * 1.6, Matrix3d::Zero());
+  std::vector<double> time, radius;
   for (double t = 0; t <= 4; t += 0.02) {
-    b.time.push_back(t), b.radius.push_back(state[0]);
+    time.push_back(t), radius.push_back(state[0]);
     state = taylor_reference(state_rate<3>(ball), state, 0.02);
   }
-  return b;
+  radii.curve(time, radius, name);
+  return *std::ranges::min_element(radius);
 }
 
 int main(int argc, char** argv) {
   book::Program program(
       argc, argv,
       "a rubber ball swings: its stresses by three routes, and a material that lets it turn inside out");
-  Ball const rubber{neo_hookean};
-  Ball const stiff{st_venant_kirchhoff};
-  Ball const lopsided{Lopsided{}};
-  Matrix3d A0, V0;
-  A0 << 1.4, 0.2, 0, -0.1, 0.8, 0.1, 0, 0, 0.9;
-  V0 << 0, -0.5, 0.2, 0.6, 0, 0, 0.1, 0, 0;
-  auto const thrown = linear_state<double, 3>(A0, V0);
-  std::vector<book::Program::Row> rows;
-  auto const show = [&](char const* name, Misses const& m) {
-    rows.push_back({name, book::number(m.equation, 2), book::number(m.momenta, 2), book::number(m.piola, 2),
-                    book::number(m.symmetry, 2), book::number(m.turning, 2)});
-    return m;
-  };
-  Misses const a = show("neo-Hookean", misses(rubber, thrown)),
-               b = show("St Venant and Kirchhoff", misses(stiff, thrown)),
-               c = show("lopsided", misses(lopsided, thrown));
-  program.table("roads", {"material", "equations", "momenta", "Piola", "asymmetry", "turning"}, rows,
-                "A ball that is thrown and turns: residual of the field equations; the first "
-                "Piola-Kirchhoff stress beside minus the momenta and beside Piola's transformation; "
-                "asymmetry of that stress times F; change of the angular momentum. All relative.");
-
-  Swing const s = swing(rubber, 1.6);
-  auto axes = book::Plot("time, radii over the speed of shear waves", "half axes; stress over mass density");
-  axes.curve(s.time, s.length, "half length")
-      .curve(s.time, s.width, "half width")
-      .curve(s.time, s.piola, "first Piola-Kirchhoff stress", {.dashed = true})
-      .curve(s.time, s.cauchy, "Cauchy stress", {.dashed = true});
-  program.picture("swing", axes.svg(),
-                  "A neo-Hookean ball pulled to 1.6 times its length and let go; stresses at its centre "
-                  "along it, over the mass density.");
-  Breath const bounces = breath(rubber, 1.6), collapses = breath(stiff, 1.6);
+  auto const [a, b, c] = throw_balls(program);
+  swing(program);
   auto radii = book::Plot("time, radii over the speed of shear waves", "radius");
-  radii.curve(bounces.time, bounces.radius, "neo-Hookean")
-      .curve(collapses.time, collapses.radius, "St Venant and Kirchhoff");
+  double const smallest = breath(rubber, radii, "neo-Hookean"),
+               inside_out = breath(stiff, radii, "St Venant and Kirchhoff");
   program.picture("breath", radii.svg(),
                   "Blown up to 1.6 times its radius and let go. Below zero the ball is inside out.");
-
   double const exact = std::max(a.equation, b.equation),
                roads = std::max({a.momenta, b.momenta, a.piola, b.piola, a.symmetry, b.symmetry});
-  double const smallest = *std::ranges::min_element(bounces.radius),
-               inside_out = *std::ranges::min_element(collapses.radius);
   program.figure("equation", exact, "field equations over acceleration");
   program.figure("roads", roads, "largest difference between the roads to the first Piola-Kirchhoff stress");
   program.figure("turning", std::max(a.turning, b.turning), "change of the angular momentum");
