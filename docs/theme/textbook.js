@@ -89,7 +89,13 @@
         g.globalAlpha = 1;
         g.lineWidth = 1;
       };
-      line(data.rows, 'plot-grid', 1);
+      // Two great circles, so that the sphere is one, and the whole way.
+      [0, 1].forEach(function (upright) {
+        var circle = [];
+        for (var k = 0; k <= 72; ++k) { var c = r * Math.cos(k * Math.PI / 36), s = r * Math.sin(k * Math.PI / 36); circle.push(upright ? [0, c, 0, s] : [0, c, s, 0]); }
+        line(circle, 'plot-grid', 1);
+      });
+      line(data.rows, 'plot-axis', 1);
       line(data.rows.slice(0, at.k + 1).concat([at.row]), 'plot-1', 2);
       var p = view(at.row.slice(1));
       g.strokeStyle = colour('plot-2');
