@@ -29,7 +29,7 @@
   function view(p) {
     var c = Math.cos(0.6), s = Math.sin(0.6), C = Math.cos(0.45), S = Math.sin(0.45);
     var x = c * p[0] - s * p[1], y = s * p[0] + c * p[1];
-    return { x: x, y: -(C * p[2] - S * y), depth: C * y + S * p[2] };
+    return { x: x, y: -(C * p[2] + S * y), depth: C * y - S * p[2] };
   }
   /** The row at a moment, between two rows that were reported. */
   function rowAt(data, time) {
