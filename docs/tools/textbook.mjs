@@ -78,6 +78,14 @@ export function textbookBlocks(book, page) {
   p.counts ??= { proofs: 0, definitions: 0, results: 0, ideas: 0, exercises: 0, hints: 0, solutions: 0, code: 0, tries: 0, equations: new Set() };
   const counts = p.counts;
 
+  // A folded part of an exercise, which ends where the next one begins.
+  const unfolding = (command, title) => {
+    const top = open.at(-1);
+    if (top?.kind !== 'exercise') return error(`\\${command} without \\exercise`);
+    block(`${top.fold ? '</details>' : ''}<details class="hint"><summary>${title}</summary>`);
+    top.fold = true;
+  };
+
   return {
     definition(arg) {
       const [id, title] = split(arg, 2);
@@ -130,20 +138,8 @@ export function textbookBlocks(book, page) {
       open.push({ kind: 'exercise', id, line: page.line() });
       block(`<div class="exercise" id="${id}"><div class="exercise-head">${page.heading(id, `Exercise ${number}${counts.exercises}`)}${arg ? '<span class="exercise-kind">changes code</span>' : ''}</div>`, [id]);
     },
-    hint() {
-      if (open.at(-1)?.kind !== 'exercise') return error('\\hint without \\exercise');
-      ++counts.hints;
-      const top = open.at(-1), before = top.fold ? '</details>' : '';
-      top.fold = true;
-      block(`${before}<details class="hint"><summary>Hint</summary>`);
-    },
-    solution() {
-      if (open.at(-1)?.kind !== 'exercise') return error('\\solution without \\exercise');
-      ++counts.solutions;
-      const top = open.at(-1), before = top.fold ? '</details>' : '';
-      top.fold = true;
-      block(`${before}<details class="hint"><summary>Solution</summary>`);
-    },
+    hint() { ++counts.hints; unfolding('hint', 'Hint'); },
+    solution() { ++counts.solutions; unfolding('solution', 'Solution'); },
     endexercise() {
       close('exercise', top => `${top.fold ? '</details>' : ''}</div>`);
     },
