@@ -45,6 +45,8 @@ void AnyClaim::corrected(std::string_view printed, std::string_view right, std::
 }
 void AnyClaim::scope(std::string_view note) { record.verdict = "scope", record.note = note; }
 void AnyClaim::maybe_scan() { record.scan = true; }
+void AnyClaim::same_slip_as(std::string_view id) { record.first = id; }
+void AnyClaim::leaves(std::string_view sentence) { record.left = sentence; }
 void AnyClaim::fail(std::string_view message) { record.failures.emplace_back(message); }
 
 double AnyClaim::degree_of_residual() {
@@ -77,7 +79,7 @@ void AnyClaim::vanishes(std::string_view what, std::string_view model, double re
 
 void AnyClaim::stays(std::string_view what, std::string_view model, double relative, double floor) {
   Control& c = control_entry(what, model, relative, floor);
-  ++c.points;
+  ++c.points, c.draws.push_back(relative);
   if (!std::isnan(c.measured) && !(relative <= c.measured)) c.measured = relative;
 }
 
@@ -95,7 +97,7 @@ void AnyClaim::refutes_order(std::string_view what, std::string_view model, std:
                              std::vector<double> const& errors, double claimed) {
   double const shortfall = claimed - fit(steps, errors).first;
   Control& c = control_entry(what, model, shortfall, 0.5);
-  c.measured = shortfall, ++c.points;
+  c.measured = shortfall, c.draws.push_back(shortfall), ++c.points;
 }
 
 void AnyClaim::fact(std::string_view what, std::string_view model, bool truth) {
@@ -106,13 +108,33 @@ void AnyClaim::fact(std::string_view what, std::string_view model, bool truth) {
 }
 void AnyClaim::refused(std::string_view what, std::string_view model, bool truth) {
   Control& c = control_entry(what, model, 0, 0.5);
-  ++c.points;
+  ++c.points, c.draws.push_back(truth);
   if (truth)
     c.measured = 1;
   else
     fail("control '" + std::string(what) + "' (" + std::string(model) + "): nothing was refused");
 }
+void AnyClaim::enclosed(std::string_view what, std::string_view model, Enclosure const& found,
+                        bool claimed) {
+  if (!claimed) {
+    Control& c = control_entry(what, model, found.shown ? 0 : 1, 0.5);
+    c.scalar = "ball", c.points = found.boxes;
+    return;
+  }
+  Evidence& e = entry(what, "enclosure", model);
+  e.scalar = "ball", e.margin = found.margin, e.points = found.boxes, e.measured = found.shown ? 0 : 1;
+  if (!found.shown)
+    fail(at(what, model) + ": balls do not decide it on the whole set, " + std::to_string(found.boxes) +
+         " boxes, margin " + show(found.margin));
+}
+
 void AnyClaim::judge_controls() {
+  for (Control& c : record.control) {
+    if (c.draws.empty() || std::isnan(c.measured)) c.draws = {c.measured};
+    auto const middle = c.draws.begin() + static_cast<std::ptrdiff_t>((c.draws.size() - 1) / 2);
+    std::nth_element(c.draws.begin(), middle, c.draws.end());
+    c.median = *middle;
+  }
   for (Control const& c : record.control)
     if (!(c.measured > c.floor))
       fail("control '" + c.what + "' (" + c.model + "): " + show(c.measured) + " passes, floor " +
@@ -137,7 +159,8 @@ Control& AnyClaim::control_entry(std::string_view what, std::string_view model, 
                                              .scalar = record.scalar,
                                              .model = std::string(model),
                                              .measured = measured,
-                                             .floor = floor});
+                                             .floor = floor,
+                                             .draws = {}});
 }
 
 }  // namespace actio::checks

@@ -38,18 +38,29 @@ struct Evidence {
   std::vector<double> steps, errors;
   double slope = 0, spread = 0;
   double degree = 0;
-  int points = 0;
+  int points = 0;         ///< where it was tried; of an enclosure the boxes
   double probability = 0;
+  double margin = 0;  ///< of an enclosure: a lower bound of what is claimed to be positive
 };
 /// The same quantity with a hypothesis broken: it must stay above the floor.
 struct Control {
   std::string what, scalar, model;
   double measured = 0, floor = 0;
+  double median = 0;  ///< of all draws; `measured` is the largest
   int points = 0;
+  std::vector<double> draws;  ///< each of them, for the median
+};
+/// What was decided about a whole set: for every point of a path or a box, not at samples.
+struct Enclosure {
+  bool shown = false;  ///< whether it was decided that the claim is true on all of the set
+  double margin = 0;   ///< by how much at least: a lower bound of what is claimed to be positive
+  int boxes = 0;       ///< into how many pieces the set was divided
 };
 /// All that one run of a check, over one scalar, says about its statement.
 struct Record {
   std::string id, title, scalar, verdict, printed, corrected, note, source;
+  std::string left;   ///< what of the statement no line of the check speaks to; empty where nothing is left
+  std::string first;  ///< the statement where the slip that this one carries occurs first
   bool scan = false;
   std::vector<Evidence> evidence;
   std::vector<Control> control;
@@ -120,6 +131,10 @@ class AnyClaim {
   void scope(std::string_view note);
   /// The slip may be the scan's: text recognition drops stars, inverses and signs.
   void maybe_scan();
+  /// The slip of this statement occurs first in another one, whose verdict it shares.
+  void same_slip_as(std::string_view id);
+  /// What of the statement is not shown here, and why: the ledger calls the check partial and prints this.
+  void leaves(std::string_view sentence);
 
   // Evidence that is no residual.
 
@@ -142,6 +157,20 @@ class AnyClaim {
       refused(what, model, true);
     }
   }
+  /// Whether claims about whole sets are decided in this call: in the column of doubles, once. The body makes
+  /// its models anew over balls, inside the call that it gives to `encloses`.
+  bool takes_enclosures() const { return fits_orders(); }
+  /// Decided on a whole set, in balls: `call()` returns an Enclosure (enclosures.hpp). It runs with balls of
+  /// 20 digits, and of more while these do not decide.
+  template <class Call>
+  void encloses(std::string_view what, std::string_view model, Call const& call) {
+    if (takes_enclosures()) enclosed(what, model, in_balls(call), true);
+  }
+  /// Control: with a hypothesis broken the same question is not decided in favour of the claim.
+  template <class Call>
+  void refutes_enclosure(std::string_view what, std::string_view model, Call const& call) {
+    if (takes_enclosures()) enclosed(what, model, in_balls(call), false);
+  }
   /// A control that stays at or under its floor says that the check cannot fail there: that is a failure. A
   /// NaN is one as well.
   void judge_controls();
@@ -162,6 +191,18 @@ class AnyClaim {
   double epsilon_;
 
   static bool exact() { return current_arithmetic().exact(); }
+  template <class Call>
+  static Enclosure in_balls(Call const& call) {
+    for (int digits = 20; digits <= 160; digits *= 2) {
+      WithArithmetic const balls(Arithmetic::balls(digits));
+      try {
+        if (Enclosure const found = call(); found.shown || digits == 160) return found;
+      } catch (Undecided const&) {
+      }
+    }
+    return {};
+  }
+  void enclosed(std::string_view what, std::string_view model, Enclosure const& found, bool claimed);
   void refused(std::string_view what, std::string_view model, bool truth);
   Evidence& entry(std::string_view what, std::string_view kind, std::string_view model);
   Control& control_entry(std::string_view what, std::string_view model, double measured, double floor);

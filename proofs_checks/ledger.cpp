@@ -78,6 +78,9 @@ ordered_json merged(std::vector<ordered_json> parts) {
   one.erase("scalar");
   one["scalars"] = ordered_json::array();
   for (std::string const key : {"evidence", "control", "failures"}) one[key] = ordered_json::array();
+  // One column may say what it leaves, and another not run what would say so.
+  for (auto const& part : parts)
+    if (part.value("left", "") != "") one["left"] = part["left"];
   double seconds = 0;
   for (auto const& part : parts) {
     one["scalars"].push_back(part["scalar"]);
@@ -104,6 +107,7 @@ int merge(fs::path const& report) {
   auto const records = read_records(report);
   ordered_json all = ordered_json::array();
   std::map<std::string, int> counts;
+  int partial = 0;
   int owed = 0, kept = 0;
   for (auto const& statement : registry) {
     ordered_json one;
@@ -114,6 +118,7 @@ int merge(fs::path const& report) {
     one["kind"] = statement.kind, one["chapter"] = statement.chapter, one["section"] = statement.section;
     one["subject"] = statement.subject, one["owed"] = statement.owed;
     std::string const verdict = one["verdict"];
+    partial += one.value("left", "") != "";
     ++counts[verdict.empty() ? "failed" : verdict];
     owed += statement.owed, kept += statement.owed && verdict != "pending" && !verdict.empty();
     all.push_back(one);
@@ -122,7 +127,7 @@ int merge(fs::path const& report) {
   std::cout << registry.size() << " statements: ";
   for (auto const* verdict : {"holds", "convention", "corrected", "scope", "failed", "pending"})
     if (counts[verdict]) std::cout << counts[verdict] << ' ' << verdict << "  ";
-  std::cout << "(" << kept << " of " << owed << " owed)\n";
+  std::cout << "(" << kept << " of " << owed << " owed, " << partial << " say what they leave)\n";
   return 0;
 }
 
@@ -154,6 +159,14 @@ int verify(fs::path const& report, std::set<std::string> const& scalars) {
       complain(statement.id, "the verdict needs a note");
     if (verdict == "corrected" && (one["printed"] == "" || one["corrected"] == ""))
       complain(statement.id, "corrected, without printed and corrected form");
+    // A slip has one verdict wherever it returns.
+    if (std::string const first = one.value("first", ""); first != "") {
+      auto const origin = records.find(first);
+      if (origin == records.end())
+        complain(statement.id, "its slip occurs first in '" + first + "', which has no record");
+      else if (verdict != "corrected" && origin->second.front()["verdict"] == "corrected")
+        complain(statement.id, "its slip is corrected in " + first + ", and here it is '" + verdict + "'");
+    }
     for (auto const& failure : one["failures"]) complain(statement.id, failure.get<std::string>());
     for (auto const& e : one["evidence"])
       if (e["measured"].is_null() || e["measured"].get<double>() > e["bound"].get<double>())

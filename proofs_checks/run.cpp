@@ -265,16 +265,19 @@ ordered_json in_json(Record const& r) {
                         {"spread", number(e.spread)},
                         {"degree", number(e.degree)},
                         {"points", e.points},
-                        {"probability", number(e.probability)}});
+                        {"probability", number(e.probability)},
+                        {"margin", number(e.margin)}});
   for (auto const& c : r.control)
     control.push_back({{"what", c.what},
                        {"scalar", c.scalar},
                        {"model", c.model},
                        {"measured", number(c.measured)},
+                       {"median", number(c.median)},
                        {"floor", number(c.floor)},
                        {"points", c.points}});
   return {{"id", r.id},           {"title", r.title},         {"verdict", r.verdict},
           {"printed", r.printed}, {"corrected", r.corrected}, {"note", r.note},
+          {"left", r.left},       {"first", r.first},
           {"scan", r.scan},       {"scalar", r.scalar},       {"evidence", evidence},
           {"control", control},   {"failures", r.failures},   {"seed", r.seed},
           {"redrawn", r.redrawn}, {"source", r.source},       {"seconds", number(r.seconds)}};
@@ -289,6 +292,8 @@ void tell(Record const& r, bool brief) {
       out << "\n    " << e.what << " (" << e.model << "): ";
       if (e.kind == "order")
         out << "order " << e.slope << " +- " << e.spread;
+      else if (e.kind == "enclosure")
+        out << "decided in " << e.points << " boxes, margin " << e.margin;
       else if (e.epsilon > 0)
         out << e.measured / e.epsilon << " epsilon, allowed " << e.bound / e.epsilon;
       else
@@ -298,7 +303,8 @@ void tell(Record const& r, bool brief) {
             << e.probability;
     }
     for (auto const& c : r.control)
-      out << "\n    control: " << c.what << " (" << c.model << "): " << c.measured << ", floor " << c.floor;
+      out << "\n    control: " << c.what << " (" << c.model << "): " << c.measured << ", median " << c.median
+          << ", floor " << c.floor;
   }
   out << '\n';
   std::cout << out.str();

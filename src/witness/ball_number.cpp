@@ -181,6 +181,15 @@ bool ball_holds_zero(Number const& x) {
   return NumberParts::in_cell(x) ? arb_contains_zero(value(x)) : whole(x) == 0;
 }
 
+Number ball_between(Number const& from, Number const& to) {
+  Argument const a(from), b(to);
+  Cell* const cell = free_cells<Cell>().take();
+  arb_union(cell->value, a.at, b.at, precision());
+  Number z;
+  put(z, cell);
+  return z;
+}
+
 Number ball_bound(Number const& x, bool upper) {
   Argument const of(x);
   Cell* const cell = free_cells<Cell>().take();

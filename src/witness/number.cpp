@@ -474,6 +474,12 @@ Number Number::upper() const {
 bool Number::holds_zero() const {
   return arithmetic_in_force.kind() == Kind::ball ? detail::ball_holds_zero(*this) : *this == Number();
 }
+Number Number::between(Number const& from, Number const& to) {
+  if (arithmetic_in_force.kind() != Kind::ball)
+    throw Error("only balls hold all numbers between two; the arithmetic in force is " +
+                         arithmetic_in_force.name());
+  return detail::ball_between(from, to);
+}
 
 // ---- Functions
 

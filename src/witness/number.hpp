@@ -164,6 +164,9 @@ class Number {
   Number upper() const;  ///< see lower()
   /// Whether a ball holds zero; elsewhere whether the number is zero.
   bool holds_zero() const;
+  /// A ball that holds every number from the least of one to the largest of the other.
+  /// @throws Error  in another arithmetic than that of balls
+  static Number between(Number const& from, Number const& to);
 
  private:
   friend struct detail::NumberParts;

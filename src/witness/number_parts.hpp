@@ -80,6 +80,7 @@ bool ball_is_finite(Number const& x);
 Number ball_bound(Number const& x, bool upper);
 Number ball_magnitude(Number const& x);
 bool ball_holds_zero(Number const& x);
+Number ball_between(Number const& from, Number const& to);
 
 void* copied_rational(void const* cell);
 void* copied_decimal(void const* cell);

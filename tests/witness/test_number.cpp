@@ -231,7 +231,14 @@ BOOST_AUTO_TEST_CASE(balls_hold_the_true_value) {
     BOOST_TEST((log(e) - 1).holds_zero());
     BOOST_TEST((magnitude(log(e) - 1) < ratio<Number>(1, 1000000) / 1000000));
     BOOST_TEST((sin(third) * sin(third) + cos(third) * cos(third) - 1).holds_zero());
+    // All numbers between two.
+    Number const segment = Number::between(third, Number(2));
+    BOOST_TEST((segment.lower() <= third.lower() && Number(2) <= segment.upper()));
+    BOOST_CHECK_THROW((segment < Number(1)), Undecided);
+    BOOST_TEST((Number(0) < segment && segment < Number(3)));
+    BOOST_TEST((exp(segment) - exp(Number(1))).holds_zero());
   }
+  BOOST_CHECK_THROW(Number::between(Number(0), Number(1)), Error);
   WithArithmetic const over(Arithmetic::decimal(400));
   auto const truth = formula(starts<Number>(), 60);
   for (std::size_t k = 0; k < truth.size(); ++k) {
