@@ -22,6 +22,13 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
   endif()
 endif()
 
+# Gold links our programs, of which there are more than a hundred, in a third of the time.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=gold ACTIO_LINKS_WITH_GOLD)
+if(ACTIO_LINKS_WITH_GOLD)
+  add_link_options(-fuse-ld=gold)
+endif()
+
 find_package(Boost 1.74 REQUIRED COMPONENTS unit_test_framework)
 
 # What the reader of a chapter's program is told, and the pictures it draws.

@@ -165,14 +165,14 @@
     var words = filter.querySelector('input'), verdict = 'all';
     function apply() {
       var text = words.value.toLowerCase();
-      document.querySelectorAll('.ledger-chapter').forEach(function (section) {
+      document.querySelectorAll('.ledger-chapter, .ledger-sorted').forEach(function (section) {
         var any = false;
         section.querySelectorAll('tbody tr').forEach(function (row) {
           var on = (verdict === 'all' || row.dataset.verdict === verdict) && (!text || row.textContent.toLowerCase().indexOf(text) >= 0);
           row.hidden = !on;
           any = any || on;
         });
-        section.hidden = !any;
+        if (section.className === 'ledger-chapter') section.hidden = !any;
       });
     }
     filter.querySelectorAll('button').forEach(function (b) {
@@ -183,6 +183,17 @@
       });
     });
     words.addEventListener('input', apply);
+    // In one table by strength, or each row at its place.
+    var order = filter.querySelector('select'), sorted = document.querySelector('.ledger-sorted');
+    var rows = [].map.call(document.querySelectorAll('.ledger-chapter tbody tr'), function (row) { return { row: row, home: row.parentNode, strength: Number(row.dataset.strength) }; });
+    if (order) order.addEventListener('change', function () {
+      var by = order.value, sign = by === 'strong' ? -1 : 1;
+      sorted.hidden = by === 'place';
+      var list = rows.slice();
+      if (by !== 'place') list.sort(function (a, b) { return sign * (a.strength - b.strength) || rows.indexOf(a) - rows.indexOf(b); });
+      list.forEach(function (r) { (by === 'place' ? r.home : sorted.querySelector('tbody')).appendChild(r.row); });
+      apply();
+    });
     var m = /[?&]verdict=(\w+)/.exec(location.search), b = m && filter.querySelector('[data-show="' + m[1] + '"]');
     if (b) b.click();
   }

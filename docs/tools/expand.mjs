@@ -7,7 +7,7 @@
 import fs from 'node:fs';
 import path from 'node:path';
 import { Errors, badge, escapeHtml, label, optionalPrograms, options, readRegistry, readReports, shortLabel, verdictText, walk } from './lib.mjs';
-import { chapterLedger, errata, evidence, ledger, ledgerCounts, verdictOf, verdictNote } from './ledger.mjs';
+import { chapterLedger, errata, evidence, ledger, ledgerCounts, ledgerStrength, verdictOf, verdictNote } from './ledger.mjs';
 import { pythonCard, readScenes, sceneCard, scenePage, scenePicture, sceneTable, systemPage, viewerFrame, viewerOf } from './scenes.mjs';
 import { knowStatements } from './small_print.mjs';
 import { localHeaders, textbookBlocks } from './textbook.mjs';
@@ -356,6 +356,7 @@ for (const p of pages) {
       emit('');
     },
     ledgercounts() { block(ledgerCounts(book)); },
+    ledgerstrength() { block(ledgerStrength(book)); },
     verified(chapter) {
       const list = registry.filter(s => Number(s.chapter) === Number(chapter));
       if (!list.length) return errors.add(p.file, line, `the registry has no statements of chapter ${chapter}`);

@@ -34,6 +34,7 @@ function cell(e) {
     const errors = (e.errors ?? []).map(x => Number(x).toExponential(1)).join(', ');
     return `<span title="${escapeHtml(`fitted over ${steps} step sizes${errors ? `; errors ${errors}` : ''}`)}">${slope}${spread ? ` ± ${number(spread)}` : ''}</span>`;
   }
+  if (e.kind === 'enclosure') return `<span title="${escapeHtml(`on the whole set, in ${e.points} box${e.points === 1 ? '' : 'es'}; margin ${number(e.margin)}`)}">decided, ${e.points}&#8239;box${e.points === 1 ? '' : 'es'}</span>`;
   if (e.kind === 'exact' || e.scalar === 'rational' || e.scalar === 'prime') {
     const bound = Number(e.probability) > 0 && Number(e.probability) < 1 ? `a false identity passes with probability below ${Number(e.probability).toExponential(0)}` : '';
     const what = Number(e.measured) === 0 ? '0' : number(e.measured);
@@ -47,6 +48,7 @@ function allowed(entries) {
   const e = entries.find(x => x.kind === 'precision') ?? entries[0];
   if (e.kind === 'order') return Number(e.bound) ? `± ${number(e.bound)}` : '–';
   if (e.kind === 'exact') return '0';
+  if (e.kind === 'enclosure') return 'all of it';
   return inEpsilons(e.bound, e.epsilon);
 }
 
@@ -60,7 +62,7 @@ function merge(a, b) {
 function rows(entries, byModel) {
   const table = new Map();
   for (const e of entries ?? []) {
-    const key = [e.what, e.kind === 'order', byModel ? e.model : ''].join('\u0001');
+    const key = [e.what, e.kind === 'order' || e.kind === 'enclosure' ? e.kind : '', byModel ? e.model : ''].join('\u0001');
     if (!table.has(key)) table.set(key, { what: e.what, kinds: new Set(), models: new Set(), cells: new Map(), floor: Number(e.floor) });
     const row = table.get(key);
     if (e.kind) row.kinds.add(e.kind);
@@ -98,7 +100,7 @@ export function evidence(book, id, anchor) {
   const controlColumn = shown.includes('double') ? 'double' : shown[0];
   const controlFigure = (row, c) => {
     const e = row.cells.get(c) ?? (c === controlColumn ? row.cells.get('') : undefined);
-    return `<td class="num${e?.released ? ' from-release' : ''}">${e ? number(e.measured) : '<span class="none">·</span>'}</td>`;
+    return `<td class="num${e?.released ? ' from-release' : ''}">${e ? controlText(e) : '<span class="none">·</span>'}</td>`;
   };
   const head = first => `<thead><tr><th>${first}</th>${shown.map(c => `<th class="num">${columnNames[c]}</th>`).join('')}<th class="num">allowed</th></tr></thead>`;
   const measured = (list, first) => `<tbody class="measured">${list.map(row => `<tr><td>${first(row)}</td>${shown.map(c => figure(row, c)).join('')}<td class="num">${allowed([...row.cells.values()])}</td></tr>`).join('')}</tbody>`;
@@ -118,13 +120,25 @@ export function evidence(book, id, anchor) {
     unfolded = `<details><summary>by model</summary>${boxed(`<table class="evidence-table by-model">${head('model')}${[...new Set(full.map(row => row.what))].map(w => part(prose(w), measured(of(full, w), model))).join('')}${[...new Set(fullControls.map(row => row.what))].map(w => part(`${prose(w)} <span class="kind">control</span>`, broken(of(fullControls, w), model))).join('')}</table>`)}</details>`;
   }
   const foot = [
+    r.left ? `<b>Not shown:</b> ${prose(r.left)}` : '',
     released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test</code>` : '',
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
   ].filter(Boolean).map(s => `<span>${s}</span>`).join('');
   return `<details class="evidence"${idAttribute}><summary>${evidenceLine(r)}<span class="evidence-where">${where}</span></summary>${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}</details>`;
 }
 
-const strength = ['exact', 'precision', 'order'];
+/// The largest of the draws, and the median where it is another one.
+function controlText(e) {
+  const median = Number(e.median);
+  return `${number(e.measured)}${e.points > 1 && median > 0 && median < 0.9 * Number(e.measured) ? ` <span class="median" title="median of ${e.points} draws">(${number(median)})</span>` : ''}`;
+}
+
+/// Kinds of evidence, the strongest first.
+const strength = ['proof', 'exact', 'enclosure', 'precision', 'order'];
+const kindsOf = r => [...new Set((r?.evidence ?? []).map(e => e.kind))].sort((a, b) => strength.indexOf(a) - strength.indexOf(b));
+/// By which the ledger sorts: the strongest kind, half a step less where the check says what it leaves; 0 without evidence.
+const rankOf = r => (kindsOf(r).length ? strength.length - strength.indexOf(kindsOf(r)[0]) - (r.left ? 0.5 : 0) : 0);
+const leftOf = r => (r?.left ? `<div class="ledger-note ledger-left"><b>Not shown:</b> ${prose(r.left)}</div>` : '');
 
 /// Evidence in a line: verdict, strongest kind, worst residual, least control.
 function evidenceLine(r) {
@@ -162,12 +176,22 @@ export function ledgerCounts(book) {
   return boxed(`<table class="counts"><thead><tr><th>chapter</th>${used.map(v => `<th class="num">${badge(v)}</th>`).join('')}<th class="num">statements</th></tr></thead><tbody>${[...chapters].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`);
 }
 
+/// How many statements have which strongest kind of evidence, by chapter, and how many leave something.
+export function ledgerStrength(book) {
+  if (!book.statements) return '';
+  const kindOf = s => kindsOf(book.statements.get(s.id))[0];
+  const used = strength.filter(k => book.registry.some(s => kindOf(s) === k));
+  const count = n => n || '·';
+  const row = (name, list, tag) => `<tr><${tag}>${name}</${tag}>${used.map(k => `<${tag} class="num">${count(list.filter(s => kindOf(s) === k).length)}</${tag}>`).join('')}<${tag} class="num">${count(list.filter(s => kindsOf(book.statements.get(s.id)).includes('enclosure')).length)}</${tag}><${tag} class="num">${count(list.filter(s => book.statements.get(s.id)?.left).length)}</${tag}></tr>`;
+  return boxed(`<table class="counts"><thead><tr><th>chapter</th>${used.map(k => `<th class="num">${k}</th>`).join('')}<th class="num">with an enclosure</th><th class="num">say what they leave</th></tr></thead><tbody>${[...byChapter(book.registry)].map(([c, list]) => row(`<a href="@ref:ledger_${c}">${c}</a>`, list, 'td')).join('')}</tbody><tfoot>${row('all', book.registry, 'th')}</tfoot></table>`);
+}
+
 /// @param here  in the short form, inside a chapter: ids whose permanent anchor is in this very table
 function ledgerRow(book, s, here) {
   const r = book.statements?.get(s.id);
   const verdict = verdictOf(book, s.id);
   const name = book.places.has(s.id) && !here?.has(s.id) ? statementLink(s.id, shortLabel(s.id)) : `<a class="target" id="${s.id}"></a><span class="ledger-anchor">${shortLabel(s.id)}</span>`;
-  const kinds = [...new Set((r?.evidence ?? []).map(e => e.kind))];
+  const kinds = kindsOf(r);
   const models = new Set((r?.evidence ?? []).map(e => e.model).filter(Boolean)).size;
   let figure = '';
   if (kinds.length) {
@@ -181,25 +205,26 @@ function ledgerRow(book, s, here) {
   const source = book.checkSource(s.id);
   const seconds = r?.seconds === undefined ? '' : ` title="${number(r.seconds)} s"`;
   const cells = [`<td class="id">${name}</td>`,
-    `<td>${subject(book, s)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}</td>`,
+    `<td>${subject(book, s)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}${leftOf(r)}</td>`,
     `<td>${badge(verdict)}</td>`,
     here ? '' : `<td class="kind"><span title="${models} model${models === 1 ? '' : 's'}">${kinds.join(', ')}</span></td>`,
     `<td class="num">${figure}</td>`,
     here ? '' : `<td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td>`,
     `<td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td>`];
   const names = columns.filter(c => !here || !['kind', 'control'].includes(c[1])).map(c => (['id', 'subject', 'source'].includes(c[1]) ? '' : c[0]));
-  return `<tr data-verdict="${verdict}">${labelled(cells.filter(c => c !== ''), names)}</tr>`;
+  return `<tr data-verdict="${verdict}" data-strength="${rankOf(r)}">${labelled(cells.filter(c => c !== ''), names)}</tr>`;
 }
 
 export function ledger(book) {
   const used = verdicts.filter(v => book.registry.some(s => verdictOf(book, s.id) === v));
-  const buttons = `<div class="ledger-filter" role="group" aria-label="Filter by verdict"><button type="button" data-show="all" class="on">all</button>${used.map(v => `<button type="button" data-show="${v}">${verdictText[v][0]} <span>${book.registry.filter(s => verdictOf(book, s.id) === v).length}</span></button>`).join('')}<input type="search" placeholder="filter by words" aria-label="Filter by words"/></div>`;
+  const buttons = `<div class="ledger-filter" role="group" aria-label="Filter by verdict"><button type="button" data-show="all" class="on">all</button>${used.map(v => `<button type="button" data-show="${v}">${verdictText[v][0]} <span>${book.registry.filter(s => verdictOf(book, s.id) === v).length}</span></button>`).join('')}<input type="search" placeholder="filter by words" aria-label="Filter by words"/><select aria-label="Order"><option value="place">in the order of the thesis</option><option value="strong">strongest evidence first</option><option value="weak">weakest evidence first</option></select></div>`;
   const tables = [...byChapter(book.registry)].map(([c, list]) => {
     const page = book.chapters.find(p => String(p.chapter) === String(c));
     const title = page ? `<a href="@ref:page:${page.id}">Chapter ${c}. ${escapeHtml(page.title)}</a>` : `Chapter ${c}`;
     return `<section class="ledger-chapter"><a class="target" id="ledger_${c}"></a><h2>${title}</h2><table class="ledger-table stacked">${tableHead(false)}<tbody>${list.map(s => ledgerRow(book, s)).join('')}</tbody></table></section>`;
   });
-  return `<div class="ledger">${buttons}${tables.join('')}</div>`;
+  const sorted = `<section class="ledger-sorted" hidden><table class="ledger-table stacked">${tableHead(false)}<tbody></tbody></table></section>`;
+  return `<div class="ledger">${buttons}${sorted}${tables.join('')}</div>`;
 }
 
 const columns = [['statement', 'id'], ['subject', 'subject'], ['verdict', 'verdict'], ['kind', 'kind'], ['worst figure', 'figure'], ['control', 'control'], ['', 'source']];
@@ -228,10 +253,12 @@ export function errata(book) {
       r.corrected ? `<div class="erratum-form erratum-right"><span>${verdict === 'corrected' ? 'right' : 'read as'}</span>${display(r.corrected)}</div>` : ''].join('');
     const control = (r.control ?? [])[0];
     const scan = r.scan === true || r.scan === 'true' ? '<span class="scan" title="the text came through recognition; a sign, star or inverse may have been lost there">perhaps the scan</span>' : '';
+    const returns = book.registry.filter(x => book.statements.get(x.id)?.first === s.id);
+    const slip = r.first ? `<p class="erratum-slip">The slip occurs first in ${statementLink(r.first, shortLabel(r.first))}.</p>` : returns.length ? `<p class="erratum-slip">The slip returns in ${returns.map(x => statementLink(x.id, shortLabel(x.id))).join(', ')}.</p>` : '';
     const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
       w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
       ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
-    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${subject(book, s)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p><div class="evidence-foot">${figures}</div></article>`;
+    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${subject(book, s)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p>${slip}<div class="evidence-foot">${figures}</div></article>`;
   });
   const corrected = part('corrected'), convention = part('convention');
   return `<h2 id="errata_corrected">Corrected: ${corrected.length}</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;

@@ -36,6 +36,16 @@ std::string plain_note(std::string const& note) {
   return out;
 }
 
+/// The record of a statement as a ledger of its own, cut from the ledger as `ledger merge` lays it out: the
+/// whole has ten megabytes. The whole, where it is laid out in another way.
+std::string record_of(std::string const& id, std::string const& ledger) {
+  std::size_t const name = ledger.find("\n  \"id\": \"" + id + "\"");
+  if (name == std::string::npos) return ledger;
+  std::size_t const begin = ledger.rfind("\n {", name), end = ledger.find("\n }", name);
+  if (begin == std::string::npos || end == std::string::npos) return ledger;
+  return "[" + ledger.substr(begin, end - begin) + "}]";
+}
+
 /// `build` of `build/bin/actio`.
 fs::path build_of_this_program() { return folder_of_this_program().parent_path(); }
 
@@ -43,14 +53,15 @@ fs::path build_of_this_program() { return folder_of_this_program().parent_path()
 
 std::optional<Verdict> verdict_of(std::string const& id) {
   std::ifstream in(build_of_this_program() / "report" / "statements.json");
-  auto const ledger = nlohmann::json::parse(in, nullptr, false);
+  std::string const text{std::istreambuf_iterator<char>(in), {}};
+  auto const ledger = nlohmann::json::parse(record_of(id, text), nullptr, false);
   if (ledger.is_discarded()) return std::nullopt;
   auto const& records = ledger.is_object() && ledger.contains("statements") ? ledger["statements"] : ledger;
   if (!records.is_array()) return std::nullopt;
   for (auto const& record : records)
     if (record.is_object() && record.value("id", "") == id && record.value("verdict", "") != "")
       return Verdict{record.value("verdict", ""), record.value("printed", ""), record.value("corrected", ""),
-                     record.value("note", "")};
+                     record.value("note", ""), record.value("left", "")};
   return std::nullopt;
 }
 
@@ -67,9 +78,9 @@ std::string page_of(scene::Statement const& statement) {
 }
 
 std::string verdict_in_words(std::string const& printed, std::string const& corrected,
-                             std::string const& note) {
+                             std::string const& note, std::string const& left) {
   return ledger_line("printed", plain_formula(printed)) + ledger_line("corrected", plain_formula(corrected)) +
-         ledger_line("note", plain_note(note));
+         ledger_line("note", plain_note(note)) + ledger_line("not shown", plain_note(left));
 }
 
 }  // namespace actio::app

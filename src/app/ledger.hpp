@@ -14,7 +14,8 @@ struct Verdict {
   std::string word,  ///< `holds`, `corrected`, `scope`, `convention`
       printed,       ///< in the thesis, in TeX, where it was corrected
       corrected,     ///< what holds instead, in TeX
-      note;          ///< why, or where it holds
+      note,          ///< why, or where it holds
+      left;          ///< what of the statement the check does not show
 };
 
 /// Of the ledger, report/statements.json beside the folder of the command; none where there is no ledger, or
@@ -27,6 +28,6 @@ std::string page_of(scene::Statement const& statement);
 
 /// Lines that tell what was corrected, and why; in plain letters, indented.
 std::string verdict_in_words(std::string const& printed, std::string const& corrected,
-                             std::string const& note);
+                             std::string const& note, std::string const& left = {});
 
 }  // namespace actio::app
