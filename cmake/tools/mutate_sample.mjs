@@ -7,6 +7,9 @@
 //
 //   a - b      becomes      (actio::mutants::on(17) ? (a + b) : (a - b))
 //
+// With --each-source the first error of the draw that each source of checks catches is printed as a line of
+// proofs_checks/mutate/mutations.tsv, which `./run mutate` plants one at a time.
+//
 // What does not compile is withdrawn and another place is drawn. Then each error is awakened alone, and the theorem
 // checks (prime field and double, a tenth of the points) and the library's tests that come by its place run until one of
 // them fails. Result: BUILD/report/mutation_sample.tsv; a survivor either changes nothing, which a line of
@@ -28,8 +31,8 @@ const option = (name, otherwise) => {
   return value;
 };
 for (const word of words)
-  if (word.startsWith('--') && !['--sample', '--seed', '--list'].includes(word)) {
-    console.error(`mutate: unknown option '${word}'; there are --sample N, --seed S and --list`);
+  if (word.startsWith('--') && !['--sample', '--seed', '--list', '--each-source'].includes(word)) {
+    console.error(`mutate: unknown option '${word}'; there are --sample N, --seed S, --list and --each-source`);
     process.exit(2);
   }
 const wanted = option('sample', 200), seed = option('seed', 1);
@@ -339,19 +342,46 @@ function compile(planted, targets) {
 
 // ---- The trial
 
-const argumentsOf = program => (program.startsWith('checks_') ? ['--quick', '--brief', '--columns', 'prime,double'] : ['--color_output=no']);
-/// Runs a program with an error awake. @return { failed, seconds, said }
-function trial(program, k, limit) {
+/// What is run against the errors: each section of the theorem checks, and the library's tests.
+const sections = () => fs.readdirSync(path.join(root, 'proofs_checks')).map(n => /^((?:ch\d\d|bridge)_.*)\.cpp$/.exec(n)?.[1]).filter(Boolean);
+const units = () => [...sections().map(name => ({ name, program: `checks_${/^[a-z]+\d*/.exec(name)[0]}`, words: ['--quick', '--brief', '--columns', 'prime,double', '--source', name] })),
+  ...testPrograms.map(name => ({ name, program: name, words: ['--color_output=no'] }))];
+
+/// Runs a unit with an error awake, or with none. @return { failed, seconds, said }
+function trial(unit, k, limit) {
   return new Promise(resolve => {
     const began = Date.now();
-    const env = { ...process.env, ...(k === null ? { ACTIO_MUTANTS_PASSED: path.join(copy, `passed_${program}`) } : { ACTIO_MUTANT: String(k) }) };
-    execFile(path.join(work, 'bin', program), argumentsOf(program), { env, timeout: limit * 1000, killSignal: 'SIGKILL', maxBuffer: 1 << 26, cwd: copy }, (error, out, err) => {
+    const env = { ...process.env, ...(k === null ? { ACTIO_MUTANTS_PASSED: path.join(copy, `passed_${unit.name}`) } : { ACTIO_MUTANT: String(k) }) };
+    execFile(path.join(work, 'bin', unit.program), unit.words, { env, timeout: limit * 1000, killSignal: 'SIGKILL', maxBuffer: 1 << 26, cwd: copy }, (error, out, err) => {
       const text = `${out}\n${err}`;
       const names = [...text.matchAll(/^FAILED \w+ (\w+):|in "([^"]+)"/gm)].map(m => m[1] ?? m[2]);
       const how = error?.killed ? 'does not end' : error?.signal ? `ends with ${error.signal}` : [...new Set(names)].slice(0, 3).join('; ');
       resolve({ failed: !!error, seconds: (Date.now() - began) / 1000, said: how });
     });
   });
+}
+
+/// For each section of the checks the first error of the draw that it catches, as a line of mutations.tsv.
+async function eachSource(planted, passedBy, times) {
+  for (const unit of units().filter(u => u.program.startsWith('checks_'))) {
+    let line = null, tried = 0;
+    for (const m of planted.filter(p => passedBy.get(p.k)?.includes(unit))) {
+      const text = fs.readFileSync(path.join(root, m.file), 'utf8');
+      if (/\n/.test(m.original)) continue;
+      // The shortest text around it that occurs once, up to its line.
+      const begin = text.lastIndexOf('\n', m.at) + 1, end = text.indexOf('\n', m.at);
+      const whole = text.slice(begin, end).trim();
+      const from = text.split(m.original).length === 2 ? m.original : whole;
+      if (text.split(from).length !== 2) continue;
+      ++tried;
+      const r = await trial(unit, m.k, 20 + 10 * times.get(unit));
+      if (!r.failed || !r.said) continue;
+      const to = from === m.original ? m.mutated : from.replace(m.original, () => m.mutated);
+      line = [m.file, from, to, `checks_${unit.name}`, `${m.rule}, drawn: ${m.shown[0].replace(/\s+/g, ' ')} becomes ${m.shown[1].trim() || 'nothing'}`].join('\t');
+      break;
+    }
+    console.log(line ?? `# ${unit.name}: none of ${tried} errors that it comes by`);
+  }
 }
 
 async function main() {
@@ -386,20 +416,22 @@ async function main() {
   console.log(`${planted.length} planted, ${withdrawn} did not compile`);
 
   const times = new Map(), passedBy = new Map(), ofNumbers = new Set();
-  for (const program of programs) {
-    fs.rmSync(path.join(copy, `passed_${program}`), { force: true });
-    const plain = await trial(program, null, 600);
+  for (const unit of units()) {
+    const passed = path.join(copy, `passed_${unit.name}`);
+    fs.rmSync(passed, { force: true });
+    const plain = await trial(unit, null, 600);
     if (plain.failed) {
-      console.error(`mutate: ${program} fails with no error awake: ${plain.said}`);
+      console.error(`mutate: ${unit.name} fails with no error awake: ${plain.said}`);
       process.exit(1);
     }
-    times.set(program, plain.seconds);
-    for (const k of fs.readFileSync(path.join(copy, `passed_${program}`), 'utf8').split('\n').filter(Boolean).map(l => l.split(' ').map(Number))) {
-      if (k[1] & 1) passedBy.set(k[0], [...(passedBy.get(k[0]) ?? []), program]);
+    times.set(unit, plain.seconds);
+    for (const k of fs.readFileSync(passed, 'utf8').split('\n').filter(Boolean).map(l => l.split(' ').map(Number))) {
+      if (k[1] & 1) passedBy.set(k[0], [...(passedBy.get(k[0]) ?? []), unit]);
       else ofNumbers.add(k[0]);
     }
   }
 
+  if (words.includes('--each-source')) return eachSource(planted, passedBy, times);
   const explained = new Map();
   const list = path.join(root, 'proofs_checks/mutate/equivalent.tsv');
   if (fs.existsSync(list))
@@ -414,9 +446,9 @@ async function main() {
       const by = (passedBy.get(m.k) ?? []).sort((a, b) => times.get(a) - times.get(b));
       let result = by.length ? 'survived' : 'never reached', who = '';
       const why = explained.get([m.file, flat(m.original), flat(m.mutated)].join('\t'));
-      for (const program of by) {
-        const r = await trial(program, m.k, 20 + 10 * times.get(program));
-        if (r.failed) { result = 'caught', who = `${program}: ${r.said}`; break; }
+      for (const unit of by) {
+        const r = await trial(unit, m.k, 20 + 10 * times.get(unit));
+        if (r.failed) { result = 'caught', who = `${unit.name}: ${r.said}`; break; }
       }
       if (result === 'never reached' && ofNumbers.has(m.k)) result = 'equivalent', who = 'a product of numbers';
       if (result !== 'caught' && why) result = 'equivalent', who = why;

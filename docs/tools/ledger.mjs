@@ -12,6 +12,8 @@ export function verdictOf(book, id) {
 /// What a statement says: the check's own words where there is a check, else its subject.
 const subject = (book, s) => prose((verdictOf(book, s.id) !== 'pending' && book.statements?.get(s.id)?.title) || s.title || s.subject);
 
+/// The number alone, and the words where claims of one section share it.
+const nameOf = id => (id.startsWith('claim_') ? label(id) : shortLabel(id));
 const statementLink = (id, text) => `<a href="@ref:${id}">${text ?? label(id)}</a>`;
 const display = tex => `<div class="formula">\\[ ${escapeHtml(tex)} \\]</div>`;
 
@@ -151,7 +153,7 @@ function evidenceLine(r) {
   const largest = rounded.length ? rounded.reduce((a, b) => (Number(b.measured) / Number(b.epsilon) > Number(a.measured) / Number(a.epsilon) ? b : a)) : null;
   const residual = largest ? `residual ≤ ${inEpsilons(largest.measured, largest.epsilon)}` : w ? `residual ${number(w.entry.measured)}` : '';
   const controls = (r.control ?? []).map(c => Number(c.measured));
-  return `<span class="evidence-title">Evidence <span>for ${shortLabel(r.id)}</span></span>${badge(r.verdict)}${[
+  return `<span class="evidence-title">Evidence <span>for ${nameOf(r.id)}</span></span>${badge(r.verdict)}${[
     `<span class="evidence-kind"${over}>${kind}${models > 1 ? `, ${models} models` : ''}${kind === 'exact' && points ? `, ${points} points` : ''}</span>`,
     residual ? `<span>${residual}</span>` : '',
     orders.length ? `<span>order ${[...new Set([Math.min(...orders), Math.max(...orders)].map(x => x.toFixed(2)))].join(' to ')}</span>` : '',
@@ -254,7 +256,7 @@ export function errata(book) {
     const control = (r.control ?? [])[0];
     const scan = r.scan === true || r.scan === 'true' ? '<span class="scan" title="the text came through recognition; a sign, star or inverse may have been lost there">perhaps the scan</span>' : '';
     const returns = book.registry.filter(x => book.statements.get(x.id)?.first === s.id);
-    const slip = r.first ? `<p class="erratum-slip">The slip occurs first in ${statementLink(r.first, shortLabel(r.first))}.</p>` : returns.length ? `<p class="erratum-slip">The slip returns in ${returns.map(x => statementLink(x.id, shortLabel(x.id))).join(', ')}.</p>` : '';
+    const slip = r.first ? `<p class="erratum-slip">The slip occurs first in ${statementLink(r.first, nameOf(r.first))}.</p>` : returns.length ? `<p class="erratum-slip">The slip returns in ${returns.map(x => statementLink(x.id, nameOf(x.id))).join(', ')}.</p>` : '';
     const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
       w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
       ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
