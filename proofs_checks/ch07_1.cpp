@@ -79,9 +79,9 @@ struct LevelModel {
     h.slope.template head<2>() = -along_zeros(h, Psi.origin);
     return h;
   }
-  /// The derivative of the restriction of h to the level of Psi through q, in coordinates of this surface: the
-  /// first two are free, and the others follow by the iteration of Newton with a fixed slope, which is exact
-  /// over dual numbers after one step.
+  /// The derivative of the restriction of h to the level of Psi through q, in coordinates of this surface:
+  /// the first two are free, and the others follow by the iteration of Newton with a fixed slope, which is
+  /// exact over dual numbers after one step.
   Numbers<S, 2> along_zeros(Tilted<S, 4> const& h, Numbers<S, 4> const& q) const {
     Matrix<S, 2, 2> const across = derivative(Psi, q).matrix.template rightCols<2>();
     Matrix<S, 2, 2> const back = inverse_matrix(across);
@@ -112,7 +112,9 @@ void change_the_frame(Claim<S>& claim, Draw& draw, LevelModel<S> const& model) {
   FibreMetric<S> const frame{draw_metric<S, 2>(draw)};
   auto const h = model.critical_at(q, lambda);
   auto const f = model.with(h);
-  auto const Psi = [&]<class T>(Numbers<T, 4> const& at) { return Numbers<T, 2>(frame.frame(at) * model.Psi(at)); };
+  auto const Psi = [&]<class T>(Numbers<T, 4> const& at) {
+    return Numbers<T, 2>(frame.frame(at) * model.Psi(at));
+  };
   auto const metric = [&]<class T>(Numbers<T, 4> const& at) {
     Matrix<T, 2, 2> const back = inverse_matrix(Matrix<T, 2, 2>(frame.frame(at)));
     return Matrix<T, 2, 2>(back.transpose() * model.fibre(at) * back);
@@ -120,15 +122,17 @@ void change_the_frame(Claim<S>& claim, Draw& draw, LevelModel<S> const& model) {
   auto const turned = constrained<2>(h, Psi, metric);
   auto const carried = [&](Numbers<S, 4> const& at) { return Numbers<S, 2>(frame.frame(at) * lambda); };
   std::string const name = level_name + ", another frame";
-  claim.equal("the augmented function, off the zeros as well", name, turned.augmented(beside, carried(beside)),
-              f.augmented(beside, lambda), level_condition);
+  claim.equal("the augmented function, off the zeros as well", name,
+              turned.augmented(beside, carried(beside)), f.augmented(beside, lambda), level_condition);
   claim.equal("the multiplier in the other frame", name, turned.multiplier(q), carried(q), level_condition);
-  claim.zero("critical in the other frame", name, turned.augmented_differential(q, carried(q)), S(1), level_condition);
+  claim.zero("critical in the other frame", name, turned.augmented_differential(q, carried(q)), S(1),
+             level_condition);
   Numbers<S, 2> const wrong = Matrix<S, 2, 2>(frame.frame(q)).transpose() * lambda;
   claim.refutes("critical with the multiplier carried by the transposed frame", name,
                 turned.augmented_differential(q, wrong), S(1));
   claim.differs("the augmented function with the inner product of the first frame", name,
-                constrained<2>(h, Psi, model.fibre).augmented(beside, carried(beside)), f.augmented(beside, lambda));
+                constrained<2>(h, Psi, model.fibre).augmented(beside, carried(beside)),
+                f.augmented(beside, lambda));
 }
 
 // ---- A bundle that is not trivial: over the projective plane.
@@ -175,7 +179,8 @@ template <class S>
 void glue_over_the_projective_plane(Claim<S>& claim, Draw& draw) {
   using V = Numbers<S, 3>;
   std::string const name = "line bundle over the projective plane, not trivial";
-  V const x = draw.vector<S, V>(3) + V(S(2), S(-2), S(2)), any = draw.vector<S, V>(3), free = draw.vector<S, V>(3);
+  V const x = draw.vector<S, V>(3) + V(S(2), S(-2), S(2)), any = draw.vector<S, V>(3),
+          free = draw.vector<S, V>(3);
   V const l = any - x * S(any.dot(x) / x.dot(x));
   Matrix<S, 3, 3> form = free * free.transpose();
   // Such that form.x is in the plane of x and l.
@@ -189,7 +194,8 @@ void glue_over_the_projective_plane(Claim<S>& claim, Draw& draw) {
     auto const f = model.in_chart(i);
     auto const u = model.coordinates_of(i, x);
     multiplier[i] = f.multiplier(u)[0];
-    claim.zero("critical on the zeros, in each chart", name, f.restricted_differential(u), S(1), level_condition);
+    claim.zero("critical on the zeros, in each chart", name, f.restricted_differential(u), S(1),
+               level_condition);
     claim.zero("critical with its multiplier, in each chart", name,
                f.augmented_differential(u, Numbers<S, 1>(multiplier[i])), S(1), level_condition);
     claim.refutes("another function", name, other.in_chart(i).restricted_differential(u), S(1));
@@ -198,7 +204,8 @@ void glue_over_the_projective_plane(Claim<S>& claim, Draw& draw) {
     int const j = (i + 1) % 3;
     claim.equal("the multipliers of two charts are one element of the fibre", name, multiplier[j],
                 S(multiplier[i] * x[i] / x[j]), level_condition);
-    claim.differs("with the inverse transition function", name, multiplier[j], S(multiplier[i] * x[j] / x[i]));
+    claim.differs("with the inverse transition function", name, multiplier[j],
+                  S(multiplier[i] * x[j] / x[i]));
   }
 }
 
@@ -216,19 +223,20 @@ void vary_a_curve(Claim<S>& claim, Draw& draw) {
   // Cubics of cubics, differentiated up to three times.
   double const condition = 100;
   auto const p = principles_of_areal_rate(W, Phi, b, s);
-  claim.zero("the variations keep the constraint", name, rate_of_constraint(Phi, Phi.r, Phi.variation(b), s), S(1), 10);
-  claim.equal("derivative of the restriction, and of the augmented function", name, p.restricted, p.multiplier,
-              condition);
+  claim.zero("the variations keep the constraint", name, rate_of_constraint(Phi, Phi.r, Phi.variation(b), s),
+             S(1), 10);
+  claim.equal("derivative of the restriction, and of the augmented function", name, p.restricted,
+              p.multiplier, condition);
   auto const lambda = Phi.multiplier(W);
   auto const rest = [&](auto const& multiplier) {
     Numbers<S, 2> const E = euler_lagrange(W, Phi.r, s);
     return Numbers<S, 2>(E - reaction(Phi, second_jet(Phi.r, s), first_jet(multiplier, s)));
   };
-  // Along r, where no variation of the constraint reaches, the multiplier has to make the equations hold: there
-  // is one.
+  // Along r, where no variation of the constraint reaches, the multiplier has to make the equations hold:
+  // there is one.
   S const size = size_of(rest(sum_of(lambda, lambda, S(-1))));
-  claim.zero("the multiplier is the only one: equations contracted with r", name, rest(lambda).dot(Phi.r(s)), size,
-             condition);
+  claim.zero("the multiplier is the only one: equations contracted with r", name, rest(lambda).dot(Phi.r(s)),
+             size, condition);
   claim.refutes("another multiplier", name, rest(sum_of(lambda, lambda, S(1))).dot(Phi.r(s)), size);
   claim.refutes("a function of which the curve is not critical", name, rest(lambda), size);
 }
@@ -271,7 +279,8 @@ STATEMENT(thm_7_1_1, "Lagrange multiplier theorem for sections of an inner produ
   claim.convention(
       "An extremum is a point where the derivative vanishes, and the derivative of $\\Psi$ is onto at "
       "$\\varphi$; without the second hypothesis, which is not named, "
-      "the first statement does not imply the second, as the tip of a cusp shows. Shown for zeros in $\\R^4$ in "
+      "the first statement does not imply the second, as the tip of a cusp shows. Shown for zeros in $\\R^4$ "
+      "in "
       "two frames of the fibres, over the projective plane for a line bundle that is not trivial, and for "
       "curves under a constraint at each of their points, off shell for every functional of first order.");
   LevelModel<S> const model(draw);
@@ -304,8 +313,10 @@ STATEMENT(claim_7_1_first_to_second, "from a constrained extremum to an extremum
   claim.convention(
       "The derivative of $\\Psi$ is onto at the point, and the second extremum is a point where the "
       "derivative vanishes: $\\bar h$ is affine in the multiplier and rises and falls near "
-      "every point, so it has no minimum or maximum there even where $h|_{\\mathcal N}$ has one. Shown for zeros "
-      "in $\\R^4$ and for curves under a constraint at each of their points; the multiplier is the only one.");
+      "every point, so it has no minimum or maximum there even where $h|_{\\mathcal N}$ has one. Shown for "
+      "zeros "
+      "in $\\R^4$ and for curves under a constraint at each of their points; the multiplier is the only "
+      "one.");
   {
     LevelModel<S> const model(draw);
     std::string const name = level_name;

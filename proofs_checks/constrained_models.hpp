@@ -1,5 +1,6 @@
 // Constrained fields whose sections and variations are known in closed form, so that Hamilton's principle on
-// the constrained sections can be written down without a multiplier and compared with what a multiplier gives.
+// the constrained sections can be written down without a multiplier and compared with what a multiplier
+// gives.
 //
 // Nothing is integrated: an integrand is compared with another one up to the divergence of fields that vanish
 // with the variation on the boundary. All models are polynomials, and every identity holds off shell.
@@ -13,7 +14,7 @@ namespace actio::checks {
 
 /// The sum of two fields, the second one times a number or a dual number.
 template <class A, class B, class T>
-struct Moved {
+struct SumOfFields {
   A field;
   B added;
   T by;
@@ -28,7 +29,7 @@ struct Moved {
   }
 };
 template <class A, class B, class T>
-Moved<A, B, T> sum_of(A const& field, B const& added, T const& by) { return {field, added, by}; }
+SumOfFields<A, B, T> sum_of(A const& field, B const& added, T const& by) { return {field, added, by}; }
 /// A point over dual numbers, and a field moved along another one by their infinitesimal.
 template <class S, int rows>
 Matrix<Dual<S>, rows, 1> at_dual(Matrix<S, rows, 1> const& x) { return x.template cast<Dual<S>>(); }
@@ -50,12 +51,13 @@ template <class S, int rows, class L, class A, class C>
 S rate_of_density(L const& density, A const& phi, C const& w, Matrix<S, rows, 1> const& x) {
   return density(first_jet(moved_field<S>(phi, w), at_dual(x))).part[0];
 }
-/// The divergence of a field on space-time from its component `first` on: 0 counts the time, 1 does not.
+/// The divergence of a field on space-time, without its component `held` where one is named.
 template <class S, int rows, class Field>
-S divergence_of(Field const& field, Matrix<S, rows, 1> const& x, int first = 0) {
+S divergence_of(Field const& field, Matrix<S, rows, 1> const& x, int held = -1) {
   auto const d = derivative(field, x);
   S sum(0);
-  for (int mu = first; mu < rows; ++mu) sum += d.matrix(mu, mu);
+  for (int mu = 0; mu < rows; ++mu)
+    if (mu != held) sum += d.matrix(mu, mu);
   return sum;
 }
 /// What the integration by parts of a variation leaves at the boundary: \f$p_a{}^\mu\,\delta\phi^a\f$.
@@ -114,10 +116,10 @@ struct FieldGraph {
     for (int k = 0; k < n + 2; ++k) all[k] = slope_of(F, at, n + 1 + k);
     return all;
   }
-  /// The same constraint with no derivative in time.
-  FieldGraph without_time() const {
+  /// The same constraint without the derivative in one coordinate: with 0, that in time.
+  FieldGraph without(int mu) const {
     FieldGraph still = *this;
-    for (auto* c : {&still.F.a, &still.F.b, &still.F.d, &still.F.e}) (*c)[n + 2] = S(0);
+    for (auto* c : {&still.F.a, &still.F.b, &still.F.d, &still.F.e}) (*c)[n + 2 + mu] = S(0);
     return still;
   }
 };
@@ -142,9 +144,10 @@ OnGraph<S, n, U> on_graph(FieldGraph<S, n> const& Phi, U const& u) { return {Phi
 /// divergences are taken off that integrate to boundary terms of a variation which vanishes there.
 template <class S>
 struct Principles {
-  S restricted;    ///< Hamilton's principle along the sections that satisfy the constraint
-  S multiplier;    ///< (7.2) with the multiplier that is found from one of its equations
-  S virtual_work;  ///< work of the free equations on displacements that are possible at a fixed time
+  S restricted;  ///< Hamilton's principle along the sections that satisfy the constraint
+  S multiplier;  ///< (7.2) with the multiplier that is found from one of its equations
+  /// work of the free equations on displacements that are possible at a held coordinate: time
+  S virtual_work;
 };
 
 /// The multiplier that makes the equation of w hold: the constraint is w - F, so it is \f$E_w\f$.
@@ -154,31 +157,29 @@ auto multiplier_on_graph(L const& density, Phi const& phi) {
     return Matrix<T, 1, 1>(euler_lagrange(density, phi, x)[1]);
   };
 }
-/// A displacement of (u, w) that is possible at a fixed time when u is displaced by eta: the derivatives of
-/// eta in space count, that in time does not.
+/// A displacement of (u, w) that is possible while a coordinate is held, when u is displaced by eta: the
+/// derivative of eta in this coordinate does not count, the others do. The coordinate is the time but for a
+/// reader who exchanges it with another one; with -1 none is held.
 template <class S, int n, class Phi, class Eta>
-auto virtual_displacement(FieldGraph<S, n> const& graph, Phi const& phi, Eta const& eta) {
+auto virtual_displacement(FieldGraph<S, n> const& graph, Phi const& phi, Eta const& eta, int held = 0) {
   return [=]<class T, int rows>(Matrix<T, rows, 1> const& x) {
     auto const slopes = graph.slopes(first_jet(phi, x));
     auto const moved = first_jet(eta, x);
     T w = slopes[0] * moved.y[0];
-    for (int i = 1; i <= n; ++i) w += slopes[i + 1] * moved.v(0, i);
+    for (int mu = 0; mu <= n; ++mu)
+      if (mu != held) w += slopes[mu + 1] * moved.v(0, mu);
     return Matrix<T, 2, 1>(moved.y[0], w);
   };
 }
 /// The three principles at x for the section over u, varied along eta.
 template <class S, int n, class L>
 Principles<S> principles_on_graph(L const& density, FieldGraph<S, n> const& graph, CubicField<S, n> const& u,
-                                  CubicField<S, n> const& eta, Event<S, n> const& x) {
+                                  CubicField<S, n> const& eta, Event<S, n> const& x, int held = 0) {
   auto const phi = on_graph(graph, u);
   auto const lambda = multiplier_on_graph(density, phi);
   auto const moved = on_graph(graph, moved_field<S>(u, eta));
   // How the section moves, and the fields that integrations by parts leave at the boundary.
-  auto const change = [&]<class T, int rows>(Matrix<T, rows, 1> const& at) {
-    Matrix<T, 2, 1> w = virtual_displacement(graph, phi, eta)(at);
-    w[1] += graph.slopes(first_jet(phi, at))[1] * first_jet(eta, at).v(0, 0);
-    return w;
-  };
+  auto const change = virtual_displacement(graph, phi, eta, -1);
   auto const from_graph = [&]<class T, int rows>(Matrix<T, rows, 1> const& at) {
     Matrix<T, rows, 1> const part =
         graph.slopes(first_jet(phi, at)).template tail<n + 1>() * T(lambda(at)[0] * eta(at)[0]);
@@ -189,7 +190,7 @@ Principles<S> principles_on_graph(L const& density, FieldGraph<S, n> const& grap
   return {S(density(first_jet(moved, at_dual(x))).part[0] -
             divergence_of(boundary_part(density, phi, change), x) - divergence_of(from_graph, x)),
           S(rest[0] * eta(x)[0]),
-          S(E.dot(virtual_displacement(graph, phi, eta)(x)) - divergence_of(from_graph, x, 1))};
+          S(E.dot(virtual_displacement(graph, phi, eta, held)(x)) - divergence_of(from_graph, x, held))};
 }
 
 // ---- No field is a function of the other: curves in the plane that sweep area at a given rate.
@@ -270,8 +271,8 @@ ArealRate<S, n> draw_areal_rate(Draw& draw) {
 }
 /// The three principles at x for the curve of the constraint, varied along what b makes.
 template <class S, int n, class L>
-Principles<S> principles_of_areal_rate(L const& density, ArealRate<S, n> const& Phi,
-                                       Cubic<S, n + 1> const& b, Event<S, n> const& x) {
+Principles<S> principles_of_areal_rate(L const& density, ArealRate<S, n> const& Phi, Cubic<S, n + 1> const& b,
+                                       Event<S, n> const& x) {
   auto const change = Phi.variation(b);
   auto const lambda = Phi.multiplier(density);
   auto const from_constraint = [&]<class T, int rows>(Matrix<T, rows, 1> const& at) {

@@ -73,8 +73,8 @@ Jet<S, 0, k> jet_of_multiplier(S const& t, Matrix<S, k, 1> const& lambda, Matrix
 
 /// The accelerations that keep a constraint and solve \f$E = \lambda\cdot(d\omega(\dot q)) -
 /// \nu\cdot\omega\f$, with the unknown numbers \f$\nu\f$ behind them. For \f$\lambda = 0\f$ this is the
-/// principle of Lagrange and d'Alembert, with the reaction \f$-\nu\f$; elsewhere \f$\nu = \dot\lambda\f$ makes
-/// it the vakonomic one.
+/// principle of Lagrange and d'Alembert, with the reaction \f$-\nu\f$; elsewhere \f$\nu = \dot\lambda\f$
+/// makes it the vakonomic one.
 template <class S, int m, int k, class L>
 Matrix<S, m + k, 1> acceleration_under(L const& density, VelocityConstraint<S, m, k> const& Phi, S const& t,
                                        Matrix<S, m, 1> const& q, Matrix<S, m, 1> const& velocity,
@@ -83,8 +83,8 @@ Matrix<S, m + k, 1> acceleration_under(L const& density, VelocityConstraint<S, m
   V const none = V::Zero();
   auto const E = [&](V const& a) { return V(euler_lagrange(density, jet_of_motion(t, q, velocity, a))); };
   auto const kept = [&](V const& a) {
-    Matrix<S, k, 1> const rate =
-        total_derivative(0, [&](auto const& j) { return Phi(j); }, jet_of_motion(t, q, velocity, a));
+    Matrix<S, k, 1> const rate = total_derivative(
+        0, [&](auto const& j) { return Phi(j); }, jet_of_motion(t, q, velocity, a));
     return rate;
   };
   Matrix<S, m + k, m + k> system = Matrix<S, m + k, m + k>::Zero();
@@ -125,5 +125,53 @@ struct AnyMechanics {
 };
 template <class S, int m>
 AnyMechanics<S, m> draw_mechanics(Draw& draw) { return {draw_cubic<S, 2 * m + 1>(draw, ratio<S>(1, 4))}; }
+
+/// The curve \f$p + p's + bs^2\f$ in R^m.
+template <class S, int m>
+auto parabola(Matrix<S, m, 1> const& p, Matrix<S, m, 1> const& rate, Matrix<S, m, 1> const& bend) {
+  return [=]<class T>(Matrix<T, 1, 1> const& s) {
+    return Matrix<T, m, 1>(p.template cast<T>() +
+                           (rate.template cast<T>() + bend.template cast<T>() * s[0]) * s[0]);
+  };
+}
+
+/// Hamilton's principle on the curves that satisfy a constraint on velocities is (7.2), off shell: along a
+/// variation that keeps the constraint the integrand changes by what (7.2) leaves, up to the rate of boundary
+/// terms. The last k components of the variation follow from the others, which are free; the multiplier makes
+/// the last k equations hold.
+template <class S, int m, int k>
+void restrict_to_allowed_curves(Claim<S>& claim, Draw& draw, bool affine, std::string const& name) {
+  using V = Matrix<S, m, 1>;
+  auto const L = draw_mechanics<S, m>(draw);
+  auto const Phi = draw_velocity_constraint<S, m, k>(draw, affine);
+  V const q = draw.vector<S, V>(m) / S(2), v = allowed_velocity(Phi, q, draw.vector<S, V>(m)),
+          a = draw.vector<S, V>(m), w = draw.vector<S, V>(m), straight = V::Zero();
+  V w_rate = draw.vector<S, V>(m);
+  auto const curve = parabola<S, m>(q, v, a);
+  Event<S, 0> const now(S(0));
+  auto const change_of_constraint = [&](V const& rate) {
+    return Matrix<S, k, 1>(rates_of_constraint(Phi, curve, parabola<S, m>(w, rate, straight), now));
+  };
+  Matrix<S, k, k> const last = Phi.rows(q).template rightCols<k>();
+  w_rate.template tail<k>() -=
+      solve_linear(last, change_of_constraint(w_rate), "a variation that is allowed");
+  auto const variation = parabola<S, m>(w, w_rate, straight);
+  auto const lambda = parabola<S, k>(draw.vector<S, Matrix<S, k, 1>>(k), draw.vector<S, Matrix<S, k, 1>>(k),
+                                     Matrix<S, k, 1>::Zero());
+  auto const paired = [&]<class T>(Matrix<T, 1, 1> const& s) {
+    Matrix<T, k, 1> const work = Phi.rows(curve(s)) * variation(s);
+    return Matrix<T, 1, 1>(work.dot(lambda(s)));
+  };
+  V const left = -constrained_field_equations(L, Phi, second_jet(curve, now), first_jet(lambda, now));
+  S const changed =
+      rate_of_density(L, curve, variation, now) - divergence_of(boundary_part(L, curve, variation), now);
+  // Two solutions of small systems, and derivatives of cubics of cubics.
+  double const condition = 100;
+  claim.zero("the variation keeps the constraint", name, change_of_constraint(w_rate), S(1), condition);
+  claim.equal("change of the action on allowed curves, and (7.2)", name,
+              S(changed + divergence_of(paired, now)), left.dot(w), condition);
+  // Virtual work pairs the free equations with w, and asks for w in the kernel of the constraint.
+  claim.differs("virtual work in place of the restriction", name, changed, left.dot(w));
+}
 
 }  // namespace actio::checks
