@@ -5,6 +5,7 @@
 #include "actio/variational/lie_poisson.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 
+#include "enclosures.hpp"
 #include "sequences.hpp"
 #include "statement.hpp"
 
@@ -33,6 +34,15 @@ auto reduced_bracket(L const& l, A const& a, B const& b) {
                                                    right_differential(b, f).components);
   };
 }
+/// A function on the group as a function of pairs, by the projection on the first configuration.
+template <class F>
+struct OnFirst {
+  F f;
+  template <class T>
+  T operator()(GroupElement<T> const& g0, GroupElement<T> const&) const {
+    return f(g0);
+  }
+};
 /// SO(3) and Aff(1): for third derivatives.
 std::vector<SpannedGroup> const& small_groups() {
   static std::vector<SpannedGroup> const groups = {few_groups()[0], few_groups()[2]};
@@ -156,10 +166,9 @@ STATEMENT(eq_3_13, "the bracket on the group") {
                magnitude(slope_of) * magnitude(other) * magnitude(slope_of));
 
     // Control, as printed with the projection on the first configuration: such functions commute.
-    auto const on_first = [](auto const& h) { return [h](auto const& x, auto const&) { return h(x); }; };
     auto const gap = several([&] {
       auto const other_b = draw_reduced_lagrangian<S>(draw, group);
-      return S(bracket_of_pairs(lifted(l), on_first(a), on_first(other_b))(g[0], g[1]) -
+      return S(bracket_of_pairs(lifted(l), OnFirst{a}, OnFirst{other_b})(g[0], g[1]) -
                reduced_bracket(l, a, other_b)(f));
     });
     claim.refutes("lifted by the projection on a configuration", model, gap, scale);
@@ -178,8 +187,14 @@ STATEMENT(eq_3_13, "the bracket on the group") {
 }
 
 STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
-  claim.holds(
-      "The hypothesis on the action is always true; regularity of $\\mathbb L$ is what the bracket needs.");
+  claim.corrected(
+      R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})",
+      R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
+      "The algorithm preserves the bracket that the quotient map $\\pi_d$ induces; by (3.13) as printed, with "
+      "the projection on a configuration, all functions would commute. $\\mathbb L$ is right-invariant and, "
+      "for the bracket, regular; the hypothesis on the action is always true.");
+  claim.maybe_scan();
+  claim.same_slip_as("eq_3_13");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 2);
     auto const any = draw_reduced_lagrangian<S>(draw, group);
@@ -200,6 +215,36 @@ STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
     // Controls: two relative motions that (3.10) does not join; the bracket of another Lagrangian.
     claim.refutes("off a motion", model, defect(any, any), size(any, any));
     claim.refutes("the bracket of another Lagrangian", model, defect(l, any), size(l, any));
+
+    // The bracket is the induced one at both ends of the step of the full algorithm; by the printed lift it
+    // is another.
+    auto const g = configurations_right(draw.template element<S>(group), f);
+    auto const a = draw_reduced_lagrangian<S>(draw, group), b = draw_reduced_lagrangian<S>(draw, group);
+    Vector<S> induced(2), printed(2), below(2);
+    S sizes(0);
+    for (int k = 0; k < 2; ++k) {
+      induced[k] = bracket_of_pairs(lifted(l), lifted(a), lifted(b))(g[k], g[k + 1]);
+      printed[k] = bracket_of_pairs(lifted(l), OnFirst{a}, OnFirst{b})(g[k], g[k + 1]);
+      below[k] = reduced_bracket(l, a, b)(f[k]);
+      sizes += S(magnitude(column(right_differential(a, f[k]))) * magnitude(reduced_bivector_right(l, f[k])) *
+                 magnitude(column(right_differential(b, f[k]))));
+    }
+    claim.zero("{f, h}_G is the bracket of f and h lifted by the quotient map", model,
+               Vector<S>(induced - below), sizes, 10);
+    claim.refutes("lifted by the projection on a configuration, as printed", model,
+                  Vector<S>(printed - below), magnitude(below));
+
+    // The step goes down to the quotient: what translates a pair does not move the relative motion after it.
+    auto const after = [&](auto const& lagrangian) {
+      auto const zeta = draw.template velocity<S>(group);
+      auto const moved = discrete_flow_tangent(lagrangian, g[0], g[1], g[2],
+                                               PairChange<SpannedGroup, S>{Ad(g[0], zeta), Ad(g[1], zeta)});
+      return column(relative_variation_right(f[1], moved.first, moved.second));
+    };
+    // Condition: the tangent solves with a matrix of second derivatives.
+    claim.zero("the step takes translated pairs to translated pairs", model, after(lifted(l)), S(1), 100);
+    auto const not_invariant = with_motion(draw_pair_polynomial<S>(draw, group), g[0], g[1], g[2]);
+    claim.refutes("no invariance: translated pairs", model, after(not_invariant), S(1));
   });
 }
 
@@ -248,16 +293,63 @@ STATEMENT(claim_3_2_dep_preserves_bracket, "brackets of functions before and aft
   });
 }
 
+namespace {
+
+/// A lower bound of the largest modulus of some balls.
+Number largest_at_least(Matrix<Number> const& values) {
+  Number bound(0);
+  for (Index i = 0; i < values.size(); ++i)
+    for (Number const& one : {values(i).lower(), Number(-values(i).upper())})
+      if (bound < one) bound = one;
+  return bound;
+}
+/// Whether an image is larger than a quarter of the element, for every point and every element of some boxes
+/// with an entry 1: so that points and images in bounded sets leave a bounded set of elements.
+/// @param act  (point, element) -> image, matrices each
+template <class Act>
+Enclosure bounded_by_images(Act const& act, Matrix<Number> const& points, Matrix<Number> const& elements) {
+  Index const n = points.size();
+  Vector<Number> box(n + elements.size());
+  for (Index i = 0; i < n; ++i) box[i] = points(i);
+  for (Index i = 0; i < elements.size(); ++i) box[n + i] = elements(i);
+  return positive_on(
+      [&](Vector<Number> const& x) {
+        Matrix<Number> point = points, element = elements;
+        for (Index i = 0; i < n; ++i) point(i) = x[i];
+        for (Index i = 0; i < element.size(); ++i) element(i) = x[n + i];
+        Number const room = largest_at_least(act(point, element)) - ratio<Number>(1, 4);
+        if (!(room > Number(0))) throw Undecided("the size of an image");
+        return room;
+      },
+      box, 64);
+}
+/// All matrices whose largest entry is a 1 at (i, j).
+Matrix<Number> face(int n, int i, int j) {
+  Matrix<Number> m = Matrix<Number>::Constant(n, n, Number::between(Number(-1), Number(1)));
+  m(i, j) = Number(1);
+  return m;
+}
+/// Every matrix whose entries are within 1/(4n) of those of `middle`.
+Matrix<Number> around(Matrix<Number> const& middle) {
+  Number const radius = ratio<Number>(1, 4 * static_cast<int>(middle.rows()));
+  return middle.unaryExpr(
+      [&](Number const& x) { return Number(x + Number::between(-radius, radius)); });
+}
+
+}  // namespace
+
 STATEMENT(claim_3_2_proper_action, "the diagonal action is proper") {
   claim.holds(
-      "Always true of right multiplication on pairs: the hypothesis asks for nothing. The action is free, "
-      "too.");
+      "Always true of right multiplication on pairs: the hypothesis asks for nothing. In balls, for every "
+      "configuration near the identity, to which left translation carries any other: $|h|\\le 4|gh|$ and "
+      "$|h^{-1}|\\le 4|(gh)^{-1}|$. The action is free, too.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 2);
     auto const h = draw.template element<S>(group), axis = draw.template element<S>(group);
-    // Proper and free: h is a continuous function of a pair and its image, so it stays bounded where these
-    // do.
-    auto const found = [&](auto const& before, auto const& after) { return inverse(before) * after; };
+    // Free: h is a continuous function of a pair and its image, found by elimination.
+    auto const found = [&](auto const& before, auto const& after) {
+      return GroupElement<S>{group, solve_linear(before.value, after.value, "g h = g'")};
+    };
     claim.equal("h from one configuration and its image", model, found(g[0], g[0] * h), h);
     claim.equal("h from the other configuration and its image", model, found(g[1], g[1] * h), h);
     // Control: conjugation of both configurations. Elements that commute with them do nothing, so the pair
@@ -267,13 +359,40 @@ STATEMENT(claim_3_2_proper_action, "the diagonal action is proper") {
     claim.equal("conjugation: an element fixes its powers", model, conjugated(square, axis), square);
     claim.differs("conjugation: h from a configuration and its image", model,
                   found(square, conjugated(square, axis)), axis);
+
+    // Proper. Products are linear in h, so its size does not matter: each of its entries may be the largest.
+    int const n = group.matrix_size();
+    auto const on_the_right = [&](Matrix<Number> const& p, Matrix<Number> const& e) {
+      return (GroupElement<Number>{group, p} * GroupElement<Number>{group, e}).value;
+    };
+    auto const on_the_left = [&](Matrix<Number> const& p, Matrix<Number> const& e) {
+      return (GroupElement<Number>{group, e} * GroupElement<Number>{group, p}).value;
+    };
+    auto const everywhere = [&](auto const& act) {
+      Enclosure all{.shown = true, .margin = HUGE_VAL};
+      for (int k = 0; k < n * n && all.shown; ++k) {
+        auto const one = bounded_by_images(act, around(identity<Number>(group).value), face(n, k % n, k / n));
+        all = {one.shown, std::min(all.margin, one.margin), all.boxes + one.boxes};
+      }
+      return all;
+    };
+    claim.encloses("|h| < 4 |g h|", model, [&] { return everywhere(on_the_right); });
+    claim.encloses("|k| < 4 |k g|, of inverses", model, [&] { return everywhere(on_the_left); });
   });
-  // Control: a free action that is not proper, (x, y) -> (h x, y/h) off the origin. The pair (1, s) and its
-  // image (s, 1) stay bounded, h = s leaves the group.
-  for (long s : {16L, 256L, 4096L}) {
-    S const small = ratio<S>(1, s), x(1), y = small, h = small;
-    claim.zero("an action that is not proper: images of bounded points are bounded", "R^x on the plane",
-               S(h * x - small) + S(y / h - S(1)), S(1));
-    claim.refutes("h^-1 within 8 times the points", "R^x on the plane", S(S(1) / h - 8), S(1));
-  }
+  // The same of two actions of numbers on the plane off the origin, at points around (1, 0): all coordinates
+  // multiplied by h; one multiplied and one divided by h = 1/s, over the size s of the element. That one is
+  // free and not proper: (1, 1/s) goes to (1/s, 1).
+  auto const on_the_plane = [](Matrix<Number> const& p, Matrix<Number> const& e) {
+    return Matrix<Number>(p.cwiseProduct(e));
+  };
+  auto const of_elements = [&](Number const& first) {
+    Matrix<Number> point(2, 1), element(2, 1);
+    point << Number(1), Number(0);
+    element << first, Number(1);
+    return bounded_by_images(on_the_plane, around(point), element);
+  };
+  claim.encloses("(x, y) to (h x, h y): |h| < 4 |h p|", "R^x on the plane", [&] { return of_elements(1); });
+  for (long s : {16L, 256L, 4096L})
+    claim.refutes_enclosure("(x, y) to (h x, y/h): |h| < 4 |h p|", "R^x on the plane",
+                            [&] { return of_elements(ratio<Number>(1, s * s)); });
 }
