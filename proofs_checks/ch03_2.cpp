@@ -180,25 +180,50 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
 
 STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of $N$ relative motions") {
   claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)",
-                  "The action sum has $N+1$ configurations, the reduced sum $N$ relative motions.");
+                  "$N+1$ configurations make $N$ relative motions, and any $N$: the quotient of $G^{N+1}$ is $G^N$, "
+                  "on which the action sum is a function. $N+1$ of them would have to multiply to 1.");
+  claim.same_slip_as("thm_3_2_1");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
     for (int steps : {3, 4}) {
       std::string const of = " (N = " + std::to_string(steps) + ")";
-      auto const f = draw_configurations<S>(draw, group, steps + 1, ratio<S>(1, 2));
-      GroupElements<S> const n_of_them(f.begin(), f.end() - 1);
+      auto const f = draw_configurations<S>(draw, group, steps, ratio<S>(1, 2));
       auto const g = configurations_right(draw.template element<S>(group), f);
-      GroupElements<S> const configurations(g.begin(), g.end() - 1);
-      // N relative motions and one configuration make N + 1 configurations with that action.
-      S const action = discrete_action(lifted(l), configurations);
-      claim.zero("N of them give the action of N + 1 configurations" + of, model,
-                 S(reduced_sum(l, n_of_them) - action), momenta_of(l, f));
-      auto const longer = several([&] {
-        auto one_more = n_of_them;
-        one_more.push_back(draw.template element<S>(group));
-        return S(reduced_sum(l, one_more) - action);
-      });
-      claim.refutes("N + 1 of them" + of, model, longer, momenta_of(l, f));
+      // Onto: any N relative motions are those of configurations. One orbit over each: configurations with the
+      // same relative motions differ by one translation, and the action is the same on all of the orbit.
+      // Condition: each configuration carries the rounding of the products before it.
+      auto const again = configurations_right(draw.template element<S>(group), f);
+      auto const carry = inverse(g[0]) * again[0];
+      GroupElements<S> carried;
+      for (auto const& one : g) carried.push_back(one * carry);
+      claim.equal("any N are those of N + 1 configurations" + of, model, stacked(relative_motions_right(g)),
+                  stacked(f), 10);
+      claim.equal("which are one orbit" + of, model, stacked(carried), stacked(again), 10);
+      S const sum = reduced_sum(l, f);
+      claim.zero("on which the action is the reduced sum" + of, model,
+                 Vector<S>{{S(discrete_action(lifted(l), g) - sum), S(discrete_action(lifted(l), again) - sum)}},
+                 momenta_of(l, f), 10);
+
+      // The N + 1 that N + 1 configurations have, the last one back to the first, multiply to 1; any N + 1 do
+      // not, so that a function of N + 1 is more than the configurations determine.
+      auto const product = [&](GroupElement<S> const& last) {
+        auto whole = f[0];
+        for (int k = 1; k < steps; ++k) whole = whole * f[k];
+        return whole * last;
+      };
+      claim.equal("N + 1 of them around multiply to 1" + of, model,
+                  product(relative_motion_right(g[steps], g[0])), identity<S>(group), 10);
+      claim.refutes("any N + 1 of them" + of, model, several([&] {
+                      auto const last = draw.template element<S>(group);
+                      return Matrix<S>(product(last).value - identity<S>(group).value);
+                    }),
+                    S(1));
+      claim.refutes("the sum over N + 1 of them" + of, model, several([&] {
+                      auto one_more = f;
+                      one_more.push_back(draw.template element<S>(group));
+                      return S(reduced_sum(l, one_more) - sum);
+                    }),
+                    momenta_of(l, f));
 
       // Every variation of the N comes from variations of the configurations, g_0 held: the tangent of the
       // quotient is onto.

@@ -1,6 +1,7 @@
 // Section 3.2, third part: body and spatial momenta in time and in steps, the coadjoint action, the
 // discrete Lie-Poisson algorithm.
 
+#include "actio/numbers/rank.hpp"
 #include "actio/reduction/discrete_forms.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/variational/euler_lagrange.hpp"
@@ -400,7 +401,10 @@ STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
 }
 
 STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
-  claim.holds();
+  claim.holds(
+      "One element of the group joins the momenta; functions that are constant on orbits stay, and so does the "
+      "dimension of the orbit. On Aff(1), which has no such function, the half-planes $\\mu_2 > 0$ and $\\mu_2 < "
+      "0$ and each point of $\\mu_2 = 0$ are the orbits.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_right(draw_reduced_lagrangian<S>(draw, group), f);
@@ -417,7 +421,35 @@ STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
                    momentum_before_right(l, f[2]),
                scale, 10);
 
+    // The orbit's tangent space goes to that at the image: so the dimensions agree.
+    auto const tangents = [](Covector<S> const& at) { return lie_poisson_tensor_plus(at); };
+    Matrix<S> const step = Ad_matrix(f[0] * f[1] * f[2]).transpose();
+    claim.zero("tangent spaces of the orbit", model,
+               Matrix<S>(step * tangents(start) * step.transpose() - tangents(mu)),
+               magnitude(step) * magnitude(tangents(start)) * magnitude(step) + magnitude(tangents(mu)), 10);
+    claim.fact("orbits of one dimension", model, matrix_rank(tangents(start)) == matrix_rank(tangents(mu)));
+
     auto const invariants = casimirs(start);
+    if (model == "Aff(1)") {
+      // The second component is multiplied by the stretching of f, which is positive; the first moves unless
+      // the second is zero.
+      S const stretching = (f[0] * f[1] * f[2]).value(0, 0);
+      claim.zero("half-planes: mu_2 is multiplied by a positive number", model,
+                 S(mu.components[1] - stretching * start.components[1]), scale, 10);
+      if (ordered_arithmetic<S>()) claim.fact("which is positive", model, S(0) < stretching);
+      auto const line = [&](GroupElement<S> const& by, S const& second) {
+        auto const at = momentum(group, Vector<S>{{start.components[0], second}});
+        return lie_poisson_update_right(by, at) - at;
+      };
+      claim.zero("points of the line mu_2 = 0 stay", model, line(f[0], S(0)), size_of(start), 10);
+      claim.refutes("other points stay", model, line(f[0], draw.template number<S>()), size_of(start));
+      // Control: a reflection of the line is no element of the group. It exchanges the half-planes.
+      Matrix<S> reflection = f[0].value;
+      reflection(0, 0) = -reflection(0, 0);
+      auto const reflected = lie_poisson_update_right(GroupElement<S>{group, reflection}, start);
+      claim.differs("carried by a reflection", model, reflected.components[1],
+                    S(f[0].value(0, 0) * start.components[1]));
+    }
     if (invariants.size() == 0) return;
     auto const size = S(scale * scale + scale);
     claim.zero("functions that are constant on orbits", model, Vector<S>(casimirs(mu) - invariants), size,
