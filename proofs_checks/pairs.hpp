@@ -250,4 +250,26 @@ auto draw_left_invariant_with_motion(Draw& draw, GroupElements<S> const& g) {
   return lift_left(with_motion_along(draw_group_polynomial<S>(draw, g[0].group), g, draw, from_left));
 }
 
+/// A Lagrangian on pairs, less the square of a height that depends only on the image of one basis vector.
+template <class Lagrangian, class S>
+struct WithHeight {
+  Lagrangian lagrangian;
+  Vector<S> heights;
+  int fixed;
+  template <class T>
+  T operator()(GroupElement<T> const& g0, GroupElement<T> const& g1) const {
+    T height(0);
+    for (Index i = 0; i < heights.size(); ++i) height += g1.value(i, fixed) * T(heights[i]);
+    return lagrangian(g0, g1) - height * height;
+  }
+};
+/// Lifts a function on the group to a right-invariant Lagrangian, and takes such a square off.
+template <class S>
+auto lift_with_height(Vector<S> const& heights, int fixed) {
+  return [=](auto const& l) {
+    auto const lift = lift_right(l);
+    return WithHeight<std::decay_t<decltype(lift)>, S>{lift, heights, fixed};
+  };
+}
+
 }  // namespace actio::checks
