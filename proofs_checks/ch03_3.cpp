@@ -1,7 +1,8 @@
 // Section 3.3, first part: natural charts and the discrete Lagrangian they define.
 //
-// Over the rationals the groups are unipotent, so exp, log and iex are polynomials and residuals are exactly
-// zero (chart_models.hpp).
+// Over the rationals exp, log and iex are polynomials on the groups that are taken, and residuals are exactly
+// zero: UT(5), and series in a formal parameter with coefficients in Aff(1), whose Ad is not unimodular
+// (chart_models.hpp). There ad is seen up to its fifth power, and every identity as a power series.
 
 #include "actio/variational/euler_poincare.hpp"
 
@@ -78,10 +79,10 @@ S generic_determinant(Draw& draw, SpannedGroup const& group) {
 
 STATEMENT(eq_3_19, "chart at a group element from the exponential map") {
   claim.holds();
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group), k = draw_near(draw, g),
                h = draw.template element<S>(group);
-    auto const v = draw.template velocity<S>(group, ratio<S>(1, 4));
+    auto const v = draw_exponent<S>(draw, group, ratio<S>(1, 4));
     // A chart and its inverse, the base point at the origin, the charts related by right translation.
     claim.equal("exp(psi_g(k)) g = k", model, exp(natural_chart_right(g, k)) * g, k);
     claim.equal("psi_g(exp(v) g) = v", model, natural_chart_right(g, exp(v) * g), v);
@@ -105,7 +106,7 @@ STATEMENT(eq_3_20, "discrete Lagrangian from averages and differences in a chart
   claim.convention(
       "The push-forward is taken at the averaged point $\\eta$, which the thesis leaves open. The discrete "
       "Lagrangian of the library is $h$ times the printed one: an action.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
     S const h = step_length<S>();
@@ -191,218 +192,7 @@ STATEMENT(claim_3_3_quadratic_lie_algebra, "assumption of a regular quadratic Li
 }
 
 // ----
-// Section 3.3, second part: distances, and how far a chart reaches.
-
-namespace {
-
-/// \f$|\xi|^2\f$ of the metric whose basis is orthonormal.
-struct SquareNorm {
-  template <class T>
-  T operator()(Velocity<SpannedGroup, T> const& xi) const {
-    T sum(0);
-    for (Index i = 0; i < xi.coordinates.size(); ++i) sum += xi.coordinates[i] * xi.coordinates[i];
-    return sum;
-  }
-};
-/// \f$\cosh\f$ of the distance in Aff(1) with that metric, translated on the right: inverted, it is the
-/// hyperbolic plane of points (shift, stretch).
-template <class S>
-S cosh_distance(GroupElement<S> const& g1, GroupElement<S> const& g2) {
-  auto const p = inverse(g1).value, q = inverse(g2).value;
-  S const dx = p(0, 1) - q(0, 1), dy = p(0, 0) - q(0, 0);
-  return S(1) + (dx * dx + dy * dy) / (S(2) * p(0, 0) * q(0, 0));
-}
-/// A geodesic of it, at unit speed in log u: a half circle of centre c and radius r, inverted back.
-template <class T, class S>
-GroupElement<T> half_circle(SpannedGroup const& aff1, S const& c, S const& r, T const& u) {
-  T const w = u * u + T(1);
-  Matrix<T> k = Matrix<T>::Identity(2, 2);
-  k(0, 0) = T(2) * u * T(r) / w, k(0, 1) = T(c) + T(r) * (u * u - T(1)) / w;
-  return inverse(GroupElement<T>{aff1, k});
-}
-/// \f$\cos\f$ of the angle between two rotations of space.
-template <class S>
-S cos_angle(GroupElement<S> const& g1, GroupElement<S> const& g2) {
-  auto const f = (g1 * inverse(g2)).value;
-  return (f(0, 0) + f(1, 1) + f(2, 2) - S(1)) / S(2);
-}
-/// A rotation with tan(angle/2) = t about an axis with rational length.
-template <class S>
-GroupElement<S> rotation_by_half_tangent(SpannedGroup const& so3, S const& t) {
-  Vector<S> axis(3);
-  axis << S(2), S(-1), S(2);
-  return retract(Algebra<S>{so3, Vector<S>(axis * (S(2) * t / S(3)))});
-}
-
-}  // namespace
-
-STATEMENT(claim_3_3_riemannian_distance, "Riemannian distance through the connecting geodesic") {
-  claim.corrected(
-      R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle\,dt)",
-      R"(\mathrm{dist}(g_1,g_2) = \int_0^1\langle\dot\gamma,\dot\gamma\rangle^{1/2}\,dt)",
-      "Without the root the integral is the square of the distance: on the pieces of one geodesic it does "
-      "not add up, and the triangle inequality fails. The geodesic is a shortest one.");
-  claim.maybe_scan();
-  // A half circle and its two derivatives are quotients of degree 12 at most in u, r, c and the rate; their
-  // inverses and products raise that to 60 at most.
-  auto const aff1 = spanned("Aff(1)", Aff1{});
-  auto const kinetic = [](auto const& xi) { return SquareNorm{}(xi) / 2; };
-  over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
-    S const c = draw.template number<S>(), r = S(2) + draw.template number<S>(),
-            u = S(2) + draw.template number<S>();
-    auto const rate_a = (S(2) + draw.template number<S>()) / S(4),
-               rate_b = (S(2) + draw.template number<S>()) / S(4);
-    // Two legs of one geodesic, each run through in unit time; log u goes at a constant rate.
-    auto const square_speed = [&](S const& rate, S const& at) {
-      using D = Dual<S>;
-      D position(at), speed(S(rate * at));
-      position.part[0] = rate * at, speed.part[0] = rate * rate * at;
-      Dual<D> nested(position);
-      nested.part[0] = speed;
-      auto const xi = state_of(half_circle(group, c, r, nested)).velocity;
-      Algebra<S> const velocity{group, Vector<S>(value_part<S>(xi.coordinates))},
-          acceleration{group, Vector<S>(rate_part<S>(xi.coordinates))};
-      claim.zero("a half circle is a geodesic of the right-invariant metric", model,
-                 euler_poincare_right(kinetic, velocity, acceleration),
-                 size_of(velocity) * size_of(velocity));
-      return SquareNorm{}(velocity);
-    };
-    S const square_a = square_speed(rate_a, u), square_b = square_speed(rate_b, u),
-            square = square_speed(rate_a + rate_b, u);
-    claim.equal("its speed is the same everywhere", model, square_speed(rate_a, u * (S(1) + rate_b)),
-                square_a);
-    // The speeds are the roots of these: lengths of the legs add up to that of the whole.
-    claim.equal("square of the sum of the lengths of two legs is that of the whole", model,
-                square_a + square_b + S(2) * rate_a * rate_b, square);
-    claim.equal("length of a leg, squared", model, square_a, rate_a * rate_a);
-    // Control: without the root they do not.
-    claim.differs("without the root the two legs fall short of the whole", model, square_a + square_b,
-                  square);
-    if (!exact_arithmetic<S>()) {
-      using std::exp, std::log, std::sqrt;
-      S const cosh = cosh_distance(half_circle(group, c, r, u), half_circle(group, c, r, S(u * exp(rate_a))));
-      // The distance from its closed form.
-      S const distance = log(S(cosh + sqrt(S(cosh * cosh - 1))));
-      claim.equal("integral of the root is the hyperbolic distance", model, S(sqrt(square_a)), distance);
-      claim.differs("integral without the root is not", model, square_a, distance);
-    }
-  });
-  // On every group: a geodesic of a right-invariant metric has constant speed, so that the printed integral
-  // over [0, 1] is the square of the length.
-  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    auto metric = draw_algebra_polynomial<S>(draw, group.dimension());
-    metric.b.setZero(), metric.kappa = S(0);
-    auto const xi = draw.template velocity<S>(group);
-    auto const mu = gradient(metric, xi);
-    claim.zero("a geodesic has constant speed", model,
-               pair(mu, euler_poincare_acceleration_right(metric, xi)),
-               size_of(ad_star(xi, mu)) * size_of(xi));
-  });
-}
-
-STATEMENT(claim_3_3_chart_diameter, "diameters of the chart domain and of its translates") {
-  claim.holds(
-      "Right translation is an isometry of a metric translated on the right; it is not one of a metric "
-      "translated on the left.");
-  auto const aff1 = spanned("Aff(1)", Aff1{});
-  // Where lengths can be compared.
-  if (ordered_arithmetic<S>())
-    over_groups({aff1}, claim, [&](auto const& group, auto const& model) {
-      auto const g = draw.template element<S>(group);
-      std::vector<GroupElement<S>> domain;
-      for (int i = 0; i < 4; ++i) domain.push_back(draw.template element<S>(group));
-      auto const diameter = [&](auto const& move) {
-        S largest(1);
-        for (auto const& a : domain)
-          for (auto const& b : domain) largest = std::max(largest, S(cosh_distance(move(a), move(b))));
-        return largest;
-      };
-      S const plain = diameter([](auto const& a) { return a; });
-      claim.equal("cosh of the diameter of four configurations and of their right translates", model,
-                  diameter([&](auto const& a) { return a * g; }), plain);
-      claim.differs("of their left translates", model, diameter([&](auto const& a) { return g * a; }), plain);
-    });
-  // On every group: right translation leaves the speed of every curve as it is.
-  over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
-    auto const g = draw.template element<S>(group, S(1)), h = draw.template element<S>(group);
-    auto const v = draw.template velocity<S>(group);
-    auto const curve = moving_along(v) * over<Dual<S>>(h);
-    SquareNorm const norm;
-    claim.equal("speed of a curve and of its right translate", model,
-                norm(state_of(curve * over<Dual<S>>(g)).velocity), norm(v));
-    if (model != "SO(3)")
-      claim.differs("and of its left translate", model, norm(state_of(over<Dual<S>>(g) * curve).velocity),
-                    norm(v));
-  });
-}
-
-STATEMENT(claim_3_3_chart_condition,
-          "condition on two group elements for the discrete Lagrangian to be defined") {
-  claim.corrected(R"(\mathrm{dist}(g_1,g_2) < \mathrm{diam}(U))",
-                  R"(\mathrm{dist}(g_i, g) < r,\ i = 1, 2,)"
-                  R"(\quad\text{where } U \text{ contains the ball of radius } r \text{ about } e)",
-                  "Two configurations nearer to each other than the diameter of $U$ may be further from the "
-                  "base point than $U$ reaches: with the base point at either end the radius counts, half "
-                  "the diameter of a ball. The printed bound is enough where the base point is half-way.");
-  // U: the rotations by less than a right angle. Its radius is pi/2 and its diameter pi: rotations by
-  // nearly +- a right angle are nearly half a turn apart.
-  auto const so3 = spanned("SO(3)", SO<3>{});
-  S const one(1);
-  if (ordered_arithmetic<S>()) {
-    auto const g2 = draw.template element<S>(so3, S(2)), g = draw.template element<S>(so3, S(2));
-    S const inside = (S(1) + draw.template number<S>()) / S(2),
-            outside = ratio<S>(11, 8) + draw.template number<S>() / S(4);
-    claim.fact("dist(g1, g2) < r puts g1 into the chart at g2", "SO(3), U of radius pi/2",
-               cos_angle(GroupElement<S>(rotation_by_half_tangent(so3, inside) * g2), g2) > S(0));
-    auto const e = identity<S>(so3);
-    auto const nearly = rotation_by_half_tangent(so3, ratio<S>(99, 100));
-    claim.fact("the diameter of U is more than 178 degrees", "SO(3), U of radius pi/2",
-               cos_angle(nearly, e) > S(0) && cos_angle(nearly, inverse(nearly)) < -ratio<S>(999, 1000));
-    // Half-way, the printed bound does: g1 = s g, g2 = s^-1 g with s by less than a right angle.
-    auto const s = rotation_by_half_tangent(so3, inside);
-    claim.fact("dist(g1, g2) < diam(U) is enough at the configuration half-way", "SO(3), U of radius pi/2",
-               cos_angle(s * g, g) > S(0) && cos_angle(inverse(s) * g, g) > S(0));
-    // Control: nearer than the diameter, 97 to 117 degrees apart, and outside of the chart at g2: by how much
-    // the angle's cosine lies below that of U's edge.
-    auto const g1 = rotation_by_half_tangent(so3, outside) * g2;
-    claim.fact("the control's configurations are nearer than the diameter", "SO(3), U of radius pi/2",
-               cos_angle(g1, g2) > -ratio<S>(999, 1000));
-    S const excess = S(0) > cos_angle(g1, g2) ? S(-cos_angle(g1, g2)) : S(0);
-    claim.refutes("dist(g1, g2) < diam(U), base point at g2: outside by", "SO(3), U of radius pi/2", excess,
-                  one);
-  }
-  if (!exact_arithmetic<S>()) {
-    // With all of the chart of SE(3): up to half a turn every configuration is met, however far away it is,
-    // so that U has no finite diameter.
-    SE<3> const se3;
-    auto const far = [&](S const& angle, S const& distance) {
-      Coordinates<SE<3>, S> v = Coordinates<SE<3>, S>::Zero();
-      v[0] = angle, v[4] = distance;
-      return exp(Velocity<SE<3>, S>{se3, v});
-    };
-    using std::acos;
-    S const pi = acos(S(-1));
-    auto const g = draw.template element<S>(se3);
-    for (auto [fraction, distance] : {std::pair{1, 1L}, {90, 1000L}, {99, 1000000L}}) {
-      auto const k = far(pi * S(fraction) / S(100), S(distance)) * g;
-      claim.equal("less than half a turn from the base point: in the chart", "SE(3)",
-                  exp(natural_chart_right(g, k)) * g, k);
-    }
-    claim.template refuses<OutsideDomain>(
-        "half a turn away: at a finite distance, below the infinite diameter of U", "SE(3)",
-        [&] { natural_chart_right(g, far(pi, S(1)) * g); });
-    // SL(2): the chart has no finite diameter either, and whole regions outside of it.
-    Matrix<S, 2, 2> hyperbolic;
-    hyperbolic << S(-2), S(0), S(0), ratio<S>(-1, 2);
-    claim.template refuses<OutsideDomain>(
-        "no logarithm: at a finite distance, below the infinite diameter of U", "SL(2)", [&] {
-          log(Element<SL2, S>{{}, hyperbolic});
-        });
-  }
-}
-
-// ----
-// Section 3.3, third part: velocities in a chart, the differential of the exponential, the discrete
+// Section 3.3, second part: velocities in a chart, the differential of the exponential, the discrete
 // Lagrangian with its push-forward carried out.
 
 namespace {
@@ -419,8 +209,8 @@ STATEMENT(claim_3_3_velocity_element, "group velocity approximated by the chart 
   claim.corrected(R"(\zeta\approx g^{-1}\dot g)", R"(\zeta\approx\dot g\,g^{-1})",
                   "In the chart by right translation the difference quotient is the velocity translated to "
                   "the identity on the right; $g^{-1}\\dot g$ belongs to the chart by left translation.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
+    auto const xi = draw_exponent<S>(draw, group, ratio<S>(1, 2));
     auto const g1 = draw.template element<S>(group, S(1));
     S const h = step_length<S>();
     // Along g(t) = exp(t xi) g1 the velocity is xi throughout, and the quotient is exact.
@@ -457,8 +247,8 @@ STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential ma
       "With $\\mathrm{ad}_\\eta\\zeta = \\eta\\zeta - \\zeta\\eta$, for which $\\mathrm{Ad}_{\\exp\\eta} = "
       "\\exp(\\mathrm{ad}_\\eta)$ as (3.26) has it, the minus sign goes with left translation. The printed "
       "form takes the bracket of right-invariant vector fields.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const eta = draw.template velocity<S>(group), zeta = draw.template velocity<S>(group);
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
+    auto const eta = draw_exponent<S>(draw, group), zeta = draw.template velocity<S>(group);
     auto const moving_element = exp(moving(eta, zeta));
     auto const state = state_of(moving_element);
     auto const through = [&](Algebra<S> const& along) {
@@ -468,14 +258,14 @@ STATEMENT(claim_3_3_derivative_of_exponential, "derivative of the exponential ma
     claim.equal("on the left: iex(-ad)", model, body_velocity(state), through(-eta));
     // Control: the printed sign. (One part in a thousand and more: commutators are of second order.)
     claim.differs("on the right: iex(-ad), as printed", model, state.velocity, through(-eta));
-    // Without any formula: to fourth order in w = ad, 1 + w/2 + w^2/6 + w^3/24, which over the rationals is
-    // all of it.
+    // Without any formula: up to the fifth power of w = ad, 1 + w/2 + w^2/6 + w^3/24 + w^4/120 + w^5/720,
+    // which over the rationals is all of it.
     if (exact_arithmetic<S>()) {
       auto const w = ad_matrix(eta);
-      Vector<S> const wz = w * zeta.coordinates, wwz = w * wz, wwwz = w * wwz;
-      claim.equal("zeta + [eta,zeta]/2 + [eta,[eta,zeta]]/6 + [eta,[eta,[eta,zeta]]]/24", model,
-                  state.velocity.coordinates,
-                  Vector<S>(zeta.coordinates + wz / S(2) + wwz / S(6) + wwwz / S(24)));
+      Vector<S> term = zeta.coordinates, sum = term;
+      for (int n = 2; n <= 6; ++n) term = w * term, term /= S(n), sum += term;
+      claim.equal("zeta + [eta,zeta]/2! + [eta,[eta,zeta]]/3! + ... up to 6!", model,
+                  state.velocity.coordinates, sum);
     }
   });
 }
@@ -523,7 +313,8 @@ STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried ou
       R"(\,T_eL_q\cdot\mathrm{iex}(-\mathrm{ad}_{\eta'})\zeta'\bigr))",
       "The sign is that of the differential of exp; the minus goes with the charts by left translation "
       "($\\eta', \\zeta'$), whose discrete Lagrangian is the same. The library's carries the factor $h$.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  claim.same_slip_as("claim_3_3_derivative_of_exponential");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), g = draw_near(draw, g1);
     S const h = step_length<S>();
@@ -533,21 +324,26 @@ STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried ou
       return lagrangian(State<SpannedGroup, S>{q, {group, velocity}});
     };
 
-    // (3.20) with dual numbers on one side, (3.22) written out on the other.
+    // (3.20) with dual numbers on one side, (3.22) written out on the other. A velocity is a difference of
+    // logarithms over the step: their size is that of its terms.
     S const whole = lagrangian(push_forward(g, m.eta, m.zeta));
-    claim.equal("(3.20) = L(q, iex(ad) zeta)", model, at_q(iex(ad_matrix(m.eta)) * m.zeta.coordinates),
-                whole);
-    // Condition: exponentials and logarithms of either side, power series of as many terms as there are
-    // digits.
-    claim.equal("left charts: (3.20) = L(q', iex(-ad) zeta'), carried from the left", model,
-                lagrangian(State<SpannedGroup, S>{
-                    g * exp(left.eta), Ad(g * exp(left.eta), Algebra<S>{group, iex(ad_matrix(-left.eta)) *
-                                                                                   left.zeta.coordinates})}),
-                whole, 10);
-    claim.equal("the library's, right charts", model, discretize_right(lagrangian, h, staying_at(g))(g1, g2),
-                h * whole, 10);
-    claim.equal("the library's, left charts", model, discretize_left(lagrangian, h, staying_at(g))(g1, g2),
-                h * whole, 10);
+    Base<S> const velocity_terms =
+        (size_of(natural_chart_right(g, g1)) + size_of(natural_chart_right(g, g2))) / Base<S>(h);
+    auto const scale = size_of_terms(lagrangian, q, velocity_terms);
+    claim.zero("(3.20) = L(q, iex(ad) zeta)", model,
+               S(at_q(iex(ad_matrix(m.eta)) * m.zeta.coordinates) - whole), scale);
+    GroupElement<S> const q_left = g * exp(left.eta);
+    claim.zero(
+        "left charts: (3.20) = L(q', iex(-ad) zeta'), carried from the left", model,
+        S(lagrangian(State<SpannedGroup, S>{
+              q_left,
+              Ad(q_left, Algebra<S>{group, Vector<S>(iex(ad_matrix(-left.eta)) * left.zeta.coordinates)})}) -
+          whole),
+        scale);
+    claim.zero("the library's, right charts", model,
+               S(discretize_right(lagrangian, h, staying_at(g))(g1, g2) - h * whole), scale);
+    claim.zero("the library's, left charts", model,
+               S(discretize_left(lagrangian, h, staying_at(g))(g1, g2) - h * whole), scale);
     claim.differs("iex(-ad) zeta, as printed: the velocity that L is given", model,
                   Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates),
                   push_forward(g, m.eta, m.zeta).velocity.coordinates);
@@ -555,15 +351,18 @@ STATEMENT(eq_3_22, "chart-based discrete Lagrangian with push-forward carried ou
 }
 
 STATEMENT(claim_3_3_fibre_element_limit, "limit of the fibre element as the time step vanishes") {
-  claim.convention(
+  claim.corrected(
+      R"(\mathrm{iex}(-\mathrm{ad}_\eta)(\zeta)\to\dot g g^{-1})",
+      R"(\mathrm{iex}(\mathrm{ad}_\eta)(\zeta)\to\dot g g^{-1})",
       "The fibre element tends to $\\dot g g^{-1}$, and to $\\dot g$ once it is translated to $q$ on the "
-      "right. With $\\mathrm{iex}(\\mathrm{ad}_\\eta)$ it does so at every base point; with the printed sign "
-      "only where the base point tends to the same configuration.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+      "right, with the sign of (3.22) at every base point; with the printed sign only where the base point "
+      "tends to the same configuration.");
+  claim.same_slip_as("claim_3_3_derivative_of_exponential");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // The limit itself is a derivative: average and difference quotient tend to psi_g(c) and its rate of
     // change.
     auto const xi = draw.template velocity<S>(group);
-    auto const c = draw.template element<S>(group), g = draw.template element<S>(group) * c;
+    auto const c = draw.template element<S>(group), g = draw_small<S>(draw, group) * c;
     auto const chart = natural_chart_right(over<Dual<S>>(g), moving_along(xi) * over<Dual<S>>(c));
     ChartMidpoint<SpannedGroup, S> const limit{{group, Vector<S>(value_part<S>(chart.coordinates))},
                                                {group, Vector<S>(rate_part<S>(chart.coordinates))}};
@@ -603,9 +402,9 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
                   R"(\chi(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
                   "As the derivative of log that enters (3.26), read on $e^\\vartheta f$. The printed one is "
                   "the derivative read on $f e^\\vartheta$.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2)),
-               theta = draw.template velocity<S>(group);
+  claim.same_slip_as("claim_3_3_derivative_of_exponential");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
+    auto const xi = draw_exponent<S>(draw, group, ratio<S>(1, 2)), theta = draw.template velocity<S>(group);
     auto const w = ad_matrix(xi);
     auto const of = [&](Matrix<S> const& m) {
       return Algebra<S>{group, Vector<S>(chi(m) * theta.coordinates)};
@@ -622,10 +421,13 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
                 of(w).coordinates);
     claim.differs("chi(-ad), as printed", model, of(-w).coordinates, logarithm_rate(exp(xi), theta));
     if (exact_arithmetic<S>()) {
-      // The series of Bernoulli numbers, all of it: ad^4 = 0 on these groups.
-      Matrix<S> const one = Matrix<S>::Identity(w.rows(), w.cols()), square = w * w;
-      claim.equal("chi(w) = 1 - w/2 + w^2/12", model, Matrix<S>(chi(w)),
-                  Matrix<S>(one - w / S(2) + square / S(12)));
+      // The series of Bernoulli numbers, all of it: ad^6 = 0 on these groups.
+      Matrix<S> const one = Matrix<S>::Identity(w.rows(), w.cols()), square = w * w, fourth = square * square;
+      claim.equal("chi(w) = 1 - w/2 + w^2/12 - w^4/720", model, Matrix<S>(chi(w)),
+                  Matrix<S>(one - w / S(2) + square / S(12) - fourth / S(720)));
+      if (directions_of_start(group) > 0)
+        claim.differs("the fourth power left out", model, Matrix<S>(chi(w)),
+                      Matrix<S>(one - w / S(2) + square / S(12)), 1e-6);
     }
   });
   if (!exact_arithmetic<S>()) {
@@ -646,7 +448,7 @@ STATEMENT(claim_3_3_chi_function, "function chi and the derivative of the logari
 }
 
 // ----
-// Section 3.3, fourth part: invariance and reduction of chart-based discrete Lagrangians, the chart centred
+// Section 3.3, third part: invariance and reduction of chart-based discrete Lagrangians, the chart centred
 // at an end.
 
 namespace {
@@ -656,8 +458,15 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
+  T operator()(State<SpannedGroup, T> const& state) const {
+    return contract(w, state.configuration.value);
+  }
 };
+/// An element as far from the identity as the charts of all groups allow with two small ones beside it.
+template <class S>
+GroupElement<S> draw_far(Draw& draw, SpannedGroup const& group) {
+  return retract(draw_exponent<S>(draw, group, exact_arithmetic<S>() ? S(1) : ratio<S>(4, 5)));
+}
 /// The first term by which \f$h\,\mathrm{iex}(\mathrm{ad}_\eta)\zeta\f$ differs from \f$\log(g_2g_1^{-1})\f$:
 /// \f$[d,[d,[x_1,x_2]]]/96\f$ with \f$x_i = \psi_g(g_i)\f$, \f$d = x_2-x_1\f$.
 template <class S>
@@ -672,7 +481,7 @@ STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under th
   claim.convention(
       "The base point of the chart is equivariant, as the proof has it; with a fixed base point there is no "
       "invariance. Charts of either side serve either invariance.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1),
                k = draw.template element<S>(group), c = draw_small<S>(draw, group);
@@ -705,10 +514,68 @@ STATEMENT(lem_3_3_1, "invariance of the chart-based discrete Lagrangian under th
     claim.differs("moved on the wrong side: the argument of a right-invariant L", model,
                   seen(k * base(g1, g2), k * g1, k * g2), seen(base(g1, g2), g1, g2));
     auto const fixed = GroupElement<S>(c * g2);
-    auto const lost = base_point_term(fixed, g1, g2);
-    if (to_double(size_of(lost)) > 1e-6)
-      claim.refutes("fixed base point: change of the velocity in L, beside the first term that this adds",
-                    model, seen(fixed, g1 * k, g2 * k) - seen(fixed, g1, g2), size_of(lost / h));
+    // The configurations are moved by some way, so that they stay in the chart at the point that stays. What
+    // the base point changes is of fourth order, which UT(4) does not have.
+    if (model == "UT(4)") return;
+    auto const shift = inverse(g2) * draw_far<S>(draw, group) * g2;
+    claim.differs("fixed base point: the velocity in L", model, seen(fixed, g1 * shift, g2 * shift),
+                  seen(fixed, g1, g2), 1e-4);
+  });
+}
+
+STATEMENT(claim_3_3_inheritance_chain, "the four lines of the proof of Lemma 3.3.1") {
+  claim.corrected(
+      R"((\psi_{g\bar g})_*\Bigl[\frac{\psi_{g\bar g}(g_2\bar g)-\psi_{g\bar g}(g_1\bar g)}{\Delta t}\Bigr] )"
+      R"(= T_qR_{\bar g}\cdot T_{g'}R_g\cdot T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta)(\zeta))",
+      R"((\psi_{g\bar g}^{-1})_*\Bigl[\frac{\psi_{g\bar g}(g_2\bar g)-\psi_{g\bar g}(g_1\bar g)}{\Delta t})"
+      R"(\Bigr] )"
+      R"(= T_qR_{\bar g}\cdot T_{g'}R_g\cdot T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta)(\zeta))",
+      "Two slips: the first line pushes forward by the chart in place of its inverse, which (3.20) has; and "
+      "the "
+      "sign of (3.22). With both mended each line follows from the one before, and on the left as well.");
+  claim.maybe_scan();
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
+    auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
+    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1), g = draw_near(draw, g1),
+               k = draw.template element<S>(group);
+    S const h = step_length<S>();
+    auto const m = chart_midpoint_right(g, g1, g2, h), there = chart_midpoint_right(g * k, g1 * k, g2 * k, h);
+    // Tangent vectors as matrices: the first line by dual numbers in the chart at g k, the second and third
+    // from eta and zeta of the chart at g. Condition: configurations are multiplied, and one is inverted.
+    auto const first = push_forward(g * k, there.eta, there.zeta);
+    auto const q = exp(m.eta) * g;
+    auto const through = [&](Vector<S> const& fibre) { return Matrix<S>(group.hat(fibre) * (q * k).value); };
+    Matrix<S> const moved = group.hat(first.velocity.coordinates) * first.configuration.value,
+                    second = through(iex(ad_matrix(m.eta)) * m.zeta.coordinates);
+    Base<S> const size = (size_of(natural_chart_right(g, g1)) + size_of(natural_chart_right(g, g2))) /
+                         Base<S>(h) * size_of(q * k);
+    claim.equal("first to second line: the configuration", model, first.configuration, q * k, 10);
+    claim.zero("first to third line: the tangent vector", model, Matrix<S>(moved - second), size, 10);
+    // Third to fourth: l on the tangent vector carried back to the identity, at q k and at q.
+    auto const back_to_e = [&](Matrix<S> const& tangent, GroupElement<S> const& at) {
+      return Algebra<S>{group, group.vee(Matrix<S>(tangent * inverse(at).value))};
+    };
+    auto const terms = size_of_terms(l, Algebra<S>{group, Vector<S>::Constant(group.dimension(), S(1))}) *
+                       (Base<S>(1) + size) * (Base<S>(1) + size) * (Base<S>(1) + size);
+    S const fourth = discretize_right(right_invariant(l), h, staying_at(g))(g1, g2);
+    claim.zero("third to fourth line: the discrete Lagrangian", model,
+               S(h * l(back_to_e(second, q * k)) - fourth), terms, 10);
+    // Controls: the push-forward by the chart, zeta read as a tangent vector at q; the printed sign; the
+    // tangent vector not carried by k.
+    claim.refutes("pushed forward by the chart, as printed", model,
+                  Matrix<S>(through(chi(ad_matrix(m.eta)) * m.zeta.coordinates) - moved), size);
+    claim.refutes("iex(-ad), as printed", model,
+                  Matrix<S>(through(iex(ad_matrix(-m.eta)) * m.zeta.coordinates) - moved), size);
+    claim.refutes(
+        "the tangent vector not carried along", model,
+        Matrix<S>(group.hat(Vector<S>(iex(ad_matrix(m.eta)) * m.zeta.coordinates)) * q.value - moved), size);
+    // The left action, with the chart by left translation.
+    auto const n = chart_midpoint_left(k * g, k * g1, k * g2, h), here = chart_midpoint_left(g, g1, g2, h);
+    Matrix<S> const moved_left = rate_part<S>((over<Dual<S>>(k * g) * exp(moving(n.eta, n.zeta))).value),
+                    carried = (k * g * exp(here.eta)).value *
+                              group.hat(Vector<S>(iex(ad_matrix(-here.eta)) * here.zeta.coordinates));
+    claim.zero("the left action: the tangent vector", model, Matrix<S>(moved_left - carried),
+               magnitude(moved_left) + size_of(k * g) * size_of(here.zeta), 10);
   });
 }
 
@@ -717,7 +584,8 @@ STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous red
                   R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
                   "The reduction holds where the base point is equivariant; the sign is that of (3.22). The "
                   "library's carries the factor $h$.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  claim.same_slip_as("claim_3_3_derivative_of_exponential");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     // l from L by translation to the identity.
     auto const lagrangian = right_invariant(draw_algebra_polynomial<S>(draw, group.dimension()));
     auto const terms = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -739,11 +607,11 @@ STATEMENT(cor_3_3_1, "reduced discrete Lagrangian in terms of the continuous red
     auto const m = chart_midpoint_right(base(g1, g2), g1, g2, h);
     claim.differs("iex(-ad) zeta, as printed: the velocity that l is given", model,
                   Vector<S>(iex(ad_matrix(-m.eta)) * m.zeta.coordinates), fibre_element_right(m).coordinates);
-    auto const lost = base_point_term(c, g1, g2);
-    if (to_double(size_of(lost)) > 1e-6)
-      claim.refutes("base point that stays: change of the velocity, beside the first term that this adds",
-                    model, fibre_element_right(chart_midpoint_right(c, g1, g2, h)) - fibre_element_right(m),
-                    size_of(lost / h));
+    if (model == "UT(4)") return;  // as in Lemma 3.3.1
+    auto const elsewhere = GroupElement<S>(draw_far<S>(draw, group) * g2);
+    claim.differs("base point that stays where another pair has it: the velocity that l is given", model,
+                  fibre_element_right(chart_midpoint_right(elsewhere, g1, g2, h)), fibre_element_right(m),
+                  1e-4);
   });
 }
 
@@ -752,7 +620,8 @@ STATEMENT(eq_3_23, "reduced discrete Lagrangian through $\\iex$") {
                   R"(\ell(g_1g_2^{-1}) = l(\mathrm{iex}(\mathrm{ad}_\eta)\zeta))",
                   "The minus sign goes with charts by left translation, where $l$ is a function of "
                   "$g^{-1}\\dot g$. The library's carries the factor $h$.");
-  auto groups = chart_groups<S>();
+  claim.same_slip_as("claim_3_3_derivative_of_exponential");
+  auto groups = series_groups<S>();
   if (!exact_arithmetic<S>()) groups.push_back(unitriangular(5));
   over_groups(groups, claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
@@ -778,8 +647,7 @@ STATEMENT(eq_3_23, "reduced discrete Lagrangian through $\\iex$") {
       auto const at_end = -log(g1 * inverse(g2)) / h;
       claim.zero("all that the base point changes on UT(5): [d,[d,[x1,x2]]]/96", model,
                  state.velocity - at_end - base_point_term(g, g1, g2) / h, size_of(state.velocity));
-      claim.refutes("as if it changed nothing", model, state.velocity - at_end,
-                    size_of(base_point_term(g, g1, g2) / h));
+      claim.differs("as if it changed nothing", model, state.velocity, at_end, 1e-4);
     }
     // Left charts.
     auto const n = chart_midpoint_left(g2 * c, g1, g2, h);
@@ -794,7 +662,7 @@ STATEMENT(eq_3_23, "reduced discrete Lagrangian through $\\iex$") {
 STATEMENT(claim_3_3_fibre_element_commutes,
           "chart centred at one of the two points: bracket of average and difference elements") {
   claim.holds("The same at every point of the curve $e^{t\\xi}g_k$ from one configuration to the other.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
     S const h = step_length<S>();
     auto const try_at = [&](std::string const& name, GroupElement<S> const& g) {
@@ -808,19 +676,23 @@ STATEMENT(claim_3_3_fibre_element_commutes,
     try_at("base point g_k+1", at_second(g1, g2));
     try_at("base point a third of the way", at_fraction(ratio<S>(1, 3))(g1, g2));
     // Control: a base point beside the way.
-    auto const m = chart_midpoint_right(GroupElement<S>(draw.template element<S>(group) * g2), g1, g2, h);
+    auto const m = chart_midpoint_right(GroupElement<S>(draw_small<S>(draw, group) * g2), g1, g2, h);
     claim.refutes("[zeta, eta], base point beside the way", model, bracket(m.zeta, m.eta),
                   size_of(m.zeta) * size_of(m.eta));
   });
 }
 
 STATEMENT(eq_3_24, "discrete Lagrangian for the chart centred at the second point") {
-  claim.convention(
-      "With $q = e^\\eta g_{k+1}$ and $\\zeta$ of the opposite sign, as corrected where they are defined. "
-      "The chart at $g_k$ gives the same; the library's carries the factor $h$.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  claim.corrected(
+      R"(\mathbb L = L(q, T_eR_q\zeta),\quad q = (g_kg_{k+1})^{1/2},\quad )"
+      R"(\zeta = \frac1{\Delta t}\log(g_kg_{k+1}^{-1}))",
+      R"(\mathbb L = L(q, T_eR_q\zeta),\quad q = (g_kg_{k+1}^{-1})^{1/2}g_{k+1},\quad )"
+      R"(\zeta = -\frac1{\Delta t}\log(g_kg_{k+1}^{-1}))",
+      "The expression is right, and what is put into it is not: $q$ is the root of the wrong product, and "
+      "$\\zeta$ points backwards. The chart at $g_k$ gives the same; the library's carries the factor $h$.");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const lagrangian = draw_state_polynomial<S>(draw, group);
-    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
+    auto const g1 = draw_with_logarithm<S>(draw, group), g2 = draw_near(draw, g1);
     S const h = step_length<S>();
     auto const logarithm = log(g1 * inverse(g2));
     auto const zeta = -logarithm / h;
@@ -836,16 +708,16 @@ STATEMENT(eq_3_24, "discrete Lagrangian for the chart centred at the second poin
     // Controls: q and zeta as printed, one at a time.
     claim.refutes("zeta as printed", model, S(h * lagrangian(State<SpannedGroup, S>{q, -zeta}) - value),
                   scale);
-    // one number, small by chance
-    claim.refutes("q as printed", model,
-                  S(h * lagrangian(State<SpannedGroup, S>{exp(log(g1 * g2) / S(2)), zeta}) - value), scale,
-                  1e-5);
+    auto const printed = exp(log(g1 * g2) / S(2));
+    claim.refutes("q as printed", model, S(h * lagrangian(State<SpannedGroup, S>{printed, zeta}) - value),
+                  scale, 1e-4);
+    claim.differs("q as printed: the configuration", model, printed, q);
   });
 }
 
 STATEMENT(claim_3_3_midpoint_eta, "average algebra element eta for the chart at the second point") {
   claim.holds();
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group, S(1)), g2 = draw_near(draw, g1);
     auto const eta = chart_midpoint_right(at_second(g1, g2), g1, g2, step_length<S>()).eta;
     claim.equal("eta = log(g_k g_k+1^-1)/2", model, eta, log(g1 * inverse(g2)) / S(2));
@@ -862,8 +734,9 @@ STATEMENT(claim_3_3_midpoint_q, "base point $q$ for the chart at the second poin
                   "$e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two "
                   "configurations commute, and is not equivariant.");
   claim.maybe_scan();
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
+  claim.same_slip_as("eq_3_24");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
+    auto const g1 = draw_with_logarithm<S>(draw, group), g2 = draw_near(draw, g1);
     auto const q = exp(log(g1 * inverse(g2)) / S(2)) * g2;
     S const h = step_length<S>();
     claim.equal("psi_{g_k+1}(q) = eta", model, natural_chart_right(g2, q),
@@ -892,7 +765,8 @@ STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the
       "In the chart at $g_{k+1}$ the later configuration is the origin, so the difference is minus the chart "
       "of the earlier one. A Lagrangian that is even in the velocity does not depend on it.");
   claim.maybe_scan();
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
+  claim.same_slip_as("eq_3_24");
+  over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g1 = draw.template element<S>(group, S(1)), g2 = draw_near(draw, g1);
     S const h = step_length<S>();
     auto const zeta = chart_midpoint_right(at_second(g1, g2), g1, g2, h).zeta;
@@ -901,158 +775,4 @@ STATEMENT(claim_3_3_midpoint_zeta, "difference element zeta for the chart at the
     claim.differs("+log(g_k g_k+1^-1)/h, as printed, takes it elsewhere", model,
                   exp(log(g1 * inverse(g2))) * g1, g2);
   });
-}
-
-// ----
-// Section 3.3, fifth part: the reduced discrete Lagrangian through the logarithm, the algorithm on the
-// algebra.
-
-namespace {
-
-/// The discrete Lagrangian printed in (3.25), without the minus: in units of action.
-template <class Reduced, class S>
-auto printed_chart_lagrangian(Reduced l, S h) {
-  return [=](auto const& f) {
-    using T = typename std::decay_t<decltype(f)>::Scalar;
-    return l(log(f) / T(h)) * T(h);
-  };
-}
-/// A covector times a matrix: \f$\mu\cdot M\f$.
-template <class S>
-Momentum<SpannedGroup, S> times(Momentum<SpannedGroup, S> const& mu, Matrix<S> const& m) {
-  return {mu.group, Vector<S>(m.transpose() * mu.components)};
-}
-
-/// \f$\xi(t)\f$ of the right-invariant Euler-Poincare equations by the classical Runge-Kutta method: 400
-/// steps leave an error near \f$10^{-11}\f$.
-template <class F>
-Algebra<Number> velocity_at(F const& l, Algebra<Number> xi, Number const& t) {
-  int const steps = 400;
-  Number const h = t / steps;
-  auto const rate = [&](Algebra<Number> const& x) { return euler_poincare_acceleration_right(l, x); };
-  for (int i = 0; i < steps; ++i) {
-    auto const a = rate(xi), b = rate(xi + (h / 2) * a), c = rate(xi + (h / 2) * b), d = rate(xi + h * c);
-    xi = xi + (h / 6) * (a + Number(2) * b + Number(2) * c + d);
-  }
-  return xi;
-}
-/// How far the velocity of the last of n steps over unit time is from the true one half-way through that
-/// step. The first step is the true one, up to its own third order.
-template <class F, class Discretize>
-double error_after_unit_time(F const& l, Discretize const& discretize, Algebra<Number> const& xi0, int n) {
-  Number const h = Number(1) / n;
-  auto f = exp(-h * velocity_at(l, xi0, h / 2));
-  auto const discrete = discretize(l, h);
-  for (int k = 1; k < n; ++k) f = step_euler_poincare_right(discrete, f).value;
-  return to_double(size_of(-log(f) / h - velocity_at(l, xi0, 1 - h / 2)));
-}
-
-}  // namespace
-
-STATEMENT(eq_3_25, "reduced discrete Lagrangian through the logarithm") {
-  claim.corrected(R"(\ell(f_{kk+1}) = l(\log(f_{kk+1})/\Delta t))",
-                  R"(\ell(f_{kk+1}) = l(-\log(f_{kk+1})/)"
-                  R"(\Delta t))",
-                  "$f_{kk+1} = g_kg_{k+1}^{-1}$ looks back. The printed form is right where $l$ is even; "
-                  "elsewhere its motions are those of $l(-\\xi)$. The library's carries the factor $h$.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
-    auto const g1 = draw.template element<S>(group), g2 = draw_near(draw, g1);
-    S const h = step_length<S>();
-    auto const f = relative_motion_right(g1, g2);
-    auto const scale = size_of_terms(l, Algebra<S>(log(f) / h));
-    S const full = discretize_right(right_invariant(l), h, at_second)(g1, g2);
-    claim.zero("L(g_k, g_k+1) = h l(-log(f)/h)", model, S(natural_chart_lagrangian_right(l, h)(f) - full),
-               scale);
-    claim.zero("left: L(g_k, g_k+1) = h l(-log(f)/h), f = g_k+1^-1 g_k", model,
-               S(natural_chart_lagrangian_left(l, h)(relative_motion_left(g1, g2)) -
-                 discretize_left(left_invariant(l), h, at_second)(g1, g2)),
-               scale);
-    claim.refutes("h l(log(f)/h), as printed", model, S(printed_chart_lagrangian(l, h)(f) - full), scale);
-    // An even Lagrangian does not depend on the sign.
-    auto even = l;
-    even.b.setZero(), even.kappa = S(0);
-    claim.zero("l even: as printed", model,
-               S(printed_chart_lagrangian(even, h)(f) -
-                 discretize_right(right_invariant(even), h, at_second)(g1, g2)),
-               scale);
-  });
-  if (claim.fits_orders())
-    for (auto const& group : order_groups()) {
-      auto l = draw_algebra_polynomial<S>(draw, group.dimension());
-      l.kappa /= 4;
-      auto const xi0 = draw.velocity<S>(group, S(1));
-      std::vector<double> steps, errors, printed;
-      for (int n : {8, 16, 32, 64, 128, 256}) {
-        steps.push_back(1.0 / n);
-        errors.push_back(error_after_unit_time(
-            l, [](auto const& k, S const& h) { return natural_chart_lagrangian_right(k, h); }, xi0, n));
-        printed.push_back(error_after_unit_time(
-            l, [](auto const& k, S const& h) { return printed_chart_lagrangian(k, h); }, xi0, n));
-      }
-      claim.order("velocities of the discrete motion to those of the Euler-Poincare equations", group.name(),
-                  steps, errors, 2);
-      claim.refutes_order("with the printed sign", group.name(), steps, printed, 2);
-    }
-}
-
-STATEMENT(eq_3_26, "implicit algorithm on the Lie algebra through the function chi") {
-  claim.corrected(
-      R"(l'(\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(\xi_{k-1k}/\Delta t))"
-      R"(\cdot\chi(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi(\mathrm{ad}_\xi))"
-      R"(\cdot\mathrm{iex}(-\mathrm{ad}_\xi) = \mathrm{Id})",
-      R"(l'(-\xi_{kk+1}/\Delta t)\cdot\chi(\mathrm{ad}_{\xi_{kk+1}}) = l'(-\xi_{k-1k}/\Delta t))"
-      R"(\cdot\chi(\mathrm{ad}_{\xi_{k-1k}})\cdot\exp(\mathrm{ad}_{\xi_{k-1k}}),\quad \chi()"
-      R"(\mathrm{ad}_\xi)\cdot\mathrm{iex}(\mathrm{ad}_\xi) = \mathrm{Id})",
-      "Two slips: the sign of the velocity (3.25) and the sign in $\\chi$. No choice of bracket saves the "
-      "second, for $\\exp(\\mathrm{ad}_\\xi) = \\mathrm{Ad}_{\\exp\\xi}$ needs the commutator and the "
-      "printed $\\chi$ its opposite.");
-  over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
-    auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
-    S const h = step_length<S>();
-    auto const xi01 = draw.template velocity<S>(group, ratio<S>(1, 3)),
-               xi12 = draw.template velocity<S>(group, ratio<S>(1, 3));
-    auto const f01 = exp(xi01), f12 = exp(xi12);
-    auto const full = euler_poincare_right(natural_chart_lagrangian_right(l, h), f01, f12);
-    auto const scale = size_of(gradient(l, -xi12 / h)) + size_of(gradient(l, -xi01 / h));
-    auto const& at = [&](auto const& sign, Algebra<S> const& xi, Algebra<S> const& along) {
-      return times(gradient(l, S(sign) * xi / h),
-                   Matrix<S>(inverse_matrix(Matrix<S>(iex(ad_matrix(along))))));
-    };
-    // Off shell: minus (3.10), whatever the two relative motions; by the library and written out, exp(ad) as
-    // Ad.
-    claim.zero("(3.26) equals minus (3.10)", model, algebra_euler_poincare_right(l, h, xi01, xi12) + full,
-               scale);
-    claim.zero("(3.26) written out, exp(ad) as Ad", model,
-               at(-1, xi12, xi12) - times(at(-1, xi01, xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
-    claim.zero("left: minus (3.11)", model,
-               algebra_euler_poincare_left(l, h, xi01, xi12) +
-                   euler_poincare_left(natural_chart_lagrangian_left(l, h), f01, f12),
-               scale);
-    // Controls: the printed chi, with the printed exp and with its inverse as the other bracket would have
-    // it; the printed velocity; the side of exp.
-    claim.refutes("chi as printed", model,
-                  at(-1, xi12, -xi12) - times(at(-1, xi01, -xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
-    claim.refutes("the other bracket throughout", model,
-                  at(-1, xi12, xi12) - times(at(-1, xi01, xi01), Matrix<S>(Ad_matrix(inverse(f01)))) + full,
-                  scale);
-    claim.refutes("l'(xi/h), as printed", model,
-                  at(1, xi12, xi12) - times(at(1, xi01, xi01), Matrix<S>(Ad_matrix(f01))) + full, scale);
-    claim.refutes("exp at the other step", model,
-                  times(at(-1, xi12, xi12), Matrix<S>(Ad_matrix(f12))) - at(-1, xi01, xi01) + full, scale);
-  });
-  if (!exact_arithmetic<S>())
-    // Three steps on the algebra and three on the group.
-    for (auto const& group : {spanned("SO(3)", SO<3>{}), spanned("Aff(1)", Aff1{})}) {
-      auto l = draw_algebra_polynomial<S>(draw, group.dimension());
-      l.kappa /= S(4);
-      S const h = ratio<S>(1, 8);
-      auto xi = draw.template velocity<S>(group, ratio<S>(1, 8));
-      auto f = exp(xi);
-      for (int k = 0; k < 3; ++k) {
-        xi = step_algebra_euler_poincare_right(l, h, xi).value;
-        f = step_euler_poincare_right(natural_chart_lagrangian_right(l, h), f).value;
-        claim.equal("three steps on the algebra are those on the group", group.name(), exp(xi), f);
-      }
-    }
 }
