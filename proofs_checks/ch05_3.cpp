@@ -9,6 +9,8 @@
 #include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
+#include "body_flow.hpp"
+#include "enclosures.hpp"
 #include "generalized_bodies.hpp"
 #include "statement.hpp"
 
@@ -125,9 +127,11 @@ STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on $\\
 }
 
 STATEMENT(eq_5_10, "Casimir function on the rotation group") {
-  claim.holds(
-      "Up to constant and sign of $\\|y\\|^2$, in any dimension. On $\\SO(4)$ and $\\SO(5)$ it is one of "
-      "two; the other is the pull-back of the Pfaffian, or of the coefficient of fourth degree.");
+  claim.convention(
+      "Up to constant and sign it is the pull-back of $\\|y\\|^2$, in any dimension; from $\\mathrm{Tr}(\\mu^2)$, "
+      "the other form that the thesis gives the Casimir, there is a factor 2 as well. On $\\SO(4)$ and "
+      "$\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or of the coefficient of fourth "
+      "degree.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
     auto const f = draw_turn<S>(draw, n);
@@ -138,6 +142,9 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
     claim.zero("pull-back of |y|^2 at the beginning of the step", model,
                S(casimirs_before(l, f)[0] - (squares - c)), squares);
     claim.zero("pull-back of |y|^2 at its end", model, S(casimirs_after(l, f)[0] - (squares - c)), squares);
+    S const trace = trace_of_square(left_differential(l, f));
+    claim.zero("pull-back of Tr mu^2: a factor 2, and no change of sign", model,
+               S(trace - S(2) * (c - squares)), squares);
     claim.zero("every Casimir, by both Legendre maps", model,
                Vector<S>(casimirs_before(l, f) - casimirs_after(l, f)), S(1));
     // A function on the group that every motion conserves.
@@ -149,12 +156,15 @@ STATEMENT(eq_5_10, "Casimir function on the rotation group") {
     S const ff = (f.value * f.value * lambda * lambda).trace();
     claim.refutes("Tr(f f Lambda Lambda) in its place", model, S(casimirs_before(l, f)[0] - (squares - ff)),
                   squares);
+    claim.refutes("pull-back of Tr mu^2, up to constant and sign only", model, S(trace - (squares - c)),
+                  squares);
     claim.differs("Tr(f) is not conserved", model, S(motion.f[1].value.trace()),
                   S(motion.f[0].value.trace()));
   });
 }
 
 STATEMENT(claim_5_3_pullback_value, "pull-back of the dual Casimir to the group") {
+  claim.same_slip_as("eq_5_10");
   claim.convention(
       "The Casimir pulled back is $\\|y\\|^2$: then the constant is $\\mathrm{Tr}\\Lambda^2$ and the sign "
       "minus. From $\\mathrm{Tr}(\\mu^2)$ it is the constant $-2\\mathrm{Tr}\\Lambda^2$ and a factor 2, with "
@@ -265,6 +275,94 @@ ChartMotion<S> draw_chart_motion(Draw& draw) {
 /// \f$\langle\mu, J^{-1}\mu\rangle\f$, twice the energy of a momentum.
 template <class S>
 S twice_energy(Vector<S> const& moments, Vector<S> const& mu) { return mu.dot(mu.cwiseQuotient(moments)); }
+
+/// A component of the intersection of a sphere of momenta with an energy ellipsoid. It surrounds the axis e of
+/// the least or the greatest moment: \f$M_o = A_o\cos\varphi\f$, \f$M_m = A_m\sin\varphi\f$ about it, and
+/// \f$M_e^2 = B_o\cos^2\varphi + B_m\sin^2\varphi\f$.
+template <class S>
+struct Component {
+  S a, b;                      ///< \f$1/I_o - 1/I_e\f$ and \f$1/I_m - 1/I_e\f$, of one sign
+  S square_o, square_m;        ///< \f$A_o^2\f$, \f$A_m^2\f$: the energy above that of the axis, over a, b
+  S own_o, own_m;              ///< \f$B_o\f$, \f$B_m\f$: the square of the momentum, less these
+
+  /// @param squares  of the components of one momentum on it
+  Component(Vector<S> const& moments, Vector<S> const& squares, int e) {
+    int const o = (e + 1) % 3, m = (e + 2) % 3;
+    a = S(1) / moments[o] - S(1) / moments[e], b = S(1) / moments[m] - S(1) / moments[e];
+    S const ratio = b / a;
+    square_o = squares[o] + ratio * squares[m], square_m = squares[o] / ratio + squares[m];
+    own_o = squares[e] + (S(1) - ratio) * squares[m], own_m = squares[e] + (S(1) - S(1) / ratio) * squares[o];
+  }
+  /// \f$|M\times J^{-1}M|^2\f$, the square of the speed of the flow, where \f$\sin^2\varphi = w\f$.
+  S speed_squared(S const& w) const {
+    S const rest = S(1) - w, other = square_o * rest, middle = square_m * w, own = own_o * rest + own_m * w;
+    return other * middle * (a - b) * (a - b) + own * (middle * b * b + other * a * a);
+  }
+  /// \f$\oint d\varphi/\dot\varphi\f$ with \f$\dot\varphi^2 = abM_e^2\f$, by the arithmetic-geometric mean.
+  S period() const {
+    using std::sqrt;
+    S x = sqrt(own_o), y = sqrt(own_m);
+    for (int k = 0; k < 12; ++k) {
+      S const mean = (x + y) / S(2);
+      y = sqrt(S(x * y)), x = mean;
+    }
+    return two_pi() / (sqrt(S(a * b)) * x);
+  }
+  /// Of small circles about the axis.
+  S period_at_the_axis() const {
+    using std::sqrt;
+    return two_pi() / sqrt(S(a * b * (own_o + square_o)));
+  }
+  static S two_pi() {
+    using std::asin;
+    return S(12) * asin(S(S(1) / S(2)));
+  }
+};
+/// One orbit fills a component: it stands still nowhere, and comes back after the time of the integral.
+template <class S>
+void fills_its_component(Claim<S>& claim, Draw& draw) {
+  // Bodies and energies in a box: moments near (5/2, 2, 3/2), momenta about the axis e with M_e = 1.
+  auto const stands_still_nowhere = [](int e, Number const& spread, Number const& farthest) {
+    Vector<Number> box(6);
+    for (int i = 0; i < 3; ++i) {
+      Number const middle = Number(5 - i) / Number(2);
+      box[i] = Number::between(middle - spread, middle + spread);
+    }
+    // The squares of the other two components, over the largest.
+    box[3] = box[4] = Number::between(Number(1) / Number(4), Number(1)), box[5] = Number::between(Number(0), Number(1));
+    auto const speed = [&](Vector<Number> const& x) {
+      Vector<Number> squares(3);
+      squares[e] = Number(1), squares[(e + 1) % 3] = farthest * x[3], squares[(e + 2) % 3] = farthest * x[4];
+      return Component<Number>(Vector<Number>(x.head(3)), squares, e).speed_squared(x[5]);
+    };
+    return positive_on(speed, box, 1024);
+  };
+  for (int const e : {0, 2}) {
+    std::string const model = e == 0 ? "SO(3), about the greatest moment" : "SO(3), about the least moment";
+    claim.encloses("the flow stands still nowhere on a component, bodies and energies in a box", model,
+                   [&] { return stands_still_nowhere(e, Number(1) / Number(50), Number(1) / Number(10)); });
+    claim.refutes_enclosure("the same up to the curves through the middle axis", model, [&] {
+      return stands_still_nowhere(e, Number(0), e == 0 ? Number(3) / Number(5) : Number(5) / Number(3));
+    });
+    if (exact_arithmetic<S>() || !claim.first()) continue;
+    Vector<S> const moments = moments_of(draw_inertia<S>(draw, 3));
+    Vector<S> start = draw_turning<S>(draw, 3, ratio<S>(1, 4)).coordinates;
+    start[e] = S(1);
+    Component<S> const component(moments, Vector<S>(start.cwiseProduct(start)), e);
+    BodyFlow<S> const flow(Turns{3}, Matrix<S>(moments.asDiagonal()));
+    auto const half_a_period = [&](Vector<S> const& from) {
+      return flow({from, Matrix<S>(0, 0)}, component.period() / S(2), 40).momentum;
+    };
+    Vector<S> const half = half_a_period(start), whole = half_a_period(half);
+    Vector<S> opposite = -start;
+    opposite[e] = start[e];
+    // Condition: forty pieces of a series, twice, whose roundings add up.
+    claim.equal("after half a period on the other side of the axis", model, half, opposite, 10);
+    claim.equal("after a period where it was", model, whole, start, 10);
+    claim.differs("half a period later where it was", model, half, start);
+    claim.differs("the period of small circles", model, component.period_at_the_axis(), component.period());
+  }
+}
 
 }  // namespace
 
@@ -422,8 +520,9 @@ STATEMENT(claim_5_3_algebra_leaves, "shape of the symplectic leaves in the rotat
 
 STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two families of surfaces") {
   claim.convention(
-      "On $\\so(3)$, away from the three axes and from the two curves through the middle one: there a "
-      "component of the intersection is one orbit. The discrete motion of Moser and Veselov stays on the "
+      "On $\\so(3)$, away from the three axes and from the two curves through the middle one: there the flow "
+      "stands still nowhere on a component of the intersection, so one orbit fills it, once in a period that "
+      "an elliptic integral gives. The discrete motion of Moser and Veselov stays on the "
       "same intersections, that of a chart does not.");
   {
     Turns const group{3};
@@ -447,6 +546,7 @@ STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two fami
     // Where no component is below a quarter and no two moments nearer than a quarter this is above 1e-5.
     claim.refutes("tangent to the sphere of velocities", "SO(3)", S(xi.coordinates.dot(euler)), S(1), 1e-5);
   }
+  fills_its_component(claim, draw);
   // The discrete motion: a step turns the momentum before it into the one after it.
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);

@@ -134,6 +134,15 @@ auto draw_curve(Draw& draw, SpannedGroup const& group) {
     return retract(t * (over<T>(a) + t * over<T>(b))) * retract(t * over<T>(c)) * over<T>(h);
   };
 }
+/// The curve's configuration and its body velocity at t.
+template <class Curve, class S>
+std::pair<Matrix<S>, Matrix<S>> place_and_body_velocity(Curve const& curve, S const& t) {
+  Dual<S> time(t);
+  time.part[0] = S(1);
+  auto const moving_element = curve(time);
+  Matrix<S> const g = matrix_values(moving_element.value);
+  return {g, g.transpose() * matrix_rates(moving_element.value)};
+}
 /// A family of curves through `curve`: (epsilon, t) -> retract(epsilon (a + t b + t^2 c)) curve(t)
 /// retract(epsilon t d).
 template <class S, class Curve>
