@@ -253,6 +253,20 @@ struct Dimensions {
 /// Calls `visit(dimensions, name)` for each of the dimensions.
 template <class... D, class Visit>
 void over_dimensions(std::tuple<D...>, Visit const& visit) { (visit(D{}, D::name()), ...); }
+/// Calls `visit(dimensions, name)` at one random point each. In a prime field, where a check is called often,
+/// all of them come in the first call and then one at a time, in turn. Bodies of three dimensions are left
+/// out where numbers grow: the prime field and the digits have them.
+template <class S, class... D, class Visit>
+void over_points(Claim<S> const& claim, std::tuple<D...>, Visit const& visit) {
+  bool const in_turn = claim.pass > 0 && exact_arithmetic<S>() && !numbers_grow();
+  int k = 0;
+  auto const at = [&]<class One>(One one) {
+    bool const now = !in_turn || claim.pass % int(sizeof...(D)) == k;
+    ++k;
+    if (now && (One::n < 3 || !numbers_grow())) visit(one, One::name());
+  };
+  (at(D{}), ...);
+}
 /// Bodies as large as their space, for what needs a Jacobian.
 using PlaneAndSpace = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// And smaller and larger ones, for what does not.

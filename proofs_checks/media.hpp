@@ -8,21 +8,6 @@
 
 namespace actio::checks {
 
-/// Calls `visit(dimensions, name)` at one random point each. In a prime field, where a check is called often,
-/// all of them come in the first call and then one at a time, in turn. Bodies of three dimensions are left
-/// out where numbers grow: the prime field and the digits have them.
-template <class S, class... D, class Visit>
-void over_points(Claim<S> const& claim, std::tuple<D...>, Visit const& visit) {
-  bool const in_turn = claim.pass > 0 && exact_arithmetic<S>() && !numbers_grow();
-  int k = 0;
-  auto const at = [&]<class One>(One one) {
-    bool const now = !in_turn || claim.pass % int(sizeof...(D)) == k;
-    ++k;
-    if (now && (One::n < 3 || !numbers_grow())) visit(one, One::name());
-  };
-  (at(D{}), ...);
-}
-
 /// The second jet of a section that solves nothing.
 template <class S, int n, int N = n>
 SecondJet<S, n, N> draw_second_jet(Draw& draw) {
