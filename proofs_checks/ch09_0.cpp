@@ -221,9 +221,11 @@ STATEMENT(claim_9_0_inhomogeneous_subgroup, "relabelling subgroup for inhomogene
     S const L = fluid(j), rho = fluid.rho(x);
     claim.zero("along level sets of the density: rate of equivariance", model, rate(levels), L);
     claim.refutes("divergence-free, across level sets", model, rate(across), L);
+    // Ten more roundings: the rate differentiates roots of determinants, the other side has none.
     S const slope = derivative(fluid.rho, x).gradient().dot(across(x));
     claim.equal("the rate is that of the density", model, rate(across), S(L * slope / rho), 10);
-    claim.differs("of the energy alone", model, rate(across), S((L - energy_of(fluid, j)) * slope / rho));
+    claim.differs("of the kinetic energy alone", model, rate(across),
+                  S((L - energy_of(fluid, j)) * slope / rho));
 
     // With entropy: in the plane both functions must have the same level sets, or nothing is left of the
     // group.
@@ -275,7 +277,8 @@ STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries"
       std::string const what = model + (kind == Kind::solid ? ", solid" : ", fluid");
       auto const medium = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw),
                                     draw_energy_of<S, n, N>(draw, kind)};
-      // The terms of the rate: L once differentiated; L may be small beside them.
+      // Ten more roundings: turned coordinates pass through the metrics. The terms of the rate: L once
+      // differentiated; L may be small beside them.
       S const scale = medium(j) + inner(sphere(j.y), j.velocity(), j.velocity()) + S(1);
       claim.zero("on a sphere: rate of equivariance", what,
                  equivariance_rate(medium, motion_of_space<N>(turning), j), scale, 10);
@@ -321,6 +324,8 @@ STATEMENT(claim_9_0_euclidean_isometries, "rotations and translations as symmetr
       auto const medium = Continuum{draw_metric<S, n>(draw), flat, draw_mass<S, n>(draw),
                                     draw_energy_of<S, n, N>(draw, kind)};
       S const scale = medium(j) + j.velocity().dot(j.velocity()) + S(1);
+      // Ten more roundings: turned coordinates pass through the Green tensor. Along solutions a hundred: the
+      // acceleration is solved for from forces with second derivatives of the energy.
       claim.zero("rates of rotation and translation", what,
                  equivariance_rate(medium, motion_of_space<N>(motion), j), scale, 10);
       claim.refutes("a rate that is not skew", what, equivariance_rate(medium, motion_of_space<N>(shear), j),
