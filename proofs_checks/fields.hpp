@@ -161,6 +161,31 @@ struct AnySolidLaw {
 template <class S>
 OfGreenTensor<AnySolidLaw<S>> draw_solid(Draw& draw) { return {{draw_cubic<S, 2>(draw, ratio<S>(1, 2))}}; }
 
+/// The energy W(x, G, C) of a solid without any symmetry: a cubic in the point of the body and in the entries
+/// of its metric and of the Green tensor. Equal directions of the body are not equal to it.
+template <class S, int n>
+struct AnisotropicSolid {
+  static constexpr int entries = n * (n + 1) / 2, arguments = n + 2 * entries;
+  Cubic<S, arguments> w;
+  template <class BodyMetric, class SpaceMetric, class T, int N>
+  T operator()(Matrix<T, n, 1> const& x, BodyMetric const& G, SpaceMetric const& g,
+               Matrix<T, N, n> const& F) const {
+    Matrix<T, n, n> const body = as_matrix<T>(G), C = green_tensor(g, F);
+    Matrix<T, arguments, 1> all;
+    int k = 0;
+    for (int i = 0; i < n; ++i) all[k++] = x[i];
+    for (auto const* m : {&body, &C})
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j <= i; ++j) all[k++] = (*m)(i, j);
+    return w(all);
+  }
+};
+/// `draw_solid<S>` is isotropic, `draw_solid<S, n>` has no symmetry.
+template <class S, int n>
+AnisotropicSolid<S, n> draw_solid(Draw& draw) {
+  return {draw_cubic<S, AnisotropicSolid<S, n>::arguments>(draw, ratio<S>(1, 2))};
+}
+
 /// A stored energy W(x, G, g, F) of the most general form: it depends on the metrics other than through the
 /// Green tensor or the Jacobian, and the point of the body.
 template <class S, int n, int N>
@@ -228,11 +253,27 @@ struct Dimensions {
 /// Calls `visit(dimensions, name)` for each of the dimensions.
 template <class... D, class Visit>
 void over_dimensions(std::tuple<D...>, Visit const& visit) { (visit(D{}, D::name()), ...); }
+/// Calls `visit(dimensions, name)` at one random point each. In a prime field, where a check is called often,
+/// all of them come in the first call and then one at a time, in turn. Bodies of three dimensions are left
+/// out where numbers grow: the prime field and the digits have them.
+template <class S, class... D, class Visit>
+void over_points(Claim<S> const& claim, std::tuple<D...>, Visit const& visit) {
+  bool const in_turn = claim.pass > 0 && exact_arithmetic<S>() && !numbers_grow();
+  int k = 0;
+  auto const at = [&]<class One>(One one) {
+    bool const now = !in_turn || claim.pass % int(sizeof...(D)) == k;
+    ++k;
+    if (now && (One::n < 3 || !numbers_grow())) visit(one, One::name());
+  };
+  (at(D{}), ...);
+}
 /// Bodies as large as their space, for what needs a Jacobian.
 using PlaneAndSpace = std::tuple<Dimensions<2, 2>, Dimensions<3, 3>>;
 /// And smaller and larger ones, for what does not.
 using AllDimensions =
     std::tuple<Dimensions<2, 2>, Dimensions<3, 3>, Dimensions<1, 3>, Dimensions<2, 3>, Dimensions<2, 1>>;
+/// Bodies as large as their space and thinner ones, a rod and a shell, for what needs no inverse of F.
+using BodiesInSpace = std::tuple<Dimensions<1, 3>, Dimensions<2, 3>, Dimensions<3, 3>>;
 /// Three of them, for what costs much.
 using FewDimensions = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<2, 1>>;
 

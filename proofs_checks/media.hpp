@@ -4,70 +4,14 @@
 
 #include "actio/continuum/continuum_equations.hpp"
 #include "actio/jets/field_equations.hpp"
-#include "fields.hpp"
+#include "stored_energies.hpp"
 
 namespace actio::checks {
 
-/// Calls `visit(dimensions, name)` for bodies as large as their space, at one random point each. What follows
-/// from an identity that has been checked in space is checked in the plane alone.
-template <class... D, class Visit>
-void over_points(std::tuple<D...> dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
-using Plane = std::tuple<Dimensions<2, 2>>;
-
-/// What the energy of a medium knows.
-enum class Kind { any, fluid, solid, dust };
-
-/// A stored energy of one of these kinds, chosen when it is drawn: one type for all of them, so that what is
-/// made of a medium is compiled once.
-template <class S, int n>
-struct EnergyOfKind {
-  Kind kind;
-  AnyEnergy<S, n, n> any;
-  AnyFluidLaw<S> w;  ///< of a fluid
-  AnySolidLaw<S> solid;
-  template <class T>
-  T operator()(Matrix<T, n, 1> const& x, Matrix<T, n, n> const& G, Matrix<T, n, n> const& g,
-               Matrix<T, n, n> const& F) const {
-    switch (kind) {
-      case Kind::any:
-        return any(x, G, g, F);
-      case Kind::fluid:
-        return w(jacobian(G, g, F));
-      case Kind::solid:
-        return solid(raised(G, green_tensor(g, F)));
-      default:
-        return T(0);
-    }
-  }
-};
-
-/// A medium on a body with metric and mass that vary, in a space with another such metric.
-template <class S, int n>
-using AnyContinuum = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, EnergyOfKind<S, n>>;
-template <class S, int n>
-AnyContinuum<S, n> draw_medium(Draw& draw, Kind kind) {
-  auto const G = draw_metric<S, n>(draw);
-  auto const g = draw_metric<S, n>(draw);
-  auto const rho = draw_mass<S, n>(draw);
-  auto const any = draw_energy<S, n, n>(draw);
-  auto const fluid = draw_fluid<S>(draw);
-  return {G, g, rho, {kind, any, fluid.w, draw_solid<S>(draw).w}};
-}
-
-/// The same medium with the metrics that it has at the origin everywhere.
-template <class S, int n>
-AnyContinuum<S, n> flattened(AnyContinuum<S, n> medium) {
-  for (auto* metric : {&medium.G, &medium.g}) {
-    for (auto& slope : metric->slope) slope.setZero();
-    metric->bend.setZero();
-  }
-  return medium;
-}
-
 /// The second jet of a section that solves nothing.
-template <class S, int n>
-SecondJet<S, n, n> draw_second_jet(Draw& draw) {
-  auto const phi = draw_section<S, n, n>(draw);
+template <class S, int n, int N = n>
+SecondJet<S, n, N> draw_second_jet(Draw& draw) {
+  auto const phi = draw_section<S, n, N>(draw);
   return second_jet(phi, draw_event<S, n>(draw));
 }
 
@@ -75,7 +19,7 @@ SecondJet<S, n, n> draw_second_jet(Draw& draw) {
 template <class Medium, class S, int n, int N>
 S body_volume(Medium const& medium, Jet<S, n, N> const& j) { return volume<S>(medium.G(j.particle())); }
 
-/// The values that a medium has at a jet, all as matrices.
+/// The values that a medium has at a jet, all as matrices; for bodies as large as their space.
 template <class S, int n>
 struct PointOfMedium {
   Matrix<S, n, n> G, g, F, inverse;  ///< metrics, deformation gradient and its inverse
@@ -97,9 +41,3 @@ Matrix<S, n, 1> pressure_slopes(Medium const& fluid, SecondJet<S, n, n> const& j
 }
 
 }  // namespace actio::checks
-
-namespace actio {
-/// Those that are drawn as fluids are.
-template <class S, int n>
-inline constexpr bool is_barotropic<checks::EnergyOfKind<S, n>> = true;
-}  // namespace actio
