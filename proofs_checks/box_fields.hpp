@@ -1,5 +1,5 @@
-// Polynomials and fields on the unit box: what is claimed of integrals over a body with walls is computed
-// there, exactly, without quadrature.
+// Polynomials and fields on the box of all points whose coordinates lie between -1 and 1: what is claimed of
+// integrals over a body with walls is computed there, exactly, without quadrature.
 #pragma once
 
 #include <map>
@@ -10,35 +10,35 @@ namespace actio::checks {
 
 /// A polynomial in k variables, term by term.
 template <class S, int k>
-struct Polynomial {
+struct BoxPolynomial {
   using Powers = std::array<int, k>;
   std::map<Powers, S> terms;
 
-  static Polynomial constant(S const& c) { return {{{Powers{}, c}}}; }
-  static Polynomial variable(int i) {
+  static BoxPolynomial constant(S const& c) { return {{{Powers{}, c}}}; }
+  static BoxPolynomial variable(int i) {
     Powers powers{};
     powers[i] = 1;
     return {{{powers, S(1)}}};
   }
-  Polynomial& operator+=(Polynomial const& other) {
+  BoxPolynomial& operator+=(BoxPolynomial const& other) {
     for (auto const& [powers, c] : other.terms) add(powers, c);
     return *this;
   }
-  friend Polynomial operator+(Polynomial a, Polynomial const& b) { return a += b; }
-  friend Polynomial operator-(Polynomial a, Polynomial const& b) { return a += b * S(-1); }
-  friend Polynomial operator*(Polynomial a, S const& c) {
+  friend BoxPolynomial operator+(BoxPolynomial a, BoxPolynomial const& b) { return a += b; }
+  friend BoxPolynomial operator-(BoxPolynomial a, BoxPolynomial const& b) { return a += b * S(-1); }
+  friend BoxPolynomial operator*(BoxPolynomial a, S const& c) {
     for (auto& [powers, value] : a.terms) value *= c;
     return a;
   }
-  friend Polynomial operator*(Polynomial const& a, Polynomial const& b) {
-    Polynomial product;
+  friend BoxPolynomial operator*(BoxPolynomial const& a, BoxPolynomial const& b) {
+    BoxPolynomial product;
     for (auto const& [p, x] : a.terms)
       for (auto const& [q, y] : b.terms) product.add(sum(p, q), x * y);
     return product;
   }
   /// The derivative by a variable.
-  Polynomial slope(int i) const {
-    Polynomial d;
+  BoxPolynomial slope(int i) const {
+    BoxPolynomial d;
     for (auto const& [p, x] : terms)
       if (p[i] > 0) {
         Powers lower = p;
@@ -69,7 +69,7 @@ struct Polynomial {
   }
 };
 
-/// An integral over the unit box, and the sum of the moduli of what it was added up from.
+/// An integral over the box, and the sum of the moduli of what it was added up from.
 template <class S>
 struct Integral {
   S value{0};
@@ -81,13 +81,15 @@ struct Integral {
 };
 /// The integral of a product.
 template <class S, int k>
-Integral<S> integral(Polynomial<S, k> const& a, Polynomial<S, k> const& b) {
+Integral<S> integral(BoxPolynomial<S, k> const& a, BoxPolynomial<S, k> const& b) {
   Integral<S> total;
   for (auto const& [p, x] : a.terms)
     for (auto const& [q, y] : b.terms) {
       long measure = 1;
-      for (int i = 0; i < k; ++i) measure *= p[i] + q[i] + 1;
-      S const term = x * y / S(measure);
+      bool odd = false;
+      for (int i = 0; i < k; ++i) odd = odd || (p[i] + q[i]) % 2 == 1, measure *= p[i] + q[i] + 1;
+      if (odd) continue;
+      S const term = x * y * ratio<S>(1 << k, measure);
       total.value += term, total.size += magnitude(term);
     }
   return total;
@@ -95,37 +97,43 @@ Integral<S> integral(Polynomial<S, k> const& a, Polynomial<S, k> const& b) {
 
 /// n polynomials in k variables: a field, or a covector field.
 template <class S, int n, int k>
-using Polynomials = std::array<Polynomial<S, k>, n>;
+struct BoxField {
+  std::array<BoxPolynomial<S, k>, n> component;
+  BoxPolynomial<S, k>& operator[](int a) { return component[a]; }
+  BoxPolynomial<S, k> const& operator[](int a) const { return component[a]; }
+  template <class V>
+  auto operator()(V const& at) const {
+    Matrix<ScalarOf<V>, n, 1> out;
+    for (int a = 0; a < n; ++a) out[a] = component[a](at);
+    return out;
+  }
+};
 template <class S, int n, int k>
-Integral<S> integral(Polynomials<S, n, k> const& a, Polynomials<S, n, k> const& b) {
+Integral<S> integral(BoxField<S, n, k> const& a, BoxField<S, n, k> const& b) {
   Integral<S> total;
   for (int i = 0; i < n; ++i) total += integral(a[i], b[i]);
   return total;
 }
 
-/// A random polynomial of first degree in all variables, or with one more product.
+/// A random polynomial of first degree in the first of the variables.
 template <class S, int k>
-Polynomial<S, k> draw_polynomial(Draw& draw, bool product = false) {
-  auto const linear = [&] {
-    auto p = Polynomial<S, k>::constant(draw.number<S>());
-    for (int i = 0; i < k; ++i) p += Polynomial<S, k>::variable(i) * draw.number<S>();
-    return p;
-  };
-  auto const p = linear();
-  return product ? p * linear() : p;
+BoxPolynomial<S, k> draw_linear(Draw& draw, int variables = k) {
+  auto p = BoxPolynomial<S, k>::constant(draw.number<S>());
+  for (int i = 0; i < variables; ++i) p += BoxPolynomial<S, k>::variable(i) * draw.number<S>();
+  return p;
 }
-/// s (1 - s) of one of the variables: zero at two walls.
+/// \f$1 - s^2\f$ of one of the variables: zero at two walls.
 template <class S, int k>
-Polynomial<S, k> wall(int i) {
-  auto const s = Polynomial<S, k>::variable(i);
-  return s - s * s;
+BoxPolynomial<S, k> wall(int i) {
+  auto const s = BoxPolynomial<S, k>::variable(i);
+  return BoxPolynomial<S, k>::constant(S(1)) - s * s;
 }
 
 /// The field \f$w^a = \partial_b\psi^{ab}\f$ of an antisymmetric matrix, of which psi has the entries below
 /// the diagonal: without divergence for the volume of coordinates. The last n of k variables are places.
 template <class S, int n, int k>
-Polynomials<S, n, k> rotated(std::array<Polynomial<S, k>, n*(n - 1) / 2> const& psi) {
-  Polynomials<S, n, k> w;
+BoxField<S, n, k> rotated(std::array<BoxPolynomial<S, k>, n*(n - 1) / 2> const& psi) {
+  BoxField<S, n, k> w;
   for (int a = 0, at = 0; a < n; ++a)
     for (int b = 0; b < a; ++b, ++at) {
       w[a] += psi[at].slope(k - n + b);
@@ -134,29 +142,29 @@ Polynomials<S, n, k> rotated(std::array<Polynomial<S, k>, n*(n - 1) / 2> const& 
   return w;
 }
 /// The same of random polynomials that vanish at the walls that they belong to: the field is along the walls.
-/// `open` leaves one wall open.
+/// `open` leaves one wall open. In space the polynomials have no terms that are not needed.
 template <class S, int n, int k>
-Polynomials<S, n, k> draw_along_walls(Draw& draw, bool open = false) {
-  std::array<Polynomial<S, k>, n*(n - 1) / 2> psi;
+BoxField<S, n, k> draw_along_walls(Draw& draw, bool open = false) {
+  std::array<BoxPolynomial<S, k>, n*(n - 1) / 2> psi;
   for (int a = 0, at = 0; a < n; ++a)
     for (int b = 0; b < a; ++b, ++at) {
-      auto const of_b = open && b == 0 ? Polynomial<S, k>::variable(k - n) : wall<S, k>(k - n + b);
-      psi[at] = draw_polynomial<S, k>(draw) * wall<S, k>(k - n + a) * of_b;
+      auto const of_b = open && b == 0 ? BoxPolynomial<S, k>::constant(S(1)) + BoxPolynomial<S, k>::variable(k - n)
+                                     : wall<S, k>(k - n + b);
+      psi[at] = draw_linear<S, k>(draw, n == 2 ? k : k - n) * wall<S, k>(k - n + a) * of_b;
     }
   return rotated<S, n, k>(psi);
 }
-/// \f$\partial_b(\beta\,\omega_{ab})\f$ with \f$\omega_{ab} = \partial_a\alpha_b - \partial_b\alpha_a\f$ and
-/// a function \f$\beta\f$ that vanishes at all walls: a field without divergence along the walls, on which the
-/// covector field does the work \f$-\tfrac12\int\beta\,\omega_{ab}\omega_{ab}\f$... with the sign of
-/// `work_of_curl`.
+/// \f$w^a = \partial_b(\beta\,\omega^{ab})\f$ with \f$\omega^{ab} = \partial_a\alpha_b - \partial_b\alpha_a\f$
+/// and a function \f$\beta\f$ that is positive inside the box and zero at its walls: a field without
+/// divergence along the walls.
 template <class S, int n>
 struct CurlField {
-  Polynomials<S, n, n> w;
-  Integral<S> work;  ///< \f$\int\beta\sum_{a<b}\omega_{ab}^2\f$
-  explicit CurlField(Polynomials<S, n, n> const& alpha) {
-    auto beta = Polynomial<S, n>::constant(S(1));
+  BoxField<S, n, n> w;
+  Integral<S> work;  ///< \f$\int\beta\sum_{a<b}(\omega^{ab})^2\f$: what \f$\alpha\f$ does along w
+  explicit CurlField(BoxField<S, n, n> const& alpha) {
+    auto beta = BoxPolynomial<S, n>::constant(S(1));
     for (int i = 0; i < n; ++i) beta = beta * wall<S, n>(i);
-    std::array<Polynomial<S, n>, n*(n - 1) / 2> psi;
+    std::array<BoxPolynomial<S, n>, n*(n - 1) / 2> psi;
     for (int a = 0, at = 0; a < n; ++a)
       for (int b = 0; b < a; ++b, ++at) {
         auto const omega = alpha[b].slope(a) - alpha[a].slope(b);
@@ -166,5 +174,48 @@ struct CurlField {
     w = rotated<S, n, n>(psi);
   }
 };
+
+/// A metric with polynomial entries and volume 1: neither constant nor diagonal nor conformal.
+template <class S, int n>
+struct BoxMetric {
+  std::array<BoxField<S, n, n>, n> entries;
+  template <class V>
+  auto operator()(V const& y) const {
+    Matrix<ScalarOf<V>, n, n> g;
+    for (int a = 0; a < n; ++a)
+      for (int b = 0; b < n; ++b) g(a, b) = entries[a][b](y);
+    return g;
+  }
+  /// The entries as polynomials in time and place.
+  BoxPolynomial<S, n + 1> at(int a, int b) const { return with_time(entries[a][b]); }
+  /// \f$\Gamma_{abc} = \tfrac12(\partial_cg_{ab} + \partial_bg_{ac} - \partial_ag_{bc})\f$.
+  BoxPolynomial<S, n + 1> christoffel(int a, int b, int c) const {
+    return with_time((entries[a][b].slope(c) + entries[a][c].slope(b) - entries[b][c].slope(a)) *
+                     ratio<S>(1, 2));
+  }
+  static BoxPolynomial<S, n + 1> with_time(BoxPolynomial<S, n> const& p) {
+    BoxPolynomial<S, n + 1> out;
+    for (auto const& [powers, c] : p.terms) {
+      std::array<int, n + 1> moved{};
+      std::copy(powers.begin(), powers.end(), moved.begin() + 1);
+      out.terms[moved] = c;
+    }
+    return out;
+  }
+};
+template <class S, int n>
+BoxMetric<S, n> draw_box_metric(Draw& draw) {
+  // A^T A with a triangular A.
+  std::array<BoxField<S, n, n>, n> A;
+  for (int i = 0; i < n; ++i) {
+    A[i][i] = BoxPolynomial<S, n>::constant(S(1));
+    for (int k = i + 1; k < n; ++k) A[i][k] = draw_linear<S, n>(draw, n == 2 ? n : 1);
+  }
+  BoxMetric<S, n> g;
+  for (int a = 0; a < n; ++a)
+    for (int b = 0; b < n; ++b)
+      for (int i = 0; i <= std::min(a, b); ++i) g.entries[a][b] += A[i][a] * A[i][b];
+  return g;
+}
 
 }  // namespace actio::checks

@@ -244,12 +244,12 @@ struct CarriedBy {
 template <class Field, class Phi>
 CarriedBy(Field, Phi) -> CarriedBy<Field, Phi>;
 
-/// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric cubics \f$\psi\f$: its
-/// divergence vanishes everywhere.
-template <class S, int n, class Metric>
+/// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric \f$\psi\f$, functions of
+/// time and place: its divergence vanishes everywhere.
+template <class S, int n, class Metric, class Stream = Cubic<S, n + 1>>
 struct SolenoidalField {
   Metric g;
-  std::array<Cubic<S, n + 1>, n*(n - 1) / 2> psi;
+  std::array<Stream, n*(n - 1) / 2> psi;
   template <class V>
   auto operator()(V const& y) const {
     using T = ScalarOf<V>;
