@@ -79,6 +79,13 @@ struct Integral {
     return *this;
   }
 };
+/// By how much adding up monomials magnifies rounding: the sum of their moduli over the size of what is
+/// compared, which is made of integrals.
+template <class S>
+double magnification(Base<S> const& moduli, S const& size) {
+  if (exact_arithmetic<S>()) return 1;
+  return std::max(1.0, to_double(Base<S>(moduli / size_of(size))));
+}
 /// The integral of a product.
 template <class S, int k>
 Integral<S> integral(BoxPolynomial<S, k> const& a, BoxPolynomial<S, k> const& b) {
@@ -148,15 +155,16 @@ BoxField<S, n, k> draw_along_walls(Draw& draw, bool open = false) {
   std::array<BoxPolynomial<S, k>, n*(n - 1) / 2> psi;
   for (int a = 0, at = 0; a < n; ++a)
     for (int b = 0; b < a; ++b, ++at) {
-      auto const of_b = open && b == 0 ? BoxPolynomial<S, k>::constant(S(1)) + BoxPolynomial<S, k>::variable(k - n)
-                                     : wall<S, k>(k - n + b);
+      auto const of_b = open && b == 0
+                            ? BoxPolynomial<S, k>::constant(S(1)) + BoxPolynomial<S, k>::variable(k - n)
+                            : wall<S, k>(k - n + b);
       psi[at] = draw_linear<S, k>(draw, n == 2 ? k : k - n) * wall<S, k>(k - n + a) * of_b;
     }
   return rotated<S, n, k>(psi);
 }
-/// \f$w^a = \partial_b(\beta\,\omega^{ab})\f$ with \f$\omega^{ab} = \partial_a\alpha_b - \partial_b\alpha_a\f$
-/// and a function \f$\beta\f$ that is positive inside the box and zero at its walls: a field without
-/// divergence along the walls.
+/// \f$w^a = \partial_b(\beta\,\omega^{ab})\f$ with
+/// \f$\omega^{ab} = \partial_a\alpha_b - \partial_b\alpha_a\f$ and a function \f$\beta\f$ that is positive
+/// inside the box and zero at its walls: a field without divergence along the walls.
 template <class S, int n>
 struct CurlField {
   BoxField<S, n, n> w;
@@ -175,6 +183,21 @@ struct CurlField {
   }
 };
 
+/// The fields of the fluid in a box, over time and place.
+template <class S, int n>
+using FieldsInTime = BoxField<S, n, n + 1>;
+/// \f$\partial_tw + u^b\partial_bw - w^b\partial_bu\f$, the change of a velocity field where the motion
+/// is varied by w; or with the bracket turned round.
+template <class S, int n>
+FieldsInTime<S, n> varied_velocity(FieldsInTime<S, n> const& u, FieldsInTime<S, n> const& w,
+                                   int bracket = 1) {
+  FieldsInTime<S, n> out;
+  for (int a = 0; a < n; ++a) {
+    out[a] = w[a].slope(0);
+    for (int b = 0; b < n; ++b) out[a] += (u[b] * w[a].slope(b + 1) - w[b] * u[a].slope(b + 1)) * S(bracket);
+  }
+  return out;
+}
 /// A metric with polynomial entries and volume 1: neither constant nor diagonal nor conformal.
 template <class S, int n>
 struct BoxMetric {

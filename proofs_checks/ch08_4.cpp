@@ -15,7 +15,8 @@ using Solid = Continuum<MetricOfVolume<S, n>, MetricOfVolume<S, n>, AnyMass<S, n
 
 STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in components") {
   claim.convention(
-      "$W$ is any function $W(x, G, C)$ of the Green tensor, without symmetry; otherwise the term of (6.20) that compares the two stresses "
+      "$W$ is any function $W(x, G, C)$ of the Green tensor, without symmetry; otherwise the term of (6.20) "
+      "that compares the two stresses "
       "stays. The divergence is that of section 6.2 with its index corrected.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -32,7 +33,8 @@ STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in component
                       .eval(),
                   forces);
     claim.differs("the divergence of stress with the other sign", model,
-                  (elastic_residual(density, j) + S(2) * stress_divergence(solid, deformation(j))).eval(), forces);
+                  (elastic_residual(density, j) + S(2) * stress_divergence(solid, deformation(j))).eval(),
+                  forces);
     claim.differs("an energy that is no function of the Green tensor", model,
                   elastic_residual(incompressible(general), j), per_volume(incompressible(general), j));
   });
@@ -53,7 +55,8 @@ STATEMENT(claim_8_4_elasticity_covariant, "an incompressible solid, as vectors o
     auto const held = draw_extended_jet<S, n>(draw, phi, solid.G),
                free = draw_extended_jet<S, n>(draw, of_coordinates(phi), solid.G);
     claim.equal("where the volume is held", model, lowered_residual(held), per_volume(density, held));
-    claim.differs("where the volume of coordinates is", model, lowered_residual(free), per_volume(density, free));
+    claim.differs("where the volume of coordinates is", model, lowered_residual(free),
+                  per_volume(density, free));
     claim.differs("the pressure with the other sign", model,
                   (lowered_residual(held) - S(2) * spatial_pressure_gradient(solid.G, held)).eval(),
                   per_volume(density, held));

@@ -146,8 +146,7 @@ AnyEnergy<S, n, n> constant_energy(S const& value) {
 }
 
 template <class S, int n>
-using Medium =
-    Continuum<MetricOfVolume<S, n>, MetricOfVolume<S, n>, AnyMass<S, n>, AnyEnergy<S, n, n>>;
+using Medium = Continuum<MetricOfVolume<S, n>, MetricOfVolume<S, n>, AnyMass<S, n>, AnyEnergy<S, n, n>>;
 template <class S, int n>
 using Fluid =
     Continuum<MetricOfVolume<S, n>, MetricOfVolume<S, n>, AnyMass<S, n>, Barotropic<AnyFluidLaw<S>>>;
@@ -206,6 +205,8 @@ Shears<S, n> draw_shears(Draw& draw, Chart<S, n> const& body, Chart<S, n> const&
     // What a coordinate is moved by does not depend on it.
     for (auto* vector : {&phi.added[a].a, &phi.added[a].b, &phi.added[a].d}) (*vector)[a + 1] = S(0);
     phi.added[a].e.setZero();
+    // Numbers grow with the degree to the power of n.
+    if (n > 2 && numbers_grow()) phi.added[a].b.setZero();
   }
   return phi;
 }
@@ -244,8 +245,8 @@ struct CarriedBy {
 template <class Field, class Phi>
 CarriedBy(Field, Phi) -> CarriedBy<Field, Phi>;
 
-/// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric \f$\psi\f$, functions of
-/// time and place: its divergence vanishes everywhere.
+/// A field \f$u^a = \frac{1}{\sqrt{\det g}}\,\partial_b\psi^{ab}\f$ with antisymmetric \f$\psi\f$, functions
+/// of time and place: its divergence vanishes everywhere.
 template <class S, int n, class Metric, class Stream = Cubic<S, n + 1>>
 struct SolenoidalField {
   Metric g;
