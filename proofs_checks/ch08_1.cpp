@@ -1,4 +1,6 @@
 // Section 8.1: the extended bundle, its canonical forms, the constraint and its multiplier.
+#include <bit>
+
 #include "incompressible_models.hpp"
 
 #include "actio/jets/cartan.hpp"
@@ -48,31 +50,6 @@ S two_and_face(int first, int second, int mu, Tangents<S, D, n + 2> const& V) {
 /// Where p_a^mu stands among the coordinates of the dual jet bundle over (n, N).
 constexpr int momentum_index(int n, int N, int a, int mu) { return n + 2 + N + N * mu + a; }
 
-/// A random body in a chart x = chi(x'), and the second metric, mass and motion as this chart has them.
-template <class S, int n>
-struct Chart {
-  std::array<Cubic<S, n>, n> added;
-  template <class V>
-  auto operator()(V const& x) const {
-    Matrix<ScalarOf<V>, n, 1> y;
-    for (int i = 0; i < n; ++i) y[i] = x[i] + added[i](x);
-    return y;
-  }
-};
-
-/// (t, x') -> (t, x).
-template <class S, int n>
-struct ChartOfSpaceTime {
-  Chart<S, n> chi;
-  template <class V>
-  auto operator()(V const& x) const {
-    Matrix<ScalarOf<V>, n, 1> const particle = x.template tail<n>();
-    Matrix<ScalarOf<V>, n + 1, 1> y;
-    y << x[0], chi(particle);
-    return y;
-  }
-};
-
 /// The volume form of a metric.
 template <class Metric>
 struct VolumeForm {
@@ -94,56 +71,98 @@ struct AtTime {
     return phi(event);
   }
 };
-/// A metric in another chart.
-template <class Metric, class Map>
-struct PulledBack {
-  Metric metric;
-  Map chi;
-  template <class T, int n>
-  Matrix<T, n, n> operator()(Matrix<T, n, 1> const& x) const {
-    Tangents<T, n, n> const one = Tangents<T, n, n>::Identity();
-    return pulled_back(metric(chi(x)), Matrix<T, n, n>(pushed(chi, x, one)));
+
+/// Any (n+1)-form at a point of E, by its values on coordinate vectors: one for each subset of n + 1 of them,
+/// a bit for each coordinate.
+template <class S>
+using FormAtAPoint = std::vector<std::pair<unsigned, S>>;
+/// With values 0 wherever two or more vectors are vertical, unless `any`: the elements of Z are those.
+template <int n, int M, class S>
+FormAtAPoint<S> draw_form(Draw& draw, bool any) {
+  FormAtAPoint<S> z;
+  for (unsigned set = 0; set < 1U << (n + 1 + M); ++set)
+    if (std::popcount(set) == n + 1 && (any || std::popcount(set >> (n + 1)) < 2))
+      z.emplace_back(set, draw.number<S>());
+  return z;
+}
+template <class S, int D, int k>
+S value_of(FormAtAPoint<S> const& z, Tangents<S, D, k> const& V) {
+  S sum(0);
+  for (auto const& [set, value] : z) {
+    Matrix<S, k, k> rows;
+    for (int row = 0, to = 0; row < D; ++row)
+      if (set >> row & 1U) rows.row(to++) = V.row(row);
+    sum += value * determinant(rows);
   }
-};
+  return sum;
+}
+/// The coordinates of such a form, by its values on d/dx^0, ..., d/dx^n, one of which is replaced by the
+/// vertical vector of the momentum.
+template <int n, int M, class S>
+Matrix<S, DualJet<S, n, M>::dimension, 1> coordinates_of(FormAtAPoint<S> const& z,
+                                                         Matrix<S, n + 1 + M, 1> const& point) {
+  using V = Tangents<S, n + 1 + M, n + 1>;
+  Matrix<S, DualJet<S, n, M>::dimension, 1> at;
+  V const horizontal = V::Identity();
+  at.template head<n + 1 + M>() = point;
+  at[n + 1 + M] = value_of(z, horizontal);
+  for (int mu = 0; mu <= n; ++mu)
+    for (int a = 0; a < M; ++a) {
+      V replaced = horizontal;
+      replaced.col(mu).setZero();
+      replaced(n + 1 + a, mu) = S(1);
+      at[momentum_index(n, M, a, mu)] = value_of(z, replaced);
+    }
+  return at;
+}
 
 }  // namespace
 
 STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multiplier among the fields") {
-  claim.holds();
-  // Coordinates and tangent vectors are drawn themselves: a product of n + 2 of them and one momentum.
-  {
-    auto const at_dimensions = [&]<int n, int N>() {
-      constexpr int M = N + 1, D = DualJet<S, n, M>::dimension;
-      std::string const model = Dimensions<n, N>::name() + " and a multiplier";
-      Matrix<S, D, 1> const at = draw.vector<S, Matrix<S, D, 1>>(D);
-      auto const z = dual_jet_at<n, M>(at);
-      auto const V = draw_tangents<S, D, n + 1>(draw);
-      Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
-      S places(0), multiplier(0);
-      for (int mu = 0; mu <= n; ++mu) {
-        for (int a = 0; a < N; ++a) places += z.p(a, mu) * one_and_face<n>(n + 1 + a, mu, V);
-        multiplier += z.p(N, mu) * one_and_face<n>(n + 1 + N, mu, V);
-      }
-      S const theta = canonical_form<n, M>()(at, V), volume_part = z.Pi * determinant(dx);
-      claim.equal("the canonical form", model, theta, S(places + multiplier + volume_part));
-      claim.differs("without the multiplier's part", model, theta, S(places + volume_part));
+  claim.holds(
+      "The canonical form is compared with what an element z of Z, any form that vanishes on two vertical "
+      "vectors, is on vectors projected to E. Its coordinates are its values on coordinate vectors, so "
+      "they are unique. As in chapter 6, $d^nx_\\mu$ is the volume form with $\\partial_\\mu$ in its "
+      "first slot.");
+  auto const at_dimensions = [&]<int n, int N>() {
+    constexpr int M = N + 1, D = DualJet<S, n, M>::dimension, E = n + 1 + M;
+    std::string const model = Dimensions<n, N>::name() + " and a multiplier";
+    Matrix<S, E, 1> const point = draw.vector<S, Matrix<S, E, 1>>(E);
+    auto const form = draw_form<n, M, S>(draw, false), any = draw_form<n, M, S>(draw, true);
+    Matrix<S, D, 1> const at = coordinates_of<n, M>(form, point);
+    auto const z = dual_jet_at<n, M>(at);
+    auto const V = draw_tangents<S, D, n + 1>(draw);
+    // T pi: the coordinates of Z are x, y and lambda, then Pi and the momenta.
+    Tangents<S, E, n + 1> const below = V.template topRows<E>();
+    Matrix<S, n + 1, n + 1> const dx = V.template topRows<n + 1>();
+    S places(0), multiplier(0);
+    for (int mu = 0; mu <= n; ++mu) {
+      for (int a = 0; a < N; ++a) places += z.p(a, mu) * one_and_face<n>(n + 1 + a, mu, V);
+      multiplier += z.p(N, mu) * one_and_face<n>(n + 1 + N, mu, V);
+    }
+    S const theta = canonical_form<n, M>()(at, V), volume_part = z.Pi * determinant(dx);
+    claim.equal("the canonical form is z on projected vectors", model, theta, value_of(form, below));
+    claim.equal("the canonical form in coordinates", model, theta, S(places + multiplier + volume_part));
+    claim.differs("without the multiplier's part", model, theta, S(places + volume_part));
+    claim.differs("a form that does not vanish on two vertical vectors", model, value_of(any, below),
+                  S(canonical_form<n, M>()(coordinates_of<n, M>(any, point), V)));
 
-      auto const W = draw_tangents<S, D, n + 2>(draw);
-      S omega(0), wedge_of_Pi(0);
-      for (int mu = 0; mu <= n; ++mu)
-        for (int a = 0; a < M; ++a) omega += two_and_face<n>(n + 1 + a, momentum_index(n, M, a, mu), mu, W);
-      for (int c = 0; c < n + 2; ++c) {
-        Matrix<S, n + 1, n + 1> const rest = without(W, c).template topRows<n + 1>();
-        S const term = W(n + 1 + M, c) * determinant(rest);
-        wedge_of_Pi += c % 2 == 0 ? term : S(-term);
-      }
-      S const two_form = canonical_two_form<n, M>()(at, W);
-      claim.equal("minus its differential", model, two_form, S(omega - wedge_of_Pi));
-      claim.differs("the affine part with the other sign", model, two_form, S(omega + wedge_of_Pi));
-    };
-    at_dimensions.template operator()<1, 1>();
-    at_dimensions.template operator()<2, 2>();
-  }
+    auto const W = draw_tangents<S, D, n + 2>(draw);
+    S omega(0), wedge_of_Pi(0);
+    for (int mu = 0; mu <= n; ++mu)
+      for (int a = 0; a < M; ++a) omega += two_and_face<n>(n + 1 + a, momentum_index(n, M, a, mu), mu, W);
+    for (int c = 0; c < n + 2; ++c) {
+      Matrix<S, n + 1, n + 1> const rest = without(W, c).template topRows<n + 1>();
+      S const term = W(n + 1 + M, c) * determinant(rest);
+      wedge_of_Pi += c % 2 == 0 ? term : S(-term);
+    }
+    S const two_form = canonical_two_form<n, M>()(at, W);
+    claim.equal("minus its differential", model, two_form, S(omega - wedge_of_Pi));
+    claim.differs("the affine part with the other sign", model, two_form, S(omega + wedge_of_Pi));
+  };
+  at_dimensions.template operator()<1, 1>();
+  at_dimensions.template operator()<2, 2>();
+  at_dimensions.template operator()<3, 3>();
 }
 
 STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
@@ -152,7 +171,7 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
                   "The primary constraint is $\\pi^\\mu = 0$: every jet is sent there, whatever its volume. "
                   "$J = 1$ comes later, as the field equation of $\\lambda$.");
   {
-    over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+    over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
       constexpr int n = D::n;
       auto const density = incompressible(draw_medium<S, n>(draw));
       auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
@@ -165,17 +184,19 @@ STATEMENT(claim_8_1_primary_constraint, "what the primary constraint is") {
     });
     // The form on the primary constraint manifold vanishes along the direction of lambda; off it, it does
     // not.
-    constexpr int n = 2, M = 3, D = DualJet<S, n, M>::dimension;
-    Matrix<S, D, 1> at = draw.vector<S, Matrix<S, D, 1>>(D);
-    auto V = draw_tangents<S, D, n + 2>(draw);
-    V.col(0).setZero();
-    V(n + 1 + 2, 0) = S(1);
-    claim.refutes("d/dlambda in the form before it is restricted", "n = 2",
-                  S(canonical_two_form<n, M>()(at, V)), S(1));
-    for (int mu = 0; mu <= n; ++mu)
-      at[momentum_index(n, M, 2, mu)] = S(0), V.row(momentum_index(n, M, 2, mu)).setZero();
-    claim.zero("d/dlambda is in the kernel of the restricted form", "n = 2",
-               S(canonical_two_form<n, M>()(at, V)), S(1));
+    over_points(TwoAndThree{}, [&]<class Dims>(Dims, std::string const& model) {
+      constexpr int n = Dims::n, M = n + 1, D = DualJet<S, n, M>::dimension;
+      Matrix<S, D, 1> at = draw.vector<S, Matrix<S, D, 1>>(D);
+      auto V = draw_tangents<S, D, n + 2>(draw);
+      V.col(0).setZero();
+      V(n + 1 + n, 0) = S(1);
+      claim.refutes("d/dlambda in the form before it is restricted", model,
+                    S(canonical_two_form<n, M>()(at, V)), S(1));
+      for (int mu = 0; mu <= n; ++mu)
+        at[momentum_index(n, M, n, mu)] = S(0), V.row(momentum_index(n, M, n, mu)).setZero();
+      claim.zero("d/dlambda is in the kernel of the restricted form", model,
+                 S(canonical_two_form<n, M>()(at, V)), S(1));
+    });
   }
 }
 
@@ -183,29 +204,34 @@ STATEMENT(eq_8_1, "the constraint on the volume") {
   claim.convention(
       "The determinant is that of the spatial block $v^a{}_j$, with as many dimensions of space as of the "
       "body, in charts of one orientation.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw),
-                                                                        draw_metric<S, n>(draw)};
+    using Metric = MetricOfVolume<S, n>;
+    VolumeConstraint<Metric, Metric> const constraint{draw_any_metric<S, n>(draw),
+                                                      draw_any_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
     Event<S, n> const x = draw_event<S, n>(draw);
     Matrix<S, n, 1> const particle = x.template tail<n>();
     // The volume forms of body and space, and the second pulled back by the motion at this time.
     AtTime<S, AnySection<S, n, n>> const at_time{x[0], phi};
     auto const V = draw_tangents<S, n, n>(draw);
-    S const pulled = pull_back(at_time, VolumeForm<AnyMetric<S, n>>{constraint.g})(particle, V),
-            own = VolumeForm<AnyMetric<S, n>>{constraint.G}(particle, V);
+    S const pulled = pull_back(at_time, VolumeForm<Metric>{constraint.g})(particle, V),
+            own = VolumeForm<Metric>{constraint.G}(particle, V);
     auto const j = first_jet(phi, x);
     S const Phi = constraint(j)[0];
     claim.equal("volume pulled back, minus volume", model, S(pulled - own), S(Phi * own));
     claim.differs("the determinant alone", model, Phi, S(determinant(j.gradient()) - S(1)));
     claim.differs("both metrics at the particle", model, Phi,
                   S(jacobian(constraint.G(particle), constraint.g(particle), j.gradient()) - S(1)));
+    claim.differs("the quotient of the metrics turned round", model, Phi,
+                  S(jacobian(constraint.g(j.y), constraint.G(particle), j.gradient()) - S(1)));
 
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const curved{draw_unimodular_metric<S, n>(draw),
-                                                                    draw_unimodular_metric<S, n>(draw)};
-    claim.zero("shears between curved metrics of volume 1", model,
-               curved(first_jet(draw_shears<S, n>(draw), x))[0], S(1));
+    VolumeConstraint<Metric, Metric> const curved{draw_metric_of_volume<S, n>(draw),
+                                                  draw_metric_of_volume<S, n>(draw)};
+    auto const held = draw_shears<S, n>(draw, curved.G.chart, curved.g.chart);
+    claim.zero("motions between metrics whose determinants vary", model, curved(first_jet(held, x))[0], S(1));
+    claim.refutes("motions that keep the volume of coordinates", model,
+                  curved(first_jet(of_coordinates(held), x))[0], S(1));
   });
 }
 
@@ -213,28 +239,24 @@ STATEMENT(eq_8_2, "the multiplier as a density and its sign") {
   claim.convention(
       "The sign goes with $L + \\lambda\\Phi$ of (8.3): then $P$ is positive in compression. With $h - "
       "\\langle\\lambda, \\Psi\\rangle$ of chapter 7 it would be $-\\sqrt{\\det G}\\,P$.");
-  // A section of a chart of degree 6 has degree 6 * 7, where fields of motions have 6.
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    VolumeConstraint<AnyMetric<S, n>, AnyMetric<S, n>> const constraint{draw_metric<S, n>(draw),
-                                                                        draw_metric<S, n>(draw)};
+    using Metric = MetricOfVolume<S, n>;
+    VolumeConstraint<Metric, Metric> const constraint{draw_any_metric<S, n>(draw),
+                                                      draw_any_metric<S, n>(draw)};
     auto const phi = draw_section<S, n, n>(draw);
     auto const P = draw_cubic<S, n + 1>(draw);
-    ChartOfSpaceTime<S, n> chi{};
-    for (auto& c : chi.chi.added) c = draw_cubic<S, n>(draw, ratio<S>(1, 5));
     // The body in another chart: the metric pulled back, the motion and the pressure composed.
-    PulledBack<AnyMetric<S, n>, Chart<S, n>> const G{constraint.G, chi.chi};
+    ChartOfSpaceTime<S, n> const chi{draw_chart<S, n>(draw)};
+    PulledBack<Metric, Chart<S, n>> const G{constraint.G, chi.chi};
     auto const moved = [&](auto const& x) { return phi(chi(x)); };
     auto const pressure = [&](auto const& x) { return P(chi(x)); };
     Event<S, n> const x = draw_event<S, n>(draw);
     Matrix<S, n, 1> const particle = x.template tail<n>();
-    Matrix<S, n, n> const one = Matrix<S, n, n>::Identity();
-    S const stretch = determinant(pushed(chi.chi, particle, Tangents<S, n, n>(one)));
-    draw_positive(stretch);
+    S const root = chi.chi.root(particle), stretch = root * root;
     auto const here = first_jet(with_pressure(moved, pressure, G), x);
     auto const there = first_jet(with_pressure(phi, P, constraint.G), chi(x));
-    VolumeConstraint<PulledBack<AnyMetric<S, n>, Chart<S, n>>, AnyMetric<S, n>> const in_chart{G,
-                                                                                               constraint.g};
+    VolumeConstraint<PulledBack<Metric, Chart<S, n>>, Metric> const in_chart{G, constraint.g};
     S const pairing_here = here.y[n] * in_chart(deformation(here))[0],
             pairing_there = there.y[n] * constraint(deformation(there))[0];
     claim.equal("multiplier times constraint in another chart", model, pairing_here,

@@ -50,8 +50,8 @@ struct WithMovingMultiplier {
 STATEMENT(eq_8_3, "the density with the constraint added") {
   claim.convention(
       "The multiplier adds to the density, where chapter 7 subtracts: with (8.2) this makes $P$ the "
-      "pressure. $d^{n+1}x$ belongs to all three terms.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+      "pressure. $\\mathbb K$ and $\\mathbb P$ are forms, as in (6.3), and contain their $d^{n+1}x$.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -68,12 +68,14 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
     claim.equal("kinetic minus potential plus multiplier times constraint", model, density(j),
                 S(kinetic - potential + j.y[n] * Phi));
     claim.differs("the multiplier subtracted", model, density(j), S(kinetic - potential - j.y[n] * Phi));
+    claim.differs("the pressure in the multiplier's place", model, density(j),
+                  S(kinetic - potential + j.y[n] / root_G * Phi));
   });
 }
 
 STATEMENT(claim_8_2_multiplier_momentum, "the momentum of the multiplier") {
   claim.holds();
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -93,7 +95,7 @@ STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its t
       "v\\partial v$ is invertible, and $\\Pi$ is determined by them, but derivatives of $\\lambda$ stay in "
       "its kernel. "
       "The matrix is not always invertible: without stored energy it needs $P \\ne 0$.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const medium = draw_medium<S, n>(draw);
     auto const density = incompressible(medium);
@@ -111,8 +113,8 @@ STATEMENT(claim_8_2_restricted_legendre, "the Legendre transformation with its t
     j.y[n] = S(0);
     auto const at_rest = of_the_motion<S, n, n + 1>(momentum_slopes(fluid, j));
     claim.fact("without energy and pressure only velocities count", model, matrix_rank(at_rest) == n);
-    claim.refutes("rank of the whole map, over that of a non-degenerate one", model,
-                  S(S(matrix_rank(slopes)) / S((n + 1) * (n + 1)) - S(1)), S(1));
+    auto const moving = momentum_slopes(WithMovingMultiplier<decltype(density)>{density}, j);
+    claim.refutes("the same with a velocity of the multiplier", model, moving.col(n + 1 + n).eval(), S(1));
   });
 }
 
@@ -198,7 +200,7 @@ struct WithSquaredMultiplier {
 
 STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
   claim.holds();
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const phi =
@@ -222,21 +224,51 @@ STATEMENT(eq_8_5, "the field equations of the motion in the extended bundle") {
 }
 
 STATEMENT(eq_8_6, "the field equation of the multiplier") {
-  claim.convention(
-      "The middle member equates a number with a form: both sides are coefficients of $d^{n+1}x$. The "
-      "equation of $\\lambda$ is $\\Phi(j^1\\phi) = 0$.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  claim.corrected(
+      "\\frac{\\partial L_\\Phi}{\\partial\\lambda} - \\frac{\\partial}{\\partial x^\\mu}\\frac{\\partial "
+      "L_\\Phi}{\\partial\\beta_\\mu} = \\Phi\\,d^{n+1}x",
+      "\\frac{\\partial L_\\Phi}{\\partial\\lambda} - \\frac{\\partial}{\\partial x^\\mu}\\frac{\\partial "
+      "L_\\Phi}{\\partial\\beta_\\mu} = \\Phi = J - 1",
+      "A slip of the pen: the left side is a number, the same in every chart of the body, because the "
+      "multiplier is a density; the coefficient of a form $d^{n+1}x$ would change with the chart. The "
+      "equation "
+      "of $\\lambda$ is $\\Phi(j^1\\phi) = 0$ either way.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const density = incompressible(draw_medium<S, n>(draw));
-    auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), density.constraint.G);
-    S const Phi = density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0];
-    claim.equal("the last Euler-Lagrange derivative is J - 1", model, euler_lagrange(density, j)[n], Phi);
+    auto const medium = draw_medium<S, n>(draw);
+    auto const density = incompressible(medium);
+    auto const phi = draw_section<S, n, n>(draw);
+    auto const P = draw_cubic<S, n + 1>(draw);
+    ChartOfSpaceTime<S, n> const chi{draw_chart<S, n>(draw)};
+    Event<S, n> const x = draw_event<S, n>(draw);
+    auto const j = second_jet(with_pressure(phi, P, medium.G), chi(x));
+    S const Phi = density.constraint(deformation(static_cast<Jet<S, n, n + 1> const&>(j)))[0],
+            E = euler_lagrange(density, j)[n];
+    claim.equal("the last Euler-Lagrange derivative is J - 1", model, E, Phi);
     claim.differs("with a square of the multiplier", model,
                   euler_lagrange(WithSquaredMultiplier<decltype(density)>{density}, j)[n], Phi);
+    // The same body in the chart x = chi(x').
+    using InChart = PulledBack<MetricOfVolume<S, n>, Chart<S, n>>;
+    AugmentedDensity const there{
+        Continuum{InChart{medium.G, chi.chi}, medium.g, Homogeneous<S>{S(1)}, NoStoredEnergy{}},
+        VolumeConstraint{InChart{medium.G, chi.chi}, medium.g}};
+    auto const in_chart =
+        second_jet(with_pressure([&](auto const& at) { return phi(chi(at)); },
+                                 [&](auto const& at) { return P(chi(at)); }, there.constraint.G),
+                   x);
+    S const root = chi.chi.root(Matrix<S, n, 1>(x.template tail<n>()));
+    claim.equal("in another chart of the body", model, euler_lagrange(there, in_chart)[n], E);
+    claim.differs("printed: as the coefficient of a form", model, euler_lagrange(there, in_chart)[n],
+                  S(E * root * root));
     auto const ideal = incompressible(
-        ideal_fluid<S, n>(draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw)));
-    auto const held = draw_extended_jet<S, n>(draw, draw_shears<S, n>(draw), ideal.constraint.G);
-    claim.zero("for motions that keep the volume", model, euler_lagrange(ideal, held)[n], S(1));
+        ideal_fluid<S, n>(draw_metric_of_volume<S, n>(draw), draw_metric_of_volume<S, n>(draw)));
+    auto const held = draw_shears<S, n>(draw, ideal.constraint.G.chart, ideal.constraint.g.chart);
+    claim.zero("for motions that keep the volume", model,
+               euler_lagrange(ideal, draw_extended_jet<S, n>(draw, held, ideal.constraint.G))[n], S(1));
+    claim.refutes(
+        "for those that keep the volume of coordinates", model,
+        euler_lagrange(ideal, draw_extended_jet<S, n>(draw, of_coordinates(held), ideal.constraint.G))[n],
+        S(1));
   });
 }
 
@@ -262,7 +294,7 @@ STATEMENT(eq_8_7, "the equation of motion with stored energy and pressure") {
 
 STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space is differentiated") {
   claim.holds();
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
     auto const& constraint = density.constraint;
@@ -292,12 +324,65 @@ STATEMENT(claim_8_2_metric_terms_cancel, "the terms in which the metric of space
     claim.equal("the printed form of both", model, from_constraint, printed);
     claim.refutes("one without the other", model, from_constraint, size_of(lambda * J));
     claim.differs("without the half", model, from_constraint, (S(2) * printed).eval());
+    if (n > 2)
+      claim.differs("with 1/n for the half", model, from_constraint, (printed * ratio<S>(2, n)).eval());
+    claim.differs("with the other sign, so that both add", model, from_constraint, (-from_momenta).eval());
+  });
+}
+
+STATEMENT(claim_8_2_other_cancellations,
+          "what else cancels where the momenta of the pressure are differentiated") {
+  claim.holds(
+      "Besides the metric of space: the derivatives of $\\det v$ and of $v^{-1}$ cancel each other (the "
+      "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in "
+      "$J$. What is left is the derivative of $P$.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
+    constexpr int n = D::n;
+    auto const density = incompressible(draw_medium<S, n>(draw));
+    auto const& [G, g] = density.constraint;
+    auto const extended = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), G);
+    auto const j = deformation(extended);
+    // Parts of d/dx^k of P J v^-1 times the root of det G, each factor differentiated by itself.
+    S const P = multiplier_pressure(G, extended), J = density.constraint.volume_ratio(j),
+            root = volume<S>(G(j.particle())), root_g = volume<S>(g(j.y)),
+            det = determinant(Matrix<S, n, n>(j.gradient()));
+    Matrix<S, n, n> const inverse = inverse_matrix(Matrix<S, n, n>(j.gradient()));
+    auto const dP = pressure_gradient(G, extended);
+    using Column = Matrix<S, n, 1>;
+    Column pressure = Column::Zero(), metric = Column::Zero(), of_det = Column::Zero(),
+           of_inverse = Column::Zero(), of_body = Column::Zero(), total = Column::Zero();
+    for (int k = 0; k < n; ++k) {
+      auto const moved = along(extended, k + 1);
+      auto const below = deformation(moved);
+      Matrix<Dual<S>, n, n> const F = below.gradient();
+      S const det_rate = determinant(F).part[0], root_g_rate = volume<Dual<S>>(g(below.y)).part[0],
+              root_rate = volume<Dual<S>>(G(below.particle())).part[0];
+      auto const inverse_rate = rate_of(inverse_matrix(F));
+      // The momenta of the pressure, as the multiplier's part of the density has them.
+      auto const p = partial_v([&](auto const& jet) { return density.constraint(jet)[0]; }, below, k + 1);
+      for (int a = 0; a < n; ++a) {
+        pressure[a] += dP[k] * J * inverse(k, a) * root;
+        metric[a] += P * root_g_rate * det * inverse(k, a);
+        of_det[a] += P * root_g * det_rate * inverse(k, a);
+        of_inverse[a] += P * root_g * det * inverse_rate(k, a);
+        of_body[a] += P * J * root_rate * inverse(k, a);
+        total[a] += (moved.y[n] * p[a]).part[0];
+      }
+    }
+    S const scale = size_of(pressure) + size_of(metric) + size_of(of_det) + size_of(of_inverse);
+    claim.zero("derivatives of det v and of its inverse", model, (of_det + of_inverse).eval(), scale);
+    claim.refutes("their difference", model, (of_det - of_inverse).eval(), scale);
+    claim.zero("what is left of the momenta", model, (total - pressure - metric).eval(), scale);
+    claim.refutes("with the derivative of det v alone", model, (total - pressure - metric - of_det).eval(),
+                  scale);
+    claim.refutes("with the derivative of the root of det G in the multiplier", model,
+                  (total - pressure - metric - of_body).eval(), scale);
   });
 }
 
 STATEMENT(eq_8_8, "the equation of motion for constant metrics") {
   claim.holds();
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const residual = [&](Medium<S, n> const& medium, SecondJet<S, n, n + 1> const& extended) {
       auto const j = deformation(extended);

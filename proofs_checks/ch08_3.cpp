@@ -1,7 +1,5 @@
 // Section 8.3: the ideal incompressible fluid on the body, and its two pressures.
 
-#include "actio/incompressible/bracket_of_fields.hpp"
-
 #include "incompressible_models.hpp"
 #include "statement.hpp"
 
@@ -9,28 +7,6 @@ using namespace actio;
 using namespace actio::checks;
 
 namespace {
-
-/// The metric of the half plane, \f$g = 1/(y^2)^2\f$.
-struct HalfPlane {
-  template <class V>
-  auto operator()(V const& y) const {
-    using T = ScalarOf<V>;
-    Matrix<T, 2, 2> g = Matrix<T, 2, 2>::Zero();
-    g(0, 0) = g(1, 1) = T(1) / (y[1] * y[1]);
-    return g;
-  }
-};
-/// \f$(2x^1 + c(t, x^2),\ 2x^2)\f$, which keeps the volume of the half plane and stretches coordinates.
-template <class S>
-struct StretchAndShear {
-  Cubic<S, 2> added;
-  template <class V>
-  auto operator()(V const& x) const {
-    using T = ScalarOf<V>;
-    Matrix<T, 2, 1> const at(x[0], x[2]);
-    return Matrix<T, 2, 1>(T(x[1] * 2 + added(at)), T(x[2] * 2));
-  }
-};
 
 /// A law with c J added: it presses by \f$-\rho c\f$ more.
 template <class S>
@@ -47,10 +23,11 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
       "x^k}\\,J(F^{-1})^k{}_a",
       "\\rho(x)\\,g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial P}{\\partial "
       "x^k}\\,J(F^{-1})^k{}_a",
-      "No other pressure takes the density in: $dP/\\rho$ is closed only where $d\\rho\\wedge dP = 0$.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+      "No other pressure takes the density in: $d(dP/\\rho) = dP\\wedge d\\rho/\\rho^2$ vanishes only where "
+      "$d\\rho\\wedge dP = 0$. Where $P$ is a function of $\\rho$ (and of time) another pressure does it.");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const G = draw_metric<S, n>(draw), g = draw_metric<S, n>(draw);
+    auto const G = draw_any_metric<S, n>(draw), g = draw_any_metric<S, n>(draw);
     auto const rho = draw_mass<S, n>(draw);
     auto const density = incompressible(Medium<S, n>{G, g, rho, constant_energy<S, n>(S(0))});
     auto const P = draw_cubic<S, n + 1>(draw);
@@ -62,21 +39,30 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
     claim.equal("with the density beside the acceleration", model,
                 (mass * inertia + pressure_term(G, g, j)).eval(), forces);
     claim.differs("without it, as (8.9) has it", model, ideal_fluid_residual(G, g, j), forces);
-    // d(dP / rho): the pressure that would have to be the gradient's.
-    auto const quotient = [&](auto const& event) {
-      using T = ScalarOf<decltype(event)>;
-      auto const slope = derivative(P, Matrix<T, n + 1, 1>(event)).gradient();
-      Matrix<T, n, 1> const particle = event.template tail<n>();
-      Matrix<T, n, 1> covector;
-      for (int k = 0; k < n; ++k) covector[k] = slope[k + 1] / rho(particle);
-      return covector;
+    // d(dP / rho): the pressure that would have to be the gradient's. Components i < k of the curl.
+    auto const curls = [&](auto const& pressure) {
+      auto const quotient = [&](auto const& event) {
+        using T = ScalarOf<decltype(event)>;
+        auto const slope = derivative(pressure, Matrix<T, n + 1, 1>(event)).gradient();
+        Matrix<T, n, 1> const particle = event.template tail<n>();
+        return Matrix<T, n, 1>(slope.template tail<n>() / rho(particle));
+      };
+      Matrix<S, n, n> const slope = first_jet(quotient, x).gradient();
+      return Matrix<S, n, n>(slope - slope.transpose());
     };
-    auto const slope = first_jet(quotient, x).gradient();
     auto const mass_rate = derivative(rho, j.particle()).gradient();
     auto const dP = pressure_gradient(G, j);
-    claim.equal("curl of dP / rho", model, S((slope(0, 1) - slope(1, 0)) * mass * mass),
-                S(dP[1] * mass_rate[0] - dP[0] * mass_rate[1]));
-    claim.refutes("that it vanishes", model, S(slope(0, 1) - slope(1, 0)), S(size_of(dP)));
+    Matrix<S, n, n> const wedge = mass_rate * dP.transpose() - dP * mass_rate.transpose(), curl = curls(P);
+    claim.equal("all curls of dP / rho", model, (curl * S(mass * mass)).eval(), wedge);
+    claim.refutes("that they vanish", model, curl, size_of(dP));
+    // P = a(t) rho + b rho^2.
+    S const b = draw.number<S>() + S(2);
+    auto const of_mass = [&](auto const& event) {
+      using T = ScalarOf<decltype(event)>;
+      T const r = rho(Matrix<T, n, 1>(event.template tail<n>()));
+      return T(r * event[0] + r * r * T(b));
+    };
+    claim.zero("curls where the pressure is a function of the density", model, curls(of_mass), S(1));
   });
 }
 
@@ -84,9 +70,9 @@ STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
   claim.convention(
       "For a homogeneous fluid of density 1, which the text sets just before. It holds off the constraint "
       "too.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const fluid = ideal_fluid<S, n>(draw_metric<S, n>(draw), draw_metric<S, n>(draw));
+    auto const fluid = ideal_fluid<S, n>(draw_any_metric<S, n>(draw), draw_any_metric<S, n>(draw));
     auto const j = draw_extended_jet<S, n>(draw, draw_section<S, n, n>(draw), fluid.G);
     auto const residual = ideal_fluid_residual(fluid.G, fluid.g, j);
     claim.equal("(8.9) and the Euler-Lagrange derivative", model, residual,
@@ -101,30 +87,33 @@ STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
 
 STATEMENT(eq_8_10, "the constraint where body and space have one metric") {
   claim.holds();
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const G = draw_metric<S, n>(draw);
-    VolumeConstraint const constraint{G, G};
-    auto const j = first_jet(draw_section<S, n, n>(draw), draw_event<S, n>(draw));
+    auto const G = draw_any_metric<S, n>(draw), same = draw_metric_of_volume<S, n>(draw);
+    VolumeConstraint const constraint{G, G}, held{same, same};
+    Event<S, n> const x = draw_event<S, n>(draw);
+    auto const j = first_jet(draw_section<S, n, n>(draw), x);
     S const here = modulus(S(determinant(G.frame(j.particle())))),
             there = modulus(S(determinant(G.frame(j.y)))), det = determinant(j.gradient());
     claim.equal("J with one metric at two places", model, constraint.volume_ratio(j), S(there / here * det));
     claim.differs("with the roots cancelled", model, constraint.volume_ratio(j), det);
+    claim.differs("with the roots turned round", model, constraint.volume_ratio(j), S(here / there * det));
+    auto const phi = draw_shears<S, n>(draw, same.chart, same.chart);
+    claim.zero("motions that keep a volume that varies", model, held(first_jet(phi, x))[0], S(1));
+    claim.refutes("that their determinant is 1", model, S(determinant(first_jet(phi, x).gradient()) - S(1)),
+                  S(1));
+    claim.refutes("motions whose determinant is 1", model, held(first_jet(of_coordinates(phi), x))[0], S(1));
   });
-  Event<S, 2> x = draw_event<S, 2>(draw);
-  x[2] += S(2);
-  auto const j = first_jet(StretchAndShear<S>{draw_cubic<S, 2>(draw)}, x);
-  VolumeConstraint const constraint{HalfPlane{}, HalfPlane{}};
-  claim.zero("a motion of the half plane that doubles coordinates", "half plane", constraint(j)[0], S(1));
-  claim.refutes("its determinant is 1", "half plane", S(determinant(j.gradient()) - S(1)), S(1));
 }
 
 STATEMENT(eq_8_11, "the equation with the pressure in space") {
-  claim.holds("It uses $J = 1$: off the constraint the gradient has the factor $J$ of (8.9).");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  claim.holds(
+      "It uses $J = 1$, not that determinants are 1: off the constraint the gradient has the factor $J$ of "
+      "(8.9).");
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid =
-        ideal_fluid<S, n>(draw_unimodular_metric<S, n>(draw), draw_unimodular_metric<S, n>(draw));
+        ideal_fluid<S, n>(draw_metric_of_volume<S, n>(draw), draw_metric_of_volume<S, n>(draw));
     auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
     auto const compare = [&](auto const& phi, Event<S, n> const& x) {
       auto const j = second_jet(with_pressure(phi, CarriedBy{p, phi}, fluid.G), x);
@@ -135,22 +124,38 @@ STATEMENT(eq_8_11, "the equation with the pressure in space") {
       return std::tuple(j, vector, lowered(fluid.g(deformation(j).y), vector));
     };
     Event<S, n> const x = draw_event<S, n>(draw);
-    auto const [held, vector, covector] = compare(draw_shears<S, n>(draw), x);
+    auto const phi = draw_shears<S, n>(draw, fluid.G.chart, fluid.g.chart);
+    auto const [held, vector, covector] = compare(phi, x);
     claim.equal("gradient of p at the place", model, spatial_pressure_residual(fluid.G, fluid.g, held),
                 vector);
-    claim.equal("(8.11) and the Euler-Lagrange derivative", model, covector,
-                per_volume(incompressible(fluid), held));
-    auto const [free, unused, off_constraint] = compare(draw_section<S, n, n>(draw), x);
-    claim.differs("a motion that does not keep the volume", model, off_constraint,
+    auto const forces = per_volume(incompressible(fluid), held);
+    claim.equal("(8.11) and the Euler-Lagrange derivative", model, covector, forces);
+    Event<S, n> at;
+    at << x[0], deformation(held).y;
+    claim.differs("the gradient with the other sign", model,
+                  (covector - S(2) * lowered(fluid.g(deformation(held).y), gradient(fluid.g, p, at))).eval(),
+                  forces);
+    claim.differs("the gradient at the particle", model,
+                  Matrix<S, n, 1>(lowered_acceleration(fluid.g, deformation(held)) +
+                                  derivative(p, x).gradient().template tail<n>()),
+                  forces);
+    auto const [free, unused, off_constraint] = compare(of_coordinates(phi), x);
+    claim.differs("a motion that keeps the volume of coordinates", model, off_constraint,
                   per_volume(incompressible(fluid), free));
   });
 }
 
 STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two pressures") {
-  claim.convention(
-      "The density is 1; otherwise $\\rho(x)$ stands before the acceleration. The second $b$ in "
-      "$(D_g\\dot\\phi^b/Dt)^b$ is a misprint.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  claim.corrected(
+      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi^b}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + P_\\lambda)}{\\partial "
+      "x^k}\\,J(F^{-1})^k{}_a",
+      "g_{ab}\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^b = -\\frac{\\partial(P_W + P_\\lambda)}{\\partial "
+      "x^k}\\,J(F^{-1})^k{}_a",
+      "A slip of an index: $\\dot\\phi$ is a vector, and its components differentiated as functions would "
+      "lose "
+      "the connection. The density is 1; otherwise $\\rho(x)$ stands before the acceleration.");
+  claim.maybe_scan();
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto fluid = draw_barotropic<S, n>(draw);
     auto const varying = fluid.rho;
@@ -162,6 +167,11 @@ STATEMENT(claim_8_3_combined_pressure_equation, "the equation of motion with two
     claim.differs("their difference", model, (two_pressures_residual(fluid, j) - S(2) * multiplier).eval(),
                   forces);
     auto const inertia = lowered_acceleration(fluid.g, deformation(j));
+    claim.differs("printed: the components differentiated as functions", model,
+                  (two_pressures_residual(fluid, j) - inertia +
+                   lowered(fluid.g(deformation(j).y), deformation(j).acceleration()))
+                      .eval(),
+                  forces);
     fluid.rho = varying;
     S const rho = varying(j.particle());
     auto const with_mass = per_volume(incompressible(fluid), j);
@@ -176,7 +186,7 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
   claim.holds(
       "The momenta and the field equations of the motion know the sum alone; the affine momentum, an energy, "
       "tells the two apart.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = draw_barotropic<S, n>(draw);
     S const c = draw.number<S>() + S(2);
@@ -209,10 +219,10 @@ STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where
   claim.convention(
       "For a homogeneous fluid: $P_W = -\\rho\\,W'(1)$ varies with $\\rho(x)$, and with the particle "
       "where $W$ depends on it. The multiplier takes it in all the same.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const law = draw_fluid<S>(draw);
-    auto const G = draw_unimodular_metric<S, n>(draw), g = draw_unimodular_metric<S, n>(draw);
+    auto const G = draw_metric_of_volume<S, n>(draw), g = draw_metric_of_volume<S, n>(draw);
     Fluid<S, n> const homogeneous{G, g, unit_mass<S, n>(), law}, varying{G, g, draw_mass<S, n>(draw), law};
     Event<S, n> const x = draw_event<S, n>(draw);
     auto const slope_of = [&](Fluid<S, n> const& fluid, SecondJet<S, n, n> const& j) {
@@ -220,8 +230,8 @@ STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where
       for (int k = 0; k < n; ++k) slope[k] = material_pressure(fluid, along(j, k + 1)).part[0];
       return slope;
     };
-    auto const held = second_jet(draw_shears<S, n>(draw), x),
-               free = second_jet(draw_section<S, n, n>(draw), x);
+    auto const phi = draw_shears<S, n>(draw, G.chart, g.chart);
+    auto const held = second_jet(phi, x), free = second_jet(of_coordinates(phi), x);
     S const pressure = material_pressure(homogeneous, static_cast<Jet<S, n, n> const&>(held)),
             by_law = law.w.K - law.w.a - S(2) * law.w.b;
     claim.equal("P_W = -W'(1)", model, pressure, by_law);
@@ -232,68 +242,11 @@ STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where
 }
 
 // ----
-// Section 8.3: the group of volume preserving diffeomorphisms, its geodesics and their pressure.
+// Section 8.3: the ideal incompressible fluid in the spatial description, its pressure, and the material
+// description.
 
 namespace {
 
-/// A field on space at one time.
-template <class S, class Field>
-struct Frozen {
-  S time;
-  Field u;
-  template <class V>
-  auto operator()(V const& y) const {
-    Matrix<ScalarOf<V>, V::RowsAtCompileTime + 1, 1> at;
-    at << ScalarOf<V>(time), y;
-    return u(at);
-  }
-};
-/// A field on space as one on time and space.
-template <class Field>
-struct Steady {
-  Field u;
-  template <class V>
-  auto operator()(V const& at) const {
-    return u(Matrix<ScalarOf<V>, V::RowsAtCompileTime - 1, 1>(at.template tail<V::RowsAtCompileTime - 1>()));
-  }
-};
-/// A shear along the first axis: its flow is y + s u(y).
-template <class S, int n>
-struct ShearField {
-  Cubic<S, n + 1> speed;
-  template <class V>
-  auto operator()(V const& at) const {
-    Matrix<ScalarOf<V>, n, 1> u = Matrix<ScalarOf<V>, n, 1>::Zero();
-    u[0] = speed(at);
-    return u;
-  }
-};
-/// The flow y + s X(y) of a shear, at one time.
-template <class Shear, class T>
-struct FlowOfShear {
-  Shear shear;
-  T time;
-  template <class V>
-  auto operator()(V const& y) const { return (y + shear(y) * ScalarOf<V>(time)).eval(); }
-};
-/// A field carried along by the flow: \f$T\eta\,Y\circ\eta^{-1}\f$ at y.
-template <class Shear, class Field, class S, int n, class T>
-Tangents<T, n, 1> carried(Shear const& shear, Field const& Y, Matrix<S, n, 1> const& y, T const& time) {
-  Matrix<T, n, 1> const place = y.template cast<T>(), from = place - shear(place) * time;
-  Tangents<T, n, 1> const value = Y(from);
-  return pushed(FlowOfShear<Shear, T>{shear, time}, from, value);
-}
-/// \f$(y^1)^k\f$ in all directions of a vector that is not constant: a field with divergence.
-template <int k>
-struct Swelling {
-  template <class V>
-  auto operator()(V const& y) const {
-    auto u = y.eval();
-    for (int i = 0; i < k; ++i) u *= y[0];
-    u[0] += y[1] * y[1];
-    return u;
-  }
-};
 /// The point (t, y) at which a jet is.
 template <class S, int n>
 Event<S, n> event_in_space(Jet<S, n, n> const& j) {
@@ -301,94 +254,26 @@ Event<S, n> event_in_space(Jet<S, n, n> const& j) {
   at << j.x[0], j.y;
   return at;
 }
+/// The material acceleration of a motion, a field along it.
+template <class Metric, class Phi>
+struct AccelerationOf {
+  Metric g;
+  Phi phi;
+  template <class V>
+  auto operator()(V const& x) const { return material_acceleration(g, second_jet(phi, x)); }
+};
+template <class Metric, class Phi>
+AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;
 
 }  // namespace
 
-STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the volume") {
-  claim.holds(
-      "It is the bracket of left-invariant fields on the group; with right-invariant ones, which "
-      "hydrodynamics uses otherwise, it would be the bracket of Jacobi and Lie itself.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
-    auto const g = draw_metric<S, n>(draw);
-    S const t = draw.number<S>();
-    using Field = Frozen<S, SolenoidalField<S, n, AnyMetric<S, n>>>;
-    Field const X{t, draw_solenoidal<S, n>(draw, g)}, Y{t, draw_solenoidal<S, n>(draw, g)};
-    Event<S, n> const at = draw_event<S, n>(draw);
-    Matrix<S, n, 1> const y = at.template tail<n>();
-    claim.zero("divergence of the bracket", model, divergence(g, Steady{diffeomorphism_bracket(X, Y)}, at),
-               size_of(diffeomorphism_bracket(X, Y)(y)) + S(1));
-    claim.refutes("of two fields with divergence", model,
-                  divergence(g, Steady{diffeomorphism_bracket(Swelling<1>{}, Swelling<2>{})}, at), S(1));
-
-    // The adjoint action of the flow of X, differentiated along the flow: Ad of minus the bracket. A shear
-    // has a polynomial flow, y + s X(y).
-    Cubic<S, n + 1> speed = draw_cubic<S, n + 1>(draw);
-    for (auto* v : {&speed.a, &speed.b, &speed.d, &speed.e}) (*v)[1] = S(0);
-    Frozen<S, ShearField<S, n>> const shear{t, {speed}};
-    S const s = draw.number<S>();
-    Dual<S> moved(s);
-    moved.part[0] = S(1);
-    auto const rate = carried(shear, Y, y, moved);
-    Matrix<S, n, 1> left;
-    for (int a = 0; a < n; ++a) left[a] = rate(a, 0).part[0];
-    Matrix<S, n, 1> const right = carried(shear, diffeomorphism_bracket(shear, Y), y, s);
-    claim.equal("rate of the adjoint action", model, left, right);
-    claim.differs("with the bracket of Jacobi and Lie", model, left, (-right).eval());
-  });
-}
-
-STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms") {
-  claim.convention(
-      "One metric on body and space, mass 1, and variations along the walls: then fields without divergence "
-      "are orthogonal to gradients; that nothing else is orthogonal to all of them is the decomposition of "
-      "Helmholtz and Hodge.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
-    constexpr int n = D::n;
-    auto const g = draw_metric<S, n>(draw);
-    auto const w = draw_solenoidal<S, n>(draw, g);
-    auto const eta = draw_section<S, n, n>(draw);
-    Event<S, n> const x = draw_event<S, n>(draw);
-    auto const j = second_jet(eta, x);
-    // Kinetic energy varied along w o eta.
-    auto const change = first_jet(CarriedBy{w, eta}, x);
-    using T = Dual<S>;
-    Matrix<T, n, 1> place = j.y.template cast<T>(), velocity = j.velocity().template cast<T>();
-    for (int a = 0; a < n; ++a) place[a].part[0] = change.y[a], velocity[a].part[0] = change.v(a, 0);
-    S const varied = (inner(g(place), velocity, velocity) / T(2)).part[0];
-    // d/dt <eta', w o eta>, and <D eta'/Dt, w o eta>.
-    auto const moved = along(j, 0);
-    Matrix<T, n, 1> w_moved = change.y.template cast<T>();
-    for (int a = 0; a < n; ++a) w_moved[a].part[0] = change.v(a, 0);
-    S const carried = inner(g(moved.y), moved.velocity(), w_moved).part[0],
-            work = inner(g(j.y), material_acceleration(g, j), change.y);
-    S const scale = size_of(varied) + size_of(carried) + size_of(work);
-    claim.zero("the variation of kinetic energy", model, S(varied - carried + work), scale);
-    claim.refutes("with the acceleration of coordinates", model,
-                  S(varied - carried + inner(g(j.y), j.acceleration(), change.y)), scale);
-    // A gradient is orthogonal to fields without divergence, but for a divergence.
-    auto const p = draw_cubic<S, n + 1>(draw);
-    auto const along_pressure = [&](auto const& field_in_space) {
-      Event<S, n> const at = event_in_space(j);
-      S const product = inner(g(j.y), gradient(g, p, at), Matrix<S, n, 1>(field_in_space(at)));
-      return std::pair(
-          product, S(product - divergence(
-                                   g, [&](auto const& y) { return (field_in_space(y) * p(y)).eval(); }, at)));
-    };
-    auto const [product, rest] = along_pressure(w);
-    claim.zero("work of a pressure is a divergence", model, rest, size_of(product) + S(1));
-    auto const [unused, left] = along_pressure([](auto const& y) { return y.template tail<n>().eval(); });
-    claim.refutes("along a field with a divergence", model, left, S(1));
-  });
-}
-
 STATEMENT(eq_8_14, "the equation of the pressure") {
   claim.convention(
-      "It needs $\\mathrm{div}\\,u = 0$ at all times, and the slope of $p$ at the walls to have one "
-      "solution. On a curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
+      "It needs $\\mathrm{div}\\,u = 0$ at all times. On a curved space the right side is "
+      "$-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const g = draw_metric<S, n>(draw);
+    auto const g = draw_any_metric<S, n>(draw);
     auto const u = draw_solenoidal<S, n>(draw, g);
     Event<S, n> const at = draw_event<S, n>(draw);
     Matrix<S, n, 1> const y = at.template tail<n>();
@@ -422,31 +307,14 @@ STATEMENT(eq_8_14, "the equation of the pressure") {
   });
 }
 
-// ----
-// Section 8.3: the ideal incompressible fluid in the spatial and in the material description.
-
-namespace {
-
-/// The material acceleration of a motion, a field along it.
-template <class Metric, class Phi>
-struct AccelerationOf {
-  Metric g;
-  Phi phi;
-  template <class V>
-  auto operator()(V const& x) const { return material_acceleration(g, second_jet(phi, x)); }
-};
-template <class Metric, class Phi>
-AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;
-
-}  // namespace
-
 STATEMENT(claim_8_3_euler_equations, "the fluid in the spatial description") {
   claim.holds("$(u\\cdot\\nabla)u$ is covariant, and so is the divergence.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const phi = draw_shears<S, n>(draw);
-    VelocityInSpace<S, n> const u{phi};
-    auto const any = draw_metric<S, n>(draw), unimodular = draw_unimodular_metric<S, n>(draw);
+    auto const any = draw_any_metric<S, n>(draw), metric = draw_metric_of_volume<S, n>(draw),
+               body = draw_metric_of_volume<S, n>(draw);
+    auto const phi = draw_shears<S, n>(draw, body.chart, metric.chart);
+    VelocityInSpace const u{phi};
     auto const j = second_jet(phi, draw_event<S, n>(draw));
     Event<S, n> const at = event_in_space(j);
     auto const rate = velocity_gradient(any, u, at);
@@ -455,14 +323,24 @@ STATEMENT(claim_8_3_euler_equations, "the fluid in the spatial description") {
     auto const flat = first_jet(u, at);
     claim.differs("with derivatives that are not covariant", model,
                   (flat.velocity() + flat.gradient() * flat.y).eval(), material_acceleration(any, j));
-    VolumeConstraint const held{unimodular, unimodular}, free{any, any};
-    claim.zero("divergence where the volume is held", model, divergence(unimodular, u, at),
-               size_of(rate.slope));
+    VolumeConstraint const held{body, metric}, free{any, any};
+    claim.zero("divergence where the volume is held", model, divergence(metric, u, at), size_of(rate.slope));
+    claim.refutes("as if the determinant of the metric were constant", model, S(flat.gradient().trace()),
+                  size_of(rate.slope));
     S const J = free.volume_ratio(static_cast<Jet<S, n, n> const&>(j)),
             J_rate = free.volume_ratio(along(j, 0)).part[0];
     claim.equal("the rate of the volume", model, J_rate, S(J * divergence(any, u, at)));
     claim.refutes("divergence where it is not", model, divergence(any, u, at), size_of(rate.slope));
     claim.zero("and the volume there", model, held(static_cast<Jet<S, n, n> const&>(j))[0], S(1));
+    // Composed with the inverse motion, (8.13) is Euler's equation with the same pressure.
+    auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
+    Matrix<S, n, 1> const along_motion = material_acceleration(metric, j) + gradient(metric, p, at);
+    claim.equal("(8.13) at the particle, and Euler's equation at its place", model,
+                Matrix<S, n, 1>(eulerian_acceleration(metric, u, at) + gradient(metric, p, at)),
+                along_motion);
+    claim.differs("with the rate alone, without advection", model,
+                  Matrix<S, n, 1>(velocity_gradient(metric, u, at).rate + gradient(metric, p, at)),
+                  along_motion);
   });
 }
 
@@ -471,24 +349,40 @@ STATEMENT(claim_8_3_two_descriptions_agree,
   claim.convention(
       "Body and space are one Riemannian manifold, mass is 1, and the motion begins at the identity: then $J "
       "= 1$ says that it stays in $\\mathcal D_\\mu$.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const g = draw_unimodular_metric<S, n>(draw);
-    auto const phi = draw_shears<S, n>(draw);
+    auto const g = draw_metric_of_volume<S, n>(draw);
+    auto const phi = draw_shears<S, n>(draw, g.chart, g.chart);
     auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
     CarriedBy const P{p, phi};
-    auto const residual_on_body = [&](AnyMetric<S, n> const& G, Event<S, n> const& x) {
+    auto const residual_on_body = [&](MetricOfVolume<S, n> const& G, Event<S, n> const& x) {
       auto const j = second_jet(with_pressure(phi, P, G), x);
       return per_volume(incompressible(ideal_fluid<S, n>(G, g)), j);
     };
     Event<S, n> const x = draw_event<S, n>(draw);
+    Event<S, n> start = x;
+    start[0] = S(0);
+    claim.equal("the motion begins at the identity", model, phi(start),
+                Matrix<S, n, 1>(x.template tail<n>()));
+    claim.zero("and stays in the group", model, VolumeConstraint{g, g}(first_jet(phi, x))[0], S(1));
     Event<S, n> const at = event_in_space(first_jet(phi, x));
     Matrix<S, n, 1> const y = at.template tail<n>();
+    auto const on_body = residual_on_body(g, x);
     auto const in_space = lowered(
-        g(y), Matrix<S, n, 1>(eulerian_acceleration(g, VelocityInSpace<S, n>{phi}, at) + gradient(g, p, at)));
-    claim.equal("field equations on the body, and Euler's in space", model, residual_on_body(g, x), in_space);
-    claim.differs("a body with another volume", model, residual_on_body(draw_metric<S, n>(draw), x),
+        g(y), Matrix<S, n, 1>(eulerian_acceleration(g, VelocityInSpace{phi}, at) + gradient(g, p, at)));
+    claim.equal("field equations on the body, and Euler's in space", model, on_body, in_space);
+    claim.equal(
+        "and (8.13) along the motion", model, on_body,
+        lowered(g(y), Matrix<S, n, 1>(material_acceleration(g, second_jet(phi, x)) + gradient(g, p, at))));
+    claim.differs("a body with another volume", model, residual_on_body(draw_any_metric<S, n>(draw), x),
                   in_space);
+    claim.differs("the inverse motion for the motion", model, on_body,
+                  lowered(g(y), Matrix<S, n, 1>(material_acceleration(g, second_jet(
+                                                                             [&](auto const& event) {
+      return phi.particle(event).template tail<n>().eval();
+                                                                             },
+                                                                             at)) +
+                                                gradient(g, p, at))));
   });
 }
 
@@ -498,11 +392,11 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
       "(F^{-1})^k{}_a\\,\\nabla_k\\Bigl(\\frac{D_g\\dot\\phi}{Dt}\\Bigr)^a = -(\\Delta p)\\circ\\phi",
       "(8.11) is an equation between vectors of space at points of the body: compose with $\\phi_t^{-1}$ "
       "first. Differentiated in $x$ without $F^{-1}$ it gives another number.");
-  over_points(Plane{}, [&]<class D>(D, std::string const& model) {
+  over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
-    auto const g = draw_unimodular_metric<S, n>(draw);
-    auto const phi = draw_shears<S, n>(draw);
-    VelocityInSpace<S, n> const u{phi};
+    auto const g = draw_metric_of_volume<S, n>(draw);
+    auto const phi = draw_shears<S, n>(draw, draw_chart<S, n>(draw), g.chart);
+    VelocityInSpace const u{phi};
     Event<S, n> const x = draw_event<S, n>(draw);
     AccelerationOf const acceleration{g, phi};
     auto const rate = first_jet(acceleration, x);
