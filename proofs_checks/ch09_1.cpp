@@ -179,9 +179,9 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.holds(
-      "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, and "
-      "the "
-      "formula holds for any field on the body.");
+      "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, "
+      "and the formula holds for any field on the body. With a multiplier that is a density "
+      "$-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along $\\beta_\\mu$.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const xi = draw_body_field<S, n>(draw);
@@ -202,6 +202,15 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
                S(lift.x[0] + lift.y.squaredNorm() + lift.velocity().squaredNorm()), S(1));
     claim.differs("the other sign", model, lift.gradient(), (j.gradient() * slope).eval());
     claim.differs("the other index", model, lift.gradient(), (-j.gradient() * slope.transpose()).eval());
+    // The multiplier as a density: beside the lift as printed, -D_mu(lambda d_k xi^k).
+    auto const density = jet_at<n, N>(prolonged<n, N>(density_relabelling_field<N>(xi))(coordinates(j)));
+    auto const expansion = [&]<class T>(Matrix<T, n, 1> const& x) { return divergence(xi, x); };
+    auto const [rate_of_volume, its_slope] = derivative(expansion, Matrix<S, n, 1>(j.particle()));
+    Matrix<S, 1, n + 1> expected = lift.v.row(n) - j.v.row(n) * rate_of_volume;
+    expected.template tail<n>() -= its_slope * j.y[n];
+    claim.equal("the multiplier as a density", model, Matrix<S, 1, n + 1>(density.v.row(n)), expected, 10);
+    claim.differs("the multiplier as a density, with the lift as printed", model,
+                  Matrix<S, 1, n + 1>(density.v.row(n)), Matrix<S, 1, n + 1>(lift.v.row(n)));
     // A field of the group: the determinant of its flow makes up for the change of the volume.
     auto const G = draw_metric<S, n>(draw);
     Matrix<S, n, 1> const x = j.particle();
@@ -425,8 +434,9 @@ STATEMENT(claim_9_1_incompressible_equivariance,
           "equivariance of the incompressible Lagrangian under relabelling") {
   claim.corrected(
       "\\eta_E=(y^a,\\lambda)", "\\eta_E=\\bigl(y^a,\\lambda/\\det\\partial\\eta\\bigr)",
-      "With the multiplier left as it is, as (9.1) has it, only in coordinates with constant $\\det G$; "
-      "in all others with $\\lambda=\\sqrt{\\det G}\\,P$ transformed as a density, $P$ fixed.");
+      "With the multiplier left as it is, as (9.1) has it, only in coordinates with constant $\\det G$, and "
+      "elsewhere at jets with $J=1$ alone; at all jets with $\\lambda=\\sqrt{\\det G}\\,P$ transformed as a "
+      "density, $P$ fixed.");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
@@ -443,6 +453,11 @@ STATEMENT(claim_9_1_incompressible_equivariance,
                equivariance_rate(ideal(fluid), density_relabelling_field<N>(xi), j), scale, 10);
     claim.refutes("printed: the same for a field", model,
                   equivariance_rate(ideal(fluid), relabelling_field<N>(xi), j), scale);
+    auto kept = j;
+    kept.v.col(1).template head<n>() /=
+        jacobian(fluid.G(j.particle()), fluid.g(deformation(j).y), deformation(j).gradient());
+    claim.zero("where J = 1: the multiplier left as it is", model,
+               equivariance_defect(ideal(fluid), relabelling<N>(eta), kept), scale, 10);
     fluid.G = draw_stretchable_metric<S, n>(draw, true);
     auto const even = draw_relabelling_at<S, n>(fluid.G, j.particle(), draw);
     claim.zero("constant det G: the multiplier left as it is", model,
