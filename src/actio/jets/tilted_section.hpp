@@ -27,7 +27,8 @@ struct TiltedJet {
 /// \f$v = D\varphi_Y\,(D\varphi_X)^{-1}\f$.
 ///
 /// @param map  tilted section: a callable from points u to (x, y), one column, over any scalar
-/// @throws NotAnEmbedding  where the determinant of \f$D\varphi_X\f$ is not positive
+/// @throws NotAnEmbedding  where the determinant of \f$D\varphi_X\f$ is not positive; over a field without
+///         order that is left out
 template <class S, int rows, class Map>
 auto tilted_jet(Map const& map, Matrix<S, rows, 1> const& u) {
   constexpr int n = rows - 1;
@@ -35,7 +36,7 @@ auto tilted_jet(Map const& map, Matrix<S, rows, 1> const& u) {
   constexpr int N = std::remove_cvref_t<decltype(image)>::RowsAtCompileTime - rows;
   Matrix<S, rows, rows> const DX = D_map.template topRows<rows>();
   TiltedJet<S, n, N> tilted{{image.template head<rows>(), image.template tail<N>(), {}}, determinant(DX)};
-  if (!(base_value(tilted.stretch) > Base<S>(0)))
+  if (ordered_arithmetic<S>() && !(base_value(tilted.stretch) > Base<S>(0)))
     throw NotAnEmbedding("tilted_jet at u = " + show(u),
                          "a tilted section covers an embedding that keeps the orientation; determinant",
                          to_double(tilted.stretch), 0);
