@@ -179,6 +179,22 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     auto const force = [&](S const& factor) {
       return euler_lagrange(density, jet_of_drop<S, n>(A, V, factor * inverse.transpose(), m, X));
     };
+    // Whatever the acceleration B and the factor of the pressure: zero for all X just where they fit.
+    Matrix const B = draw.vector<S, actio::Matrix<S, Dynamic, 1>>(n * n).reshaped(n, n);
+    S const other = draw.number<S>();
+    actio::Matrix<S, n, 1> const left =
+        euler_lagrange(density, jet_of_drop<S, n>(A, V, B, other, X)).template head<n>();
+    claim.equal("the field equations, off shell", model, left,
+                actio::Matrix<S, n, 1>((inverse.transpose() * other - B) * X));
+    claim.differs("the inverse not transposed", model, left,
+                  actio::Matrix<S, n, 1>((inverse * other - B) * X));
+    // The acceleration of the drop is normal to SL(n), which makes its motion a geodesic; B has a part along.
+    Matrix const along = SL<n>{}.hat(draw.velocity<S>(SL<n>{}).coordinates) * A;
+    S const lengths = size_of(inverse) * size_of(along) + size_of(B) * size_of(along);
+    claim.zero("a geodesic: the acceleration is normal to the group", model,
+               S(inverse.transpose().cwiseProduct(along).sum()), lengths);
+    claim.refutes("any acceleration", model, S(B.cwiseProduct(along).sum()), lengths);
+    claim.refutes("that of the inverse not transposed", model, S(inverse.cwiseProduct(along).sum()), lengths);
     S const size = size_of(m) * size_of(inverse) * size_of(X) + S(1);
     claim.zero("the field equations, with the drop's pressure", model, force(m), size);
     claim.refutes("an acceleration the other way", model, force(-m), size);
@@ -192,6 +208,19 @@ STATEMENT(bridge_affine_incompressible, "a drop of ideal fluid as a field and as
     auto const a0 = draw.element<S>(SL<n>{}), a1 = draw.element<S>(SL<n>{}), a2 = draw.element<S>(SL<n>{});
     S const h = ratio<S>(1, 3);
     auto const residual = discrete_euler_lagrange(StepOfDrop<S>{h}, a0, a1, a2);
+    auto const circulation = [](Matrix const& from, Matrix const& to) {
+      return Matrix(from.transpose() * to - to.transpose() * from);
+    };
+    Matrix const back = inverse_matrix(a1.value), drift = S(2) * a1.value - a0.value;
+    S const products = size_of(a0.value) * size_of(a1.value) +
+                       size_of(a1.value) * (size_of(drift) + size_of(back) * size_of(other));
+    claim.zero(
+        "the discrete motion keeps the circulation", model,
+        Matrix(circulation(a0.value, a1.value) - circulation(a1.value, drift + back.transpose() * other)),
+        products);
+    claim.refutes("with the inverse not transposed", model,
+                  Matrix(circulation(a0.value, a1.value) - circulation(a1.value, drift + back * other)),
+                  products);
     Matrix const moment = (S(2) * a1.value - a0.value - a2.value) * a1.value.transpose() / h;
     actio::Matrix<S, Dynamic, 1> paired(SL<n>{}.dimension());
     for (int a = 0; a < paired.size(); ++a)

@@ -465,7 +465,7 @@ actio::Matrix<S, n, 1> logarithmic_slopes(Metric const& g, actio::Matrix<S, n, 1
 }  // namespace
 
 STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic fluid") {
-  claim.holds();
+  claim.holds("In the denominators $i$ is set as an index of $a$; it is one of $v$.");
   // A law of degree 3 in a Jacobian of degree 8 over another.
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

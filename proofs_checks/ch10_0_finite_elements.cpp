@@ -221,13 +221,8 @@ struct Patch {
   /// How the forces change with q, as a matrix.
   template <class Weight>
   Matrix<S, size, size> stiffness(Nodal<S> const& q, Weight const& weight) const {
-    Matrix<S, size, size> K;
-    for (int c = 0; c < size; ++c) {
-      Nodal<S> unit = Nodal<S>::Zero();
-      unit(c % n, c / n) = S(1);
-      K.col(c) = rate_of(forces<Dual<S>>(moved_along(q, unit), weight)).reshaped();
-    }
-    return K;
+    auto const at = [&]<class T>(Nodal<T> const& moved) { return forces<T>(moved, weight); };
+    return derivative(at, q).matrix;
   }
   Matrix<S, size, size> stiffness(Nodal<S> const& q) const {
     return stiffness(q, [](Element const&, int) { return S(1); });
@@ -499,13 +494,13 @@ STATEMENT(claim_10_0_betti_reciprocity, "multisymplectic form formula and recipr
 
 STATEMENT(claim_10_0_static_fem,
           "finite elements for static elasticity and the discrete multisymplectic form") {
-  claim.holds(
-      "Of finite elements that come from the stored energy: linear simplices with one point of evaluation "
-      "each, "
-      "an anisotropic solid in curved metrics. Their equations are the discrete Euler-Lagrange equations of "
-      "the "
-      "elements' actions, with dead loads on the nodes; the sum of the forms over the outer nodes of a patch "
-      "vanishes for two first variations. Test functions that differ from the shape functions lose it.");
+  claim.convention(
+      "In the sense of Veselov's discretization: the forms of an element's action sum to zero over its "
+      "corners, "
+      "and for two first variations over the outer nodes of a patch. For elements whose forces come from the "
+      "stored energy, here linear simplices with one point of evaluation each, an anisotropic solid in "
+      "curved "
+      "metrics and dead loads on the nodes. Test functions that differ from the shape functions lose it.");
   over_models(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     Patch<S, n> const patch(draw, draw_medium<S, n>(draw, Kind::solid));
