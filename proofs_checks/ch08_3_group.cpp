@@ -295,15 +295,28 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
         for (int b = 0; b < n; ++b) product += box.entries[a][b] * (u[a] * v[b]);
       for (int a = 0; a < n; ++a) slope[a] = product.slope(a);
     }
-    auto const change = [&](BoxField<S, n, n> const& w) { return integral(slope, w); };
+    // What each component of a field changes; the sum is the rate.
+    struct Change {
+      S rate{0}, size{0};
+      Base<S> moduli{0};
+    };
+    auto const change = [&](BoxField<S, n, n> const& w) {
+      Change all;
+      for (int a = 0; a < n; ++a) {
+        auto const part = integral(slope[a], w[a]);
+        all.rate += part.value, all.size += size_of(part.value), all.moduli += part.size;
+      }
+      return all;
+    };
     auto const along = draw_along_walls<S, n, n>(draw), open = draw_along_walls<S, n, n>(draw, true);
     auto const held = change(along), through = change(open);
-    claim.zero("rate of the inner product in a box", model, held.value, S(held.size));
+    claim.zero("rate of the inner product in a box", model, held.rate, held.size,
+               magnification<S>(held.moduli, held.size));
     auto swelling = along;
-    swelling[0] += wall<S, n>(0) * draw.number<S>();
+    swelling[0] += wall<S, n>(0) * draw_linear<S, n>(draw);
     auto const swollen = change(swelling);
-    claim.refutes("along a field with a divergence", model, swollen.value, S(swollen.size));
-    claim.refutes("along a field through a wall", model, through.value, S(through.size));
+    claim.refutes("along a field with a divergence", model, swollen.rate, swollen.size);
+    claim.refutes("along a field through a wall", model, through.rate, through.size);
   });
 }
 
