@@ -68,8 +68,8 @@ STATEMENT(eq_8_3, "the density with the constraint added") {
     claim.equal("kinetic minus potential plus multiplier times constraint", model, density(j),
                 S(kinetic - potential + j.y[n] * Phi));
     claim.differs("the multiplier subtracted", model, density(j), S(kinetic - potential - j.y[n] * Phi));
-    claim.differs("the pressure in the multiplier's place", model, density(j),
-                  S(kinetic - potential + j.y[n] / root_G * Phi));
+    claim.refutes("the pressure in the multiplier's place", model,
+                  S(density(j) - (kinetic - potential + j.y[n] / root_G * Phi)), size_of(S(j.y[n] * Phi)));
   });
 }
 

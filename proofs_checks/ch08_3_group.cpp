@@ -295,15 +295,28 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
         for (int b = 0; b < n; ++b) product += box.entries[a][b] * (u[a] * v[b]);
       for (int a = 0; a < n; ++a) slope[a] = product.slope(a);
     }
-    auto const change = [&](BoxField<S, n, n> const& w) { return integral(slope, w); };
+    // What each component of a field changes; the sum is the rate.
+    struct Change {
+      S rate{0}, size{0};
+      Base<S> moduli{0};
+    };
+    auto const change = [&](BoxField<S, n, n> const& w) {
+      Change all;
+      for (int a = 0; a < n; ++a) {
+        auto const part = integral(slope[a], w[a]);
+        all.rate += part.value, all.size += size_of(part.value), all.moduli += part.size;
+      }
+      return all;
+    };
     auto const along = draw_along_walls<S, n, n>(draw), open = draw_along_walls<S, n, n>(draw, true);
     auto const held = change(along), through = change(open);
-    claim.zero("rate of the inner product in a box", model, held.value, S(held.size));
+    claim.zero("rate of the inner product in a box", model, held.rate, held.size,
+               magnification<S>(held.moduli, held.size));
     auto swelling = along;
-    swelling[0] += wall<S, n>(0) * draw.number<S>();
+    swelling[0] += wall<S, n>(0) * draw_linear<S, n>(draw);
     auto const swollen = change(swelling);
-    claim.refutes("along a field with a divergence", model, swollen.value, S(swollen.size));
-    claim.refutes("along a field through a wall", model, through.value, S(through.size));
+    claim.refutes("along a field with a divergence", model, swollen.rate, swollen.size);
+    claim.refutes("along a field through a wall", model, through.rate, through.size);
   });
 }
 
@@ -312,7 +325,8 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
       "One metric on body and space, mass 1, variations along the walls that vanish at both ends. The action "
       "varies by minus the work of the acceleration; a gradient does no work on such variations, and a "
       "covector field that does none on any of them has no curl: along $\\partial_b(\\beta\\,\\omega^{ab})$, "
-      "with $\\omega$ its curl and $\\beta$ zero at the walls, it does the work $\\int\\beta|\\omega|^2$.");
+      "with $\\omega$ its curl and $\\beta$ zero at the walls, it does the work $\\int\\beta|\\omega|^2$, "
+      "and where the body closes to a strip, fields around it find its period.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_any_metric<S, n>(draw);
@@ -393,5 +407,17 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
     claim.zero("work along the curl is that of its square", model, S(done.value - curl.work.value),
                S(done.size));
     claim.refutes("a covector field with a curl", model, done.value, S(done.size));
+    // The box closed to a strip around its first coordinate: what has one value and slope at both ends is
+    // smooth enough there.
+    auto const round = p * wall<S, n>(0) * wall<S, n>(0);
+    BoxField<S, n, n> around, closed;
+    around[0] = BoxPolynomial<S, n>::constant(draw.number<S>() + S(2)) +
+                BoxPolynomial<S, n>::variable(1) * draw.number<S>();
+    for (int a = 0; a < n; ++a) closed[a] = round.slope(a);
+    auto const strip = integral(closed, around);
+    claim.zero("a gradient does no work around a strip", model, strip.value, S(strip.size));
+    closed[0] += BoxPolynomial<S, n>::constant(draw.number<S>());
+    auto const period = integral(closed, around);
+    claim.refutes("a covector field without a curl and with a period", model, period.value, S(period.size));
   });
 }

@@ -264,7 +264,7 @@ STATEMENT(claim_10_0_vortex_methods, "vortex blob method and averaged fluid equa
     claim.differs("without the transposed gradient", model, curl_of<S>(averaged_force(u, v, false))(at),
                   transport(at));
     auto const w0 = wall<S, 3>(1) * wall<S, 3>(2);
-    auto const flow = rotated<S, 2, 3>({draw_linear<S, 3>(draw) * w0});
+    auto const flow = rotated<S, 2, 3>({draw_linear<S, 3>(draw) * draw_linear<S, 3>(draw) * w0});
     auto const change = rotated<S, 2, 3>({draw_linear<S, 3>(draw) * w0 * w0 * w0 * wall<S, 3>(0)});
     // The walls' terms vanish where the varied velocity does.
     auto const varied = varied_velocity(flow, change);
@@ -280,6 +280,8 @@ STATEMENT(claim_10_0_vortex_methods, "vortex blob method and averaged fluid equa
     claim.zero("the action of averaged flow and the force", model, S(action + work.value), scale,
                magnification<S>(straight.size + gradients.size * magnitude(square) + work.size, scale));
     claim.refutes("without the transposed gradient, as an action", model, S(action + without.value), scale);
+    auto const opposite = integral(averaged_force(flow, momentum_of(flow, S(-square))), change);
+    claim.refutes("with the other sign of alpha squared", model, S(action + opposite.value), scale);
   }
   // The velocity of point vortices of the averaged equations, away from their centres.
   {
