@@ -47,9 +47,7 @@ Velocity<SpannedGroup, T> reduced(Side side, State<SpannedGroup, T> const& v) {
 }
 /// l of that velocity.
 template <class F>
-auto invariant(Side side, F const& l) {
-  return [=](auto const& v) { return l(reduced(side, v)); };
-}
+auto invariant(Side side, F const& l) { return [=](auto const& v) { return l(reduced(side, v)); }; }
 /// The frame of a chart with its columns translated to the identity on a side.
 template <class Chart, class T>
 Matrix<T> frame_on(Side side, Chart const& chart, Vector<T> const& q) {
@@ -119,16 +117,18 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
   claim.differs("the equation of the other side", model, full,
                 Vector<S>(-columns.transpose() * residual(other(side), xi, xi_rate).components));
   claim.differs("a Lagrangian invariant on the other side", model,
-                euler_lagrange_in_coordinates(in_coordinates(invariant(other(side), l), chart), q, v, a), full);
+                euler_lagrange_in_coordinates(in_coordinates(invariant(other(side), l), chart), q, v, a),
+                full);
 }
 
 }  // namespace
 
 STATEMENT(thm_2_2_1, "Euler-Poincare reduction: four conditions on a curve") {
-  claim.corrected(R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
-                  R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
-                  "In condition iv the first expression is right, and the second one has the wrong sign. With it "
-                  "the four conditions are equivalent: each step holds off shell.");
+  claim.corrected(
+      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta + [\xi, \eta])",
+      R"(\delta\xi = \dot\eta - \mathrm{ad}_\xi\eta = \dot\eta - [\xi, \eta])",
+      "In condition iv the first expression is right, and the second one has the wrong sign. With it "
+      "the four conditions are equivalent: each step holds off shell.");
   claim.same_slip_as("claim_2_2_reduced_variation_bracket");
   Quadrature<S> const rule(14);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -306,9 +306,7 @@ Momentum<SpannedGroup, T> reduced(Side side, Costate<SpannedGroup, T> const& p) 
 }
 /// h of that momentum.
 template <class H>
-auto invariant_function(Side side, H const& h) {
-  return [=](auto const& p) { return h(reduced(side, p)); };
-}
+auto invariant_function(Side side, H const& h) { return [=](auto const& p) { return h(reduced(side, p)); }; }
 template <class S, class H>
 Momentum<SpannedGroup, S> lie_poisson_rate(Side side, H const& h, Momentum<SpannedGroup, S> const& mu) {
   return side == Side::right ? lie_poisson_rate_right(h, mu) : lie_poisson_rate_left(h, mu);
@@ -368,7 +366,8 @@ void lie_poisson_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGroup
                 lie_poisson_rate(other(side), h, momentum));
   claim.refutes("the momentum translated on the other side", model,
                 rate_of(reduced(other(side), along)) - momentum_rate, size_of(momentum_rate));
-  claim.differs("the other bracket", model, f(by_iii).part[0], lie_poisson_bracket(other(side), f, h, momentum));
+  claim.differs("the other bracket", model, f(by_iii).part[0],
+                lie_poisson_bracket(other(side), f, h, momentum));
 }
 
 }  // namespace
@@ -377,7 +376,8 @@ STATEMENT(thm_2_2_3, "Lie-Poisson reduction of a right-invariant Hamiltonian") {
   claim.corrected(
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = p(0), \qquad \lambda(p) = T^*_{g}R_{g}\,p)",
       R"(\dot g = T_eR_g\frac{\delta h}{\delta\mu}, \quad \mu = \mu(t), \qquad \lambda(p) = T^*_eR_{g}\,p)",
-      "The momentum in the equation for $g$ is that of the same instant; and with the index $g(t)$ in place of $e$ "
+      "The momentum in the equation for $g$ is that of the same instant; and with the index $g(t)$ in place "
+      "of $e$ "
       "the map $\\lambda$ would start in another fibre. Then the four conditions are equivalent: i and ii as "
       "they stand, iii and iv together with the equation for $g$.");
   claim.same_slip_as("claim_2_2_reconstruction_velocity");
@@ -478,9 +478,11 @@ STATEMENT(claim_2_2_lie_poisson_equivalence,
 
 STATEMENT(claim_2_2_left_reduction, "Euler-Poincare and Lie-Poisson reduction on the left") {
   claim.holds(
-      "The theorems for multiplication from the left, with $\\xi = g^{-1}\\dot g$, $\\mu = T_e^*L_g\\,p$, the signs "
+      "The theorems for multiplication from the left, with $\\xi = g^{-1}\\dot g$, $\\mu = T_e^*L_g\\,p$, "
+      "the signs "
       "$\\frac{d}{dt}\\frac{\\delta l}{\\delta\\xi} = \\ad^*_\\xi\\frac{\\delta l}{\\delta\\xi}$, "
-      "$\\delta\\xi = \\dot\\eta + [\\xi,\\eta]$, $\\dot\\mu = \\ad^*_{\\delta h/\\delta\\mu}\\mu$ and the minus bracket; the "
+      "$\\delta\\xi = \\dot\\eta + [\\xi,\\eta]$, $\\dot\\mu = \\ad^*_{\\delta h/\\delta\\mu}\\mu$ and the "
+      "minus bracket; the "
       "spatial momentum is constant, and $\\mu = \\Ad^*_g$ of it.");
   Quadrature<S> const rule(14);
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -504,14 +506,15 @@ STATEMENT(claim_2_2_left_reduction, "Euler-Poincare and Lie-Poisson reduction on
     claim.differs("at the spatial momentum", model, canonical, lie_poisson_bracket_minus(f, h, at.momentum));
     // Left-invariant motions keep the spatial momentum, and with it the orbit of the other.
     auto const along = moved_by_hamilton(left_invariant_function(h), chart, q, p);
-    claim.zero("the spatial momentum is constant", model, rate_of(along.momentum), size_of(rate_of(body_momentum(along))),
-               frame_condition);
+    claim.zero("the spatial momentum is constant", model, rate_of(along.momentum),
+               size_of(rate_of(body_momentum(along))), frame_condition);
     auto const curve = draw_curve<S>(draw, group);
     S const t = ratio<S>(1, 3);
     claim.equal("Ad*_g of a constant momentum solves mu' = ad*_xi mu", model,
                 rate_of(Ad_star(curve(variable(t)), over<Dual<S>>(mu))),
                 ad_star(body_velocity(tangent(curve, t)), Ad_star(curve(t), mu)), frame_condition);
-    claim.differs("with the inverse of g", model, rate_of(Ad_star(inverse(curve(variable(t))), over<Dual<S>>(mu))),
+    claim.differs("with the inverse of g", model,
+                  rate_of(Ad_star(inverse(curve(variable(t))), over<Dual<S>>(mu))),
                   ad_star(body_velocity(tangent(curve, t)), Ad_star(inverse(curve(t)), mu)));
   });
 }
@@ -519,8 +522,8 @@ STATEMENT(claim_2_2_left_reduction, "Euler-Poincare and Lie-Poisson reduction on
 namespace {
 
 /// The Legendre transform of a function on the algebra, or on its dual, near one point: \f$y\cdot x - f(x)\f$
-/// with \f$\partial f/\partial x = y\f$. The equation for x is solved by the iteration of Newton with the slope at
-/// the point, which is exact over dual numbers after as many steps as they are nested.
+/// with \f$\partial f/\partial x = y\f$. The equation for x is solved by the iteration of Newton with the
+/// slope at the point, which is exact over dual numbers after as many steps as they are nested.
 template <class S, class F>
 struct LegendreTransform {
   F f;
@@ -549,10 +552,13 @@ LegendreTransform<S, F> legendre_transform(F const& f, Velocity<SpannedGroup, S>
 
 }  // namespace
 
-STATEMENT(claim_2_2_euler_poincare_lie_poisson, "Euler-Poincare and Lie-Poisson equations, and Legendre's transformation") {
+STATEMENT(claim_2_2_euler_poincare_lie_poisson,
+          "Euler-Poincare and Lie-Poisson equations, and Legendre's transformation") {
   claim.convention(
-      "Where $l$, or $h$, is regular: with $\\mu = \\delta l/\\delta\\xi$ and $h = \\langle\\mu,\\xi\\rangle - l$ the one "
-      "system is the other, off shell and on both sides, and from $h$ in the same way back; on $TG$ and $T^*G$ the "
+      "Where $l$, or $h$, is regular: with $\\mu = \\delta l/\\delta\\xi$ and $h = \\langle\\mu,\\xi\\rangle "
+      "- l$ the one "
+      "system is the other, off shell and on both sides, and from $h$ in the same way back; on $TG$ and "
+      "$T^*G$ the "
       "Legendre transformation of the Lagrangian takes its vector field to that of the Hamiltonian.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     int const n = group.dimension();
@@ -600,8 +606,7 @@ STATEMENT(claim_2_2_euler_poincare_lie_poisson, "Euler-Poincare and Lie-Poisson 
                   Vector<S>(inverse_matrix(Matrix<S>(hessian(l, xi))) * mu.components), xi.coordinates);
     claim.differs("Lie-Poisson with the other sign", model, euler_poincare_right(l, xi, xi_rate),
                   mu_rate - lie_poisson_rate_left(h, mu));
-    claim.differs("velocity and momentum exchanged: the gradient of l at mu", model,
-                  gradient(l, mu), xi);
+    claim.differs("velocity and momentum exchanged: the gradient of l at mu", model, gradient(l, mu), xi);
   });
 }
 
@@ -635,8 +640,8 @@ int rank_of(Matrix<S> m) {
 
 namespace {
 
-/// d omega on a surface in an orbit, \f$a\mapsto\Ad^*_{g(a)^{-1}}\mu\f$ with three parameters, where omega is the
-/// form of the library times a function; and the size of its terms.
+/// d omega on a surface in an orbit, \f$a\mapsto\Ad^*_{g(a)^{-1}}\mu\f$ with three parameters, where omega is
+/// the form of the library times a function; and the size of its terms.
 template <class S, class Factor>
 std::pair<S, S> derivative_of_form(Momentum<SpannedGroup, S> const& mu,
                                    std::array<Velocity<SpannedGroup, S>, 3> const& along,
@@ -675,9 +680,8 @@ void close_the_form(Claim<S>& claim, Draw& draw) {
     auto const direction = [&] { return draw.template velocity<S>(group, ratio<S>(1, 2)); };
     auto const first = direction(), second = direction();
     std::array<Velocity<SpannedGroup, S>, 3> const along{first, second, direction()};
-    auto const [closed, size] = derivative_of_form(mu, along, [](auto const& nu) {
-      return typename std::decay_t<decltype(nu)>::Scalar(S(1));
-    });
+    auto const [closed, size] = derivative_of_form(
+        mu, along, [](auto const& nu) { return typename std::decay_t<decltype(nu)>::Scalar(S(1)); });
     claim.zero("the form is closed, on an orbit of dimension 4", model, closed, size, orbit_condition);
     // A function that the orbit does not keep.
     auto const [open, terms] = derivative_of_form(mu, along, [](auto const& nu) { return nu.components[0]; });
@@ -688,11 +692,12 @@ void close_the_form(Claim<S>& claim, Draw& draw) {
 }  // namespace
 
 STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra, and are symplectic") {
-  claim.corrected(R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
-                  "The orbit of a momentum under the coadjoint action lies in the dual of the algebra; tangent "
-                  "vectors of orbits in the algebra are others. The form is not degenerate, closed (its "
-                  "derivative on surfaces with three parameters in orbits of dimension 4), and the only one that gives "
-                  "the bracket: fields of linear functions span the tangent space.");
+  claim.corrected(
+      R"(\mathcal O \subset \mathfrak g)", R"(\mathcal O \subset \mathfrak g^*)",
+      "The orbit of a momentum under the coadjoint action lies in the dual of the algebra; tangent "
+      "vectors of orbits in the algebra are others. The form is not degenerate, closed (its "
+      "derivative on surfaces with three parameters in orbits of dimension 4), and the only one that gives "
+      "the bracket: fields of linear functions span the tangent space.");
   claim.maybe_scan();
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const curve = draw_curve<S>(draw, group);
@@ -733,8 +738,8 @@ STATEMENT(claim_2_2_coadjoint_orbits, "coadjoint orbits lie in the dual algebra,
     claim.differs(
         "omega_- for the plus bracket", model,
         kirillov_kostant_minus(here, lie_poisson_rate_right(f, here), lie_poisson_rate_right(h, here)), plus);
-    // Control: orbits in the algebra, as printed. A tangent vector of the one is none of the other, but for the
-    // groups closed under transposition.
+    // Control: orbits in the algebra, as printed. A tangent vector of the one is none of the other, but for
+    // the groups closed under transposition.
     if (group.name() == "SE(3)" || group.name() == "SL(2)" || group.name() == "SE(2)") {
       Momentum<SpannedGroup, S> const misplaced{group, xi.coordinates},
           misplaced_tangent{group, bracket(eta, xi).coordinates};
