@@ -59,6 +59,22 @@ struct TopInAnyGroup {
     return {{{group, g}, {group, Vector<T>(y.segment(n * n, d))}}, y[n * n + d]};
   }
 };
+/// The top with \f$g^{-1}\f$ in the place of g. Without weight it is left-invariant.
+template <class S>
+struct InvertedTop {
+  TopInAnyGroup<S> top;
+  template <class T>
+  static State<SpannedGroup, T> turned(State<SpannedGroup, T> const& v) {
+    return {inverse(v.configuration), -body_velocity(v)};
+  }
+  template <class T>
+  T operator()(State<SpannedGroup, T> const& v) const { return top(turned(v)); }
+  template <class T>
+  std::pair<State<SpannedGroup, T>, T> flow(State<SpannedGroup, T> const& v, S const& t) const {
+    auto const [end, action] = top.flow(turned(v), t);
+    return {turned(end), action};
+  }
+};
 template <class S>
 TopInAnyGroup<S> draw_top(Draw& draw, SpannedGroup const& group) {
   auto const kinetic = draw_algebra_polynomial<S>(draw, group.dimension());
