@@ -92,6 +92,7 @@ STATEMENT(eq_5_8, "explicit momentum update on the dual of the rotation algebra"
 }
 
 STATEMENT(claim_5_2_update_by_adjoint, "momentum update written with an adjoint operator") {
+  claim.same_slip_as("eq_5_8");
   claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}_{f_{k+1k}^{-1}}\Pi_k)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\Pi_k)",
                   "On $\\so(n)$ the right form is the adjoint operator of $f$; the printed one, without a "
@@ -223,6 +224,7 @@ STATEMENT(eq_5_9, "Moser-Veselov equations") {
 }
 
 STATEMENT(thm_5_2_1, "reduced algorithms compared with the Moser-Veselov equations") {
+  claim.same_slip_as("eq_5_9");
   claim.corrected(first_line, first_line_right,
                   "Equivalent to (5.9) with $\\omega_k$ in its first line, at any two relative motions and "
                   "in any dimension. To (5.9) as printed it is not: that has other motions.");
@@ -256,6 +258,7 @@ STATEMENT(thm_5_2_1, "reduced algorithms compared with the Moser-Veselov equatio
 }
 
 STATEMENT(claim_5_2_mv_first_line, "first Moser-Veselov equation, momentum update") {
+  claim.same_slip_as("eq_5_9");
   claim.corrected(R"(M_{k+1} = \omega_{k-1}M_k\omega_{k-1}^{-1})", R"(M_{k+1} = \omega_kM_k\omega_k^{-1})",
                   "The index of $\\omega$ is one too low. With it right, a constant momentum in space seen from "
                   "the body obeys the line, and its difference quotient is $[M, \\xi]$: to first order at the "
