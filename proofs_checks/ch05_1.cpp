@@ -64,7 +64,9 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
+  T operator()(State<SpannedGroup, T> const& state) const {
+    return contract(w, state.configuration.value);
+  }
 };
 
 }  // namespace
@@ -294,8 +296,10 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
                   Vector<S>(x1.coordinates / h), 10);
       claim.differs("with Ad* left out", group.name(), solved(x1, identity<S>(group)),
                     Vector<S>(x1.coordinates / h));
-    }  if (claim.fits_orders())
-    for (auto const& group : {spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}), spanned("Aff(1)", Aff1{})}) {
+    }
+  if (claim.fits_orders())
+    for (auto const& group :
+         {spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}), spanned("Aff(1)", Aff1{})}) {
       auto const j = draw_inertia<S>(draw, group);
       BodyFlow<S> const flow(group, j);
       BodyState<S> const start{j * draw.template velocity<S>(group).coordinates,

@@ -88,7 +88,8 @@ Enclosure one_root_for_all_data(std::vector<int> const& signs, Number const& ang
     Balls p(3);
     over_planes(3, [&](int a, int i, int j) {
       int const place = (a == 0 ? cell : a == 1 ? cell / cells : cell / cells / cells) % cells;
-      Number const unit = (lambda[i] + lambda[j]) * angle, low = Number(2 * place) / Number(cells) - Number(1);
+      Number const unit = (lambda[i] + lambda[j]) * angle,
+                   low = Number(2 * place) / Number(cells) - Number(1);
       p[a] = Number::between(middle_of(unit * low), middle_of(unit * (low + Number(2) / Number(cells))));
     });
     RootEquation<Number> const equation{lambda, Turns{3}.hat(p)};
@@ -142,7 +143,8 @@ Enclosure definite_for_all(Balls const& lambda, Balls const& p) {
 /// The momentum before a step with relative motion f, or after it, in coordinates.
 template <class S, class T>
 Vector<T> momenta_of(Matrix<S> const& lambda, Turn<T> const& f, bool after_it) {
-  Matrix<T> const l = lambda.template cast<T>(), p = after_it ? Matrix<T>(f.value * l) : Matrix<T>(l * f.value);
+  Matrix<T> const l = lambda.template cast<T>(),
+                  p = after_it ? Matrix<T>(f.value * l) : Matrix<T>(l * f.value);
   return f.group.vee(Matrix<T>(p.transpose() - p));
 }
 /// \f$f^T\Pi f\f$ with the momentum before the step: on the orbit, but carried the wrong way.
@@ -169,9 +171,12 @@ Vector<S> midpoint_step(MovingBody<S> const& body, Vector<S> const& mu, S const&
 STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equation for the next motion") {
   claim.convention(
       "For steps up to $h_{\\max}$, $1/h_{\\max} = \\max_{s>0} s\\,\\rho((s^2+\\Lambda^2)^{-1/2}\\,iM\\,"
-      "(s^2+\\Lambda^2)^{-1/2})$ with $M$ the body momentum, where no $\\Lambda_i$ is negative: with $X = f^T\\Lambda$ "
-      "any rotation $f$ that solves makes $s^2+\\Lambda^2+ishM$ a square $A^*A$ for all $s$, so beyond there is none. "
-      "Below there are several, four for short steps on $\\SO(3)$, and the one meant is that near $f_{kk-1}$, "
+      "(s^2+\\Lambda^2)^{-1/2})$ with $M$ the body momentum, where no $\\Lambda_i$ is negative: with $X = "
+      "f^T\\Lambda$ "
+      "any rotation $f$ that solves makes $s^2+\\Lambda^2+ishM$ a square $A^*A$ for all $s$, so beyond there "
+      "is none. "
+      "Below there are several, four for short steps on $\\SO(3)$, and the one meant is that near "
+      "$f_{kk-1}$, "
       "at a distance of second order in the step: exactly one root there, for every momentum in a box and "
       "along growing steps up to $0.9\\,h_{\\max}$ on $\\SO(3)$ and $\\SO(4)$.");
   over_bodies(claim, [&](int n, auto const& model) {
@@ -183,8 +188,9 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
                     pencil = one - t * p - t * t * lambda * lambda;
     claim.equal("(1 + t X^T)(1 - t X) = 1 - t P - t^2 Lambda^2, X = f^T Lambda", model,
                 Matrix<S>((one + t * x.transpose()) * (one - t * x)), pencil);
-    claim.differs("(1 - t X)(1 + t X^T)", model, Matrix<S>((one - t * x) * (one + t * x.transpose())), pencil);
-    // At t = i/s it is (s^2 + Lambda^2 - i s P)/s^2 = A* A, A = 1 - i X/s: as real matrices of twice the size.
+    claim.differs("(1 - t X)(1 + t X^T)", model, Matrix<S>((one - t * x) * (one + t * x.transpose())),
+                  pencil);
+    // At t = i/s it is (s^2 + Lambda^2 - i s P)/s^2 = A* A, A = 1 - i X/s: as real matrices, twice as large.
     Matrix<S> whole(2 * n, 2 * n), factor(2 * n, 2 * n);
     Matrix<S> const hermitian = t * t * one + lambda * lambda;
     whole << hermitian, t * p, -t * p, hermitian;
@@ -198,7 +204,8 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
       // From two attitudes of the body: how far the next relative motion is from the last, and from another
       // rotation that solves the equation.
       auto const body = draw_moving_body<S>(draw, n);
-      MoserVeselovEquation<Dynamic, S> const equation(body.group(), body.inertia.lambda, body.inertia.moments);
+      MoserVeselovEquation<Dynamic, S> const equation(body.group(), body.inertia.lambda,
+                                                      body.inertia.moments);
       Turn<S> half_turn = identity<S>(body.group());
       half_turn.value(0, 0) = half_turn.value(1, 1) = S(-1);
       Turn<S> const g1{body.group(), body.start.attitude};
@@ -208,20 +215,24 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
         auto const f10 = relative_motion_left(body.exact(S(-h)), g1);
         auto const goal = as_momentum(after(body.lambda, f10)).components;
         Solved<Turn<S>> other{half_turn, {}};
-        claim.fact("Newton's method finds another root near a half turn", model, equation.newton(goal, other));
+        claim.fact("Newton's method finds another root near a half turn", model,
+                   equation.newton(goal, other));
         near.push_back(to_double(size_of(body.scheme(S(h)).step_euler_poincare(f10).value - f10)));
         far.push_back(to_double(size_of(other.value - f10)));
-        claim.zero("another root", model, Matrix<S>(before(body.lambda, other.value) - after(body.lambda, f10)),
-                   S(1), 10);  // of Newton's method, which leaves some roundings
+        claim.zero("another root", model,
+                   Matrix<S>(before(body.lambda, other.value) - after(body.lambda, f10)), S(1),
+                   10);  // of Newton's method, which leaves some roundings
       }
       claim.order("distance of f21 from f10", model, steps, near, 2);
       claim.refutes_order("distance of another root from f10", model, steps, far, 2);
     });
-  claim.encloses("exactly one root near f10, all momenta in a box", "SO(3)",
-                 [] { return one_root_for_all_data({1, 1, 1}, Number(1) / Number(16), Number(1) / Number(6)); });
+  claim.encloses("exactly one root near f10, all momenta in a box", "SO(3)", [] {
+    return one_root_for_all_data({1, 1, 1}, Number(1) / Number(16), Number(1) / Number(6));
+  });
   for (std::vector<int> const& signs : {std::vector<int>{1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
-    claim.encloses("exactly one root near each half turn, all momenta in a box", "SO(3)",
-                   [&] { return one_root_for_all_data(signs, Number(1) / Number(64), Number(1) / Number(12)); });
+    claim.encloses("exactly one root near each half turn, all momenta in a box", "SO(3)", [&] {
+      return one_root_for_all_data(signs, Number(1) / Number(64), Number(1) / Number(12));
+    });
   if (!claim.takes_enclosures()) return;
   for (int n : {3, 4}) {
     // The direction of the momentum is drawn; its largest step comes from the library.
@@ -237,9 +248,8 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
       for (Index a = 0; a < p.size(); ++a) p[a] = Number(limit[static_cast<std::size_t>(a)]) * Number(share);
       return p;
     };
-    claim.encloses("exactly one root near the last, steps growing to 0.9 h_max", name_of(n), [&] {
-      return one_root_along_the_step(lambda_of_balls(n), Turns{n}.hat(part(0.9)));
-    });
+    claim.encloses("exactly one root near the last, steps growing to 0.9 h_max", name_of(n),
+                   [&] { return one_root_along_the_step(lambda_of_balls(n), Turns{n}.hat(part(0.9))); });
     claim.refutes_enclosure("steps growing to 1.1 h_max", name_of(n), [&] {
       return one_root_along_the_step(lambda_of_balls(n), Turns{n}.hat(part(1.1)));
     });
@@ -264,7 +274,8 @@ STATEMENT(claim_5_2_convergence_to_the_flow,
       auto m = body.first_momentum();
       for (int k = 0; k < 3; ++k) m = onwards.step_lie_poisson(m);
       auto twice = onwards.step_lie_poisson(m), returned = back.step_lie_poisson(m);
-      for (int k = 1; k < 3; ++k) twice = onwards.step_lie_poisson(twice), returned = back.step_lie_poisson(returned);
+      for (int k = 1; k < 3; ++k)
+        twice = onwards.step_lie_poisson(twice), returned = back.step_lie_poisson(returned);
       // Condition: six steps, each of which leaves 16 epsilon of the largest angle.
       claim.equal("three steps and three with -h", model, returned, body.first_momentum(), 16);
       claim.differs("three steps and three more", model, twice, body.first_momentum());
@@ -336,13 +347,16 @@ STATEMENT(claim_5_2_momentum_limit, "limit of the discrete body momentum") {
     return;
   }
   auto const& steps = halving_steps();
-  auto const missed = [](Matrix<S> const& a, Matrix<S> const& b) { return to_double(magnitude(Matrix<S>(a - b))); };
+  auto const missed = [](Matrix<S> const& a, Matrix<S> const& b) {
+    return to_double(magnitude(Matrix<S>(a - b)));
+  };
   for (auto const& group : rotation_groups()) {
     int const n = group.matrix_size();
     auto const lambda = draw_second_moments<S>(draw, n);
     auto const curve = draw_curve<S>(draw, group);
     auto const physical = [&](S const& t) {
-      return inertia_operator(lambda, Matrix<S>(group.hat(body_velocity(state_of(curve(moving(t)))).coordinates)));
+      return inertia_operator(lambda,
+                              Matrix<S>(group.hat(body_velocity(state_of(curve(moving(t)))).coordinates)));
     };
     auto const body = draw_moving_body<S>(draw, n);
     Turn<S> const at{body.group(), body.start.attitude};
@@ -360,7 +374,8 @@ STATEMENT(claim_5_2_momentum_limit, "limit of the discrete body momentum") {
     }
     claim.order("M_k/h against J xi at the start, any curve", group.name(), steps, start, 1);
     claim.order("the mean of the two momenta against J xi half-way, any curve", group.name(), steps, mean, 2);
-    claim.order("M_k/h against the momentum at the start, a motion of the body", group.name(), steps, motion, 2);
+    claim.order("M_k/h against the momentum at the start, a motion of the body", group.name(), steps, motion,
+                2);
     claim.refutes_order("M_k/h against J xi half-way, to second order", group.name(), steps, middle, 2);
     claim.refutes_order("M_k/h against J xi/2", group.name(), steps, half, 1);
     claim.refutes_order("omega turned round", group.name(), steps, turned_round, 1);
@@ -385,7 +400,8 @@ STATEMENT(claim_5_2_manifest_preservation,
                 turned(g, as_matrix(pi)));
     Matrix<S> const series = Matrix<S>::Identity(n, n) + as_matrix(pi) / S(4);
     claim.differs("1 + theta in place of a rotation: Casimirs", model,
-                  casimirs(as_momentum(Matrix<S>(series * as_matrix(pi) * series.transpose()))), casimirs(pi));
+                  casimirs(as_momentum(Matrix<S>(series * as_matrix(pi) * series.transpose()))),
+                  casimirs(pi));
     // The step from momentum to momentum, by way of f: its derivative carries bracket to bracket.
     auto const start = [&](auto const& at) { return momenta_of(lambda, at, false); };
     auto const end = [&](auto const& at) { return momenta_of(lambda, at, true); };
@@ -393,12 +409,14 @@ STATEMENT(claim_5_2_manifest_preservation,
     Matrix<S> const back = inverse_matrix(right_differentials(start, f));
     auto const defect = [&](auto const& momenta) {
       Matrix<S> const step = right_differentials(momenta, f) * back;
-      auto const at = [&](auto const& which) { return lie_poisson_tensor_plus(BodyMomentum<S>{Turns{n}, which(f)}); };
+      auto const at = [&](auto const& which) {
+        return lie_poisson_tensor_plus(BodyMomentum<S>{Turns{n}, which(f)});
+      };
       return std::pair<Matrix<S>, Matrix<S>>{step * at(start) * step.transpose(), at(momenta)};
     };
     auto const [moved, there] = defect(end);
-    // Condition: the derivative of the momentum with respect to f is inverted, which magnifies rounding by the
-    // product of the largest entries.
+    // Condition: the derivative of the momentum with respect to f is inverted, which magnifies rounding by
+    // the product of the largest entries.
     claim.equal("the step is a Poisson map", model, moved, there,
                 10 + to_double(S(size_of(back) * magnitude(lambda))) * 4 * static_cast<double>(back.rows()));
     auto const [wrongly, elsewhere] = defect(wrong);
@@ -471,7 +489,8 @@ STATEMENT(claim_5_0_long_run_behaviour, "energy and Casimirs of the schemes over
     claim.equal("Moser-Veselov: energy", model, energy(body, m.components), energy(body, first.components),
                 count / 100.0);
     claim.equal("Moser-Veselov: Casimirs", model, casimirs(m), casimirs(first), count / 100.0);
-    claim.differs("explicit midpoint rule: energy", model, energy(body, other), energy(body, first.components));
+    claim.differs("explicit midpoint rule: energy", model, energy(body, other),
+                  energy(body, first.components));
     claim.differs("explicit midpoint rule: Casimirs", model, casimirs(BodyMomentum<S>{Turns{n}, other}),
                   casimirs(first));
   }
@@ -498,7 +517,8 @@ STATEMENT(claim_5_0_long_run_behaviour, "energy and Casimirs of the schemes over
   S const late = band(zeta, count / 4);
   claim.equal("natural charts: the Casimir", "SO(3)", S(update.momentum_after(zeta).squaredNorm()),
               S(square_at_start.squaredNorm()), count / 100.0);
-  claim.fact("natural charts: the band of the energy does not widen", "SO(3)", late < early * ratio<S>(11, 10));
+  claim.fact("natural charts: the band of the energy does not widen", "SO(3)",
+             late < early * ratio<S>(11, 10));
   std::vector<double> steps, widths;
   for (int per_unit = 8; per_unit <= 256; per_unit *= 2) {
     update.h = S(1) / S(per_unit);

@@ -1,5 +1,5 @@
-// The natural-chart scheme of the rigid body as (5.4) writes it, iterated as it stands, beside the flow of the
-// body.
+// The natural-chart scheme of the rigid body as (5.4) writes it, iterated as it stands, beside the flow of
+// the body.
 #pragma once
 
 #include "body_flow.hpp"
@@ -9,7 +9,9 @@ namespace actio::checks {
 
 /// A matrix applied to a momentum, and its dual.
 template <class S>
-Vector<S> dual_of(Matrix<S> const& m, Vector<S> const& mu) { return m.transpose() * mu; }
+Vector<S> dual_of(Matrix<S> const& m, Vector<S> const& mu) {
+  return m.transpose() * mu;
+}
 
 /// The right side of (5.4) with signs and operators to choose: as printed, all three are minus.
 template <class S>

@@ -48,8 +48,8 @@ BodyErrors errors_on_the_group(MovingBody<S> const& body, Next const& next) {
     return BodyState<S>{body.group().vee(after(body.lambda, f)) / h, g.value};
   });
 }
-/// Errors of an algorithm of momenta: `next(scheme, M, f)` makes of the momentum before a step that before the
-/// next one, f being the relative motion that M asks for.
+/// Errors of an algorithm of momenta: `next(scheme, M, f)` makes of the momentum before a step that before
+/// the next one, f being the relative motion that M asks for.
 template <class S, class Next>
 BodyErrors errors_of_momenta(MovingBody<S> const& body, Next const& next) {
   return errors_against(body.end(), in_half_a_unit, [&](int count, S const& h) {
