@@ -190,6 +190,12 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
                 Matrix<S>((one + t * x.transpose()) * (one - t * x)), pencil);
     claim.differs("(1 - t X)(1 + t X^T)", model, Matrix<S>((one - t * x) * (one + t * x.transpose())),
                   pencil);
+    // What the balls decide: every rotation is a root of the equation without f.
+    RootEquation<S> const equation{lambda.diagonal(), p}, other{lambda.diagonal(), Matrix<S>(-p)};
+    Vector<S> const root = equation.entries_of(Matrix<S>((x + x.transpose()) / S(2)));
+    claim.zero("the symmetric part of X is a root of (E + P/2)^T (E + P/2) = Lambda^2", model, equation(root),
+               magnitude(Matrix<S>(lambda * lambda)));
+    claim.refutes("with -P in place of P", model, other(root), magnitude(Matrix<S>(lambda * lambda)));
     // At t = i/s it is (s^2 + Lambda^2 - i s P)/s^2 = A* A, A = 1 - i X/s: as real matrices, twice as large.
     Matrix<S> whole(2 * n, 2 * n), factor(2 * n, 2 * n);
     Matrix<S> const hermitian = t * t * one + lambda * lambda;
