@@ -6,7 +6,7 @@
 // four and five dimensions.
 #include "actio/rigid_body/natural_chart_scheme.hpp"
 #include "bodies.hpp"
-#include "chart_models.hpp"
+#include "chart_update.hpp"
 #include "statement.hpp"
 
 using namespace actio;
@@ -64,11 +64,10 @@ template <class S>
 struct ConfigurationFunction {
   Matrix<S> w;
   template <class T>
-  T operator()(State<SpannedGroup, T> const& state) const { return contract(w, state.configuration.value); }
+  T operator()(State<SpannedGroup, T> const& state) const {
+    return contract(w, state.configuration.value);
+  }
 };
-/// A matrix applied to a momentum, and its dual.
-template <class S>
-Vector<S> dual_of(Matrix<S> const& m, Vector<S> const& mu) { return m.transpose() * mu; }
 
 }  // namespace
 
@@ -185,6 +184,7 @@ STATEMENT(eq_5_2, "discrete rigid body Lagrangian from the chart") {
 }
 
 STATEMENT(eq_5_3, "reduced discrete rigid body Lagrangian through the logarithm") {
+  claim.same_slip_as("eq_5_2");
   claim.corrected(R"(\ell(f_{k+1k}) = \frac1{2h^2}\langle\log f_{k+1k},\mathcal J(\log f_{k+1k})\rangle)",
                   R"(\ell(f_{k+1k}) = \frac1{4h^2}\langle\log f_{k+1k},\mathcal J(\log f_{k+1k})\rangle)",
                   "The factor of (5.2) again: by the pairing of (5.1) it is $\\tfrac14$, by that of "
@@ -229,7 +229,8 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
       "With $\\chi$ as (3.26) prints it, $\\chi(\\ad)\\,\\iex(-\\ad) = 1$, which is the one that left "
       "translation needs, and $\\zeta$ as printed, from the later configuration to the earlier. With "
       "$\\chi$ the inverse of $\\iex$ the factor $\\Ad^*$ is one too many; with $\\zeta$ the velocity all "
-      "three signs turn, and as printed the equation would run back in time.");
+      "three signs turn, and as printed the equation would run back in time. From two attitudes of the body "
+      "the equation approaches its flow forwards and to second order.");
   over_groups(body_groups<S>(), claim, [&](auto const& group, auto const& model) {
     S const h = step_length<S>();
     auto const j = draw_inertia<S>(draw, group);
@@ -295,5 +296,25 @@ STATEMENT(eq_5_4, "implicit reduced equation for the discrete angular velocity")
                   Vector<S>(x1.coordinates / h), 10);
       claim.differs("with Ad* left out", group.name(), solved(x1, identity<S>(group)),
                     Vector<S>(x1.coordinates / h));
+    }
+  if (claim.fits_orders())
+    for (auto const& group :
+         {spanned("SO(3)", SO<3>{}), spanned("SO(4)", SO<4>{}), spanned("Aff(1)", Aff1{})}) {
+      auto const j = draw_inertia<S>(draw, group);
+      BodyFlow<S> const flow(group, j);
+      BodyState<S> const start{j * draw.template velocity<S>(group).coordinates,
+                               draw.template element<S>(group).value};
+      ChartUpdate<S> const printed{group, j, inverse_matrix(j), S(0)};
+      auto twice = printed, wrong = printed;
+      twice.in_chi = 1;     // chi iex = 1, and Ad* as well
+      wrong.direction = 1;  // zeta the velocity, (5.4) as printed
+      auto const steps = in_half_a_unit.step_lengths();
+      auto const errors = errors_of_chart_update(flow, start, printed);
+      claim.order("attitude against the flow of the body", group.name(), steps, errors.attitude, 2);
+      claim.order("momentum against the flow of the body", group.name(), steps, errors.momentum, 2);
+      claim.refutes_order("chi iex = 1 with Ad*: momentum", group.name(), steps,
+                          errors_of_chart_update(flow, start, twice).momentum, 2);
+      claim.refutes_order("zeta the velocity, signs as printed: it runs back", group.name(), steps,
+                          errors_of_chart_update(flow, start, wrong).momentum, 2);
     }
 }

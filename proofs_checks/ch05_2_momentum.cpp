@@ -83,8 +83,8 @@ STATEMENT(eq_5_8, "explicit momentum update on the dual of the rotation algebra"
           return as_momentum(carry(f, as_matrix(pi)));
         });
       };
-      auto const right = by([](auto const& f, auto const& m) { return turned(f, m); }),
-                 printed = by([](auto const& f, auto const& m) { return adjoint(inverse(f), m); });
+      auto const right = by([](auto const&f, auto const&m) { return turned(f, m); }),
+                 printed = by([](auto const&f, auto const&m) { return adjoint(inverse(f), m); });
       claim.order("momentum against the flow of the body", model, steps, right.momentum, 2);
       claim.refutes_order("momentum, Ad without star as printed: it runs back", model, steps,
                           printed.momentum, 2);
@@ -92,6 +92,7 @@ STATEMENT(eq_5_8, "explicit momentum update on the dual of the rotation algebra"
 }
 
 STATEMENT(claim_5_2_update_by_adjoint, "momentum update written with an adjoint operator") {
+  claim.same_slip_as("eq_5_8");
   claim.corrected(R"(\Pi_{k+1} = \mathrm{Ad}_{f_{k+1k}^{-1}}\Pi_k)",
                   R"(\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1k}^{-1}}\Pi_k)",
                   "On $\\so(n)$ the right form is the adjoint operator of $f$; the printed one, without a "
@@ -223,6 +224,7 @@ STATEMENT(eq_5_9, "Moser-Veselov equations") {
 }
 
 STATEMENT(thm_5_2_1, "reduced algorithms compared with the Moser-Veselov equations") {
+  claim.same_slip_as("eq_5_9");
   claim.corrected(first_line, first_line_right,
                   "Equivalent to (5.9) with $\\omega_k$ in its first line, at any two relative motions and "
                   "in any dimension. To (5.9) as printed it is not: that has other motions.");
@@ -256,10 +258,12 @@ STATEMENT(thm_5_2_1, "reduced algorithms compared with the Moser-Veselov equatio
 }
 
 STATEMENT(claim_5_2_mv_first_line, "first Moser-Veselov equation, momentum update") {
-  claim.corrected(R"(M_{k+1} = \omega_{k-1}M_k\omega_{k-1}^{-1})", R"(M_{k+1} = \omega_kM_k\omega_k^{-1})",
-                  "The index of $\\omega$ is one too low. With it right, a constant momentum in space seen from "
-                  "the body obeys the line, and its difference quotient is $[M, \\xi]$: to first order at the "
-                  "ends of a step, to second half-way. With the index as printed it is so to first order only.");
+  claim.same_slip_as("eq_5_9");
+  claim.corrected(
+      R"(M_{k+1} = \omega_{k-1}M_k\omega_{k-1}^{-1})", R"(M_{k+1} = \omega_kM_k\omega_k^{-1})",
+      "The index of $\\omega$ is one too low. With it right, a constant momentum in space seen from "
+      "the body obeys the line, and its difference quotient is $[M, \\xi]$: to first order at the "
+      "ends of a step, to second half-way. With the index as printed it is so to first order only.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const motion = draw_motion<S>(draw, n);
     for (int k = 1; k <= 2; ++k) {
@@ -306,7 +310,8 @@ STATEMENT(claim_5_2_mv_first_line, "first Moser-Veselov equation, momentum updat
       }
       claim.order("(M_k+1 - M_k)/h against [M, xi] at the start", group.name(), difference_steps, start, 1);
       claim.order("and half-way", group.name(), difference_steps, middle, 2);
-      claim.refutes_order("with omega_{k-1}, as printed: half-way", group.name(), difference_steps, printed, 2);
+      claim.refutes_order("with omega_{k-1}, as printed: half-way", group.name(), difference_steps, printed,
+                          2);
       claim.refutes_order("with the inverse of omega_k", group.name(), difference_steps, inverse, 1);
     }
 }

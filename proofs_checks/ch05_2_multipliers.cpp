@@ -20,11 +20,17 @@ using namespace actio::checks;
 namespace {
 
 template <class S>
-Matrix<S> symmetric_half(Matrix<S> const& m) { return (m + m.transpose()) / S(2); }
+Matrix<S> symmetric_half(Matrix<S> const& m) {
+  return (m + m.transpose()) / S(2);
+}
 template <class S>
-Matrix<S> skew_half(Matrix<S> const& m) { return (m - m.transpose()) / S(2); }
+Matrix<S> skew_half(Matrix<S> const& m) {
+  return (m - m.transpose()) / S(2);
+}
 template <class S>
-Matrix<Dual<S>> fixed(Matrix<S> const& m) { return m.template cast<Dual<S>>(); }
+Matrix<Dual<S>> fixed(Matrix<S> const& m) {
+  return m.template cast<Dual<S>>();
+}
 /// How the constrained action of three configurations changes with the middle one: dual numbers on (5.6), the
 /// definition.
 template <class S>
@@ -43,10 +49,14 @@ Vector<S> components(SpannedGroup const& group, Matrix<S> const& m) {
 }
 /// \f$\ell'(f)\cdot v = \mathrm{Tr}(v\Lambda)\f$, for any matrix v.
 template <class S>
-S slope_of_trace(Matrix<S> const& lambda, Matrix<S> const& v) { return Matrix<S>(v * lambda).trace(); }
+S slope_of_trace(Matrix<S> const& lambda, Matrix<S> const& v) {
+  return Matrix<S>(v * lambda).trace();
+}
 /// Size of the terms of the equations at a configuration.
 template <class S>
-S pull_of(Matrix<S> const& lambda) { return S(magnitude(lambda)) * static_cast<int>(lambda.rows()); }
+S pull_of(Matrix<S> const& lambda) {
+  return S(magnitude(lambda)) * static_cast<int>(lambda.rows());
+}
 
 }  // namespace
 
@@ -341,7 +351,8 @@ STATEMENT(claim_5_2_dep_with_multiplier, "reduced equation with the symmetric mu
 
 STATEMENT(eq_5_7, "reduced algorithm on the rotation group without multiplier") {
   claim.holds(
-      "It is (3.11) for $\\ell(f) = \\mathrm{Tr}(f\\Lambda)$. Solved for $f_{k+1k}$ from two attitudes of the "
+      "It is (3.11) for $\\ell(f) = \\mathrm{Tr}(f\\Lambda)$. Solved for $f_{k+1k}$ from two attitudes of "
+      "the "
       "body it approaches the flow of the body, forwards in time and to second order; solved for $f_{kk-1}$ "
       "it runs back.");
   over_groups(rotation_groups(), claim, [&](auto const& group, auto const& model) {

@@ -128,9 +128,11 @@ STATEMENT(claim_5_3_group_legendre, "Legendre map of the trace Lagrangian on $\\
 
 STATEMENT(eq_5_10, "Casimir function on the rotation group") {
   claim.convention(
-      "Up to constant and sign it is the pull-back of $\\|y\\|^2$, in any dimension; from $\\mathrm{Tr}(\\mu^2)$, "
+      "Up to constant and sign it is the pull-back of $\\|y\\|^2$, in any dimension; from "
+      "$\\mathrm{Tr}(\\mu^2)$, "
       "the other form that the thesis gives the Casimir, there is a factor 2 as well. On $\\SO(4)$ and "
-      "$\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or of the coefficient of fourth "
+      "$\\SO(5)$ it is one of two; the other is the pull-back of the Pfaffian, or of the coefficient of "
+      "fourth "
       "degree.");
   over_bodies(claim, [&](int n, auto const& model) {
     auto const lambda = draw_inertia<S>(draw, n);
@@ -274,16 +276,18 @@ ChartMotion<S> draw_chart_motion(Draw& draw) {
 }
 /// \f$\langle\mu, J^{-1}\mu\rangle\f$, twice the energy of a momentum.
 template <class S>
-S twice_energy(Vector<S> const& moments, Vector<S> const& mu) { return mu.dot(mu.cwiseQuotient(moments)); }
+S twice_energy(Vector<S> const& moments, Vector<S> const& mu) {
+  return mu.dot(mu.cwiseQuotient(moments));
+}
 
-/// A component of the intersection of a sphere of momenta with an energy ellipsoid. It surrounds the axis e of
-/// the least or the greatest moment: \f$M_o = A_o\cos\varphi\f$, \f$M_m = A_m\sin\varphi\f$ about it, and
+/// A component of the intersection of a sphere of momenta with an energy ellipsoid. It surrounds the axis e
+/// of the least or the greatest moment: \f$M_o = A_o\cos\varphi\f$, \f$M_m = A_m\sin\varphi\f$ about it, and
 /// \f$M_e^2 = B_o\cos^2\varphi + B_m\sin^2\varphi\f$.
 template <class S>
 struct Component {
-  S a, b;                      ///< \f$1/I_o - 1/I_e\f$ and \f$1/I_m - 1/I_e\f$, of one sign
-  S square_o, square_m;        ///< \f$A_o^2\f$, \f$A_m^2\f$: the energy above that of the axis, over a, b
-  S own_o, own_m;              ///< \f$B_o\f$, \f$B_m\f$: the square of the momentum, less these
+  S a, b;                ///< \f$1/I_o - 1/I_e\f$ and \f$1/I_m - 1/I_e\f$, of one sign
+  S square_o, square_m;  ///< \f$A_o^2\f$, \f$A_m^2\f$: the energy above that of the axis, over a, b
+  S own_o, own_m;        ///< \f$B_o\f$, \f$B_m\f$: the square of the momentum, less these
 
   /// @param squares  of the components of one momentum on it
   Component(Vector<S> const& moments, Vector<S> const& squares, int e) {
@@ -329,7 +333,8 @@ void fills_its_component(Claim<S>& claim, Draw& draw) {
       box[i] = Number::between(middle - spread, middle + spread);
     }
     // The squares of the other two components, over the largest.
-    box[3] = box[4] = Number::between(Number(1) / Number(4), Number(1)), box[5] = Number::between(Number(0), Number(1));
+    box[3] = box[4] = Number::between(Number(1) / Number(4), Number(1)),
+    box[5] = Number::between(Number(0), Number(1));
     auto const speed = [&](Vector<Number> const& x) {
       Vector<Number> squares(3);
       squares[e] = Number(1), squares[(e + 1) % 3] = farthest * x[3], squares[(e + 2) % 3] = farthest * x[4];

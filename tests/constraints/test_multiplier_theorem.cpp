@@ -1,6 +1,7 @@
 // The multiplier theorem: multipliers of known problems, and points where the hypothesis fails.
 #include <boost/test/unit_test.hpp>
 
+#include <cmath>
 #include <limits>
 
 #include "actio/constraints/multiplier_theorem.hpp"
@@ -90,4 +91,17 @@ BOOST_AUTO_TEST_CASE(the_kernel_is_sent_to_zero_and_has_the_right_dimension) {
   BOOST_TEST(echelon(A).rank == 1);
   BOOST_TEST(echelon(A).kernel().cols() == 3);
   BOOST_TEST(((A * echelon(A).kernel())).isZero());
+}
+
+BOOST_AUTO_TEST_CASE(rows_are_independent_however_small_the_column_that_tells_them_apart) {
+  // One less the other is 2e-20 of what stands beside it: no rounding of its own terms.
+  Matrix<double, 2, 2> A;
+  A << 1, 1e-20, 1, 3e-20;
+  auto const e = echelon(A);
+  BOOST_TEST(e.rank == 2);
+  BOOST_TEST(e.onto());
+  BOOST_TEST(std::abs(e.pivot - 2.0 / 3) <= 1e-15);
+  // What is rounding of these terms is none.
+  A(1, 1) = 1e-20 * (1 + std::numeric_limits<double>::epsilon());
+  BOOST_TEST(echelon(A).rank == 1);
 }

@@ -61,6 +61,23 @@ BOOST_AUTO_TEST_CASE(solves_up_to_the_longest_step_and_refuses_beyond_it) {
   solves_up_to_the_longest_step_and_refuses_beyond<Dynamic>(6);
 }
 
+BOOST_AUTO_TEST_CASE(few_evaluations_find_the_relative_motion) {
+  std::mt19937 random(testing::seed);
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    auto const [inertia, spin] = testing::random_body<4>(random);
+    auto const pi = body_momentum(inertia, spin);
+    double const longest = largest_step(inertia, pi);
+    // A division gains a factor of about the angle of the step; where that is too little Newton doubles the
+    // digits.
+    for (auto const& [part, most] :
+         {std::pair{1e-8, 3}, {1e-3, 7}, {0.1, 14}, {0.5, 14}, {0.9, 8}, {0.999, 12}}) {
+      auto const found = MoserVeselov<4>(inertia, part * longest).relative_motion(pi);
+      BOOST_TEST_MESSAGE("part " << part << ": " << found.report.evaluations << " evaluations");
+      BOOST_TEST(found.report.evaluations <= most);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(about_a_principal_axis_the_sine_of_the_angle_is_h_times_the_velocity) {
   auto const inertia = inertia_from_moments(0.6, 0.8, 1.0);
   for (int axis = 0; axis < 3; ++axis) {

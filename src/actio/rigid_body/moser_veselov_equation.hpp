@@ -50,8 +50,8 @@ class MoserVeselovEquation {
       bool const done = size <= report.tolerance || (size <= 16 * report.tolerance && size > before / 2);
 
       // At the identity the derivative is J: a division. Where that gains too little, solve with the
-      // derivative where we are.
-      steep = steep || (!done && iteration > 0 && size > before / 3);
+      // derivative where we are. Many digits take many divisions: solve after sixteen of them.
+      steep = steep || (!done && iteration > 0 && (iteration > 16 || size > before / 3));
       Vector turn;
       if (steep) {
         try {
