@@ -12,8 +12,9 @@ using namespace actio::checks;
 
 namespace {
 
-/// Few coordinates in all, for what differentiates many times, and a plane in a plane.
-using Varied = std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<2, 2>>;
+/// Few coordinates in all, for what differentiates many times; a plane in a plane, and a body of three
+/// dimensions.
+using Varied = std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<2, 2>, Dimensions<3, 1>>;
 
 /// The variation along a section that has a given vertical part and moves space-time by any field:
 /// \f$(V^\mu, Q^a + \phi^a{}_{,\mu}V^\mu)\f$.

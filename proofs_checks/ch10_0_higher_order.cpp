@@ -202,10 +202,10 @@ struct InSpace {
   }
 };
 
-/// A motion that keeps volumes: each place is moved by those before it.
+/// A motion that keeps volumes: each place is moved by those before it, and the first then by the last.
 template <class S, int n>
 struct Sheared {
-  std::array<Cubic<S, n + 1>, n> added;
+  std::array<Cubic<S, n + 1>, n + 1> added;
   template <class X>
   auto operator()(X const& x) const {
     using T = ScalarOf<X>;
@@ -213,6 +213,8 @@ struct Sheared {
     Matrix<T, n, 1> y;
     before[0] = x[0];
     for (int a = 0; a < n; ++a) y[a] = x[a + 1] + added[a](before), before[a + 1] = x[a + 1];
+    before.template tail<n>().setConstant(y[n - 1]);
+    y[0] += added[n](before);
     return y;
   }
 };
@@ -258,7 +260,7 @@ template <class S>
 void camassa_holm(Claim<S>& claim, Draw& draw) {
   std::string const model = "n = 1, N = 1";
   AveragedFluid<S, 1> const L{draw.number<S>() + S(2), no_polynomial<S, 2>(), false};
-  auto const phi = draw_section<S, 1, 1>(draw);
+  auto const phi = draw_section<S, 1, 1>(draw, ratio<S>(1, 2));
   auto const x = draw_event<S, 1>(draw);
   auto const rate = [](auto const& f, auto const& u, int mu) { return derivative(f, u).partial(mu)[0]; };
   auto const u = [&](auto const& v) {
