@@ -148,8 +148,8 @@ STATEMENT(claim_6_1_jet_bundle, "coordinates of the configuration bundle and its
 STATEMENT(claim_6_1_contracted_volume, "n-forms obtained from the volume form on space-time") {
   claim.corrected("d^nx_\\mu = \\partial_\\mu\\,d^{n+1}x", "d^nx_\\mu = \\partial_\\mu\\lrcorner\\,d^{n+1}x",
                   "The hook between the two is not printed. Without it the line reads as a derivative of the "
-                  "volume form along $x^\\mu$, which is an $(n+1)$-form and zero; (6.1) to (6.10) need the "
-                  "contraction, into the first slot.");
+                  "volume form along $x^\\mu$, which is an $(n+1)$-form and zero; the forms of sections 6.1 "
+                  "and 6.2 need the contraction, into the first slot.");
   claim.maybe_scan();
   // Determinants of up to four drawn columns.
   over_points<S>(std::tuple<Dimensions<1, 1>, Dimensions<2, 2>, Dimensions<3, 3>>{},
@@ -346,8 +346,7 @@ S value_on(Form const& z, Jet<S, n, N> const& j) {
 STATEMENT(claim_6_1_dual_jet_bundle_unique, "forms of the dual jet bundle are written uniquely") {
   claim.holds(
       "Every $(n+1)$-form that two vertical vectors annihilate has one pair $\\Pi$, $p_a{}^\\mu$, and is "
-      "known by "
-      "its values on jets; equal coordinates in one chart are equal coordinates in all.");
+      "known by its values on jets; equal coordinates in one chart are equal coordinates in all.");
   // Products of at most four drawn columns and a coefficient. An elimination in nine unknowns at most.
   over_points<S>(std::tuple<Dimensions<1, 2>, Dimensions<2, 2>, Dimensions<2, 1>>{},
                  [&]<class D>(D, std::string const& model) {
@@ -822,10 +821,9 @@ STATEMENT(claim_6_1_initial_jacobian,
 STATEMENT(claim_6_1_metrics_cancel, "where the metrics of body and space may be left out") {
   claim.convention(
       "That $g(y)$ and $G(x)$ differ unless $y = x$ or the metric is constant is meant for motions in "
-      "general: "
-      "where the metric does not depend on a coordinate, a motion along it has $g(y) = G(x)$ as well. With a "
-      "constant metric determinants and derivatives drop; indices move trivially where its matrix is the "
-      "identity.");
+      "general: where the metric does not depend on a coordinate, a motion along it has $g(y) = G(x)$ as "
+      "well. With a constant metric determinants and derivatives drop; indices move trivially where its "
+      "matrix is the identity.");
   over_points<S>(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     using M = Matrix<S, n, n>;

@@ -206,7 +206,7 @@ Matrix<S, N, 1> expanded_divergence(L const& density, SecondJet<S, n, N> const& 
   return sum;
 }
 
-using Two = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>;
+using Three = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<3, 1>>;
 
 }  // namespace
 
@@ -216,7 +216,7 @@ STATEMENT(eq_6_8, "Euler-Lagrange derivative through the multisymplectic form") 
       "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
       "With $\\Omega = -d\\Theta$, as it is set after (6.6), the sign is the other one.");
   // A density of degree 33 in what is drawn, differentiated twice, times a field of degree 21.
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     OffShell<S, n, N> const m(draw);
     auto const V = draw_variation<S, n, N>(draw, 3);
@@ -230,7 +230,7 @@ STATEMENT(eq_6_8, "Euler-Lagrange derivative through the multisymplectic form") 
 
 STATEMENT(eq_6_9, "Euler-Lagrange derivative in coordinates") {
   claim.holds("The wedge with $d^{n+1}x$ is contracted with the variation and pulled back.");
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     OffShell<S, D::n, D::N> const m(draw);
     Matrix<S, D::N, 1> const force = partial_y(m.L, m.first());
     auto const written_out = [&](bool points, bool places) {
@@ -245,7 +245,7 @@ STATEMENT(eq_6_9, "Euler-Lagrange derivative in coordinates") {
 
 STATEMENT(eq_6_10, "Cartan form in coordinates for a general Lagrangian") {
   claim.holds();
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     OffShell<S, n, N> const m(draw);
     auto const at = coordinates(m.first());
@@ -269,7 +269,7 @@ STATEMENT(eq_6_10, "Cartan form in coordinates for a general Lagrangian") {
 
 STATEMENT(cor_6_2_1, "Lagrangian density recovered from the Cartan form") {
   claim.holds();
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     OffShell<S, n, N> const m(draw);
     auto const psi = draw_section<S, n, N>(draw);
@@ -288,7 +288,7 @@ STATEMENT(claim_6_2_el_by_contraction,
   claim.holds(
       "The sections are those of $Y$: for sections of the jet bundle that are no jets, the density has to be "
       "regular.");
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = OffShell<S, n, N>::dimension;
     using W = Matrix<S, all, 1>;
     OffShell<S, n, N> const m(draw);
@@ -317,7 +317,7 @@ STATEMENT(claim_6_2_el_by_contraction,
 
 STATEMENT(eq_6_12, "field Euler-Lagrange equations in total-derivative form") {
   claim.holds();
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     using Column = Matrix<S, N, 1>;
     OffShell<S, n, N> const m(draw);
@@ -341,7 +341,7 @@ STATEMENT(eq_6_12, "field Euler-Lagrange equations in total-derivative form") {
 
 STATEMENT(claim_6_2_el_forms_equivalent, "the field equations with total derivatives and written out") {
   claim.holds();
-  over_points<S>(Two{}, [&]<class D>(D, std::string const& model) {
+  over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     OffShell<S, D::n, D::N> const m(draw);
     claim.equal("(6.12) equals (6.9)", model, momentum_divergence(m.L, m.j), expanded_divergence(m.L, m.j));
     claim.differs("without the derivative in y", model, momentum_divergence(m.L, m.j),
