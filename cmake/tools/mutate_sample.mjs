@@ -312,7 +312,7 @@ function makeCopy() {
   };
   for (const part of ['CMakeLists.txt', 'CMakePresets.json', 'LICENSE', 'cmake', 'src', 'proofs_checks', 'tests', 'data']) if (fs.existsSync(path.join(root, part))) sync(part);
   const header = path.join(copy, 'src/actio/mutants.hpp');
-  fs.writeFileSync(header, switchHeader);
+  if (!fs.existsSync(header) || fs.readFileSync(header, 'utf8') !== switchHeader) fs.writeFileSync(header, switchHeader);
 }
 
 const testPrograms = ['constraints', 'continuum', 'fast_body', 'groupoid', 'groups', 'incompressible', 'jets', 'noether', 'numbers', 'reduction', 'rigid_body', 'variational', 'witness'].map(n => `test_${n}`);
@@ -352,7 +352,7 @@ function trial(unit, k, limit) {
   return new Promise(resolve => {
     const began = Date.now();
     const env = { ...process.env, ...(k === null ? { ACTIO_MUTANTS_PASSED: path.join(copy, `passed_${unit.name}`) } : { ACTIO_MUTANT: String(k) }) };
-    execFile(path.join(work, 'bin', unit.program), unit.words, { env, timeout: limit * 1000, killSignal: 'SIGKILL', maxBuffer: 1 << 26, cwd: copy }, (error, out, err) => {
+    execFile(path.join(work, 'bin', unit.program), unit.words, { env, timeout: Math.round(limit * 1000), killSignal: 'SIGKILL', maxBuffer: 1 << 26, cwd: copy }, (error, out, err) => {
       const text = `${out}\n${err}`;
       const names = [...text.matchAll(/^FAILED \w+ (\w+):|in "([^"]+)"/gm)].map(m => m[1] ?? m[2]);
       const how = error?.killed ? 'does not end' : error?.signal ? `ends with ${error.signal}` : [...new Set(names)].slice(0, 3).join('; ');
@@ -390,6 +390,10 @@ async function main() {
   makeCopy();
   let next = 0, number = 0, withdrawn = 0;
   let planted = [];
+  // What was found to compile before need not be found again.
+  const kept = path.join(copy, 'planted.json'), state = JSON.stringify(candidates.map(c => [c.file, c.at]));
+  const before = fs.existsSync(kept) ? JSON.parse(fs.readFileSync(kept, 'utf8')) : null;
+  const again = before?.wanted === wanted && before.state === state;
   const overlaps = m => planted.some(p => p.file === m.file && m.at < p.end && p.at < m.end);
   const fill = () => {
     while (planted.length < wanted && next < candidates.length) {
@@ -398,7 +402,10 @@ async function main() {
     }
     for (const file of sources()) writeFile(file, planted);
   };
-  fill();
+  if (again) {
+    planted = before.planted;
+    for (const file of sources()) writeFile(file, planted);
+  } else fill();
   if (!fs.existsSync(path.join(work, 'build.ninja')))
     execFileSync('cmake', ['-S', copy, '-B', work, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release', '-DACTIO_BUILD_CHAPTERS=OFF', '-DACTIO_BUILD_BENCHMARKS=OFF'], { stdio: 'ignore' });
   const programs = [...chapters(), ...testPrograms];
@@ -413,6 +420,7 @@ async function main() {
       if (bad.size > wanted / 20 && targets !== programs) fill();
       else for (const file of sources()) writeFile(file, planted);
     }
+  fs.writeFileSync(kept, JSON.stringify({ wanted, state, planted }));
   console.log(`${planted.length} planted, ${withdrawn} did not compile`);
 
   const times = new Map(), passedBy = new Map(), ofNumbers = new Set();
