@@ -175,10 +175,10 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
       "f^T\\Lambda$ "
       "any rotation $f$ that solves makes $s^2+\\Lambda^2+ishM$ a square $A^*A$ for all $s$, so beyond there "
       "is none. "
-      "Below there are several, four for short steps on $\\SO(3)$, and the one meant is that near "
-      "$f_{kk-1}$, "
-      "at a distance of second order in the step: exactly one root there, for every momentum in a box and "
-      "along growing steps up to $0.9\\,h_{\\max}$ on $\\SO(3)$ and $\\SO(4)$.");
+      "Below there are several, at least four on $\\SO(3)$ for short steps, and the one meant is that near "
+      "$f_{kk-1}$, at a distance of second order in the step. Exactly one root is there, for every momentum "
+      "in a box and along growing steps up to $0.9\\,h_{\\max}$, on $\\SO(3)$ and $\\SO(4)$; the box and the "
+      "value of $h_{\\max}$, to a thousandth, on $\\SO(3)$.");
   over_bodies(claim, [&](int n, auto const& model) {
     // Why there is a bound: an identity for every rotation, motion or not.
     auto const lambda = draw_inertia<S>(draw, n);
