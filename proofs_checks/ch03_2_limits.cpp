@@ -18,8 +18,8 @@ using namespace actio::checks;
 
 namespace {
 
-/// \f$h\,L\f$ at the configuration half-way and with the velocity c/h, \f$\mathrm{retract}(c) = g_1g_0^{-1}\f$:
-/// a scheme without exponential or logarithm.
+/// \f$h\,L\f$ at the configuration half-way and with the velocity c/h,
+/// \f$\mathrm{retract}(c) = g_1g_0^{-1}\f$: a scheme without exponential or logarithm.
 template <class Lagrangian, class H>
 auto discretize_by_cayley(Lagrangian L, H h) {
   return [=](auto const& g0, auto const& g1) {
@@ -59,12 +59,13 @@ State<SpannedGroup, S> draw_state(Draw& draw, SpannedGroup const& group) {
 }  // namespace
 
 STATEMENT(claim_3_2_action_sum_limit, "the discrete action sum tends to the action") {
-  claim.corrected(
-      R"(\sum_k\mathbb L(g_k,g_{k+1})\to\int L\,dt,\quad \mathbb L(g_k,g_{k+1})=L(\kappa,\chi))",
-      R"(\sum_k\Delta t\,\mathbb L(g_k,g_{k+1})\to\int L\,dt)",
-      "The step is missing: a discrete Lagrangian that is $L$ at an approximate state, as defined in section 3.1 "
-      "and (3.20), has the sum of $N$ values of $L$ for its action, which grows with the number of steps. Times "
-      "the step it is an energy times time and the sum converges, for steps of any lengths.");
+  claim.corrected(R"(\sum_k\mathbb L(g_k,g_{k+1})\to\int L\,dt,\quad \mathbb L(g_k,g_{k+1})=L(\kappa,\chi))",
+                  R"(\sum_k\Delta t\,\mathbb L(g_k,g_{k+1})\to\int L\,dt)",
+                  "The step is missing: a discrete Lagrangian that is $L$ at an approximate state, as "
+                  "defined in section 3.1 "
+                  "and (3.20), has the sum of $N$ values of $L$ for its action, which grows with the number "
+                  "of steps. Times "
+                  "the step it is an energy times time and the sum converges, for steps of any lengths.");
   over_groups(chart_groups<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
     auto const xi = draw.template velocity<S>(group, ratio<S>(1, 2));
@@ -188,9 +189,8 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
     if (claim.fits_orders()) {
       auto const top = draw_top<S>(draw, group);
       auto const v = draw_state<S>(draw, group);
-      judge("chart at the first configuration", in_double, errors_of_flow(top, v, in_double, [&](double h) {
-              return discretize_right(top, h, at_first);
-            }));
+      judge("chart at the first configuration", in_double,
+            errors_of_flow(top, v, in_double, [&](double h) { return discretize_right(top, h, at_first); }));
       judge("chart at a fixed base point", in_double, errors_of_flow(top, v, in_double, [&](double h) {
               return discretize_right(top, h, staying_at(v.configuration));
             }));
@@ -198,15 +198,16 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
     if (claim.fits_orders_in_digits()) {
       auto const top = draw_top<S>(draw, group);
       auto const v = draw_state<S>(draw, group);
-      judge("Cayley's chart", in_digits, errors_of_flow(top, v, in_digits, [&](double h) {
-              return discretize_by_cayley(top, h);
-            }));
+      judge("Cayley's chart", in_digits,
+            errors_of_flow(top, v, in_digits, [&](double h) { return discretize_by_cayley(top, h); }));
       claim.refutes_order("the velocity from the later configuration to the earlier", group.name(),
-                          coarse.step_lengths(), errors_of_flow(top, v, coarse, [&](double h) {
-                            return [&top, h](auto const& g0, auto const& g1) {
-                              return discretize_by_cayley(top, h)(g1, g0);
-                            };
-                          }).configurations,
+                          coarse.step_lengths(),
+                          errors_of_flow(
+                              top, v, coarse,
+                              [&](double h) {
+        return [&top, h](auto const& g0, auto const& g1) { return discretize_by_cayley(top, h)(g1, g0); };
+                              })
+                              .configurations,
                           2);
     }
   }
@@ -216,7 +217,8 @@ STATEMENT(
     claim_3_2_dep_limit,
     "the discrete Euler-Poincare algorithm, reconstructed, tends to the Euler-Poincare flow, reconstructed") {
   claim.holds(
-      "Read by means of reconstruction, or of the momentum: to second order, in two charts. The velocity of a "
+      "Read by means of reconstruction, or of the momentum: to second order, in two charts. The velocity of "
+      "a "
       "relative motion, taken for that at its earlier end, is right to first order only.");
   for (auto const& group : limit_groups()) {
     auto const judge = [&](std::string const& chart, Refinement const& fine, EndErrors const& errors) {
@@ -261,7 +263,8 @@ STATEMENT(claim_3_2_legendre_limit, "the discrete Legendre transformation tends 
   claim.corrected(
       R"(F\mathbb L=(g_k,\,D_1\mathbb L)\to FL)", R"((g_k,\,-\Delta t\,D_1\mathbb L)\to FL)",
       "With the sign and the step that the printed one lacks: $D_1\\mathbb L$ of a discrete Lagrangian that "
-      "approximates $L$ is minus the momentum over the step. Along any curve to first order, along motions to "
+      "approximates $L$ is minus the momentum over the step. Along any curve to first order, along motions "
+      "to "
       "second; $D_2\\mathbb L$ at the later configuration likewise.");
   if (!claim.fits_orders() && !claim.fits_orders_in_digits()) return;
   for (auto const& group : limit_groups()) {
@@ -309,9 +312,12 @@ STATEMENT(claim_3_2_legendre_limit, "the discrete Legendre transformation tends 
 STATEMENT(claim_3_2_diagram_does_not_commute,
           "two ways from pairs to momenta and velocities, which agree in the limit alone") {
   claim.holds(
-      "Read so: the momentum of a pair is not that of the state which the pair approximates, at any step, but "
-      "$\\chi(-h\\,\\mathrm{ad}_\\xi)^*$ of it, for the natural chart; the two agree along $\\xi$, where brackets vanish, "
-      "and in the limit to first order, with $\\tfrac h2\\mathrm{ad}^*_\\xi$ of the momentum as leading difference. "
+      "Read so: the momentum of a pair is not that of the state which the pair approximates, at any step, "
+      "but "
+      "$\\chi(-h\\,\\mathrm{ad}_\\xi)^*$ of it, for the natural chart; the two agree along $\\xi$, where "
+      "brackets vanish, "
+      "and in the limit to first order, with $\\tfrac h2\\mathrm{ad}^*_\\xi$ of the momentum as leading "
+      "difference. "
       "And the relative motion of a pair tends to 1, whatever the velocity.");
   S const h = step_length<S>();
   auto const momenta = [](auto const& l, S const& step, Algebra<S> const& xi) {
@@ -327,8 +333,8 @@ STATEMENT(claim_3_2_diagram_does_not_commute,
     };
     Vector<S> const expected = of_state.components;
     // Condition: the logarithm of an exponential, differentiated.
-    claim.equal("the momentum of a pair, carried by iex*, is that of the state", model, turned(S(-h)), expected,
-                100);
+    claim.equal("the momentum of a pair, carried by iex*, is that of the state", model, turned(S(-h)),
+                expected, 100);
     claim.zero("the two agree along xi", model, S((of_pair.components - expected).dot(xi.coordinates)),
                S(magnitude(expected) * size_of(xi)), 100);
     claim.differs("momentum of the pair and of the state at one step", model, column(of_pair), expected);
@@ -340,7 +346,8 @@ STATEMENT(claim_3_2_diagram_does_not_commute,
   SpannedGroup const plane("translations", {first, second});
   auto const [of_pair, of_state] =
       momenta(draw_algebra_polynomial<S>(draw, 2), h, draw.template velocity<S>(plane));
-  claim.equal("where brackets vanish they agree", "translations", column(of_pair), Vector<S>(of_state.components),
+  claim.equal("where brackets vanish they agree", "translations", column(of_pair),
+              Vector<S>(of_state.components),
               10);  // the step is divided by and multiplied with
 
   if (!claim.fits_orders()) return;
@@ -368,7 +375,8 @@ STATEMENT(claim_3_2_diagram_does_not_commute,
     claim.refutes_order("plus half a step of ad*", group.name(), steps, wrong, 2);
     claim.order("the relative motion tends to 1", group.name(), steps, to_one, 1);
     claim.order("its logarithm, over minus the step, to the velocity", group.name(), steps, to_velocity, 1);
-    claim.refutes_order("the quotient before the limit: it tends to the velocity", group.name(), steps, itself, 1);
+    claim.refutes_order("the quotient before the limit: it tends to the velocity", group.name(), steps,
+                        itself, 1);
   }
 }
 
