@@ -13,24 +13,16 @@ namespace {
 /// Translations on the right: their generators, and what they do to a configuration.
 struct OnTheRight {
   template <class S>
-  auto operator()(Velocity<SpannedGroup, S> const& zeta) const {
-    return right_translation(zeta);
-  }
+  auto operator()(Velocity<SpannedGroup, S> const& zeta) const { return right_translation(zeta); }
   template <class S>
-  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const {
-    return g * k;
-  }
+  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const { return g * k; }
 };
 /// Translations on the left.
 struct OnTheLeft {
   template <class S>
-  auto operator()(Velocity<SpannedGroup, S> const& zeta) const {
-    return left_translation(zeta);
-  }
+  auto operator()(Velocity<SpannedGroup, S> const& zeta) const { return left_translation(zeta); }
   template <class S>
-  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const {
-    return k * g;
-  }
+  GroupElement<S> moved(GroupElement<S> const& g, GroupElement<S> const& k) const { return k * g; }
 };
 inline constexpr OnTheRight on_the_right;
 inline constexpr OnTheLeft on_the_left;
@@ -49,7 +41,6 @@ Vector<S> equations_along(Lagrangian const& L, GroupElements<S> const& g) {
     all.push_back(discrete_euler_lagrange(L, g[k - 1], g[k], g[k + 1]));
   return stacked(all);
 }
-
 
 /// Right- and left-invariant Lagrangians of which `g` is a motion, each with the translations under which it
 /// is invariant and with those on the other side.
@@ -74,8 +65,9 @@ Vector<S> over_basis(SpannedGroup const& group, Value const& value) {
 }  // namespace
 
 STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of a motion") {
-  claim.holds("For an invariant Lagrangian along a motion of two pairs, as (3.6) with $N = 2$; that the flow is "
-              "equivariant, which the step to (3.7) uses, at finite elements and in its tangent.");
+  claim.holds(
+      "For an invariant Lagrangian along a motion of two pairs, as (3.6) with $N = 2$; that the flow is "
+      "equivariant, which the step to (3.7) uses, at finite elements and in its tangent.");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3, ratio<S>(1, 2));
     over_sides(draw, g, model,
@@ -108,7 +100,8 @@ STATEMENT(eq_3_7, "a symmetry contracted with the two one-forms at either end of
       auto const terms = size_of(D2(L, g[0], g[1]));
       claim.zero("the flow takes translated pairs to translated pairs", side,
                  equations_along(L, moved(own, g, k)), terms, 100);  // k is far from 1: its Ad magnifies
-      claim.refutes("pairs translated on the other side", side, equations_along(L, moved(other, g, k)), terms);
+      claim.refutes("pairs translated on the other side", side, equations_along(L, moved(other, g, k)),
+                    terms);
       claim.equal("(3.7)", side, first(own), Vector<S>(-last(own)));
       // Controls: no minus sign, a symmetry of the other side.
       claim.differs("without the minus sign", side, first(own), last(own));
@@ -199,9 +192,7 @@ STATEMENT(eq_3_8, "the discrete momentum is the same after every step") {
 namespace {
 
 /// A vector of the standard basis that the first basis matrix kills, in each of the few groups.
-int fixed_vector(SpannedGroup const& group) {
-  return group.name() == "SO(3)" ? 0 : group.matrix_size() - 1;
-}
+int fixed_vector(SpannedGroup const& group) { return group.name() == "SO(3)" ? 0 : group.matrix_size() - 1; }
 /// Invariant under conjugation of both configurations, and under no translation.
 inline constexpr auto class_lagrangian = [](auto const& g0, auto const& g1) {
   auto const trace = g1.value.trace();
@@ -240,8 +231,10 @@ STATEMENT(rem_3_1_3, "a symmetry group smaller than $G$ conserves its own moment
 
 STATEMENT(claim_3_1_symmetry_of_discrete_flow, "a symmetry takes discrete motions to discrete motions") {
   claim.holds(
-      "At finite elements: the action is invariant, (3.2) at a moved sequence is (3.2) at the sequence itself, "
-      "moved, so that critical points go to critical points and no others do, and the flow is equivariant. For "
+      "At finite elements: the action is invariant, (3.2) at a moved sequence is (3.2) at the sequence "
+      "itself, "
+      "moved, so that critical points go to critical points and no others do, and the flow is equivariant. "
+      "For "
       "translations on either side, for a subgroup of them, and for conjugation.");
   // Sequences of four configurations, no motions: for each symmetry, how it moves a covector at the identity.
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
@@ -263,8 +256,8 @@ STATEMENT(claim_3_1_symmetry_of_discrete_flow, "a symmetry takes discrete motion
       // Condition: k is of size 1, and its inverse is taken; the terms are those before it magnifies them.
       claim.zero("the action is invariant", side, S(discrete_action(L, there) - discrete_action(L, g)), large,
                  100);
-      claim.zero("(3.2) moves with the sequence", side, Vector<S>(equations_along(L, there) - expected), large,
-                 100);
+      claim.zero("(3.2) moves with the sequence", side, Vector<S>(equations_along(L, there) - expected),
+                 large, 100);
       // Controls: half of the configurations moved; each second one by the square of k.
       claim.refutes("the later configurations moved alone", side,
                     Vector<S>(equations_along(L, halfway) - expected), terms);
@@ -284,16 +277,18 @@ STATEMENT(claim_3_1_symmetry_of_discrete_flow, "a symmetry takes discrete motion
   // A motion of three steps stays one; under a subgroup, the symmetry of a Lagrangian with a potential.
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 4, ratio<S>(1, 2));
-    auto const with_potential = lift_with_height(draw_vector<S>(draw, group.matrix_size()), fixed_vector(group));
+    auto const with_potential =
+        lift_with_height(draw_vector<S>(draw, group.matrix_size()), fixed_vector(group));
     auto const L =
         with_potential(with_motion_along(draw_group_polynomial<S>(draw, group), g, draw, with_potential));
     S const t = draw.template number<S>();
-    auto const inside = retract(t * basis_velocity<S>(group, 0)), outside = draw.template element<S>(group, S(1));
+    auto const inside = retract(t * basis_velocity<S>(group, 0)),
+               outside = draw.template element<S>(group, S(1));
     auto const terms = size_of(D2(L, g[0], g[1]));
     // Condition: the motion was made by solving for the coefficients of the Lagrangian.
     claim.zero("a motion", model, equations_along(L, g), terms, 100);
-    claim.zero("a motion, moved by an element of K", model, equations_along(L, moved(on_the_right, g, inside)),
-               terms, 100);
+    claim.zero("a motion, moved by an element of K", model,
+               equations_along(L, moved(on_the_right, g, inside)), terms, 100);
     claim.refutes("moved by an element outside K", model, equations_along(L, moved(on_the_right, g, outside)),
                   terms);
   });

@@ -105,11 +105,11 @@ Enclosure regular_near_diagonal(StatePolynomial<Number> const& lagrangian, Spann
   box << cube(d, places), cube(d, Number(1));
   return positive_on(
       [&](Vector<Number> const& x) {
-        auto const L = discretize_at_the_configuration(
-            seen_from(lagrangian, retracted(group, x.head(d))), short_step());
-        auto const m = mixed_derivative(L, identity<Number>(group),
-                                        retracted(group, Vector<Number>(x.tail(d) * short_step())));
-        return room_for_inverse(Matrix<Number>(m * short_step()));
+    auto const L =
+        discretize_at_the_configuration(seen_from(lagrangian, retracted(group, x.head(d))), short_step());
+    auto const m = mixed_derivative(L, identity<Number>(group),
+                                    retracted(group, Vector<Number>(x.tail(d) * short_step())));
+    return room_for_inverse(Matrix<Number>(m * short_step()));
       },
       box, most);
 }
@@ -120,7 +120,7 @@ Enclosure regular_at_relative_motions(Lagrangian const& L, SpannedGroup const& g
                                       Vector<Number> const& box, int most = 64) {
   return positive_on(
       [&](Vector<Number> const& x) {
-        return room_for_inverse(mixed_derivative(L, identity<Number>(group), retracted(group, x)));
+    return room_for_inverse(mixed_derivative(L, identity<Number>(group), retracted(group, x)));
       },
       box, most);
 }
@@ -132,8 +132,10 @@ STATEMENT(rem_3_1_2,
   claim.convention(
       "Where the Lagrangian is regular near the diagonal, as one that comes from a regular Lagrangian on "
       "$TG$ with a short step is: in balls, at every pair $(g, \\mathrm{retract}(h\\xi)g)$ with $g$ in a "
-      "neighbourhood of 1, $|\\xi|\\le 1$ and $h = 1/64$. The form itself is defined everywhere. $\\mathrm{tr}(g_0g_1^{-1})$ on "
-      "$\\SO(3)$ is nondegenerate in a whole neighbourhood of the diagonal and degenerate at quarter turns; the "
+      "neighbourhood of 1, $|\\xi|\\le 1$ and $h = 1/64$. The form itself is defined everywhere. "
+      "$\\mathrm{tr}(g_0g_1^{-1})$ on "
+      "$\\SO(3)$ is nondegenerate in a whole neighbourhood of the diagonal and degenerate at quarter turns; "
+      "the "
       "squared distance on the Heisenberg group is degenerate nowhere.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // On the diagonal h D2 D1 L is minus the fibre Hessian, plus h times a remainder that is affine in h: the
@@ -175,8 +177,8 @@ STATEMENT(rem_3_1_2,
     });
   }
 
-  // All relative motions near the identity, and some around a quarter turn, which is the retraction of a vector
-  // of length 2.
+  // All relative motions near the identity, and some around a quarter turn, which is the retraction of a
+  // vector of length 2.
   claim.encloses("the trace, near the diagonal", "SO(3)", [&] {
     return regular_at_relative_motions(trace_lagrangian, all_groups()[0], cube(3, ratio<Number>(1, 8)));
   });
@@ -233,8 +235,8 @@ STATEMENT(rem_3_1_2,
 
 namespace {
 
-/// The equation for the velocity x of the next step: D2 L(g0, g1) + D1 L(g1, g2) with g0 = retract(-h xi) g1 and
-/// g2 = retract(h x) g1, everything seen from g1.
+/// The equation for the velocity x of the next step: D2 L(g0, g1) + D1 L(g1, g2) with g0 = retract(-h xi) g1
+/// and g2 = retract(h x) g1, everything seen from g1.
 struct NextVelocity {
   StatePolynomial<Number> lagrangian;
   SpannedGroup group;
@@ -243,13 +245,16 @@ struct NextVelocity {
   template <class T>
   Vector<T> operator()(Vector<T> const& x) const {
     auto const L = discretize_at_the_configuration(lagrangian, short_step());
-    auto const at = [&](Vector<T> const& v) { return retract(velocity(group, Vector<T>(v * T(short_step())))); };
-    return discrete_euler_lagrange(L, at(Vector<T>(-xi.template cast<T>())), identity<T>(group), at(x)).components;
+    auto const at = [&](Vector<T> const& v) {
+      return retract(velocity(group, Vector<T>(v * T(short_step()))));
+    };
+    return discrete_euler_lagrange(L, at(Vector<T>(-xi.template cast<T>())), identity<T>(group), at(x))
+        .components;
   }
 };
-/// Whether (3.2) has exactly one solution g2 = retract(h x) g1 with x within 1/2 of some vector, for every pair
-/// (g0, g1) near the diagonal: g1 = retract(u) with |u| within `places`, g0 = retract(-h xi) g1 with |xi| within
-/// `speeds`.
+/// Whether (3.2) has exactly one solution g2 = retract(h x) g1 with x within 1/2 of some vector, for every
+/// pair (g0, g1) near the diagonal: g1 = retract(u) with |u| within `places`, g0 = retract(-h xi) g1 with
+/// |xi| within `speeds`.
 Enclosure one_next_configuration(StatePolynomial<Number> const& lagrangian, SpannedGroup const& group,
                                  Number const& places, Number const& speeds, int most = 64) {
   int const d = group.dimension();
@@ -257,19 +262,19 @@ Enclosure one_next_configuration(StatePolynomial<Number> const& lagrangian, Span
   box << cube(d, places), cube(d, speeds);
   return positive_on(
       [&](Vector<Number> const& p) {
-        NextVelocity const equation{seen_from(lagrangian, retracted(group, p.head(d))), group, p.tail(d)};
-        Number room(0);
-        try {
-          // Near the velocity before, which one Newton step improves.
-          Vector<Number> centre = p.tail(d).unaryExpr([](Number const& x) { return middle_of(x); });
-          auto const there = derivative(equation, centre);
-          centre -= solve_linear(there.matrix, there.value);
-          auto const found = one_zero_near(equation, centre, ratio<Number>(1, 2));
-          room = Number(found.margin);
-        } catch (Singular const&) {
-        }
-        if (!(room > Number(0))) throw Undecided("whether there is one next configuration");
-        return room;
+    NextVelocity const equation{seen_from(lagrangian, retracted(group, p.head(d))), group, p.tail(d)};
+    Number room(0);
+    try {
+      // Near the velocity before, which one Newton step improves.
+      Vector<Number> centre = p.tail(d).unaryExpr([](Number const& x) { return middle_of(x); });
+      auto const there = derivative(equation, centre);
+      centre -= solve_linear(there.matrix, there.value);
+      auto const found = one_zero_near(equation, centre, ratio<Number>(1, 2));
+      room = Number(found.margin);
+    } catch (Singular const&) {
+    }
+    if (!(room > Number(0))) throw Undecided("whether there is one next configuration");
+    return room;
       },
       box, most);
 }
@@ -279,7 +284,8 @@ Enclosure one_next_configuration(StatePolynomial<Number> const& lagrangian, Span
 STATEMENT(claim_3_1_discrete_flow_exists, "a regular discrete Lagrangian has one next configuration") {
   claim.convention(
       "Near the pair, for pairs near the diagonal: in balls, for every pair $(g_0, g_1)$ with $g_1$ in a "
-      "neighbourhood of 1 and $g_0 = \\mathrm{retract}(-h\\xi)g_1$, $|\\xi|\\le 1/8$, $h = 1/64$, there is exactly one "
+      "neighbourhood of 1 and $g_0 = \\mathrm{retract}(-h\\xi)g_1$, $|\\xi|\\le 1/8$, $h = 1/64$, there is "
+      "exactly one "
       "$g_2=\\mathrm{retract}(hx)g_1$ with $x$ in a box of radius $1/2$; for a right-invariant Lagrangian "
       "$g_1$ is any. Farther away there may be a second one, as for $\\mathrm{tr}(g_0g_1^{-1})$.");
   for (auto const& group : few_groups()) {
@@ -292,7 +298,8 @@ STATEMENT(claim_3_1_discrete_flow_exists, "a regular discrete Lagrangian has one
                                     ratio<Number>(1, 8));
     });
     claim.refutes_enclosure("a Lagrangian on TG that is not regular", group.name(), [&] {
-      return one_next_configuration(draw_kind(draw, group, Kind::not_regular), group, Number(0), Number(0), 1);
+      return one_next_configuration(draw_kind(draw, group, Kind::not_regular), group, Number(0), Number(0),
+                                    1);
     });
   }
   // A second solution far away: turns by an angle and by its supplement about one axis have the same
@@ -305,7 +312,8 @@ STATEMENT(claim_3_1_discrete_flow_exists, "a regular discrete Lagrangian has one
   Matrix<S> const along = n * n.transpose() / S(n.squaredNorm()), one = Matrix<S>::Identity(3, 3);
   S const cosine = (step.value.trace() - S(1)) / S(2);
   GroupElement<S> const supplement{so3, Matrix<S>(step.value + (along - one) * S(cosine * S(2)))};
-  claim.equal("the supplement is a turn", "SO(3)", Matrix<S>(supplement.value * supplement.value.transpose()), one,
+  claim.equal("the supplement is a turn", "SO(3)", Matrix<S>(supplement.value * supplement.value.transpose()),
+              one,
               10);  // the square of the axis is divided by
   auto const equation = [&](GroupElement<S> const& g2) {
     return discrete_euler_lagrange(trace_lagrangian, g[0], g[1], g2);

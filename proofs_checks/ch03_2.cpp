@@ -179,9 +179,10 @@ STATEMENT(thm_3_2_1, "four ways to say that a sequence is a discrete motion") {
 }
 
 STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function of $N$ relative motions") {
-  claim.corrected(R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)",
-                  "$N+1$ configurations make $N$ relative motions, and any $N$: the quotient of $G^{N+1}$ is $G^N$, "
-                  "on which the action sum is a function. $N+1$ of them would have to multiply to 1.");
+  claim.corrected(
+      R"(s : G^{N+1}\to\mathbb R)", R"(s : G^{N}\to\mathbb R)",
+      "$N+1$ configurations make $N$ relative motions, and any $N$: the quotient of $G^{N+1}$ is $G^N$, "
+      "on which the action sum is a function. $N+1$ of them would have to multiply to 1.");
   claim.same_slip_as("thm_3_2_1");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
@@ -189,8 +190,8 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
       std::string const of = " (N = " + std::to_string(steps) + ")";
       auto const f = draw_configurations<S>(draw, group, steps, ratio<S>(1, 2));
       auto const g = configurations_right(draw.template element<S>(group), f);
-      // Onto: any N relative motions are those of configurations. One orbit over each: configurations with the
-      // same relative motions differ by one translation, and the action is the same on all of the orbit.
+      // Onto: any N relative motions are those of configurations. One orbit over each: configurations with
+      // the same relative motions differ by one translation, and the action is the same on all of the orbit.
       // Condition: each configuration carries the rounding of the products before it.
       auto const again = configurations_right(draw.template element<S>(group), f);
       auto const carry = inverse(g[0]) * again[0];
@@ -200,9 +201,10 @@ STATEMENT(claim_3_2_reduced_action_domain, "the reduced action sum is a function
                   stacked(f), 10);
       claim.equal("which are one orbit" + of, model, stacked(carried), stacked(again), 10);
       S const sum = reduced_sum(l, f);
-      claim.zero("on which the action is the reduced sum" + of, model,
-                 Vector<S>{{S(discrete_action(lifted(l), g) - sum), S(discrete_action(lifted(l), again) - sum)}},
-                 momenta_of(l, f), 10);
+      claim.zero(
+          "on which the action is the reduced sum" + of, model,
+          Vector<S>{{S(discrete_action(lifted(l), g) - sum), S(discrete_action(lifted(l), again) - sum)}},
+          momenta_of(l, f), 10);
 
       // The N + 1 that N + 1 configurations have, the last one back to the first, multiply to 1; any N + 1 do
       // not, so that a function of N + 1 is more than the configurations determine.

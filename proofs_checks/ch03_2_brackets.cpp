@@ -1,9 +1,9 @@
 // Section 3.2, second part: Poisson structures on pairs and on the group.
 
 #include "actio/reduction/discrete_forms.hpp"
+#include "actio/reduction/discrete_lie_poisson.hpp"
 #include "actio/reduction/discrete_poisson.hpp"
 #include "actio/variational/lie_poisson.hpp"
-#include "actio/reduction/discrete_lie_poisson.hpp"
 
 #include "enclosures.hpp"
 #include "sequences.hpp"
@@ -39,9 +39,7 @@ template <class F>
 struct OnFirst {
   F f;
   template <class T>
-  T operator()(GroupElement<T> const& g0, GroupElement<T> const&) const {
-    return f(g0);
-  }
+  T operator()(GroupElement<T> const& g0, GroupElement<T> const&) const { return f(g0); }
 };
 /// SO(3) and Aff(1): for third derivatives.
 std::vector<SpannedGroup> const& small_groups() {
@@ -190,7 +188,8 @@ STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
   claim.corrected(
       R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi,\,h\circ\pi\}_{G\times G})",
       R"(\{f,h\}_G\circ\pi_d = \{f\circ\pi_d,\,h\circ\pi_d\}_{G\times G})",
-      "The algorithm preserves the bracket that the quotient map $\\pi_d$ induces; by (3.13) as printed, with "
+      "The algorithm preserves the bracket that the quotient map $\\pi_d$ induces; by (3.13) as printed, "
+      "with "
       "the projection on a configuration, all functions would commute. $\\mathbb L$ is right-invariant and, "
       "for the bracket, regular; the hypothesis on the action is always true.");
   claim.maybe_scan();
@@ -314,12 +313,12 @@ Enclosure bounded_by_images(Act const& act, Matrix<Number> const& points, Matrix
   for (Index i = 0; i < elements.size(); ++i) box[n + i] = elements(i);
   return positive_on(
       [&](Vector<Number> const& x) {
-        Matrix<Number> point = points, element = elements;
-        for (Index i = 0; i < n; ++i) point(i) = x[i];
-        for (Index i = 0; i < element.size(); ++i) element(i) = x[n + i];
-        Number const room = largest_at_least(act(point, element)) - ratio<Number>(1, 4);
-        if (!(room > Number(0))) throw Undecided("the size of an image");
-        return room;
+    Matrix<Number> point = points, element = elements;
+    for (Index i = 0; i < n; ++i) point(i) = x[i];
+    for (Index i = 0; i < element.size(); ++i) element(i) = x[n + i];
+    Number const room = largest_at_least(act(point, element)) - ratio<Number>(1, 4);
+    if (!(room > Number(0))) throw Undecided("the size of an image");
+    return room;
       },
       box, 64);
 }
@@ -332,8 +331,7 @@ Matrix<Number> face(int n, int i, int j) {
 /// Every matrix whose entries are within 1/(4n) of those of `middle`.
 Matrix<Number> around(Matrix<Number> const& middle) {
   Number const radius = ratio<Number>(1, 4 * static_cast<int>(middle.rows()));
-  return middle.unaryExpr(
-      [&](Number const& x) { return Number(x + Number::between(-radius, radius)); });
+  return middle.unaryExpr([&](Number const& x) { return Number(x + Number::between(-radius, radius)); });
 }
 
 }  // namespace

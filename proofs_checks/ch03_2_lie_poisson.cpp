@@ -402,8 +402,10 @@ STATEMENT(eq_3_18, "discrete Lie-Poisson update, left-invariant case") {
 
 STATEMENT(claim_3_2_dlp_orbits, "the momentum stays on its coadjoint orbit") {
   claim.holds(
-      "One element of the group joins the momenta; functions that are constant on orbits stay, and so does the "
-      "dimension of the orbit. On Aff(1), which has no such function, the half-planes $\\mu_2 > 0$ and $\\mu_2 < "
+      "One element of the group joins the momenta; functions that are constant on orbits stay, and so does "
+      "the "
+      "dimension of the orbit. On Aff(1), which has no such function, the half-planes $\\mu_2 > 0$ and "
+      "$\\mu_2 < "
       "0$ and each point of $\\mu_2 = 0$ are the orbits.");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
