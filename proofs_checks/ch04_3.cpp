@@ -326,7 +326,7 @@ STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
           Vector<S> const db = right_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
           return S(leaf_form(c.l, c.f, velocity(group, Vector<S>(p * db)), c.v) + db.dot(c.v.coordinates));
         }),
-        S(size_of(c.v)), 1e-4);
+        S(size_of(c.v)));
     if (model != "Aff(1)")
       claim.template refuses<OutsideDomain>("a vector that leaves the leaf", model, [&] {
         leaf_form(c.l, c.f, draw.template velocity<S>(group), c.v);
@@ -657,7 +657,7 @@ STATEMENT(
                  S(magnitude(t) * size_of(u) + size_of(after)), condition);
       claim.refutes("with the generator left as it was", model,
                     Vector<S>(t * u.coordinates - leaf_vector(m.l, m.f[k + 1], eta).coordinates),
-                    S(size_of(after)), 1e-4);
+                    S(size_of(after)));
     }
     // The leaf's tangent space is the image of the bracket: A P = Pi_+ A^-T.
     Matrix<S> const a = right_second_differential(m.l, m.f[0]), p = legendre_bivector_right(m.l, m.f[0]),
