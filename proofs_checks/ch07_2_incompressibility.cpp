@@ -209,7 +209,9 @@ void volume_changes(Claim<S>& claim, Draw& draw) {
   auto const x = draw_event<S, n>(draw);
   V const body = body_of(x);
   auto const g = draw_metric<S, n>(draw);
-  KeptVolume<S, n> const G{g, draw_unimodular_metric<S, n>(draw), draw_shears<S, n>(draw), x[0]};
+  auto const chart = draw_chart<S, n>(draw);
+  KeptVolume<S, n> const G{g, draw_triangular_metric<S, n>(draw),
+                           of_coordinates(draw_shears<S, n>(draw, chart, chart)), x[0]};
   VolumeConstraint<KeptVolume<S, n>, AnyMetric<S, n>> const Phi{G, g};
   BallPolynomials<S, n> const ball(d);
   auto const m = static_cast<int>(ball.below.size()), M = static_cast<int>(ball.all.size());

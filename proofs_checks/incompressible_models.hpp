@@ -81,10 +81,9 @@ struct MetricOfVolume {
     return (A.transpose() * A).eval();
   }
 };
-/// A metric with the volume of its chart, neither constant nor flat: its frame is upper triangular with ones
-/// but for the first.
+/// A metric A^T A with A upper triangular and ones on the diagonal: its volume is 1 everywhere.
 template <class S, int n>
-MetricOfVolume<S, n> draw_metric_of_volume(Draw& draw) {
+AnyMetric<S, n> draw_triangular_metric(Draw& draw) {
   auto g = draw_metric<S, n>(draw);
   for (int i = 0; i < n; ++i)
     for (int k = 0; k <= i; ++k) {
@@ -92,6 +91,13 @@ MetricOfVolume<S, n> draw_metric_of_volume(Draw& draw) {
       for (auto& slope : g.slope) slope(i, k) = S(0);
       g.bend(i, k) = S(0);
     }
+  return g;
+}
+/// A metric with the volume of its chart, neither constant nor flat: its frame is upper triangular with ones
+/// but for the first.
+template <class S, int n>
+MetricOfVolume<S, n> draw_metric_of_volume(Draw& draw) {
+  auto const g = draw_triangular_metric<S, n>(draw);
   return {g, draw_chart<S, n>(draw)};
 }
 /// A metric of any volume, of the same type.
