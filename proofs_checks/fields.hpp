@@ -114,6 +114,13 @@ AnyMetric<S, n> draw_metric(Draw& draw) {
   return g;
 }
 
+/// The same metric everywhere: that at the origin.
+template <class S, int n>
+AnyMetric<S, n> flattened(AnyMetric<S, n> metric) {
+  for (auto& slope : metric.slope) slope.setZero();
+  metric.bend.setZero();
+  return metric;
+}
 /// A constant metric that is not the identity.
 template <class S, int n>
 ConstantMetric<S, n> draw_constant_metric(Draw& draw) {

@@ -66,13 +66,6 @@ AnyContinuum<S, n, N> draw_medium(Draw& draw, Kind kind) {
   return {G, g, rho, draw_energy_of<S, n, N>(draw, kind)};
 }
 
-/// The same metric everywhere: that at the origin.
-template <class S, int n>
-AnyMetric<S, n> flattened(AnyMetric<S, n> metric) {
-  for (auto& slope : metric.slope) slope.setZero();
-  metric.bend.setZero();
-  return metric;
-}
 /// The same medium with the metrics that it has at the origin everywhere.
 template <class S, int n, int N>
 AnyContinuum<S, n, N> flattened(AnyContinuum<S, n, N> medium) {

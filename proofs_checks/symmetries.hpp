@@ -326,13 +326,6 @@ auto moved_map(Eta const& eta, Phi const& phi) {
 // ----
 // Fluids whose actions are integrals of polynomials, and motions that solve their equations exactly.
 
-/// The metric of the same type that is the same everywhere.
-template <class S, int n>
-AnyMetric<S, n> flattened(AnyMetric<S, n> g) {
-  g.bend.setZero();
-  for (auto& slope : g.slope) slope.setZero();
-  return g;
-}
 /// A homogeneous fluid whose action is the integral of a polynomial: flat space, \f$w = aJ + bJ^2\f$, and a
 /// body with curved metric and \f$\sqrt{\det G} = 1\f$.
 template <class S, int n>
