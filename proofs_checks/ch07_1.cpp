@@ -241,6 +241,24 @@ void vary_a_curve(Claim<S>& claim, Draw& draw) {
   claim.refutes("a function of which the curve is not critical", name, rest(lambda), size);
 }
 
+// ---- A critical point of the augmented function lies on the zeros.
+
+/// A point beside the zeros, critical in the point itself: the derivative in the multiplier keeps it out.
+template <class S>
+void find_the_zeros(Claim<S>& claim, Draw& draw, LevelModel<S> const& model) {
+  Numbers<S, 4> const beside = model.Psi.origin + draw.vector<S, Numbers<S, 4>>(4) / S(2);
+  Numbers<S, 2> const lambda = draw.vector<S, Numbers<S, 2>>(2);
+  auto const slopes = model.with(model.critical_at(beside, lambda)).augmented_differential(beside, lambda);
+  Numbers<S, 2> const in_multiplier = slopes.template tail<2>(), value = model.Psi(beside);
+  claim.zero("beside the zeros, with h chosen: derivative in the point", level_name,
+             Numbers<S, 4>(slopes.template head<4>()), S(1), level_condition);
+  claim.equal("derivative in the multiplier: minus Psi in the inner product, zero on the zeros alone",
+              level_name, Numbers<S, 2>(inverse_matrix(Matrix<S, 2, 2>(model.fibre(beside))) * in_multiplier),
+              Numbers<S, 2>(-value), level_condition);
+  claim.differs("without the inner product", level_name, in_multiplier, Numbers<S, 2>(-value));
+  claim.refutes("derivative in the multiplier beside the zeros", level_name, in_multiplier, S(1));
+}
+
 // ---- Without regularity.
 
 /// The cusp \f$y^2 = x^3\f$: x is smallest at its tip, where the derivative of the constraint vanishes.
@@ -269,6 +287,19 @@ void refute_without_regularity(Claim<S>& claim, Draw& draw) {
                                        [&] { f.multiplier(origin); });
   };
   none(constrained<1>(first_coordinate, cusp), "cusp");
+  // All zeros of the cusp are points (t^2, t^3).
+  auto const slope = [&](std::string const& what, S const& at) {
+    Dual<S> t(at);
+    t.part[0] = S(1);
+    Numbers<Dual<S>, 2> const moved(t * t, t * t * t);
+    Dual<S> const constraint = cusp(moved)[0];
+    claim.zero("the curve stays on the cusp, " + what, "cusp",
+               Numbers<S, 2>(constraint.value, constraint.part[0]), S(1), 100);
+    return first_coordinate(moved).part[0];
+  };
+  claim.zero("the restriction is critical at the tip", "cusp", slope("at the tip", S(0)), S(1));
+  claim.refutes("the restriction is critical beside the tip", "cusp",
+                slope("beside the tip", draw.number<S>() + S(2)), S(1));
   none(constrained<1>(first_coordinate, isolated), "isolated point");
   none(constrained<2>(first_coordinate, touching), "touching curves");
 }
@@ -303,6 +334,7 @@ STATEMENT(thm_7_1_1, "Lagrange multiplier theorem for sections of an inner produ
   claim.refutes("first statement for another function", level_name, f.restricted_differential(q), S(1));
   claim.refutes("second statement for another function", level_name,
                 f.augmented_differential(q, f.multiplier(q)), S(1));
+  find_the_zeros(claim, draw, model);
   change_the_frame(claim, draw, model);
   glue_over_the_projective_plane(claim, draw);
   vary_a_curve(claim, draw);
@@ -381,5 +413,6 @@ STATEMENT(claim_7_1_second_to_first, "from an extremum with multiplier to a cons
     auto const off = model.critical_at(beside, lambda);
     claim.refutes("derivative along the zeros for a critical point beside them", name,
                   model.along_zeros(off, q), S(1));
+    find_the_zeros(claim, draw, model);
   }
 }
