@@ -286,8 +286,8 @@ STATEMENT(cor_6_2_1, "Lagrangian density recovered from the Cartan form") {
 STATEMENT(claim_6_2_el_by_contraction,
           "field equations as contractions with arbitrary vector fields on the jet bundle") {
   claim.holds(
-      "The sections are those of $Y$: for sections of the jet bundle that are no jets, the density has to be "
-      "regular.");
+      "The sections are those of $Y$. Along a section of the jet bundle that is no jet, fields along the "
+      "derivatives need not give zero.");
   over_points<S>(Three{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = OffShell<S, n, N>::dimension;
     using W = Matrix<S, all, 1>;

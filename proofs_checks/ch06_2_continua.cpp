@@ -284,6 +284,7 @@ STATEMENT(eq_6_19, "the first Piola-Kirchhoff stress from the stored energy") {
                   R"(\mathcal P_a{}^i(\phi,x) = \rho(x)\,\frac{\partial W}{\partial v^a{}_i}(j^1\phi(x)))",
                   "The index $i$ is set twice in the denominator; it is one index, and not summed.");
   claim.maybe_scan();
+  claim.same_slip_as("claim_6_2_barotropic_momenta");
   // An energy of degree 3 in metrics of degree 4 and a section of degree 3.
   over_points(claim, BodiesInSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -417,7 +418,7 @@ STATEMENT(eq_6_21, "the covariant equation of motion of elasticity") {
 }
 
 STATEMENT(claim_6_2_euclidean_elasticity, "elasticity in a Euclidean space") {
-  claim.holds(
+  claim.convention(
       "In coordinates in which $g$ and $G$ are constant; the first index of the stress is raised with $g$. "
       "The solid has "
       "no symmetry, and may have fewer dimensions than its space.");
@@ -465,7 +466,10 @@ actio::Matrix<S, n, 1> logarithmic_slopes(Metric const& g, actio::Matrix<S, n, 1
 }  // namespace
 
 STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic fluid") {
-  claim.holds("In the denominators $i$ is set as an index of $a$; it is one of $v$.");
+  claim.corrected(R"(p_a{}^i = -\rho\,\frac{\partial W}{\partial v^{a_i}}\sqrt{\det[G]})",
+                  R"(p_a{}^i = -\rho\,\frac{\partial W}{\partial v^a{}_i}\sqrt{\det[G]})",
+                  "In both denominators $i$ is set as an index of $a$; it is one of $v$.");
+  claim.maybe_scan();
   // A law of degree 3 in a Jacobian of degree 8 over another.
   over_points(claim, PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
@@ -479,6 +483,10 @@ STATEMENT(claim_6_2_barotropic_momenta, "the spatial momenta of a barotropic flu
     claim.equal("by the chain rule", model, p, (at.inverse.transpose() * factor).eval());
     claim.differs("the inverse transposed", model, p, (at.inverse * factor).eval());
     claim.differs("the other sign", model, p, (at.inverse.transpose() * -factor).eval());
+    // With i an index of a, a derivative has no direction of the body: the same number for each.
+    actio::Matrix<S, n, 1> const summed = p * actio::Matrix<S, n, 1>::Ones();
+    claim.differs("as printed, one derivative for all i", model, p,
+                  (summed * actio::Matrix<S, 1, n>::Ones()).eval());
   });
 }
 
@@ -845,7 +853,7 @@ STATEMENT(eq_6_18, "the Euler-Lagrange equation of a barotropic fluid") {
 }
 
 STATEMENT(eq_6_20, "the equation of motion with stresses, general stored energy") {
-  claim.holds("With the covariant divergence as corrected there.");
+  claim.holds("Read with the covariant divergence of its own row, claim_6_2_covariant_divergence.");
   over_media<S>(draw,
                 [&]<class Medium, class Fluid, int n>(Medium const& medium, Fluid const&,
                                                       SecondJet<S, n, n> const& j, std::string const& model) {

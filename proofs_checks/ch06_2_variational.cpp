@@ -223,8 +223,8 @@ STATEMENT(thm_6_2_1, "Euler-Lagrange derivative and Cartan form from the variati
       "D_{EL}\\mathcal L\\cdot\\mathcal V = -(j^1)^*[j^1\\mathcal V\\lrcorner\\Omega_{\\mathcal L}]",
       "(6.7), (6.9) and (6.10) hold; (6.8) has the other sign with $\\Omega = -d\\Theta$. All coefficients "
       "of $D_{EL}\\mathcal L$ and of the boundary term are solved for from as many variations; the form is "
-      "unique among those whose contraction with $j^1\\mathcal V$ holds no derivative of $\\mathcal V$ and "
-      "no product of contact forms.");
+      "unique among the $a_a{}^\\mu\\,dy^a\\wedge d^nx_\\mu + b\\,d^{n+1}x$, whose coefficients the boundary "
+      "term gives, and not among all forms: see claim_6_2_cartan_form_uniqueness.");
   claim.same_slip_as("eq_6_8");
   // Integrals of polynomials of degree 6 in x over a drawn box.
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
@@ -452,20 +452,31 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
 
 STATEMENT(claim_6_2_vertical_variations, "Cartan form obtained from vertical variations only") {
   claim.holds(
-      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$, which vertical "
-      "variations do not determine.");
+      "The missing term is the whole of $(L - p_a{}^\\mu v^a{}_\\mu)\\,d^{n+1}x$. Vertical variations do not "
+      "determine it, and give the field equations and the other coefficients without it.");
   over_points<S>(Varied{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const L = draw_density<S, n, N>(draw);
     auto const phi = draw_section<S, n, N>(draw);
     auto const V = draw_variation<S, n, N>(draw, 2), upright = V.upright();
     auto const x = draw_event<S, n>(draw);
-    auto const with = [&](auto const& field, bool complete) {
-      return Event<S, n>(current_along(L, phi, field, complete)(x));
-    };
-    claim.equal("boundary term of a vertical variation", model, with(upright, true), with(upright, false));
-    claim.differs("boundary term of any variation", model, with(V, true), with(V, false));
     auto const j = second_jet(phi, x);
+    // The boundary term without d^{n+1}x, in (6.7): it serves the vertical variations, and no others.
+    auto const rest = [&](auto const& field) {
+      S const force = bulk(L, j, field(graph(phi, x))),
+              flux = divergence(current_along(L, phi, field, false), x);
+      return std::pair{S(density_variation(L, phi, field, x) - force - flux),
+                       S(magnitude(force) + magnitude(flux))};
+    };
+    auto const [of_vertical, vertical_size] = rest(upright);
+    auto const [of_any, size] = rest(V);
+    claim.zero("field equations from a vertical variation, without the term d^{n+1}x", model, of_vertical,
+               vertical_size);
+    claim.refutes("the same for any variation", model, of_any, size);
+    Matrix<S, N, n + 1> found;
+    for (int a = 0; a < N; ++a) found.row(a) = symbol_of_variation<S, n, N>(L, phi, x, n + 1 + a).transpose();
+    claim.equal("vertical variations determine the coefficients of dy^a ^ d^nx_mu", model, found,
+                legendre(L, first_jet(phi, x)).p);
     // Same field equations from both: a variation along time alone gives them contracted with the velocity.
     auto const along_time = AnyVariation<S, n, N>::coordinate(0, S(1));
     S const rate = density_variation(L, phi, along_time, x),
