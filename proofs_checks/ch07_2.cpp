@@ -161,7 +161,7 @@ STATEMENT(eq_7_1, "induced constraint function on sections") {
 STATEMENT(claim_7_2_augmented_action, "augmented action and its variation in the multiplier") {
   claim.holds(
       "The three forms of the action are equal, and the variation in the multiplier is minus the pairing "
-      "with $\\Psi$.");
+      "with $\\Psi$. In components of an orthonormal frame of $\\mathcal V$.");
   // Integrands: a quadratic density on quadratic sections times a multiplier of degree 3, in 2 coordinates;
   // coefficients enter with degree 5.
   {
