@@ -76,6 +76,16 @@ BOOST_AUTO_TEST_CASE(the_solution_is_that_of_newton_and_so_is_what_is_thrown) {
   BOOST_CHECK_THROW(chord.solve(flat, start), Singular);
   BOOST_CHECK_THROW(solve_on_group(nowhere, start), Error);
   BOOST_CHECK_THROW(chord.solve(nowhere, start), Error);
+  // At the identity a root has the value zero and an infinite slope.
+  auto const edge = [](auto const& f) {
+    auto x = log(f).coordinates;
+    using std::sqrt;
+    x[2] = sqrt(x[2]);
+    return Momentum<SE<3>, typename std::decay_t<decltype(x)>::Scalar>{f.group, x};
+  };
+  BOOST_CHECK_EXCEPTION(solve_on_group(edge, identity<double>(group)), NotFinite, [](NotFinite const& error) {
+    return std::string(error.what()).find("residual or its derivative") != std::string::npos;
+  });
   start.value(1, 2) = std::nan("");
   BOOST_CHECK_THROW(chord.solve(flat, start), NotFinite);
 }
