@@ -639,6 +639,17 @@ STATEMENT(claim_2_1_second_order_set, "where the Euler-Lagrange map lives") {
     auto const map = euler_lagrange(L, state, second.velocity);
     claim.equal("the same for curves that agree to second order", model,
                 euler_lagrange(L, tangent(third, t), second_tangent(third, t).velocity), map);
+    // Every vector whose projection is its base point is one: a curve with this tangent and any rate of it.
+    auto const wanted = draw.template velocity<S>(group);
+    auto const through = [&](auto const& s) {
+      using T = std::decay_t<decltype(s)>;
+      T const x = s - T(t);
+      return retract(x * over<T>(state.velocity) + (x * x * T(ratio<S>(1, 2))) * over<T>(wanted)) *
+             over<T>(state.configuration);
+    };
+    claim.equal("a curve through any tangent", model, tangent(through, t).velocity, state.velocity);
+    claim.equal("with any second-order vector for its second derivative", model,
+                second_tangent(through, t).velocity, wanted);
     // Control: curves with the same point of TG, different at second order. A map on a subset of TG could not
     // tell them apart.
     auto const first = [&](auto const& s) {

@@ -263,6 +263,7 @@ STATEMENT(claim_3_1_action_differential_split,
                   "A configuration is the second of the pair before it and the first of the pair after "
                   "it: $D_2$ goes with $(g_{k-1}, g_k)$, $D_1$ with $(g_k, g_{k+1})$. The ranges are "
                   "right.");
+  claim.same_slip_as("eq_3_3");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     // N = 4; all[0] and all[6] are the g_{-1} and g_5 that the thesis prints.
     int const N = 4;
@@ -577,6 +578,7 @@ STATEMENT(claim_3_1_symplecticity_chain,
                   "With the page's own $\\omega = d\\theta^- = -d\\theta^+$ the first and the last sign "
                   "are wrong and cancel; the middle equality, from $ddS = 0$, is right. The chain holds "
                   "as printed if $\\omega$ is defined as $d\\theta^+$.");
+  claim.same_slip_as("eq_3_5");
   over_groups(groups_for_motions<S>(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw_configurations<S>(draw, group, 3);
     auto const L = draw_with_motion<S>(draw, g);

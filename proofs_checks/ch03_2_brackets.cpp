@@ -155,7 +155,7 @@ STATEMENT(eq_3_13, "the bracket on the group") {
     claim.refutes("to the minus bracket", model,
                   Matrix<S>(second * tensor * second.transpose() +
                             lie_poisson_tensor_plus(momentum_before_right(l, f))),
-                  magnitude(lie_poisson_tensor_plus(momentum_before_right(l, f))));
+                  magnitude(second) * magnitude(tensor) * magnitude(second));
     // Left-invariant: the body momentum, the minus bracket.
     Matrix<S> const other = reduced_bivector_left(l, f), slope_of = left_second_differential(l, f);
     claim.zero("left-invariant: to the minus bracket", model,
@@ -231,7 +231,7 @@ STATEMENT(thm_3_2_2, "the discrete Euler-Poincare algorithm is a Poisson map") {
     claim.zero("{f, h}_G is the bracket of f and h lifted by the quotient map", model,
                Vector<S>(induced - below), sizes, 10);
     claim.refutes("lifted by the projection on a configuration, as printed", model,
-                  Vector<S>(printed - below), magnitude(below));
+                  Vector<S>(printed - below), sizes);
 
     // The step goes down to the quotient: what translates a pair does not move the relative motion after it.
     auto const after = [&](auto const& lagrangian) {

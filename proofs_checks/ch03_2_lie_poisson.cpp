@@ -4,6 +4,7 @@
 #include "actio/numbers/rank.hpp"
 #include "actio/reduction/discrete_forms.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
+#include "actio/variational/coadjoint_orbit.hpp"
 #include "actio/variational/euler_lagrange.hpp"
 #include "actio/variational/lie_poisson.hpp"
 
@@ -215,6 +216,7 @@ STATEMENT(claim_3_2_coadjoint_lie_poisson,
                   "Coadjoint orbits lie in the dual; what is said of them holds, for both signs. $\\Ad_g$ "
                   "in the algebra does not preserve the brackets.");
   claim.maybe_scan();
+  claim.same_slip_as("claim_2_2_coadjoint_orbits");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const g = draw.template element<S>(group);
     auto const mu = draw.template momentum<S>(group);
@@ -235,6 +237,13 @@ STATEMENT(claim_3_2_coadjoint_lie_poisson,
       return [&f, &g](auto const& at) { return f(Ad_star(inverse(like(at, g)), at)); };
     };
     auto const scale = S(1) + size_of(image) * size_of(gradient(a, image)) * size_of(gradient(b, image));
+    // The form that the bracket induces on its leaf is that of the orbit. Condition: ad* mu is inverted.
+    claim.equal("the form of the orbit and the plus bracket", model,
+                kirillov_kostant_plus(mu, lie_poisson_rate_right(a, mu), lie_poisson_rate_right(b, mu)),
+                lie_poisson_bracket_plus(a, b, mu), 100);
+    claim.equal("the form of the orbit and the minus bracket", model,
+                kirillov_kostant_minus(mu, lie_poisson_rate_left(a, mu), lie_poisson_rate_left(b, mu)),
+                lie_poisson_bracket_minus(a, b, mu), 100);
     claim.zero("plus bracket", model,
                S(lie_poisson_bracket_plus(after(a), after(b), mu) - lie_poisson_bracket_plus(a, b, image)),
                scale);
@@ -345,6 +354,7 @@ STATEMENT(rem_3_2_2, "the left-invariant algorithm and the momentum it carries")
                   "The definition of $\\Pi_k$ is right and contradicts the update as printed, (3.18), "
                   "which lacks an inverse.");
   claim.maybe_scan();
+  claim.same_slip_as("eq_3_18");
   over_groups(all_groups(), claim, [&](auto const& group, auto const& model) {
     auto const f = draw_configurations<S>(draw, group, 3);
     auto const l = with_motions_left(draw_reduced_lagrangian<S>(draw, group), f);

@@ -311,8 +311,9 @@ STATEMENT(claim_3_2_legendre_limit, "the discrete Legendre transformation tends 
 
 STATEMENT(claim_3_2_diagram_does_not_commute,
           "two ways from pairs to momenta and velocities, which agree in the limit alone") {
-  claim.holds(
-      "Read so: the momentum of a pair is not that of the state which the pair approximates, at any step, "
+  claim.convention(
+      "The diagram has no arrow from $G$ to the algebra. Read so: the momentum of a pair is not that of the "
+      "state which the pair approximates, at any step, "
       "but "
       "$\\chi(-h\\,\\mathrm{ad}_\\xi)^*$ of it, for the natural chart; the two agree along $\\xi$, where "
       "brackets vanish, "

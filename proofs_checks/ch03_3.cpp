@@ -747,8 +747,7 @@ STATEMENT(claim_3_3_midpoint_q, "base point $q$ for the chart at the second poin
                   R"(q = \psi_{g_{k+1}}^{-1}(\eta) = )"
                   R"((g_kg_{k+1}^{-1})^{1/2}g_{k+1})",
                   "The inverse of the chart takes $\\eta$ to the configuration half-way along "
-                  "$e^{t\\xi}g_k$. The printed root of the product is that configuration only where the two "
-                  "configurations commute, and is not equivariant.");
+                  "$e^{t\\xi}g_k$. The printed root of the product is another configuration.");
   claim.maybe_scan();
   claim.same_slip_as("eq_3_24");
   over_groups(series_groups<S>(), claim, [&](auto const& group, auto const& model) {
