@@ -223,6 +223,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
     Matrix<T, n, 1> const from = y.template cast<T>(), to = flow(from);
     Matrix<T, n, n> const F = pushed(flow, from, Tangents<T, n, n>(Tangents<T, n, n>::Identity()));
     S const growth = (volume<T>(g(to)) * determinant(F)).part[0], volume_here = volume<S>(g(y));
+    // Ten more roundings: a determinant and the root of another, both differentiated.
     claim.equal("the volume along the flow of any field grows by its divergence", model, growth,
                 S(divergence(g, any, y) * volume_here), 10);
     claim.differs("by its divergence in coordinates", model, growth, S(divergence(any, y) * volume_here));

@@ -218,6 +218,7 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
                                           Matrix<T, N, 1>(j.y.template cast<T>()));
     S const growth = (volume<T>(G(Matrix<T, n, 1>(moved.particle()))) * determinant(along_flow.base)).part[0],
             volume_here = volume<S>(G(x));
+    // Ten more roundings: a determinant and the root of another, both differentiated.
     claim.equal("the volume along the flow of any field grows by its divergence", model, growth,
                 S(divergence(G, xi, x) * volume_here), 10);
     claim.differs("by its divergence in coordinates", model, growth, S(divergence(xi, x) * volume_here));

@@ -527,6 +527,7 @@ STATEMENT(claim_10_0_static_fem,
     Matrix<S, n, n + 3> const any = draw_tangents<S, n, n + 3>(draw),
                               V = first_variation_of<S, n>(draw, whole),
                               W = first_variation_of<S, n>(draw, whole);
+    // Ten more roundings here too: second derivatives of the energy.
     for (auto const& e : patch.elements) {
       auto const slopes = [&]<class T>(Matrix<T, n, n + 1> const& Y) {
         return patch.template element_slopes<T>(e, Y);
