@@ -119,11 +119,13 @@ Matrix<S, DualJet<S, n, M>::dimension, 1> coordinates_of(FormAtAPoint<S> const& 
 }  // namespace
 
 STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multiplier among the fields") {
-  claim.holds(
-      "The canonical form is compared with what an element z of Z, any form that vanishes on two vertical "
-      "vectors, is on vectors projected to E. Its coordinates are its values on coordinate vectors, so "
-      "they are unique. As in chapter 6, $d^nx_\\mu$ is the volume form with $\\partial_\\mu$ in its "
-      "first slot.");
+  claim.corrected(
+      "d^nx_\\mu = \\partial_\\mu\\,d^{n+1}x", "d^nx_\\mu = \\partial_\\mu\\lrcorner\\,d^{n+1}x",
+      "The hook is not printed here either. The canonical form is compared with what an element z of Z, any "
+      "form that vanishes on two vertical vectors, is on vectors projected to E. Its coordinates are its "
+      "values on coordinate vectors, so they are unique.");
+  claim.maybe_scan();
+  claim.same_slip_as("claim_6_1_contracted_volume");
   auto const at_dimensions = [&]<int n, int N>() {
     constexpr int M = N + 1, D = DualJet<S, n, M>::dimension, E = n + 1 + M;
     std::string const model = Dimensions<n, N>::name() + " and a multiplier";
@@ -144,6 +146,8 @@ STATEMENT(claim_8_1_extended_canonical_forms, "canonical forms with the multipli
     claim.equal("the canonical form is z on projected vectors", model, theta, value_of(form, below));
     claim.equal("the canonical form in coordinates", model, theta, S(places + multiplier + volume_part));
     claim.differs("without the multiplier's part", model, theta, S(places + volume_part));
+    claim.differs("printed: the derivative of the volume form along x^mu, which is zero, for d^nx_mu", model,
+                  theta, volume_part);
     claim.differs("a form that does not vanish on two vertical vectors", model, value_of(any, below),
                   S(canonical_form<n, M>()(coordinates_of<n, M>(any, point), V)));
 

@@ -73,9 +73,9 @@ STATEMENT(claim_8_3_inhomogeneous_density, "mass that varies, and the pressure")
 }
 
 STATEMENT(eq_8_9, "the equation of an ideal incompressible fluid") {
-  claim.convention(
-      "For a homogeneous fluid of density 1, which the text sets just before. It holds off the constraint "
-      "too.");
+  claim.holds(
+      "The fluid is homogeneous and of density 1, as the text sets it just before. The equation holds off "
+      "the constraint too.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const fluid = ideal_fluid<S, n>(draw_any_metric<S, n>(draw), draw_any_metric<S, n>(draw));
@@ -222,9 +222,9 @@ STATEMENT(eq_8_12, "only the sum of the two pressures moves the fluid") {
 }
 
 STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where the volume is held") {
-  claim.convention(
-      "For a homogeneous fluid: $P_W = -\\rho\\,W'(1)$ varies with $\\rho(x)$, and with the particle "
-      "where $W$ depends on it. The multiplier takes it in all the same.");
+  claim.holds(
+      "The fluid is homogeneous, as the text sets it. With mass that varies $P_W = -\\rho\\,W'(1)$ varies "
+      "with the particle.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const law = draw_fluid<S>(draw);
@@ -244,6 +244,17 @@ STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where
     claim.zero("its derivatives on the body", model, slope_of(homogeneous, held), size_of(by_law) + S(1));
     claim.refutes("where mass varies", model, slope_of(varying, held), size_of(by_law) + S(1));
     claim.refutes("where the volume is not held", model, slope_of(homogeneous, free), size_of(by_law) + S(1));
+    // The equation of motion of the law, and (8.9) with the pressure of the multiplier alone.
+    auto const compare = [&](std::string const& what, auto const& section, bool claimed) {
+      auto const j = draw_extended_jet<S, n>(draw, section, G);
+      auto const of_law = per_volume(incompressible(homogeneous), j);
+      if (claimed)
+        claim.equal(what, model, of_law, ideal_fluid_residual(G, g, j));
+      else
+        claim.differs(what, model, of_law, ideal_fluid_residual(G, g, j));
+    };
+    compare("the equation of motion is (8.9)", phi, true);
+    compare("(8.9) where the volume is not held", of_coordinates(phi), false);
   });
 }
 
@@ -274,9 +285,9 @@ AccelerationOf(Metric, Phi) -> AccelerationOf<Metric, Phi>;
 }  // namespace
 
 STATEMENT(eq_8_14, "the equation of the pressure") {
-  claim.convention(
-      "It needs $\\mathrm{div}\\,u = 0$ at all times. On a curved space the right side is "
-      "$-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
+  claim.holds(
+      "With $\\mathrm{div}\\,u = 0$ at all times, as the line before has it, and covariant derivatives. On a "
+      "curved space the right side is $-(u^i{}_{;j}u^j{}_{;i} + \\mathrm{Ric}(u,u))$.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_any_metric<S, n>(draw);
@@ -407,13 +418,27 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
     AccelerationOf const acceleration{g, phi};
     auto const rate = first_jet(acceleration, x);
     auto const j = first_jet(phi, x);
-    // The covariant derivative along the motion, in directions of the body.
-    Matrix<S, n, n> slope = rate.gradient();
     auto const gamma = christoffel(g, j.y);
-    for (int a = 0; a < n; ++a) slope.row(a) += (j.gradient().transpose() * (gamma[a] * rate.y)).transpose();
-    S const spatial = (inverse_matrix(j.gradient()) * slope).trace(),
+    // The covariant derivative, in directions of the body, of a field along the motion.
+    auto const slope_of = [&](Jet<S, n, n> const& field) {
+      Matrix<S, n, n> slope = field.gradient();
+      for (int a = 0; a < n; ++a)
+        slope.row(a) += (j.gradient().transpose() * (gamma[a] * field.y)).transpose();
+      return slope;
+    };
+    Matrix<S, n, n> const slope = slope_of(rate), inverse = inverse_matrix(j.gradient());
+    S const spatial = (inverse * slope).trace(),
             source = pressure_source(g, u, event_in_space(j));
     claim.zero("with the inverse deformation gradient", model, S(spatial + source), size_of(slope) + S(1));
+    auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
+    CarriedBy const push{[g, p](auto const& at) { return gradient(g, p, at); }, phi};
+    Matrix<S, n, n> const slope_of_push = slope_of(first_jet(push, x));
+    S const laplacian_there = laplacian(g, p, event_in_space(j));
+    // Ten more roundings: third derivatives of the motion and of the metric on the other side.
+    claim.zero("the gradient of the pressure, with the inverse deformation gradient", model,
+               S((inverse * slope_of_push).trace() - laplacian_there), size_of(slope_of_push) + S(1), 10);
+    claim.refutes("its divergence on the body", model, S(slope_of_push.trace() - laplacian_there),
+                  size_of(slope_of_push) + S(1));
     // Indices of body and space identified, and the metric taken at the particle.
     S const material = divergence(g, acceleration, x);
     claim.refutes("the divergence on the body", model, S(material + source), size_of(slope) + S(1));

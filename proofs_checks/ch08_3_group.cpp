@@ -178,8 +178,8 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
   claim.holds(
       "Such fields along a wall of any form have such a bracket, and differentiating the adjoint action of "
       "any "
-      "motion of the group gives minus the bracket of Jacobi and Lie. It is the bracket of left-invariant "
-      "fields on the group; right-invariant ones have the bracket of Jacobi and Lie itself.");
+      "motion of the group gives minus the bracket of Jacobi and Lie. The volume grows along the flow of a "
+      "field by its divergence, and so the flow stays in the group where there is none.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const g = draw_metric_of_volume<S, n>(draw);
@@ -210,6 +210,24 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
     claim.differs("with the bracket of Jacobi and Lie", model, rate, (-right).eval());
     claim.differs("with Y not carried along", model, rate,
                   diffeomorphism_bracket(Frozen{t, VelocityInSpace{phi}}, Y)(y));
+
+    // The velocities of the group, and the fields whose flow is in it: an infinitesimal is the time.
+    Frozen const velocity{t, VelocityInSpace{phi}};
+    claim.zero("divergence of the velocity of a motion of the group", model, divergence(g, velocity, y),
+               S(size_of(first_jet(VelocityInSpace{phi}, at).gradient()) + S(1)));
+    using T = Dual<S>;
+    T epsilon(S(0));
+    epsilon.part[0] = S(1);
+    auto const any = draw_any_along(draw, wall);
+    auto const flow = [&](auto const& z) { return (z + any(z) * ScalarOf<decltype(z)>(epsilon)).eval(); };
+    Matrix<T, n, 1> const from = y.template cast<T>(), to = flow(from);
+    Matrix<T, n, n> const F = pushed(flow, from, Tangents<T, n, n>(Tangents<T, n, n>::Identity()));
+    S const growth = (volume<T>(g(to)) * determinant(F)).part[0], volume_here = volume<S>(g(y));
+    // Ten more roundings: a determinant and the root of another, both differentiated.
+    claim.equal("the volume along the flow of any field grows by its divergence", model, growth,
+                S(divergence(g, any, y) * volume_here), 10);
+    claim.differs("by its divergence in coordinates", model, growth, S(divergence(any, y) * volume_here));
+    claim.zero("and the flow stays in the wall", model, wall(to).part[0], S(size_of(any(y)) + S(1)));
   });
 }
 

@@ -14,10 +14,9 @@ using Solid = Continuum<MetricOfVolume<S, n>, MetricOfVolume<S, n>, AnyMass<S, n
 }  // namespace
 
 STATEMENT(claim_8_4_elasticity_components, "an incompressible solid in components") {
-  claim.convention(
-      "$W$ is any function $W(x, G, C)$ of the Green tensor, without symmetry; otherwise the term of (6.20) "
-      "that compares the two stresses "
-      "stays. The divergence is that of section 6.2 with its index corrected.");
+  claim.holds(
+      "$W$ is any function $W(x, G, C)$ of the Green tensor, without symmetry. The divergence is that of "
+      "section 6.2 with its index corrected.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const general = draw_medium<S, n>(draw);

@@ -180,8 +180,8 @@ STATEMENT(claim_9_1_prolongation_coordinates, "finite prolongation in coordinate
 STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
   claim.holds(
       "For the lift (9.1) as it stands; divergence-free means $\\partial_k(\\sqrt{\\det G}\\,\\xi^k)=0$, "
-      "and the formula holds for any field on the body. With a multiplier that is a density "
-      "$-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along $\\beta_\\mu$.");
+      "the rate at which the flow changes the volume. The formula holds for any field on the body. With a "
+      "multiplier that is a density $-D_\\mu(\\lambda\\,\\partial_k\\xi^k)$ is added along $\\beta_\\mu$.");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = n + 1;
     auto const xi = draw_body_field<S, n>(draw);
@@ -214,6 +214,14 @@ STATEMENT(eq_9_3, "infinitesimal prolongation in coordinates") {
     // A field of the group: the determinant of its flow makes up for the change of the volume.
     auto const G = draw_metric<S, n>(draw);
     Matrix<S, n, 1> const x = j.particle();
+    auto const along_flow = tangent<n, N>(relabelling<N>(flow_of(xi)), Event<T, n>(j.x.template cast<T>()),
+                                          Matrix<T, N, 1>(j.y.template cast<T>()));
+    S const growth = (volume<T>(G(Matrix<T, n, 1>(moved.particle()))) * determinant(along_flow.base)).part[0],
+            volume_here = volume<S>(G(x));
+    // Ten more roundings: a determinant and the root of another, both differentiated.
+    claim.equal("the volume along the flow of any field grows by its divergence", model, growth,
+                S(divergence(G, xi, x) * volume_here), 10);
+    claim.differs("by its divergence in coordinates", model, growth, S(divergence(xi, x) * volume_here));
     claim.zero("fields of the group are divergence-free", model,
                divergence(G, draw_relabelling<S, n>(G, draw), x), S(1), 10);
     claim.refutes("fields of another body's group", model, divergence(G, draw_compression<S, n>(draw), x),
@@ -467,13 +475,14 @@ STATEMENT(claim_9_1_incompressible_equivariance,
 
 STATEMENT(claim_9_1_jacobian_functions, "functions of the Jacobian and the determinant of a relabelling") {
   claim.corrected(
-      "\\det\\partial_i\\eta^j=1,\\quad f(J(\\eta_{J^1E}(\\bar\\gamma)))\\,d^{n+1}x=(\\eta_X^{-1})^*"
-      "\\bigl(f(J(\\bar\\gamma))\\,d^{n+1}x\\bigr)",
+      "\\det\\partial_i\\eta^j=1,\\quad f(J(\\eta_{J^1E}(\\bar\\gamma)))\\,d^{m+1}x=(\\eta_X^{-1})^*"
+      "\\bigl(f(J(\\bar\\gamma))\\,d^{m+1}x\\bigr)",
       "\\det\\partial_i\\eta^j=\\sqrt{\\det G}/(\\sqrt{\\det G}\\circ\\eta),\\quad "
       "f(J(\\eta_{J^1E}(\\bar\\gamma)))\\sqrt{\\det G}\\,d^{n+1}x=(\\eta_X^{-1})^*"
       "\\bigl(f(J(\\bar\\gamma))\\sqrt{\\det G}\\,d^{n+1}x\\bigr)",
       "The printed forms need coordinates in which $\\det G$ is constant, while (6.1) and (6.3) are "
-      "written for any. That $J$ is the same before and after holds in all of them.");
+      "written for any. That $J$ is the same before and after holds in all of them. The degree is printed "
+      "$m+1$, as in (6.3).");
   claim.same_slip_as("eq_9_1");
   over_points(PlaneAndSpace{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;

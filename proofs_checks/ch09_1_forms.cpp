@@ -101,7 +101,7 @@ auto on_coordinates(Eta const& eta) {
 
 STATEMENT(eq_9_4, "covariant momentum map and the multisymplectic form") {
   claim.holds(
-      "With $\\Omega=-d\\Theta$; the momentum map is defined up to a closed form, and linear in $\\xi$. "
+      "With $\\Omega=-d\\Theta$; the momentum map is linear in $\\xi$. "
       "There is one "
       "for relabelling of the barotropic and of the incompressible fluid, and for isometries and time of a "
       "medium "
@@ -125,6 +125,14 @@ STATEMENT(eq_9_4, "covariant momentum map and the multisymplectic form") {
     ShiftAndTime<n, S> const shift{draw.number<S>(), draw.number<S>()};
     auto const [of_shift, J_of_shift] = both_sides<n, n>(medium, shift, at, V);
     claim.equal("isometry and time: dJ is the contraction of Omega", model, of_shift, J_of_shift, 10);
+    auto const U = draw_tangents<S, jets, n>(draw);
+    auto const J = [&](S const& along_space, S const& along_time) {
+      return S(covariant_momentum_map<n, n>(medium, ShiftAndTime<n, S>{along_space, along_time})(at, U));
+    };
+    S const both = J(shift.shift, shift.time);
+    claim.equal("linear in the field", model, both,
+                S(J(S(1), S(0)) * shift.shift + J(S(0), S(1)) * shift.time), 10);
+    claim.differs("the shift alone", model, both, S(J(S(1), S(0)) * shift.shift));
     auto const [of_medium, J_of_medium] = both_sides<n, n>(medium, field, at, V);
     claim.differs("relabelling of a medium with any energy", model, of_medium, J_of_medium);
 

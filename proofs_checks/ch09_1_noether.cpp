@@ -565,6 +565,18 @@ STATEMENT(eq_9_9, "relabelling current of an incompressible fluid") {
     claim.equal("(9.9) is the current of (9.7), by its components", model, printed(P),
                 flow.incompressible_current(), 10);
     claim.differs("PJ in place of P", model, printed(S(P * flow.J())), flow.incompressible_current());
+    // What a constant stored energy brings by itself.
+    S const c = draw.number<S>() + S(2);
+    auto const stored = [&]<class T>(Jet<T, n, n + 1> const& z) -> T {
+      return volume<T>(flow.fluid.G(z.particle())) * T(S(-c * flow.rho));
+    };
+    auto const divergence_for = [&](auto const& xi) {
+      return S(current_divergence(stored, density_relabelling_field<n + 1>(xi), flow.extended));
+    };
+    S const size = size_of(noether_current(stored, density_relabelling_field<n + 1>(flow.xi),
+                                           first(flow.extended)));
+    claim.zero("a constant stored energy adds a closed form", model, divergence_for(flow.xi), size, 10);
+    claim.refutes("for a field with divergence", model, divergence_for(draw_compression<S, n>(draw)), size);
   });
 }
 

@@ -527,7 +527,17 @@ STATEMENT(claim_10_0_static_fem,
     Matrix<S, n, n + 3> const any = draw_tangents<S, n, n + 3>(draw),
                               V = first_variation_of<S, n>(draw, whole),
                               W = first_variation_of<S, n>(draw, whole);
-    claim.equal("in each element, and so over all nodes", model, whole, whole.transpose().eval(), 10);
+    // Ten more roundings here too: second derivatives of the energy.
+    for (auto const& e : patch.elements) {
+      auto const slopes = [&]<class T>(Matrix<T, n, n + 1> const& Y) {
+        return patch.template element_slopes<T>(e, Y);
+      };
+      auto of_one = derivative(slopes, patch.template corners<S>(q, e)).matrix;
+      claim.equal("in each element", model, of_one, of_one.transpose().eval(), 10);
+      for (int i = 0; i <= n; ++i) of_one.template middleRows<n>(n * i) *= nodal(e, i);
+      claim.differs("in each element, with other test functions", model, of_one, of_one.transpose().eval());
+    }
+    claim.equal("and so over all nodes", model, whole, whole.transpose().eval(), 10);
     auto const A = first_variation_of<S, n>(draw, other), B = first_variation_of<S, n>(draw, other);
     auto const [kept, of_kept] = sum_of_forms<S, n>(whole, V, W);
     auto const [lost, of_lost] = sum_of_forms<S, n>(whole, V, any);
