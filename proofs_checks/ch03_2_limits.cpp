@@ -186,6 +186,13 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
       claim.order("the configuration, " + chart, group.name(), fine.step_lengths(), errors.configurations, 2);
       claim.order("the momentum, " + chart, group.name(), fine.step_lengths(), errors.momenta, 2);
     };
+    auto const refute = [&](auto const& top, auto const& v, auto const& scheme) {
+      auto const reversed = [&](double h) {
+        return [L = scheme(h)](auto const& g0, auto const& g1) { return L(g1, g0); };
+      };
+      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(),
+                          coarse.step_lengths(), errors_of_flow(top, v, coarse, reversed).configurations, 2);
+    };
     if (claim.fits_orders()) {
       auto const top = draw_top<S>(draw, group);
       auto const v = draw_state<S>(draw, group);
@@ -194,21 +201,14 @@ STATEMENT(claim_3_2_del_limit, "the discrete Euler-Lagrange algorithm tends to t
       judge("chart at a fixed base point", in_double, errors_of_flow(top, v, in_double, [&](double h) {
               return discretize_right(top, h, staying_at(v.configuration));
             }));
+      refute(top, v, [&](double h) { return discretize_right(top, h, at_first); });
     }
     if (claim.fits_orders_in_digits()) {
       auto const top = draw_top<S>(draw, group);
       auto const v = draw_state<S>(draw, group);
       judge("Cayley's chart", in_digits,
             errors_of_flow(top, v, in_digits, [&](double h) { return discretize_by_cayley(top, h); }));
-      claim.refutes_order("the velocity from the later configuration to the earlier", group.name(),
-                          coarse.step_lengths(),
-                          errors_of_flow(
-                              top, v, coarse,
-                              [&](double h) {
-        return [&top, h](auto const& g0, auto const& g1) { return discretize_by_cayley(top, h)(g1, g0); };
-                              })
-                              .configurations,
-                          2);
+      refute(top, v, [&](double h) { return discretize_by_cayley(top, h); });
     }
   }
 }
