@@ -421,6 +421,10 @@ STATEMENT(claim_4_1_cotangent_groupoid,
       "where the target of the one is the source of the other. Lagrangian submanifolds: graphs of "
       "differentials in Definition 4.1.2, here the fibres over the elements of a group, which are no "
       "graphs.");
+  claim.leaves(
+      "That every Lagrangian submanifold of $T^*\\Gamma$ gives a Poisson map is tried on graphs of "
+      "differentials and, for groups, on the fibres of $T^*G$, not on one of any other kind such as a "
+      "conormal bundle; that the graph of the product of covectors is itself Lagrangian is not tested.");
   over_groupoids(claim, [&](auto const& gamma, auto const& model) {
     using Gamma = std::decay_t<decltype(gamma)>;
     CotangentGroupoid<S, Gamma> const cotangent{gamma};
@@ -445,7 +449,9 @@ STATEMENT(claim_4_1_cotangent_groupoid,
                10 * (left.condition + right.condition) + condition);
     auto const e = cotangent.unit_over_source(g[0], cotangent.source(a));
     auto const ea = cotangent.product(e, a), back = cotangent.product(a, cotangent.inverse(a));
-    claim.zero("units do nothing", model, Vector<S>(ea.value.p - a.p), size, 10 * ea.condition);
+    claim.zero("units do nothing, on the left", model, Vector<S>(ea.value.p - a.p), size, 10 * ea.condition);
+    auto const ae = cotangent.product(a, cotangent.unit_over_source(g[1], cotangent.target(a)));
+    claim.zero("and on the right", model, Vector<S>(ae.value.p - a.p), size, 10 * ae.condition);
     claim.zero("a covector and its inverse", model, Vector<S>(back.value.p - e.p), size,
                10 * (back.condition + ea.condition));
     // Controls: covectors whose ends do not meet; the source without its minus; the other order.

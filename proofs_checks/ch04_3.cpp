@@ -144,15 +144,26 @@ STATEMENT(eq_4_8, "the spatial momentum along the square, by the chain rule") {
 }
 
 STATEMENT(claim_4_3_legendre_map_value, "the Legendre map of a right-invariant system is f -> R*_f l'(f)") {
-  claim.holds(
-      "It is the groupoid's Legendre map at the source of an arrow. That of a left-invariant system, "
-      "$L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
+  claim.corrected(
+      R"(\mu = F\ell(f) = R_f^*\circ\ell'(f))", R"(\mu = F\ell(f) = -R_f^*\circ\ell'(f))",
+      "A minus is missing: $\\mu$ is the spatial momentum of a right-invariant system, and with $\\ell$ an "
+      "action the printed map gives minus the one with which the step begins. As a map alone, "
+      "$R_f^*\\ell'(f)$ is the groupoid's Legendre map at the source of an arrow; that of a left-invariant "
+      "system, $L_f^*\\ell'(f)$, is the same map of the opposite groupoid.");
+  claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const l = draw_reduced_lagrangian<S>(draw, group);
-    auto const f = draw.template element<S>(group);
+    auto const g = draw_configurations<S>(draw, group, 2);
+    auto const f = relative_motions_right(g).front();
     using Alone = GroupAsGroupoid<SpannedGroup>;
     auto const right = covector<S>(group, [&](auto const& e) { return slope(l, f, from_left(e, f)); });
     auto const left = covector<S>(group, [&](auto const& e) { return slope(l, f, from_right(f, e)); });
+    // The spatial momentum at the start of the step: minus the slope of the discrete Lagrangian in its first
+    // argument. Condition: a configuration is inverted.
+    auto const spatial = covector<S>(
+        group, [&](auto const& e) { return S(-first_slope(lifted(l), g[0], g[1], from_left(e, g[0]))); });
+    claim.equal("-R*_f l'(f) is the spatial momentum at the start", model, -right, spatial, 10);
+    claim.differs("+R*_f l'(f), as printed", model, right, spatial);
     auto const at_source = [&](auto const& gamma) {
       return momentum(group, Vector<S>(legendre_at_source(gamma, l, f).components));
     };
@@ -272,7 +283,8 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
                   R"(\text{with}\ \mathrm{Ad}^*_{g'}\mu' = \mathrm{Ad}^*_g\mu)",
                   "A fibre of $T^*G$ is Lagrangian: pulled back to it the canonical form is zero. The "
                   "lift must preserve the momentum of the symmetry, the body momentum; then $g$ moves "
-                  "with $\\mu$.");
+                  "with $\\mu$. The row above holds with $F\\mathbb L = (g_k, -D_1\\mathbb L)$, as in "
+                  "Theorem 4.3.2.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Along the top: any two tangent vectors.
@@ -284,6 +296,11 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
     claim.zero("the Legendre map above pulls the canonical form back to omega_L", model,
                S(canonical_form(c.mu, A, B) - discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)),
                S(size * Base<S>(group.dimension())), 30);
+    auto const as_printed = [](Lift<S> const& w) { return Lift<S>{w.configuration, -w.momentum}; };
+    claim.refutes("by +D_1 L, as printed", model,
+                  S(canonical_form(-c.mu, as_printed(A), as_printed(B)) -
+                    discrete_two_form(lifted(c.l), c.g0, c.g1, a, b)),
+                  S(size * Base<S>(group.dimension())));
     // Up the right side: vectors of the orbit, lifted with constant body momentum, and lifted within the
     // fibre.
     auto const w = [&](auto const& eta) { return -ad_star(eta, c.mu); };
@@ -305,14 +322,22 @@ STATEMENT(eq_4_9, "symplectic forms under the Legendre maps and the projections"
 }
 
 STATEMENT(eq_4_10, "the symplectic form of a leaf in the group") {
-  claim.holds(
-      "A leaf is where the Legendre map meets a coadjoint orbit; the form is closed because that of the "
-      "orbit is, and it is not degenerate.");
+  claim.convention(
+      "With $F\\ell = -R_f^*\\ell'$, the physical momentum; along $+R_f^*\\ell'$ the form is minus this one. "
+      "A leaf is where the Legendre map meets a coadjoint orbit; the form is not degenerate, and goes with "
+      "the bracket by reduction.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     // Condition: the vectors come from an inverse of l'', and their generators from another elimination.
     claim.zero("omega_f(u, v) = omega_mu(TFl u, TFl v)", model,
                S(leaf_form(c.l, c.f, c.u, c.v) - orbit_value(c)), scale_of(c), c.condition);
+    auto const image = [&](auto const& w) {
+      return momentum(group, Vector<S>(right_second_differential(c.l, c.f) * w.coordinates));
+    };
+    claim.zero(
+        "along +R*l': minus this form", model,
+        S(kirillov_kostant_plus(right_differential(c.l, c.f), image(c.u), image(c.v)) + orbit_value(c)),
+        scale_of(c), c.condition);
     // It belongs to the bracket: omega_f(X_a, v) = da(v) for the Hamiltonian vector field X_a = P da and v
     // along the leaf.
     Matrix<S> const p = reduced_bivector_right(c.l, c.f);
@@ -341,7 +366,8 @@ STATEMENT(eq_4_11, "the form of a leaf through the unreduced forms") {
                   R"(\bigr) = \omega_{\mathbb L}\bigl(TF\mathbb L^{-1}T\sigma\,TF\ell\,u,\ TF\mathbb )"
                   R"(L^{-1}T\sigma\,TF\ell\,v\bigr))",
                   "With the lift that preserves the body momentum, as in (4.9). Lifted within a fibre, as "
-                  "printed, both sides on the right are zero.");
+                  "printed, both sides on the right are zero. Here $F\\ell = -R_f^*\\ell'$ and $F\\mathbb L "
+                  "= (g_k, -D_1\\mathbb L)$, as in Theorem 4.3.2.");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     auto const U = level_lift(c.l, c.f, c.eta), V = level_lift(c.l, c.f, c.zeta);
@@ -410,11 +436,9 @@ STATEMENT(thm_4_3_2, "the bracket by discrete reduction is the bracket by pull-b
       R"(\{a,b\}_G = F\ell^*\{\cdot,\cdot\}_+,\quad F\ell = R_f^*\circ\ell')",
       R"(\{a,b\}_G = F\ell^*\{\cdot,\cdot\}_+,\quad F\ell = -R_f^*\circ\ell')",
       "Along the printed map the pull-back is minus the bracket by reduction: the minus of the physical "
-      "momentum is missing, $-D_1\\mathbb L$ above, for which alone the Legendre map pulls the canonical "
-      "form "
-      "with $\\{q, p\\} = 1$ back to $\\omega_{\\mathbb L} = d\\theta^-_{\\mathbb L}$, and $-R_f^*\\ell'$ "
-      "below.");
-  claim.same_slip_as("claim_4_2_left_legendre_map");
+      "momentum is missing, $-D_1\\mathbb L$ above, which pulls the canonical form with $\\{q, p\\} = 1$ "
+      "back to $\\omega_{\\mathbb L} = d\\theta^-_{\\mathbb L}$, as (4.9) shows, and $-R_f^*\\ell'$ below.");
+  claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_corner<S>(draw, group);
     Matrix<S> const reduced = reduced_bivector_right(c.l, c.f),
@@ -506,7 +530,7 @@ STATEMENT(cor_4_3_1,
       "direction. Configurations come by (3.14): the momenta alone do not tell them. The order is that of "
       "the "
       "discrete Lagrangian, here 2.");
-  claim.same_slip_as("claim_4_2_left_legendre_map");
+  claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     auto const m = draw_motion<S>(draw, group);
     for (int k = 0; k < 2; ++k)
@@ -677,7 +701,7 @@ STATEMENT(claim_4_3_time_step_legendre,
                   "The factor is right, and the minus of the physical momentum is missing. For a discrete "
                   "Lagrangian that "
                   "is an action there is nothing to multiply, and steps may differ.");
-  claim.same_slip_as("claim_4_2_left_legendre_map");
+  claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(few_groups(), claim, [&](auto const& group, auto const& model) {
     // A constant step: the motions are the same, brackets and forms are multiplied by constants.
     auto const m = draw_motion<S>(draw, group);
@@ -790,10 +814,11 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
       R"(\omega_f(u,v) = \omega_{\mathrm{can}}(T\sigma\,TF\ell\,u, T\sigma\,TF\ell\,v),\quad F\ell = -L_f^*)"
       R"(\circ\ell',\quad )"
       R"(\sigma(\Pi') = (g', \Pi')\ \text{with}\ \mathrm{Ad}^*_{g'^{-1}}\Pi' = \mathrm{Ad}^*_{g^{-1}}\Pi)",
+      "The page prints no formula for them: the one shown as printed is (4.11) with its sides exchanged. "
       "Analogous they are, the two slips included: the minus of the momentum, and a lift within the fibre in "
       "place of the one that keeps the spatial momentum. The bracket is the minus one, and the order of the "
       "factors in (3.14) and (3.17) changes as in (3.15) and (3.18).");
-  claim.same_slip_as("claim_4_2_left_legendre_map");
+  claim.same_slip_as("claim_3_2_legendre_limit");
   over_groups(groups_for_squares<S>(), claim, [&](auto const& group, auto const& model) {
     auto const c = draw_left_corner<S>(draw, group);
     auto const two_form = [&](Change<S> const& a, Change<S> const& b) {
@@ -823,7 +848,8 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     if (model != "Aff(1)" || !exact_arithmetic<S>())
       claim.refutes("as printed, within the fibre", model,
-                    S(two_form(c.lift(still, c.u), c.lift(still, c.v)) - orbit), S(magnitude(orbit)));
+                    S(two_form(c.lift(still, c.u), c.lift(still, c.v)) - orbit),
+                    S(size_of(c.pi) * size_of(c.eta) * size_of(c.zeta)));
     // Theorem 4.3.2: the bracket, by reduction and by pull-back of the minus bracket along -L* l'.
     Matrix<S> const reduced_bracket = reduced_bivector_left(c.l, c.f), b = left_second_differential(c.l, c.f),
                     back = inverse_matrix(b);

@@ -176,9 +176,15 @@ STATEMENT(claim_5_2_solvability, "solvability of the discrete Euler-Poincare equ
       "any rotation $f$ that solves makes $s^2+\\Lambda^2+ishM$ a square $A^*A$ for all $s$, so beyond there "
       "is none. "
       "Below there are several, at least four on $\\SO(3)$ for short steps, and the one meant is that near "
-      "$f_{kk-1}$, at a distance of second order in the step. Exactly one root is there, for every momentum "
-      "in a box and along growing steps up to $0.9\\,h_{\\max}$, on $\\SO(3)$ and $\\SO(4)$; the box and the "
-      "value of $h_{\\max}$, to a thousandth, on $\\SO(3)$.");
+      "$f_{kk-1}$, at a distance of second order in the step. For the body with $\\Lambda = 1, 2, 4$ (and 8) "
+      "exactly one root is there, for every momentum in a box on $\\SO(3)$, and along growing steps up to "
+      "$0.9\\,h_{\\max}$ on $\\SO(3)$ and $\\SO(4)$; the value of $h_{\\max}$, to a thousandth, on "
+      "$\\SO(3)$.");
+  claim.leaves(
+      "That the equation has exactly one solution near the last relative motion is enclosed for one body, "
+      "with entries 1, 2, 4 (and 8) of $\\Lambda$: on $\\SO(3)$ for all momenta in a box, and along one "
+      "drawn direction of momentum up to nine tenths of the largest step; between there and the largest "
+      "step, for other bodies and for $n > 4$ it is not shown.");
   over_bodies(claim, [&](int n, auto const& model) {
     // Why there is a bound: an identity for every rotation, motion or not.
     auto const lambda = draw_inertia<S>(draw, n);
@@ -271,7 +277,7 @@ STATEMENT(claim_5_2_convergence_to_the_flow,
           "convergence of the schemes for the rigid body, with the direction of time") {
   claim.holds(
       "To second order, forwards in time: (5.4), and the discrete Euler-Lagrange equations of Moser and "
-      "Veselov for pairs of attitudes. The scheme with the step $-h$ undoes that with $h$.");
+      "Veselov for pairs of attitudes. That of Moser and Veselov with the step $-h$ undoes that with $h$.");
   if (!exact_arithmetic<S>() && claim.first())
     over_bodies(claim, [&](int n, auto const& model) {
       auto const body = draw_moving_body<S>(draw, n);
@@ -458,8 +464,9 @@ STATEMENT(claim_5_2_manifest_preservation,
 STATEMENT(claim_5_0_long_run_behaviour, "energy and Casimirs of the schemes over many steps") {
   claim.holds(
       "Over four thousand steps, in double: the scheme of Moser and Veselov keeps energy and Casimirs to "
-      "rounding; that of natural charts keeps the Casimirs to rounding, and its energy in a band of second "
-      "order in the step that does not widen. A rule of second order that is not variational loses both.");
+      "rounding; that of natural charts, on $\\SO(3)$, keeps the Casimirs to rounding, and its energy in a "
+      "band of second order in the step that does not widen. A rule of second order that is not "
+      "variational loses both.");
   auto const energy = [](MovingBody<S> const& body, Vector<S> const& mu) {
     return S(mu.dot(mu.cwiseQuotient(body.inertia.moments)) / S(2));
   };

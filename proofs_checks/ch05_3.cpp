@@ -406,9 +406,12 @@ STATEMENT(claim_5_3_invariant_manifolds,
 }
 
 STATEMENT(claim_5_3_algebra_legendre, "Legendre map from the rotation algebra to its dual") {
-  claim.convention(
-      "Momenta are paired with velocities by $\\frac12\\mathrm{Tr}(A^TB)$, the product of coordinates. With "
-      "the pairing $\\mathrm{Tr}(A^TB)$ in which (5.1) is printed the derivative is $\\frac12J\\xi$.");
+  claim.corrected(
+      R"(\mu = \frac{\partial l}{\partial\xi} = \mathcal J(\xi))",
+      R"(\mu = \frac{\partial l}{\partial\xi} = \tfrac12\mathcal J(\xi))",
+      "By the pairing of (5.1), $\\mathrm{Tr}(A^TB)$. By half of that, the product of coordinates, "
+      "$\\mathcal J(\\xi)$ is right here and the $\\tfrac14$ of (5.1) is not.");
+  claim.same_slip_as("eq_5_2");
   over_bodies(claim, [&](int n, auto const& model) {
     Turns const group{n};
     auto const lambda = draw_inertia<S>(draw, n);
@@ -432,7 +435,7 @@ STATEMENT(claim_5_3_algebra_legendre, "Legendre map from the rotation algebra to
     S const along = pair(derivative, eta);
     claim.zero("paired by Tr(A^T B) it is J xi / 2", model,
                S((j.transpose() * group.hat(eta.coordinates)).trace() / S(2) - along), S(1));
-    claim.refutes("J xi in that pairing", model,
+    claim.refutes("J xi in that pairing, as printed", model,
                   S((j.transpose() * group.hat(eta.coordinates)).trace() - along), S(1));
     claim.differs("Lambda xi", model, as_matrix(derivative), Matrix<S>(lambda * x));
   });
@@ -525,10 +528,11 @@ STATEMENT(claim_5_3_algebra_leaves, "shape of the symplectic leaves in the rotat
 
 STATEMENT(claim_5_3_dynamic_orbits, "dynamic orbits as intersections of two families of surfaces") {
   claim.convention(
-      "On $\\so(3)$, away from the three axes and from the two curves through the middle one: there the flow "
-      "stands still nowhere on a component of the intersection, so one orbit fills it, once in a period that "
-      "an elliptic integral gives. The discrete motion of Moser and Veselov stays on the "
-      "same intersections, that of a chart does not.");
+      "On $\\so(3)$, away from the three axes and from the two curves through the middle one: by Euler's "
+      "equations the flow stands still on the axes alone (in balls, with a bound on its speed, for moments "
+      "near 5/2, 2, 3/2 and momenta near the first and the last axis), so one orbit fills a component of the "
+      "intersection, once in a period that an elliptic integral gives. The discrete motion of Moser and "
+      "Veselov stays on the same intersections, that of a chart does not.");
   {
     Turns const group{3};
     Vector<S> const moments = moments_of(draw_inertia<S>(draw, 3));
