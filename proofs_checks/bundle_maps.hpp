@@ -41,13 +41,9 @@ struct BundleMap {
   }
   /// The diffeomorphism of space-time that is covered, and its inverse.
   template <class T>
-  Event<T, n> on_base(Event<T, n> const& x) const {
-    return (*this)(over(x)).template head<n + 1>();
-  }
+  Event<T, n> on_base(Event<T, n> const& x) const { return (*this)(over(x)).template head<n + 1>(); }
   template <class T>
-  Event<T, n> on_base_inverse(Event<T, n> const& x) const {
-    return inverse(over(x)).template head<n + 1>();
-  }
+  Event<T, n> on_base_inverse(Event<T, n> const& x) const { return inverse(over(x)).template head<n + 1>(); }
   /// The section \f$\eta_Y\circ\phi\circ\eta_X^{-1}\f$, as a map into Y.
   template <class Phi>
   auto graph_of_moved(Phi const& phi) const {

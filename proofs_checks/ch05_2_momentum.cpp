@@ -83,8 +83,8 @@ STATEMENT(eq_5_8, "explicit momentum update on the dual of the rotation algebra"
           return as_momentum(carry(f, as_matrix(pi)));
         });
       };
-      auto const right = by([](auto const&f, auto const&m) { return turned(f, m); }),
-                 printed = by([](auto const&f, auto const&m) { return adjoint(inverse(f), m); });
+      auto const right = by([](auto const& f, auto const& m) { return turned(f, m); }),
+                 printed = by([](auto const& f, auto const& m) { return adjoint(inverse(f), m); });
       claim.order("momentum against the flow of the body", model, steps, right.momentum, 2);
       claim.refutes_order("momentum, Ad without star as printed: it runs back", model, steps,
                           printed.momentum, 2);

@@ -427,8 +427,7 @@ STATEMENT(claim_8_3_material_divergence, "from the equation of motion on the bod
       return slope;
     };
     Matrix<S, n, n> const slope = slope_of(rate), inverse = inverse_matrix(j.gradient());
-    S const spatial = (inverse * slope).trace(),
-            source = pressure_source(g, u, event_in_space(j));
+    S const spatial = (inverse * slope).trace(), source = pressure_source(g, u, event_in_space(j));
     claim.zero("with the inverse deformation gradient", model, S(spatial + source), size_of(slope) + S(1));
     auto const p = draw_cubic<S, n + 1>(draw, ratio<S>(1, 2));
     CarriedBy const push{[g, p](auto const& at) { return gradient(g, p, at); }, phi};

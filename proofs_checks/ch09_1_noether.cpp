@@ -16,14 +16,10 @@ namespace {
 
 /// A section of second degree.
 template <class S, int n>
-AnySection<S, n, n> draw_quadratic_section(Draw& draw) {
-  return draw_section_of_degree<S, n, n>(draw, 2);
-}
+AnySection<S, n, n> draw_quadratic_section(Draw& draw) { return draw_section_of_degree<S, n, n>(draw, 2); }
 /// The box of the integrals.
 template <class S>
-Box<S, 2> the_box() {
-  return {{S(0), S(0), ratio<S>(-1, 3)}, {S(1), ratio<S>(1, 2), ratio<S>(1, 3)}};
-}
+Box<S, 2> the_box() { return {{S(0), S(0), ratio<S>(-1, 3)}, {S(1), ratio<S>(1, 2), ratio<S>(1, 3)}}; }
 
 /// A finite isometry of a flat space, by the angle of the triangle 3, 4, 5 in the frame of the metric, with a
 /// shift; and a shift of time.
@@ -573,8 +569,8 @@ STATEMENT(eq_9_9, "relabelling current of an incompressible fluid") {
     auto const divergence_for = [&](auto const& xi) {
       return S(current_divergence(stored, density_relabelling_field<n + 1>(xi), flow.extended));
     };
-    S const size = size_of(noether_current(stored, density_relabelling_field<n + 1>(flow.xi),
-                                           first(flow.extended)));
+    S const size =
+        size_of(noether_current(stored, density_relabelling_field<n + 1>(flow.xi), first(flow.extended)));
     claim.zero("a constant stored energy adds a closed form", model, divergence_for(flow.xi), size, 10);
     claim.refutes("for a field with divergence", model, divergence_for(draw_compression<S, n>(draw)), size);
   });

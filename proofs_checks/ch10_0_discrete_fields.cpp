@@ -57,9 +57,7 @@ struct AnyCell {
   static constexpr bool invariant = false;
   Cubic<S, (N << d)> l;
   template <class V>
-  auto operator()(V const& y) const {
-    return l(y);
-  }
+  auto operator()(V const& y) const { return l(y); }
   void balance(int corner, Corners<S, d, N> const&, Matrix<S, N, 1> const& force) {
     l.a.template segment<N>(N * corner) -= force;
   }

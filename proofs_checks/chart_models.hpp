@@ -102,32 +102,22 @@ GroupElement<S> draw_with_logarithm(Draw& draw, SpannedGroup const& group) {
 }
 /// A configuration not far from g.
 template <class S>
-GroupElement<S> draw_near(Draw& draw, GroupElement<S> const& g) {
-  return draw_small<S>(draw, g.group) * g;
-}
+GroupElement<S> draw_near(Draw& draw, GroupElement<S> const& g) { return draw_small<S>(draw, g.group) * g; }
 
 /// An arbitrary base point that is equivariant under right translations: c g2. It is on no geodesic from g1
 /// to g2.
 template <class S>
-auto beside_right(GroupElement<S> c) {
-  return [c](auto const&, auto const& g2) { return like(g2, c) * g2; };
-}
+auto beside_right(GroupElement<S> c) { return [c](auto const&, auto const& g2) { return like(g2, c) * g2; }; }
 /// An arbitrary base point that is equivariant under left translations: g2 c.
 template <class S>
-auto beside_left(GroupElement<S> c) {
-  return [c](auto const&, auto const& g2) { return g2 * like(g2, c); };
-}
+auto beside_left(GroupElement<S> c) { return [c](auto const&, auto const& g2) { return g2 * like(g2, c); }; }
 /// A base point that stays where it is, wherever the configurations are.
 template <class S>
-auto staying_at(GroupElement<S> c) {
-  return [c](auto const&, auto const& g2) { return like(g2, c); };
-}
+auto staying_at(GroupElement<S> c) { return [c](auto const&, auto const& g2) { return like(g2, c); }; }
 
 /// A step that is neither 1 nor a power of 2: a factor of it that is lost shows.
 template <class S>
-S step_length() {
-  return ratio<S>(3, 7);
-}
+S step_length() { return ratio<S>(3, 7); }
 /// Steps of a fit in double: errors stay far above rounding.
 inline std::vector<double> const& halving_steps() {
   static std::vector<double> const steps = {1.0 / 64,  1.0 / 128,  1.0 / 256,
@@ -189,9 +179,7 @@ Algebra<Dual<S>> moving(Algebra<S> const& eta, Algebra<S> const& zeta) {
 /// \f$e^{\epsilon\xi}\f$: the identity, moving off along \f$\xi\f$. Cayley's transform agrees with exp to
 /// this order.
 template <class S>
-GroupElement<Dual<S>> moving_along(Algebra<S> const& xi) {
-  return retract(moving(S(0) * xi, xi));
-}
+GroupElement<Dual<S>> moving_along(Algebra<S> const& xi) { return retract(moving(S(0) * xi, xi)); }
 template <class S>
 Matrix<S> value_part(Matrix<Dual<S>> const& m) {
   Matrix<S> v(m.rows(), m.cols());

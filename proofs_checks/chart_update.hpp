@@ -9,9 +9,7 @@ namespace actio::checks {
 
 /// A matrix applied to a momentum, and its dual.
 template <class S>
-Vector<S> dual_of(Matrix<S> const& m, Vector<S> const& mu) {
-  return m.transpose() * mu;
-}
+Vector<S> dual_of(Matrix<S> const& m, Vector<S> const& mu) { return m.transpose() * mu; }
 
 /// The right side of (5.4) with signs and operators to choose: as printed, all three are minus.
 template <class S>

@@ -114,8 +114,7 @@ void AnyClaim::refused(std::string_view what, std::string_view model, bool truth
   else
     fail("control '" + std::string(what) + "' (" + std::string(model) + "): nothing was refused");
 }
-void AnyClaim::enclosed(std::string_view what, std::string_view model, Enclosure const& found,
-                        bool claimed) {
+void AnyClaim::enclosed(std::string_view what, std::string_view model, Enclosure const& found, bool claimed) {
   if (!claimed) {
     Control& c = control_entry(what, model, found.shown ? 0 : 1, 0.5);
     c.scalar = "ball", c.points = found.boxes;

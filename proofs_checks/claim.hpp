@@ -38,7 +38,7 @@ struct Evidence {
   std::vector<double> steps, errors;
   double slope = 0, spread = 0;
   double degree = 0;
-  int points = 0;         ///< where it was tried; of an enclosure the boxes
+  int points = 0;  ///< where it was tried; of an enclosure the boxes
   double probability = 0;
   double margin = 0;  ///< of an enclosure: a lower bound of what is claimed to be positive
 };

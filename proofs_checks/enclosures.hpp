@@ -1,8 +1,9 @@
 // Claims about whole sets, decided in balls: f > 0 on a box, exactly one zero in a ball of points.
 //
-// A box is a vector of balls. What a formula makes of it holds every value that the formula has on the box, so
-// a lower bound above zero decides the sign everywhere at once. Where the bound is too weak the box is halved
-// along its widest side. Made inside the call that `AnyClaim::encloses` is given, where balls are in force.
+// A box is a vector of balls. What a formula makes of it holds every value that the formula has on the box,
+// so a lower bound above zero decides the sign everywhere at once. Where the bound is too weak the box is
+// halved along its widest side. Made inside the call that `AnyClaim::encloses` is given, where balls are in
+// force.
 #pragma once
 
 #include <utility>
@@ -39,7 +40,8 @@ Enclosure positive_on(F const& f, Vector<Number> const& box, int most = 4096) {
         continue;
       }
       // Not positive at any point of this box: no division helps.
-      if (!(value.upper() > Number(0))) return {.shown = false, .margin = to_double(value.upper()), .boxes = found.boxes};
+      if (!(value.upper() > Number(0)))
+        return {.shown = false, .margin = to_double(value.upper()), .boxes = found.boxes};
     } catch (Undecided const&) {
     }
     Index widest = 0;
@@ -62,9 +64,9 @@ Enclosure positive_along(F const& f, Number const& from, Number const& to, int m
   return positive_on([&](Vector<Number> const& x) { return Number(f(x[0])); }, box, most);
 }
 
-/// Exactly one zero of F in the box \f$X = m \pm r\f$, by the operator of Krawczyk: with Y near the inverse of
-/// \f$F'(m)\f$, \f$K = m - Y F(m) + (1 - Y F'(X))(X - m)\f$ lies inside X. The margin is the least distance of K
-/// from the boundary of X, over r.
+/// Exactly one zero of F in the box \f$X = m \pm r\f$, by the operator of Krawczyk: with Y near the inverse
+/// of \f$F'(m)\f$, \f$K = m - Y F(m) + (1 - Y F'(X))(X - m)\f$ lies inside X. The margin is the least
+/// distance of K from the boundary of X, over r.
 ///
 /// @param f       a callable over any scalar, Vector<T> -> Vector<T>, as many equations as unknowns
 /// @param centre  m: near the zero

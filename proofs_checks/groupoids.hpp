@@ -20,22 +20,16 @@ using Gauge = GaugeGroupoid<SpannedGroup>;
 // ---- Arrows at random from a point, and points at random
 
 template <class S>
-Point<Pairs, S> draw_point(Draw& draw, Pairs const& gamma) {
-  return draw.template element<S>(gamma.group);
-}
+Point<Pairs, S> draw_point(Draw& draw, Pairs const& gamma) { return draw.template element<S>(gamma.group); }
 template <class S, class Gamma>
   requires std::same_as<Point<Gamma, S>, SinglePoint<S>>
-SinglePoint<S> draw_point(Draw&, Gamma const&) {
-  return {};
-}
+SinglePoint<S> draw_point(Draw&, Gamma const&) { return {}; }
 template <class S>
 Point<Carrying, S> draw_point(Draw& draw, Carrying const& gamma) {
   return {draw_vector<S>(draw, gamma.base_dimension())};
 }
 template <class S>
-Point<Gauge, S> draw_point(Draw& draw, Gauge const& gamma) {
-  return {draw_vector<S>(draw, gamma.base)};
-}
+Point<Gauge, S> draw_point(Draw& draw, Gauge const& gamma) { return {draw_vector<S>(draw, gamma.base)}; }
 
 template <class S>
 Arrow<Pairs, S> draw_arrow(Draw& draw, Pairs const& gamma, Point<Pairs, S> const& from) {

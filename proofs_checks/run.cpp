@@ -275,12 +275,23 @@ ordered_json in_json(Record const& r) {
                        {"median", number(c.median)},
                        {"floor", number(c.floor)},
                        {"points", c.points}});
-  return {{"id", r.id},           {"title", r.title},         {"verdict", r.verdict},
-          {"printed", r.printed}, {"corrected", r.corrected}, {"note", r.note},
-          {"left", r.left},       {"first", r.first},
-          {"scan", r.scan},       {"scalar", r.scalar},       {"evidence", evidence},
-          {"control", control},   {"failures", r.failures},   {"seed", r.seed},
-          {"redrawn", r.redrawn}, {"source", r.source},       {"seconds", number(r.seconds)}};
+  return {{"id", r.id},
+          {"title", r.title},
+          {"verdict", r.verdict},
+          {"printed", r.printed},
+          {"corrected", r.corrected},
+          {"note", r.note},
+          {"left", r.left},
+          {"first", r.first},
+          {"scan", r.scan},
+          {"scalar", r.scalar},
+          {"evidence", evidence},
+          {"control", control},
+          {"failures", r.failures},
+          {"seed", r.seed},
+          {"redrawn", r.redrawn},
+          {"source", r.source},
+          {"seconds", number(r.seconds)}};
 }
 
 void tell(Record const& r, bool brief) {

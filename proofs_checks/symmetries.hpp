@@ -13,9 +13,7 @@ namespace actio::checks {
 
 /// Calls `visit` for each of the dimensions, at one random point.
 template <class Dims, class Visit>
-void over_points(Dims dimensions, Visit const& visit) {
-  over_dimensions(dimensions, visit);
-}
+void over_points(Dims dimensions, Visit const& visit) { over_dimensions(dimensions, visit); }
 /// The plane alone, for what costs much.
 using Plane = std::tuple<Dimensions<2, 2>>;
 
@@ -28,9 +26,7 @@ Cubic<S, m> constant_cubic(S const& value) {
 }
 /// Mass that is the same everywhere, of the type of one that varies.
 template <class S, int n>
-AnyMass<S, n> even_mass(S const& rho) {
-  return {constant_cubic<S, n>(rho - S(2))};
-}
+AnyMass<S, n> even_mass(S const& rho) { return {constant_cubic<S, n>(rho - S(2))}; }
 
 template <class S, int n>
 using AnyFluid = Continuum<AnyMetric<S, n>, AnyMetric<S, n>, AnyMass<S, n>, Barotropic<AnyFluidLaw<S>>>;
@@ -197,9 +193,7 @@ SecondJet<S, n, N> draw_second_jet(Draw& draw) {
   return second_jet(phi, draw_event<S, n>(draw));
 }
 template <class S, int n, int N>
-Jet<S, n, N> first(SecondJet<S, n, N> const& j) {
-  return j;
-}
+Jet<S, n, N> first(SecondJet<S, n, N> const& j) { return j; }
 
 // ----
 // Finite maps: relabellings at one particle, any automorphism, and what moves time or space alone.

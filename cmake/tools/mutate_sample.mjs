@@ -1,20 +1,21 @@
 // mutate_sample.mjs ROOT BUILD JOBS --sample N --seed S: what share of small errors do the checks notice?
 //
-// Draws N places in the library's sources (src/actio without scene and bodies) by a rule and a seed, not by hand, and a
-// plausible error for each: a sign, the order of factors or of arguments, an inverse, a star or a transpose that is
-// dropped, another side, an index that is one off, a comparison. All of them are planted into one copy of the sources,
-// each asleep behind a switch that is read when a program runs, so the copy is compiled once:
+// Draws N places in the library's sources (src/actio without scene and bodies) by a rule and a seed, not by
+// hand, and a plausible error for each: a sign, the order of factors or of arguments, an inverse, a star or a
+// transpose that is dropped, another side, an index that is one off, a comparison. All of them are planted
+// into one copy of the sources, each asleep behind a switch that is read when a program runs, so the copy is
+// compiled once:
 //
 //   a - b      becomes      (actio::mutants::on(17) ? (a + b) : (a - b))
 //
 // With --each-source the first error of the draw that each source of checks catches is printed as a line of
 // proofs_checks/mutate/mutations.tsv, which `./run mutate` plants one at a time.
 //
-// What does not compile is withdrawn and another place is drawn. Then each error is awakened alone, and the theorem
-// checks (prime field and double, a tenth of the points) and the library's tests that come by its place run until one of
-// them fails. Result: BUILD/report/mutation_sample.tsv; a survivor either changes nothing, which a line of
-// proofs_checks/mutate/equivalent.tsv may explain, or is a gap. Status 1 where fewer than 95 of 100 of the others are
-// caught.
+// What does not compile is withdrawn and another place is drawn. Then each error is awakened alone, and the
+// theorem checks (prime field and double, a tenth of the points) and the library's tests that come by its
+// place run until one of them fails. Result: BUILD/report/mutation_sample.tsv; a survivor either changes
+// nothing, which a line of proofs_checks/mutate/equivalent.tsv may explain, or is a gap. Status 1 where fewer
+// than 95 of 100 of the others are caught.
 import { execFile, execFileSync, spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';

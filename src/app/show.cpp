@@ -219,7 +219,8 @@ std::string about(Statement const& statement) {
   if (verdict) account.tell("verdict", verdict->word);
   account.tell("book", page_of(statement));
   return account.text() +
-         (verdict ? verdict_in_words(verdict->printed, verdict->corrected, verdict->note, verdict->left) : "");
+         (verdict ? verdict_in_words(verdict->printed, verdict->corrected, verdict->note, verdict->left)
+                  : "");
 }
 
 }  // namespace

@@ -477,7 +477,7 @@ bool Number::holds_zero() const {
 Number Number::between(Number const& from, Number const& to) {
   if (arithmetic_in_force.kind() != Kind::ball)
     throw Error("only balls hold all numbers between two; the arithmetic in force is " +
-                         arithmetic_in_force.name());
+                arithmetic_in_force.name());
   return detail::ball_between(from, to);
 }
 
