@@ -156,7 +156,8 @@ STATEMENT(claim_6_2_affine_momentum_energy, "affine momentum component in terms 
 
 STATEMENT(eq_6_6, "Cartan form of the continuum Lagrangian") {
   claim.holds();
-  over_points<S>(std::tuple<Dimensions<2, 2>, Dimensions<1, 3>>{}, [&]<class D>(D, std::string const& model) {
+  using Dims = std::tuple<Dimensions<2, 2>, Dimensions<1, 3>, Dimensions<3, 3>>;
+  over_points<S>(Dims{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, all = Jet<S, n, N>::dimension;
     MediumAtAJet<S, n, N> const m(draw);
     auto p = m.printed_momenta();

@@ -200,6 +200,9 @@ STATEMENT(eq_6_11, "boundary integral of two first variations and the multisympl
       "For variations that move space-time as well, the vertical parts are to solve the linearised "
       "equations. On boxes, along uniform strain in a uniform body of any density, and along other "
       "solutions in a body with a quadratic density that varies.");
+  claim.leaves(
+      "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
+      "coefficient here depends on the dimension.");
   // Integrals of polynomials of degree 5 over a drawn box, with accelerations from two equations.
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;

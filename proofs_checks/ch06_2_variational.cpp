@@ -357,6 +357,9 @@ STATEMENT(claim_6_2_euler_lagrange_map_unique, "uniqueness of the Euler-Lagrange
       "Whatever boundary term (6.7) is written with: from variations that vanish on the boundary of one "
       "box, and from all variations at a point. It is a function of second jets: sections with one second "
       "jet have one $D_{EL}\\mathcal L$.");
+  claim.leaves(
+      "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
+      "coefficient here depends on the dimension.");
   determined_from_one_box(claim, draw);
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
@@ -400,6 +403,9 @@ STATEMENT(claim_6_2_critical_point, "critical points of the action and admissibl
       "Admissible variations vanish on the boundary of $U$; with all variations, natural boundary "
       "conditions are imposed as well. Both directions: with $V$ a bump times $E$ the rate is the integral "
       "of the bump times $|E|^2$.");
+  claim.leaves(
+      "Bodies of dimension three are not tried: integrals over boxes of four dimensions cost much, and no "
+      "coefficient here depends on the dimension.");
   over_points<S>(SmallDimensions{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     using Density = AnyDensity<S, n, N>;

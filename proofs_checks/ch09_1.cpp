@@ -117,7 +117,7 @@ STATEMENT(claim_9_1_prolongation_functorial, "prolongation of a composition") {
       "Prolongation takes compositions to compositions, the identity to itself and inverses to inverses, and "
       "brackets of fields to brackets; where space-time is time alone and stays, it is the tangent map on "
       "velocities.");
-  over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<2, 2>>{},
+  over_points(std::tuple<Dimensions<1, 2>, Dimensions<3, 1>, Dimensions<2, 2>>{},
               [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N;
     auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw)),
