@@ -197,7 +197,8 @@ STATEMENT(claim_9_1_lifted_actions, "lifted actions and canonical transformation
       "$\\mathcal L$ is equivariant, and only there. Galileo's boost of a medium in flat space preserves "
       "$\\Omega$ "
       "and not $\\Theta$.");
-  over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<3, 1>>{}, [&]<class D>(D, std::string const& model) {
+  over_points(std::tuple<Dimensions<1, 2>, Dimensions<2, 1>, Dimensions<3, 1>>{},
+              [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n, N = D::N, jets = Jet<S, n, N>::dimension, duals = DualJet<S, n, N>::dimension;
     auto const L = draw_density<S, n, N>(draw);
     auto const eta = as_automorphism(draw_automorphism<S, n, N>(draw));
