@@ -356,6 +356,15 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   batch.step(50);
   auto const alone = start.after(5, 50, torque);
   for (std::size_t const i : {0u, 2u, 3u, 5u}) BOOST_TEST(apart(batch.state(i), alone) <= 1e-12);
+
+  // In orbit as well: what is set for the one that was refused is not set for its neighbours.
+  auto const orbiting = gravity_gradient_in_orbit(start.inertia, 0.7, towards, normal);
+  TorquedBatch in_orbit(inertias, momenta, std::vector<Attitude>(6, start.attitude),
+                        std::vector<GravityGradient>(6, orbiting), 0.1);
+  in_orbit.step(50);
+  auto const alone_in_orbit = start.after(5, 50, orbiting);
+  for (std::size_t const i : {0u, 2u, 3u, 5u})
+    BOOST_TEST(apart(in_orbit.state(i), alone_in_orbit) <= 1e-12);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,6 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "actio/numbers/derivative.hpp"
+#include "actio/numbers/second_order.hpp"
 #include "witness/arithmetic.hpp"
 #include "witness/draw.hpp"
 #include "witness/number.hpp"
@@ -142,6 +143,15 @@ BOOST_AUTO_TEST_CASE(a_number_of_variables_that_is_known_at_run_time_alone) {
   BOOST_TEST((d.gradient() == gradient_of_cubic(x)));
   auto const doubled = derivative([](auto const& z) { return z * 2; }, x);
   BOOST_TEST((doubled.matrix == Matrix<rational>::Identity(5, 5) * rational(2)));
+}
+
+BOOST_AUTO_TEST_CASE(numbers_to_second_order_are_equal_in_all_their_parts_only) {
+  using Number2 = SecondOrder<rational, 2>;
+  Number2 const x = Number2::variable(ratio<rational>(2, 3), 0) * Number2::variable(ratio<rational>(1, 5), 1);
+  auto other_value = x, other_slope = x, other_bend = x;
+  other_value.value += 1, other_slope.first[1] += 1, other_bend.second[2] += 1;
+  BOOST_TEST((x == Number2(x)));
+  BOOST_TEST((!(x == other_value) && !(x == other_slope) && !(x == other_bend)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
