@@ -398,8 +398,8 @@ STATEMENT(claim_5_2_manifest_preservation,
           "explicit step and preservation of the structure down to rounding") {
   claim.holds(
       "The update (5.8) is explicit once $f$ is known, and keeps all Casimirs and the momentum in space "
-      "whatever rotation $f$ is; with the $f$ of (5.7) the whole step is a Poisson map. What is left is "
-      "rounding, a few units in a step, in any number of digits.");
+      "whatever rotation $f$ is; with the $f$ of (5.7) the whole step is a Poisson map. Only "
+      "rounding remains, a few units in a step, in any number of digits.");
   for (int n = 3; n <= (numbers_grow() ? 4 : 5); ++n) {
     auto const model = name_of(n);
     auto const lambda = draw_inertia<S>(draw, n);

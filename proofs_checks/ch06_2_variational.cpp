@@ -589,11 +589,11 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
       claim.differs(std::string("Theta with it is Theta: ") + what, model, S(theta(at, U) + form(at, U)),
                     theta(at, U));
     };
-    unseen("the action does not see d(f theta ^ d^{n-1}x)",
+    unseen("the action is independent of d(f theta ^ d^{n-1}x)",
            exterior_derivative(wedge(contact_form<n, N>(N - 1, f), twice_contracted<n>())));
     if constexpr (N > 1) {
       auto const one = []<class T, int rows>(Matrix<T, rows, 1> const&) { return T(1); };
-      unseen("the action does not see a product of contact forms",
+      unseen("the action is independent of a product of contact forms",
              wedge(contact_form<n, N>(0, one), wedge(contact_form<n, N>(1, f), twice_contracted<n>())));
     }
     std::array<Matrix<S, n + 1, n + 1>, N> skew, symmetric;
@@ -601,9 +601,9 @@ STATEMENT(claim_6_2_cartan_form_uniqueness, "uniqueness of the form fixed by the
       Matrix<S, n + 1, n + 1> const c = draw_tangents<S, n + 1, n + 1>(draw);
       skew[a] = c - c.transpose(), symmetric[a] = c + c.transpose();
     }
-    unseen("the action does not see skew coefficients of dv ^ d^nx", of_derivatives<n, N, S>(skew));
+    unseen("the action is independent of skew coefficients of dv ^ d^nx", of_derivatives<n, N, S>(skew));
     auto const [sum, size] = seen(of_derivatives<n, N, S>(symmetric));
-    claim.refutes("the action does not see symmetric coefficients of dv ^ d^nx", model, sum, size);
+    claim.refutes("the action is independent of symmetric coefficients of dv ^ d^nx", model, sum, size);
     // Within the class: a form that contracts to zero with every variation is zero. Its coefficients are read
     // off coordinate fields.
     auto const j = first_jet(phi, x);

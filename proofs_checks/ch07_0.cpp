@@ -198,7 +198,7 @@ void compare_any_linear(Claim<S>& claim, Draw& draw, bool integrable) {
   V const R = reaction(Phi, j, jet_of_multiplier(t, lambda, rate));
 
   // The multiplier adds lambda d omega(v) to what virtual work allows, and that is no multiple of omega where
-  // omega . curl omega is not zero. The velocity itself never sees it.
+  // omega . curl omega is not zero. The velocity itself does not depend on it.
   V const turned = Phi.turned(q, v).transpose();
   claim.equal("reaction = lambda d omega(v) - lambda' omega", name, R,
               V(turned * lambda[0] - omega * rate[0]), condition);

@@ -59,19 +59,6 @@ struct VolumeForm {
     return volume<T>(metric(at)) * determinant(V);
   }
 };
-/// A motion at one time, a map from the body to space.
-template <class S, class Phi>
-struct AtTime {
-  S time;
-  Phi phi;
-  template <class V>
-  auto operator()(V const& at) const {
-    Matrix<ScalarOf<V>, V::RowsAtCompileTime + 1, 1> event;
-    event << ScalarOf<V>(time), at;
-    return phi(event);
-  }
-};
-
 /// Any (n+1)-form at a point of E, by its values on coordinate vectors: one for each subset of n + 1 of them,
 /// a bit for each coordinate.
 template <class S>

@@ -335,7 +335,7 @@ STATEMENT(claim_8_2_other_cancellations,
   claim.holds(
       "Besides the metric of space: the derivatives of $\\det v$ and of $v^{-1}$ cancel each other (the "
       "identity of Piola), and those of the root of $\\det G$ in $\\lambda$ cancel those of the root in "
-      "$J$. What is left is the derivative of $P$.");
+      "$J$. The derivative of $P$ remains.");
   over_points(TwoAndThree{}, [&]<class D>(D, std::string const& model) {
     constexpr int n = D::n;
     auto const density = incompressible(draw_medium<S, n>(draw));
@@ -372,7 +372,7 @@ STATEMENT(claim_8_2_other_cancellations,
     S const scale = size_of(pressure) + size_of(metric) + size_of(of_det) + size_of(of_inverse);
     claim.zero("derivatives of det v and of its inverse", model, (of_det + of_inverse).eval(), scale);
     claim.refutes("their difference", model, (of_det - of_inverse).eval(), scale);
-    claim.zero("what is left of the momenta", model, (total - pressure - metric).eval(), scale);
+    claim.zero("the momenta less pressure and metric terms", model, (total - pressure - metric).eval(), scale);
     claim.refutes("with the derivative of det v alone", model, (total - pressure - metric - of_det).eval(),
                   scale);
     claim.refutes("with the derivative of the root of det G in the multiplier", model,

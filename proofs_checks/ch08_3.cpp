@@ -264,13 +264,6 @@ STATEMENT(claim_8_3_potential_pressure, "the pressure of the stored energy where
 
 namespace {
 
-/// The point (t, y) at which a jet is.
-template <class S, int n>
-Event<S, n> event_in_space(Jet<S, n, n> const& j) {
-  Event<S, n> at;
-  at << j.x[0], j.y;
-  return at;
-}
 /// The material acceleration of a motion, a field along it.
 template <class Metric, class Phi>
 struct AccelerationOf {

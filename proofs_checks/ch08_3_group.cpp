@@ -11,28 +11,6 @@ using namespace actio::checks;
 
 namespace {
 
-/// A field on space at one time.
-template <class S, class Field>
-struct Frozen {
-  S time;
-  Field u;
-  template <class V>
-  auto operator()(V const& y) const {
-    Matrix<ScalarOf<V>, V::RowsAtCompileTime + 1, 1> at;
-    at << ScalarOf<V>(time), y;
-    return u(at);
-  }
-};
-template <class S, class Field>
-Frozen(S, Field) -> Frozen<S, Field>;
-/// The point (t, y) at which a jet is.
-template <class S, int n>
-Event<S, n> event_in_space(Jet<S, n, n> const& j) {
-  Event<S, n> at;
-  at << j.x[0], j.y;
-  return at;
-}
-
 /// A wall f = c of any form, through a given point, as a function of time and place.
 template <class S, int n>
 struct Wall {
@@ -188,7 +166,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
     at[0] = t;
     Matrix<S, n, 1> const y = at.template tail<n>();
     auto const wall = draw_wall<S, n>(draw, y);
-    Frozen const X{t, draw_along_wall(draw, g, wall)}, Y{t, draw_along_wall(draw, g, wall)};
+    AtTime const X{t, draw_along_wall(draw, g, wall)}, Y{t, draw_along_wall(draw, g, wall)};
     auto const bracket = diffeomorphism_bracket(X, Y);
     auto const slope = derivative(wall, y).gradient();
     S const size = size_of(bracket(y)) + S(1);
@@ -196,7 +174,7 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
     claim.refutes("where one of two fields has divergence", model,
                   divergence(g, diffeomorphism_bracket(X, Swollen{Y}), y), size);
     claim.zero("the bracket across the wall", model, slope.dot(bracket(y)), size);
-    Frozen const Z{t, draw_solenoidal<S, n>(draw, g)};
+    AtTime const Z{t, draw_solenoidal<S, n>(draw, g)};
     auto const crossing = diffeomorphism_bracket(X, Z)(y);
     claim.refutes("where one of two fields crosses it", model, slope.dot(crossing),
                   S(size_of(crossing) + S(1)));
@@ -205,14 +183,14 @@ STATEMENT(claim_8_3_lie_algebra_bracket, "the bracket of fields that keep the vo
     auto const phi = draw_shears<S, n>(draw, g.chart, g.chart);
     PushedForward const carried{phi, Y};
     auto const rate = first_jet(carried, at).velocity();
-    auto const right = diffeomorphism_bracket(Frozen{t, VelocityInSpace{phi}}, Frozen{t, carried})(y);
+    auto const right = diffeomorphism_bracket(AtTime{t, VelocityInSpace{phi}}, AtTime{t, carried})(y);
     claim.equal("rate of the adjoint action", model, rate, right);
     claim.differs("with the bracket of Jacobi and Lie", model, rate, (-right).eval());
     claim.differs("with Y not carried along", model, rate,
-                  diffeomorphism_bracket(Frozen{t, VelocityInSpace{phi}}, Y)(y));
+                  diffeomorphism_bracket(AtTime{t, VelocityInSpace{phi}}, Y)(y));
 
     // The velocities of the group, and the fields whose flow is in it: an infinitesimal is the time.
-    Frozen const velocity{t, VelocityInSpace{phi}};
+    AtTime const velocity{t, VelocityInSpace{phi}};
     claim.zero("divergence of the velocity of a motion of the group", model, divergence(g, velocity, y),
                S(size_of(first_jet(VelocityInSpace{phi}, at).gradient()) + S(1)));
     using T = Dual<S>;
@@ -298,7 +276,7 @@ STATEMENT(claim_8_3_right_invariant_metric, "the metric on volume preserving map
     auto const [stretched, unequal] = at_particle(of_coordinates(kappa));
     claim.differs("by a map that keeps the volume of coordinates", model, stretched, unequal);
     Tangents<S, n, n> const one = Tangents<S, n, n>::Identity();
-    Matrix<S, n, n> const F = pushed(Frozen{x[0], kappa}, particle, one);
+    Matrix<S, n, n> const F = pushed(AtTime{x[0], kappa}, particle, one);
     Matrix<S, n, 1> const left_X = F * X(x), left_Y = F * Y(x);
     claim.differs("translated on the left", model, inner(g(kappa(x)), left_X, left_Y),
                   inner(g(particle), X(x), Y(x)));
@@ -377,7 +355,7 @@ STATEMENT(eq_8_13, "geodesics of the group of volume preserving diffeomorphisms"
                  after = draw_shears<S, n>(draw, space.chart, space.chart);
       Varied const family{motion, after, variable(S(0))};
       auto const rate = rate_of(VelocityInSpace{family}(x.template cast<T>().eval()));
-      Frozen const u{x[0], VelocityInSpace{motion}}, X{S(0), VelocityInSpace{after}};
+      AtTime const u{x[0], VelocityInSpace{motion}}, X{S(0), VelocityInSpace{after}};
       Matrix<S, n, 1> const y = x.template tail<n>(), bracket = jacobi_lie_bracket(u, X)(y) * x[0];
       claim.equal("the velocity in space, varied in the group", model, Matrix<S, n, 1>(rate),
                   Matrix<S, n, 1>(X(y) + bracket));

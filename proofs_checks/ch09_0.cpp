@@ -296,7 +296,7 @@ STATEMENT(claim_9_0_isometries, "isometries of the spatial metric as symmetries"
     }
     if constexpr (n == 2) {
       auto const other = Continuum{draw_metric<S, n>(draw), sphere, draw_mass<S, n>(draw), Fibred{}};
-      claim.refutes("an energy that sees more than the Green tensor", model,
+      claim.refutes("an energy that depends on more than the Green tensor", model,
                     equivariance_rate(other, motion_of_space<N>(turning), j), other(j));
     }
   });

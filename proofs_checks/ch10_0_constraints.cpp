@@ -80,7 +80,7 @@ void weigh_a_particle(Claim<S>& claim, Draw& draw) {
   // The second equation of (7.2) is y'' = lambda x': no multiplier but zero, at this time and at all others.
   // Then its rate is zero as well, and the third leaves z''.
   claim.equal("the second equation of (7.2) along it", name, left(lambda, rate)[1], S(-lambda * x_rate), 10);
-  claim.equal("what is left without multiplier: the reaction", name, left(S(0), S(0))[2], mu, 10);
+  claim.equal("the residual without multiplier is the reaction", name, left(S(0), S(0))[2], mu, 10);
   claim.refutes("the motion by virtual work solves (7.2)", name, left(S(0), S(0)), S(1));
 }
 

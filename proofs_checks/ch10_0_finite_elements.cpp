@@ -468,7 +468,7 @@ STATEMENT(claim_10_0_betti_reciprocity, "multisymplectic form formula and recipr
     claim.refutes("without their work", model, S(loaded - converse), scale);
     claim.refutes("their work the other way", model,
                   S(loaded - load(any, other) - converse + load(other, any)), scale);
-    // Moduli that no stored energy has: a stress that sees only the first row of the strain twice.
+    // Moduli that no stored energy has: a stress of the first row of the strain alone, twice.
     auto const bent = [&](auto const& of) {
       return [&](Event<S, n> const& x) {
         Matrix<S, N, n> stress = stress_of(of)(x);

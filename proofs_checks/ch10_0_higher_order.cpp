@@ -160,7 +160,7 @@ struct AveragedFluid {
   }
 };
 
-/// The same fluid as a mechanic of space sees it, along the motion: nothing here knows of a Lagrangian.
+/// The same fluid in the spatial description, along the motion; no Lagrangian enters here.
 template <class S, int n, class Phi>
 struct InSpace {
   S c;

@@ -116,7 +116,8 @@ void AnyClaim::refused(std::string_view what, std::string_view model, bool truth
 }
 void AnyClaim::enclosed(std::string_view what, std::string_view model, Enclosure const& found, bool claimed) {
   if (!claimed) {
-    Control& c = control_entry(what, model, found.shown ? 0 : 1, 0.5);
+    std::string const how = found.shown ? "" : found.refuted ? ", decided false" : ", not decided";
+    Control& c = control_entry(std::string(what) + how, model, found.shown ? 0 : 1, 0.5);
     c.scalar = "ball", c.points = found.boxes;
     return;
   }

@@ -52,9 +52,10 @@ struct Control {
 };
 /// What was decided about a whole set: for every point of a path or a box, not at samples.
 struct Enclosure {
-  bool shown = false;  ///< whether it was decided that the claim is true on all of the set
-  double margin = 0;   ///< by how much at least: a lower bound of what is claimed to be positive
-  int boxes = 0;       ///< into how many pieces the set was divided
+  bool shown = false;    ///< whether it was decided that the claim is true on all of the set
+  double margin = 0;     ///< by how much at least: a lower bound of what is claimed to be positive
+  int boxes = 0;         ///< into how many pieces the set was divided
+  bool refuted = false;  ///< whether it was decided that the claim is false somewhere in the set
 };
 /// All that one run of a check, over one scalar, says about its statement.
 struct Record {
@@ -166,7 +167,8 @@ class AnyClaim {
   void encloses(std::string_view what, std::string_view model, Call const& call) {
     if (takes_enclosures()) enclosed(what, model, in_balls(call), true);
   }
-  /// Control: with a hypothesis broken the same question is not decided in favour of the claim.
+  /// Control: with a hypothesis broken the same question is not decided in favour of the claim. The ledger says
+  /// whether it was decided against it, or not at all.
   template <class Call>
   void refutes_enclosure(std::string_view what, std::string_view model, Call const& call) {
     if (takes_enclosures()) enclosed(what, model, in_balls(call), false);
@@ -196,7 +198,7 @@ class AnyClaim {
     for (int digits = 20; digits <= 160; digits *= 2) {
       WithArithmetic const balls(Arithmetic::balls(digits));
       try {
-        if (Enclosure const found = call(); found.shown || digits == 160) return found;
+        if (Enclosure const found = call(); found.shown || found.refuted || digits == 160) return found;
       } catch (Undecided const&) {
       }
     }

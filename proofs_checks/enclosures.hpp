@@ -41,7 +41,7 @@ Enclosure positive_on(F const& f, Vector<Number> const& box, int most = 4096) {
       }
       // Not positive at any point of this box: no division helps.
       if (!(value.upper() > Number(0)))
-        return {.shown = false, .margin = to_double(value.upper()), .boxes = found.boxes};
+        return {.margin = to_double(value.upper()), .boxes = found.boxes, .refuted = true};
     } catch (Undecided const&) {
     }
     Index widest = 0;

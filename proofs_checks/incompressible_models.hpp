@@ -224,6 +224,28 @@ Shears<S, n> of_coordinates(Shears<S, n> phi) {
   return phi;
 }
 
+/// A function of time and place at one time: of a motion the map from the body to space, of a field of
+/// velocities the field.
+template <class S, class Function>
+struct AtTime {
+  S time;
+  Function f;
+  template <class V>
+  auto operator()(V const& x) const {
+    Matrix<ScalarOf<V>, V::RowsAtCompileTime + 1, 1> event;
+    event << ScalarOf<V>(time), x;
+    return f(event);
+  }
+};
+template <class S, class Function>
+AtTime(S, Function) -> AtTime<S, Function>;
+/// The point (t, y) at which a jet is.
+template <class S, int n>
+Event<S, n> event_in_space(Jet<S, n, n> const& j) {
+  Event<S, n> at;
+  at << j.x[0], j.y;
+  return at;
+}
 /// The velocity \f$u = \dot\phi\circ\phi_t^{-1}\f$ in space of a motion with an inverse.
 template <class Phi>
 struct VelocityInSpace {

@@ -106,7 +106,7 @@ Jet<S, n, N> prolongation(Eta const& eta, Jet<S, n, N> const& j) {
 /// forms on space-time.
 ///
 /// \f$p' = (\partial\eta_Y/\partial y)^{-\mathsf T}\,p\,(T\eta_X)^{\mathsf T}/\det T\eta_X\f$, and \f$\Pi'\f$
-/// what is left. It preserves the canonical forms, which prolongations to the jet bundle do only together
+/// the rest. It preserves the canonical forms, which prolongations to the jet bundle do only together
 /// with the density.
 ///
 /// \implements{claim_9_1_lifted_actions}
