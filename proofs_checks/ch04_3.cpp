@@ -223,7 +223,7 @@ template <class S>
 struct Corner {
   MotionPolynomial<S> l;
   GroupElement<S> g0, g1, f;
-  Momentum<SpannedGroup, S> mu;
+  Momentum<SpannedGroup, S> mu;  // that of the body where the system is left-invariant
   Velocity<SpannedGroup, S> eta, zeta, u, v;
   double condition;  // l'' is inverted to find leaf vectors
 };
@@ -772,23 +772,16 @@ STATEMENT(claim_4_3_time_step_legendre,
 
 namespace {
 
-/// A point of the leaves of a left-invariant system and two vectors of its leaf there: f moves by
-/// u = df f^-1, so that the body momentum Pi = -L* l' moves by ad*_eta Pi.
+/// The lift of a leaf vector u = df f^-1 of a left-invariant system: g0 moves by eta, g1 so that f moves by u.
+/// To the identity on the right, as the discrete form has them.
 template <class S>
-struct LeftCorner {
-  MotionPolynomial<S> l;
-  GroupElement<S> g0, g1, f;
-  Momentum<SpannedGroup, S> pi;
-  Velocity<SpannedGroup, S> eta, zeta, u, v;
-  double condition;  // l'' is inverted to find leaf vectors
-
-  /// g0 moves by eta; g1 so that f moves by u. To the identity on the right, as the discrete form has them.
-  Change<S> lift(Velocity<SpannedGroup, S> const& by, Velocity<SpannedGroup, S> const& leaf) const {
-    return {Ad(g0, by), Ad(g1, Ad(f, by) - leaf)};
-  }
-};
+Change<S> left_lift(Corner<S> const& c, Velocity<SpannedGroup, S> const& eta,
+                    Velocity<SpannedGroup, S> const& u) {
+  return {Ad(c.g0, eta), Ad(c.g1, Ad(c.f, eta) - u)};
+}
+/// The same of a left-invariant system: f moves so that the body momentum Pi = -L* l' moves by ad*_eta Pi.
 template <class S>
-LeftCorner<S> draw_left_corner(Draw& draw, SpannedGroup const& group) {
+Corner<S> draw_left_corner(Draw& draw, SpannedGroup const& group) {
   auto const l = draw_reduced_lagrangian<S>(draw, group);
   auto const g = draw_configurations<S>(draw, group, 2);
   auto const f = relative_motions_left(g).front();
@@ -822,9 +815,9 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
     auto const two_form = [&](Change<S> const& a, Change<S> const& b) {
       return discrete_two_form(lifted_left(c.l), c.g0, c.g1, a, b);
     };
-    auto const U = c.lift(c.eta, c.u), V = c.lift(c.zeta, c.v);
-    S const orbit = -pair(c.pi, bracket(c.eta, c.zeta));
-    S const scale = S(size_of(c.pi) * size_of(c.eta) * size_of(c.zeta) * Base<S>(group.dimension())) +
+    auto const U = left_lift(c, c.eta, c.u), V = left_lift(c, c.zeta, c.v);
+    S const orbit = -orbit_value(c);
+    S const scale = scale_of(c) +
                     S(magnitude(left_second_differential(c.l, c.f)) *
                       (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
     // (4.10), (4.11): omega_L on the lifts is the form of the orbit, -<Pi, [eta, zeta]>.
@@ -833,31 +826,31 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
     claim.refutes(
         "with the sign of a right-invariant system", model, several([&] {
           auto const d = draw_left_corner<S>(draw, group);
-          return S(discrete_two_form(lifted_left(d.l), d.g0, d.g1, d.lift(d.eta, d.u), d.lift(d.zeta, d.v)) -
-                   pair(d.pi, bracket(d.eta, d.zeta)));
+          return S(discrete_two_form(lifted_left(d.l), d.g0, d.g1, left_lift(d, d.eta, d.u), left_lift(d, d.zeta, d.v)) -
+                   orbit_value(d));
         }),
         scale);
     // The lift keeps the spatial momentum. Condition: l'' is inverted.
     auto const moved_g0 = varied(c.g0, from_left(U.first, c.g0)),
                moved_g1 = varied(c.g1, from_left(U.second, c.g1));
     claim.zero("the lift keeps the spatial momentum", model, rate(D1(lifted_left(c.l), moved_g0, moved_g1)),
-               S(magnitude(Ad_matrix(inverse(c.g0))) * size_of(c.pi)) + scale, c.condition);
+               S(magnitude(Ad_matrix(inverse(c.g0))) * size_of(c.mu)) + scale, c.condition);
     // As printed: within the fibre, g0 held.
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     if (model != "Aff(1)" || !exact_arithmetic<S>())
       claim.refutes("as printed, within the fibre", model,
-                    S(two_form(c.lift(still, c.u), c.lift(still, c.v)) - orbit),
-                    S(size_of(c.pi) * size_of(c.eta) * size_of(c.zeta)));
+                    S(two_form(left_lift(c, still, c.u), left_lift(c, still, c.v)) - orbit),
+                    scale_of(c));
     // Theorem 4.3.2: the bracket, by reduction and by pull-back of the minus bracket along -L* l'.
     Matrix<S> const reduced_bracket = reduced_bivector_left(c.l, c.f), b = left_second_differential(c.l, c.f),
                     back = inverse_matrix(b);
     auto const pulled_back = [&](Momentum<SpannedGroup, S> const& at) {
       return Matrix<S>(-(back * lie_poisson_tensor_plus(at) * back.transpose()));
     };
-    S const size = magnitude(back) * size_of(c.pi) * magnitude(back) * S(Base<S>(group.dimension()));
+    S const size = magnitude(back) * size_of(c.mu) * magnitude(back) * S(Base<S>(group.dimension()));
     claim.zero("Theorem 4.3.2, left: the minus bracket", model,
-               Matrix<S>(reduced_bracket - pulled_back(c.pi)), size, c.condition);
-    claim.differs("along +L* l', as printed", model, pulled_back(-c.pi), reduced_bracket);
+               Matrix<S>(reduced_bracket - pulled_back(c.mu)), size, c.condition);
+    claim.differs("along +L* l', as printed", model, pulled_back(-c.mu), reduced_bracket);
     // Bracket and form belong together: omega_f(P da, u) = da(u), where P da moves Pi by -B P da.
     Vector<S> const da = left_differential(draw_reduced_lagrangian<S>(draw, group), c.f).components;
     S const through = c.eta.coordinates.dot(b * (reduced_bracket * da));
