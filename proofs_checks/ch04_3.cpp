@@ -772,8 +772,8 @@ STATEMENT(claim_4_3_time_step_legendre,
 
 namespace {
 
-/// The lift of a leaf vector u = df f^-1 of a left-invariant system: g0 moves by eta, g1 so that f moves by u.
-/// To the identity on the right, as the discrete form has them.
+/// The lift of a leaf vector u = df f^-1 of a left-invariant system: g0 moves by eta, g1 so that f moves by
+/// u. To the identity on the right, as the discrete form has them.
 template <class S>
 Change<S> left_lift(Corner<S> const& c, Velocity<SpannedGroup, S> const& eta,
                     Velocity<SpannedGroup, S> const& u) {
@@ -817,19 +817,18 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
     };
     auto const U = left_lift(c, c.eta, c.u), V = left_lift(c, c.zeta, c.v);
     S const orbit = -orbit_value(c);
-    S const scale = scale_of(c) +
-                    S(magnitude(left_second_differential(c.l, c.f)) *
-                      (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
+    S const scale = scale_of(c) + S(magnitude(left_second_differential(c.l, c.f)) *
+                                    (size_of(c.u) * size_of(c.zeta) + size_of(c.v) * size_of(c.eta)));
     // (4.10), (4.11): omega_L on the lifts is the form of the orbit, -<Pi, [eta, zeta]>.
     claim.zero("(4.11), left: omega_L on the lifts is the form of the orbit", model,
                S(two_form(U, V) - orbit), scale, c.condition);
-    claim.refutes(
-        "with the sign of a right-invariant system", model, several([&] {
-          auto const d = draw_left_corner<S>(draw, group);
-          return S(discrete_two_form(lifted_left(d.l), d.g0, d.g1, left_lift(d, d.eta, d.u), left_lift(d, d.zeta, d.v)) -
-                   orbit_value(d));
-        }),
-        scale);
+    claim.refutes("with the sign of a right-invariant system", model, several([&] {
+                    auto const d = draw_left_corner<S>(draw, group);
+                    return S(discrete_two_form(lifted_left(d.l), d.g0, d.g1, left_lift(d, d.eta, d.u),
+                                               left_lift(d, d.zeta, d.v)) -
+                             orbit_value(d));
+                  }),
+                  scale);
     // The lift keeps the spatial momentum. Condition: l'' is inverted.
     auto const moved_g0 = varied(c.g0, from_left(U.first, c.g0)),
                moved_g1 = varied(c.g1, from_left(U.second, c.g1));
@@ -839,8 +838,7 @@ STATEMENT(claim_4_3_left_forms, "the theorems of the section for left-invariant 
     auto const still = velocity(group, Vector<S>(Vector<S>::Zero(group.dimension())));
     if (model != "Aff(1)" || !exact_arithmetic<S>())
       claim.refutes("as printed, within the fibre", model,
-                    S(two_form(left_lift(c, still, c.u), left_lift(c, still, c.v)) - orbit),
-                    scale_of(c));
+                    S(two_form(left_lift(c, still, c.u), left_lift(c, still, c.v)) - orbit), scale_of(c));
     // Theorem 4.3.2: the bracket, by reduction and by pull-back of the minus bracket along -L* l'.
     Matrix<S> const reduced_bracket = reduced_bivector_left(c.l, c.f), b = left_second_differential(c.l, c.f),
                     back = inverse_matrix(b);

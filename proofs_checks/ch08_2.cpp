@@ -372,7 +372,8 @@ STATEMENT(claim_8_2_other_cancellations,
     S const scale = size_of(pressure) + size_of(metric) + size_of(of_det) + size_of(of_inverse);
     claim.zero("derivatives of det v and of its inverse", model, (of_det + of_inverse).eval(), scale);
     claim.refutes("their difference", model, (of_det - of_inverse).eval(), scale);
-    claim.zero("the momenta less pressure and metric terms", model, (total - pressure - metric).eval(), scale);
+    claim.zero("the momenta less pressure and metric terms", model, (total - pressure - metric).eval(),
+               scale);
     claim.refutes("with the derivative of det v alone", model, (total - pressure - metric - of_det).eval(),
                   scale);
     claim.refutes("with the derivative of the root of det G in the multiplier", model,

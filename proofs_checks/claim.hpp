@@ -167,8 +167,8 @@ class AnyClaim {
   void encloses(std::string_view what, std::string_view model, Call const& call) {
     if (takes_enclosures()) enclosed(what, model, in_balls(call), true);
   }
-  /// Control: with a hypothesis broken the same question is not decided in favour of the claim. The ledger says
-  /// whether it was decided against it, or not at all.
+  /// Control: with a hypothesis broken the same question is not decided in favour of the claim. The ledger
+  /// says whether it was decided against it, or not at all.
   template <class Call>
   void refutes_enclosure(std::string_view what, std::string_view model, Call const& call) {
     if (takes_enclosures()) enclosed(what, model, in_balls(call), false);

@@ -1,5 +1,5 @@
-// Functions of numbers: roots, exponentials and the like in each arithmetic, or a refusal where its field does
-// not hold them.
+// Functions of numbers: roots, exponentials and the like in each arithmetic, or a refusal where its field
+// does not hold them.
 #include <cmath>
 #include <unordered_set>
 

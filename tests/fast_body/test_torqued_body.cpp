@@ -363,8 +363,7 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
                         std::vector<GravityGradient>(6, orbiting), 0.1);
   in_orbit.step(50);
   auto const alone_in_orbit = start.after(5, 50, orbiting);
-  for (std::size_t const i : {0u, 2u, 3u, 5u})
-    BOOST_TEST(apart(in_orbit.state(i), alone_in_orbit) <= 1e-12);
+  for (std::size_t const i : {0u, 2u, 3u, 5u}) BOOST_TEST(apart(in_orbit.state(i), alone_in_orbit) <= 1e-12);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
