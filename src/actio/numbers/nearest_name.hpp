@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace actio {
 
 namespace detail {
 /// Letters to change, add, drop or swap with their neighbour (Damerau's distance without repeated edits).
-inline std::size_t distance_of_words(std::string_view a, std::string_view b) {
+inline std::size_t letters_apart(std::string_view a, std::string_view b) {
   std::vector<std::size_t> two(b.size() + 1), one(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) one[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -36,7 +35,7 @@ inline std::string nearest_name(std::string_view word, std::vector<std::string> 
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (auto const& name : known) {
     bool const begins = word.size() >= 3 && name.starts_with(word);
-    std::size_t const away = begins ? 1 : detail::distance_of_words(word, name);
+    std::size_t const away = begins ? 1 : detail::letters_apart(word, name);
     if (away < least && away < std::max(word.size(), name.size())) least = away, best = name;
   }
   return best;

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/keys.hpp"
-#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/units.hpp"
 
 namespace actio::scene {

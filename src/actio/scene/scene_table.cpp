@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/scene_document.hpp"
 #include "actio/scene/scene_file.hpp"
 

@@ -9,7 +9,7 @@
 #include "actio/any_group/membership.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/formula/parse_formula.hpp"
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 
 namespace actio::scene {
 namespace {
