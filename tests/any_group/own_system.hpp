@@ -9,7 +9,7 @@
 
 namespace actio {
 
-/// With one carried vector `a` where there is any.
+/// A system told by texts. With one carried vector `a` where there is any.
 inline std::shared_ptr<ReducedSystem const> own_system(char const* group, Side side, char const* lagrangian,
                                                        bool carried = false,
                                                        std::map<std::string, double> const& parameters = {}) {

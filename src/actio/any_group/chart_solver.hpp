@@ -2,11 +2,10 @@
 //
 // The equation P_0(v) = P of one step differs little from that of the step before. The inverse of its
 // derivative is reused and improved by Broyden's formula, and the first guess is extrapolated from the last
-// five velocities. Where that fails Newton's iteration begins at the Legendre velocity.
+// velocities, by the polynomial that would have been best for the one before. Where that fails Newton's iteration begins at the Legendre velocity.
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "actio/any_group/chart_step.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
@@ -31,10 +30,12 @@ class ChartSolver {
         step_(system),
         moved_(system),
         legendre_(system),
-        inverse_(Eigen::MatrixXd::Zero(system.dimension(), system.dimension())),
+        inverse_(static_cast<std::size_t>(system.dimension() * system.dimension())),
         per_row_(static_cast<std::size_t>(system.dimension())),
         v_(per_row_),
-        residual_(system.dimension()) {}
+        residual_(per_row_),
+        update_(per_row_),
+        last_(per_row_) {}
 
   double length() const { return h_; }                          ///< of a step
   std::vector<double> const& velocity() const { return v_; }    ///< of the last step
@@ -56,7 +57,8 @@ class ChartSolver {
   /// The inverse of the derivative of the momentum at the start in the velocity, at the last solution.
   Eigen::MatrixXd exact_inverse(ReducedPoint const& start) {
     differentiate(start);
-    return inverse_;
+    auto const d = static_cast<Eigen::Index>(v_.size());
+    return Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor> const>(inverse_.data(), d, d);
   }
 
   /// Where the first step looks for its velocity.
@@ -64,33 +66,48 @@ class ChartSolver {
   /// Saves, or restores, all that the next step depends on.
   template <class Stream>
   void remember(Stream& stream) {
-    stream(past_, known_, evaluations_, v_, per_row_);
+    stream(past_, points_, steps_, known_, evaluations_, v_, per_row_, inverse_);
     for (auto& old : history_) {
       old.resize(v_.size());
       stream(old);
     }
-    std::span<double> inverse(inverse_.data(), static_cast<std::size_t>(inverse_.size()));
-    stream(inverse);
   }
 
  private:
-  static constexpr int longest_ = 5;
+  static constexpr int longest_ = 8;
   static constexpr double tolerance_ = 16 * 0x1p-52;
 
-  /// The polynomial through the last velocities, one step on.
+  /// What the polynomial through so many velocities, the first of them `from` steps ago, says of the next one.
+  void extrapolate(int points, int from, std::vector<double>& out) const {
+    std::fill(out.begin(), out.end(), 0.0);
+    double weight = points;  // binomial coefficients with changing signs
+    for (int k = 0; k < points; ++k) {
+      auto const& old = history_[static_cast<std::size_t>(from + k)];
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] += weight * old[i];
+      weight *= -static_cast<double>(points - k - 1) / (k + 2);
+    }
+  }
   void predict() {
-    static constexpr double weights[longest_][longest_] = {
-        {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}, {5, -10, 10, -5, 1}};
-    if (past_ == 0) return;
-    std::fill(v_.begin(), v_.end(), 0.0);
-    for (int k = 0; k < past_; ++k)
-      for (std::size_t i = 0; i < v_.size(); ++i)
-        v_[i] += weights[past_ - 1][k] * history_[static_cast<std::size_t>(k)][i];
+    if (past_ > 0) extrapolate(points_, 0, v_);
   }
   void remember_velocity() {
     std::rotate(history_.begin(), history_.end() - 1, history_.end());
     history_[0] = v_;
+    bool const growing = past_ < longest_;
     past_ = std::min(past_ + 1, longest_);
+    if (growing || ++steps_ % 64 == 0) choose_points();
+  }
+  /// The number of points that would have been best for the last velocity.
+  void choose_points() {
+    std::vector<double> guess(v_.size());
+    double best = HUGE_VAL;
+    for (int points = 1; points < past_; ++points) {
+      extrapolate(points, 1, guess);
+      double missed = 0;
+      for (std::size_t i = 0; i < guess.size(); ++i) missed = std::max(missed, std::abs(guess[i] - v_[i]));
+      if (missed < best) best = missed, points_ = points;
+    }
+    points_ = std::clamp(points_, 1, past_);
   }
 
   /// The residual at the velocity, and its size; infinite outside of the chart.
@@ -100,7 +117,7 @@ class ChartSolver {
     double largest = 0;
     for (std::size_t i = 0; i < v_.size(); ++i) {
       double const r = step_.before[i] - start.momentum[i];
-      residual_[static_cast<Eigen::Index>(i)] = r;
+      residual_[i] = r;
       largest = std::max(largest, std::abs(r) * per_row_[i]);
       if (!(r - r == 0)) return HUGE_VAL;
     }
@@ -113,38 +130,53 @@ class ChartSolver {
     if (fresh && !differentiate(start)) return false;
     known_ = true;
     double before = HUGE_VAL;
-    Eigen::VectorXd last;
     for (int iteration = 0; iteration < 20; ++iteration) {
       double const size = evaluate(start);
       if (!(size < HUGE_VAL)) return false;
       bool const done = size <= tolerance_ || (size <= 64 * tolerance_ && size > before / 2);
-      Eigen::VectorXd update = -(inverse_ * residual_);
+      find_update();
       if (!done && size > before / 8) {
         if (fresh && size > before / 2) return false;
         if (!differentiate(start)) return false;
         fresh = true;
-        update = -(inverse_ * residual_);
+        find_update();
       } else if (iteration > 0 && !done) {
         fresh = false;
-        improve(last, update);
+        improve();
       }
-      move(update);
+      move(1);
       if (done) return true;
-      last = update;
+      std::swap(last_, update_);
       before = size;
     }
     return false;
   }
-  /// Broyden's formula on the inverse, as in chord_iteration.hpp; turns an update into that of the new one.
-  void improve(Eigen::VectorXd const& s, Eigen::VectorXd& next) {
-    double const square = s.squaredNorm(), rest = square - s.dot(next);
-    if (!(rest > square / 2)) return;
-    Eigen::RowVectorXd const along = s.transpose() * inverse_ / rest;
-    inverse_.noalias() += next * along;
-    next *= square / rest;
+  /// The step of Newton's iteration with the inverse that there is.
+  void find_update() {
+    auto const d = v_.size();
+    for (std::size_t i = 0; i < d; ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j < d; ++j) sum -= inverse_[i * d + j] * residual_[j];
+      update_[i] = sum;
+    }
   }
-  void move(Eigen::VectorXd const& update) {
-    for (std::size_t i = 0; i < v_.size(); ++i) v_[i] += update[static_cast<Eigen::Index>(i)];
+  /// Broyden's formula on the inverse, as in chord_iteration.hpp; turns the update into that of the new one.
+  void improve() {
+    auto const d = v_.size();
+    double square = 0, together = 0;
+    for (std::size_t i = 0; i < d; ++i) square += last_[i] * last_[i], together += last_[i] * update_[i];
+    double const rest = square - together;
+    if (!(rest > square / 2)) return;
+    for (std::size_t j = 0; j < d; ++j) {
+      double along = 0;
+      for (std::size_t i = 0; i < d; ++i) along += last_[i] * inverse_[i * d + j];
+      along /= rest;
+      for (std::size_t i = 0; i < d; ++i) inverse_[i * d + j] += update_[i] * along;
+    }
+    for (double& u : update_) u *= square / rest;
+  }
+  void move(double fraction) {
+    for (std::size_t i = 0; i < v_.size(); ++i) v_[i] += fraction * update_[i];
   }
 
   /// The inverse of the derivative at the velocity; the residual is left alone.
@@ -170,8 +202,9 @@ class ChartSolver {
       per_row_[static_cast<std::size_t>(i)] = 1 / derivative.row(i).cwiseAbs().sum();
     auto const lu = derivative.partialPivLu();
     regular_ = lu.rcond();
-    inverse_ = lu.inverse();
-    return inverse_.allFinite() && regular_ > 0x1p-50;
+    Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>> inverse(inverse_.data(), d, d);
+    inverse = lu.inverse();
+    return inverse.allFinite() && regular_ > 0x1p-50;
   }
 
   /// Newton's iteration from the Legendre velocity, each update halved until the residual falls.
@@ -187,11 +220,11 @@ class ChartSolver {
       double const before = size;
       bool const done = size <= tolerance_;
       if (!done && !differentiate(start)) break;
-      Eigen::VectorXd const update = -(inverse_ * residual_);
+      find_update();
       std::vector<double> const from = v_;
       for (double fraction = 1; fraction > 1e-6; fraction /= 2) {
         v_ = from;
-        move(fraction * update);
+        move(fraction);
         if (done) break;
         size = evaluate(start);
         if (size < before) break;
@@ -213,11 +246,11 @@ class ChartSolver {
   ChartStep<double> step_;
   ChartStep<Moved<double>> moved_;
   LegendreVelocity legendre_;
-  Eigen::MatrixXd inverse_;
-  std::vector<double> per_row_, v_;
+  std::vector<double> inverse_;  // row by row
+  std::vector<double> per_row_, v_, residual_, update_, last_;
   std::array<std::vector<double>, longest_> history_;
-  Eigen::VectorXd residual_;
-  int past_ = 0;
+  int past_ = 0, points_ = 1;
+  long steps_ = 0;
   bool known_ = false;
   long evaluations_ = 0;
   double regular_ = 1;

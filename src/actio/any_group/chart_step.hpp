@@ -12,7 +12,9 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 #include "actio/any_group/reduced_system.hpp"
@@ -66,9 +68,11 @@ class ChartStep {
         inputs_(n(system.lagrangian.inputs)),
         slopes_(inputs_.size() + 1),
         p_(before),
-        term_(before),
-        half_(before),
-        moved_(n(system.length())) {}
+        odd_(before),
+        even_(before),
+        moved_(n(system.length())) {
+    find_pattern();
+  }
 
   std::vector<S> before,  ///< the momentum at the start; energy x time
       after,              ///< at the end
@@ -91,13 +95,6 @@ class ChartStep {
       push(h / S(-2), vectors, after);
     }
     return add_chi(h, v, a.empty());
-  }
-
-  /// \f$h\,\mathrm{ad}^*_v\,\mu\f$, with the sign of the side.
-  void add_ad_star(S const& h, std::vector<S> const& v, std::vector<S> const& mu, std::vector<S>& sum) const {
-    S const signed_h = h * S(system_.sign());
-    for (auto const& c : system_.algebra.constants)
-      sum[n(c.b)] += v[n(c.a)] * mu[n(c.c)] * signed_h * S(c.value);
   }
 
  private:
@@ -139,37 +136,81 @@ class ChartStep {
     }
   }
 
+  /// The matrix of \f$A^T = h\,\mathrm{ad}^*_v\f$, with the sign of the side; only what is not always zero.
+  void set_ad_star(S const& h, std::vector<S> const& v) {
+    S const signed_h = h * S(system_.sign());
+    for (auto& entry : ad_star_) {
+      S sum = v[entry.first->a] * S(entry.first->value);
+      for (auto const* one = entry.first + 1; one != entry.end; ++one) sum += v[one->a] * S(one->value);
+      entry.value = sum * signed_h;
+    }
+  }
+  /// \f$A^Tx\f$.
+  void apply_ad_star(std::vector<S> const& x, std::vector<S>& out) const {
+    std::fill(out.begin(), out.end(), S(0));
+    for (auto const& entry : ad_star_) out[entry.row] += entry.value * x[entry.column];
+  }
+
   /// Adds \f$\chi(A)^Tp\f$ to `before` and \f$\chi(-A)^Tp\f$ to `after`: the even part of chi, and half of
   /// A p on either side.
   bool add_chi(S const& h, std::vector<S> const& v, bool alone) {
     auto const d = v.size();
-    std::fill(half_.begin(), half_.end(), S(0));
-    add_ad_star(h / S(2), v, p_, half_);
-    if (alone)
-      for (std::size_t i = 0; i < d; ++i) before[i] = p_[i] - half_[i], after[i] = p_[i] + half_[i];
-    else
-      for (std::size_t i = 0; i < d; ++i) before[i] += p_[i] - half_[i], after[i] += p_[i] + half_[i];
-    double const size = detail::largest_part(p_);
+    set_ad_star(h, v);
+    apply_ad_star(p_, odd_);
+    if (alone) std::fill(before.begin(), before.end(), S(0)), std::fill(after.begin(), after.end(), S(0));
+    for (std::size_t i = 0; i < d; ++i) {
+      S const half = odd_[i] / S(2);
+      before[i] += p_[i] - half, after[i] += p_[i] + half;
+    }
+    double const allowed = negligible_ * detail::largest_part(p_);
     auto const& beta = detail::coefficients_of_chi();
-    // half_ holds the odd power of A with a factor of 1/2.
     for (std::size_t k = 1; k < beta.size(); ++k) {
-      std::fill(term_.begin(), term_.end(), S(0));
-      add_ad_star(h * S(2), v, half_, term_);
-      double const largest = detail::largest_part(term_) * std::abs(beta[k]);
+      apply_ad_star(odd_, even_);
+      double const largest = detail::largest_part(even_) * std::abs(beta[k]);
       for (std::size_t i = 0; i < d; ++i) {
-        S const part = term_[i] * S(beta[k]);
+        S const part = even_[i] * S(beta[k]);
         before[i] += part, after[i] += part;
       }
-      if (!(largest > negligible_ * size)) return largest == largest;
-      std::fill(half_.begin(), half_.end(), S(0));
-      add_ad_star(h / S(2), v, term_, half_);
+      if (!(largest > allowed)) return largest == largest;
+      apply_ad_star(even_, odd_);
     }
     return false;
   }
 
+  /// A part of a structure constant: what the component a of the velocity contributes.
+  struct Part {
+    std::size_t a;
+    double value;
+  };
+  /// An entry of the matrix of \f$A^T\f$.
+  struct AdStarEntry {
+    std::size_t row, column;
+    Part const *first, *end;
+    S value;
+  };
+  void find_pattern() {
+    auto constants = system_.algebra.constants;
+    std::sort(constants.begin(), constants.end(), [](auto const& x, auto const& y) {
+      return std::tie(x.b, x.c, x.a) < std::tie(y.b, y.c, y.a);
+    });
+    parts_ = std::make_shared<std::vector<Part>>();
+    parts_->reserve(constants.size());
+    for (std::size_t k = 0; k < constants.size(); ++k) {
+      auto const& c = constants[k];
+      parts_->push_back({n(c.a), c.value});
+      bool const same = k > 0 && constants[k - 1].b == c.b && constants[k - 1].c == c.c;
+      if (same)
+        ++ad_star_.back().end;
+      else
+        ad_star_.push_back({n(c.b), n(c.c), &parts_->back(), &parts_->back() + 1, S(0)});
+    }
+  }
+
   static constexpr double negligible_ = 0x1p-55;
   ReducedSystem const& system_;
-  std::vector<S> inputs_, slopes_, work_, p_, term_, half_, moved_, next_;
+  std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_;
+  std::vector<AdStarEntry> ad_star_;
+  std::shared_ptr<std::vector<Part>> parts_;  // to which the entries point, in copies too
 };
 
 }  // namespace actio
