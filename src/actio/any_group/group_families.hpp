@@ -22,10 +22,16 @@ struct GroupOfMatrices {
   int size() const { return static_cast<int>(basis.front().rows()); }  ///< rows of a matrix
 };
 
-/// How far the library moves a matrix to bring it on the group; where it refuses, what it has measured.
+/// How far the determinant is from the positive numbers: nothing, or at least 1.
+inline double distance_from_positive(double determinant) { return determinant > 0 ? 0 : 1 - determinant; }
+
+/// How far the library moves a matrix to bring it on the group; where it refuses, what it has measured. At
+/// least 1 where the determinant is not positive, as it is on all groups that are connected.
 template <MatrixGroup G>
 double distance_from(G const& group, Eigen::MatrixXd const& g) {
   Storage<G, double> const a = g;
+  if (double const outside = distance_from_positive(determinant_by_elimination(a)); outside > 0)
+    return outside;
   try {
     return row_norm(Storage<G, double>(primitive::restore(group, a) - a));
   } catch (OutsideDomain const& e) {
@@ -65,7 +71,9 @@ inline GroupOfMatrices translation_matrices(std::string const& name, int n) {
 
 /// GL(n): the entries row by row.
 inline GroupOfMatrices general_linear_matrices(std::string const& name, int n) {
-  GroupOfMatrices made{name, {}, [](Eigen::MatrixXd const&) { return 0.0; }};
+  GroupOfMatrices made{name, {}, [](Eigen::MatrixXd const& g) {
+                         return distance_from_positive(determinant_by_elimination(Matrix<double>(g)));
+                       }};
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) made.basis.push_back(elementary_matrix(n, i, j));
   return made;
