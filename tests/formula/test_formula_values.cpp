@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(decimal_numbers_are_exact) {
 
 BOOST_AUTO_TEST_CASE(a_rational_function_is_exact_over_the_rationals) {
   auto const f = [](auto const& x, auto const& y, auto const& z) {
-    return (x * x * x - y / 10) / (z * z + 1) + y * y / (x * x) - (x * y * z) * 13 / 4;
+    return (x * x * x - y / 10) / (z * z + 1) + y * y / (x * x) - 13 * (x * y * z) / 4;
   };
   rational const x = rational(2) / 3, y = rational(-5) / 7, z = rational(11) / 13;
   BOOST_TEST((value<rational>("(x^3 - 0.1*y)/(z^2 + 1) + x^-2*y^2 - 3.25*x*y*z", {x, y, z}) == f(x, y, z)));
@@ -190,6 +190,16 @@ BOOST_AUTO_TEST_CASE(constants_are_folded_and_zeros_and_ones_are_gone) {
   BOOST_TEST((value<rational>("cos(0) + sqrt(4/9) - 5/3 + log(1)") == 0));
   Tape const f = parse_formula("x^2 + 0*y", {"x", "y"});
   BOOST_TEST((f.depends_on(0) && !f.depends_on(1)));
+}
+
+BOOST_AUTO_TEST_CASE(constant_factors_are_not_joined_beyond_the_range_of_double) {
+  double const tiny = value("1e-200*x*(1e-200*y)", {1e150, 1e150}),
+               large = value("1e200*x*(1e200*y)/1e300", {1e-150, 1e-150});
+  BOOST_TEST(tiny == 1e-100, boost::test_tools::tolerance(8 * eps));
+  BOOST_TEST(large == 1e-200, boost::test_tools::tolerance(8 * eps));
+  BOOST_TEST(value("x/1e-310*1e-10", {1e-20}) == 1e280, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(value("(1e-200*x)/(1e200*y)", {1e300, 1e-50}) == 1e-50, boost::test_tools::tolerance(8 * eps));
+  BOOST_TEST((value<rational>("1e-200*x*(1e-200*y)*1e200*1e200", {rational(2), rational(3)}) == 6));
 }
 
 BOOST_AUTO_TEST_CASE(nothing_is_allocated_where_the_memory_is_there) {

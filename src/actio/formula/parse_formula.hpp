@@ -28,7 +28,7 @@ class FormulaParser {
 
   FormulaParser(std::string_view text, std::vector<std::string> const& names,
                 std::map<std::string, double> const& constants)
-      : whole_(checked(text)), builder_(static_cast<int>(names.size())), text_(whole_) {
+      : builder_(static_cast<int>(names.size())), text_(checked(text)) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       names_.require_free(names[i], 0);
       names_.add(names[i], static_cast<Entry>(i));
@@ -155,30 +155,7 @@ class FormulaParser {
     unexpected("an operator or ')'");
   }
 
-  Entry number(Token const& token) {
-    // The digits without the point, and the power of ten.
-    std::string digits;
-    long power = 0;
-    bool behind = false;
-    for (std::size_t i = 0; i < token.text.size(); ++i) {
-      char const c = token.text[i];
-      if (c == 'e' || c == 'E') {
-        long exponent = 0;
-        std::size_t const from = i + (token.text[i + 1] == '+' ? 2 : 1);
-        std::from_chars(token.text.data() + from, token.text.data() + token.text.size(), exponent);
-        power += exponent;
-        break;
-      }
-      if (c == '.') {
-        behind = true;
-        continue;
-      }
-      digits += c;
-      power -= behind;
-    }
-    if (token.value == 0) return builder_.number(0);
-    return decimal_constant(builder_, digits, power, token.value);
-  }
+  Entry number(Token const& token) { return decimal_constant(builder_, token.text, token.value); }
 
   Entry name(Token const& token) {
     if (token.text == "pi") return builder_.pi();
@@ -228,7 +205,6 @@ class FormulaParser {
     Deeper& operator=(Deeper const&) = delete;
   };
 
-  std::string_view whole_;
   TapeBuilder builder_;
   FormulaText text_;
   FormulaNames names_;
