@@ -2,13 +2,13 @@
 // exactly over the rationals.
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include <boost/test/unit_test.hpp>
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/tape_derivatives.hpp"
 #include "actio/numbers/derivative.hpp"
-#include "witness/draw.hpp"
 
 using namespace actio;
 

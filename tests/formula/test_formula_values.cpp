@@ -2,12 +2,12 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include <boost/test/unit_test.hpp>
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/term.hpp"
-#include "witness/draw.hpp"
 
 using namespace actio;
 

@@ -1,6 +1,7 @@
 // What is no formula is refused at its place: hundreds of broken texts, written by hand and made from good
 // ones.
 #include <cmath>
+#include <random>
 #include <set>
 
 #include <boost/test/unit_test.hpp>
