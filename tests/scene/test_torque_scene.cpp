@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(apophis_passes_the_earth_as_by_newtons_law) {
     return change;
       },
       y, 0, 60);
-  auto const found = last_row(SceneFile::read(ACTIO_DATA "/scenes/apophis_2029.toml",
+  auto const found = last_row(SceneFile::read(ACTIO_DATA "/scenes/earth_flyby.toml",
                                               {"output.quantities=[\"attitude\", \"angular_velocity\"]"}));
   double const off = apart(found, end.head<7>());
   BOOST_TEST_MESSAGE("Apophis passes the Earth: off by " << off);

@@ -160,8 +160,9 @@ std::vector<Parameter> torque_parameters() {
        "belongs to no Lagrangian, and is not offered.",
        "", "{ gravity_gradient = { rate = 0.5, direction = [1, 0, 0], normal = [0, 0, 1] } }"},
       {gradient, "a table with strength or rate, and direction", "or " + uniform + " or " + potential,
-       "The gradient of the gravity of a centre that is far away against the size of the body: potential 3/2 "
-       "mu/r^3 <n, I n>, n the unit vector to the centre, seen from the body.",
+       "The gradient of the gravity of a centre that is far away against the size of the body: its potential "
+       "is "
+       "3/2 mu/r^3 times the moment of inertia about the direction to the centre.",
        "", "{ strength = 0.2, direction = [1, 0, 0] }"},
       {gradient + ".strength", "a number > 0", "the square of " + gradient + ".rate",
        "mu/r^3, the constant of gravitation times the mass of the centre by the cube of its distance.",
@@ -176,10 +177,10 @@ std::vector<Parameter> torque_parameters() {
        "seen from its tip.",
        "", "[0, 0, 1]"},
       {uniform, "a table with mass, lever and acceleration", "or " + gradient + " or " + potential,
-       "The weight of a body that is held at a point: potential -mass <lever, acceleration>. The inertia is "
-       "that "
-       "about this point, which a heavy_top computes from that about the centre of mass. A magnet of that "
-       "moment in a field is under the same torque.",
+       "The weight of a body that is held at a point, about which the inertia is that of the scene; a "
+       "heavy_top "
+       "computes it from that about the centre of mass. A magnet in a field is under such a torque, too, its "
+       "moment the mass times the lever.",
        "", "{ mass = 1, lever = [0, 0, 0.5], acceleration = [0, 0, -9.81] }"},
       {uniform + ".mass", "a number > 0", "needed", "The mass.", "mass", "1"},
       {uniform + ".lever", "three numbers, not all zero", "needed",

@@ -102,8 +102,7 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
   }
   // What falls turns about the axes that there are torques about. Where the energy is not conserved it may
   // come from as high as there is.
-  double const fall = (formula_in_time_ ? most : first) - least,
-               turn = fastest_turn(inertia_, kinetic);
+  double const fall = (formula_in_time_ ? most : first) - least, turn = fastest_turn(inertia_, kinetic);
   // A wave in time has the square of its frequency for the ratio of the second derivative to itself.
   double const wave = most > least ? std::sqrt(bend / (most - least)) : 0;
   return std::max({std::hypot(turn, std::sqrt(2 * fall * lightest)), swing, wave});
