@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "actio/scene/run.hpp"
+#include "actio/scene/systems/formula_potential.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio::scene;
@@ -182,6 +183,54 @@ BOOST_AUTO_TEST_CASE(apophis_passes_the_earth_as_by_newtons_law) {
   double const off = apart(found, end.head<7>());
   BOOST_TEST_MESSAGE("Apophis passes the Earth: off by " << off);
   BOOST_TEST(off <= 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(second_derivatives_of_a_formula_are_along_turns) {
+  FormulaPotential const potential("r33^4*cos(2*t) - 0.7*r12*exp(r21) + sin(3*t)*r11*r23", {{"test"}, false});
+  Eigen::Quaterniond const q = Eigen::Quaterniond(1, 0.2, 0.3, -0.4).normalized();
+  double const t = 0.6, small = 1e-4;
+  auto const value = [&](Eigen::Vector3d const& turn, double time) {
+    Eigen::Quaterniond const p =
+        turn.norm() > 0 ? q * Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) : q;
+    actio::NineEntries slope;
+    return potential(actio::rotation_entries({p.w(), p.x(), p.y(), p.z()}), time, slope);
+  };
+  actio::NineEntries const rotation = actio::rotation_entries({q.w(), q.x(), q.y(), q.z()});
+  Matrix3d const K = potential.curvature(rotation, t);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      Vector3d const x = small * Vector3d::Unit(a), y = small * Vector3d::Unit(b);
+      // (V(x + y) - V(x - y) - V(y - x) + V(-x - y))/4
+      double const second = (value(x + y, t) - value(x - y, t) - value(y - x, t) + value(-x - y, t)) / 4;
+      BOOST_TEST(std::abs(K(a, b) - second / (small * small)) <= 1e-6);
+    }
+  double const bend = (value({0, 0, 0}, t + small) - 2 * value({0, 0, 0}, t) + value({0, 0, 0}, t - small));
+  BOOST_TEST(std::abs(potential.second_rate(rotation, t) - bend / (small * small)) <= 1e-6);
+  BOOST_TEST(potential.uses_time());
+  BOOST_TEST(potential.axis() == -1);
+  BOOST_TEST(FormulaPotential("2*r21 - r23^2", {{"test"}, false}).axis() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_default_step_of_a_formula_is_about_that_of_the_same_torque_with_a_name) {
+  auto const step = [](std::string const& torque, std::string const& velocity) {
+    return Scene::read(SceneFile::parse("[system]\nkind = \"rigid_body\"\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" +
+                                            torque + "\n[initial]\nangular_velocity = " + velocity +
+                                            "\n[run]\nuntil = 1000\n[output]\nquantities = [\"energy\"]\n",
+                                        "step.toml"))
+        .simulation.step;
+  };
+  for (auto const& [named, own] :
+       {std::pair("uniform_gravity = { mass = 2, lever = [0, 0, 0.5], acceleration = [0, 0, -9] }",
+                  "potential = \"9*r33\""),
+        {"gravity_gradient = { strength = 4, direction = [1, 0, 0] }",
+         "potential = \"6*(0.7*r11^2 + 1.1*r12^2 + 0.9*r13^2)\""},
+        {"gravity_gradient = { rate = 2, direction = [1, 0, 0], normal = [0, 0, 1] }",
+         "potential = \"c = cos(2*t); s = sin(2*t); 6*(0.7*(c*r11 + s*r21)^2 + 1.1*(c*r12 + s*r22)^2 + "
+         "0.9*(c*r13 + s*r23)^2)\""}})
+    for (auto const* const velocity : {"[0, 0, 0]", "[1, 2, 20]"}) {
+      double const ratio = step(own, velocity) / step(named, velocity);
+      BOOST_TEST((ratio > 0.5 && ratio < 2), own << " from " << velocity << ": " << ratio);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
