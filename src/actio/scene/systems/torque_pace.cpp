@@ -10,14 +10,6 @@
 namespace actio::scene {
 namespace {
 
-/// A bound of the frequencies of swings in a potential with the second derivative K: the root of the norm of
-/// \f$I^{-1/2}KI^{-1/2}\f$.
-double frequency(PrincipalInertia const& inertia, Eigen::Matrix3d const& curvature) {
-  Eigen::Vector3d const root = Eigen::Vector3d(inertia.inertia.moments).cwiseSqrt().cwiseInverse();
-  Eigen::Matrix3d const along = inertia.axes.transpose() * curvature * inertia.axes;
-  return std::sqrt((root.asDiagonal() * along * root.asDiagonal()).norm());
-}
-
 /// The attitude at the start, attitudes that fill the rotations evenly, and times that fill an interval:
 /// multiples of the powers of one number, each without its whole part.
 class Samples {
@@ -59,12 +51,10 @@ double SceneTorque::pace_of(GravityGradient const& gradient, FreeState const& st
 }
 
 double SceneTorque::pace_of(UniformGravity const& gravity, FreeState const& start) const {
-  Eigen::Vector3d const lever(gravity.lever[0], gravity.lever[1], gravity.lever[2]),
-      unit = lever.normalized();
+  Eigen::Vector3d const lever(gravity.lever[0], gravity.lever[1], gravity.lever[2]);
   double const fall = lever.norm() + potential(start.attitude.value, 0);
-  return std::max(
-      fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum) + fall),
-      frequency(inertia_, lever.norm() * (Eigen::Matrix3d::Identity() - unit * unit.transpose())));
+  return std::max(fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum) + fall),
+                  swing_of_weight(inertia_, lever));
 }
 
 void SceneTorque::check_start(FormulaPotential const& potential, FreeState const& start) const {
@@ -98,7 +88,7 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
     // The body does not come where the potential has no value, or is above the energy.
     if (!is_finite(V) || !is_finite(K) || (!formula_in_time_ && V > kinetic + first)) continue;
     least = std::min(least, V), most = std::max(most, V);
-    swing = std::max(swing, frequency(inertia_, K));
+    swing = std::max(swing, swing_frequency(inertia_, K));
     Eigen::Vector3d const t(torque_of_slope(rotation, slope).data());
     if (magnitude(t) > 0) lightest = std::max(lightest, t.normalized().dot(inverse * t.normalized()));
     if (formula_in_time_)
