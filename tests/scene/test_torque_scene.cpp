@@ -203,10 +203,11 @@ BOOST_AUTO_TEST_CASE(second_derivatives_of_a_formula_are_along_turns) {
 
 BOOST_AUTO_TEST_CASE(the_default_step_of_a_formula_is_about_that_of_the_same_torque_with_a_name) {
   auto const step = [](std::string const& torque, std::string const& velocity) {
-    return Scene::read(SceneFile::parse("[system]\nkind = \"rigid_body\"\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" +
-                                            torque + "\n[initial]\nangular_velocity = " + velocity +
-                                            "\n[run]\nuntil = 1000\n[output]\nquantities = [\"energy\"]\n",
-                                        "step.toml"))
+    return Scene::read(SceneFile::parse(
+                           "[system]\nkind = \"rigid_body\"\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" +
+                               torque + "\n[initial]\nangular_velocity = " + velocity +
+                               "\n[run]\nuntil = 1000\n[output]\nquantities = [\"energy\"]\n",
+                           "step.toml"))
         .simulation.step;
   };
   for (auto const& [named, own] :
