@@ -45,9 +45,11 @@ class ChartSolver {
 
   /// Takes a step: sets the point to that at its end.
   /// @throws NotConverged, Singular, NotFinite  where there is no such step near by; the point is as it was
+  /// @throws OutsideDomain  where the step would turn by half a turn or more, beyond the chart
   void operator()(ReducedPoint& point) {
     predict();
     if (!(past_ > 0 && chord(point))) newton(point);
+    require_in_chart();
     remember_velocity();
     // The last update of the velocity changes both ends alike, to first order.
     for (std::size_t i = 0; i < v_.size(); ++i)
@@ -77,6 +79,19 @@ class ChartSolver {
  private:
   static constexpr int longest_ = 8;
   static constexpr double tolerance_ = 16 * 0x1p-52;
+
+  /// No eigenvalue of \f$h\,\mathrm{ad}_v\f$ has an imaginary part of pi or more. Its trace tells where that
+  /// is beyond question.
+  void require_in_chart() const {
+    if (system_.chart == Chart::cayley) return;
+    Vector<double> const v = Eigen::Map<Eigen::VectorXd const>(v_.data(), static_cast<Index>(v_.size()));
+    Eigen::MatrixXd const ad = system_.algebra.ad(Vector<double>(v * h_));
+    if (!(ad.squaredNorm() > std::numbers::pi * std::numbers::pi)) return;
+    double const turn = ad.eigenvalues().imag().cwiseAbs().maxCoeff();
+    if (!(turn < std::numbers::pi))
+      throw OutsideDomain("natural chart", "a step must turn by less than half a turn; radians", turn,
+                          std::numbers::pi);
+  }
 
   /// What the polynomial through so many velocities, the first of them `from` steps ago, says of the next one.
   void extrapolate(int points, int from, std::vector<double>& out) const {

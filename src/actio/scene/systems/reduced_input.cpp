@@ -29,7 +29,8 @@ MatrixAlgebra read_algebra(SceneTable const& system) {
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
-    system.fail(key, key + ": " + error.what());
+    std::string const what = error.what();
+    system.fail(key, what.starts_with(key) ? what : key + ": " + what);
   }
 }
 
