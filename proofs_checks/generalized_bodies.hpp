@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "actio/groups/rotations_of_any_size.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
-#include "actio/rigid_body/rotations_of_any_size.hpp"
 #include "claim.hpp"
 
 namespace actio::checks {

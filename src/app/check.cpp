@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scene_error.hpp"
 #include "actio/scene/statements.hpp"

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/keys.hpp"
-#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/registry_json.hpp"

@@ -7,8 +7,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/bodies.hpp"
-#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scene_template.hpp"
 #include "actio/scene/scenes.hpp"

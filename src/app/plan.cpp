@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/scene.hpp"

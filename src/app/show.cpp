@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/groups.hpp"
 #include "actio/scene/keys.hpp"
-#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 #include "actio/scene/scenes.hpp"
 #include "actio/scene/statements.hpp"

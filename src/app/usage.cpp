@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cctype>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 #include "app/text.hpp"
 
 namespace actio::app {
 namespace {
 
-using scene::did_you_mean;
+using actio::did_you_mean;
 
 constexpr std::size_t width = 100;
 

@@ -18,6 +18,7 @@
 
 #include "actio/groups/algebra_logarithm.hpp"
 #include "actio/groups/odd_power_closure.hpp"
+#include "actio/groups/restore_by_logarithm.hpp"
 
 namespace actio {
 
@@ -124,7 +125,7 @@ struct SpannedGroup {
   template <Real S>
   actio::Matrix<S, Dynamic, Dynamic> restore(actio::Matrix<S, Dynamic, Dynamic> const& a) const {
     if (data->retraction == Retraction::cayley) return primitive::restore_by_cayley(*this, a);
-    return restore_by_logarithm(a);
+    return primitive::restore_by_logarithm(*this, a);
   }
 
  private:
@@ -177,51 +178,6 @@ struct SpannedGroup {
           sum *= d.denominator;
           if (sum != 0) d.projection.push_back({a, i, j, numerator(sum).convert_to<long>()});
         }
-  }
-
-  /// The exponential of the projected logarithm, where that is near the logarithm.
-  template <class S>
-  actio::Matrix<S, Dynamic, Dynamic> restore_by_logarithm(actio::Matrix<S, Dynamic, Dynamic> const& a) const {
-    using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
-    try {
-      Matrix const m = matrix_logarithm(a), nearest = hat(vee(m));
-      if (row_norm(Matrix(nearest - m)) < 0.1) return matrix_exponential(nearest);
-    } catch (OutsideDomain const&) {
-    }
-    // An element, wherever it is, takes the algebra to itself: no more is known of it here.
-    Matrix const back = inverse_matrix(a, "restore");
-    for (int c = 0; c < dimension(); ++c) {
-      Matrix const moved =
-          a * hat(actio::Matrix<S, Dynamic, 1>(actio::Matrix<S, Dynamic, 1>::Unit(dimension(), c))) * back;
-      double const outside = row_norm(Matrix(hat(vee(moved)) - moved)) / row_norm(moved);
-      if (!(outside < 0.1))
-        throw OutsideDomain(
-            "restore", "a matrix near the group is needed; relative distance of g e g^-1 from the algebra",
-            outside, 0.1);
-    }
-    return a;
-  }
-  /// With its derivative: rates of change are projected on those of elements.
-  template <class S, int N>
-  actio::Matrix<Dual<S, N>, Dynamic, Dynamic> restore_by_logarithm(
-      actio::Matrix<Dual<S, N>, Dynamic, Dynamic> const& a) const {
-    using Matrix = actio::Matrix<S, Dynamic, Dynamic>;
-    int const n = matrix_size();
-    auto const part = [&](int k) {
-      Matrix m(n, n);
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) m(i, j) = k < 0 ? a(i, j).value : a(i, j).part[k];
-      return m;
-    };
-    Matrix const value = part(-1), back = inverse_matrix(value, "restore"),
-                 restored = restore_by_logarithm(value);
-    actio::Matrix<Dual<S, N>, Dynamic, Dynamic> result = restored.template cast<Dual<S, N>>();
-    for (int k = 0; k < N; ++k) {
-      Matrix const rate = hat(vee(Matrix(part(k) * back))) * restored;
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) result(i, j).part[k] = rate(i, j);
-    }
-    return result;
   }
 
   static void choose_retraction(Data& d, Retraction choice) {

@@ -8,8 +8,8 @@
 // same function.
 #pragma once
 
+#include "actio/groups/rotations_of_any_size.hpp"
 #include "actio/reduction/discrete_lie_poisson.hpp"
-#include "actio/rigid_body/rotations_of_any_size.hpp"
 
 namespace actio {
 namespace detail {

@@ -15,8 +15,8 @@
 #include <Eigen/LU>
 
 #include "actio/groups/group.hpp"
+#include "actio/groups/rotations_of_any_size.hpp"
 #include "actio/numbers/eigenvalues.hpp"
-#include "actio/rigid_body/rotations_of_any_size.hpp"
 
 namespace actio {
 

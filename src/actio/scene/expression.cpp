@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 
 namespace actio::scene {
 namespace {

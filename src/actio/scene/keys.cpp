@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/printable.hpp"
 
 namespace actio::scene {

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/keys.hpp"
-#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/units.hpp"
 
 namespace actio::scene {
@@ -67,8 +67,10 @@ Scene Scene::read(SceneFile file) {
 
   if (!output.has("formats")) output.set("formats", std::vector<std::string>{"csv"});
   if (!output.has("plots")) output.set("plots", false);
-  auto const quantities =
-      output.choices("quantities", "quantity", names(system.quantities), "actio list quantities");
+  auto known = names(system.quantities);
+  if (system.own_quantities)
+    for (auto const& own : names(system.own_quantities(file))) known.push_back(own);
+  auto const quantities = output.choices("quantities", "quantity", known, "actio list quantities");
   auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
   bool const plots = output.boolean("plots");
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/scene_document.hpp"
 #include "actio/scene/scenes.hpp"
 

@@ -41,6 +41,8 @@ class SceneTable {
              std::function<std::string(std::string const& key)> const& more = {}) const;
   /// Whether the key is there.
   bool has(std::string const& key) const;
+  /// Its keys, in the order of the file.
+  std::vector<std::string> keys() const;
   /// `system.mesh`
   std::string name() const;
 
@@ -69,6 +71,8 @@ class SceneTable {
   Eigen::Vector3d vector(std::string const& key) const;
   /// A list of rows, n by n.
   Eigen::MatrixXd matrix(std::string const& key, long n) const;
+  /// A list of square matrices of one size, each a list of rows; at least one.
+  std::vector<Eigen::MatrixXd> matrices(std::string const& key) const;
   /// Whether the value is a list whose first item is a list.
   bool is_matrix(std::string const& key) const;
   /// Whether the value is a text.

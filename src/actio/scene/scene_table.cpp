@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/scene_document.hpp"
 #include "actio/scene/scene_file.hpp"
 
@@ -48,6 +48,21 @@ std::vector<double> numbers_in(toml::array const& list, Place const& place, std:
   std::vector<double> values;
   for (auto const& item : list) values.push_back(finite_number(item, place_of(item.source(), file), key));
   return values;
+}
+
+Eigen::MatrixXd matrix_in(toml::node const& node, Place const& place, std::string const& key, long n,
+                          std::string const& file) {
+  auto const& rows = list_of(node, place, key, "a list of rows");
+  if (rows.size() != static_cast<std::size_t>(n))
+    throw SceneError(place, fmt::format("{}: {} rows are expected, found {}", key, n, rows.size()));
+  Eigen::MatrixXd out(n, n);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Place const where = place_of(rows[i].source(), file);
+    auto const row =
+        numbers_in(list_of(rows[i], where, key, "a list of numbers in each row"), where, key, n, file);
+    out.row(static_cast<Eigen::Index>(i)) = Eigen::Map<Eigen::RowVectorXd const>(row.data(), n);
+  }
+  return out;
 }
 
 [[noreturn]] void fail_unknown(Place const& place, std::string const& what, std::string const& word,
@@ -107,6 +122,16 @@ void SceneTable::allow(std::vector<std::string> const& keys,
   Place const place = place_of(first->source(), document_->name);
   if (!note.empty()) throw SceneError(place, fmt::format("unknown {} '{}'{}", what, shown(word), note));
   fail_unknown(place, what, word, keys, keys.empty() ? "none is known here" : "");
+}
+
+std::vector<std::string> SceneTable::keys() const {
+  std::vector<toml::key const*> found;
+  if (toml::table const* const table = document_->table(path_))
+    for (auto const& [key, node] : *table) found.push_back(&key);
+  std::sort(found.begin(), found.end(), [](auto const* a, auto const* b) { return is_before(*a, *b); });
+  std::vector<std::string> out;
+  for (auto const* key : found) out.emplace_back(key->str());
+  return out;
 }
 
 bool SceneTable::has(std::string const& key) const { return document_->value(path_, key); }
@@ -215,15 +240,16 @@ Eigen::Vector3d SceneTable::vector(std::string const& key) const {
   return Eigen::Vector3d(numbers(key, 3).data());
 }
 Eigen::MatrixXd SceneTable::matrix(std::string const& key, long n) const {
-  auto const& rows = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of rows");
-  if (rows.size() != static_cast<std::size_t>(n))
-    fail(key, fmt::format("{}: {} rows are expected, found {}", key, n, rows.size()));
-  Eigen::MatrixXd out(n, n);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Place const where = place(key, i);
-    auto const row = numbers_in(list_of(*rows.get(i), where, key, "a list of numbers in each row"), where,
-                                key, n, document_->name);
-    out.row(static_cast<Eigen::Index>(i)) = Eigen::Map<Eigen::RowVectorXd const>(row.data(), n);
+  return matrix_in(value_of(*document_, path_, key, *this), place(key), key, n, document_->name);
+}
+std::vector<Eigen::MatrixXd> SceneTable::matrices(std::string const& key) const {
+  auto const& list = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of matrices");
+  if (list.empty()) fail(key, key + ": at least one matrix is expected, found none");
+  std::vector<Eigen::MatrixXd> out;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    auto const& rows = list_of(list[i], place(key, i), key, "a matrix, a list of rows,");
+    long const n = out.empty() ? static_cast<long>(rows.size()) : out.front().rows();
+    out.push_back(matrix_in(list[i], place(key, i), key, n, document_->name));
   }
   return out;
 }

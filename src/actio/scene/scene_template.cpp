@@ -7,8 +7,8 @@
 #include <map>
 #include <sstream>
 
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/keys.hpp"
-#include "actio/scene/nearest_name.hpp"
 
 namespace actio::scene {
 namespace {

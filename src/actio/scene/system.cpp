@@ -5,7 +5,8 @@
 #define ACTIO_EACH_SYSTEM(with) \
   with(rigid_body)              \
   with(rigid_body_n)            \
-  with(heavy_top)
+  with(heavy_top)               \
+  with(euler_poincare)
 // clang-format on
 
 namespace actio::scene {

@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 
 #include "actio/groups/unit_quaternions.hpp"
+#include "actio/numbers/nearest_name.hpp"
 #include "actio/scene/bodies.hpp"
-#include "actio/scene/nearest_name.hpp"
 #include "actio/scene/systems/angle_input.hpp"
 #include "actio/scene/systems/body_n_input.hpp"
 

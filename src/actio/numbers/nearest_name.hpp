@@ -1,12 +1,16 @@
-#include "actio/scene/nearest_name.hpp"
+// The name that a mistyped one is nearest to.
+#pragma once
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
-namespace actio::scene {
-namespace {
+namespace actio {
 
+namespace detail {
 /// Letters to change, add, drop or swap with their neighbour (Damerau's distance without repeated edits).
-std::size_t distance(std::string_view a, std::string_view b) {
+inline std::size_t letters_apart(std::string_view a, std::string_view b) {
   std::vector<std::size_t> two(b.size() + 1), one(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) one[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -20,31 +24,34 @@ std::size_t distance(std::string_view a, std::string_view b) {
   }
   return one[b.size()];
 }
+}  // namespace detail
 
-}  // namespace
-
-std::string nearest_name(std::string_view word, std::vector<std::string> const& known) {
+/// The known name that takes the fewest letters to change, add, drop or swap; empty where none is near (more
+/// than a third of the letters, at least two).
+inline std::string nearest_name(std::string_view word, std::vector<std::string> const& known) {
   constexpr std::size_t longest = 64;  // no name is longer, and the work stays small
   if (word.empty() || word.size() > longest) return "";
   std::string best;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (auto const& name : known) {
     bool const begins = word.size() >= 3 && name.starts_with(word);
-    std::size_t const away = begins ? 1 : distance(word, name);
+    std::size_t const away = begins ? 1 : detail::letters_apart(word, name);
     if (away < least && away < std::max(word.size(), name.size())) least = away, best = name;
   }
   return best;
 }
 
-std::string did_you_mean(std::string_view word, std::vector<std::string> const& known) {
+/// `; did you mean 'energy'?`, or nothing where no name is near.
+inline std::string did_you_mean(std::string_view word, std::vector<std::string> const& known) {
   std::string const name = nearest_name(word, known);
   return name.empty() ? "" : "; did you mean '" + name + "'?";
 }
 
-std::string listed(std::vector<std::string> const& names) {
+/// `a, b, c`.
+inline std::string listed(std::vector<std::string> const& names) {
   std::string out;
   for (auto const& name : names) out += (out.empty() ? "" : ", ") + name;
   return out;
 }
 
-}  // namespace actio::scene
+}  // namespace actio

@@ -1,8 +1,8 @@
 #include <boost/test/unit_test.hpp>
 
-#include "actio/scene/nearest_name.hpp"
+#include "actio/numbers/nearest_name.hpp"
 
-using namespace actio::scene;
+using namespace actio;
 
 BOOST_AUTO_TEST_SUITE(nearest_names)
 

@@ -1,0 +1,99 @@
+// Runs by the natural chart and its symmetric compositions, for a system given at run time: momenta, carried
+// vectors, and configurations where they are asked for.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "actio/any_group/chart_solver.hpp"
+
+namespace actio {
+
+/// \f$e^{hv}\f$ applied to the columns of a matrix, by its series over the nonzero entries of the basis.
+/// Accuracy: a few epsilon times \f$e^{|hv|}\f$.
+inline void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
+                              Eigen::MatrixXd& g) {
+  Eigen::MatrixXd term = g, next(g.rows(), g.cols());
+  double const size = g.cwiseAbs().maxCoeff();
+  for (int k = 1; k < 400; ++k) {
+    next.setZero();
+    for (auto const& e : algebra.entries)
+      next.row(e.row) += (v[static_cast<std::size_t>(e.direction)] * e.value * h / k) * term.row(e.column);
+    std::swap(term, next);
+    g += term;
+    if (!(term.cwiseAbs().maxCoeff() > 0x1p-55 * size)) return;
+  }
+}
+
+/// Steps of one length, each of some substeps. For one thread at a time.
+class ChartIntegrator {
+ public:
+  /// @param system     of which the run is
+  /// @param h          step, time
+  /// @param fractions  of the substeps (composition.hpp); {1} for order 2
+  /// @param start      momentum and vectors
+  /// @param velocity   near which the first step looks for its own
+  ChartIntegrator(std::shared_ptr<ReducedSystem const> system, double h, std::vector<double> const& fractions,
+                  ReducedPoint start, std::vector<double> const& velocity)
+      : system_(std::move(system)), point_(std::move(start)) {
+    for (double const fraction : fractions) {
+      substeps_.emplace_back(*system_, fraction * h);
+      substeps_.back().begin_at(velocity);
+    }
+  }
+
+  /// Reconstructs configurations from this one on.
+  void follow_configuration(Eigen::MatrixXd g) { configuration_ = std::move(g); }
+
+  /// A whole step.
+  /// @throws NotConverged, Singular, NotFinite  where a substep has no solution; all is then as it was
+  void step() {
+    ReducedPoint const point = point_;
+    Eigen::MatrixXd const g = configuration_;
+    try {
+      for (auto& substep : substeps_) {
+        substep(point_);
+        if (configuration_.size()) move_configuration(substep);
+      }
+    } catch (...) {
+      point_ = point, configuration_ = g;
+      throw;
+    }
+  }
+
+  ReducedPoint const& point() const { return point_; }                      ///< momentum and vectors
+  Eigen::MatrixXd const& configuration() const { return configuration_; }   ///< empty where it is not followed
+  std::vector<double> const& velocity() const { return substeps_.back().velocity(); }  ///< of the last substep
+  /// How often momenta were evaluated.
+  long evaluations() const {
+    long sum = 0;
+    for (auto const& substep : substeps_) sum += substep.evaluations();
+    return sum;
+  }
+
+  /// Saves, or restores, all that the next step depends on.
+  template <class Stream>
+  void remember(Stream& stream) {
+    stream(point_.momentum, point_.vectors);
+    std::span<double> g(configuration_.data(), static_cast<std::size_t>(configuration_.size()));
+    stream(g);
+    for (auto& substep : substeps_) substep.remember(stream);
+  }
+
+ private:
+  /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
+  void move_configuration(ChartSolver const& substep) {
+    if (system_->side == Side::right)
+      return apply_exponential(system_->algebra, substep.length(), substep.velocity(), configuration_);
+    Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());
+    apply_exponential(system_->algebra, substep.length(), substep.velocity(), moved);
+    configuration_ = configuration_ * moved;
+  }
+
+  std::shared_ptr<ReducedSystem const> system_;
+  std::vector<ChartSolver> substeps_;
+  ReducedPoint point_;
+  Eigen::MatrixXd configuration_;
+};
+
+}  // namespace actio

@@ -1,0 +1,216 @@
+// One step of the natural chart (3.25) in the algebra, written out for structure constants.
+//
+// Over a step of length h the group moves by exp(h v). With A = h ad_v the momenta at its two ends are
+//
+//     P_0 = chi(A)^T p + (h/2) J(a_0),    P_1 = chi(-A)^T p - (h/2) J(a_1),    chi(A) = A/(e^A - 1),
+//
+// where p is the mean of dl/dv at both ends, a_1 = exp(-h v) a_0, and the action of the step is
+// h (l(v, a_0) + l(v, a_1))/2. Without carried vectors this is (3.26), and chi(-A) = chi(A) + A makes
+// P_1 = P_0 + h ad*_v p. No exponential of a matrix and no logarithm is taken, and brackets are sums over the
+// structure constants that are not zero. tests/any_group hold it to the general road.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <tuple>
+#include <vector>
+
+#include "actio/any_group/reduced_system.hpp"
+
+namespace actio {
+
+namespace detail {
+/// \f$B_{2k}/(2k)! = 2(-1)^{k+1}\zeta(2k)/(2\pi)^{2k}\f$: the even part of \f$x/(e^x - 1)\f$ is
+/// \f$1 + \sum_k B_{2k}x^{2k}/(2k)!\f$.
+inline std::array<double, 65> const& coefficients_of_chi() {
+  static auto const all = [] {
+    std::array<double, 65> beta{1, 1.0 / 12, -1.0 / 720, 1.0 / 30240, -1.0 / 1209600, 1.0 / 47900160};
+    for (int k = 6; k < 65; ++k) {
+      double zeta = 0;
+      for (int n = 12; n >= 1; --n) zeta += std::pow(n, -2 * k);
+      beta[static_cast<std::size_t>(k)] = (k % 2 ? 2 : -2) * zeta * std::pow(2 * std::numbers::pi, -2 * k);
+    }
+    return beta;
+  }();
+  return all;
+}
+
+/// The largest modulus among a number and its rates.
+inline double largest_part(double x) { return std::abs(x); }
+/// The largest modulus among a number and its rates.
+template <int N>
+double largest_part(Dual<double, N> const& x) {
+  double largest = std::abs(x.value);
+  for (double const part : x.part) largest = std::max(largest, std::abs(part));
+  return largest;
+}
+/// The largest modulus in a list.
+template <class S>
+double largest_part(std::vector<S> const& list) {
+  double largest = 0;
+  for (S const& x : list) largest = std::max(largest, largest_part(x));
+  return largest;
+}
+}  // namespace detail
+
+/// A step of the natural chart at one scalar, `double` or dual numbers over it, with its work space.
+template <class S>
+class ChartStep {
+ public:
+  /// Of a system that outlives it.
+  explicit ChartStep(ReducedSystem const& system)
+      : before(n(system.dimension())),
+        after(before),
+        vectors(n(system.carried())),
+        system_(system),
+        inputs_(n(system.lagrangian.inputs)),
+        slopes_(inputs_.size() + 1),
+        p_(before),
+        odd_(before),
+        even_(before),
+        moved_(n(system.length())) {
+    find_pattern();
+  }
+
+  std::vector<S> before,  ///< the momentum at the start; energy x time
+      after,              ///< at the end
+      vectors;            ///< at the end
+
+  /// The momenta at both ends, and the vectors at the end, of a step with this velocity.
+  /// @param h  step, time
+  /// @param v  velocity, 1/time
+  /// @param a  vectors at the start
+  /// @return   false where the step leaves the chart: the turn is beyond the reach of the series of chi
+  bool operator()(S const& h, std::vector<S> const& v, std::vector<S> const& a) {
+    auto const d = v.size();
+    slopes_at(v, a);
+    for (std::size_t i = 0; i < d; ++i) p_[i] = slopes_[1 + i];
+    if (!a.empty()) {
+      push(h / S(2), a, before);
+      for (std::size_t k = 0; k < a.size(); k += moved_.size()) carry(h, v, &a[k], &vectors[k]);
+      slopes_at(v, vectors);
+      for (std::size_t i = 0; i < d; ++i) p_[i] = (p_[i] + slopes_[1 + i]) / S(2);
+      push(h / S(-2), vectors, after);
+    }
+    return add_chi(h, v, a.empty());
+  }
+
+ private:
+  static std::size_t n(int i) { return static_cast<std::size_t>(i); }
+
+  void slopes_at(std::vector<S> const& v, std::vector<S> const& a) {
+    std::copy(v.begin(), v.end(), inputs_.begin());
+    std::copy(a.begin(), a.end(), inputs_.begin() + static_cast<std::ptrdiff_t>(v.size()));
+    system_.slopes(inputs_.data(), slopes_.data(), work_);
+  }
+
+  /// Sets `sum` to \f$h J\f$, \f$J_c = \partial l/\partial a\cdot(e_ca)\f$ at the slopes last taken.
+  void push(S const& h, std::vector<S> const& a, std::vector<S>& sum) {
+    std::fill(sum.begin(), sum.end(), S(0));
+    auto const d = sum.size(), m = moved_.size();
+    S const signed_h = h * S(system_.sign());
+    for (auto const& e : system_.algebra.entries)
+      for (std::size_t k = 0; k < a.size(); k += m)
+        sum[n(e.direction)] += slopes_[1 + d + k + n(e.row)] * a[k + n(e.column)] * signed_h * S(e.value);
+  }
+
+  /// \f$e^{-hv}a\f$ of one vector, by its series; with the sign of the side.
+  void carry(S const& h, std::vector<S> const& v, S const* a, S* out) {
+    auto const m = moved_.size();
+    S const signed_h = h * S(-system_.sign());
+    std::vector<S>& term = moved_;
+    std::copy(a, a + m, term.begin()), std::copy(a, a + m, out);
+    double const size = detail::largest_part(term);
+    next_.resize(m);
+    for (int k = 1; k < 200; ++k) {
+      std::fill(next_.begin(), next_.end(), S(0));
+      for (auto const& e : system_.algebra.entries)
+        next_[n(e.row)] += v[n(e.direction)] * term[n(e.column)] * S(e.value);
+      for (std::size_t i = 0; i < m; ++i) {
+        term[i] = next_[i] * signed_h / S(k);
+        out[i] += term[i];
+      }
+      if (!(detail::largest_part(term) > negligible_ * size)) return;
+    }
+  }
+
+  /// The matrix of \f$A^T = h\,\mathrm{ad}^*_v\f$, with the sign of the side; only what is not always zero.
+  void set_ad_star(S const& h, std::vector<S> const& v) {
+    S const signed_h = h * S(system_.sign());
+    for (auto& entry : ad_star_) {
+      S sum = v[entry.first->a] * S(entry.first->value);
+      for (auto const* one = entry.first + 1; one != entry.end; ++one) sum += v[one->a] * S(one->value);
+      entry.value = sum * signed_h;
+    }
+  }
+  /// \f$A^Tx\f$.
+  void apply_ad_star(std::vector<S> const& x, std::vector<S>& out) const {
+    std::fill(out.begin(), out.end(), S(0));
+    for (auto const& entry : ad_star_) out[entry.row] += entry.value * x[entry.column];
+  }
+
+  /// Adds \f$\chi(A)^Tp\f$ to `before` and \f$\chi(-A)^Tp\f$ to `after`: the even part of chi, and half of
+  /// A p on either side.
+  bool add_chi(S const& h, std::vector<S> const& v, bool alone) {
+    auto const d = v.size();
+    set_ad_star(h, v);
+    apply_ad_star(p_, odd_);
+    if (alone) std::fill(before.begin(), before.end(), S(0)), std::fill(after.begin(), after.end(), S(0));
+    for (std::size_t i = 0; i < d; ++i) {
+      S const half = odd_[i] / S(2);
+      before[i] += p_[i] - half, after[i] += p_[i] + half;
+    }
+    double const allowed = negligible_ * detail::largest_part(p_);
+    auto const& beta = detail::coefficients_of_chi();
+    for (std::size_t k = 1; k < beta.size(); ++k) {
+      apply_ad_star(odd_, even_);
+      double const largest = detail::largest_part(even_) * std::abs(beta[k]);
+      for (std::size_t i = 0; i < d; ++i) {
+        S const part = even_[i] * S(beta[k]);
+        before[i] += part, after[i] += part;
+      }
+      if (!(largest > allowed)) return largest == largest;
+      apply_ad_star(even_, odd_);
+    }
+    return false;
+  }
+
+  /// A part of a structure constant: what the component a of the velocity contributes.
+  struct Part {
+    std::size_t a;
+    double value;
+  };
+  /// An entry of the matrix of \f$A^T\f$.
+  struct AdStarEntry {
+    std::size_t row, column;
+    Part const *first, *end;
+    S value;
+  };
+  void find_pattern() {
+    auto constants = system_.algebra.constants;
+    std::sort(constants.begin(), constants.end(), [](auto const& x, auto const& y) {
+      return std::tie(x.b, x.c, x.a) < std::tie(y.b, y.c, y.a);
+    });
+    parts_ = std::make_shared<std::vector<Part>>();
+    parts_->reserve(constants.size());
+    for (std::size_t k = 0; k < constants.size(); ++k) {
+      auto const& c = constants[k];
+      parts_->push_back({n(c.a), c.value});
+      bool const same = k > 0 && constants[k - 1].b == c.b && constants[k - 1].c == c.c;
+      if (same)
+        ++ad_star_.back().end;
+      else
+        ad_star_.push_back({n(c.b), n(c.c), &parts_->back(), &parts_->back() + 1, S(0)});
+    }
+  }
+
+  static constexpr double negligible_ = 0x1p-55;
+  ReducedSystem const& system_;
+  std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_;
+  std::vector<AdStarEntry> ad_star_;
+  std::shared_ptr<std::vector<Part>> parts_;  // to which the entries point, in copies too
+};
+
+}  // namespace actio

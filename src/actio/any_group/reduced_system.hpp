@@ -1,0 +1,59 @@
+// An invariant system on a group of matrices, given at run time: an algebra, a side, and a Lagrangian as a
+// formula.
+//
+// The Lagrangian is a function l(v, a) of the velocity, v = g^-1 g' (left-invariant) or g' g^-1
+// (right-invariant), and of vectors that the motion carries: a = g^-1 c or a = g c with c fixed. Its momentum
+// p = dl/dv obeys
+//
+//     p' = +- (ad*_v p - J),      <J, eta> = dl/da . (eta a),      a' = -+ v a,
+//
+// the upper signs on the left. One number, `sign`, tells the sides apart: a right-invariant system is a
+// left-invariant one with all brackets turned round.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "actio/any_group/matrix_algebra.hpp"
+#include "actio/formula/tape_derivatives.hpp"
+#include "actio/numbers/derivative.hpp"
+
+namespace actio {
+
+/// On which side translations leave a Lagrangian as it is.
+enum class Side {
+  left,  ///< velocities and momenta are those of the body
+  right  ///< velocities and momenta are those in space
+};
+
+/// An invariant system on a group of matrices.
+struct ReducedSystem {
+  MatrixAlgebra algebra;  ///< of the group
+  Side side;              ///< of the invariance
+  int vectors;            ///< how many are carried, each as long as the matrices have rows
+  Tape lagrangian;        ///< l(v, a): the velocity, then the vectors one after the other; energy
+  Tape slopes;            ///< l, then its differential in v and in a
+  Tape curvature;         ///< l, its differential in v, the upper triangle of the second one row by row
+
+  /// @param l  of as many inputs as the algebra has dimensions and the vectors have components
+  /// @throws OutsideDomain  where it has another number of inputs
+  ReducedSystem(MatrixAlgebra of, Side invariant, int carried_vectors, Tape l)
+      : algebra(std::move(of)), side(invariant), vectors(carried_vectors), lagrangian(std::move(l)) {
+    if (lagrangian.inputs != dimension() + carried())
+      throw OutsideDomain("ReducedSystem", "the inputs of the Lagrangian are velocity and vectors; inputs",
+                          lagrangian.inputs, dimension() + carried());
+    std::vector<int> all(static_cast<std::size_t>(lagrangian.inputs));
+    for (int i = 0; i < lagrangian.inputs; ++i) all[static_cast<std::size_t>(i)] = i;
+    slopes = with_gradient(lagrangian, all);
+    all.resize(static_cast<std::size_t>(dimension()));
+    curvature = with_hessian(lagrangian, all);
+  }
+
+  int dimension() const { return algebra.dimension; }        ///< of the group
+  int length() const { return algebra.size; }                ///< of a vector
+  int carried() const { return vectors * algebra.size; }     ///< numbers in all vectors
+  int sign() const { return side == Side::left ? 1 : -1; }   ///< of the bracket
+};
+
+}  // namespace actio

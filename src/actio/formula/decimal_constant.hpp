@@ -1,0 +1,67 @@
+// Decimal numbers as constants of a tape, exactly.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+
+#include "actio/formula/tape_builder.hpp"
+
+namespace actio {
+
+/// \f$d\,10^k\f$ with the digits d, exactly: a ratio where it fits into 64-bit integers, else products of
+/// such.
+/// @param digits   decimal digits, at least one
+/// @param k        \f$|k| < 10^5\f$
+/// @param nearest  the double nearest to it
+inline TapeBuilder::Entry decimal_constant(TapeBuilder& b, std::string_view digits, long k, double nearest) {
+  constexpr std::size_t at_once = 18;  // digits that fit into 64 bits
+  while (digits.size() > 1 && digits.back() == '0') digits.remove_suffix(1), ++k;
+  while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
+  if (digits == "0") return b.number(0);
+  auto const power_of_ten = [&](long n) {
+    TapeBuilder::Entry power = b.number(1), square = b.number(10);
+    for (; n > 0; n /= 2) {
+      if (n % 2) power = b.multiply(power, square);
+      if (n > 1) square = b.multiply(square, square);
+    }
+    return power;
+  };
+  TapeBuilder::Entry all = b.number(0);
+  for (std::size_t i = 0; i < digits.size(); i += at_once) {
+    auto const part = digits.substr(i, at_once);
+    std::int64_t value = 0;
+    std::from_chars(part.data(), part.data() + part.size(), value);
+    all =
+        b.add(b.multiply(all, power_of_ten(static_cast<long>(part.size()))), b.number(ExactRatio{value, 1}));
+  }
+  auto const scale = power_of_ten(std::labs(k));
+  auto const result = k < 0 ? b.divide(all, scale) : b.multiply(all, scale);
+  b.set_value(result, nearest);
+  return result;
+}
+
+/// The shortest decimal number that reads as x: 0.1 is 1/10.
+/// @throws NotFinite
+inline TapeBuilder::Entry decimal_constant(TapeBuilder& b, double x) {
+  if (!std::isfinite(x)) throw NotFinite("a constant of a formula");
+  char text[40];
+  char* const end = std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::scientific).ptr;
+  // d.ddde±kk
+  std::string_view const all(text, static_cast<std::size_t>(end - text));
+  auto const e = all.find('e');
+  std::string digits;
+  for (char c : all.substr(0, e))
+    if (c != '.') digits += c;
+  long k = 0;
+  char const* const from = all.data() + e + (all[e + 1] == '+' ? 2 : 1);
+  std::from_chars(from, end, k);
+  auto const size = decimal_constant(b, digits, k - static_cast<long>(digits.size()) + 1, std::abs(x));
+  if (x >= 0) return size;
+  auto const result = b.negate(size);
+  b.set_value(result, x);
+  return result;
+}
+
+}  // namespace actio

@@ -1,0 +1,214 @@
+// Records a formula operation by operation, and simplifies it on the way.
+//
+// Constants are folded exactly, as ratios of 64-bit integers; what does not fit, and what is irrational,
+// stays an operation on constants, which over double is carried out once for all. Constant factors move to
+// the front, so that x*0, x*1, x + 0, 2*(3*x), x + x and the second derivatives of a quadratic form become
+// what they should be.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "actio/formula/tape.hpp"
+#include "actio/formula/tape_entries.hpp"
+#include "actio/formula/tape_schedule.hpp"
+
+namespace actio {
+
+/// Records operations on entries: `b.add(b.input(0), b.number(1))`.
+class TapeBuilder : public TapeEntries {
+ public:
+  using TapeEntries::TapeEntries;
+
+  Entry add(Entry a, Entry b);       ///< \f$a + b\f$
+  Entry subtract(Entry a, Entry b);  ///< \f$a - b\f$
+  Entry multiply(Entry a, Entry b);  ///< \f$ab\f$
+  Entry divide(Entry a, Entry b);    ///< \f$a/b\f$
+  Entry negate(Entry a);             ///< \f$-a\f$
+  /// \f$a^n\f$ by products.
+  Entry whole_power(Entry a, int n);
+  /// \f$a^b\f$: products where b is a whole number up to 64 in size, roots where it is 1/2 or -1/2, a power
+  /// where it is another constant, else \f$\exp(b\log a)\f$.
+  Entry power(Entry a, Entry b);
+  /// A function of one number.
+  Entry apply(Operation function, Entry a);
+  /// `atan2(a, b)` or `hypot(a, b)`.
+  Entry apply(Operation function, Entry a, Entry b) { return entry(function, a, b); }
+  /// Any operation; where it has one operand, b is not looked at.
+  Entry record(Operation operation, Entry a, Entry b);
+
+  /// These entries and what they need, as a tape.
+  Tape tape(std::span<Entry const> outputs) const { return schedule(*this, outputs); }
+
+ private:
+  /// An entry as a constant times another entry.
+  struct Multiple {
+    std::optional<Entry> factor;  // nothing where it is 1
+    Entry rest;
+  };
+  Multiple multiple(Entry e);
+  bool is_reciprocal(Entry e) const { return operation(e) == Operation::divide && is(first(e), 1); }
+  Entry factor_of(Multiple const& m) { return m.factor ? *m.factor : number(1); }
+  Entry folded(Operation operation, Entry a, Entry b);
+  std::optional<Entry> collected(Operation sign, Entry a, Entry b);
+  std::optional<ExactRatio> folded(Operation function, ExactRatio const& x) const;
+};
+
+/// The constant factor of an entry that is no constant.
+inline TapeBuilder::Multiple TapeBuilder::multiple(Entry e) {
+  if (is_constant(e)) return {std::nullopt, e};
+  if (operation(e) == Operation::negate) return {number(-1), first(e)};
+  if (operation(e) == Operation::multiply && is_constant(first(e))) return {first(e), second(e)};
+  return {std::nullopt, e};
+}
+
+/// An operation on two constants: a ratio where it fits.
+inline TapeBuilder::Entry TapeBuilder::folded(Operation operation, Entry a, Entry b) {
+  ExactRatio const *x = ratio_of(a), *y = ratio_of(b);
+  std::optional<ExactRatio> result;
+  if (x && y) {
+    if (operation == Operation::add) result = sum(*x, *y);
+    if (operation == Operation::subtract) result = sum(*x, -*y);
+    if (operation == Operation::multiply) result = product(*x, *y);
+    if (operation == Operation::divide && !is(b, 0)) result = product(*x, *reciprocal(*y));
+  }
+  return result ? number(*result) : entry(operation, a, b);
+}
+
+/// \f$cx \pm dx = (c \pm d)x\f$.
+inline std::optional<TapeBuilder::Entry> TapeBuilder::collected(Operation sign, Entry a, Entry b) {
+  if (is_constant(a) || is_constant(b)) return std::nullopt;
+  Multiple const x = multiple(a), y = multiple(b);
+  if (x.rest != y.rest) return std::nullopt;
+  return multiply(folded(sign, factor_of(x), factor_of(y)), x.rest);
+}
+
+inline TapeBuilder::Entry TapeBuilder::add(Entry a, Entry b) {
+  if (is(a, 0)) return b;
+  if (is(b, 0)) return a;
+  if (is_constant(a) && is_constant(b)) return folded(Operation::add, a, b);
+  if (auto const one = collected(Operation::add, a, b)) return *one;
+  if (operation(b) == Operation::negate) return subtract(a, first(b));
+  if (operation(a) == Operation::negate) return subtract(b, first(a));
+  return entry(Operation::add, a, b);
+}
+
+inline TapeBuilder::Entry TapeBuilder::subtract(Entry a, Entry b) {
+  if (is(b, 0)) return a;
+  if (is(a, 0)) return negate(b);
+  if (is_constant(a) && is_constant(b)) return folded(Operation::subtract, a, b);
+  if (auto const one = collected(Operation::subtract, a, b)) return *one;
+  if (operation(b) == Operation::negate) return add(a, first(b));
+  if (operation(a) == Operation::negate) return negate(add(first(a), b));
+  return entry(Operation::subtract, a, b);
+}
+
+inline TapeBuilder::Entry TapeBuilder::negate(Entry a) {
+  if (auto const* x = ratio_of(a)) return number(-*x);
+  if (operation(a) == Operation::negate) return first(a);
+  if (operation(a) == Operation::subtract) return subtract(second(a), first(a));
+  Multiple const x = multiple(a);
+  return x.factor ? multiply(negate(*x.factor), x.rest) : entry(Operation::negate, a);
+}
+
+inline TapeBuilder::Entry TapeBuilder::multiply(Entry a, Entry b) {
+  if (is_constant(b)) std::swap(a, b);
+  if (is(a, 0)) return a;
+  if (is(a, 1)) return b;
+  if (is_constant(b)) return folded(Operation::multiply, a, b);
+  // Constant factors to the front.
+  Multiple const x = multiple(a), y = multiple(b);
+  if (is_constant(a)) {
+    if (y.factor) return multiply(multiply(a, *y.factor), y.rest);
+    return is(a, -1) ? negate(b) : entry(Operation::multiply, a, b);
+  }
+  if (!x.factor && !y.factor) {
+    if (is_reciprocal(b)) return divide(a, second(b));
+    return is_reciprocal(a) ? divide(b, second(a)) : entry(Operation::multiply, a, b);
+  }
+  return multiply(multiply(factor_of(x), factor_of(y)), multiply(x.rest, y.rest));
+}
+
+inline TapeBuilder::Entry TapeBuilder::divide(Entry a, Entry b) {
+  if (is_constant(b)) {
+    if (is_constant(a)) return folded(Operation::divide, a, b);
+    return is(b, 0) ? entry(Operation::divide, a, b) : multiply(folded(Operation::divide, number(1), b), a);
+  }
+  if (is(a, 0)) return a;
+  // Constant factors to the front.
+  Multiple const x = multiple(a), y = multiple(b);
+  if (is_constant(a)) return y.factor ? divide(divide(a, *y.factor), y.rest) : entry(Operation::divide, a, b);
+  if (!x.factor && !y.factor) return entry(Operation::divide, a, b);
+  return multiply(divide(factor_of(x), factor_of(y)), divide(x.rest, y.rest));
+}
+
+inline TapeBuilder::Entry TapeBuilder::whole_power(Entry a, int n) {
+  if (n < 0) return divide(number(1), whole_power(a, -n));
+  if (n < 2) return n == 1 ? a : number(1);
+  Entry const root = whole_power(a, n / 2), square = multiply(root, root);
+  return n % 2 ? multiply(square, a) : square;
+}
+
+inline TapeBuilder::Entry TapeBuilder::power(Entry a, Entry b) {
+  constexpr int most = 64;
+  if (auto const* e = ratio_of(b)) {
+    if (e->whole() && -most <= e->above && e->above <= most)
+      return whole_power(a, static_cast<int>(e->above));
+    if (*e == ExactRatio{1, 2}) return apply(Operation::sqrt, a);
+    if (*e == ExactRatio{-1, 2}) return divide(number(1), apply(Operation::sqrt, a));
+  }
+  if (is_constant(b)) return entry(Operation::power, a, b);
+  return apply(Operation::exp, multiply(b, apply(Operation::log, a)));
+}
+
+/// A function of a ratio where it is a ratio again.
+inline std::optional<ExactRatio> TapeBuilder::folded(Operation function, ExactRatio const& x) const {
+  switch (function) {
+    case Operation::sqrt:
+      return exact_root(x);
+    case Operation::exp:
+    case Operation::cos:
+    case Operation::cosh:
+      return x.is(0) ? std::optional(ExactRatio{1, 1}) : std::nullopt;
+    case Operation::log:
+    case Operation::log2:
+    case Operation::log10:
+    case Operation::acos:
+    case Operation::acosh:
+      return x.is(1) ? std::optional(ExactRatio{0, 1}) : std::nullopt;
+    default:
+      return x.is(0) ? std::optional(ExactRatio{0, 1}) : std::nullopt;
+  }
+}
+
+inline TapeBuilder::Entry TapeBuilder::apply(Operation function, Entry a) {
+  if (auto const* x = ratio_of(a))
+    if (auto const y = folded(function, *x)) return number(*y);
+  return entry(function, a);
+}
+
+inline TapeBuilder::Entry TapeBuilder::record(Operation operation, Entry a, Entry b) {
+  switch (operation) {
+    case Operation::pi:
+      return pi();
+    case Operation::add:
+      return add(a, b);
+    case Operation::subtract:
+      return subtract(a, b);
+    case Operation::multiply:
+      return multiply(a, b);
+    case Operation::divide:
+      return divide(a, b);
+    case Operation::negate:
+      return negate(a);
+    case Operation::power:
+      return power(a, b);
+    case Operation::atan2:
+    case Operation::hypot:
+      return apply(operation, a, b);
+    default:
+      return apply(operation, a);
+  }
+}
+
+}  // namespace actio

@@ -1,0 +1,342 @@
+// A Lagrangian of one's own on a group (thesis, chapters 2 to 4): the Euler-Poincare equations, with carried
+// vectors.
+#include <fmt/format.h>
+
+#include "actio/any_group/invariants.hpp"
+#include "actio/groups/unipotent_groups.hpp"
+#include "actio/reduction/composition.hpp"
+#include "actio/scene/system.hpp"
+#include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/reduced_instruments.hpp"
+#include "actio/scene/systems/reduced_motion.hpp"
+
+namespace actio::scene {
+namespace {
+
+std::vector<Parameter> parameters() {
+  return {
+      {"system.group", "a text", "or system.algebra",
+       "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x R^2\", "
+       "\"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
+       "", "\"SE(2)\""},
+      {"system.algebra", "a list of square matrices, each a list of rows", "or system.group",
+       "A basis of the algebra of a group of one's own: linearly independent, and closed under commutators. The "
+       "components of the velocity are then x1, x2, ...",
+       "", "[[[0, 1], [0, 0]]]"},
+      {"system.side",
+       "a text",
+       "\"left\"",
+       "Which translations leave the Lagrangian as it is: \"left\" has velocities and momenta of the body, "
+       "g^-1 g', and \"right\" has those in space, g' g^-1.",
+       "",
+       "\"left\"",
+       {"left", "right"}},
+      {"system.lagrangian", "a formula", "needed",
+       "The Lagrangian, a formula in the components of the velocity, the parameters and the components of the "
+       "carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no abs, min "
+       "or comparison.",
+       "energy", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
+      {"system.parameters", "a table of numbers", "none", "Names of numbers in the Lagrangian.", "", "{ c = 6 }"},
+      {"system.advected", "a table of lists of numbers", "none",
+       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in space on "
+       "the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] has the "
+       "components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. On SE(n) a "
+       "list of n numbers is a direction.",
+       "", "{ gravity = [0, 0, -1] }"},
+      {"initial.velocity", "a list of as many numbers as the group has dimensions", "needed",
+       "The velocity at the start, in the order of the components.", "1/time", "[0.7, 1.0, 0.2]"},
+      {"initial.configuration", "a list of n rows of n numbers, an element of the group", "the identity",
+       "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
+      {"method.step", "a number > 0", "from the time asked",
+       "The time that a step takes, a whole number of times in the time between two rows. By default so short "
+       "that the group turns by at most 0.05 radians in it, and a hundredth of the time between two rows where "
+       "nothing turns.",
+       "time", "0.01"},
+  };
+}
+
+std::vector<Method> methods() {
+  return {{"natural_chart",
+           {"2", "4", "6"},
+           "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken at "
+           "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the coadjoint orbit, the "
+           "bracket and the momentum of the symmetry.",
+           "eq_3_26"},
+          {"galerkin",
+           {"4", "2", "6", "8", "10", "12", "14", "16"},
+           "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "
+           "keeps what the natural chart keeps. Without carried vectors.",
+           "eq_3_20"}};
+}
+
+using Kind = Quantity::Kind;
+
+std::vector<Quantity> quantities() {
+  return {
+      {"velocity", Kind::list,
+       "The velocity: of the body on the left, in space on the right; that which has the momentum.",
+       "v = g^{-1}\\dot g,\\ \\dot g g^{-1}", "1/time", "eq_2_16", {}, false},
+      {"body_momentum", Kind::list, "The momentum of the body, dl/dv on the left.",
+       "\\Pi = \\partial l/\\partial v = \\mathrm{Ad}^*_g\\,\\mu", "energy x time", "eq_2_16", {}, false},
+      {"spatial_momentum", Kind::list, "The momentum in space, dl/dv on the right.",
+       "\\mu = \\mathrm{Ad}^*_{g^{-1}}\\,\\Pi", "energy x time", "eq_3_8", {}, false},
+      {"energy", Kind::scalar, "The energy.", "\\langle\\partial l/\\partial v, v\\rangle - l", "energy", "", {},
+       true},
+      {"configuration", Kind::matrix, "The configuration, an element of the group, as a matrix.",
+       "g", "1", "", {}, false},
+      {"casimir", Kind::list,
+       "The functions of degree one and two that every motion on the dual of the algebra keeps, as far as there "
+       "are any, with the carried vectors where there are some: `actio run SCENE --dry-run` writes them out.",
+       "C(\\Pi, a)", "of the momentum, or its square", "", {}, true},
+      {"poisson_defect", Kind::scalar,
+       "How far the next step is from keeping the Lie-Poisson bracket: 0 to rounding where it does, 1 where "
+       "nothing cancels.",
+       "|A B A^T - B|/(|A B A^T| + |B|)", "1", "thm_3_2_1", {}, false},
+      {"symplectic_defect", Kind::scalar,
+       "How far the next step is from keeping the canonical two-form of configurations and momenta.",
+       "|A^T\\Omega A - \\Omega|/(|A^T\\Omega A| + |\\Omega|)", "1", "eq_3_5", {}, false},
+      {"leaf_defect", Kind::scalar,
+       "How far the next step leads away from the coadjoint orbit, relative to the momentum.",
+       "\\min_g|\\Pi_1 - \\mathrm{Ad}^*_g\\Pi_0|/|\\Pi_0|", "1", "thm_3_2_1", {}, false},
+      {"order", Kind::scalar,
+       "The order that the method shows here: from one step, two of half its length and four of a quarter; of a "
+       "longer step where its error is lost in rounding.",
+       "\\log_2(|\\Phi_h - \\Phi_{h/2}^2|/|\\Phi_{h/2}^2 - \\Phi_{h/4}^4|)", "1", "", {}, false},
+      {"tangent_map", Kind::matrix,
+       "How momentum and carried vectors now change with those at the start: the product of the exact "
+       "derivatives of all steps.",
+       "\\partial(\\Pi, a)(t)/\\partial(\\Pi, a)(0)", "1", "", {}, false},
+  };
+}
+
+std::vector<Quantity> own_quantities(SceneFile const& file) {
+  std::vector<Quantity> out;
+  for (auto const& name : carried_names(file))
+    out.push_back({name, Kind::list, "The carried vector of that name.", "g^{-1}c,\\ g\\,c", "1", "", {}, false});
+  return out;
+}
+
+/// Those of the scene: what the symmetry keeps depends on the side, and on whether a vector breaks it.
+std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& scene) {
+  auto all = quantities();
+  bool const left = scene.system->side == Side::left;
+  for (auto& quantity : all)
+    if (quantity.name == (left ? "spatial_momentum" : "body_momentum"))
+      quantity.conserved = scene.carried.empty();
+  for (auto& own : own_quantities(file)) all.push_back(std::move(own));
+  return all;
+}
+
+std::vector<std::string> ends_of(std::vector<std::string> const& components) {
+  std::vector<std::string> out;
+  for (auto const& name : components) out.push_back("_" + name);
+  return out;
+}
+std::vector<std::string> numbered_to(int n) {
+  std::vector<int> all;
+  for (int i = 1; i <= n; ++i) all.push_back(i);
+  return numbered(all);
+}
+
+/// What is computed of a state, with the work space for it.
+class Reader {
+ public:
+  Reader(std::shared_ptr<ReducedSystem const> system, ReducedMotion const& motion)
+      : system_(std::move(system)), motion_(motion), legendre_(*system_), velocity_(motion.velocity()) {}
+
+  std::vector<double> const& velocity() {
+    if (velocity_.empty()) velocity_ = motion_.velocity();
+    legendre_.solve(motion_.point().momentum, motion_.point().vectors, velocity_);
+    return velocity_;
+  }
+  double energy() { return legendre_.energy(velocity(), motion_.point().vectors); }
+  /// The momentum on the other side: \f$\mathrm{Ad}^*_{g^{-1}}\Pi\f$ from that of the body, \f$\mathrm{Ad}^*_g\mu\f$
+  /// from that in space.
+  void momentum_across(double* out) const {
+    Eigen::MatrixXd const& g = motion_.configuration();
+    Eigen::MatrixXd const back = g.inverse();
+    bool const left = system_->side == Side::left;
+    auto const& p = motion_.point().momentum;
+    for (std::size_t a = 0; a < p.size(); ++a) {
+      auto const& e = system_->algebra.basis[a];
+      auto const moved = system_->algebra.vee(Matrix<double>(left ? back * e * g : g * e * back));
+      out[a] = 0;
+      for (std::size_t c = 0; c < p.size(); ++c) out[a] += p[c] * moved[static_cast<Index>(c)];
+    }
+  }
+
+ private:
+  std::shared_ptr<ReducedSystem const> system_;
+  ReducedMotion const& motion_;
+  LegendreVelocity legendre_;
+  std::vector<double> velocity_;
+};
+
+QuantityGraph::NaturalUnit modulus_of(ReducedMotion const& motion) {
+  return [&motion](auto, double const*, std::size_t) {
+    double sum = 0;
+    for (double const p : motion.point().momentum) sum += p * p;
+    return std::sqrt(sum);
+  };
+}
+
+void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion const& motion) {
+  auto const& algebra = scene.system->algebra;
+  auto const ends = ends_of(algebra.components);
+  auto const reader = std::make_shared<Reader>(scene.system, motion);
+  bool const left = scene.system->side == Side::left;
+  graph.define("velocity", ends,
+               [reader](auto, double* out) { std::ranges::copy(reader->velocity(), out); });
+  graph.define(left ? "body_momentum" : "spatial_momentum", ends,
+               [&motion](auto, double* out) { std::ranges::copy(motion.point().momentum, out); });
+  graph.define(left ? "spatial_momentum" : "body_momentum", ends,
+               [reader](auto, double* out) { reader->momentum_across(out); }, modulus_of(motion));
+  graph.define("energy", {""}, [reader](auto, double* out) { *out = reader->energy(); });
+  graph.define("configuration", column_ends(Kind::matrix, algebra.size), [&motion](auto, double* out) {
+    Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(out, motion.configuration().rows(),
+                                                               motion.configuration().cols()) =
+        motion.configuration();
+  });
+  for (std::size_t k = 0; k < scene.carried.size(); ++k) {
+    auto const n = static_cast<std::size_t>(algebra.size);
+    graph.define(scene.carried[k].name, numbered_to(algebra.size), [&motion, k, n](auto, double* out) {
+      std::copy_n(motion.point().vectors.begin() + static_cast<std::ptrdiff_t>(k * n), n, out);
+    });
+  }
+}
+
+/// The Casimirs, on momentum and vectors.
+std::vector<Casimir> casimirs_of(ReducedScene const& scene) {
+  auto const& algebra = scene.system->algebra;
+  if (scene.carried.empty()) return casimirs(algebra);
+  std::vector<std::string> names;
+  for (auto const& vector : scene.carried) names.push_back(vector.name);
+  return casimirs(semidirect_algebra(algebra, static_cast<int>(names.size()), algebra.size, names));
+}
+
+void define_casimirs(Simulation& simulation, Request const& request, ReducedScene const& scene,
+                     ReducedMotion const& motion) {
+  if (std::ranges::find(request.quantities, "casimir") == request.quantities.end()) return;
+  auto const all = std::make_shared<std::vector<Casimir> const>(casimirs_of(scene));
+  if (all->empty())
+    request.file.section("output")
+        .fail("quantities", "casimir: the dual of this algebra has no Casimir of degree one or two");
+  for (std::size_t k = 0; k < all->size(); ++k)
+    simulation.remarks.push_back(fmt::format("casimir_{} is {}", k + 1, (*all)[k].text()));
+  simulation.quantities.define("casimir", numbered_to(static_cast<int>(all->size())),
+                               [all, &motion](auto, double* out) {
+    std::vector<double> x = motion.point().momentum;
+    x.insert(x.end(), motion.point().vectors.begin(), motion.point().vectors.end());
+    for (auto const& casimir : *all) *out++ = casimir.evaluate(Vector<double>(Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Index>(x.size()))));
+  });
+}
+
+double speed(ReducedScene const& scene) {
+  // A bound of how fast the group turns: half the root of |tr ad^2|.
+  auto const& v = scene.velocity;
+  auto const ad =
+      scene.system->algebra.ad(Vector<double>(Eigen::Map<Eigen::VectorXd const>(v.data(), static_cast<Index>(v.size()))));
+  double trace = 0;
+  for (Index i = 0; i < ad.rows(); ++i)
+    for (Index j = 0; j < ad.cols(); ++j) trace += ad(i, j) * ad(j, i);
+  return std::sqrt(std::abs(trace)) / 2;
+}
+
+bool asked(Request const& request, std::initializer_list<char const*> names) {
+  for (auto const& name : request.quantities)
+    for (char const* const one : names)
+      if (name == one) return true;
+  return false;
+}
+
+ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
+  SceneTable method = request.file.section("method");
+  MethodChoice const choice = read_method(method, methods());
+  int const order = choice.number();
+  bool const galerkin = choice.name == "galerkin";
+  if (galerkin && !scene.carried.empty())
+    method.fail("name", "galerkin: it takes no carried vectors; natural_chart does");
+  bool const left = scene.system->side == Side::left;
+  return {scene.system, galerkin ? order / 2 : 0,
+          order == 2   ? std::vector<double>{1}
+          : order == 4 ? suzuki<double>()
+                       : kahan_li<double>(),
+          asked(request, {"configuration", "symplectic_defect", left ? "spatial_momentum" : "body_momentum"})};
+}
+
+double step_of(Request const& request, ReducedScene const& scene) {
+  double fastest = speed(scene);
+  double const divisor = request.schedule.common_divisor(),
+               time = divisor > 0 ? divisor : request.schedule.until();
+  if (!(fastest * time > 1e-12)) fastest = 5 / time;
+  return read_step(request.file.section("method"), request.schedule, fastest);
+}
+
+Companion companion_of(ReducedScheme scheme, ReducedScene const& scene, double step, int order,
+                       std::optional<bool> wanted) {
+  if (!wanted.value_or(true)) return {nullptr, 0, 0, false, "left out by output.error_estimate"};
+  scheme.with_configuration = false;
+  for (auto const& [steps, in_words] : {std::pair(4, "four"), {3, "three"}, {2, "two"}}) try {
+      return {scheme.motion(steps * step, scene.start, scene.velocity, {}), steps, order, false,
+              fmt::format("estimated from a companion run with steps {} times as long", in_words)};
+    } catch (Error const&) {
+      // So long a step is beyond the scheme.
+    }
+  return {nullptr, 0, 0, false, "not estimated: steps twice as long are beyond the scheme"};
+}
+
+Simulation prepare(Request const& request) {
+  std::vector<std::string> remarks;
+  ReducedScene const scene = read_reduced_scene(request.file, remarks);
+  SceneTable method = request.file.section("method");
+  ReducedScheme const scheme = scheme_of(request, scene);
+  Simulation simulation(quantities_of(request.file, scene));
+  simulation.remarks = remarks;
+  simulation.step = step_of(request, scene);
+  simulation.steps_at_once = std::max(1L, 4000L / (scene.system->dimension() * scene.system->dimension()));
+  std::unique_ptr<ReducedMotion> motion;
+  try {
+    motion = scheme.motion(simulation.step, scene.start, scene.velocity, scene.configuration);
+  } catch (Error const& error) {
+    if (double const longest = scheme.longest_step(simulation.step, scene.start, scene.velocity); longest > 0)
+      fail_for_long_step(method, request.schedule,
+                         StepTooLong(method.text("name"), simulation.step, longest));
+    simulation.failure = method.place("step").text() + ": " + error.what();
+    motion = standing(scene);
+  }
+  if (simulation.failure.empty())
+    simulation.companion = companion_of(scheme, scene, simulation.step,
+                                        static_cast<int>(method.integer("order", 2, 16)), request.error_estimate);
+  if (asked(request, {"tangent_map"}))
+    motion = following_tangent(std::move(motion), scheme, simulation.step);
+  if (!scheme.with_configuration) simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
+  define_state(simulation.quantities, scene, *motion);
+  define_casimirs(simulation, request, scene, *motion);
+  define_instruments(simulation.quantities, scheme, simulation.step, scene.carried, *motion);
+  simulation.quantities.ask(request.quantities);
+  simulation.motion = std::move(motion);
+  return simulation;
+}
+
+}  // namespace
+
+/// A Lagrangian of one's own on a group.
+System euler_poincare_system() {
+  return {"euler_poincare",
+          "A Lagrangian on a group",
+          "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
+          "vectors that the motion carries.",
+          "chapters 2 to 4",
+          parameters(),
+          methods(),
+          quantities(),
+          prepare,
+          "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
+          "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[run]\nuntil = 10\nevery = "
+          "0.1\n[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
+          nullptr,
+          {},
+          own_quantities};
+}
+
+}  // namespace actio::scene

@@ -1,0 +1,190 @@
+#include "actio/scene/systems/reduced_input.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cmath>
+#include <map>
+
+#include "actio/any_group/membership.hpp"
+#include "actio/any_group/named_algebra.hpp"
+#include "actio/formula/parse_formula.hpp"
+#include "actio/numbers/nearest_name.hpp"
+
+namespace actio::scene {
+namespace {
+
+MatrixAlgebra read_algebra(SceneTable const& system) {
+  bool const named = system.has("group");
+  if (named == system.has("algebra"))
+    throw SceneError(named ? system.place("algebra") : system.place(),
+                     named ? "[system] has 'group' and 'algebra'; one of them says what the group is"
+                           : "[system] needs 'group', for instance group = \"SE(2)\", or 'algebra', a basis of "
+                             "matrices");
+  std::string const key = named ? "group" : "algebra";
+  try {
+    return named ? named_algebra(system.text(key)) : spanned_algebra(system.matrices(key));
+  } catch (SceneError const&) {
+    throw;
+  } catch (Error const& error) {
+    system.fail(key, key + ": " + error.what());
+  }
+}
+
+bool is_name(std::string const& word) {
+  bool good = !word.empty() && !std::isdigit(static_cast<unsigned char>(word.front()));
+  for (unsigned char const c : word) good = good && (c == '_' || (c < 128 && std::isalnum(c)));
+  return good;
+}
+/// Refuses a name that a formula cannot have, or that stands for something else there.
+void check_name(SceneTable const& table, std::string const& key, std::vector<std::string> const& taken) {
+  if (!is_name(key))
+    table.fail(key, fmt::format("'{}' is no name for a formula: letters, digits and _ are, a letter or _ first",
+                                printable(key)));
+  for (auto const& other : taken)
+    if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a component", key));
+  std::vector<std::string_view> known{"pi"};
+  known.insert(known.end(), operation_names.begin() + static_cast<int>(Operation::atan2), operation_names.end());
+  for (auto const& word : known)
+    if (word == key) table.fail(key, fmt::format("the name '{}' is taken already: formulas know it", key));
+}
+
+std::map<std::string, double> read_parameters(SceneTable const& system, std::vector<std::string> const& taken) {
+  std::map<std::string, double> out;
+  if (!system.has("parameters")) return out;
+  if (!system.is_table("parameters"))
+    system.fail("parameters", "parameters: a table of numbers is expected, for instance { c = 6 }");
+  SceneTable const table = system.inside("parameters");
+  for (auto const& key : table.keys()) {
+    check_name(table, key, taken);
+    out[key] = table.number(key);
+  }
+  return out;
+}
+
+/// A vector as long as the matrices have rows; on a group of rigid motions one without its last component is a
+/// direction, which the motion only turns.
+Eigen::VectorXd padded(SceneTable const& table, std::string const& key, MatrixAlgebra const& algebra) {
+  auto numbers = table.numbers(key);
+  auto const rows = static_cast<std::size_t>(algebra.size);
+  bool const motions = algebra.name == "SE(2)" || algebra.name == "SE(3)";
+  if (motions && numbers.size() + 1 == rows) numbers.push_back(0);
+  if (numbers.size() != rows)
+    table.fail(key, fmt::format("{}: {}{} numbers are expected, as many as the matrices of the group have rows, "
+                                "found {}",
+                                key, rows,
+                                motions ? fmt::format(" (a point has 1 last) or, of a direction, {}", rows - 1)
+                                        : "",
+                                numbers.size()));
+  return Eigen::Map<Eigen::VectorXd const>(numbers.data(), algebra.size);
+}
+
+std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra const& algebra) {
+  std::vector<CarriedVector> out;
+  if (!system.has("advected")) return out;
+  if (!system.is_table("advected"))
+    system.fail("advected", "advected: a table of vectors is expected, for instance { gravity = [0, 0, -1] }");
+  SceneTable const table = system.inside("advected");
+  std::vector<std::string> taken{"velocity",      "body_momentum",     "spatial_momentum", "energy",
+                                 "configuration", "casimir",           "order",            "tangent_map",
+                                 "leaf_defect",   "symplectic_defect", "poisson_defect"};
+  for (auto const& key : table.keys()) {
+    for (auto const& other : taken)
+      if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
+    check_name(table, key, algebra.components);
+    out.push_back({key, padded(table, key, algebra)});
+  }
+  if (out.size() * static_cast<std::size_t>(algebra.size) > 128)
+    system.fail("advected", fmt::format("advected: at most 128 components together are expected, found {}",
+                                        out.size() * static_cast<std::size_t>(algebra.size)));
+  return out;
+}
+
+Tape read_lagrangian(SceneTable const& system, MatrixAlgebra const& algebra,
+                     std::vector<CarriedVector> const& carried) {
+  std::vector<std::string> names = algebra.components;
+  for (auto const& vector : carried)
+    for (int i = 1; i <= algebra.size; ++i) names.push_back(vector.name + std::to_string(i));
+  auto const parameters = read_parameters(system, names);
+  std::string const text = system.text("lagrangian");
+  try {
+    return parse_formula(text, names, parameters);
+  } catch (FormulaError const& error) {
+    system.text_place("lagrangian").fail(text, error.position, error.what());
+  }
+}
+
+Eigen::MatrixXd read_configuration(SceneTable& initial, MatrixAlgebra const& algebra) {
+  if (!initial.has("configuration"))
+    initial.set("configuration", Eigen::MatrixXd(Eigen::MatrixXd::Identity(algebra.size, algebra.size)));
+  Eigen::MatrixXd const g = initial.matrix("configuration", algebra.size);
+  double distance = 0;
+  if (!is_element(algebra, g, distance))
+    initial.fail("configuration",
+                 fmt::format("configuration: an element of the group is expected; this matrix is {:.3g} away "
+                             "from it, and at most 1e-9 is allowed",
+                             distance));
+  return g;
+}
+
+/// `0.71 v1 - 0.71 v2`
+std::string combination(Eigen::VectorXd const& direction, std::vector<std::string> const& names) {
+  std::string out;
+  double const largest = direction.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < direction.size(); ++i) {
+    double const x = direction[i];
+    if (!(std::abs(x) > 1e-9 * largest)) continue;
+    std::string const name = names[static_cast<std::size_t>(i)];
+    out += out.empty() ? (x < 0 ? "-" : "") : (x < 0 ? " - " : " + ");
+    out += std::abs(x) == 1 ? name : fmt::format("{:.3g} {}", std::abs(x), name);
+  }
+  return out;
+}
+
+void require_regular(SceneTable const& system, ReducedScene const& scene) {
+  LegendreVelocity legendre(*scene.system);
+  LeastRegular const least(legendre.hessian(scene.velocity, scene.start.vectors));
+  if (least.smallest > 1e-12 * least.largest) return;
+  system.fail("lagrangian",
+              fmt::format("lagrangian: it is not regular at the start: along {} its second derivative is {:.3g}, "
+                          "where the largest is {:.3g}, so that the momentum does not determine the velocity",
+                          combination(least.direction, scene.system->algebra.components), least.smallest,
+                          least.largest));
+}
+
+}  // namespace
+
+std::vector<std::string> carried_names(SceneFile const& file) {
+  SceneTable const system = file.section("system");
+  return system.has("advected") && system.is_table("advected") ? system.inside("advected").keys()
+                                                              : std::vector<std::string>{};
+}
+
+ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&) {
+  SceneTable system = file.section("system"), initial = file.section("initial");
+  MatrixAlgebra algebra = read_algebra(system);
+  if (!system.has("side")) system.set("side", "left");
+  Side const side = system.choice("side", "side", {"left", "right"}) == "left" ? Side::left : Side::right;
+  ReducedScene scene;
+  scene.carried = read_carried(system, algebra);
+  Tape l = read_lagrangian(system, algebra, scene.carried);
+  scene.velocity = initial.numbers("velocity", algebra.dimension);
+  scene.configuration = read_configuration(initial, algebra);
+  Eigen::MatrixXd const mover =
+      side == Side::left ? Eigen::MatrixXd(scene.configuration.inverse()) : scene.configuration;
+  for (auto const& vector : scene.carried) {
+    Eigen::VectorXd const a = mover * vector.constant;
+    scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
+  }
+  scene.system = std::make_shared<ReducedSystem const>(std::move(algebra), side,
+                                                       static_cast<int>(scene.carried.size()), std::move(l));
+  try {
+    scene.start.momentum = LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
+  } catch (NotFinite const&) {
+    system.fail("lagrangian", "lagrangian: at the start its value or one of its derivatives is no finite number");
+  }
+  require_regular(system, scene);
+  return scene;
+}
+
+}  // namespace actio::scene
