@@ -1,9 +1,11 @@
 // Decimal numbers as constants of a tape, exactly.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "actio/formula/tape_builder.hpp"
@@ -42,22 +44,32 @@ inline TapeBuilder::Entry decimal_constant(TapeBuilder& b, std::string_view digi
   return result;
 }
 
+/// A number as it is written, exactly: digits, perhaps a point among them, perhaps an exponent.
+/// @param nearest  the double nearest to it
+inline TapeBuilder::Entry decimal_constant(TapeBuilder& b, std::string_view text, double nearest) {
+  if (nearest == 0) return b.number(0);
+  auto const e = std::min(text.find_first_of("eE"), text.size());
+  long power = 0;
+  if (e < text.size()) {
+    std::size_t const from = e + (text[e + 1] == '+' ? 2 : 1);
+    std::from_chars(text.data() + from, text.data() + text.size(), power);
+  }
+  std::string digits(text.substr(0, e));
+  if (auto const point = digits.find('.'); point != std::string::npos) {
+    digits.erase(point, 1);
+    power -= static_cast<long>(digits.size() - point);
+  }
+  return decimal_constant(b, digits, power, nearest);
+}
+
 /// The shortest decimal number that reads as x: 0.1 is 1/10.
 /// @throws NotFinite
 inline TapeBuilder::Entry decimal_constant(TapeBuilder& b, double x) {
   if (!std::isfinite(x)) throw NotFinite("a constant of a formula");
   char text[40];
   char* const end = std::to_chars(text, text + sizeof text, std::abs(x), std::chars_format::scientific).ptr;
-  // d.ddde±kk
-  std::string_view const all(text, static_cast<std::size_t>(end - text));
-  auto const e = all.find('e');
-  std::string digits;
-  for (char c : all.substr(0, e))
-    if (c != '.') digits += c;
-  long k = 0;
-  char const* const from = all.data() + e + (all[e + 1] == '+' ? 2 : 1);
-  std::from_chars(from, end, k);
-  auto const size = decimal_constant(b, digits, k - static_cast<long>(digits.size()) + 1, std::abs(x));
+  auto const size =
+      decimal_constant(b, std::string_view(text, static_cast<std::size_t>(end - text)), std::abs(x));
   if (x >= 0) return size;
   auto const result = b.negate(size);
   b.set_value(result, x);

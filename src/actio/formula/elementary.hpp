@@ -142,6 +142,10 @@ S elementary(Operation operation, S const& x) {
 /// A function of one number, applied to a dual number: the chain rule.
 template <class S, int N>
 Dual<S, N> elementary(Operation operation, Dual<S, N> const& x);
+/// A function of one number, applied to a power series or the like.
+template <class S>
+  requires(!Plain<S>)
+S elementary(Operation operation, S const& x) { return detail::function_of_six(operation, x); }
 
 /// \f$x^c\f$ with a constant c, of plain numbers.
 template <Plain S>
@@ -154,19 +158,26 @@ S power(S const& x, S const& c) {
     return pow(x, c);
   }
 }
+/// \f$x^c\f$ with a constant c, of power series and the like.
+template <class S>
+  requires(!Plain<S>)
+S power(S const& x, S const& c) {
+  using std::exp, std::log;
+  return exp(S(c * log(x)));
+}
 /// \f$x^c\f$ with a constant c, of dual numbers: c has no rates.
 template <class S, int N>
 Dual<S, N> power(Dual<S, N> const& x, Dual<S, N> const& c) {
   return chain(x, S(power(x.value, c.value)), S(c.value * power(x.value, S(c.value - 1))));
 }
 
-/// \f$\sqrt{x^2 + y^2}\f$ of plain numbers.
-template <Plain S>
+/// \f$\sqrt{x^2 + y^2}\f$.
+template <class S>
 S hypotenuse(S const& x, S const& y) {
   if constexpr (std::same_as<S, double>)
     return std::hypot(x, y);
   else
-    return square_root(S(x * x + y * y));
+    return elementary(Operation::sqrt, S(x * x + y * y));
 }
 /// \f$\sqrt{x^2 + y^2}\f$ of dual numbers.
 template <class S, int N>

@@ -126,8 +126,8 @@ class FormulaText {
     if (point) ++at_;
     bool const behind = point && digits();
     if (point && !(before && behind))
-      throw FormulaError(begin, "a digit is expected on both sides of the point in '" +
-                                    shown(text_.substr(begin, at_ - begin)) + "'");
+      throw FormulaError(begin, "found '" + shown(text_.substr(begin, at_ - begin)) +
+                                    "', expected a digit on both sides of the point");
     std::size_t const sign = at(at_ + 1) == '+' || at(at_ + 1) == '-' ? 1 : 0;
     if ((at(at_) == 'e' || at(at_) == 'E') && is_digit(at(at_ + 1 + sign))) {
       at_ += 1 + sign;
@@ -139,8 +139,8 @@ class FormulaText {
     if (error != std::errc())
       throw FormulaError(begin, "the number " + shown(text) + " is too large or too small for a double");
     if (is_letter(at(at_)) || at(at_) == '.')
-      throw FormulaError(at_, "an operator is expected behind the number " + shown(text) + ", found '" +
-                                  shown(text_.substr(at_, 1)) + "'; a product is written 2*x");
+      throw FormulaError(at_, "found '" + shown(text_.substr(at_, 1)) + "' behind the number " + shown(text) +
+                                  ", expected an operator; a product is written 2*x");
   }
 
   void sign() {
@@ -154,13 +154,12 @@ class FormulaText {
   }
 
   [[noreturn]] void refuse(char c) const {
-    std::string const found = shown_character(text_, at_);
+    std::string const found = text_.substr(at_, 2) == "==" ? "'=='" : shown_character(text_, at_);
     if (std::string_view("<>!&|?:=").find(c) != std::string_view::npos)
-      throw FormulaError(
-          at_, "a Lagrangian is smooth, so a formula has no comparisons and no cases, found " + found);
-    if (c == '*') throw FormulaError(at_, "a power is written x^2, found '**'");
+      throw FormulaError(at_, "found " + found + ", but a Lagrangian is smooth: no comparisons and no cases");
+    if (c == '*') throw FormulaError(at_, "found '**', expected '^' for a power");
     if (std::string_view("[]{}").find(c) != std::string_view::npos)
-      throw FormulaError(at_, "brackets of a formula are round, found " + found);
+      throw FormulaError(at_, "found " + found + ", expected a round bracket");
     if (static_cast<unsigned char>(c) >= 0x80)
       throw FormulaError(at_, found + " is no part of a formula; names consist of a-z, A-Z, 0-9 and _");
     throw FormulaError(at_, found + " is no part of a formula");

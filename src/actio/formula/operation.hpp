@@ -64,6 +64,10 @@ constexpr bool of_one_argument(Operation operation) { return operation >= Operat
 constexpr bool of_two_arguments(Operation operation) {
   return operation == Operation::atan2 || operation == Operation::hypot;
 }
+/// Whether a formula calls it by its name.
+constexpr bool is_function(Operation operation) {
+  return of_one_argument(operation) || of_two_arguments(operation);
+}
 /// Whether it has two operands.
 constexpr bool joins_two(Operation operation) {
   return operation >= Operation::add && operation <= Operation::hypot && operation != Operation::negate;

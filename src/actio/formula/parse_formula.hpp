@@ -5,16 +5,16 @@
 // angles are in radians. A formula is smooth: what has kinks or jumps is refused. Decimal numbers are exact.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "actio/formula/decimal_constant.hpp"
+#include "actio/formula/formula_names.hpp"
 #include "actio/formula/formula_text.hpp"
 #include "actio/formula/tape_builder.hpp"
-#include "actio/numbers/nearest_name.hpp"
 
 namespace actio {
 
@@ -28,12 +28,15 @@ class FormulaParser {
 
   FormulaParser(std::string_view text, std::vector<std::string> const& names,
                 std::map<std::string, double> const& constants)
-      : whole_(checked(text)), builder_(static_cast<int>(names.size())), text_(whole_) {
-    for (std::size_t i = 0; i < names.size(); ++i) introduce(names[i], static_cast<Entry>(i));
+      : builder_(static_cast<int>(names.size())), text_(checked(text)) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      names_.require_free(names[i], 0);
+      names_.add(names[i], static_cast<Entry>(i));
+    }
     for (auto const& [name, value] : constants) {
-      if (!std::isfinite(value))
-        throw FormulaError(0, "the constant " + shown(name) + " is no finite number");
-      introduce(name, decimal_constant(builder_, value));
+      names_.require_free(name, 0);
+      if (!std::isfinite(value)) throw FormulaError(0, "the constant '" + name + "' is no finite number");
+      names_.add(name, decimal_constant(builder_, value));
     }
   }
 
@@ -50,10 +53,12 @@ class FormulaParser {
 
  private:
   Tape value_of_all() {
-    Entry value = definition_or_value();
-    while (text_.take_sign(';')) value = definition_or_value();
-    if (defined_)
-      fail(text_.next().position, "the value is expected behind the definitions, as in 'a = 2; a*x'");
+    bool defined = false;
+    for (; text_.next().kind == Token::Kind::name && text_.followed_by('='); defined = true) definition();
+    if (defined && text_.next().kind == Token::Kind::end)
+      unexpected("the value behind the definitions, as in 'a = 2; a*x'");
+    Entry const value = sum();
+    if (text_.is_sign(';')) unexpected("one formula; a definition is written 'a = 2;'");
     if (text_.next().kind != Token::Kind::end) unexpected("an operator");
     return builder_.tape(std::span(&value, 1));
   }
@@ -67,70 +72,20 @@ class FormulaParser {
     throw FormulaError(position, what);
   }
   [[noreturn]] void unexpected(std::string const& expected) const {
-    fail(text_.next().position, expected + " is expected, found " + text_.found());
-  }
-
-  // ---- Names.
-
-  static Operation const* function_called(std::string_view name) {
-    static constexpr auto all = [] {
-      std::array<Operation, operations> list{};
-      for (int i = 0; i < operations; ++i) list[static_cast<std::size_t>(i)] = static_cast<Operation>(i);
-      return list;
-    }();
-    for (Operation const& o : all)
-      if ((of_one_argument(o) || of_two_arguments(o)) && name_of(o) == name) return &o;
-    return nullptr;
-  }
-  void introduce(std::string const& name, Entry entry) {
-    if (!is_name(name))
-      fail(0, "'" + shown(name) +
-                  "' is no name for a number; names are a letter or _ and then letters, digits and _");
-    if (name == "pi" || function_called(name))
-      fail(0, "the name '" + name + "' has a meaning of its own in formulas; choose another one");
-    if (!known_.emplace(name, entry).second) fail(0, "the name '" + shown(name) + "' is given twice");
-  }
-  /// Says why a name is refused.
-  [[noreturn]] void unknown(Token const& name) const {
-    static constexpr std::string_view with_kinks[] = {"abs",  "sign",  "min",  "max", "floor",
-                                                      "ceil", "round", "fabs", "mod"};
-    if (std::find(std::begin(with_kinks), std::end(with_kinks), name.text) != std::end(with_kinks))
-      fail(name.position, "'" + std::string(name.text) +
-                              "' has kinks or jumps, and a Lagrangian is smooth; |x| is smooth as sqrt(x^2 + "
-                              "e^2) with a small e");
-    std::vector<std::string> all;
-    for (auto const& [known, entry] : known_) all.push_back(known);
-    all.emplace_back("pi");
-    for (int i = 0; i < operations; ++i)
-      if (auto const o = static_cast<Operation>(i); of_one_argument(o) || of_two_arguments(o))
-        all.emplace_back(name_of(o));
-    fail(name.position, "unknown name '" + shown(name.text) + "'" +
-                            did_you_mean(std::string(name.text), all) + " (known: " + listed(all) + ")");
+    fail(text_.next().position, "found " + text_.found() + ", expected " + expected);
   }
 
   // ---- The grammar.
 
-  /// `name = sum` or `sum`.
-  Entry definition_or_value() {
-    auto const& next = text_.next();
-    defined_ = next.kind == Token::Kind::name && text_.followed_by('=');
-    if (!defined_) return sum();
+  /// `name = sum ;`
+  void definition() {
     Token const name = text_.take();
-    if (known_.contains(name.text))
-      fail(name.position, "'" + shown(name.text) + "' has a value already; define another name");
-    if (name.text == "pi" || function_called(name.text))
-      fail(name.position,
-           "'" + shown(name.text) + "' has a meaning of its own in formulas; define another name");
+    names_.require_free(name.text, name.position);
     text_.take();
     Entry const value = sum();
-    if (!text_.is_sign(';')) {
-      if (text_.next().kind == Token::Kind::end)
-        fail(text_.next().position,
-             "';' and the value are expected behind the definition of '" + shown(name.text) + "'");
-      unexpected("an operator or ';'");
-    }
-    known_.emplace(name.text, value);
-    return value;
+    if (!text_.take_sign(';'))
+      unexpected("an operator, or ';' behind the definition of '" + shown(name.text) + "'");
+    names_.add(name.text, value);
   }
 
   Entry sum() {
@@ -200,57 +155,30 @@ class FormulaParser {
     unexpected("an operator or ')'");
   }
 
-  Entry number(Token const& token) {
-    // The digits without the point, and the power of ten.
-    std::string digits;
-    long power = 0;
-    bool behind = false;
-    for (std::size_t i = 0; i < token.text.size(); ++i) {
-      char const c = token.text[i];
-      if (c == 'e' || c == 'E') {
-        long exponent = 0;
-        std::size_t const from = i + (token.text[i + 1] == '+' ? 2 : 1);
-        std::from_chars(token.text.data() + from, token.text.data() + token.text.size(), exponent);
-        power += exponent;
-        break;
-      }
-      if (c == '.') {
-        behind = true;
-        continue;
-      }
-      digits += c;
-      power -= behind;
-    }
-    if (token.value == 0) return builder_.number(0);
-    return decimal_constant(builder_, digits, power, token.value);
-  }
+  Entry number(Token const& token) { return decimal_constant(builder_, token.text, token.value); }
 
   Entry name(Token const& token) {
-    auto const known = known_.find(token.text);
-    if (known != known_.end()) {
-      if (text_.is_sign('('))
-        fail(text_.next().position,
-             "an operator is expected behind '" + shown(token.text) + "', which is a number and no function");
-      return known->second;
-    }
     if (token.text == "pi") return builder_.pi();
-    Operation const* const function = function_called(token.text);
-    if (!function) unknown(token);
-    return call(*function, token);
+    if (auto const function = function_called(token.text)) return call(*function, token);
+    auto const entry = names_.find(token.text);
+    if (!entry) names_.refuse(token, text_.is_sign('('));
+    if (text_.is_sign('('))
+      unexpected("an operator behind '" + shown(token.text) + "', which is a number and no function");
+    return *entry;
   }
 
   Entry call(Operation function, Token const& token) {
-    if (!text_.is_sign('(')) unexpected("'(' behind the function " + std::string(token.text));
+    std::string const name(token.text);
+    if (!text_.is_sign('(')) unexpected("'(' behind the function " + name);
     Token const open = text_.take();
     Deeper const deeper(*this, open.position);
     Entry const x = sum();
     if (of_one_argument(function)) {
-      if (text_.is_sign(','))
-        fail(text_.next().position, std::string(token.text) + " is a function of one number, found a second");
+      if (text_.is_sign(',')) unexpected("')', for " + name + " is a function of one number");
       close(open);
       return finite(token.position, builder_.apply(function, x));
     }
-    if (!text_.take_sign(',')) unexpected("',' and a second number for " + std::string(token.text));
+    if (!text_.take_sign(',')) unexpected("',' before the second number of " + name);
     Entry const y = sum();
     close(open);
     return finite(token.position, builder_.apply(function, x, y));
@@ -258,10 +186,10 @@ class FormulaParser {
 
   /// A constant must be a finite number.
   Entry finite(std::size_t at, Entry e) const {
-    if (builder_.is_constant(e) && !std::isfinite(builder_.value(e)))
-      fail(at, "this part of the formula is constant, and its value is " + show(builder_.value(e)) +
-                   "; a finite number is needed");
-    return e;
+    if (!builder_.is_constant(e) || std::isfinite(builder_.value(e))) return e;
+    fail(at, std::isnan(builder_.value(e))
+                 ? "this constant does not exist: a function is taken outside of its domain"
+                 : "this constant is infinite, or larger than a double");
   }
 
   /// One bracket or power further in.
@@ -277,11 +205,9 @@ class FormulaParser {
     Deeper& operator=(Deeper const&) = delete;
   };
 
-  std::string_view whole_;
   TapeBuilder builder_;
   FormulaText text_;
-  std::map<std::string, Entry, std::less<>> known_;
-  bool defined_ = false;
+  FormulaNames names_;
   int depth_ = 0;
 };
 }  // namespace detail

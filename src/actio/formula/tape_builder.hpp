@@ -6,6 +6,7 @@
 // what they should be.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -49,6 +50,10 @@ class TapeBuilder : public TapeEntries {
   Multiple multiple(Entry e);
   bool is_reciprocal(Entry e) const { return operation(e) == Operation::divide && is(first(e), 1); }
   Entry factor_of(Multiple const& m) { return m.factor ? *m.factor : number(1); }
+  /// A constant that is an ordinary double: neither infinite nor so small that it lost digits.
+  std::optional<Entry> in_range(Entry constant) const {
+    return std::isnormal(value(constant)) ? std::optional(constant) : std::nullopt;
+  }
   Entry folded(Operation operation, Entry a, Entry b);
   std::optional<Entry> collected(Operation sign, Entry a, Entry b);
   std::optional<ExactRatio> folded(Operation function, ExactRatio const& x) const;
@@ -119,27 +124,31 @@ inline TapeBuilder::Entry TapeBuilder::multiply(Entry a, Entry b) {
   // Constant factors to the front.
   Multiple const x = multiple(a), y = multiple(b);
   if (is_constant(a)) {
-    if (y.factor) return multiply(multiply(a, *y.factor), y.rest);
-    return is(a, -1) ? negate(b) : entry(Operation::multiply, a, b);
+    if (is(a, -1)) return negate(b);
+    auto const both = y.factor ? in_range(multiply(a, *y.factor)) : std::nullopt;
+    return both ? multiply(*both, y.rest) : entry(Operation::multiply, a, b);
   }
   if (!x.factor && !y.factor) {
     if (is_reciprocal(b)) return divide(a, second(b));
     return is_reciprocal(a) ? divide(b, second(a)) : entry(Operation::multiply, a, b);
   }
-  return multiply(multiply(factor_of(x), factor_of(y)), multiply(x.rest, y.rest));
+  auto const both = in_range(multiply(factor_of(x), factor_of(y)));
+  return both ? multiply(*both, multiply(x.rest, y.rest)) : entry(Operation::multiply, a, b);
 }
 
 inline TapeBuilder::Entry TapeBuilder::divide(Entry a, Entry b) {
-  if (is_constant(b)) {
-    if (is_constant(a)) return folded(Operation::divide, a, b);
-    return is(b, 0) ? entry(Operation::divide, a, b) : multiply(folded(Operation::divide, number(1), b), a);
-  }
+  if (is_constant(a) && is_constant(b)) return folded(Operation::divide, a, b);
   if (is(a, 0)) return a;
+  if (is_constant(b)) {
+    auto const inverse = in_range(folded(Operation::divide, number(1), b));
+    return inverse ? multiply(*inverse, a) : entry(Operation::divide, a, b);
+  }
   // Constant factors to the front.
-  Multiple const x = multiple(a), y = multiple(b);
-  if (is_constant(a)) return y.factor ? divide(divide(a, *y.factor), y.rest) : entry(Operation::divide, a, b);
-  if (!x.factor && !y.factor) return entry(Operation::divide, a, b);
-  return multiply(divide(factor_of(x), factor_of(y)), divide(x.rest, y.rest));
+  Multiple const x = is_constant(a) ? Multiple{a, number(1)} : multiple(a), y = multiple(b);
+  if (!y.factor && (!x.factor || is_constant(a))) return entry(Operation::divide, a, b);
+  auto const both = in_range(divide(factor_of(x), factor_of(y)));
+  if (!both) return entry(Operation::divide, a, b);
+  return is_constant(a) ? divide(*both, y.rest) : multiply(*both, divide(x.rest, y.rest));
 }
 
 inline TapeBuilder::Entry TapeBuilder::whole_power(Entry a, int n) {

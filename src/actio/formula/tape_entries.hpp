@@ -32,6 +32,8 @@ class TapeEntries {
 
   /// How many inputs there are.
   int inputs() const { return inputs_; }
+  /// The input i.
+  Entry input(int i) const { return static_cast<Entry>(i); }
   /// How many entries there are.
   Entry size() const { return static_cast<Entry>(entries_.size()); }
   /// What an entry is.

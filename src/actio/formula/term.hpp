@@ -8,9 +8,17 @@
 //     Tape const tape = b.tape(std::vector{f.entry()});
 #pragma once
 
+#include <concepts>
+#include <type_traits>
+
+#include "actio/formula/decimal_constant.hpp"
 #include "actio/formula/tape_builder.hpp"
 
 namespace actio {
+
+/// A number of the language: a constant beside terms.
+template <class T>
+concept Arithmetic = std::is_arithmetic_v<T>;
 
 /// An entry of a tape that is being recorded.
 class Term {
@@ -27,17 +35,32 @@ class Term {
   friend Term operator/(Term const& x, Term const& y) { return x.with(&TapeBuilder::divide, y); }
   friend Term operator-(Term const& x) { return {x.builder(), x.builder().negate(x.entry())}; }
 
-  friend Term operator+(Term const& x, int n) { return x + x.whole(n); }
-  friend Term operator-(Term const& x, int n) { return x - x.whole(n); }
-  friend Term operator*(Term const& x, int n) { return x * x.whole(n); }
-  friend Term operator/(Term const& x, int n) { return x / x.whole(n); }
-  friend Term operator+(int n, Term const& x) { return x.whole(n) + x; }
-  friend Term operator-(int n, Term const& x) { return x.whole(n) - x; }
-  friend Term operator*(int n, Term const& x) { return x.whole(n) * x; }
-  friend Term operator/(int n, Term const& x) { return x.whole(n) / x; }
+  template <Arithmetic T>
+  friend Term operator+(Term const& x, T c) { return x + x.constant(c); }
+  template <Arithmetic T>
+  friend Term operator-(Term const& x, T c) { return x - x.constant(c); }
+  template <Arithmetic T>
+  friend Term operator*(Term const& x, T c) { return x * x.constant(c); }
+  template <Arithmetic T>
+  friend Term operator/(Term const& x, T c) { return x / x.constant(c); }
+  template <Arithmetic T>
+  friend Term operator+(T c, Term const& x) { return x.constant(c) + x; }
+  template <Arithmetic T>
+  friend Term operator-(T c, Term const& x) { return x.constant(c) - x; }
+  template <Arithmetic T>
+  friend Term operator*(T c, Term const& x) { return x.constant(c) * x; }
+  template <Arithmetic T>
+  friend Term operator/(T c, Term const& x) { return x.constant(c) / x; }
 
-  /// A whole number that the same tape records.
-  Term whole(int n) const { return {builder(), builder().number(n)}; }
+  /// A constant of the same tape: a whole number, or the shortest decimal number that reads as a double.
+  /// @throws NotFinite
+  template <Arithmetic T>
+  Term constant(T c) const {
+    if constexpr (std::integral<T>)
+      return {builder(), builder().number(ExactRatio{static_cast<std::int64_t>(c), 1})};
+    else
+      return {builder(), decimal_constant(builder(), c)};
+  }
 
  private:
   Term with(TapeBuilder::Entry (TapeBuilder::*join)(TapeBuilder::Entry, TapeBuilder::Entry),
@@ -49,7 +72,7 @@ class Term {
 };
 
 /// A whole number beside a term.
-inline Term whole_beside(Term const& x, int n) { return x.whole(n); }
+inline Term whole_beside(Term const& x, int n) { return x.constant(n); }
 
 /// A function of one number, recorded.
 inline Term elementary(Operation function, Term const& x) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "actio/any_group/invariants.hpp"
+#include "actio/any_group/semidirect_algebra.hpp"
 #include "actio/groups/unipotent_groups.hpp"
 #include "actio/reduction/composition.hpp"
 #include "actio/scene/system.hpp"

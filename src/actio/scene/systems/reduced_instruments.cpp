@@ -1,5 +1,6 @@
 #include "actio/scene/systems/reduced_instruments.hpp"
 
+#include "actio/any_group/semidirect_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"
 #include "actio/any_group/tape_lagrangian.hpp"
 #include "actio/instruments/leaf_defect.hpp"

@@ -1,0 +1,97 @@
+// The names that a formula may use: of inputs, constants and definitions, and of functions.
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "actio/formula/formula_error.hpp"
+#include "actio/formula/formula_text.hpp"
+#include "actio/formula/operation.hpp"
+#include "actio/formula/tape_entries.hpp"
+#include "actio/numbers/nearest_name.hpp"
+
+namespace actio::detail {
+
+/// The function with this name.
+inline std::optional<Operation> function_called(std::string_view name) {
+  for (int i = 0; i < operations; ++i)
+    if (auto const o = static_cast<Operation>(i); is_function(o) && name_of(o) == name) return o;
+  return std::nullopt;
+}
+
+/// Names of numbers, and which entry of a tape each is.
+class FormulaNames {
+ public:
+  using Entry = TapeEntries::Entry;
+
+  /// Refuses a name that cannot be given to a number, or that another one has.
+  /// @param position  where to point
+  void require_free(std::string_view name, std::size_t position) const {
+    if (!is_name(name))
+      throw FormulaError(position, "'" + shown(name) +
+                                       "' is no name of a number; one is a letter or _ and then letters, "
+                                       "digits and _");
+    if (name == "pi" || function_called(name))
+      throw FormulaError(position,
+                         "the name '" + shown(name) + "' has a meaning of its own in formulas; take another");
+    if (entries_.contains(name))
+      throw FormulaError(position,
+                         "the name '" + shown(name) + "' stands for a number already; take another");
+  }
+  /// Gives an entry a name that is free.
+  void add(std::string_view name, Entry entry) { entries_.emplace(name, entry); }
+  /// The entry with this name.
+  std::optional<Entry> find(std::string_view name) const {
+    auto const found = entries_.find(name);
+    return found == entries_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  /// Says why a name has no meaning.
+  /// @param called  whether a bracket follows it
+  [[noreturn]] void refuse(Token const& name, bool called) const {
+    static constexpr std::string_view with_kinks[] = {"abs",   "fabs", "sign",  "min", "max",
+                                                      "floor", "ceil", "round", "mod", "if"};
+    std::string const quoted = "'" + shown(name.text) + "'";
+    if (std::find(std::begin(with_kinks), std::end(with_kinks), name.text) != std::end(with_kinks))
+      throw FormulaError(name.position,
+                         quoted +
+                             " has kinks or jumps, and a Lagrangian is smooth; |x| is smooth as "
+                             "sqrt(x^2 + e^2) with a small e");
+    if (called)
+      throw FormulaError(name.position, "unknown function " + quoted + did_you_mean(name.text, functions()) +
+                                            " (known: " + listed(functions()) + ")");
+    std::vector<std::string> all = numbers();
+    std::string const known = briefly(all);
+    for (auto const& function : functions()) all.push_back(function);
+    throw FormulaError(name.position,
+                       "unknown name " + quoted + did_you_mean(name.text, all) + " (known: " + known + ")");
+  }
+
+ private:
+  static std::vector<std::string> functions() {
+    std::vector<std::string> all;
+    for (int i = 0; i < operations; ++i)
+      if (auto const o = static_cast<Operation>(i); is_function(o)) all.emplace_back(name_of(o));
+    return all;
+  }
+  std::vector<std::string> numbers() const {
+    std::vector<std::string> all;
+    for (auto const& [name, entry] : entries_) all.push_back(name);
+    all.emplace_back("pi");
+    return all;
+  }
+  static std::string briefly(std::vector<std::string> const& names) {
+    constexpr std::size_t most = 20;
+    if (names.size() <= most) return listed(names);
+    std::vector<std::string> const first(names.begin(), names.begin() + most);
+    return listed(first) + ", and " + std::to_string(names.size() - most) + " more";
+  }
+
+  std::map<std::string, Entry, std::less<>> entries_;
+};
+
+}  // namespace actio::detail
