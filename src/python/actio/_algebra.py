@@ -6,8 +6,9 @@ from typing import Any, NamedTuple, Union
 import numpy
 from numpy.typing import NDArray
 
-from actio._errors import SceneError
-from actio._values import kind, shown
+from actio import _actio
+from actio._errors import Error, SceneError
+from actio._values import in_utf8, kind, shown
 
 #: A group: its name, or a basis of its Lie algebra, a sequence of square matrices.
 Group = Union[str, Sequence[Any], NDArray[Any]]
@@ -46,32 +47,23 @@ def _matrices(group: Any) -> NDArray[numpy.float64]:
     return numpy.array(matrices, dtype=float)
 
 
-_COMPONENTS = {"SO(3)": "w1 w2 w3", "SE(2)": "w v1 v2", "SE(3)": "w1 w2 w3 v1 v2 v3"}
-
-
 def algebra_of(group: Any) -> Algebra:
     """The Lie algebra of a group.
 
     group: its name, or a basis of the algebra.
+
+    Raises SceneError where no group has that name; where the matrices are not independent, or a commutator
+    of two of them leaves their span.
     """
-    if isinstance(group, str):
-        if group not in _COMPONENTS:
-            raise SceneError(f"group: {', '.join(_COMPONENTS)} are expected, found {shown(group)}")
-        components = tuple(_COMPONENTS[group].split())
-        return Algebra(group, components, _basis(group))
-    matrices = _matrices(group)
-    return Algebra("", tuple(f"x{k + 1}" for k in range(len(matrices))), matrices)
-
-
-def _basis(group: str) -> NDArray[numpy.float64]:
-    """Rotations e_i with e_i x = e_i cross x, then translations."""
-    size = int(group[3])
-    rows = size if group[1] == "O" else size + 1
-    turns = [(1, 0)] if size == 2 else [(2, 1), (0, 2), (1, 0)]
-    entries = [[(i, j, 1), (j, i, -1)] for i, j in turns]
-    entries += [[(i, size, 1)] for i in range(size)] if rows > size else []
-    basis = numpy.zeros((len(entries), rows, rows))
-    for matrix, own in zip(basis, entries):
-        for i, j, value in own:
-            matrix[i, j] = value
-    return basis
+    try:
+        if isinstance(group, str):
+            found = _actio.named_algebra(in_utf8(group, "group"))
+        else:
+            found = _actio.spanned_algebra(_matrices(group))
+    except SceneError:
+        raise
+    except Error as error:
+        message = str(error)
+        raise SceneError(message if message.startswith("group") else f"group: {message}") from None
+    # No zero has a sign in a scene.
+    return Algebra(found["name"], tuple(found["components"]), found["basis"] + 0.0)

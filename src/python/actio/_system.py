@@ -19,6 +19,7 @@ from actio._values import SceneText, kind, shown
 Lagrangian = Union[str, Callable[..., Any]]
 Vector = Union[Sequence[float], NDArray[Any]]
 
+_STATE = ("configuration", "velocity", "body_momentum", "spatial_momentum", "energy")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
 
@@ -214,10 +215,11 @@ class System:
         until, every: the last time, and the time from row to row.
         step, order, method: of the method, "natural_chart" or "galerkin".
         configuration: the matrix at the beginning; the identity where it is left out.
-        quantities: what the rows hold, names of `actio.quantities("euler_poincare")`.
+        quantities: what the rows hold, names of `actio.quantities("euler_poincare")` and of carried vectors;
+            configuration, velocity, momenta, energy and the carried vectors where it is left out.
         title: of the scene.
 
-        What is left out has its default.
+        All else that is left out has the default of the scene.
         """
         system: dict[str, Any] = {"kind": "euler_poincare"}
         if self._algebra.name:
@@ -235,7 +237,7 @@ class System:
             "initial": {"velocity": _plain(velocity), "configuration": _plain(configuration)},
             "method": {"name": method, "order": order, "step": step},
             "run": {"until": until, "every": every},
-            "output": {"quantities": None if quantities is None else list(quantities)},
+            "output": {"quantities": list((*_STATE, *self._advected) if quantities is None else quantities)},
         }
         return Scene(
             {

@@ -181,6 +181,9 @@ class Names(Mapping[str, Any]):
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         raise AttributeError(_unknown(self._what, name, list(self._there)))
 
+    def __repr__(self) -> str:
+        return f"<{self._what}s: {', '.join(self._there)}>"
+
     def __iter__(self) -> Iterator[str]:
         return iter(self._there)
 
