@@ -129,7 +129,7 @@ function raiseStages() {
     addShapes(byId("space-toggles"), space);
     addToggles(byId("space-toggles"), space);
   } else byId("space").hidden = true;
-  if (motion.momenta && !run.body.top) {
+  if (motion.momenta && !run.body.top && !run.body.torqued) {
     const sphere = new MomentumView(byId("sphere").querySelector("canvas"), motion, changed);
     stages.push(sphere);
     addToggles(byId("sphere-toggles"), sphere);

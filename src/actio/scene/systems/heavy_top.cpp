@@ -1,12 +1,11 @@
 // The heavy top: a rigid body held at a point under gravity.
 #include <fmt/format.h>
 
-#include "actio/fast_body/space/torqued_body.hpp"
-#include "actio/fast_body/space/uniform_gravity.hpp"
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 #include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/torqued_motion.hpp"
 
 namespace actio::scene {
 namespace {
@@ -31,13 +30,7 @@ std::vector<Parameter> parameters() {
   return all;
 }
 
-std::vector<Method> methods() {
-  return {{"variational",
-           {"4", "2"},
-           "Kicks of gravity and the exact flow of the free body: the action of the free motion and the "
-           "trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).",
-           ""}};
-}
+std::vector<Method> methods() { return {variational_method("gravity")}; }
 
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
@@ -79,37 +72,6 @@ std::vector<Quantity> quantities() {
                  true});
   return all;
 }
-
-using Top = TorquedBody<UniformGravity>;
-
-/// Steps of kicks and drifts.
-class TopMotion : public TurningBody {
- public:
-  TopMotion(StepsFrom<Top> from, FreeState const& start, double step)
-      : from_(std::move(from)), top_(from_(start, step)), now_(top_.state()) {}
-  void advance(long steps) override {
-    top_.step(steps);
-    now_ = top_.state();
-  }
-  void look_ahead(double time) override {
-    now_ = top_.state();
-    if (time == 0) return;
-    Top ahead = from_(now_, time);
-    ahead.step();
-    now_ = ahead.state();
-  }
-  void remember(CheckpointStream& stream) override {
-    top_.remember(stream);
-    now_ = top_.state();
-  }
-  Eigen::Vector3d body_momentum() const override { return now_.body_momentum.components; }
-  Eigen::Vector4d attitude() const override { return now_.attitude.value; }
-
- private:
-  StepsFrom<Top> from_;
-  Top top_;
-  FreeState now_;
-};
 
 /// [system] of a heavy top, in the frame in which the scene gives it.
 struct GivenTop {
@@ -175,27 +137,6 @@ struct TopScene {
   }
 };
 
-/// Between two kicks gravity is taken to pull as it does at the first of them. So the scheme is meant for
-/// steps in which the body turns little: beyond `most` radians it is refused, beyond `much` it is remarked
-/// on.
-namespace turn_of_a_step {
-constexpr double much = 0.25, most = 1;
-}
-void check_step(TopScene& scene, Schedule const& schedule) {
-  double const turn = scene.step * scene.fastest;
-  if (turn > turn_of_a_step::most * (1 + 1e-9))
-    fail_for_long_step(
-        scene.method, schedule, StepTooLong("variational", scene.step, turn_of_a_step::most / scene.fastest),
-        fmt::format(
-            "the top may turn by {:.3g} rad in a step of {}, and the scheme is meant for at most {} rad",
-            turn, scene.step, turn_of_a_step::most));
-  if (turn > turn_of_a_step::much)
-    scene.remarks.push_back(
-        fmt::format("step: the top may turn by {:.2g} rad in a step of {}; up to {} rad, a step of {:.2g}, "
-                    "the scheme is accurate",
-                    turn, scene.step, turn_of_a_step::much, turn_of_a_step::much / scene.fastest));
-}
-
 /// In steps of the scheme of the scene.
 std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
   PrincipalInertia const& inertia = scene.top.inertia;
@@ -206,17 +147,15 @@ std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
     return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, step);
   }
   auto const gravity = uniform_gravity(scene.top.lever, scene.top.down);
-  auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
-  auto const steps = [=](FreeState const& start, double h) {
-    return Top(inertia, start.body_momentum, start.attitude, gravity, h, method);
-  };
-  return std::make_unique<TopMotion>(steps, scene.start, step);
+  return torqued_motion(inertia, scene.start, gravity, step, scene.choice.order);
 }
 
 /// @param failure  why it cannot take a step; then it is the start alone, that of a free body
 std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule, std::string& failure) {
   try {
-    if (!scene.is_free()) check_step(scene, schedule);
+    if (!scene.is_free())
+      check_turn_of_step(scene.method, schedule, scene.step, scene.fastest, "the top may turn",
+                         scene.remarks);
     return stepped(scene, scene.step);
   } catch (NumericsError const& error) {
     failure = error.what();
