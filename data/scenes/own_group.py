@@ -1,4 +1,4 @@
-"""Straight lines of Sol, one of Thurston's eight geometries: a group that no library has to know."""
+"""Straight lines of Sol, one of Thurston's eight geometries, from its matrices."""
 
 import actio
 import numpy
@@ -16,14 +16,22 @@ run = sol.run(
     every=0.5,
     step=0.02,
     order=6,
-    quantities=["configuration", "casimir", "energy", "tangent_map", "poisson_defect", "symplectic_defect"],
+    quantities=[
+        "configuration",
+        "casimir",
+        "energy",
+        "tangent_map",
+        "poisson_defect",
+        "symplectic_defect",
+    ],
 )
 print(*run.summary["remarks"])
 print(f"drifts: energy {run.drift['energy']:.0e}, Casimir {run.drift['casimir_1']:.0e}")
 for defect in ["poisson_defect", "symplectic_defect"]:
     print(f"{defect}: {run[defect].max():.0e} at most")
-# How far apart momenta come that begin close to each other: the norm of their derivative, 81 matrices.
+# How far apart momenta come that begin close to each other: the norm of 81 matrices.
 spread = numpy.linalg.norm(run["tangent_map"], 2, axis=(1, 2))
 for k in [0, 20, 40, 80]:
     x, y = run["configuration"][k, :2, 2]
-    print(f"t = {run.t[k]:2g}: at ({x:.3f}, {y:.3f}), momenta are {spread[k]:.3g} times as far apart")
+    print(f"t = {run.t[k]:2g}: at ({x:.3f}, {y:.3f}),", end=" ")
+    print(f"momenta are {spread[k]:.3g} times as far apart")

@@ -17,11 +17,13 @@ for course, velocity in [("bow first", [0, 1, 0.001]), ("broadside", [0, 0.001, 
     run = hull.run(velocity=velocity, **wanted)
     g = run["configuration"]  # 201 by 3 by 3
     heading = numpy.unwrap(numpy.arctan2(g[:, 1, 0], g[:, 0, 0]))
-    print(f"{course}: turned by {numpy.degrees(abs(heading).max()):.3g} degrees at most,", end=" ")
+    turned = numpy.degrees(abs(heading).max())
+    print(f"{course}: turned by {turned:.3g} degrees at most,", end=" ")
     print(f"drift of the energy {run.drift['energy']:.0e}")
 
 # The same for other hulls: one scene, many values.
 scene = hull.scene(velocity=[0, 1, 0.001], **wanted)
 sweep = actio.sweep(scene, over={"system.parameters.sideways": [0.5, 1, 2, 6]})
 for member in sweep:
-    print(member.values, f"fastest turn {abs(member.run['velocity_w']).max():.2g} per unit of time")
+    fastest = abs(member.run["velocity_w"]).max()
+    print(member.values, f"fastest turn {fastest:.2g} per unit of time")

@@ -213,7 +213,7 @@ class System:
 
         velocity: at the beginning, in the order of `components`.
         until, every: the last time, and the time from row to row.
-        step, order, method: of the method, "natural_chart" or "galerkin".
+        step, order, method: of the method, which is one of `actio.systems()["euler_poincare"]["methods"]`.
         configuration: the matrix at the beginning; the identity where it is left out.
         quantities: what the rows hold, names of `actio.quantities("euler_poincare")` and of carried vectors;
             configuration, velocity, momenta, energy and the carried vectors where it is left out.
