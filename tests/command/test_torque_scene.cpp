@@ -198,6 +198,8 @@ BOOST_AUTO_TEST_CASE(a_torque_that_is_none_is_pointed_at) {
        "turns about it at 'rate', which is missing");
   said("gravity_gradient = { rate = 0, direction = [1, 0, 0], normal = [0, 0, 1] }",
        "rate: it is zero; without 'rate' and 'normal' the direction stands still");
+  said("gravity_gradient = { rate = 1e200, direction = [1, 0, 0], normal = [0, 0, 1] }", "rate: its square");
+  said("gravity_gradient = { rate = 1e-200, direction = [1, 0, 0], normal = [0, 0, 1] }", "rate: its square");
   said("gravity_gradient = { rate = 1, direction = [1, 0, 1], normal = [0, 0, 1] }", "are 45");
   said("gravity_gradient = { rate = 1, direction = [1, 0, 1], normal = [0, 0, 1] }",
        "in the plane of the orbit it is [1, 0, 0]");
@@ -221,6 +223,17 @@ BOOST_AUTO_TEST_CASE(the_place_in_a_formula_is_pointed_at) {
   // torque.potential stands in line 5, its text begins in column 14.
   BOOST_TEST(contains(refusal(under("potential = 'r33 + 2*r1 - 1'")),
                       "scene.toml:5:22: potential: unknown name 'r1'"));
+}
+
+BOOST_AUTO_TEST_CASE(a_long_formula_is_planned_and_run_without_waiting) {
+  std::string sum = "0";
+  for (int k = 1; k <= 600; ++k)
+    sum += " + sin(" + std::to_string(k) + "*r1" + std::to_string(1 + k % 3) + " + t)";
+  auto scene = under("potential = '(" + sum + ")/1000'");
+  scene.run = "until = 0.01";
+  scene.method = "step = 0.001";
+  auto const left = command::run(scene);
+  BOOST_TEST(left.outcome.status == 0, left.outcome.err);
 }
 
 BOOST_AUTO_TEST_CASE(methods_and_steps_that_do_not_fit_are_refused) {

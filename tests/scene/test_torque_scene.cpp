@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "actio/scene/run.hpp"
 #include "actio/scene/systems/formula_potential.hpp"
+#include "last_row.hpp"
 #include "witness/reference_solution.hpp"
 
 using namespace actio::scene;
@@ -16,16 +16,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// The last row of a scene, without its time.
-std::vector<double> last_row(SceneFile file) {
-  Scene scene = Scene::read(std::move(file));
-  std::vector<double> table;
-  RunOptions options;
-  options.quiet = true;
-  auto const report = run_in_memory(scene, table, options);
-  BOOST_REQUIRE_MESSAGE((report.ending == Ending::done), report.message);
-  return {table.end() - static_cast<long>(scene.simulation.quantities.row_size()), table.end()};
-}
 std::vector<double> last_row(std::string const& system, std::string const& initial, std::string const& rest) {
   return last_row(SceneFile::parse("[system]\nkind = \"rigid_body\"\n" + system + "\n[initial]\n" + initial +
                                        "\n[output]\nquantities = [\"attitude\", \"angular_velocity\"]\n" +
@@ -213,10 +203,11 @@ BOOST_AUTO_TEST_CASE(second_derivatives_of_a_formula_are_along_turns) {
 
 BOOST_AUTO_TEST_CASE(the_default_step_of_a_formula_is_about_that_of_the_same_torque_with_a_name) {
   auto const step = [](std::string const& torque, std::string const& velocity) {
-    return Scene::read(SceneFile::parse("[system]\nkind = \"rigid_body\"\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" +
-                                            torque + "\n[initial]\nangular_velocity = " + velocity +
-                                            "\n[run]\nuntil = 1000\n[output]\nquantities = [\"energy\"]\n",
-                                        "step.toml"))
+    return Scene::read(SceneFile::parse(
+                           "[system]\nkind = \"rigid_body\"\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" +
+                               torque + "\n[initial]\nangular_velocity = " + velocity +
+                               "\n[run]\nuntil = 1000\n[output]\nquantities = [\"energy\"]\n",
+                           "step.toml"))
         .simulation.step;
   };
   for (auto const& [named, own] :

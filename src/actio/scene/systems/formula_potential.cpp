@@ -84,6 +84,11 @@ double FormulaPotential::second_rate(NineEntries const& rotation, double time) c
   return y[2];
 }
 
+std::size_t FormulaPotential::operations_of_slope() const { return tapes_->slope.instructions.size(); }
+std::size_t FormulaPotential::operations_of_curvature() const {
+  return tapes_->curvature.instructions.size();
+}
+
 int FormulaPotential::axis() const {
   int found = -1;
   for (std::size_t row = 0; row < 3; ++row)

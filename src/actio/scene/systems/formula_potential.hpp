@@ -32,6 +32,9 @@ class FormulaPotential {
   Eigen::Matrix3d curvature(NineEntries const& rotation, double time) const;
   /// \f$\partial^2V/\partial t^2\f$, energy/time^2.
   double second_rate(NineEntries const& rotation, double time) const;
+  /// How many operations a value with its first derivatives takes.
+  std::size_t operations_of_slope() const;
+  std::size_t operations_of_curvature() const;  ///< the same with the second ones
   /// Whether the time occurs in it.
   bool uses_time() const { return uses_[9]; }
   /// The axis of space, 0, 1 or 2, turns about which do not change it, since no other row of the rotation

@@ -111,7 +111,7 @@ struct TopScene {
   GivenTop top;
   FreeState start;  ///< momentum about the fixed point, and attitude
   MethodChoice choice;
-  double fastest,  ///< a bound of the angular velocity, 1/time
+  double fastest,  ///< a bound of the angular velocity and of the frequency of swings, 1/time
       step;
 
   explicit TopScene(Request const& request)
@@ -126,14 +126,15 @@ struct TopScene {
   bool is_free() const { return !(magnitude(top.lever) > 0); }
 
  private:
-  /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
+  /// A bound of the angular velocity, since no more energy is kinetic than the total above the lowest place,
+  /// and of the frequency of a swing about that place, which may be as small as one likes.
   double fastest_of_fall() const {
     double const kinetic = kinetic_energy(top.inertia, start.body_momentum),
                  fall =
                      top.lever.norm() - top.lever.dot(rotation(start.attitude.value).transpose() * top.down);
     if (!is_finite(kinetic + fall))
       throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
-    return fastest_turn(top.inertia, kinetic + fall);
+    return std::max(fastest_turn(top.inertia, kinetic + fall), swing_of_weight(top.inertia, top.lever));
   }
 };
 

@@ -230,6 +230,7 @@ Simulation prepare(Request const& request) {
   if (failure.empty() || !scene.torque)
     simulation.companion = companion_of(scene, request.error_estimate, attitude);
   simulation.step = scene.step;
+  if (scene.torque) simulation.steps_at_once = scene.torque->steps_at_once();
   simulation.shortcuts = shortcuts(scene, attitude);
   simulation.remarks = scene.remarks;
   simulation.motion = std::move(motion);

@@ -99,7 +99,11 @@ void SceneTorque::read_gradient(SceneTable const& gradient) {
     throw SceneError(table.place(),
                      "[system.torque.gravity_gradient] needs 'strength', which is mu/r^3, or the 'rate' of a "
                      "circular orbit, whose square it is");
-  if (!table.has("strength")) table.set("strength", rate * rate);
+  if (!table.has("strength")) {
+    if (!is_finite(rate * rate) || !(rate * rate > 0))
+      table.fail("rate", "rate: its square, which is mu/r^3, is beyond all numbers; 'strength' would say it");
+    table.set("strength", rate * rate);
+  }
   double const strength = table.positive("strength");
   if (!is_finite(3 * strength * magnitude(inertia_.tensor())))
     table.fail("strength", "strength: the number is too large: the torque is beyond 1e308");

@@ -32,9 +32,11 @@ class SceneTorque {
   double rate() const { return rate_; }
   /// What steps are measured by, 1/time: a bound of the angular velocity, by the energy, and of the
   /// frequencies at which the body and the torque may swing. Of a formula it is estimated, from its values
-  /// and derivatives at two thousand attitudes and times.
+  /// and derivatives at two thousand attitudes and times, fewer where the formula is long.
   /// @param until  the last time
   double pace(FreeState const& start, double until) const;
+  /// How many steps take a few milliseconds, as `Simulation` has it.
+  long steps_at_once() const;
 
  private:
   void read_gradient(SceneTable const& gradient);

@@ -1,6 +1,7 @@
 // What the steps of a body under a torque are measured by.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -9,21 +10,13 @@
 namespace actio::scene {
 namespace {
 
-/// A bound of the frequencies of swings in a potential with the second derivative K: the root of the norm of
-/// \f$I^{-1/2}KI^{-1/2}\f$.
-double frequency(PrincipalInertia const& inertia, Eigen::Matrix3d const& curvature) {
-  Eigen::Vector3d const root = Eigen::Vector3d(inertia.inertia.moments).cwiseSqrt().cwiseInverse();
-  Eigen::Matrix3d const along = inertia.axes.transpose() * curvature * inertia.axes;
-  return std::sqrt((root.asDiagonal() * along * root.asDiagonal()).norm());
-}
-
 /// The attitude at the start, attitudes that fill the rotations evenly, and times that fill an interval:
 /// multiples of the powers of one number, each without its whole part.
 class Samples {
  public:
-  Samples(Eigen::Vector4d const& first, double until)
-      : first_{first[0], first[1], first[2], first[3]}, until_(until) {}
-  bool next() { return ++n_ <= 2000; }
+  Samples(Eigen::Vector4d const& first, double until, int count)
+      : first_{first[0], first[1], first[2], first[3]}, until_(until), count_(count) {}
+  bool next() { return ++n_ <= count_; }
   double time() const { return until_ * part(0.8566748838545029); }
   Four<double> attitude() const {
     if (n_ == 0) return first_;
@@ -37,7 +30,7 @@ class Samples {
   double part(double power) const { return std::fmod(power * n_, 1.0); }
   Four<double> first_;
   double until_;
-  int n_ = -1;
+  int count_, n_ = -1;
 };
 
 }  // namespace
@@ -58,12 +51,10 @@ double SceneTorque::pace_of(GravityGradient const& gradient, FreeState const& st
 }
 
 double SceneTorque::pace_of(UniformGravity const& gravity, FreeState const& start) const {
-  Eigen::Vector3d const lever(gravity.lever[0], gravity.lever[1], gravity.lever[2]),
-      unit = lever.normalized();
+  Eigen::Vector3d const lever(gravity.lever[0], gravity.lever[1], gravity.lever[2]);
   double const fall = lever.norm() + potential(start.attitude.value, 0);
-  return std::max(
-      fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum) + fall),
-      frequency(inertia_, lever.norm() * (Eigen::Matrix3d::Identity() - unit * unit.transpose())));
+  return std::max(fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum) + fall),
+                  swing_of_weight(inertia_, lever));
 }
 
 void SceneTorque::check_start(FormulaPotential const& potential, FreeState const& start) const {
@@ -86,7 +77,10 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
   double const kinetic = kinetic_energy(inertia_, start.body_momentum),
                first = potential(start.attitude.value, 0);
   double least = first, most = first, swing = 0, bend = 0, lightest = 0;
-  for (Samples samples(start.attitude.value, formula_in_time_ ? until : 0); samples.next();) {
+  // As many as take about a tenth of a second.
+  auto const operations = static_cast<double>(torque.function().operations_of_curvature());
+  int const count = std::clamp(static_cast<int>(2e7 / (operations + 1)), 20, 2000);
+  for (Samples samples(start.attitude.value, formula_in_time_ ? until : 0, count); samples.next();) {
     NineEntries const rotation = rotation_entries(samples.attitude());
     NineEntries slope;
     double const V = torque.function()(rotation, samples.time(), slope);
@@ -94,7 +88,7 @@ double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, Fre
     // The body does not come where the potential has no value, or is above the energy.
     if (!is_finite(V) || !is_finite(K) || (!formula_in_time_ && V > kinetic + first)) continue;
     least = std::min(least, V), most = std::max(most, V);
-    swing = std::max(swing, frequency(inertia_, K));
+    swing = std::max(swing, swing_frequency(inertia_, K));
     Eigen::Vector3d const t(torque_of_slope(rotation, slope).data());
     if (magnitude(t) > 0) lightest = std::max(lightest, t.normalized().dot(inverse * t.normalized()));
     if (formula_in_time_)
@@ -112,6 +106,14 @@ double SceneTorque::pace(FreeState const& start, double until) const {
   if (auto const* const gradient = std::get_if<GravityGradient>(&torque_)) return pace_of(*gradient, start);
   if (auto const* const gravity = std::get_if<UniformGravity>(&torque_)) return pace_of(*gravity, start);
   return pace_of(std::get<PotentialTorque<FormulaPotential>>(torque_), start, until);
+}
+
+long SceneTorque::steps_at_once() const {
+  constexpr long most = 1 << 14, kicks = 6;
+  auto const* const formula = std::get_if<PotentialTorque<FormulaPotential>>(&torque_);
+  if (!formula) return most;
+  auto const operations = static_cast<long>(formula->function().operations_of_slope());
+  return std::clamp(10'000'000 / (kicks * (operations + 1)), 1L, most);
 }
 
 }  // namespace actio::scene

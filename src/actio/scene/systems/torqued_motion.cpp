@@ -91,6 +91,17 @@ void check_turn_of_step(SceneTable const& method, Schedule const& schedule, doub
                     what, turn, step, turn_of_a_step::much, turn_of_a_step::much / fastest));
 }
 
+double swing_frequency(PrincipalInertia const& inertia, Eigen::Matrix3d const& curvature) {
+  Eigen::Vector3d const root = Eigen::Vector3d(inertia.inertia.moments).cwiseSqrt().cwiseInverse();
+  Eigen::Matrix3d const along = inertia.axes.transpose() * curvature * inertia.axes;
+  return std::sqrt((root.asDiagonal() * along * root.asDiagonal()).norm());
+}
+
+double swing_of_weight(PrincipalInertia const& inertia, Eigen::Vector3d const& lever) {
+  Eigen::Vector3d const unit = lever.normalized();
+  return swing_frequency(inertia, lever.norm() * (Eigen::Matrix3d::Identity() - unit * unit.transpose()));
+}
+
 Method variational_method(std::string const& torque) {
   return {"variational",
           {"4", "2"},

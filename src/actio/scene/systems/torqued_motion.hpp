@@ -41,6 +41,14 @@ constexpr double much = 0.25,  ///< radians; longer steps are remarked on
 void check_turn_of_step(SceneTable const& method, Schedule const& schedule, double step, double fastest,
                         std::string const& what, std::vector<std::string>& remarks);
 
+/// A bound of the frequencies of swings in a potential with the second derivative K: the root of the norm of
+/// \f$I^{-1/2}KI^{-1/2}\f$; 1/time.
+/// @param curvature  K, along turns in the body, energy
+double swing_frequency(PrincipalInertia const& inertia, Eigen::Matrix3d const& curvature);
+/// The same of a body that hangs in uniform gravity.
+/// @param lever  weight times centre of mass, energy
+double swing_of_weight(PrincipalInertia const& inertia, Eigen::Vector3d const& lever);
+
 /// The record of the method.
 Method variational_method(std::string const& torque);
 
