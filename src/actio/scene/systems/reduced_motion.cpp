@@ -69,6 +69,26 @@ double length(std::vector<double> const& x) {
   return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).stableNorm();
 }
 
+/// A scheme that keeps the bracket has an energy that hardly changes, or no solution near the motion.
+/// @throws OutsideDomain  where a step changes the energy by more than half of the sizes of its parts
+void require_like_energy(ReducedSystem const& system, ReducedPoint const& start, ReducedPoint const& end,
+                         std::vector<double> velocity) {
+  LegendreVelocity legendre(system);
+  double size = 0;
+  auto const energy = [&](ReducedPoint const& at) {
+    legendre.solve(at.momentum, at.vectors, velocity);
+    double const e = legendre.energy(velocity, at.vectors);
+    double kinetic = 0;
+    for (std::size_t i = 0; i < velocity.size(); ++i) kinetic += std::abs(velocity[i] * at.momentum[i]);
+    size = std::max({size, std::abs(e), kinetic});
+    return e;
+  };
+  double const before = energy(start), change = std::abs(energy(end) - before);
+  if (change > 0.5 * size)
+    throw OutsideDomain("step", "the energy must change little in a step; its change over the size of its parts",
+                        change / size, 0.5);
+}
+
 }  // namespace
 
 StateDistance ReducedMotion::distance(Motion const& other) const {
@@ -81,8 +101,14 @@ StateDistance ReducedMotion::distance(Motion const& other) const {
 std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, ReducedPoint const& start,
                                                      std::vector<double> const& velocity,
                                                      Eigen::MatrixXd const& configuration) const {
-  if (stages > 0) return galerkin_motion(*this, step, start, velocity, configuration);
-  return std::make_unique<ChartMotion>(*this, step, start, velocity, configuration);
+  auto const made = [&](Eigen::MatrixXd const& g) -> std::unique_ptr<ReducedMotion> {
+    if (stages > 0) return galerkin_motion(*this, step, start, velocity, g);
+    return std::make_unique<ChartMotion>(*this, step, start, velocity, g);
+  };
+  auto const trial = made(configuration);
+  trial->advance_plainly(1);
+  require_like_energy(*system, start, trial->point(), velocity);
+  return made(configuration);
 }
 
 double ReducedScheme::longest_step(double step, double divisor, ReducedPoint const& start,
