@@ -49,8 +49,8 @@ class Box {
     const [a, b] = [[back[i], -back[j]], [-back[i], back[j]]].sort((p, q) => lowness(q) - lowness(p))[0];
     const colour = "plot-" + (k + 1);
     if (this.half[k] === 0) {
-      // A plane is seen as one; a constant component is told.
-      if (this.names[k]) stage.label(at(0, a, b), `${this.names[k]} = ${shownNumber(this.middle[k], 3)}`, colour);
+      // Of a plane, what is constant in it, away from its scales.
+      if (this.names[k]) stage.label(at(0, back[i], back[j]), `${this.names[k]} = ${shownNumber(this.middle[k], 3)}`, colour);
       return;
     }
     stage.label(at(0, a, b), this.names[k], colour);
