@@ -98,12 +98,21 @@ Enclosure one_root_for_all_data(std::vector<int> const& signs, Number const& ang
   }
   return all;
 }
+/// Whether balls about the root where two parts of the way join, within those of both, hold exactly one.
+bool one_zero_at_joint(Balls const& lambda, Matrix<Number> const& goal, Balls const& root,
+                       Number const& reach, Number const& reach_before) {
+  RootEquation<Number> const at_joint{lambda, goal};
+  return one_zero_near(at_joint, root, middle_of((reach < reach_before ? reach : reach_before) / Number(2)))
+      .shown;
+}
 /// Exactly one root near the one that grows out of the identity, for every part t of a momentum, 0 <= t <= 1:
-/// the way is divided until balls decide.
+/// the way is divided until balls decide. Where two parts join, balls about the root that lie within those of
+/// both hold exactly one root, too: it is the same one.
 Enclosure one_root_along_the_step(Balls const& lambda, Matrix<Number> const& goal) {
   Enclosure all{.shown = true, .margin = HUGE_VAL};
   Balls root = diagonal_root(lambda, std::vector<int>(static_cast<std::size_t>(lambda.size()), 1));
   double from = 0, length = 0.25;
+  Number reach_before(0);
   while (from < 1) {
     double const to = std::min(1.0, from + length);
     RootEquation<Number> const at_end{lambda, goal * Number(to)};
@@ -112,13 +121,15 @@ Enclosure one_root_along_the_step(Balls const& lambda, Matrix<Number> const& goa
     Number const reach = magnitude(Balls(end - root)) * Number(3);
     Enclosure one;
     try {
-      one = one_zero_near(between, middle, middle_of(reach));
+      Enclosure const here = one_zero_near(between, middle, middle_of(reach));
+      if (!(from > 0) || one_zero_at_joint(lambda, goal * Number(from), root, reach, reach_before))
+        one = here;
     } catch (Undecided const&) {
     }
     ++all.boxes;
     if (one.shown) {
       all.margin = std::min(all.margin, one.margin);
-      root = end, from = to, length *= 1.5;
+      root = end, from = to, reach_before = reach, length *= 1.5;
     } else if ((length /= 2) < 1.0 / 512) {
       return {.shown = false, .margin = from, .boxes = all.boxes};
     }

@@ -40,7 +40,7 @@ struct Evidence {
   double degree = 0;
   int points = 0;  ///< where it was tried; of an enclosure the boxes
   double probability = 0;
-  double margin = 0;  ///< of an enclosure: a lower bound of what is claimed to be positive
+  double margin = 0;  ///< of an enclosure: how far what is claimed to be positive is above zero, rounded
 };
 /// The same quantity with a hypothesis broken: it must stay above the floor.
 struct Control {

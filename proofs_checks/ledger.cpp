@@ -164,8 +164,9 @@ int verify(fs::path const& report, std::set<std::string> const& scalars) {
       auto const origin = records.find(first);
       if (origin == records.end())
         complain(statement.id, "its slip occurs first in '" + first + "', which has no record");
-      else if (verdict != "corrected" && origin->second.front()["verdict"] == "corrected")
-        complain(statement.id, "its slip is corrected in " + first + ", and here it is '" + verdict + "'");
+      else if (std::string const there = origin->second.front()["verdict"]; there != verdict)
+        complain(statement.id,
+                 "its slip is '" + there + "' in " + first + ", and here it is '" + verdict + "'");
     }
     for (auto const& failure : one["failures"]) complain(statement.id, failure.get<std::string>());
     for (auto const& e : one["evidence"])

@@ -304,7 +304,8 @@ void tell(Record const& r, bool brief) {
       if (e.kind == "order")
         out << "order " << e.slope << " +- " << e.spread;
       else if (e.kind == "enclosure")
-        out << "decided in " << e.points << " boxes, margin " << e.margin;
+        out << (e.measured == 0 ? "decided in " : "not decided in ") << e.points << " boxes, margin "
+            << e.margin;
       else if (e.epsilon > 0)
         out << e.measured / e.epsilon << " epsilon, allowed " << e.bound / e.epsilon;
       else

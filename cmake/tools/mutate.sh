@@ -21,6 +21,9 @@ mkdir -p "$1/mutate" "$1/report"
 build=$(cd "$1" && pwd)
 jobs=$2
 shift 2
+for number; do
+  [[ $number =~ ^[0-9]+$ ]] || { echo "mutate: lines of mutations.tsv are named by their numbers, not '$number'" >&2; exit 2; }
+done
 wanted=" $* "
 list=$root/proofs_checks/mutate/mutations.tsv
 copy=$build/mutate

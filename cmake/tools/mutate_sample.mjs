@@ -1,21 +1,24 @@
 // mutate_sample.mjs ROOT BUILD JOBS --sample N --seed S: what share of small errors do the checks notice?
 //
-// Draws N places in the library's sources (src/actio without scene and bodies) by a rule and a seed, not by
-// hand, and a plausible error for each: a sign, the order of factors or of arguments, an inverse, a star or a
-// transpose that is dropped, another side, an index that is one off, a comparison. All of them are planted
-// into one copy of the sources, each asleep behind a switch that is read when a program runs, so the copy is
-// compiled once:
+// Draws N places in the library's sources (src/actio without scene, bodies and instruments) by a rule and a
+// seed, not by hand, and a plausible error for each: a sign, the order of factors or of arguments, a factor,
+// an inverse, a star or a transpose that is dropped, another side, an index that is one off, a comparison,
+// `and` for `or`. All of them are planted into one copy of the sources, each asleep behind a switch that is
+// read when a program runs, so the copy is compiled once:
 //
 //   a - b      becomes      (actio::mutants::on(17) ? (a + b) : (a - b))
 //
-// With --each-source the first error of the draw that each source of checks catches is printed as a line of
-// proofs_checks/mutate/mutations.tsv, which `./run mutate` plants one at a time.
+// --list prints the draw alone. With --each-source the first error of the draw that each source of checks
+// catches is printed as a line of proofs_checks/mutate/mutations.tsv, which `./run mutate` plants one at a
+// time.
 //
-// What does not compile is withdrawn and another place is drawn. Then each error is awakened alone, and the
-// theorem checks (prime field and double, a tenth of the points) and the library's tests that come by its
-// place run until one of them fails. Result: BUILD/report/mutation_sample.tsv; a survivor either changes
-// nothing, which a line of proofs_checks/mutate/equivalent.tsv may explain, or is a gap. Status 1 where fewer
-// than 95 of 100 of the others are caught.
+// What does not compile is withdrawn and another place is drawn: also a sign between matrices, where the two
+// versions are expressions of types that have nothing in common; of these the sample has fewer than its
+// share. Then each error is awakened alone, and the theorem checks (prime field and double, a tenth of the
+// points) and the library's tests that come by its place run until one of them fails. Result:
+// BUILD/report/mutation_sample.tsv; a survivor either changes nothing, which a line of
+// proofs_checks/mutate/equivalent.tsv may explain, or is a gap. Status 1 where fewer than 95 of 100 of the
+// others are caught.
 import { execFile, execFileSync, spawnSync } from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -31,12 +34,19 @@ const option = (name, otherwise) => {
   }
   return value;
 };
-for (const word of words)
+words.forEach((word, i) => {
+  if (!word.startsWith('--') && !['--sample', '--seed'].includes(words[i - 1])) {
+    console.error(`mutate: '${word}' is no option; lines of mutations.tsv and --sample do not go together`);
+    process.exit(2);
+  }
   if (word.startsWith('--') && !['--sample', '--seed', '--list', '--each-source'].includes(word)) {
     console.error(`mutate: unknown option '${word}'; there are --sample N, --seed S, --list and --each-source`);
     process.exit(2);
   }
+});
 const wanted = option('sample', 200), seed = option('seed', 1);
+// Errors that are planted, and those that were withdrawn.
+const slots = 4 * wanted + 1000;
 const build = path.resolve(buildArgument), copy = path.join(build, 'mutate_sample'), work = path.join(copy, 'build');
 
 // ---- The sources, as tokens
@@ -253,13 +263,13 @@ const switchHeader = `// Which of the planted errors is awake.
 namespace actio::mutants {
 struct Switch {
   int awake = -1;
-  unsigned char passed[${4 * wanted}] = {};
+  unsigned char passed[${slots}] = {};
   Switch() { if (char const* k = std::getenv("ACTIO_MUTANT")) awake = std::atoi(k); }
   ~Switch() {
     char const* file = std::getenv("ACTIO_MUTANTS_PASSED");
     if (!file) return;
     if (std::FILE* out = std::fopen(file, "a")) {
-      for (int k = 0; k < ${4 * wanted}; ++k) if (passed[k]) std::fprintf(out, "%d %d\\n", k, passed[k]);
+      for (int k = 0; k < ${slots}; ++k) if (passed[k]) std::fprintf(out, "%d %d\\n", k, passed[k]);
       std::fclose(out);
     }
   }
@@ -273,7 +283,7 @@ constexpr bool on(int k);
 template <class A, class B>
 constexpr bool on_product(int k, A const&, B const&) {
   if constexpr (has_sides<A> && has_sides<B>) return on(k);
-  if (!std::is_constant_evaluated()) one.passed[k] = 2;
+  if (!std::is_constant_evaluated()) one.passed[k] |= 2;
   return false;
 }
 constexpr bool on(int k) {
@@ -290,7 +300,6 @@ function writeFile(file, planted) {
   const here = planted.filter(m => m.file === file).sort((a, b) => b.at - a.at);
   for (const m of here) text = `${text.slice(0, m.at)}(actio::mutants::${m.operands ? `on_product(${m.k}, ${m.operands})` : `on(${m.k})`} ? (${m.mutated}) : (${m.original}))${text.slice(m.end)}`;
   if (here.length) {
-    // One line more at the top would move all lines: the include joins the first one that has code.
     const first = /^#(pragma once|include)[^\n]*/m.exec(text);
     text = `${text.slice(0, first.index)}#include "actio/mutants.hpp"\n${text.slice(first.index)}`;
   }
@@ -307,7 +316,7 @@ function makeCopy() {
     if (fs.statSync(from).isDirectory()) {
       fs.mkdirSync(to, { recursive: true });
       const here = new Set(fs.readdirSync(from));
-      for (const old of fs.readdirSync(to)) if (!here.has(old)) fs.rmSync(path.join(to, old), { recursive: true });
+      for (const old of fs.readdirSync(to)) if (!here.has(old) && old !== 'mutants.hpp') fs.rmSync(path.join(to, old), { recursive: true });
       for (const entry of here) sync(`${name}/${entry}`);
     } else if (!own.has(name) && !(fs.existsSync(to) && fs.readFileSync(to).equals(fs.readFileSync(from)))) fs.copyFileSync(from, to);
   };
@@ -377,7 +386,7 @@ async function eachSource(planted, passedBy, times) {
       ++tried;
       const r = await trial(unit, m.k, 20 + 10 * times.get(unit));
       if (!r.failed || !r.said) continue;
-      const to = from === m.original ? m.mutated : from.replace(m.original, () => m.mutated);
+      const at = m.at - text.indexOf(from), to = from.slice(0, at) + m.mutated + from.slice(at + m.original.length);
       line = [m.file, from, to, `checks_${unit.name}`, `${m.rule}, drawn: ${m.shown[0].replace(/\s+/g, ' ')} becomes ${m.shown[1].trim() || 'nothing'}`].join('\t');
       break;
     }
@@ -392,19 +401,19 @@ async function main() {
   let next = 0, number = 0, withdrawn = 0;
   let planted = [];
   // What was found to compile before need not be found again.
-  const kept = path.join(copy, 'planted.json'), state = JSON.stringify(candidates.map(c => [c.file, c.at]));
+  const kept = path.join(copy, 'planted.json'), state = JSON.stringify(candidates.map(c => [c.file, c.at, c.original, c.mutated, c.operands]));
   const before = fs.existsSync(kept) ? JSON.parse(fs.readFileSync(kept, 'utf8')) : null;
   const again = before?.wanted === wanted && before.state === state;
   const overlaps = m => planted.some(p => p.file === m.file && m.at < p.end && p.at < m.end);
   const fill = () => {
-    while (planted.length < wanted && next < candidates.length) {
+    while (planted.length < wanted && next < candidates.length && number < slots) {
       const m = candidates[next++];
       if (!overlaps(m) && m.original !== m.mutated) planted.push({ ...m, k: number++ });
     }
     for (const file of sources()) writeFile(file, planted);
   };
   if (again) {
-    planted = before.planted;
+    ({ planted, next, number } = before);
     for (const file of sources()) writeFile(file, planted);
   } else fill();
   if (!fs.existsSync(path.join(work, 'build.ninja')))
@@ -421,13 +430,14 @@ async function main() {
       if (bad.size > wanted / 20 && targets !== programs) fill();
       else for (const file of sources()) writeFile(file, planted);
     }
-  fs.writeFileSync(kept, JSON.stringify({ wanted, state, planted }));
+  fs.writeFileSync(kept, JSON.stringify({ wanted, state, planted, next, number }));
   console.log(`${planted.length} planted, ${withdrawn} did not compile`);
 
   const times = new Map(), passedBy = new Map(), ofNumbers = new Set();
   for (const unit of units()) {
     const passed = path.join(copy, `passed_${unit.name}`);
-    fs.rmSync(passed, { force: true });
+    // A program that comes by no place of the sample writes none.
+    fs.writeFileSync(passed, '');
     const plain = await trial(unit, null, 600);
     if (plain.failed) {
       console.error(`mutate: ${unit.name} fails with no error awake: ${plain.said}`);
@@ -475,5 +485,5 @@ async function main() {
   process.exit(count('caught') >= 0.95 * counted ? 0 : 1);
 }
 
-if (words.includes('--list')) for (const m of shuffled().slice(0, wanted)) console.log(`${m.file}:${m.line} [${m.rule}] ${m.original.replace(/\s+/g, ' ')} -> ${m.mutated.replace(/\s+/g, ' ')}`);
+if (words.includes('--list')) for (const m of shuffled().filter(c => c.original !== c.mutated).slice(0, wanted)) console.log(`${m.file}:${m.line} [${m.rule}] ${m.original.replace(/\s+/g, ' ')} -> ${m.mutated.replace(/\s+/g, ' ')}`);
 else await main();

@@ -157,7 +157,7 @@ function raiseStages() {
   if (!run.body) return raisePlanes();
   const motion = run.motion.columns.t.length > 1 ? new Motion(run) : null;
   if (!motion || !motion.playable) return withoutStages();
-  const turning = Boolean(motion.attitudes), onSphere = motion.momenta && !run.body.top;
+  const turning = Boolean(motion.attitudes), onSphere = motion.momenta && !run.body.top && !run.body.torqued;
   useStages(turning && "space", onSphere && "sphere");
   if (turning) raise("space", new SpaceView(canvasOf("space"), motion, changed));
   if (onSphere) raise("sphere", new MomentumView(canvasOf("sphere"), motion, changed));

@@ -37,6 +37,13 @@ double apart(std::shared_ptr<ReducedSystem const> const& system, G const& group,
   return largest / magnitude(p);
 }
 
+/// \f$2(g + 1)^{-1}(g - 1)\f$.
+template <class S>
+Matrix<S, 3, 3> cayley_inverse(Matrix<S, 3, 3> const& g) {
+  Matrix<S, 3, 3> const one = Matrix<S, 3, 3>::Identity();
+  return inverse_matrix(Matrix<S, 3, 3>(g + one), "inverse of Cayley's transform") * Matrix<S, 3, 3>(g - one) * S(2);
+}
+
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(chart_steps)
@@ -140,6 +147,22 @@ BOOST_AUTO_TEST_CASE(compositions_have_their_orders) {
     BOOST_TEST_MESSAGE("order " << order << " shows " << shown);
     BOOST_TEST(std::abs(shown - order) < 0.5);
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_chart_by_cayleys_transform) {
+  // The discrete Lagrangian h l(c^-1(f^-1)/h) on the general road, with the inverse of Cayley's transform c.
+  double const h = 0.1;
+  auto const action = [&](auto const& f) {
+    using S = typename std::decay_t<decltype(f)>::Scalar;
+    auto const v = f.group.vee(Matrix<S, 3, 3>(cayley_inverse(inverse(f).value) / S(h)));
+    return S((v[0] * v[0] + v[1] * v[1] + S(6) * v[2] * v[2]) / S(2) * S(h));
+  };
+  auto const plain = own_system("SE(2)", Side::left, "(w^2 + v1^2 + 6*v2^2)/2");
+  auto const system = std::make_shared<ReducedSystem const>(plain->algebra, Side::left, 0, plain->lagrangian,
+                                                            Chart::cayley);
+  auto const general = LiePoissonStepLeft{[&](double) { return action; }};
+  BOOST_TEST(apart(system, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) < after_fifty_steps);
+  BOOST_TEST(apart(plain, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) > 1e-5);
 }
 
 BOOST_AUTO_TEST_CASE(a_step_that_fails_leaves_the_state) {

@@ -48,13 +48,13 @@ BOOST_AUTO_TEST_CASE(the_plan_says_what_is_computed_what_is_needed_for_it_and_wh
   std::string const plan = plan_of({{"quantities", "[\"energy\"]"}});
   BOOST_TEST(told(plan, "computed") == "energy");
   BOOST_TEST(told(plan, "needed") == "body_momentum, angular_velocity (for what is computed; in no column)");
-  BOOST_TEST(told(plan, "skipped") == "attitude, spatial_momentum, casimir");
+  BOOST_TEST(told(plan, "skipped") == "attitude, spatial_momentum, casimir, axial_momentum, jacobi_integral");
 }
 
 BOOST_AUTO_TEST_CASE(where_everything_is_asked_for_nothing_is_skipped) {
   BOOST_TEST(told(plan_of({{"quantities",
                             "[\"attitude\", \"angular_velocity\", \"body_momentum\", \"spatial_momentum\", "
-                            "\"energy\", \"casimir\"]"}}),
+                            "\"energy\", \"casimir\", \"axial_momentum\", \"jacobi_integral\"]"}}),
                   "skipped") == "nothing");
 }
 

@@ -168,6 +168,21 @@ BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_of_twenty_syste
   }
 }
 
+BOOST_AUTO_TEST_CASE(it_is_within_a_factor_of_three_of_the_error_under_a_torque) {
+  for (std::string const torque :
+       {"gravity_gradient = { rate = 0.8, direction = [1, 0, 0], normal = [0, 0, 1] }",
+        "potential = '-2*r33*(1 + 0.3*cos(t)) + 0.5*r12^2'"})
+    for (std::string const method : {"order = 2\nstep = 0.015625", "order = 4\nstep = 0.03125"}) {
+      BodyScene scene{"kind = 'rigid_body'\ninertia = [1, 1.7, 2.1]\n[system.torque]\n" + torque,
+                      "angular_velocity = [0.6, 1.2, -0.9]", method, "until = 4\nevery = 0.25",
+                      "'attitude', 'body_momentum'"};
+      Left const found = run(scene);
+      BOOST_TEST(found.outcome.status == 0, found.outcome.err);
+      scene.method = "order = 4\nstep = 0.00390625";
+      hold(torque + ", " + method, found.summary, errors_in_space(found.table, run(scene).table));
+    }
+}
+
 BOOST_AUTO_TEST_CASE(a_default_in_n_dimensions_reaches_a_millionth_until_the_end) {
   for (std::string const until : {"10", "1000"}) {
     BodyN body{{0.5, 1, 1.7, 2.9, 4.1},

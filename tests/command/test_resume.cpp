@@ -41,6 +41,11 @@ std::vector<Long> const& long_scenes() {
        "0.5]\ngravity = [0, 0, -9.81]\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
        "[method]\norder = 4\nstep = 0.001\n[run]\nuntil = 1000\nevery = 0.05\n[output]\nquantities = "
        "[\"attitude\", \"body_momentum\", \"energy\"]\n"},
+      {"rigid_body in a potential that depends on time",
+       "[system]\nkind = \"rigid_body\"\ninertia = [0.6, 0.8, 1]\n[system.torque]\npotential = "
+       "\"-r33*(1 + 0.5*cos(3*t)) + 0.2*r12^2\"\n[initial]\nangular_velocity = [0.1, 2, 5]\n"
+       "[method]\norder = 4\nstep = 0.01\n[run]\nuntil = 2000\nevery = 0.5\n[output]\nquantities = "
+       "[\"attitude\", \"body_momentum\", \"energy\"]\n"},
   };
   return scenes;
 }

@@ -190,6 +190,10 @@ BOOST_AUTO_TEST_CASE(constants_are_folded_and_zeros_and_ones_are_gone) {
   BOOST_TEST((value<rational>("cos(0) + sqrt(4/9) - 5/3 + log(1)") == 0));
   Tape const f = parse_formula("x^2 + 0*y", {"x", "y"});
   BOOST_TEST((f.depends_on(0) && !f.depends_on(1)));
+  Tape const g = parse_formula("x - sin(z)", {"x", "y", "z"});
+  BOOST_TEST((g.depends_on(0) && !g.depends_on(1) && g.depends_on(2)));
+  BOOST_TEST(parse_formula("x/y", {"x", "y"}).depends_on(1));
+  BOOST_TEST(parse_formula("y", {"x", "y"}).depends_on(1));
 }
 
 BOOST_AUTO_TEST_CASE(constant_factors_are_not_joined_beyond_the_range_of_double) {
@@ -211,6 +215,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_allocated_where_the_memory_is_there) {
   for (int k = 0; k < 3; ++k) {
     small(x.data(), &y, work);
     BOOST_TEST(y == 5);
+    BOOST_TEST(work.data() == before);
     large(x.data(), &y, work);
     BOOST_TEST(y == std::sin(2.) * 3 + 2. / 3);
   }

@@ -1,6 +1,8 @@
 // The catalogue of bodies: what is in it, and what it says of a file that is wrong.
 #include <boost/test/unit_test.hpp>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -21,12 +23,13 @@ std::string complaint(std::string const& line, std::string const& instead) {
   auto const at = text.find(line);
   BOOST_REQUIRE(at != std::string::npos);
   text.replace(at, line.size(), instead);
-  auto const file = std::filesystem::temp_directory_path() / "actio_test_bodies.toml";
+  std::string const name = "actio_test_bodies_" + std::to_string(getpid()) + ".toml";
+  auto const file = std::filesystem::temp_directory_path() / name;
   std::ofstream(file) << text;
   try {
     read_bodies(file);
   } catch (CatalogueError const& error) {
-    BOOST_TEST(std::string(error.what()).find("actio_test_bodies.toml") != std::string::npos);
+    BOOST_TEST(std::string(error.what()).find(name) != std::string::npos);
     return error.what();
   }
   return "";

@@ -20,6 +20,12 @@ misplaced() { # LIST
 found=$(misplaced proofs_checks/mutate/mutations.tsv)
 [[ -z $found ]] || { printf 'Errors that cannot be planted:\n%s\n' "$found"; exit 1; }
 
+# Each source of checks stands first among the executables of one line at least, so that it is tried.
+for source in proofs_checks/ch[0-9]*_*.cpp proofs_checks/bridge_*.cpp; do
+  name=checks_$(basename "$source" .cpp)
+  cut -f4 proofs_checks/mutate/mutations.tsv | cut -d, -f1 | grep -qx "$name" || { echo "no error is planted for $name"; exit 1; }
+done
+
 # A list with a line of each kind that is refused.
 list=$(mktemp)
 trap 'rm -f "$list"' EXIT

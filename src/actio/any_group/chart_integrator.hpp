@@ -83,6 +83,12 @@ class ChartIntegrator {
  private:
   /// \f$g_1 = g_0e^{hv}\f$ (left-invariant), \f$g_1 = e^{hv}g_0\f$ (right-invariant).
   void move_configuration(ChartSolver const& substep) {
+    if (system_->chart == Chart::cayley) {
+      Eigen::MatrixXd const c = cayley(hat_of_step(system_->algebra, substep.length(), substep.velocity()));
+      configuration_ = system_->side == Side::left ? Eigen::MatrixXd(configuration_ * c)
+                                                   : Eigen::MatrixXd(c * configuration_);
+      return;
+    }
     if (system_->side == Side::right)
       return apply_exponential(system_->algebra, substep.length(), substep.velocity(), configuration_);
     Eigen::MatrixXd moved = Eigen::MatrixXd::Identity(configuration_.rows(), configuration_.cols());

@@ -8,6 +8,9 @@
 // h (l(v, a_0) + l(v, a_1))/2. Without carried vectors this is (3.26), and chi(-A) = chi(A) + A makes
 // P_1 = P_0 + h ad*_v p. No exponential of a matrix and no logarithm is taken, and brackets are sums over the
 // structure constants that are not zero. tests/any_group hold it to the general road.
+//
+// In the chart by Cayley's transform the group moves by (1 - hv/2)^-1 (1 + hv/2), and chi is a polynomial:
+// <chi(A)^T p, eta> = <p, eta - [hv, eta]/2 - (hv) eta (hv)/4>, with products of matrices in the last term.
 #pragma once
 
 #include <array>
@@ -18,6 +21,7 @@
 #include <vector>
 
 #include "actio/any_group/reduced_system.hpp"
+#include "actio/groups/matrix_group.hpp"
 
 namespace actio {
 
@@ -55,6 +59,14 @@ double largest_part(std::vector<S> const& list) {
 }
 }  // namespace detail
 
+/// The matrix of \f$h\,v\f$.
+template <class S>
+Matrix<S> hat_of_step(MatrixAlgebra const& algebra, S const& h, std::vector<S> const& v) {
+  Vector<S> moved(static_cast<Index>(v.size()));
+  for (std::size_t i = 0; i < v.size(); ++i) moved[static_cast<Index>(i)] = v[i] * h;
+  return algebra.hat(moved);
+}
+
 /// A step of the natural chart at one scalar, `double` or dual numbers over it, with its work space.
 template <class S>
 class ChartStep {
@@ -72,6 +84,7 @@ class ChartStep {
         even_(before),
         moved_(n(system.length())) {
     find_pattern();
+    if (system.chart == Chart::cayley) find_products();
   }
 
   std::vector<S> before,  ///< the momentum at the start; energy x time
@@ -120,6 +133,7 @@ class ChartStep {
   void carry(S const& h, std::vector<S> const& v, S const* a, S* out) {
     auto const m = moved_.size();
     S const signed_h = h * S(-system_.sign());
+    if (system_.chart == Chart::cayley) return carry_by_cayley(signed_h, v, a, out);
     std::vector<S>& term = moved_;
     std::copy(a, a + m, term.begin()), std::copy(a, a + m, out);
     double const size = detail::largest_part(term);
@@ -133,6 +147,14 @@ class ChartStep {
         out[i] += term[i];
       }
       if (!(detail::largest_part(term) > negligible_ * size)) return;
+    }
+  }
+
+  void carry_by_cayley(S const& signed_h, std::vector<S> const& v, S const* a, S* out) const {
+    Matrix<S> const c = cayley(hat_of_step(system_.algebra, signed_h, v));
+    for (Index i = 0; i < c.rows(); ++i) {
+      out[i] = S(0);
+      for (Index j = 0; j < c.cols(); ++j) out[i] += c(i, j) * a[j];
     }
   }
 
@@ -162,6 +184,7 @@ class ChartStep {
       S const half = odd_[i] / S(2);
       before[i] += p_[i] - half, after[i] += p_[i] + half;
     }
+    if (system_.chart == Chart::cayley) return add_products(h, v);
     double const allowed = negligible_ * detail::largest_part(p_);
     auto const& beta = detail::coefficients_of_chi();
     for (std::size_t k = 1; k < beta.size(); ++k) {
@@ -175,6 +198,36 @@ class ChartStep {
       apply_ad_star(even_, odd_);
     }
     return false;
+  }
+
+  /// The even part in the chart by Cayley's transform: \f$-\tfrac{h^2}4\langle p, v\,e_b\,v\rangle\f$.
+  bool add_products(S const& h, std::vector<S> const& v) {
+    S const factor = h * h / S(-4);
+    for (auto const& t : *products_) {
+      S const part = factor * v[t.a] * v[t.c] * p_[t.k] * S(t.value);
+      before[t.b] += part, after[t.b] += part;
+    }
+    return true;
+  }
+  /// The part along \f$e_k\f$ of \f$e_a\,e_b\,e_c\f$, added up over the two orders of a and c.
+  struct Product {
+    std::size_t a, b, c, k;
+    double value;
+  };
+  void find_products() {
+    products_ = std::make_shared<std::vector<Product>>();
+    auto const& basis = system_.algebra.basis;
+    for (std::size_t b = 0; b < basis.size(); ++b)
+      for (std::size_t a = 0; a < basis.size(); ++a) {
+        Eigen::MatrixXd const ab = basis[a] * basis[b], ba = basis[b] * basis[a];
+        if (ab.isZero(0) && ba.isZero(0)) continue;
+        for (std::size_t c = a; c < basis.size(); ++c) {
+          Eigen::MatrixXd const both = a == c ? Eigen::MatrixXd(ab * basis[c]) : ab * basis[c] + basis[c] * ba;
+          auto const along = system_.algebra.vee(Matrix<double>(both));
+          for (std::size_t k = 0; k < basis.size(); ++k)
+            if (double const x = along[static_cast<Index>(k)]; x != 0) products_->push_back({a, b, c, k, x});
+        }
+      }
   }
 
   /// A part of a structure constant: what the component a of the velocity contributes.
@@ -210,6 +263,7 @@ class ChartStep {
   ReducedSystem const& system_;
   std::vector<S> inputs_, slopes_, work_, p_, odd_, even_, moved_, next_;
   std::vector<AdStarEntry> ad_star_;
+  std::shared_ptr<std::vector<Product>> products_;
   std::shared_ptr<std::vector<Part>> parts_;  // to which the entries point, in copies too
 };
 

@@ -211,13 +211,11 @@ inline std::vector<Casimir> casimirs(MatrixAlgebra const& algebra) {
   std::vector<Casimir> found;
   auto const keep = [&](int degree, std::vector<detail::SparseRow> const& polynomials) {
     for (auto const& p : polynomials) {
-      Casimir const raw = detail::casimir_of(level.constants, degree, p);
-      for (Casimir const& c :
-           {detail::with_whole_coefficients(level.in_basis(raw, false)), level.in_basis(raw, false)}) {
-        if (!(detail::defect_of_casimir(level.constants, level.in_basis(c, true)) < 1e-9)) continue;
-        found.push_back(c);
-        break;
-      }
+      Casimir const level_one = detail::casimir_of(level.constants, degree, p),
+                    raw = level.in_basis(level_one, false), whole = detail::with_whole_coefficients(raw);
+      double const defect = detail::defect_of_casimir(level.constants, level_one),
+                   whole_defect = detail::defect_of_casimir(level.constants, level.in_basis(whole, true));
+      if (std::min(defect, whole_defect) < 1e-9) found.push_back(whole_defect <= defect ? whole : raw);
     }
   };
   auto const linear = detail::homogeneous_casimirs(level.constants, 1);

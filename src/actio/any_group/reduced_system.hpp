@@ -27,10 +27,17 @@ enum class Side {
   right  ///< velocities and momenta are those in space
 };
 
+/// How a velocity moves the group over a step: the chart in which the two configurations are subtracted.
+enum class Chart {
+  exponential,  ///< by exp(h v), the natural chart
+  cayley        ///< by Cayley's transform of h v, where that maps into the group
+};
+
 /// An invariant system on a group of matrices.
 struct ReducedSystem {
   MatrixAlgebra algebra;  ///< of the group
   Side side;              ///< of the invariance
+  Chart chart;            ///< of its steps
   int vectors;            ///< how many are carried, each as long as the matrices have rows
   Tape lagrangian;        ///< l(v, a): the velocity, then the vectors one after the other; energy
   Tape slopes;            ///< l, then its differential in v and in a
@@ -38,8 +45,13 @@ struct ReducedSystem {
 
   /// @param l  of as many inputs as the algebra has dimensions and the vectors have components
   /// @throws OutsideDomain  where it has another number of inputs
-  ReducedSystem(MatrixAlgebra of, Side invariant, int carried_vectors, Tape l)
-      : algebra(std::move(of)), side(invariant), vectors(carried_vectors), lagrangian(std::move(l)) {
+  ReducedSystem(MatrixAlgebra of, Side invariant, int carried_vectors, Tape l,
+                Chart of_steps = Chart::exponential)
+      : algebra(std::move(of)),
+        side(invariant),
+        chart(of_steps),
+        vectors(carried_vectors),
+        lagrangian(std::move(l)) {
     if (lagrangian.inputs != dimension() + carried())
       throw OutsideDomain("ReducedSystem", "the inputs of the Lagrangian are velocity and vectors; inputs",
                           lagrangian.inputs, dimension() + carried());

@@ -72,7 +72,7 @@ struct SpanProjection {
     auto const whole = [&](double times) {
       return std::all_of(dual.begin(), dual.end(), [&](Eigen::VectorXd const& row) {
         return std::all_of(row.begin(), row.end(), [&](double x) {
-          return std::abs(times * x - std::round(times * x)) < 1e-11 && std::abs(times * x) < 1e6;
+          return std::abs(times * x - std::round(times * x)) < 1e-14 * times && std::abs(times * x) < 1e6;
         });
       });
     };

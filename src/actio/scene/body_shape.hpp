@@ -28,6 +28,7 @@ struct BodyShape {
   PrincipalInertia inertia;      ///< about the centre of mass
   std::vector<Part> parts = {};  ///< of a body of the catalogue that is made of such
   std::optional<Top> top = {};   ///< of a body with a fixed point
+  bool torqued = false;          ///< whether a torque changes the modulus of its momentum
 };
 
 /// What a body of the catalogue is made of: cylinders as they are, point masses as balls.

@@ -102,7 +102,8 @@ Json body(Scene const& scene) {
   auto const& [inertia, axes] = shape.inertia;
   Json out{{"moments", list(inertia.moments)},
            {"axes", {list(axes.col(0)), list(axes.col(1)), list(axes.col(2))}},
-           {"parts", Json::array()}};
+           {"parts", Json::array()},
+           {"torqued", shape.torqued}};
   for (auto const& part : shape.parts)
     out["parts"].push_back({{"cylinder", part.cylinder},
                             {"radius", part.radius},

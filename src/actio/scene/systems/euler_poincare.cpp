@@ -64,6 +64,11 @@ std::vector<Method> methods() {
            "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the coadjoint orbit, the "
            "bracket and the momentum of the symmetry.",
            "eq_3_26"},
+          {"cayley_chart",
+           {"2", "4", "6"},
+           "The same with Cayley's transform for the exponential, order 2: over a step the group moves by "
+           "(1 - hv/2)^-1 (1 + hv/2); composed of substeps 4 and 6. On groups into which that transform maps.",
+           "eq_3_20"},
           {"galerkin",
            {"4", "2", "6", "8", "10", "12", "14", "16"},
            "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "

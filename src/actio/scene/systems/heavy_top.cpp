@@ -1,12 +1,11 @@
 // The heavy top: a rigid body held at a point under gravity.
 #include <fmt/format.h>
 
-#include "actio/fast_body/space/torqued_body.hpp"
-#include "actio/fast_body/space/uniform_gravity.hpp"
 #include "actio/rigid_body/heavy_top_body.hpp"
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/systems/free_motion.hpp"
 #include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/torqued_motion.hpp"
 
 namespace actio::scene {
 namespace {
@@ -31,13 +30,7 @@ std::vector<Parameter> parameters() {
   return all;
 }
 
-std::vector<Method> methods() {
-  return {{"variational",
-           {"4", "2"},
-           "Kicks of gravity and the exact flow of the free body: the action of the free motion and the "
-           "trapezoid of the potential, order 2 (Strang); with more nodes 4 (Blanes and Moan).",
-           ""}};
-}
+std::vector<Method> methods() { return {variational_method("gravity")}; }
 
 std::vector<Quantity> quantities() {
   using Kind = Quantity::Kind;
@@ -80,37 +73,6 @@ std::vector<Quantity> quantities() {
   return all;
 }
 
-using Top = TorquedBody<UniformGravity>;
-
-/// Steps of kicks and drifts.
-class TopMotion : public TurningBody {
- public:
-  TopMotion(StepsFrom<Top> from, FreeState const& start, double step)
-      : from_(std::move(from)), top_(from_(start, step)), now_(top_.state()) {}
-  void advance(long steps) override {
-    top_.step(steps);
-    now_ = top_.state();
-  }
-  void look_ahead(double time) override {
-    now_ = top_.state();
-    if (time == 0) return;
-    Top ahead = from_(now_, time);
-    ahead.step();
-    now_ = ahead.state();
-  }
-  void remember(CheckpointStream& stream) override {
-    top_.remember(stream);
-    now_ = top_.state();
-  }
-  Eigen::Vector3d body_momentum() const override { return now_.body_momentum.components; }
-  Eigen::Vector4d attitude() const override { return now_.attitude.value; }
-
- private:
-  StepsFrom<Top> from_;
-  Top top_;
-  FreeState now_;
-};
-
 /// [system] of a heavy top, in the frame in which the scene gives it.
 struct GivenTop {
   PrincipalInertia inertia;  ///< about the fixed point
@@ -149,7 +111,7 @@ struct TopScene {
   GivenTop top;
   FreeState start;  ///< momentum about the fixed point, and attitude
   MethodChoice choice;
-  double fastest,  ///< a bound of the angular velocity, 1/time
+  double fastest,  ///< a bound of the angular velocity and of the frequency of swings, 1/time
       step;
 
   explicit TopScene(Request const& request)
@@ -164,37 +126,17 @@ struct TopScene {
   bool is_free() const { return !(magnitude(top.lever) > 0); }
 
  private:
-  /// A bound of the angular velocity: no more energy is kinetic than the total above the lowest place.
+  /// A bound of the angular velocity, since no more energy is kinetic than the total above the lowest place,
+  /// and of the frequency of a swing about that place, which may be as small as one likes.
   double fastest_of_fall() const {
     double const kinetic = kinetic_energy(top.inertia, start.body_momentum),
                  fall =
                      top.lever.norm() - top.lever.dot(rotation(start.attitude.value).transpose() * top.down);
     if (!is_finite(kinetic + fall))
       throw SceneError(initial.place(), "the numbers are too large: the energy is beyond 1e308");
-    return fastest_turn(top.inertia, kinetic + fall);
+    return std::max(fastest_turn(top.inertia, kinetic + fall), swing_of_weight(top.inertia, top.lever));
   }
 };
-
-/// Between two kicks gravity is taken to pull as it does at the first of them. So the scheme is meant for
-/// steps in which the body turns little: beyond `most` radians it is refused, beyond `much` it is remarked
-/// on.
-namespace turn_of_a_step {
-constexpr double much = 0.25, most = 1;
-}
-void check_step(TopScene& scene, Schedule const& schedule) {
-  double const turn = scene.step * scene.fastest;
-  if (turn > turn_of_a_step::most * (1 + 1e-9))
-    fail_for_long_step(
-        scene.method, schedule, StepTooLong("variational", scene.step, turn_of_a_step::most / scene.fastest),
-        fmt::format(
-            "the top may turn by {:.3g} rad in a step of {}, and the scheme is meant for at most {} rad",
-            turn, scene.step, turn_of_a_step::most));
-  if (turn > turn_of_a_step::much)
-    scene.remarks.push_back(
-        fmt::format("step: the top may turn by {:.2g} rad in a step of {}; up to {} rad, a step of {:.2g}, "
-                    "the scheme is accurate",
-                    turn, scene.step, turn_of_a_step::much, turn_of_a_step::much / scene.fastest));
-}
 
 /// In steps of the scheme of the scene.
 std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
@@ -206,17 +148,15 @@ std::unique_ptr<TurningBody> stepped(TopScene const& scene, double step) {
     return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, step);
   }
   auto const gravity = uniform_gravity(scene.top.lever, scene.top.down);
-  auto const method = scene.choice.order == "2" ? strang_splitting() : blanes_moan_splitting();
-  auto const steps = [=](FreeState const& start, double h) {
-    return Top(inertia, start.body_momentum, start.attitude, gravity, h, method);
-  };
-  return std::make_unique<TopMotion>(steps, scene.start, step);
+  return torqued_motion(inertia, scene.start, gravity, step, scene.choice.order);
 }
 
 /// @param failure  why it cannot take a step; then it is the start alone, that of a free body
 std::unique_ptr<TurningBody> motion_of(TopScene& scene, Schedule const& schedule, std::string& failure) {
   try {
-    if (!scene.is_free()) check_step(scene, schedule);
+    if (!scene.is_free())
+      check_turn_of_step(scene.method, schedule, scene.step, scene.fastest, "the top may turn",
+                         scene.remarks);
     return stepped(scene, scene.step);
   } catch (NumericsError const& error) {
     failure = error.what();

@@ -8,6 +8,7 @@
 
 #include "actio/any_group/membership.hpp"
 #include "actio/any_group/named_algebra.hpp"
+#include "actio/any_group/span_of_matrices.hpp"
 #include "actio/formula/parse_formula.hpp"
 #include "actio/numbers/nearest_name.hpp"
 
@@ -152,6 +153,14 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
                           least.largest));
 }
 
+Chart read_chart(SceneTable const& method, MatrixAlgebra const& algebra) {
+  if (!method.is_text("name") || method.text("name") != "cayley_chart") return Chart::exponential;
+  if (!SpanOfMatrices(algebra).cayley_stays())
+    method.fail("name", "cayley_chart: Cayley's transform does not map the algebra into this group, as it does for "
+                        "SO(n), SE(n), U(n), Sp(2n) and GL(n); natural_chart serves every group");
+  return Chart::cayley;
+}
+
 }  // namespace
 
 std::vector<std::string> carried_names(SceneFile const& file) {
@@ -176,8 +185,9 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
     Eigen::VectorXd const a = mover * vector.constant;
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
   }
-  scene.system = std::make_shared<ReducedSystem const>(std::move(algebra), side,
-                                                       static_cast<int>(scene.carried.size()), std::move(l));
+  Chart const chart = read_chart(file.section("method"), algebra);
+  scene.system = std::make_shared<ReducedSystem const>(
+      std::move(algebra), side, static_cast<int>(scene.carried.size()), std::move(l), chart);
   try {
     scene.start.momentum = LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
   } catch (NotFinite const&) {

@@ -39,9 +39,10 @@ class StepMap {
     StepDone<S> done{{}, identity<S>(group_)};
     ChartMap const map(*scheme_.system, scheme_.fractions, velocity_);
     done.point = map(S(h), from, [&](S const& length, std::vector<S> const& v) {
-      Velocity<G, S> turn{group_, Coordinates<G, S>(static_cast<Index>(v.size()))};
-      for (std::size_t i = 0; i < v.size(); ++i) turn.coordinates[static_cast<Index>(i)] = v[i] * length;
-      done.motion = scheme_.system->side == Side::left ? done.motion * exp(turn) : exp(turn) * done.motion;
+      Matrix<S> const a = hat_of_step(scheme_.system->algebra, length, v);
+      Element<G, S> const moved{group_,
+                                scheme_.system->chart == Chart::cayley ? cayley(a) : matrix_exponential(a)};
+      done.motion = scheme_.system->side == Side::left ? done.motion * moved : moved * done.motion;
     });
     return done;
   }

@@ -1,29 +1,14 @@
-// A free rigid body in space (thesis, chapter 5).
+// A rigid body in space, free (thesis, chapter 5) or under a torque.
 #include <fmt/format.h>
 
-#include "actio/reduction/composition.hpp"
 #include "actio/scene/bodies.hpp"
 #include "actio/scene/body_shape.hpp"
 #include "actio/scene/pictures.hpp"
 #include "actio/scene/systems/free_motion.hpp"
-#include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/rigid_body_scene.hpp"
 
 namespace actio::scene {
 namespace {
-
-std::vector<Parameter> parameters() {
-  std::vector<Parameter> all{
-      {"system.body", "a text", "or system.inertia",
-       "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
-      {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
-       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
-       "that frame.",
-       "mass x length^2", "[1, 2, 3]"},
-  };
-  auto const initial = initial_parameters("The angular momentum at the start, in the frame of the body.");
-  all.insert(all.end(), initial.begin(), initial.end());
-  return all;
-}
 
 std::vector<Method> methods() {
   return {
@@ -36,7 +21,29 @@ std::vector<Method> methods() {
        "The kinetic energy through the natural chart, order 2; composed of substeps 4 (Suzuki) and 6 (Kahan "
        "and Li).",
        "eq_5_4"},
+      variational_method("the torque"),
   };
+}
+
+std::vector<Parameter> parameters() {
+  std::vector<Parameter> all{
+      {"system.body", "a text", "or system.inertia",
+       "A body of the library, with its inertia (actio list bodies).", "", "\"apophis\"", names_of_bodies()},
+      {"system.inertia", "three numbers, or a symmetric 3 by 3 matrix", "or system.body",
+       "The moments of inertia about the centre of mass, along the axes of the body frame, or the tensor in "
+       "that frame.",
+       "mass x length^2", "[1, 2, 3]"},
+  };
+  auto const torque = torque_parameters();
+  all.insert(all.end(), torque.begin(), torque.end());
+  auto const initial = initial_parameters("The angular momentum at the start, in the frame of the body.");
+  all.insert(all.end(), initial.begin(), initial.end());
+  std::vector<std::string> names;
+  for (auto const& method : methods()) names.push_back(method.name);
+  all.push_back({"method.name", "a text", "\"moser_veselov\"; under a torque \"variational\"",
+                 "The method that the system is stepped by (actio list methods).", "", "\"moser_veselov\"",
+                 names});
+  return all;
 }
 
 std::vector<Quantity> quantities() {
@@ -44,47 +51,64 @@ std::vector<Quantity> quantities() {
   auto all = turning_body_quantities(true);
   all.push_back({"energy",
                  Kind::scalar,
-                 "The kinetic energy.",
-                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle",
+                 "The kinetic energy, and under a torque the potential energy as well; conserved unless the "
+                 "potential depends on time.",
+                 "H = \\tfrac12\\langle M, I^{-1}M\\rangle + V(q, t)",
                  "energy",
                  "eq_5_1",
                  {"body_momentum", "angular_velocity"},
                  true});
   all.push_back({"casimir",
                  Kind::scalar,
-                 "The square of the angular momentum, which names the coadjoint orbit.",
+                 "The square of the angular momentum, which names the coadjoint orbit; a torque changes it.",
                  "C = |M|^2",
                  "(energy x time)^2",
                  "claim_5_3_dual_casimir",
                  {"body_momentum"},
                  true});
+  all.push_back(
+      {"axial_momentum",
+       Kind::scalar,
+       "The angular momentum in space about the axis of the torque: the direction to the centre, or "
+       "the normal of the orbit; the vertical; the axis of space whose row alone is in the potential; "
+       "otherwise the third axis of space. Conserved where turns about that axis do not change the "
+       "potential.",
+       "\\pi_a = \\langle\\pi, a\\rangle",
+       "energy x time",
+       "claim_5_2_spatial_momentum",
+       {"spatial_momentum"},
+       true});
+  all.push_back(
+      {"jacobi_integral",
+       Kind::scalar,
+       "The energy minus the rate of the orbit times the axial momentum, conserved where the direction "
+       "to the centre turns; the energy where it does not.",
+       "J = H - n\\langle\\pi, a\\rangle",
+       "energy",
+       "",
+       {"attitude", "body_momentum", "angular_velocity", "axial_momentum"},
+       true});
   return all;
 }
 
-/// What a scene says of a free body.
-struct FreeBodyScene {
-  SceneTable system, initial, method;
-  std::vector<std::string> remarks;
-  PrincipalInertia inertia;
-  FreeState start;
-  FreeBody body;
-  MethodChoice choice;
-  double fastest, step;
-
-  explicit FreeBodyScene(Request const& request)
-      : system(request.file.section("system")),
-        initial(request.file.section("initial")),
-        method(request.file.section("method")),
-        inertia(read_body_or_inertia(system)),
-        start(read_start(initial, inertia, remarks)),
-        body(inertia, start.body_momentum, start.attitude),
-        choice(read_method(method, methods())),
-        fastest(fastest_turn(inertia, kinetic_energy(inertia, start.body_momentum))),
-        step(read_step(method, request.schedule, fastest)) {}
-};
+/// The quantities of a body under a torque: the potential looks at the attitude, and not all of them are
+/// conserved.
+std::vector<Quantity> quantities_under(SceneTorque const& torque) {
+  auto all = quantities();
+  for (auto& quantity : all) {
+    if (quantity.name == "energy") {
+      quantity.needs.emplace_back("attitude");
+      quantity.conserved = !torque.depends_on_time();
+    }
+    if (quantity.name == "jacobi_integral") quantity.conserved = torque.is_steady();
+    if (quantity.name == "axial_momentum") quantity.conserved = torque.is_symmetric();
+    if (quantity.name == "casimir" || quantity.name == "spatial_momentum") quantity.conserved = false;
+  }
+  return all;
+}
 
 /// Sees to it that the angle turned until the end has digits.
-void check_phase(FreeBodyScene& scene, SceneTable const& run, double until) {
+void check_phase(RigidBodyScene& scene, SceneTable const& run, double until) {
   double const rounding = std::numeric_limits<double>::epsilon(), angle = until * scene.fastest;
   if (!(angle <= 1 / rounding))
     throw NumericsError(run.place("until").text() +
@@ -98,59 +122,26 @@ void check_phase(FreeBodyScene& scene, SceneTable const& run, double until) {
                     angle, angle * rounding));
 }
 
-std::unique_ptr<TurningBody> motion_of(FreeBodyScene const& scene, Schedule const& schedule) {
-  int const order = scene.choice.number();
-  PrincipalInertia const& inertia = scene.inertia;
-  try {
-    if (order == 0) return exact_motion(scene.body);
-    if (scene.choice.name == "natural_chart") {
-      auto const fractions = order == 2   ? std::vector<double>{1}
-                             : order == 4 ? suzuki<double>()
-                                          : kahan_li<double>();
-      auto const steps = [=](FreeState const& start, double h) {
-        return NaturalChartSteps(inertia, start.body_momentum, start.attitude, h, fractions);
-      };
-      return stepped_motion(StepsFrom<NaturalChartSteps>(steps), scene.start, scene.step);
-    }
-    auto const steps = [=](FreeState const& start, double h) {
-      FreeBody const body(inertia, start.body_momentum, start.attitude);
-      return FreeSteps(body, h, body.moser_veselov_parameters(h, order));
-    };
-    return stepped_motion(StepsFrom<FreeSteps>(steps), scene.start, scene.step);
-  } catch (StepTooLong const& error) {
-    fail_for_long_step(scene.method, schedule, error);
-  } catch (Error const& error) {
-    throw NumericsError(scene.method.place("step").text() + ": " + error.what());
-  }
-}
-
-/// The true motion, beside a run in steps: it takes as long as some fifty steps, and one row in sixteen is
-/// compared.
-Companion companion_of(FreeBodyScene const& scene, std::optional<bool> wanted, bool attitude) {
-  if (scene.choice.order == "exact") return {nullptr, 0, 0, attitude, "exact: no error but that of rounding"};
-  if (!wanted.value_or(true)) return {nullptr, 0, 0, attitude, "left out by output.error_estimate"};
-  auto exact = exact_motion(scene.body);
-  if (!attitude) exact->leave_attitude_out();
-  return {std::move(exact), 0, scene.choice.number(), attitude, "compared with the exact motion"};
-}
-
-std::vector<std::string> shortcuts(FreeBodyScene const& scene, bool attitude) {
+std::vector<std::string> shortcuts(RigidBodyScene const& scene, bool attitude) {
   std::vector<std::string> lines;
   if (!attitude) lines.push_back("momentum only: no attitude is reconstructed");
-  if (scene.choice.order == "exact") {
-    if (scene.body.is_sphere())
+  if (scene.is_exact()) {
+    if (scene.free.is_sphere())
       lines.push_back("sphere: a steady turn, the momentum stands still in the body");
-    else if (scene.body.is_symmetric())
+    else if (scene.free.is_symmetric())
       lines.push_back("axisymmetric body: closed form");
     lines.push_back("exact: rows are evaluated where they are asked for; the step is not used");
   } else if (scene.choice.name == "moser_veselov") {
     lines.push_back("one equation for the whole orbit: no step iterates");
+  } else if (scene.choice.name == "variational" && !scene.torque) {
+    lines.push_back("no torque: free motion, exact flow");
   }
   return lines;
 }
 
 /// Squares may fall below the smallest numbers where momenta do not.
-void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
+void remark_on_lost_squares(RigidBodyScene& scene, QuantityGraph const& graph) {
+  if (scene.torque) return;
   auto const& M = scene.start.body_momentum.components;
   double const least = std::numeric_limits<double>::min(),
                energy = kinetic_energy(scene.inertia, scene.start.body_momentum);
@@ -160,36 +151,86 @@ void remark_on_lost_squares(FreeBodyScene& scene, QuantityGraph const& graph) {
       scene.remarks.push_back(fmt::format("{}: it is below {:.3g}, where digits are lost", name, least));
 }
 
-Simulation prepare(Request const& request) {
-  FreeBodyScene scene(request);
-  if (scene.choice.order == "exact")
-    check_phase(scene, request.file.section("run"), request.schedule.until());
-  Simulation simulation(quantities());
-  std::unique_ptr<TurningBody> motion;
-  try {
-    motion = motion_of(scene, request.schedule);
-  } catch (NumericsError const& error) {
-    // The start can still be told.
-    simulation.failure = error.what();
-    motion = exact_motion(scene.body);
+/// Kinetic and potential energy.
+struct Energies {
+  double kinetic, potential;
+};
+using Needs = std::span<double const* const>;
+/// From body momentum and angular velocity, and from the attitude where there is a torque.
+using EnergiesFrom = std::function<Energies(double const* M, double const* w, double const* q)>;
+
+EnergiesFrom energies_of(RigidBodyScene const& scene, TorquedMotion const* motion) {
+  return [torque = scene.torque, motion](double const* M, double const* w, double const* q) {
+    double const kinetic = (M[0] * w[0] + M[1] * w[1] + M[2] * w[2]) / 2;
+    if (!torque) return Energies{kinetic, 0};
+    return Energies{kinetic,
+                    torque->potential(Eigen::Map<Eigen::Vector4d const>(q), motion ? motion->time() : 0)};
+  };
+}
+
+void define_energy(QuantityGraph& graph, RigidBodyScene const& scene, EnergiesFrom const& energies) {
+  if (!scene.torque) {
+    graph.define("energy", {""},
+                 [energies](Needs n, double* energy) { *energy = energies(n[0], n[1], nullptr).kinetic; });
+    return;
   }
+  graph.define(
+      "energy", {""},
+      [energies](Needs n, double* energy) {
+    auto const [kinetic, potential] = energies(n[0], n[1], n[2]);
+    *energy = kinetic + potential;
+      },
+      [energies](Needs n, double const*, std::size_t) {
+    auto const [kinetic, potential] = energies(n[0], n[1], n[2]);
+    return kinetic + std::abs(potential);
+  });
+}
+
+/// What goes with the axis of the torque.
+void define_about_axis(QuantityGraph& graph, RigidBodyScene const& scene, EnergiesFrom const& energies) {
+  Eigen::Vector3d const axis = scene.torque ? scene.torque->axis() : Eigen::Vector3d::UnitZ();
+  double const rate = scene.torque ? scene.torque->rate() : 0;
+  using ConstVector = Eigen::Map<Eigen::Vector3d const>;
+  graph.define(
+      "axial_momentum", {""}, [axis](Needs n, double* momentum) { *momentum = axis.dot(ConstVector(n[0])); },
+      [](Needs n, double const*, std::size_t) { return magnitude(Eigen::Vector3d(ConstVector(n[0]))); });
+  graph.define(
+      "jacobi_integral", {""},
+      [energies, rate](Needs n, double* integral) {
+    auto const [kinetic, potential] = energies(n[1], n[2], n[0]);
+    *integral = kinetic + potential - rate * *n[3];
+      },
+      [energies, rate](Needs n, double const*, std::size_t) {
+    auto const [kinetic, potential] = energies(n[1], n[2], n[0]);
+    return kinetic + std::abs(potential) + std::abs(rate * *n[3]);
+  });
+}
+
+Simulation prepare(Request const& request) {
+  RigidBodyScene scene(request, methods());
+  if (scene.is_exact()) check_phase(scene, request.file.section("run"), request.schedule.until());
+  Simulation simulation(scene.torque ? quantities_under(*scene.torque) : quantities());
+  auto [motion, torqued, failure] = motion_of(scene, request.schedule);
   QuantityGraph& graph = simulation.quantities;
   define_turning_body(graph, *motion, scene.inertia);
-  graph.define("energy", {""}, [](auto needs, double* energy) {
-    *energy = (needs[0][0] * needs[1][0] + needs[0][1] * needs[1][1] + needs[0][2] * needs[1][2]) / 2;
-  });
-  graph.define("casimir", {""}, [](auto needs, double* casimir) {
-    *casimir = needs[0][0] * needs[0][0] + needs[0][1] * needs[0][1] + needs[0][2] * needs[0][2];
+  auto const energies = energies_of(scene, torqued);
+  define_energy(graph, scene, energies), define_about_axis(graph, scene, energies);
+  graph.define("casimir", {""}, [](Needs n, double* casimir) {
+    *casimir = n[0][0] * n[0][0] + n[0][1] * n[0][1] + n[0][2] * n[0][2];
   });
   graph.ask(request.quantities);
-  bool const attitude = graph.needed("attitude");
+  // A torque looks at the attitude.
+  bool const attitude = scene.torque || graph.needed("attitude");
   if (!attitude) motion->leave_attitude_out();
 
   remark_on_lost_squares(scene, graph);
 
-  simulation.exact = scene.choice.order == "exact";
-  simulation.companion = companion_of(scene, request.error_estimate, attitude);
+  simulation.exact = scene.is_exact();
+  simulation.failure = failure;
+  if (failure.empty() || !scene.torque)
+    simulation.companion = companion_of(scene, request.error_estimate, attitude);
   simulation.step = scene.step;
+  if (scene.torque) simulation.steps_at_once = scene.torque->steps_at_once();
   simulation.shortcuts = shortcuts(scene, attitude);
   simulation.remarks = scene.remarks;
   simulation.motion = std::move(motion);
@@ -200,17 +241,19 @@ BodyShape shape(SceneFile const& file) {
   SceneTable const system = file.section("system");
   PrincipalInertia const inertia = read_body_or_inertia(system);
   return {inertia,
-          system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{}};
+          system.has("body") ? parts_of(*find_body(system.text("body"))) : std::vector<BodyShape::Part>{},
+          {},
+          system.has("torque")};
 }
 
 }  // namespace
 
-/// The free rigid body in space.
+/// The rigid body in space.
 System rigid_body_system() {
   return {"rigid_body",
-          "Free rigid body",
-          "A rigid body that turns freely about its centre of mass: Euler's equations for the momentum, and "
-          "the attitude that goes with it.",
+          "Rigid body",
+          "A rigid body that turns about its centre of mass, freely or under a torque that comes from a "
+          "potential: Euler's equations for the momentum, and the attitude that goes with it.",
           "chapter 5",
           parameters(),
           methods(),

@@ -58,7 +58,7 @@ std::vector<Quantity> turning_body_quantities(bool free) {
        Shown::as_direction},
       {"spatial_momentum",
        Kind::vector,
-       "The angular momentum in space.",
+       free ? "The angular momentum in space; a torque changes it." : "The angular momentum in space.",
        "\\pi = R(q)\\,M",
        "energy x time",
        "claim_5_2_spatial_momentum",

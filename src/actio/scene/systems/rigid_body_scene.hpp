@@ -1,0 +1,45 @@
+// What a scene says of a rigid body in space, free or under a torque, and the motion that it asks for.
+#pragma once
+
+#include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/torque_input.hpp"
+
+namespace actio::scene {
+
+/// A scene of a rigid body.
+struct RigidBodyScene {
+  SceneTable system, initial, method;
+  std::vector<std::string> remarks;
+  PrincipalInertia inertia;
+  std::optional<SceneTorque> torque;  ///< none: the body is free
+  FreeState start;                    ///< momentum and attitude
+  FreeBody free;                      ///< the body without its torque
+  MethodChoice choice;
+  double fastest,  ///< a bound of the angular velocity, or of what else the step is measured by, 1/time
+      step;
+
+  /// @param methods  of the system
+  /// @throws SceneError  where a value is missing or wrong
+  RigidBodyScene(Request const& request, std::vector<Method> const& methods);
+
+  /// Whether it goes to any time at once.
+  bool is_exact() const { return choice.order == "exact"; }
+};
+
+/// The motion of a scene.
+struct RigidBodyMotion {
+  std::unique_ptr<TurningBody> motion;
+  TorquedMotion const* torqued = nullptr;  ///< the same, where the body is under a torque
+  std::string failure;                     ///< why it cannot take a step; it is the start alone then
+};
+
+/// Sets it up, and remarks on a long step.
+RigidBodyMotion motion_of(RigidBodyScene& scene, Schedule const& schedule);
+
+/// From which the error is estimated: for a free body the true motion, which takes as long as some fifty
+/// steps, so that one row in sixteen is compared; under a torque steps three times as long.
+/// @param wanted    as `Request` has it
+/// @param attitude  whether the attitude is reconstructed
+Companion companion_of(RigidBodyScene const& scene, std::optional<bool> wanted, bool attitude);
+
+}  // namespace actio::scene

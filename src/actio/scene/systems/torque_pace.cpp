@@ -1,0 +1,119 @@
+// What the steps of a body under a torque are measured by.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "actio/scene/systems/torque_input.hpp"
+
+namespace actio::scene {
+namespace {
+
+/// The attitude at the start, attitudes that fill the rotations evenly, and times that fill an interval:
+/// multiples of the powers of one number, each without its whole part.
+class Samples {
+ public:
+  Samples(Eigen::Vector4d const& first, double until, int count)
+      : first_{first[0], first[1], first[2], first[3]}, until_(until), count_(count) {}
+  bool next() { return ++n_ <= count_; }
+  double time() const { return until_ * part(0.8566748838545029); }
+  Four<double> attitude() const {
+    if (n_ == 0) return first_;
+    // Two circles, the squares of whose radii share the unit.
+    double const u = part(0.7338918566271260), a = 2 * std::numbers::pi * part(0.6287067210378087),
+                 b = 2 * std::numbers::pi * part(0.5385972572236101), r = std::sqrt(1 - u), s = std::sqrt(u);
+    return {r * std::sin(a), r * std::cos(a), s * std::sin(b), s * std::cos(b)};
+  }
+
+ private:
+  double part(double power) const { return std::fmod(power * n_, 1.0); }
+  Four<double> first_;
+  double until_;
+  int count_, n_ = -1;
+};
+
+}  // namespace
+
+double SceneTorque::pace_of(GravityGradient const& gradient, FreeState const& start) const {
+  // With T the kinetic energy, E - rate <M, axis> is conserved, and |M| is at most sqrt(2 I_max T): a
+  // quadratic inequality for the root of T.
+  Eigen::Vector3d const moments = inertia_.inertia.moments;
+  double const kinetic = kinetic_energy(inertia_, start.body_momentum),
+               above = kinetic + potential(start.attitude.value, 0) -
+                       rate_ * axis_.dot(Eigen::Vector3d(start.spatial_momentum().components)) -
+                       gradient.strength / 2 * moments.minCoeff(),
+               a = std::abs(rate_) * std::sqrt(moments.maxCoeff() / 2),
+               root = a + std::sqrt(std::max(0.0, a * a + above));
+  // A swing about a rest has at most the root of the strength for its frequency, since no moment is greater
+  // than the sum of the other two.
+  return std::max({fastest_turn(inertia_, root * root), std::sqrt(gradient.strength), std::abs(rate_)});
+}
+
+double SceneTorque::pace_of(UniformGravity const& gravity, FreeState const& start) const {
+  Eigen::Vector3d const lever(gravity.lever[0], gravity.lever[1], gravity.lever[2]);
+  double const fall = lever.norm() + potential(start.attitude.value, 0);
+  return std::max(fastest_turn(inertia_, kinetic_energy(inertia_, start.body_momentum) + fall),
+                  swing_of_weight(inertia_, lever));
+}
+
+void SceneTorque::check_start(FormulaPotential const& potential, FreeState const& start) const {
+  auto const& q = start.attitude.value;
+  NineEntries const rotation = rotation_entries({q[0], q[1], q[2], q[3]});
+  NineEntries slope;
+  double const value = potential(rotation, 0, slope);
+  Three<double> const torque = torque_of_slope(rotation, slope);
+  if (!is_finite(value) || !is_finite(dot(torque, torque)))
+    throw SceneError(place_,
+                     fmt::format("potential: at the start it is {}, and the torque [{}, {}, {}], where "
+                                 "finite numbers are needed",
+                                 value, torque[0], torque[1], torque[2]));
+}
+
+double SceneTorque::pace_of(PotentialTorque<FormulaPotential> const& torque, FreeState const& start,
+                            double until) const {
+  check_start(torque.function(), start);
+  Eigen::Matrix3d const inverse = inertia_.inverse_tensor();
+  double const kinetic = kinetic_energy(inertia_, start.body_momentum),
+               first = potential(start.attitude.value, 0);
+  double least = first, most = first, swing = 0, bend = 0, lightest = 0;
+  // As many as take about a tenth of a second.
+  auto const operations = static_cast<double>(torque.function().operations_of_curvature());
+  int const count = std::clamp(static_cast<int>(2e7 / (operations + 1)), 20, 2000);
+  for (Samples samples(start.attitude.value, formula_in_time_ ? until : 0, count); samples.next();) {
+    NineEntries const rotation = rotation_entries(samples.attitude());
+    NineEntries slope;
+    double const V = torque.function()(rotation, samples.time(), slope);
+    Eigen::Matrix3d const K = torque.function().curvature(rotation, samples.time());
+    // The body does not come where the potential has no value, or is above the energy.
+    if (!is_finite(V) || !is_finite(K) || (!formula_in_time_ && V > kinetic + first)) continue;
+    least = std::min(least, V), most = std::max(most, V);
+    swing = std::max(swing, swing_frequency(inertia_, K));
+    Eigen::Vector3d const t(torque_of_slope(rotation, slope).data());
+    if (magnitude(t) > 0) lightest = std::max(lightest, t.normalized().dot(inverse * t.normalized()));
+    if (formula_in_time_)
+      bend = std::max(bend, std::abs(torque.function().second_rate(rotation, samples.time())));
+  }
+  // What falls turns about the axes that there are torques about. Where the energy is not conserved it may
+  // come from as high as there is.
+  double const fall = (formula_in_time_ ? most : first) - least, turn = fastest_turn(inertia_, kinetic);
+  // A wave in time has the square of its frequency for the ratio of the second derivative to itself.
+  double const wave = most > least ? std::sqrt(bend / (most - least)) : 0;
+  return std::max({std::hypot(turn, std::sqrt(2 * fall * lightest)), swing, wave});
+}
+
+double SceneTorque::pace(FreeState const& start, double until) const {
+  if (auto const* const gradient = std::get_if<GravityGradient>(&torque_)) return pace_of(*gradient, start);
+  if (auto const* const gravity = std::get_if<UniformGravity>(&torque_)) return pace_of(*gravity, start);
+  return pace_of(std::get<PotentialTorque<FormulaPotential>>(torque_), start, until);
+}
+
+long SceneTorque::steps_at_once() const {
+  constexpr long most = 1 << 14, kicks = 6;
+  auto const* const formula = std::get_if<PotentialTorque<FormulaPotential>>(&torque_);
+  if (!formula) return most;
+  auto const operations = static_cast<long>(formula->function().operations_of_slope());
+  return std::clamp(10'000'000 / (kicks * (operations + 1)), 1L, most);
+}
+
+}  // namespace actio::scene

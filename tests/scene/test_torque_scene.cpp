@@ -1,0 +1,227 @@
+// Scenes of bodies under a torque, against solutions by somebody else's code and against closed forms.
+#include <boost/test/unit_test.hpp>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+#include "actio/scene/systems/formula_potential.hpp"
+#include "last_row.hpp"
+#include "witness/reference_solution.hpp"
+
+using namespace actio::scene;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+namespace {
+
+std::vector<double> last_row(std::string const& system, std::string const& initial, std::string const& rest) {
+  return last_row(SceneFile::parse("[system]\nkind = \"rigid_body\"\n" + system + "\n[initial]\n" + initial +
+                                       "\n[output]\nquantities = [\"attitude\", \"angular_velocity\"]\n" +
+                                       rest,
+                                   "torque.toml"));
+}
+
+using Seven = actio::Vector<double, 7>;
+
+/// Attitude and angular velocity of a body under a torque, a function (R, t) -> tau in the frame of the body.
+template <class Torque>
+Seven solved(Matrix3d const& inertia, Seven const& start, double until, Torque const& torque) {
+  Matrix3d const inverse = inertia.inverse();
+  return actio::reference_solution(
+      [&](double t, Seven const& y) {
+    Vector3d const w = y.tail<3>(), q = y.segment<3>(1), M = inertia * w;
+    Matrix3d const R = Eigen::Quaterniond(y[0], y[1], y[2], y[3]).normalized().toRotationMatrix();
+    Seven change;
+    change << -0.5 * q.dot(w), 0.5 * (y[0] * w + q.cross(w)), inverse * (M.cross(w) + torque(R, t));
+    return change;
+      },
+      start, 0, until);
+}
+/// The largest difference; quaternions of either sign.
+double apart(std::vector<double> const& row, Seven y) {
+  double dot = 0, most = 0;
+  for (std::size_t i = 0; i < 4; ++i) dot += row[i] * y[static_cast<long>(i)];
+  if (dot < 0) y.head<4>() = Eigen::Vector4d(-y.head<4>());
+  for (std::size_t i = 0; i < 7; ++i) most = std::max(most, std::abs(row[i] - y[static_cast<long>(i)]));
+  return most;
+}
+
+Matrix3d const tensor = (Matrix3d() << 0.9, 0.1, -0.05, 0.1, 1.1, 0.15, -0.05, 0.15, 1.4).finished();
+std::string const in_tensor = "inertia = [[0.9, 0.1, -0.05], [0.1, 1.1, 0.15], [-0.05, 0.15, 1.4]]\n";
+Seven start() {
+  Seven y;
+  y << 0.5, 0.5, -0.5, 0.5, 0.3, -0.2, 0.4;
+  return y;
+}
+std::string const started = "attitude = [0.5, 0.5, -0.5, 0.5]\nangular_velocity = [0.3, -0.2, 0.4]";
+
+}  // namespace
+
+BOOST_AUTO_TEST_SUITE(torque_scenes)
+
+BOOST_AUTO_TEST_CASE(the_gradient_of_gravity_on_an_orbit_is_that_of_a_solver) {
+  Vector3d const normal = Vector3d(0, 0.6, 0.8), towards = Vector3d(2, -0.8, 0.6).normalized();
+  double const rate = 0.7, strength = 0.8;
+  auto const torque = [&](Matrix3d const& R, double t) {
+    Vector3d const n = R.transpose() * (Eigen::AngleAxisd(rate * t, normal) * towards);
+    return Vector3d(3 * strength * n.cross(tensor * n));
+  };
+  auto const found = last_row(in_tensor +
+                                  "[system.torque.gravity_gradient]\nrate = 0.7\nstrength = 0.8\ndirection = "
+                                  "[2, -0.8, 0.6]\nnormal = [0, 0.6, 0.8]",
+                              started, "[method]\nstep = 0.005\n[run]\nuntil = 12");
+  double const off = apart(found, solved(tensor, start(), 12, torque));
+  BOOST_TEST_MESSAGE("gravity gradient on an orbit: off by " << off);
+  BOOST_TEST(off <= 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(a_direction_that_stands_still_is_the_limit_of_one_that_turns) {
+  Vector3d const towards = Vector3d(1, 2, -1).normalized();
+  auto const torque = [&](Matrix3d const& R, double) {
+    Vector3d const n = R.transpose() * towards;
+    return Vector3d(3 * 0.5 * n.cross(tensor * n));
+  };
+  auto const found =
+      last_row(in_tensor + "[system.torque]\ngravity_gradient = { strength = 0.5, direction = [1, 2, -1] }",
+               started, "[method]\nstep = 0.005\n[run]\nuntil = 12");
+  BOOST_TEST(apart(found, solved(tensor, start(), 12, torque)) <= 1e-10);
+}
+
+// In the plane of the orbit the angle phi from the direction to the centre obeys the equation of a pendulum,
+// (2 phi)'' = -w^2 sin(2 phi) with w = n sqrt(3 (I_2 - I_1)/I_3), the frequency of small swings. So from
+// phi_0, at rest there, it comes back after 4 K(sin phi_0)/w, K the complete elliptic integral.
+BOOST_AUTO_TEST_CASE(a_satellite_librates_with_the_period_of_a_pendulum) {
+  double const n = 0.25, pi = std::numbers::pi;
+  for (double const degrees : {0.01, 30.0, 80.0}) {
+    double const phi = degrees * pi / 180, frequency = n * std::sqrt(3 * (9.5 - 1) / 10),
+                 period = 4 * std::comp_ellint_1(std::sin(phi)) / frequency;
+    if (degrees < 1) BOOST_TEST(period == 2 * pi / frequency, boost::test_tools::tolerance(1e-8));
+    std::ostringstream step, until;
+    step.precision(17), until.precision(17);
+    step << period / 2000, until << period;
+    auto const found = last_row(
+        "inertia = [1, 9.5, 10]\n[system.torque]\ngravity_gradient = { rate = 0.25, direction = [1, 0, 0], "
+        "normal = [0, 0, 1] }",
+        "angular_velocity = [0, 0, 0.25]\n[initial.attitude]\naxis = [0, 0, 1]\ndegrees = " +
+            std::to_string(degrees),
+        "[method]\nstep = " + step.str() + "\n[run]\nuntil = " + until.str());
+    double const turned = (phi + n * period) / 2;
+    Seven expected;
+    expected << std::cos(turned), 0, 0, std::sin(turned), 0, 0, n;
+    double const off = apart(found, expected);
+    BOOST_TEST_MESSAGE("libration by " << degrees << " degrees: after a period off by " << off);
+    BOOST_TEST(off <= 1e-10 * (1 + phi));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_potential_of_ones_own_has_its_exact_torque) {
+  // Its derivative along turns about the axes of the body, by hand: of r33^4 it is 4 r33^3 (r32, -r31, 0),
+  // and so on.
+  auto const torque = [](Matrix3d const& R, double t) {
+    double const quartic = -2 * std::pow(R(2, 2), 3), wave = 0.7 * std::cos(3 * t);
+    Vector3d const down = quartic * Vector3d(R(2, 1), -R(2, 0), 0),
+                   side = wave * Vector3d(-R(0, 2), 0, R(0, 0));
+    return Vector3d(down + side);
+  };
+  auto const found =
+      last_row(in_tensor + "[system.torque]\npotential = \"a = 0.5; -a*r33^4 + 7/10*cos(3*t)*r12\"", started,
+               "[method]\nstep = 0.005\n[run]\nuntil = 12");
+  double const off = apart(found, solved(tensor, start(), 12, torque));
+  BOOST_TEST_MESSAGE("a potential in time: off by " << off);
+  BOOST_TEST(off <= 1e-9);
+}
+
+// The scene solves Kepler's equation; here the way of Apophis comes from Newton's equation, from the nearest
+// point back to the start and on again.
+BOOST_AUTO_TEST_CASE(apophis_passes_the_earth_as_by_newtons_law) {
+  using Four = actio::Vector<double, 4>;
+  // The unit of length is the least distance, so that no component is large beside the others.
+  double const hour = 3600, nearest = 38012, mu = 398600.4418 * hour * hour / (nearest * nearest * nearest),
+               far = 5.84 * hour / nearest;
+  auto const fall = [mu](double, Four const& y) {
+    double const r = y.head<2>().norm();
+    Four change;
+    change << y.tail<2>(), -mu / (r * r * r) * y.head<2>();
+    return change;
+  };
+  Four pericentre;
+  pericentre << 1, 0, 0, std::sqrt(far * far + 2 * mu);
+  Four const begin = actio::reference_solution(fall, pericentre, 30, 0);
+
+  using Eleven = actio::Vector<double, 11>;
+  Vector3d const moments(0.64, 0.97, 1), axis = Vector3d(0.6, 1, 0).normalized();
+  Eleven y;
+  y << std::cos(std::numbers::pi / 6), std::sin(std::numbers::pi / 6) * axis, 0.06490079731, 0, 0.2232090597,
+      begin;
+  Eleven const end = actio::reference_solution(
+      [&](double t, Eleven const& s) {
+    Vector3d const w = s.segment<3>(4), q = s.segment<3>(1), M = moments.cwiseProduct(w);
+    Matrix3d const R = Eigen::Quaterniond(s[0], s[1], s[2], s[3]).normalized().toRotationMatrix();
+    double const r = s.segment<2>(7).norm();
+    Vector3d const n = R.transpose() * Vector3d(s[7] / r, s[8] / r, 0);
+    Vector3d const torque = 3 * mu / (r * r * r) * n.cross(moments.cwiseProduct(n));
+    Eleven change;
+    change << -0.5 * q.dot(w), 0.5 * (s[0] * w + q.cross(w)), (M.cross(w) + torque).cwiseQuotient(moments),
+        fall(t, s.tail<4>());
+    return change;
+      },
+      y, 0, 60);
+  auto const found = last_row(SceneFile::read(ACTIO_DATA "/scenes/earth_flyby.toml",
+                                              {"output.quantities=[\"attitude\", \"angular_velocity\"]"}));
+  double const off = apart(found, end.head<7>());
+  BOOST_TEST_MESSAGE("Apophis passes the Earth: off by " << off);
+  BOOST_TEST(off <= 1e-10);
+}
+
+BOOST_AUTO_TEST_CASE(second_derivatives_of_a_formula_are_along_turns) {
+  FormulaPotential const potential("r33^4*cos(2*t) - 0.7*r12*exp(r21) + sin(3*t)*r11*r23", {{"test"}, false});
+  Eigen::Quaterniond const q = Eigen::Quaterniond(1, 0.2, 0.3, -0.4).normalized();
+  double const t = 0.6, small = 1e-4;
+  auto const value = [&](Eigen::Vector3d const& turn, double time) {
+    Eigen::Quaterniond const p =
+        turn.norm() > 0 ? q * Eigen::Quaterniond(Eigen::AngleAxisd(turn.norm(), turn.normalized())) : q;
+    actio::NineEntries slope;
+    return potential(actio::rotation_entries({p.w(), p.x(), p.y(), p.z()}), time, slope);
+  };
+  actio::NineEntries const rotation = actio::rotation_entries({q.w(), q.x(), q.y(), q.z()});
+  Matrix3d const K = potential.curvature(rotation, t);
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      Vector3d const x = small * Vector3d::Unit(a), y = small * Vector3d::Unit(b);
+      // (V(x + y) - V(x - y) - V(y - x) + V(-x - y))/4
+      double const second = (value(x + y, t) - value(x - y, t) - value(y - x, t) + value(-x - y, t)) / 4;
+      BOOST_TEST(std::abs(K(a, b) - second / (small * small)) <= 1e-6);
+    }
+  double const bend = (value({0, 0, 0}, t + small) - 2 * value({0, 0, 0}, t) + value({0, 0, 0}, t - small));
+  BOOST_TEST(std::abs(potential.second_rate(rotation, t) - bend / (small * small)) <= 1e-6);
+  BOOST_TEST(potential.uses_time());
+  BOOST_TEST(potential.axis() == -1);
+  BOOST_TEST(FormulaPotential("2*r21 - r23^2", {{"test"}, false}).axis() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(the_default_step_of_a_formula_is_about_that_of_the_same_torque_with_a_name) {
+  auto const step = [](std::string const& torque, std::string const& velocity) {
+    return Scene::read(SceneFile::parse(
+                           "[system]\nkind = \"rigid_body\"\ninertia = [0.7, 1.1, 0.9]\n[system.torque]\n" +
+                               torque + "\n[initial]\nangular_velocity = " + velocity +
+                               "\n[run]\nuntil = 1000\n[output]\nquantities = [\"energy\"]\n",
+                           "step.toml"))
+        .simulation.step;
+  };
+  for (auto const& [named, own] :
+       {std::pair("uniform_gravity = { mass = 2, lever = [0, 0, 0.5], acceleration = [0, 0, -9] }",
+                  "potential = \"9*r33\""),
+        {"gravity_gradient = { strength = 4, direction = [1, 0, 0] }",
+         "potential = \"6*(0.7*r11^2 + 1.1*r12^2 + 0.9*r13^2)\""},
+        {"gravity_gradient = { rate = 2, direction = [1, 0, 0], normal = [0, 0, 1] }",
+         "potential = \"c = cos(2*t); s = sin(2*t); 6*(0.7*(c*r11 + s*r21)^2 + 1.1*(c*r12 + s*r22)^2 + "
+         "0.9*(c*r13 + s*r23)^2)\""}})
+    for (auto const* const velocity : {"[0, 0, 0]", "[1, 2, 20]"}) {
+      double const ratio = step(own, velocity) / step(named, velocity);
+      BOOST_TEST((ratio > 0.5 && ratio < 2), own << " from " << velocity << ": " << ratio);
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
