@@ -41,7 +41,8 @@ Rows list_of_systems() {
 }
 Rows list_of_groups() {
   Rows rows;
-  for (auto const& group : library_groups()) rows.push_back({group.name, group.dimension, group.meaning});
+  for (auto const& group : library_groups())
+    rows.push_back({group.name, group.dimension, components_of(group), group.meaning});
   return rows;
 }
 Rows list_of_methods() {
@@ -87,20 +88,16 @@ Rows list_of_scenes() {
   return rows;
 }
 
-/// What is there that no scene takes yet.
-void say_what_scenes_do_not_take(std::string const& what) {
-  auto const takes = [](std::string const& key) {
-    auto const names = names_in("keys");
-    return std::find(names.begin(), names.end(), key) != names.end();
-  };
+/// How scenes take what is listed, or that they do not take it yet.
+void say_how_scenes_take(std::string const& what) {
   if (what == "materials" && names_in("materials").empty())
     say(stderr,
         "There are no materials for scenes yet: they come with the systems of continua. Those of the "
         "library, for programs in C++, are in actio/continuum/materials.hpp.\n");
-  if (what == "groups" && !takes("system.group"))
+  if (what == "groups")
     say(stderr,
-        "No scene takes a group yet: these are of the library, for programs in C++; actio show SE(3) names "
-        "the header.\n");
+        "A scene takes one with its numbers, or a product: kind = \"euler_poincare\", group = \"SO(3) x "
+        "R^1\"; actio show \"SE(2)\" tells its velocity.\n");
 }
 
 /// `bodies` for `body`: the one that begins alike, where none is nearest.
@@ -139,7 +136,7 @@ int list(std::string const& what, bool json) {
   else if (what != "materials")
     throw SceneError({"actio list"}, fmt::format("unknown list '{}'{} (known: {})", shown(what), meant(what),
                                                  listed(kinds_of_lists())));
-  say_what_scenes_do_not_take(what);
+  say_how_scenes_take(what);
   fmt::print("{}", aligned(rows));
   return 0;
 }

@@ -1,6 +1,7 @@
 // actio show: all that is known of a name. A name that several things have, or several systems, is told for
 // each.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -190,14 +191,34 @@ std::string about(QuantityOf const& entry) {
   return account.text();
 }
 
-std::string about(LibraryGroup const& group) {
+/// The components of a velocity and its matrix, where the group is named with its numbers.
+void tell_velocity(Account& account, std::optional<NamedGroup> const& named) {
+  if (!named) return;
+  account.tell("components", fmt::format("of {}: {}", named->name, fmt::join(named->components, " ")));
+  for (auto const& row : named->velocity)
+    account.tell(&row == &named->velocity.front() ? "velocity" : "", row);
+}
+
+std::string about(LibraryGroup const& group, std::optional<NamedGroup> const& named) {
   Account account(group.name, "a group");
   account.tell("meaning", group.meaning);
   account.tell("dimension", group.dimension);
   account.tell("coordinates", group.coordinates);
+  if (named)
+    tell_velocity(account, named);
+  else
+    account.tell("components", components_of(group));
   account.tell("type", group.type);
   account.tell("header", group.header);
   account.tell("statement", statement_in_words(group.statement));
+  return account.text();
+}
+
+/// A product of groups, which scenes can name.
+std::string about_product(NamedGroup const& product) {
+  Account account(product.name, "a group of scenes");
+  account.tell("dimension", std::to_string(product.components.size()));
+  tell_velocity(account, product);
   return account.text();
 }
 
@@ -234,7 +255,9 @@ int show(std::string const& name) {
   for (auto const& entry : all_quantities())
     if (entry.quantity->name == name) accounts.push_back(about(entry));
   if (accounts.empty())
-    for (auto const* const group : find_groups(name)) accounts.push_back(about(*group));
+    for (auto const* const group : find_groups(name)) accounts.push_back(about(*group, named_group(name)));
+  if (accounts.empty())
+    if (auto const product = named_group(name)) accounts.push_back(about_product(*product));
   for (auto& account : about_keys(name)) accounts.push_back(std::move(account));
   if (auto const* const carried = find_scene(name); carried && !find_body(name))
     accounts.push_back(about(*carried));

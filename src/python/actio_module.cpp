@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "actio/scene/registry_json.hpp"
+#include "python/algebras.hpp"
 #include "python/memory_run.hpp"
 #include "python/registry.hpp"
 #include "python/run_watch.hpp"
@@ -122,4 +123,6 @@ PYBIND11_MODULE(_actio, m) {
   m.def("systems", [] { return py::module_::import("json").attr("loads")(scene::registry_json()); });
   m.def("bodies", &python::bodies);
   m.def("groups", &python::groups);
+  m.def("named_algebra", &python::named_algebra);
+  m.def("spanned_algebra", &python::spanned_algebra);
 }

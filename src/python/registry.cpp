@@ -42,7 +42,7 @@ py::list groups() {
     py::dict one;
     one["name"] = group.name, one["dimension"] = group.dimension, one["meaning"] = group.meaning;
     one["coordinates"] = group.coordinates, one["type"] = group.type, one["header"] = group.header;
-    one["statement"] = group.statement;
+    one["statement"] = group.statement, one["components"] = scene::components_of(group);
     out.append(one);
   }
   return out;

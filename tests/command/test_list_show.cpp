@@ -63,8 +63,11 @@ BOOST_AUTO_TEST_CASE(there_are_no_materials_yet_and_that_is_said_beside_the_list
   BOOST_TEST(has(outcome.err, "systems of continua"));
 }
 
-BOOST_AUTO_TEST_CASE(that_no_scene_takes_a_group_is_said_beside_the_list) {
-  BOOST_TEST(has(actio({"list", "groups"}).err, "No scene takes a group yet"));
+BOOST_AUTO_TEST_CASE(how_a_scene_takes_a_group_is_said_beside_the_list) {
+  auto const outcome = actio({"list", "groups"});
+  BOOST_TEST(has(outcome.err, "kind = \"euler_poincare\", group = "));
+  for (auto const& part : {"  w v1 v2  ", "  x1 x2 ..., w1 w2 w3 on SO(3)  ", "  w1 w2 w3 v1 v2 v3  "})
+    BOOST_TEST(has(outcome.out, part), part);
 }
 
 BOOST_AUTO_TEST_CASE(whatever_is_listed_can_be_shown) {
@@ -234,6 +237,26 @@ BOOST_AUTO_TEST_CASE(groups_are_found_however_they_are_written) {
   for (auto const& part : {"SE(2), a group", "SE(3), a group"})
     BOOST_TEST(has(actio({"show", "se"}).out, part), part);
   BOOST_TEST(actio({"show", "se7"}).status == 2);
+}
+
+BOOST_AUTO_TEST_CASE(the_velocity_on_a_group_is_told_by_its_components_and_its_matrix) {
+  std::string const motions = actio({"show", "SE(2)"}).out;
+  for (auto const& part :
+       {"components    of SE(2): w v1 v2\n", "velocity      [0, -w, v1]\n", "                [w, 0, v2]\n"})
+    BOOST_TEST(has(motions, part), motions);
+  for (auto const& word : {"SO(3)", "so3"})
+    BOOST_TEST(has(actio({"show", word}).out, "of SO(3): w1 w2 w3"), word);
+  BOOST_TEST(has(actio({"show", "so(4)"}).out, "of SO(4): x1 x2 x3 x4 x5 x6"));
+  std::string const family = actio({"show", "SO(n)"}).out;
+  BOOST_TEST(has(family, "components    x1 x2 ..., w1 w2 w3 on SO(3)"), family);
+}
+
+BOOST_AUTO_TEST_CASE(products_of_groups_are_told_as_scenes_name_them) {
+  std::string const product = actio({"show", "SL(2) |x R^2"}).out;
+  BOOST_TEST(product.starts_with("SL(2) |x R^2, a group of scenes\n"), product);
+  for (auto const& part : {"dimension     5", "x1 x2 x3 x4 x5", "[x3, -x1, x5]"})
+    BOOST_TEST(has(product, part), product);
+  BOOST_TEST(actio({"show", "SO(3) x"}).status == 2);
 }
 
 BOOST_AUTO_TEST_CASE(the_header_of_a_group_is_there_and_has_its_type) {

@@ -13,6 +13,11 @@ namespace actio {
 /// Accuracy: a few epsilon times \f$e^{|hv|}\f$.
 inline void apply_exponential(MatrixAlgebra const& algebra, double h, std::vector<double> const& v,
                               Eigen::MatrixXd& g) {
+  if (size_of_step(algebra, h, v) > 1) {
+    // The series would cancel.
+    g = (matrix_exponential(hat_of_step(algebra, h, v)) * g).eval();
+    return;
+  }
   Eigen::MatrixXd term = g, next(g.rows(), g.cols());
   double const size = g.cwiseAbs().maxCoeff();
   for (int k = 1; k < 400; ++k) {

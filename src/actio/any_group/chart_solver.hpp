@@ -31,11 +31,12 @@ class ChartSolver {
         moved_(system),
         legendre_(system),
         inverse_(static_cast<std::size_t>(system.dimension() * system.dimension())),
-        per_row_(static_cast<std::size_t>(system.dimension())),
-        v_(per_row_),
-        residual_(per_row_),
-        update_(per_row_),
-        last_(per_row_) {}
+        moduli_(inverse_),
+        weights_(static_cast<std::size_t>(system.dimension())),
+        v_(weights_),
+        residual_(weights_),
+        update_(weights_),
+        last_(weights_) {}
 
   double length() const { return h_; }                          ///< of a step
   std::vector<double> const& velocity() const { return v_; }    ///< of the last step
@@ -44,9 +45,11 @@ class ChartSolver {
 
   /// Takes a step: sets the point to that at its end.
   /// @throws NotConverged, Singular, NotFinite  where there is no such step near by; the point is as it was
+  /// @throws OutsideDomain  where the step would turn by half a turn or more, beyond the chart
   void operator()(ReducedPoint& point) {
     predict();
     if (!(past_ > 0 && chord(point))) newton(point);
+    require_in_chart();
     remember_velocity();
     // The last update of the velocity changes both ends alike, to first order.
     for (std::size_t i = 0; i < v_.size(); ++i)
@@ -66,7 +69,7 @@ class ChartSolver {
   /// Saves, or restores, all that the next step depends on.
   template <class Stream>
   void remember(Stream& stream) {
-    stream(past_, points_, steps_, known_, evaluations_, v_, per_row_, inverse_);
+    stream(past_, points_, steps_, known_, evaluations_, v_, weights_, inverse_, moduli_);
     for (auto& old : history_) {
       old.resize(v_.size());
       stream(old);
@@ -76,6 +79,19 @@ class ChartSolver {
  private:
   static constexpr int longest_ = 8;
   static constexpr double tolerance_ = 16 * 0x1p-52;
+
+  /// No eigenvalue of \f$h\,\mathrm{ad}_v\f$ has an imaginary part of pi or more. Its trace tells where that
+  /// is beyond question.
+  void require_in_chart() const {
+    if (system_.chart == Chart::cayley) return;
+    Vector<double> const v = Eigen::Map<Eigen::VectorXd const>(v_.data(), static_cast<Index>(v_.size()));
+    Eigen::MatrixXd const ad = system_.algebra.ad(Vector<double>(v * h_));
+    if (!(ad.squaredNorm() > std::numbers::pi * std::numbers::pi)) return;
+    double const turn = ad.eigenvalues().imag().cwiseAbs().maxCoeff();
+    if (!(turn < std::numbers::pi))
+      throw OutsideDomain("natural chart", "a step must turn by less than half a turn; radians", turn,
+                          std::numbers::pi);
+  }
 
   /// What the polynomial through so many velocities, the first of them `from` steps ago, says of the next one.
   void extrapolate(int points, int from, std::vector<double>& out) const {
@@ -110,16 +126,19 @@ class ChartSolver {
     points_ = std::clamp(points_, 1, past_);
   }
 
-  /// The residual at the velocity, and its size; infinite outside of the chart.
+  /// The residual at the velocity, and its size: in each component relative to what it is the sum of. Infinite
+  /// outside of the chart.
   double evaluate(ReducedPoint const& start) {
     ++evaluations_;
     if (!step_(h_, v_, start.vectors)) return HUGE_VAL;
+    auto const d = v_.size();
     double largest = 0;
-    for (std::size_t i = 0; i < v_.size(); ++i) {
-      double const r = step_.before[i] - start.momentum[i];
-      residual_[i] = r;
-      largest = std::max(largest, std::abs(r) * per_row_[i]);
+    for (std::size_t i = 0; i < d; ++i) {
+      double const r = residual_[i] = step_.before[i] - start.momentum[i];
       if (!(r - r == 0)) return HUGE_VAL;
+      double scale = std::abs(start.momentum[i]);
+      for (std::size_t j = 0; j < d; ++j) scale += moduli_[i * d + j] * std::abs(v_[j]);
+      if (r != 0) largest = std::max(largest, std::abs(r) / scale);
     }
     return largest;
   }
@@ -164,12 +183,15 @@ class ChartSolver {
   void improve() {
     auto const d = v_.size();
     double square = 0, together = 0;
-    for (std::size_t i = 0; i < d; ++i) square += last_[i] * last_[i], together += last_[i] * update_[i];
+    for (std::size_t i = 0; i < d; ++i) {
+      double const weighted = last_[i] * weights_[i];
+      square += weighted * last_[i], together += weighted * update_[i];
+    }
     double const rest = square - together;
     if (!(rest > square / 2)) return;
     for (std::size_t j = 0; j < d; ++j) {
       double along = 0;
-      for (std::size_t i = 0; i < d; ++i) along += last_[i] * inverse_[i * d + j];
+      for (std::size_t i = 0; i < d; ++i) along += last_[i] * weights_[i] * inverse_[i * d + j];
       along /= rest;
       for (std::size_t i = 0; i < d; ++i) inverse_[i * d + j] += update_[i] * along;
     }
@@ -198,12 +220,14 @@ class ChartSolver {
               moved_.before[static_cast<std::size_t>(r)].part[static_cast<std::size_t>(k)];
       });
     }
-    for (int i = 0; i < d; ++i)
-      per_row_[static_cast<std::size_t>(i)] = 1 / derivative.row(i).cwiseAbs().sum();
-    auto const lu = derivative.partialPivLu();
+    using Rows = Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>;
+    Rows(moduli_.data(), d, d) = derivative.cwiseAbs();
+    Eigen::VectorXd const units = units_of(derivative);
+    for (int i = 0; i < d; ++i) weights_[static_cast<std::size_t>(i)] = 1 / (units[i] * units[i]);
+    auto const lu = Eigen::MatrixXd(units.asDiagonal() * derivative * units.asDiagonal()).partialPivLu();
     regular_ = lu.rcond();
-    Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>> inverse(inverse_.data(), d, d);
-    inverse = lu.inverse();
+    Rows inverse(inverse_.data(), d, d);
+    inverse = units.asDiagonal() * lu.inverse() * units.asDiagonal();
     return inverse.allFinite() && regular_ > 0x1p-50;
   }
 
@@ -246,8 +270,8 @@ class ChartSolver {
   ChartStep<double> step_;
   ChartStep<Moved<double>> moved_;
   LegendreVelocity legendre_;
-  std::vector<double> inverse_;  // row by row
-  std::vector<double> per_row_, v_, residual_, update_, last_;
+  std::vector<double> inverse_, moduli_;  // of the derivative; row by row
+  std::vector<double> weights_, v_, residual_, update_, last_;
   std::array<std::vector<double>, longest_> history_;
   int past_ = 0, points_ = 1;
   long steps_ = 0;

@@ -67,6 +67,15 @@ Matrix<S> hat_of_step(MatrixAlgebra const& algebra, S const& h, std::vector<S> c
   return algebra.hat(moved);
 }
 
+/// A bound of the norm of \f$h\,v\f$ as a matrix: all its entries added up.
+template <class S>
+double size_of_step(MatrixAlgebra const& algebra, double h, std::vector<S> const& v) {
+  double sum = 0;
+  for (auto const& e : algebra.entries)
+    sum += std::abs(h * to_double(base_value(v[static_cast<std::size_t>(e.direction)])) * e.value);
+  return sum;
+}
+
 /// A step of the natural chart at one scalar, `double` or dual numbers over it, with its work space.
 template <class S>
 class ChartStep {
@@ -133,7 +142,10 @@ class ChartStep {
   void carry(S const& h, std::vector<S> const& v, S const* a, S* out) {
     auto const m = moved_.size();
     S const signed_h = h * S(-system_.sign());
-    if (system_.chart == Chart::cayley) return carry_by_cayley(signed_h, v, a, out);
+    if (system_.chart == Chart::cayley)
+      return carry_by(cayley(hat_of_step(system_.algebra, signed_h, v)), a, out);
+    if (size_of_step(system_.algebra, to_double(base_value(h)), v) > 1)
+      return carry_by(matrix_exponential(hat_of_step(system_.algebra, signed_h, v)), a, out);
     std::vector<S>& term = moved_;
     std::copy(a, a + m, term.begin()), std::copy(a, a + m, out);
     double const size = detail::largest_part(term);
@@ -150,8 +162,7 @@ class ChartStep {
     }
   }
 
-  void carry_by_cayley(S const& signed_h, std::vector<S> const& v, S const* a, S* out) const {
-    Matrix<S> const c = cayley(hat_of_step(system_.algebra, signed_h, v));
+  static void carry_by(Matrix<S> const& c, S const* a, S* out) {
     for (Index i = 0; i < c.rows(); ++i) {
       out[i] = S(0);
       for (Index j = 0; j < c.cols(); ++j) out[i] += c(i, j) * a[j];

@@ -8,6 +8,18 @@
 
 namespace actio {
 
+/// Units of the components of a velocity in which a second differential of a Lagrangian has entries 1 or -1 on
+/// its diagonal, so that nothing depends on the units of the scene. Where an entry is zero, from its row.
+inline Eigen::VectorXd units_of(Eigen::MatrixXd const& hessian) {
+  Eigen::VectorXd units(hessian.rows());
+  for (Eigen::Index i = 0; i < units.size(); ++i) {
+    double entry = std::abs(hessian(i, i));
+    if (entry == 0) entry = hessian.row(i).cwiseAbs().maxCoeff();
+    units[i] = entry > 0 ? 1 / std::sqrt(entry) : 1;
+  }
+  return units;
+}
+
 /// \f$v\f$ with \f$\partial l/\partial v(v, a) = P\f$, with its work space. For one thread at a time.
 class LegendreVelocity {
  public:
@@ -44,18 +56,17 @@ class LegendreVelocity {
   /// @throws NotConverged  after 60 iterations, each halved at most 30 times
   /// Accuracy: a few epsilon times the condition of the second differential.
   void solve(std::vector<double> const& p, std::vector<double> const& a, std::vector<double>& v) {
-    double const target = norm(p);
     std::vector<double> sizes;
     double size = residual(p, a, v);
     for (int iteration = 0; iteration < 60; ++iteration) {
       sizes.push_back(size);
-      double const scale = target + hessian_.cwiseAbs().rowwise().sum().maxCoeff() * norm(v);
-      bool const done = size <= 16 * epsilon_ * scale;
-      auto const lu = hessian_.partialPivLu();
-      Eigen::VectorXd const update = lu.solve(residual_);
-      if (!update.allFinite() || !(lu.rcond() > epsilon_))
+      bool const done = size <= tolerance_;
+      Eigen::VectorXd const units = units_of(hessian_);
+      auto const lu = Eigen::MatrixXd(units.asDiagonal() * hessian_ * units.asDiagonal()).partialPivLu();
+      Eigen::VectorXd const update = units.asDiagonal() * lu.solve(units.asDiagonal() * residual_);
+      if (!update.allFinite() || !(lu.rcond() > 0x1p-50))
         throw Singular("Legendre map", "the second differential of the Lagrangian needs an inverse; condition",
-                       lu.rcond(), epsilon_);
+                       lu.rcond(), 0x1p-50);
       std::vector<double> const from = v;
       double const before = size;
       for (double fraction = 1; fraction > 1e-9; fraction /= 2) {
@@ -64,19 +75,14 @@ class LegendreVelocity {
         size = residual(p, a, v);
         if (size <= before || done) break;
       }
-      if (done || (size <= 1024 * epsilon_ * scale && size >= before / 2)) return;
+      if (done || (size <= 64 * tolerance_ && size >= before / 2)) return;
       if (!(size <= before)) break;
     }
-    throw NotConverged("Legendre map", sizes, 16 * epsilon_);
+    throw NotConverged("Legendre map", sizes, tolerance_);
   }
 
  private:
-  static constexpr double epsilon_ = 0x1p-52;
-  static double norm(std::vector<double> const& x) {
-    double largest = 0;
-    for (double const part : x) largest = std::max(largest, std::abs(part));
-    return largest;
-  }
+  static constexpr double tolerance_ = 16 * 0x1p-52;
 
   void evaluate(std::vector<double> const& v, std::vector<double> const& a) {
     std::copy(v.begin(), v.end(), inputs_.begin());
@@ -88,6 +94,7 @@ class LegendreVelocity {
     for (double const x : values_)
       if (!std::isfinite(x)) throw NotFinite("the Lagrangian or one of its derivatives");
   }
+  /// The residual, and its size: in each component relative to what it is the sum of.
   double residual(std::vector<double> const& p, std::vector<double> const& a, std::vector<double> const& v) {
     try {
       evaluate(v, a);
@@ -96,8 +103,12 @@ class LegendreVelocity {
     }
     double largest = 0;
     for (std::size_t i = 0; i < v.size(); ++i) {
-      residual_[static_cast<Eigen::Index>(i)] = values_[1 + i] - p[i];
-      largest = std::max(largest, std::abs(values_[1 + i] - p[i]));
+      auto const row = static_cast<Eigen::Index>(i);
+      double const r = residual_[row] = values_[1 + i] - p[i];
+      double scale = std::abs(p[i]);
+      for (std::size_t j = 0; j < v.size(); ++j)
+        scale += std::abs(hessian_(row, static_cast<Eigen::Index>(j)) * v[j]);
+      if (r != 0) largest = std::max(largest, std::abs(r) / scale);
     }
     return largest;
   }
@@ -109,19 +120,20 @@ class LegendreVelocity {
 };
 
 /// The direction in which a symmetric matrix is least regular: a unit eigenvector of its eigenvalue of
-/// smallest modulus.
+/// smallest modulus, each component in a unit of its own.
 struct LeastRegular {
   double smallest,            ///< modulus of an eigenvalue
       largest;                ///< modulus of an eigenvalue
   Eigen::VectorXd direction;  ///< of the smallest
 
-  /// Of a symmetric matrix.
+  /// Of a symmetric matrix, in the units of \ref units_of.
   explicit LeastRegular(Eigen::MatrixXd const& m) {
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solved(m);
+    Eigen::VectorXd const units = units_of(m);
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solved(units.asDiagonal() * m * units.asDiagonal());
     Eigen::Index at = 0;
     smallest = solved.eigenvalues().cwiseAbs().minCoeff(&at);
     largest = solved.eigenvalues().cwiseAbs().maxCoeff();
-    direction = solved.eigenvectors().col(at);
+    direction = (units.asDiagonal() * solved.eigenvectors().col(at)).stableNormalized();
   }
 };
 

@@ -23,7 +23,7 @@ namespace detail {
 class FormulaParser {
  public:
   using Entry = TapeBuilder::Entry;
-  static constexpr std::size_t longest = 20000;  ///< characters
+  static constexpr std::size_t longest = 200000;  ///< characters
   static constexpr int deepest = 200;            ///< brackets in brackets
 
   FormulaParser(std::string_view text, std::vector<std::string> const& names,
@@ -216,7 +216,7 @@ class FormulaParser {
 ///
 ///     Tape const l = parse_formula("(w^2 + v1^2 + c*v2^2)/2", {"w", "v1", "v2"}, {{"c", 6}});
 ///
-/// @param text       definitions `name = formula;` and then the value; at most 20000 characters, at most 200
+/// @param text       definitions `name = formula;` and then the value; at most 200000 characters, at most 200
 ///                   brackets in brackets
 /// @param names      what the inputs 0, 1, ... are called
 /// @param constants  numbers with names; each is taken as the shortest decimal number that reads as it

@@ -10,6 +10,7 @@
 #include "actio/scene/systems/method_input.hpp"
 #include "actio/scene/systems/reduced_instruments.hpp"
 #include "actio/scene/systems/reduced_motion.hpp"
+#include "actio/scene/systems/reduced_pace.hpp"
 #include "actio/scene/systems/reduced_shown.hpp"
 
 namespace actio::scene {
@@ -50,9 +51,9 @@ std::vector<Parameter> parameters() {
       {"initial.configuration", "a list of n rows of n numbers, an element of the group", "the identity",
        "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
       {"method.step", "a number > 0", "from the time asked",
-       "The time that a step takes, a whole number of times in the time between two rows. By default so short "
-       "that the group turns by at most 0.05 radians in it, and a hundredth of the time between two rows where "
-       "nothing turns.",
+       "The time that a step takes, a whole number of times in the time between two rows. By default a "
+       "twentieth of the shortest time in which something changes at the start: the group turns, or the linearized "
+       "equations of motion swing or grow; a hundredth of the time between two rows where nothing does.",
        "time", "0.01"},
   };
 }
@@ -82,7 +83,7 @@ std::vector<Quantity> quantities() {
   return {
       {"velocity", Kind::list,
        "The velocity: of the body on the left, in space on the right; that which has the momentum.",
-       "v = g^{-1}\\dot g,\\ \\dot g g^{-1}", "1/time", "eq_2_16", {}, false},
+       "v = g^{-1}\\dot g,\\ \\dot g g^{-1}", "of the component over time", "eq_2_16", {}, false},
       {"body_momentum", Kind::list, "The momentum of the body, dl/dv on the left.",
        "\\Pi = \\partial l/\\partial v = \\mathrm{Ad}^*_g\\,\\mu", "energy x time", "eq_2_16", {}, false},
       {"spatial_momentum", Kind::list, "The momentum in space, dl/dv on the right.",
@@ -153,7 +154,7 @@ class Reader {
       : system_(std::move(system)), motion_(motion), legendre_(*system_), velocity_(motion.velocity()) {}
 
   std::vector<double> const& velocity() {
-    if (velocity_.empty()) velocity_ = motion_.velocity();
+    velocity_ = motion_.velocity();  // not that of the row before, which a resumed run has not seen
     legendre_.solve(motion_.point().momentum, motion_.point().vectors, velocity_);
     return velocity_;
   }
@@ -165,6 +166,12 @@ class Reader {
     Eigen::MatrixXd const back = g.inverse();
     bool const left = system_->side == Side::left;
     auto const& p = motion_.point().momentum;
+    // What rounding leaves of it, far out on a group that is not compact.
+    double const lost = 0x1p-52 * g.norm() * back.norm();
+    if (!(lost < 1e-3))
+      throw NumericsError(fmt::format("{}: the configuration has entries up to {:.3g}, and what it makes of the "
+                                      "other momentum is lost in rounding; leave this quantity out",
+                                      left ? "spatial_momentum" : "body_momentum", g.cwiseAbs().maxCoeff()));
     for (std::size_t a = 0; a < p.size(); ++a) {
       auto const& e = system_->algebra.basis[a];
       auto const moved = system_->algebra.vee(Matrix<double>(left ? back * e * g : g * e * back));
@@ -213,13 +220,39 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   }
 }
 
+/// Of momentum and vectors, those that the motion leaves at zero: the last component of a direction on a group
+/// of rigid motions.
+std::vector<int> components_that_stay_zero(ReducedScene const& scene) {
+  auto const& algebra = scene.system->algebra;
+  std::vector<int> out;
+  if (algebra.name != "SE(2)" && algebra.name != "SE(3)") return out;
+  for (std::size_t k = 0; k < scene.carried.size(); ++k)
+    if (scene.carried[k].constant[algebra.size - 1] == 0)
+      out.push_back(algebra.dimension + static_cast<int>(k + 1) * algebra.size - 1);
+  return out;
+}
+/// The structure of an algebra by an ideal that is spanned by one vector of the basis: on its dual that
+/// component is zero.
+MatrixAlgebra without(MatrixAlgebra algebra, int component) {
+  std::erase_if(algebra.constants, [&](auto const& c) {
+    return c.a == component || c.b == component || c.c == component;
+  });
+  for (auto& c : algebra.constants) c.a -= c.a > component, c.b -= c.b > component, c.c -= c.c > component;
+  algebra.components.erase(algebra.components.begin() + component);
+  --algebra.dimension;
+  return algebra;
+}
+
 /// The Casimirs, on momentum and vectors.
 std::vector<Casimir> casimirs_of(ReducedScene const& scene) {
   auto const& algebra = scene.system->algebra;
   if (scene.carried.empty()) return casimirs(algebra);
   std::vector<std::string> names;
   for (auto const& vector : scene.carried) names.push_back(vector.name);
-  return casimirs(semidirect_algebra(algebra, static_cast<int>(names.size()), algebra.size, names));
+  auto whole = semidirect_algebra(algebra, static_cast<int>(names.size()), algebra.size, names);
+  auto const zero = components_that_stay_zero(scene);
+  for (std::size_t k = zero.size(); k-- > 0;) whole = without(std::move(whole), zero[k]);
+  return casimirs(whole);
 }
 
 void define_casimirs(Simulation& simulation, Request const& request, ReducedScene const& scene,
@@ -231,23 +264,24 @@ void define_casimirs(Simulation& simulation, Request const& request, ReducedScen
         .fail("quantities", "casimir: the dual of this algebra has no Casimir of degree one or two");
   for (std::size_t k = 0; k < all->size(); ++k)
     simulation.remarks.push_back(fmt::format("casimir_{} is {}", k + 1, (*all)[k].text()));
-  simulation.quantities.define("casimir", numbered_to(static_cast<int>(all->size())),
-                               [all, &motion](auto, double* out) {
+  auto const now = [&motion, constant = components_that_stay_zero(scene)] {
     std::vector<double> x = motion.point().momentum;
     x.insert(x.end(), motion.point().vectors.begin(), motion.point().vectors.end());
-    for (auto const& casimir : *all) *out++ = casimir.evaluate(Vector<double>(Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Index>(x.size()))));
+    for (std::size_t k = constant.size(); k-- > 0;) x.erase(x.begin() + constant[k]);
+    return Vector<double>(Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Index>(x.size())));
+  };
+  simulation.quantities.define("casimir", numbered_to(static_cast<int>(all->size())),
+                               [all, now](auto, double* out) {
+    Vector<double> const x = now();
+    for (auto const& casimir : *all) *out++ = casimir.evaluate(x);
+      },
+      // Its terms may cancel: their moduli added up.
+      [all, now](auto, double const*, std::size_t k) {
+    Vector<double> const x = now();
+    double sum = 0;
+    for (auto const& t : (*all)[k].terms) sum += std::abs(t.coefficient * x[t.i] * (t.j < 0 ? 1 : x[t.j]));
+    return sum;
   });
-}
-
-double speed(ReducedScene const& scene) {
-  // A bound of how fast the group turns: half the root of |tr ad^2|.
-  auto const& v = scene.velocity;
-  auto const ad =
-      scene.system->algebra.ad(Vector<double>(Eigen::Map<Eigen::VectorXd const>(v.data(), static_cast<Index>(v.size()))));
-  double trace = 0;
-  for (Index i = 0; i < ad.rows(); ++i)
-    for (Index j = 0; j < ad.cols(); ++j) trace += ad(i, j) * ad(j, i);
-  return std::sqrt(std::abs(trace)) / 2;
 }
 
 bool asked(Request const& request, std::initializer_list<char const*> names) {
@@ -269,15 +303,26 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           order == 2   ? std::vector<double>{1}
           : order == 4 ? suzuki<double>()
                        : kahan_li<double>(),
-          asked(request, {"configuration", "symplectic_defect", left ? "spatial_momentum" : "body_momentum"})};
+          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}),
+          choice.name};
 }
 
-double step_of(Request const& request, ReducedScene const& scene) {
-  double fastest = speed(scene);
+/// The step of the scene. By default it follows the pace of the start, and is halved until a step can be made.
+double step_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene) {
+  SceneTable method = request.file.section("method");
+  bool const given = method.has("step");
   double const divisor = request.schedule.common_divisor(),
                time = divisor > 0 ? divisor : request.schedule.until();
+  double fastest = given ? 1 : fastest_rate(scene, time);
   if (!(fastest * time > 1e-12)) fastest = 5 / time;
-  return read_step(request.file.section("method"), request.schedule, fastest);
+  double step = read_step(method, request.schedule, fastest);
+  for (int k = 0; !given && k < 20; ++k) try {
+      scheme.motion(step, scene.start, scene.velocity, scene.configuration);
+      break;
+    } catch (Error const&) {
+      method.set("step", step /= 2);
+    }
+  return step;
 }
 
 Companion companion_of(ReducedScheme scheme, ReducedScene const& scene, double step, int order,
@@ -300,15 +345,16 @@ Simulation prepare(Request const& request) {
   ReducedScheme const scheme = scheme_of(request, scene);
   Simulation simulation(quantities_of(request.file, scene));
   simulation.remarks = remarks;
-  simulation.step = step_of(request, scene);
+  simulation.step = step_of(request, scheme, scene);
   simulation.steps_at_once = std::max(1L, 4000L / (scene.system->dimension() * scene.system->dimension()));
   std::unique_ptr<ReducedMotion> motion;
   try {
     motion = scheme.motion(simulation.step, scene.start, scene.velocity, scene.configuration);
   } catch (Error const& error) {
-    if (double const longest = scheme.longest_step(simulation.step, scene.start, scene.velocity); longest > 0)
-      fail_for_long_step(method, request.schedule,
-                         StepTooLong(method.text("name"), simulation.step, longest));
+    double const longest = scheme.longest_step(simulation.step, request.schedule.common_divisor(), scene.start,
+                                               scene.velocity);
+    if (longest > 0)
+      fail_for_long_step(method, request.schedule, StepTooLong(scheme.name, simulation.step, longest));
     simulation.failure = method.place("step").text() + ": " + error.what();
     motion = standing(scene);
   }
@@ -320,7 +366,7 @@ Simulation prepare(Request const& request) {
   if (!scheme.with_configuration) simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
   define_state(simulation.quantities, scene, *motion);
   define_casimirs(simulation, request, scene, *motion);
-  define_instruments(simulation.quantities, scheme, simulation.step, scene.carried, *motion);
+  define_instruments(simulation.quantities, scheme, simulation.step, *motion);
   simulation.quantities.ask(request.quantities);
   simulation.motion = std::move(motion);
   return simulation;

@@ -37,6 +37,14 @@ class GalerkinMotion : public ReducedMotion {
     show(last_, configuration_);
   }
   void advance(long count) override {
+    try {
+      advance_plainly(count);
+    } catch (Error const& error) {
+      scheme_.fail(error, length_, {list_of(last_.momentum.components), {}},
+                   list_of(last_.velocity.coordinates));
+    }
+  }
+  void advance_plainly(long count) override {
     // What a step remembers of the last one is no part of a checkpoint, so that each begins anew and the digits
     // of a resumed run are those of an unbroken one.
     for (long k = 0; k < count; ++k) take(last_, configuration_, length_);

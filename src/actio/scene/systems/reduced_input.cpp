@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <map>
@@ -28,7 +29,8 @@ MatrixAlgebra read_algebra(SceneTable const& system) {
   } catch (SceneError const&) {
     throw;
   } catch (Error const& error) {
-    system.fail(key, key + ": " + error.what());
+    std::string const what = error.what();
+    system.fail(key, what.starts_with(key) ? what : key + ": " + what);
   }
 }
 
@@ -93,6 +95,9 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra 
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
     check_name(table, key, algebra.components);
+    for (int i = 1; i <= algebra.size; ++i)
+      if (std::ranges::find(algebra.components, key + std::to_string(i)) != algebra.components.end())
+        table.fail(key, fmt::format("the name '{}' is taken already: {}{} is a component of the velocity", key, key, i));
     out.push_back({key, padded(table, key, algebra)});
   }
   if (out.size() * static_cast<std::size_t>(algebra.size) > 128)

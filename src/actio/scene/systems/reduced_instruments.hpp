@@ -9,7 +9,7 @@ namespace actio::scene {
 /// are of the next step from the state of a row; each costs some tens of steps.
 /// @param motion  whose state they are of
 void define_instruments(QuantityGraph& graph, ReducedScheme const& scheme, double step,
-                        std::vector<CarriedVector> const& carried, ReducedMotion const& motion);
+                        ReducedMotion const& motion);
 
 /// A motion that also follows how momentum and vectors change with those at the start.
 /// @param step  of the motion, time

@@ -20,13 +20,14 @@ class ChartMotion : public ReducedMotion {
   }
   void advance(long count) override {
     ahead_.reset();
-    for (long k = 0; k < count; ++k) try {
-        steps_.step();
-      } catch (Error const& error) {
-        double const longest = scheme_.longest_step(step_, steps_.point(), steps_.velocity());
-        if (longest > 0) throw StepTooLong("natural chart", step_, longest);
-        throw;
-      }
+    try {
+      advance_plainly(count);
+    } catch (Error const& error) {
+      scheme_.fail(error, step_, steps_.point(), steps_.velocity());
+    }
+  }
+  void advance_plainly(long count) override {
+    for (long k = 0; k < count; ++k) steps_.step();
   }
   void look_ahead(double time) override {
     ahead_.reset();
@@ -65,7 +66,7 @@ class Standing : public ReducedMotion {
 };
 
 double length(std::vector<double> const& x) {
-  return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).norm();
+  return Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Eigen::Index>(x.size())).stableNorm();
 }
 
 }  // namespace
@@ -84,29 +85,30 @@ std::unique_ptr<ReducedMotion> ReducedScheme::motion(double step, ReducedPoint c
   return std::make_unique<ChartMotion>(*this, step, start, velocity, configuration);
 }
 
-double ReducedScheme::longest_step(double step, ReducedPoint const& start,
+double ReducedScheme::longest_step(double step, double divisor, ReducedPoint const& start,
                                    std::vector<double> const& velocity) const {
   ReducedScheme trial = *this;
   trial.with_configuration = false;
   auto const works = [&](double h) {
     try {
-      trial.motion(h, start, velocity, {});
+      trial.motion(h, start, velocity, {})->advance_plainly(8);
       return true;
     } catch (Error const&) {
       return false;
     }
   };
-  double good = step;
-  for (int k = 0; !works(good); ++k) {
-    if (k == 40) return 0;
-    good /= 2;
-  }
-  double bad = std::min(step, 2 * good);
-  while (bad - good > 1e-3 * good) {
-    double const between = (good + bad) / 2;
-    (works(between) ? good : bad) = between;
-  }
-  return good;
+  auto const fitted = [divisor](double h) { return divisor > 0 ? divisor / std::ceil(divisor / h) : h; };
+  double h = fitted(0.8 * step);
+  for (int k = 0; k < 60; ++k, h = fitted(std::min(0.8 * h, h * (1 - 1e-9))))
+    if (works(h) && works(0.8 * h) && works(0.64 * h)) return h;
+  return 0;
+}
+
+void ReducedScheme::fail(Error const& error, double step, ReducedPoint const& start,
+                         std::vector<double> const& velocity) const {
+  if (double const longest = longest_step(step, 0, start, velocity); longest > 0)
+    throw StepTooLong(name, step, longest);
+  throw Error(error.what());
 }
 
 std::unique_ptr<ReducedMotion> standing(ReducedScene const& scene) { return std::make_unique<Standing>(scene); }

@@ -16,6 +16,8 @@ class ReducedMotion : public Motion {
   virtual ReducedPoint const& point() const = 0;             ///< momentum and vectors now
   virtual Eigen::MatrixXd const& configuration() const = 0;  ///< now; empty where it is not followed
   virtual std::vector<double> const& velocity() const = 0;   ///< near the one now, for searches
+  /// So many steps; what fails is thrown as it is.
+  virtual void advance_plainly(long steps) { advance(steps); }
   /// How momentum and vectors now change with those at the start; null where that is not followed.
   virtual Eigen::MatrixXd const* tangent() const { return nullptr; }
   StateDistance distance(Motion const& other) const override;
@@ -27,14 +29,22 @@ struct ReducedScheme {
   int stages = 0;                 ///< of Galerkin's method; 0: the natural chart
   std::vector<double> fractions;  ///< of the substeps of the natural chart
   bool with_configuration = true;
+  std::string name = "natural chart";  ///< of the method, for messages
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made
   std::unique_ptr<ReducedMotion> motion(double step, ReducedPoint const& start,
                                         std::vector<double> const& velocity,
                                         Eigen::MatrixXd const& configuration) const;
-  /// The longest step that can be made from a state, at most this one, to three digits; zero where none can.
-  double longest_step(double step, ReducedPoint const& start, std::vector<double> const& velocity) const;
+  /// A length of steps that can be made from a state, shorter than this one: eight of them, and eight that are
+  /// shorter by a fifth, and by another. Zero where none is found.
+  /// @param divisor  of the times of the rows, which the step divides; zero: any length
+  double longest_step(double step, double divisor, ReducedPoint const& start,
+                      std::vector<double> const& velocity) const;
+  /// Throws what says the longest step that would do where a step from a state fails; where none would, what it
+  /// failed with.
+  [[noreturn]] void fail(Error const& error, double step, ReducedPoint const& start,
+                         std::vector<double> const& velocity) const;
 };
 
 /// A motion that can take no step, and stays.

@@ -1,0 +1,25 @@
+"""The functions of a formula."""
+
+#: Each with its name in NumPy and the number of its arguments.
+FUNCTIONS = {
+    "sin": ("sin", 1),
+    "cos": ("cos", 1),
+    "tan": ("tan", 1),
+    "asin": ("arcsin", 1),
+    "acos": ("arccos", 1),
+    "atan": ("arctan", 1),
+    "atan2": ("arctan2", 2),
+    "sinh": ("sinh", 1),
+    "cosh": ("cosh", 1),
+    "tanh": ("tanh", 1),
+    "asinh": ("arcsinh", 1),
+    "acosh": ("arccosh", 1),
+    "atanh": ("arctanh", 1),
+    "exp": ("exp", 1),
+    "log": ("log", 1),
+    "log2": ("log2", 1),
+    "log10": ("log10", 1),
+    "sqrt": ("sqrt", 1),
+    "cbrt": ("cbrt", 1),
+    "hypot": ("hypot", 2),
+}
