@@ -30,6 +30,22 @@ function angleBetween(p, q) {
   return 2 * Math.acos(Math.min(1, cosine));
 }
 
+/** The angle between two vectors of any length; none where one of them is zero. */
+function angleOfDirections(a, b) {
+  const lengths = Math.hypot(...a) * Math.hypot(...b);
+  return lengths > 0 ? Math.acos(Math.max(-1, Math.min(1, a.reduce((sum, x, i) => sum + x * b[i], 0) / lengths))) : 0;
+}
+
+/** The unit quaternion of a rotation matrix, from its largest component. */
+function quaternionOf(R) {
+  const [[a, b, c], [d, e, f], [g, h, i]] = R;
+  const squares = [1 + a + e + i, 1 + a - e - i, 1 - a + e - i, 1 - a - e + i];
+  const k = squares.indexOf(Math.max(...squares));
+  const q = [[squares[0], h - f, c - g, d - b], [h - f, squares[1], b + d, c + g], [c - g, b + d, squares[2], f + h], [d - b, c + g, f + h, squares[3]]][k];
+  const length = Math.hypot(...q);
+  return q.map((x) => x / length);
+}
+
 /** From p to q at constant angular velocity, the shorter way. */
 function slerp(p, q, s) {
   const product = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];

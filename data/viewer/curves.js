@@ -2,6 +2,12 @@
 // there.
 
 const raised = (n) => String(n).replace(/./g, (c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"["0123456789".indexOf(c)] || "⁻");
+const lowered = (n) => String(n).replace(/\d/g, (c) => "₀₁₂₃₄₅₆₇₈₉"[c]);
+/** What a component is called: by its own name, v1, or, where it has numbers alone, by its quantity with these: gravity₁; entries of matrices by one letter: c₁₂, c₁₀,₁. */
+function componentName({ name, words, kind }, label) {
+  if (!/^\d[\d_]*$/.test(label)) return label;
+  return (kind === "list" && name.length <= 12 ? words : name[0]) + lowered(label.replace("_", ","));
+}
 /** A number for a reader: 0.25, −3, 4.2·10⁻⁸. */
 function shownNumber(x, digits = 5) {
   if (x === null || x === undefined || !Number.isFinite(x)) return "–";
@@ -27,8 +33,8 @@ const highest = (curve) => curve.value || curve.high;
 
 class Panel {
   /** @param view  what all panels share: times, the part that is seen, where the pointer is */
-  constructor(view, { heading, unit: unitText, meaning, components, log = false }) {
-    Object.assign(this, { view, components, log, shown: components.map(() => true) });
+  constructor(view, { heading, unit: unitText, meaning, components, shown = components.map(() => true), log = false }) {
+    Object.assign(this, { view, components, log, shown });
     this.element = document.createElement("figure");
     this.element.className = "card panel";
     const caption = document.createElement("figcaption"), title = document.createElement("h2");
@@ -52,7 +58,7 @@ class Panel {
   addToggle(toggles, component, i) {
     const button = document.createElement("button"), key = document.createElement("span"), text = document.createElement("span");
     button.type = "button";
-    button.setAttribute("aria-pressed", "true");
+    button.setAttribute("aria-pressed", String(this.shown[i]));
     button.title = "Show or hide";
     key.className = i < 6 ? "key" : "key dashed";
     key.style.color = `var(--${this.colour(i)})`;

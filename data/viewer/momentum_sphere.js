@@ -1,6 +1,21 @@
 // The angular momentum as the body sees it: it moves on a sphere, along the curve where the sphere meets the
 // ellipsoid of energy.
 
+/** The sphere of size one, behind what is drawn on it. */
+function paintGlass(pen, stage) {
+  const [x, y] = stage.place([0, 0, 0]), edge = stage.place(stage.right), r = 1.012 * Math.hypot(edge[0] - x, edge[1] - y);
+  const light = pen.createRadialGradient(x - 0.4 * r, y - 0.5 * r, 0.1 * r, x, y, r);
+  light.addColorStop(0, ink.of("light", 0.9));
+  light.addColorStop(0.55, ink.of("body", 0.28));
+  light.addColorStop(1, ink.of("body", 0.6));
+  pen.fillStyle = light;
+  if (matchMedia("(prefers-color-scheme: dark)").matches) pen.globalAlpha = 0.35;
+  pen.beginPath();
+  pen.arc(x, y, r, 0, 2 * Math.PI);
+  pen.fill();
+  pen.globalAlpha = 1;
+}
+
 class MomentumView {
   constructor(canvas, motion, changed) {
     this.motion = motion;
@@ -49,20 +64,7 @@ class MomentumView {
     const tip = scale(1 / this.length, now.momentum);
     stage.arrow([0, 0, 0], tip, "plot-4", 3, false);
     stage.dot(tip, 5, "plot-4", 0.05);
-    stage.paint((pen) => this.paintGlass(pen));
-  }
-  paintGlass(pen) {
-    const [x, y] = this.stage.place([0, 0, 0]), edge = this.stage.place(this.stage.right), r = 1.012 * Math.hypot(edge[0] - x, edge[1] - y);
-    const light = pen.createRadialGradient(x - 0.4 * r, y - 0.5 * r, 0.1 * r, x, y, r);
-    light.addColorStop(0, ink.of("light", 0.9));
-    light.addColorStop(0.55, ink.of("body", 0.28));
-    light.addColorStop(1, ink.of("body", 0.6));
-    pen.fillStyle = light;
-    if (matchMedia("(prefers-color-scheme: dark)").matches) pen.globalAlpha = 0.35;
-    pen.beginPath();
-    pen.arc(x, y, r, 0, 2 * Math.PI);
-    pen.fill();
-    pen.globalAlpha = 1;
+    stage.paint((pen) => paintGlass(pen, stage));
   }
   drawAxes() {
     for (const { axis, name, colour } of namedAxes(this.body)) {

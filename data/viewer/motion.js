@@ -2,15 +2,17 @@
 
 class Motion {
   constructor(run) {
-    const columns = run.motion.columns;
-    this.body = run.body;
-    this.times = columns.t;
-    this.columns = columns;
-    this.attitudes = this.rows("attitude", ["w", "x", "y", "z"]);
-    this.momenta = this.bodyMomenta();
+    this.columns = run.motion.columns;
+    this.times = this.columns.t;
     this.from = this.times[0];
     this.to = this.times[this.times.length - 1];
+    this.read(run);
     this.measureTurns();
+  }
+  read(run) {
+    this.body = run.body;
+    this.attitudes = this.rows("attitude", ["w", "x", "y", "z"]);
+    this.momenta = this.bodyMomenta();
   }
   rows(name, ends) {
     const lists = ends.map((end) => this.columns[`${name}_${end}`]);
@@ -31,7 +33,7 @@ class Motion {
   /** How far neighbouring rows are apart, which says whether one may interpolate, and how fast to play. */
   measureTurns() {
     const rows = this.attitudes || this.momenta || [];
-    const angle = this.attitudes ? angleBetween : (a, b) => Math.acos(Math.max(-1, Math.min(1, dot(unit(a), unit(b)))));
+    const angle = this.attitudes ? angleBetween : angleOfDirections;
     let total = 0;
     this.widest = 0;
     for (let i = 1; i < rows.length; ++i) {
@@ -50,8 +52,10 @@ class Motion {
     let [i, s] = bracket(this.times, t);
     if (!this.smooth) s = Math.round(s);
     const between = (rows, by) => rows && by(rows[i], rows[Math.min(i + 1, rows.length - 1)], s);
-    const attitude = between(this.attitudes, slerp);
+    return { t, row: i, ...this.state(between) };
+  }
+  state(between) {
     const momentum = between(this.momenta, (a, b, u) => scale(norm(a) + u * (norm(b) - norm(a)), unit(mix(a, b, u))));
-    return { t, row: i, attitude, momentum };
+    return { attitude: between(this.attitudes, slerp), momentum };
   }
 }

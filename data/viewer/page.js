@@ -39,13 +39,19 @@ const view = {
   },
 };
 
+/** Of a matrix, the entries that vary, where some do: those that are constant can be asked for. */
+function worthSeeing({ kind, components }) {
+  const varies = components.map(({ curve }) => lowest(curve).some((x) => x !== lowest(curve)[0]) || highest(curve).some((x) => x !== lowest(curve)[0]));
+  return kind === "matrix" && varies.includes(true) ? varies : varies.map(() => true);
+}
 function layOutCurves() {
   const end = view.times.to[view.times.to.length - 1];
   view.whole = [view.times.from[0], end > view.times.from[0] ? end : view.times.from[0] + 1];
   view.look(...view.whole);
   for (const q of run.quantities) {
     const heading = q.words + (q.of > q.components.length ? ` (${q.components.length} of ${q.of} components)` : "");
-    panels.push(new Panel(view, { heading, unit: q.unit, meaning: q.meaning, components: q.components }));
+    const components = q.components.map(({ label, curve }) => ({ label: componentName(q, label), curve }));
+    panels.push(new Panel(view, { heading, unit: q.unit, meaning: q.meaning, components, shown: worthSeeing(q) }));
   }
   if (run.drifts.length) panels.push(new Panel(view, { heading: "relative drift", meaning: "|Q(t) − Q(0)| in the unit that the summary names", components: run.drifts, log: true }));
   if (run.scene.time_unit) byId("over-time").textContent = `Curves over time, ${run.scene.time_unit}`;
@@ -75,12 +81,14 @@ function addToggles(place, theatre) {
     place.append(button);
   }
 }
-function addShapes(place, space) {
+/** One of several, with what is to be done when it is chosen. */
+function addChoice(place, { label, title = label, options, chosen = 0, choose }) {
   const choice = element("select");
-  choice.setAttribute("aria-label", "Shape of the body");
-  choice.title = "Its own parts, or a body of the same inertia";
-  for (const { name } of space.shapes) choice.append(element("option", name));
-  choice.addEventListener("change", () => { space.show(space.shapes[choice.selectedIndex].name); changed(); });
+  choice.setAttribute("aria-label", label);
+  choice.title = title;
+  for (const name of options) choice.append(element("option", name));
+  choice.selectedIndex = chosen;
+  choice.addEventListener("change", () => { choose(choice.selectedIndex); changed(); });
   place.append(choice);
 }
 
@@ -88,8 +96,12 @@ function addShapes(place, space) {
 function tellWhatIsMissing() {
   const asked = (name) => run.quantities.some((q) => q.name === name);
   if (run.body && !asked("attitude")) return 'Add "attitude" to the quantities of [output] to see the body turn.';
-  const planes = run.scene.planes;
-  if (planes && !asked(planes)) return `Add "${planes}" to the quantities of [output] to see it go from plane to plane.`;
+  const shown = (...ways) => Object.keys(run.scene.shown || {}).filter((name) => ways.includes(run.scene.shown[name]));
+  const [planes] = shown("planes"), [frame] = shown("rotation", "motion"), momenta = shown("trajectory", "sphere");
+  const add = (name, to) => `Add "${name}" to the quantities of [output] to see ${to}.`;
+  if (planes && !asked(planes)) return add(planes, "it go from plane to plane");
+  if (frame && !asked(frame)) return add(frame, "the frame move");
+  if (!frame && momenta.length && !momenta.some(asked)) return add(momenta[0], "its trajectory");
   return "";
 }
 function say(...texts) {
@@ -104,45 +116,60 @@ function withoutStages() {
   for (const id of ["stages", "transport"]) byId(id).hidden = true;
   say(missing);
 }
-function raisePlanes() {
-  const momentum = run.scene.planes && run.times && run.quantities.find((q) => q.name === run.scene.planes && q.components.length > 0);
-  if (!momentum || !(view.whole[1] > view.whole[0]) || run.times.rows < 2) return withoutStages();
+/** The stages in use; the others are hidden. */
+function useStages(...names) {
   byId("motion").hidden = false;
-  for (const id of ["space", "sphere"]) byId(id).hidden = true;
-  byId("planes").hidden = false;
-  const planes = new PlanesView(byId("planes").querySelector("canvas"), momentum, run.times);
-  stages.push(planes);
-  addToggles(byId("planes-toggles"), planes);
+  for (const name of ["space", "sphere", "planes", "frame", "trajectory"]) byId(name).hidden = !names.includes(name);
+}
+function raise(name, theatre) {
+  stages.push(theatre);
+  for (const choice of theatre.choices || []) addChoice(byId(name + "-toggles"), choice);
+  addToggles(byId(name + "-toggles"), theatre);
+}
+const canvasOf = (name) => byId(name).querySelector("canvas");
+function raiseFrames() {
+  const motion = run.motion.columns.t.length > 1 ? new FrameMotion(run) : null;
+  if (!motion || !motion.playable) return withoutStages();
+  const framed = Boolean(motion.attitudes), moving = motion.trajectories.length > 0;
+  useStages(framed && "frame", moving && "trajectory");
+  if (framed) raise("frame", new FrameView(canvasOf("frame"), motion, changed));
+  if (moving) raise("trajectory", new TrajectoryView(canvasOf("trajectory"), motion, changed));
+  const [first] = motion.trajectories;
+  if (motion.trajectories.length === 1) byId("trajectory").querySelector("h2").textContent = first.words[0].toUpperCase() + first.words.slice(1);
+  byId("trajectory").className += moving && first.labels.length !== 3 ? " flat" : "";
+  tellLimits(motion, moving && first.of > first.labels.length && `Of the momentum there are the first ${first.labels.length} of ${first.of} components.`);
+  play(motion);
+}
+function play(motion) {
+  player = new Player(motion, run.scene.time_unit, (t) => { view.now = t; changed(); });
+  player.motionNow = () => motion.at(player.time);
+}
+function raisePlanes() {
+  const shown = run.scene.shown || {}, momentum = run.times && run.quantities.find((q) => shown[q.name] === "planes" && q.components.length > 0);
+  if (!momentum) return raiseFrames();
+  if (!(view.whole[1] > view.whole[0]) || run.times.rows < 2) return withoutStages();
+  useStages("planes");
+  raise("planes", new PlanesView(canvasOf("planes"), momentum, run.times));
   say(momentum.of > momentum.components.length && `The first ${momentum.components.length} of ${momentum.of} components are shown.`);
-  const clock = clockOf(run.times);
-  player = new Player(clock, run.scene.time_unit, (t) => { view.now = t; changed(); });
-  player.motionNow = () => clock.at(player.time);
+  play(clockOf(run.times));
 }
 function raiseStages() {
   if (!run.body) return raisePlanes();
   const motion = run.motion.columns.t.length > 1 ? new Motion(run) : null;
   if (!motion || !motion.playable) return withoutStages();
-  byId("motion").hidden = false;
-  if (motion.attitudes) {
-    const space = new SpaceView(byId("space").querySelector("canvas"), motion, changed);
-    stages.push(space);
-    addShapes(byId("space-toggles"), space);
-    addToggles(byId("space-toggles"), space);
-  } else byId("space").hidden = true;
-  if (motion.momenta && !run.body.top && !run.body.torqued) {
-    const sphere = new MomentumView(byId("sphere").querySelector("canvas"), motion, changed);
-    stages.push(sphere);
-    addToggles(byId("sphere-toggles"), sphere);
-  } else byId("sphere").hidden = true;
+  const turning = Boolean(motion.attitudes), onSphere = motion.momenta && !run.body.top && !run.body.torqued;
+  useStages(turning && "space", onSphere && "sphere");
+  if (turning) raise("space", new SpaceView(canvasOf("space"), motion, changed));
+  if (onSphere) raise("sphere", new MomentumView(canvasOf("sphere"), motion, changed));
   tellLimits(motion);
-  player = new Player(motion, run.scene.time_unit, (t) => { view.now = t; changed(); });
-  player.motionNow = () => motion.at(player.time);
+  play(motion);
 }
-function tellLimits(motion) {
-  const said = [];
-  if (run.motion.beginning_only) said.push(`The motion is played until t = ${withTime(shownNumber(motion.to))}: the body turns too fast for more of it to be on this page.`);
-  if (run.motion.stride > 1) said.push(`It is played from every ${run.motion.stride}th row.`);
-  if (!motion.smooth) said.push(`The rows are up to ${Math.round((motion.widest * 180) / Math.PI)}° of turning apart, too far to tell what is between them: the body is shown at the rows alone.`);
+/** Of a power of two: 2nd, 4th, 32nd, 512th. */
+const ordinal = (n) => n + (n % 10 === 2 && n % 100 !== 12 ? "nd" : "th");
+function tellLimits(motion, ...said) {
+  if (run.motion.beginning_only) said.push(`The motion is played until t = ${withTime(shownNumber(motion.to))}: it is too fast for more of it to be on this page.`);
+  if (run.motion.stride > 1) said.push(`It is played from every ${ordinal(run.motion.stride)} row.`);
+  if (!motion.smooth) said.push(`The rows are up to ${Math.round((motion.widest * 180) / Math.PI)}° of turning apart, too far to tell what is between them: it is shown at the rows alone.`);
   say(...said, tellWhatIsMissing());
 }
 

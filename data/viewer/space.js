@@ -39,6 +39,9 @@ class SpaceView {
     const centre = scale(this.shape.size, this.top.centre_of_mass);
     this.axisLength = 0.12 + Math.max(...this.shape.faces.flatMap((face) => face.points.map((p) => norm(add(p, scale(-1, centre))))));
   }
+  get choices() {
+    return [{ label: "Shape of the body", title: "Its own parts, or a body of the same inertia", options: this.shapes.map((s) => s.name), choose: (i) => this.show(this.shapes[i].name) }];
+  }
   traceRadius() { return this.top ? 1.16 : 1.12; }
 
   show(name) {

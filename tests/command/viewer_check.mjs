@@ -77,6 +77,42 @@ if (player) {
     if (!(Math.abs(Math.hypot(...between) - 1) < 1e-12)) fail(`after row ${i}: the attitude has length ${Math.hypot(...between)}`);
   }
 }
+// A frame at a row is that of the matrix of the run, and what it carries stands still in space, or in the frame.
+function holdFrame(motion) {
+  const { columns } = run.motion, { flat, onLeft } = motion, n = flat ? 2 : 3;
+  const name = Object.keys(run.scene.shown).find((q) => ['rotation', 'motion'].includes(run.scene.shown[q])), moves = run.scene.shown[name] === 'motion';
+  // Six digits of the largest are on the page.
+  const near = (a, b, what, size = 1) => { if (!(Math.abs(a - b) <= 2e-5 * (1 + size))) fail(`${what}: ${a} instead of ${b}`); };
+  const R = (i, j, row) => columns[`${name}_${i + 1}${j + 1}`][row];
+  // Of R^T the rows are the columns of R: the vector as the frame sees it.
+  const inFrame = (v, row) => [...Array(n).keys()].map((i) => [...Array(n).keys()].reduce((sum, j) => sum + R(j, i, row) * v[j], 0));
+  for (let row = 0; row < motion.times.length; row += 1 + (motion.times.length >> 5)) {
+    const { attitude, place, carried } = motion.at(motion.times[row]);
+    for (let j = 0; j < n; ++j) vm.runInContext('turned', sandbox)(attitude, [0, 1, 2].map((i) => Number(i === j))).slice(0, n).forEach((x, i) => near(x, R(i, j, row), `row ${row}: entry ${i + 1}, ${j + 1}`));
+    for (let i = 0; i < n; ++i) near(place[i], moves ? R(i, n, row) : 0, `row ${row}: component ${i + 1} of the place`, Math.hypot(...place));
+    const first = motion.at(motion.times[0]);
+    carried.forEach((v, k) => {
+      const { point, name } = motion.carried[k];
+      const still = ({ carried, place }, at) => (onLeft ? carried[k].slice(0, n) : inFrame(carried[k].map((x, i) => x - (point ? place[i] : 0)), at));
+      still({ carried, place }, row).forEach((x, i) => near(x, still(first, 0)[i], `row ${row}: component ${i + 1} of ${name}`, Math.hypot(...place, ...v)));
+    });
+  }
+}
+if (player?.motion.attitudes && !run.body) holdFrame(player.motion);
+// Momenta at a row are those of the run.
+for (const [k, { name, rows }] of (player?.motion.trajectories ?? []).entries())
+  for (const row of [0, rows.length >> 1, rows.length - 1]) {
+    const ends = run.quantities.find((q) => q.name === name).components.map((c) => c.label);
+    player.motion.at(player.motion.times[row]).momenta[k].forEach((x, i) => { if (Math.abs(x - run.motion.columns[`${name}_${ends[i]}`][row]) > 1e-12 * Math.abs(x)) fail(`row ${row}: ${name} is ${x}`); });
+  }
+// Every choice beside a picture.
+for (const stage of stages)
+  for (const [k, { options }] of (stage.choices ?? []).entries())
+    for (let i = options.length; i-- > 0;) {
+      stage.choices[k].choose(i);
+      sandbox.made.view.changed();
+      frame(2600);
+    }
 // Looking at a tenth of the run, with a component hidden, and at a shape that is not the first.
 sandbox.made.view.look(sandbox.made.view.whole[0], sandbox.made.view.whole[0] + 0.1 * (sandbox.made.view.whole[1] - sandbox.made.view.whole[0]));
 if (panels[0]) panels[0].shown[0] = false;
@@ -92,4 +128,4 @@ if (run.summary?.error) {
   error = sandbox.shown.join(' | ');
 }
 const largest = Object.fromEntries(run.drifts.map(({ label, curve }) => [label, Math.max(0, ...curve.value)]));
-console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, asks: sandbox.made.missing ? 1 : 0, error, largest }));
+console.log(JSON.stringify({ title: run.scene.title, subject: page.match(/<title>([\s\S]*?)<\/title>/)[1], drawn, stages: stages.length, views: stages.map((s) => s.constructor.name + (s.all ? (s.box ? ' in a box' : s.solid ? ' on a sphere' : ' of pairs') : '')).join(', '), rows: run.times.rows, perPiece: run.times.rows_per_piece, played: run.motion.columns.t.length, asks: sandbox.made.missing ? 1 : 0, error, largest }));

@@ -32,6 +32,10 @@ extern std::string_view const viewer_algebra,  ///< data/viewer/algebra.js
     viewer_momentum_sphere,                    ///< data/viewer/momentum_sphere.js
     viewer_curves,                             ///< data/viewer/curves.js
     viewer_planes,                             ///< data/viewer/planes.js
+    viewer_box,                                ///< data/viewer/box.js
+    viewer_frame_motion,                       ///< data/viewer/frame_motion.js
+    viewer_frame,                              ///< data/viewer/frame.js
+    viewer_trajectory,                         ///< data/viewer/trajectory.js
     viewer_player,                             ///< data/viewer/player.js
     viewer_page;                               ///< data/viewer/page.js
 

@@ -59,6 +59,34 @@ std::vector<Overview::Drawn> drawn_quantities(Scene const& scene) {
   return out;
 }
 
+/// The columns of a quantity that are in the key frames, and its directions among them.
+class Played {
+ public:
+  /// @param first  its first column there
+  Played(Overview::Drawn const& drawn, std::size_t first) {
+    using Shown = Quantity::Shown;
+    Shown const shown = drawn.quantity.shown;
+    if (shown == Shown::by_curves || shown == Shown::by_planes) return;
+    bool const frame = shown == Shown::as_rotation || shown == Shown::as_motion;
+    columns = frame ? drawn.size : std::min(drawn.size, Overview::most_components);
+    if (frame)
+      add_axes(first, drawn.size, shown == Shown::as_motion);
+    else if (shown != Shown::beside_motion)
+      directions.push_back({first, columns, drawn.quantity.kind == Quantity::Kind::quaternion});
+  }
+  std::size_t columns = 0;            ///< the first so many of the quantity
+  std::vector<Direction> directions;  ///< what must not turn too far
+
+ private:
+  /// Rows of the rotation: each is an axis of space as the frame sees it.
+  void add_axes(std::size_t first, std::size_t size, bool with_place) {
+    std::size_t n = 1;
+    while (n * n < size) ++n;
+    std::size_t const axes = with_place ? n - 1 : n;
+    for (std::size_t i = 0; i < axes; ++i) directions.push_back({first + i * n, axes, false});
+  }
+};
+
 /// Two rows are near where no direction in them has turned by more than thirty degrees.
 KeyFrames::Near near(std::vector<Direction> directions) {
   return [directions = std::move(directions)](std::vector<double> const& a, std::vector<double> const& b) {
@@ -101,11 +129,9 @@ Overview read_overview(Scene const& scene, std::string const& folder, bool quiet
   for (auto const& name : scene.simulation.quantities.columns()) columns.push_back(name);
   std::vector<std::size_t> moving{0};  // columns that are in the key frames
   for (auto const& drawn : quantities) {
-    bool const direction = drawn.quantity.shown == Quantity::Shown::as_direction;
-    if (!direction && drawn.quantity.shown != Quantity::Shown::beside_motion) continue;
-    if (direction)
-      directions.push_back({moving.size(), drawn.size, drawn.quantity.kind == Quantity::Kind::quaternion});
-    for (std::size_t i = 0; i < drawn.size; ++i)
+    Played const played(drawn, moving.size());
+    directions.insert(directions.end(), played.directions.begin(), played.directions.end());
+    for (std::size_t i = 0; i < played.columns; ++i)
       moving.push_back(1 + drawn.first + i), motion.push_back(columns[moving.back()]);
   }
 

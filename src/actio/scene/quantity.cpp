@@ -107,6 +107,12 @@ void QuantityGraph::ask(std::vector<std::string> const& names) {
   }
 }
 
+std::vector<Quantity> QuantityGraph::known() const {
+  std::vector<Quantity> out;
+  for (auto const& node : nodes_) out.push_back(node.quantity);
+  return out;
+}
+
 bool QuantityGraph::needed(std::string const& name) const { return node(name).needed; }
 
 std::vector<ColumnGroup> QuantityGraph::column_groups() const {

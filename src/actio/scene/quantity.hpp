@@ -32,7 +32,11 @@ struct Quantity {
     by_curves,      ///< not otherwise
     beside_motion,  ///< it is in the rows that the motion is played from
     as_direction,   ///< likewise; and from one of these rows to the next it turns by no more than 30 degrees
-    by_planes       ///< of a skew matrix, each component in the cell of its plane
+    by_planes,      ///< of a skew matrix, each component in the cell of its plane
+    as_trajectory,  ///< as a direction, and as the curve that it runs through in the space of its components
+    on_sphere,      ///< likewise, where that curve lies on a sphere
+    as_rotation,    ///< of a rotation matrix, as a frame whose axes turn by no more than 30 degrees
+    as_motion       ///< likewise, of a rotation R and a place x as ((R, x), (0, 1))
   };
 
   std::string name;       ///< as scenes write it
@@ -95,6 +99,8 @@ class QuantityGraph {
   /// What the rows hold, in this order. Once, before anything is evaluated.
   void ask(std::vector<std::string> const& names);
 
+  /// The quantities of the system, asked for or not.
+  std::vector<Quantity> known() const;
   /// Whether a quantity was asked for, or something that needs it.
   bool needed(std::string const& name) const;
   /// Names of the columns of a row, without the time.

@@ -53,6 +53,7 @@ std::string curves(Scene const& scene, Overview const& overview) {
     Json head{{"name", drawn.quantity.name},
               {"words", words(drawn.quantity.name)},
               {"meaning", drawn.quantity.meaning},
+              {"kind", kind_name(drawn.quantity.kind)},
               {"unit", unit_of(scene, drawn.quantity)},
               {"of", drawn.size}};
     std::string components;
@@ -116,6 +117,30 @@ Json body(Scene const& scene) {
   return out;
 }
 
+/// How the page shows a quantity, in the words of its script; null: by curves.
+char const* shown_how(Quantity::Shown shown) {
+  using Shown = Quantity::Shown;
+  switch (shown) {
+    case Shown::by_curves:
+      break;
+    case Shown::beside_motion:
+      return "beside";
+    case Shown::as_direction:
+      return "direction";
+    case Shown::by_planes:
+      return "planes";
+    case Shown::as_trajectory:
+      return "trajectory";
+    case Shown::on_sphere:
+      return "sphere";
+    case Shown::as_rotation:
+      return "rotation";
+    case Shown::as_motion:
+      return "motion";
+  }
+  return nullptr;
+}
+
 Json head(Scene const& scene) {
   SceneTable const method = scene.file.section("method");
   Json out{{"title", scene.title},
@@ -123,8 +148,10 @@ Json head(Scene const& scene) {
            {"meaning", scene.system->meaning},
            {"time_unit", time_unit(scene)},
            {"until", scene.schedule.until()}};
-  for (auto const& quantity : scene.system->quantities)
-    if (quantity.shown == Quantity::Shown::by_planes) out["planes"] = quantity.name;
+  for (auto const& quantity : scene.simulation.quantities.known())
+    if (char const* const how = shown_how(quantity.shown)) out["shown"][quantity.name] = how;
+  if (SceneTable const system = scene.file.section("system"); system.has("side"))
+    out["side"] = system.text("side");
   if (method.has("name") && method.is_text("name")) out["method"] = words(method.text("name"));
   if (method.has("order"))
     out["order"] = method.is_text("order") ? method.text("order") : fmt::format("{}", method.number("order"));
@@ -176,7 +203,8 @@ std::string viewer_page(Scene const& scene, Overview const& overview, std::strin
   for (auto const piece :
        {embedded::viewer_algebra, embedded::viewer_stage, embedded::viewer_shapes, embedded::viewer_motion,
         embedded::viewer_space, embedded::viewer_momentum_sphere, embedded::viewer_curves,
-        embedded::viewer_planes, embedded::viewer_player, embedded::viewer_page})
+        embedded::viewer_planes, embedded::viewer_box, embedded::viewer_frame_motion, embedded::viewer_frame,
+        embedded::viewer_trajectory, embedded::viewer_player, embedded::viewer_page})
     script.append(piece);
   return filled(embedded::viewer_html, {{"<!-- title -->", book::svg::escape(scene.title)},
                                         {"/* style */", std::string(embedded::viewer_css)},

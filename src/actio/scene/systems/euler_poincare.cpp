@@ -11,6 +11,7 @@
 #include "actio/scene/systems/reduced_instruments.hpp"
 #include "actio/scene/systems/reduced_motion.hpp"
 #include "actio/scene/systems/reduced_pace.hpp"
+#include "actio/scene/systems/reduced_shown.hpp"
 
 namespace actio::scene {
 namespace {
@@ -131,6 +132,7 @@ std::vector<Quantity> quantities_of(SceneFile const& file, ReducedScene const& s
     if (quantity.name == (left ? "spatial_momentum" : "body_momentum"))
       quantity.conserved = scene.carried.empty();
   for (auto& own : own_quantities(file)) all.push_back(std::move(own));
+  show_reduced(all, scene);
   return all;
 }
 
