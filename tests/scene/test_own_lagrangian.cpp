@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_at_its_place) {
   check_refused("(w^2 + v1^2 + c*v2^2)/2", "(w^2 + v1^2 + c*v2^2/2", "own.toml:4:");
   check_refused("c*v2^2", "abs(v2)", "abs");
   check_refused("\"SE(2)\"", "\"SE(22)\"", "own.toml:3:9: group");
-  check_refused("\"SE(2)\"", "\"SF(2)\"", "SE(2)");
+  check_refused("\"SE(2)\"", "\"SF(2)\"", "own.toml:3:9: group \"SF(2)\": there is no 'SF(2)'; did you mean");
   check_refused("group = \"SE(2)\"", "algebra = [[[0, 1], [0, 0]], [[0, 2], [0, 0]]]", "own.toml:3:11: algebra");
   check_refused("group = \"SE(2)\"", "algebra = [[[0, 1], [0, 0]], [[0, 0], [1, 0]]]", "[e_1, e_2]");
   check_refused("group = \"SE(2)\"\n", "", "needs 'group'");

@@ -136,7 +136,7 @@ class ChartSolver {
     for (std::size_t i = 0; i < d; ++i) {
       double const r = residual_[i] = step_.before[i] - start.momentum[i];
       if (!(r - r == 0)) return HUGE_VAL;
-      double scale = std::abs(start.momentum[i]);
+      double scale = std::abs(start.momentum[i]) + std::abs(step_.before[i]);
       for (std::size_t j = 0; j < d; ++j) scale += moduli_[i * d + j] * std::abs(v_[j]);
       if (r != 0) largest = std::max(largest, std::abs(r) / scale);
     }

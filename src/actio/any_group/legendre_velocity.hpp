@@ -105,7 +105,7 @@ class LegendreVelocity {
     for (std::size_t i = 0; i < v.size(); ++i) {
       auto const row = static_cast<Eigen::Index>(i);
       double const r = residual_[row] = values_[1 + i] - p[i];
-      double scale = std::abs(p[i]);
+      double scale = std::abs(p[i]) + std::abs(values_[1 + i]);
       for (std::size_t j = 0; j < v.size(); ++j)
         scale += std::abs(hessian_(row, static_cast<Eigen::Index>(j)) * v[j]);
       if (r != 0) largest = std::max(largest, std::abs(r) / scale);
