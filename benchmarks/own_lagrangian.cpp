@@ -1,9 +1,10 @@
-// What it costs to give a Lagrangian as a formula: whole scenes against the same systems written in C++ on the
-// general road.
+// What it costs to give a Lagrangian as a formula: whole scenes against the same systems written in C++ on
+// the general road.
 //
-// A scene is read, its formula parsed and differentiated, and its steps are taken; one row is kept, that of the
-// end. Beside it stands the discrete Lagrangian as a lambda on a group of the library, stepped by the general
-// road. Both are steps of the natural chart of one length from one start, so that both end at one momentum.
+// A scene is read, its formula parsed and differentiated, and its steps are taken; one row is kept, that of
+// the end. Beside it stands the discrete Lagrangian as a lambda on a group of the library, stepped by the
+// general road. Both are steps of the natural chart of one length from one start, so that both end at one
+// momentum.
 #include <fmt/format.h>
 
 #include "actio/groups/motions.hpp"
@@ -52,8 +53,8 @@ Pair pair_of(std::string const& group, L const& l, std::string const& formula,
 
 /// The momentum after so many steps of a scene.
 std::vector<double> in_scene(Pair const& pair, long steps) {
-  auto scene = scene::Scene::read(
-      scene::SceneFile::parse(pair.scene + fmt::format("until = {}\n", h * static_cast<double>(steps)), "scene"));
+  auto scene = scene::Scene::read(scene::SceneFile::parse(
+      pair.scene + fmt::format("until = {}\n", h * static_cast<double>(steps)), "scene"));
   std::vector<double> table;
   scene::RunOptions options;
   options.quiet = true;
@@ -77,36 +78,37 @@ std::vector<Pair> pairs() {
     return (x[0] * x[0] + x[1] * x[1] * 2.0 + x[2] * x[2] * 3.0) / 2.0;
               },
               "(w1^2 + 2*w2^2 + 3*w3^2)/2", {0.3, 1.1, -0.4}),
-          pair_of<SE<3>>(
-              "SE(3)",
-              [](auto const& v) {
+      pair_of<SE<3>>(
+          "SE(3)",
+          [](auto const& v) {
     auto const& x = v.coordinates;
     return (x[0] * x[0] * 2.0 + x[1] * x[1] + x[2] * x[2] * 3.0 + x[3] * x[3] + x[4] * x[4] * 2.0 +
             x[5] * x[5] * 4.0 + x[0] * x[4]) /
            2.0;
-              },
-              "(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2 + w1*v2)/2", {0.4, 0.3, -0.5, 0.2, 0.6, -0.1}),
-          pair_of<SL<2>>(
-              "SL(2)",
-              [](auto const& v) {
+          },
+          "(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2 + w1*v2)/2", {0.4, 0.3, -0.5, 0.2, 0.6, -0.1}),
+      pair_of<SL<2>>(
+          "SL(2)",
+          [](auto const& v) {
     auto const& x = v.coordinates;
     return (x[0] * x[0] + x[1] * x[1] * 2.0 + x[2] * x[2] * 3.0 + x[0] * x[1]) / 2.0;
-              },
-              "(x1^2 + 2*x2^2 + 3*x3^2 + x1*x2)/2", {0.2, 0.3, -0.1})};
+          },
+          "(x1^2 + 2*x2^2 + 3*x3^2 + x1*x2)/2", {0.2, 0.3, -0.1})};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  benchmark::Benchmark program(argc, argv,
-                               "a Lagrangian as a formula in a scene, against the same in C++ on the general road");
+  benchmark::Benchmark program(
+      argc, argv, "a Lagrangian as a formula in a scene, against the same in C++ on the general road");
   auto const all = pairs();
   long const steps = program.length(20000L, 4000L);
   std::vector<benchmark::Contestant> contestants;
   double volatile sink = 0;
   for (auto const& pair : all) {
     contestants.push_back({pair.name + " in C++", [&] { sink = sink + pair.in_cpp(steps)[0]; }, steps});
-    contestants.push_back({pair.name + " as a scene", [&] { sink = sink + in_scene(pair, steps)[0]; }, steps});
+    contestants.push_back(
+        {pair.name + " as a scene", [&] { sink = sink + in_scene(pair, steps)[0]; }, steps});
   }
   auto const times = benchmark::in_turns(program.rounds(21), contestants);
   std::vector<book::Program::Row> rows;
@@ -122,8 +124,9 @@ int main(int argc, char** argv) {
     rows.push_back({all[i].name, book::number(1e6 * benchmark::best_tenth(cpp)),
                     book::number(1e6 * benchmark::best_tenth(own)), book::number(ratio),
                     book::number(difference / size)});
-    program.claim_of_time(ratio <= 2, all[i].name + ": a scene takes at most twice the time of C++; measured " +
-                                          book::number(ratio));
+    program.claim_of_time(
+        ratio <= 2,
+        all[i].name + ": a scene takes at most twice the time of C++; measured " + book::number(ratio));
   }
   program.table("time",
                 {"group", "in C++, microseconds", "as a scene, microseconds", "scene over C++",
@@ -135,6 +138,7 @@ int main(int argc, char** argv) {
   program.figure("apart", apart, "relative difference of the momenta after 200 steps, the largest");
   program.claim(apart <= 200 * 16 * std::numeric_limits<double>::epsilon(),
                 "both roads end at one momentum, to what the solvers leave in 200 steps");
-  program.headline("a formula in a scene takes " + book::number(worst) + " of the time of C++ at most", worst);
+  program.headline("a formula in a scene takes " + book::number(worst) + " of the time of C++ at most",
+                   worst);
   return program.finish();
 }

@@ -800,8 +800,8 @@ STATEMENT(claim_4_2_hamilton_jacobi_identification,
       claim.equal("the relative motion of the flow", model, ours.f.value, motion.f.value, 10);
       claim.equal("the momentum of the flow", model, ours.pi, motion.pi, 10);
       claim.equal("its action", model, ours.action, motion.action, 10);
-      // The action between configurations as a generating function, once, in fifty digits. Condition: shooting
-      // over a third of a unit of time, and differentiated.
+      // The action between configurations as a generating function, once, in fifty digits. Condition:
+      // shooting over a third of a unit of time, and differentiated.
       auto const scale = S(size_of(pi0) + size_of(motion.pi) + Base<S>(1));
       if (claim.fits_orders_in_digits()) {
         ExactGeneratingFunction const exact{l};

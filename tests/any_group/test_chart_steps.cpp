@@ -16,8 +16,8 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// The largest difference of momenta over some steps, relative to the momentum: by structure constants, and by
-/// `general` on a group of the library.
+/// The largest difference of momenta over some steps, relative to the momentum: by structure constants, and
+/// by `general` on a group of the library.
 template <class G, class Step>
 double apart(std::shared_ptr<ReducedSystem const> const& system, G const& group, Step const& general,
              std::vector<double> const& v, double h, int steps) {
@@ -31,8 +31,8 @@ double apart(std::shared_ptr<ReducedSystem const> const& system, G const& group,
     own.step();
     state = general(state, h).state;
     for (std::size_t i = 0; i < v.size(); ++i)
-      largest = std::max(largest, std::abs(own.point().momentum[i] -
-                                           state.momentum.components[static_cast<Index>(i)]));
+      largest = std::max(
+          largest, std::abs(own.point().momentum[i] - state.momentum.components[static_cast<Index>(i)]));
   }
   return largest / magnitude(p);
 }
@@ -41,7 +41,8 @@ double apart(std::shared_ptr<ReducedSystem const> const& system, G const& group,
 template <class S>
 Matrix<S, 3, 3> cayley_inverse(Matrix<S, 3, 3> const& g) {
   Matrix<S, 3, 3> const one = Matrix<S, 3, 3>::Identity();
-  return inverse_matrix(Matrix<S, 3, 3>(g + one), "inverse of Cayley's transform") * Matrix<S, 3, 3>(g - one) * S(2);
+  return inverse_matrix(Matrix<S, 3, 3>(g + one), "inverse of Cayley's transform") *
+         Matrix<S, 3, 3>(g - one) * S(2);
 }
 
 }  // namespace
@@ -59,20 +60,21 @@ BOOST_AUTO_TEST_CASE(a_sleigh_on_either_side) {
   };
   char const* const text = "(w^2 + v1^2 + c*v2^2)/2";
   std::vector<double> const v{0.7, 1.0, 0.2};
-  BOOST_TEST(apart(own_system("SE(2)", Side::left, text, false, {{"c", 6}}), SE<2>{}, natural_chart_step_left(l), v,
-                   0.1, 50) < after_fifty_steps);
-  BOOST_TEST(apart(own_system("SE(2)", Side::right, text, false, {{"c", 6}}), SE<2>{}, natural_chart_step_right(l),
-                   v, 0.1, 50) < after_fifty_steps);
+  BOOST_TEST(apart(own_system("SE(2)", Side::left, text, false, {{"c", 6}}), SE<2>{},
+                   natural_chart_step_left(l), v, 0.1, 50) < after_fifty_steps);
+  BOOST_TEST(apart(own_system("SE(2)", Side::right, text, false, {{"c", 6}}), SE<2>{},
+                   natural_chart_step_right(l), v, 0.1, 50) < after_fifty_steps);
   // Another step is another motion.
-  BOOST_TEST(apart(own_system("SE(2)", Side::left, text, false, {{"c", 6}}), SE<2>{}, natural_chart_step_right(l), v,
-                   0.1, 50) > 1e-3);
+  BOOST_TEST(apart(own_system("SE(2)", Side::left, text, false, {{"c", 6}}), SE<2>{},
+                   natural_chart_step_right(l), v, 0.1, 50) > 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(a_body_whose_energy_is_not_quadratic) {
   auto const l = [](auto const& v) {
     auto const& x = v.coordinates;
     using S = std::decay_t<decltype(x[0])>;
-    return S((x[0] * x[0] + S(2) * x[1] * x[1] + S(3) * x[2] * x[2]) / S(2) + x[0] * x[0] * x[0] * x[0] / S(4));
+    return S((x[0] * x[0] + S(2) * x[1] * x[1] + S(3) * x[2] * x[2]) / S(2) +
+             x[0] * x[0] * x[0] * x[0] / S(4));
   };
   BOOST_TEST(apart(own_system("SO(3)", Side::left, "(w1^2 + 2*w2^2 + 3*w3^2)/2 + w1^4/4"), SO<3>{},
                    natural_chart_step_left(l), {0.3, 1.1, -0.4}, 0.1, 50) < after_fifty_steps);
@@ -85,8 +87,8 @@ BOOST_AUTO_TEST_CASE(a_group_that_is_not_compact_and_one_that_is_nilpotent) {
     return S((x[0] * x[0] + S(2) * x[1] * x[1] + S(3) * x[2] * x[2] + x[0] * x[1]) / S(2));
   };
   char const* const text = "(x1^2 + 2*x2^2 + 3*x3^2 + x1*x2)/2";
-  BOOST_TEST(apart(own_system("SL(2)", Side::right, text), SL<2>{}, natural_chart_step_right(l), {0.2, 0.3, -0.1},
-                   0.05, 50) < after_fifty_steps);
+  BOOST_TEST(apart(own_system("SL(2)", Side::right, text), SL<2>{}, natural_chart_step_right(l),
+                   {0.2, 0.3, -0.1}, 0.05, 50) < after_fifty_steps);
   BOOST_TEST(apart(own_system("Heisenberg", Side::left, text), Heisenberg{}, natural_chart_step_left(l),
                    {0.2, 0.3, 0.4}, 0.1, 50) < after_fifty_steps);
 }
@@ -97,7 +99,8 @@ BOOST_AUTO_TEST_CASE(a_top_with_the_direction_of_gravity_as_a_carried_vector) {
   auto const l = [](auto const& v, auto const& a) {
     auto const& w = v.coordinates;
     using S = std::decay_t<decltype(w[0])>;
-    return S((w[0] * w[0] + S(1.5) * w[1] * w[1] + S(0.5) * w[2] * w[2]) / S(2) + S(2) * a[2] + S(0.25) * a[0] * w[1]);
+    return S((w[0] * w[0] + S(1.5) * w[1] * w[1] + S(0.5) * w[2] * w[2]) / S(2) + S(2) * a[2] +
+             S(0.25) * a[0] * w[1]);
   };
   auto const action = [&](auto const& f, auto const& a) {
     using S = typename std::decay_t<decltype(f)>::Scalar;
@@ -158,8 +161,8 @@ BOOST_AUTO_TEST_CASE(the_chart_by_cayleys_transform) {
     return S((v[0] * v[0] + v[1] * v[1] + S(6) * v[2] * v[2]) / S(2) * S(h));
   };
   auto const plain = own_system("SE(2)", Side::left, "(w^2 + v1^2 + 6*v2^2)/2");
-  auto const system = std::make_shared<ReducedSystem const>(plain->algebra, Side::left, 0, plain->lagrangian,
-                                                            Chart::cayley);
+  auto const system =
+      std::make_shared<ReducedSystem const>(plain->algebra, Side::left, 0, plain->lagrangian, Chart::cayley);
   auto const general = LiePoissonStepLeft{[&](double) { return action; }};
   BOOST_TEST(apart(system, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) < after_fifty_steps);
   BOOST_TEST(apart(plain, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) > 1e-5);

@@ -77,7 +77,8 @@ if (player) {
     if (!(Math.abs(Math.hypot(...between) - 1) < 1e-12)) fail(`after row ${i}: the attitude has length ${Math.hypot(...between)}`);
   }
 }
-// A frame at a row is that of the matrix of the run, and what it carries stands still in space, or in the frame.
+// A frame at a row is that of the matrix of the run, and what it carries stands still in space, or in the
+// frame.
 function holdFrame(motion) {
   const { columns } = run.motion, { flat, onLeft } = motion, n = flat ? 2 : 3;
   const name = Object.keys(run.scene.shown).find((q) => ['rotation', 'motion'].includes(run.scene.shown[q])), moves = run.scene.shown[name] === 'motion';

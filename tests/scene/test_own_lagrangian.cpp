@@ -36,7 +36,8 @@ std::string refusal(std::string const& text) {
 std::string sleigh(std::string const& line = "", std::string const& instead = "") {
   std::string text =
       "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
-      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\nstep = 0.1\n[run]\nuntil = 1\n"
+      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[method]\nstep = 0.1\n[run]\nuntil = "
+      "1\n"
       "[output]\nquantities = [\"energy\"]\n";
   if (line.empty()) return text;
   auto const at = text.find(line);
@@ -53,22 +54,26 @@ void check_refused(std::string const& line, std::string const& instead, std::str
 BOOST_AUTO_TEST_SUITE(own_lagrangian)
 
 BOOST_AUTO_TEST_CASE(a_free_body_is_that_of_the_program) {
-  std::string const rest = "[method]\nname = \"natural_chart\"\norder = 2\nstep = 0.05\n[run]\nuntil = 20\n"
-                           "[output]\nquantities = [\"body_momentum\", \"energy\"]\n";
-  auto const known = last_row("[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n[initial]\n"
-                              "angular_velocity = [0.3, 1.1, -0.4]\n" +
-                              rest);
+  std::string const rest =
+      "[method]\nname = \"natural_chart\"\norder = 2\nstep = 0.05\n[run]\nuntil = 20\n"
+      "[output]\nquantities = [\"body_momentum\", \"energy\"]\n";
+  auto const known = last_row(
+      "[system]\nkind = \"rigid_body\"\ninertia = [1, 2, 2.5]\n[initial]\n"
+      "angular_velocity = [0.3, 1.1, -0.4]\n" +
+      rest);
   auto const formula = last_row(own("group = \"SO(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + 2.5*w3^2)/2\"",
                                     "velocity = [0.3, 1.1, -0.4]", rest));
   BOOST_TEST(apart(formula, known) < 400 * 16 * eps);  // 400 steps, each solved to 16 epsilon
 }
 
 BOOST_AUTO_TEST_CASE(a_body_in_four_dimensions_is_that_of_the_program) {
-  std::string const rest = "[method]\nname = \"natural_chart\"\norder = 4\nstep = 0.05\n[run]\nuntil = 10\n"
-                           "[output]\nquantities = [";
-  auto const known = last_row("[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\n"
-                              "angular_velocity = [0.9, -0.2, 0.3, 0.1, 0.4, -0.5]\n" +
-                              rest + "\"momentum\"]\n");
+  std::string const rest =
+      "[method]\nname = \"natural_chart\"\norder = 4\nstep = 0.05\n[run]\nuntil = 10\n"
+      "[output]\nquantities = [";
+  auto const known = last_row(
+      "[system]\nkind = \"rigid_body_n\"\nlambda = [1, 2, 3, 4]\n[initial]\n"
+      "angular_velocity = [0.9, -0.2, 0.3, 0.1, 0.4, -0.5]\n" +
+      rest + "\"momentum\"]\n");
   auto const formula = last_row(
       own("group = \"SO(4)\"\nlagrangian = \"(3*x1^2 + 4*x2^2 + 5*x3^2 + 5*x4^2 + 6*x5^2 + 7*x6^2)/2\"",
           "velocity = [0.9, -0.2, 0.3, 0.1, 0.4, -0.5]", rest + "\"body_momentum\"]\n"));
@@ -78,11 +83,11 @@ BOOST_AUTO_TEST_CASE(a_body_in_four_dimensions_is_that_of_the_program) {
 BOOST_AUTO_TEST_CASE(a_heavy_top_is_that_of_the_program) {
   // Different schemes, with short steps of high order: both are at the motion itself.
   std::string const output = "[run]\nuntil = 0.25\n[output]\nquantities = [\"body_momentum\", \"energy\"]\n";
-  auto const known =
-      last_row("[system]\nkind = \"heavy_top\"\nmass = 0.1\ninertia = [4e-5, 4e-5, 6e-5]\n"
-               "centre_of_mass = [0, 0, 0.03]\ngravity = [0, 0, -9.81]\n[initial]\nattitude = [0.8, 0.6, 0, 0]\n"
-               "angular_velocity = [0, 0, 150]\n[method]\norder = 4\nstep = 1.25e-5\n" +
-               output);
+  auto const known = last_row(
+      "[system]\nkind = \"heavy_top\"\nmass = 0.1\ninertia = [4e-5, 4e-5, 6e-5]\n"
+      "centre_of_mass = [0, 0, 0.03]\ngravity = [0, 0, -9.81]\n[initial]\nattitude = [0.8, 0.6, 0, 0]\n"
+      "angular_velocity = [0, 0, 150]\n[method]\norder = 4\nstep = 1.25e-5\n" +
+      output);
   auto const formula = last_row(
       own("group = \"SO(3)\"\nlagrangian = \"(1.3e-4*(w1^2 + w2^2) + 6e-5*w3^2)/2 + 0.1*0.03*gravity3\"\n"
           "advected = { gravity = [0, 0, -9.81] }",
@@ -101,15 +106,17 @@ BOOST_AUTO_TEST_CASE(a_submarine_is_that_of_an_independent_solver) {
     Eigen::Vector3d const w = y.head<3>(), v = y.segment<3>(3), a = y.tail<3>();
     Eigen::Vector3d const Pi = J.cwiseProduct(w), P = M.cwiseProduct(v);
     State change;
-    change << (Pi.cross(w) + P.cross(v) + lever.cross(a)).cwiseQuotient(J), P.cross(w).cwiseQuotient(M), a.cross(w);
+    change << (Pi.cross(w) + P.cross(v) + lever.cross(a)).cwiseQuotient(J), P.cross(w).cwiseQuotient(M),
+        a.cross(w);
     return change;
       },
       start, 0, 5);
-  auto const row = last_row(
-      own("group = \"SE(3)\"\nlagrangian = \"(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2)/2 + 0.1*down2 - "
-          "0.3*down3\"\nadvected = { down = [0, 0, -1] }",
-          "velocity = [0.4, 0.3, -0.5, 0.2, 0.6, -0.1]",
-          "[method]\norder = 6\nstep = 0.05\n[run]\nuntil = 5\n[output]\nquantities = [\"velocity\", \"down\"]\n"));
+  auto const row = last_row(own(
+      "group = \"SE(3)\"\nlagrangian = \"(2*w1^2 + w2^2 + 3*w3^2 + v1^2 + 2*v2^2 + 4*v3^2)/2 + 0.1*down2 - "
+      "0.3*down3\"\nadvected = { down = [0, 0, -1] }",
+      "velocity = [0.4, 0.3, -0.5, 0.2, 0.6, -0.1]",
+      "[method]\norder = 6\nstep = 0.05\n[run]\nuntil = 5\n[output]\nquantities = [\"velocity\", "
+      "\"down\"]\n"));
   std::vector<double> const nine(row.begin(), row.begin() + 9), solved(end.data(), end.data() + 9);
   BOOST_TEST(apart(nine, solved) < 1e-8);
   BOOST_TEST(row[9] == 0);  // a direction stays one
@@ -117,7 +124,8 @@ BOOST_AUTO_TEST_CASE(a_submarine_is_that_of_an_independent_solver) {
 
 BOOST_AUTO_TEST_CASE(both_charts_keep_what_they_should_and_differ) {
   auto const run = [](std::string const& method) {
-    return last_row(own("group = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2\"", "velocity = [0.7, 1.0, 0.2]",
+    return last_row(own("group = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2\"",
+                        "velocity = [0.7, 1.0, 0.2]",
                         "[method]\n" + method +
                             "\n[run]\nuntil = 5\n[output]\nquantities = [\"spatial_momentum\", \"casimir\", "
                             "\"poisson_defect\", \"symplectic_defect\", \"leaf_defect\", \"order\"]\n"));
@@ -156,7 +164,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_at_its_place) {
   check_refused("c*v2^2", "abs(v2)", "abs");
   check_refused("\"SE(2)\"", "\"SE(22)\"", "own.toml:3:9: group");
   check_refused("\"SE(2)\"", "\"SF(2)\"", "own.toml:3:9: group \"SF(2)\": there is no 'SF(2)'; did you mean");
-  check_refused("group = \"SE(2)\"", "algebra = [[[0, 1], [0, 0]], [[0, 2], [0, 0]]]", "own.toml:3:11: algebra");
+  check_refused("group = \"SE(2)\"", "algebra = [[[0, 1], [0, 0]], [[0, 2], [0, 0]]]",
+                "own.toml:3:11: algebra");
   check_refused("group = \"SE(2)\"", "algebra = [[[0, 1], [0, 0]], [[0, 0], [1, 0]]]", "[e_1, e_2]");
   check_refused("group = \"SE(2)\"\n", "", "needs 'group'");
   check_refused("group = \"SE(2)\"", "group = \"SE(2)\"\nside = \"both\"", "unknown side 'both'");
@@ -164,7 +173,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_at_its_place) {
   check_refused("{ c = 6 }", "{ sin = 6 }", "the name 'sin' is taken already");
   check_refused("parameters", "advected = { a = [1, 2, 3, 4] }\nparameters", "3 (a point has 1 last)");
   check_refused("velocity = [0.7, 1.0, 0.2]", "velocity = [0.7, 1.0]", "own.toml:7:12: velocity: 3 numbers");
-  check_refused("[method]", "configuration = [[2, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]", "element of the group");
+  check_refused("[method]", "configuration = [[2, 0, 0], [0, 1, 0], [0, 0, 1]]\n[method]",
+                "element of the group");
   check_refused("c*v2^2", "0*v2^2", "it is not regular at the start: along v2");
   check_refused("c*v2^2", "c*v2^2 + 2*v1*v2*sqrt(6)", "not regular at the start: along");
   check_refused("c*v2^2", "c*log(v2 - 1)", "at the start");
@@ -176,13 +186,15 @@ BOOST_AUTO_TEST_CASE(a_step_too_long_is_told_with_the_longest) {
   std::string const start = "velocity = [3, 2, 9]",
                     body = "group = \"SO(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2)/2\"";
   auto const run = [&](std::string const& step) {
-    return refusal(own(body, start, "[method]\nstep = " + step + "\n[run]\nuntil = " + step +
-                                        "\n[output]\nquantities = [\"energy\"]\n"));
+    return refusal(own(
+        body, start,
+        "[method]\nstep = " + step + "\n[run]\nuntil = " + step + "\n[output]\nquantities = [\"energy\"]\n"));
   };
   std::string const said = run("5"), words = "the largest step that would do is ";
   auto const at = said.find(words);
   BOOST_REQUIRE_MESSAGE(at != std::string::npos, said);
-  std::string const largest = said.substr(at + words.size(), said.find_first_of(",;", at) - at - words.size());
+  std::string const largest =
+      said.substr(at + words.size(), said.find_first_of(",;", at) - at - words.size());
   BOOST_TEST(run(largest) == "");
 }
 

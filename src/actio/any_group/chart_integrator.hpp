@@ -66,9 +66,11 @@ class ChartIntegrator {
     }
   }
 
-  ReducedPoint const& point() const { return point_; }                      ///< momentum and vectors
-  Eigen::MatrixXd const& configuration() const { return configuration_; }   ///< empty where it is not followed
-  std::vector<double> const& velocity() const { return substeps_.back().velocity(); }  ///< of the last substep
+  ReducedPoint const& point() const { return point_; }  ///< momentum and vectors
+  /// empty where it is not followed
+  Eigen::MatrixXd const& configuration() const { return configuration_; }
+  /// of the last substep
+  std::vector<double> const& velocity() const { return substeps_.back().velocity(); }
   /// How often momenta were evaluated.
   long evaluations() const {
     long sum = 0;

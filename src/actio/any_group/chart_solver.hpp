@@ -2,7 +2,8 @@
 //
 // The equation P_0(v) = P of one step differs little from that of the step before. The inverse of its
 // derivative is reused and improved by Broyden's formula, and the first guess is extrapolated from the last
-// velocities, by the polynomial that would have been best for the one before. Where that fails Newton's iteration begins at the Legendre velocity.
+// velocities, by the polynomial that would have been best for the one before. Where that fails Newton's
+// iteration begins at the Legendre velocity.
 #pragma once
 
 #include <array>
@@ -38,8 +39,8 @@ class ChartSolver {
         update_(weights_),
         last_(weights_) {}
 
-  double length() const { return h_; }                          ///< of a step
-  std::vector<double> const& velocity() const { return v_; }    ///< of the last step
+  double length() const { return h_; }                        ///< of a step
+  std::vector<double> const& velocity() const { return v_; }  ///< of the last step
   /// How often momenta were evaluated, one batch of derivatives counting as one.
   long evaluations() const { return evaluations_; }
 
@@ -52,8 +53,7 @@ class ChartSolver {
     require_in_chart();
     remember_velocity();
     // The last update of the velocity changes both ends alike, to first order.
-    for (std::size_t i = 0; i < v_.size(); ++i)
-      point.momentum[i] += step_.after[i] - step_.before[i];
+    for (std::size_t i = 0; i < v_.size(); ++i) point.momentum[i] += step_.after[i] - step_.before[i];
     point.vectors = step_.vectors;
   }
 
@@ -93,7 +93,8 @@ class ChartSolver {
                           std::numbers::pi);
   }
 
-  /// What the polynomial through so many velocities, the first of them `from` steps ago, says of the next one.
+  /// What the polynomial through so many velocities, the first of them `from` steps ago, says of the next
+  /// one.
   void extrapolate(int points, int from, std::vector<double>& out) const {
     std::fill(out.begin(), out.end(), 0.0);
     double weight = points;  // binomial coefficients with changing signs
@@ -126,8 +127,8 @@ class ChartSolver {
     points_ = std::clamp(points_, 1, past_);
   }
 
-  /// The residual at the velocity, and its size: in each component relative to what it is the sum of. Infinite
-  /// outside of the chart.
+  /// The residual at the velocity, and its size: in each component relative to what it is the sum of.
+  /// Infinite outside of the chart.
   double evaluate(ReducedPoint const& start) {
     ++evaluations_;
     if (!step_(h_, v_, start.vectors)) return HUGE_VAL;

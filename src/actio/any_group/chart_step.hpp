@@ -233,7 +233,8 @@ class ChartStep {
         Eigen::MatrixXd const ab = basis[a] * basis[b], ba = basis[b] * basis[a];
         if (ab.isZero(0) && ba.isZero(0)) continue;
         for (std::size_t c = a; c < basis.size(); ++c) {
-          Eigen::MatrixXd const both = a == c ? Eigen::MatrixXd(ab * basis[c]) : ab * basis[c] + basis[c] * ba;
+          Eigen::MatrixXd const both =
+              a == c ? Eigen::MatrixXd(ab * basis[c]) : ab * basis[c] + basis[c] * ba;
           auto const along = system_.algebra.vee(Matrix<double>(both));
           for (std::size_t k = 0; k < basis.size(); ++k)
             if (double const x = along[static_cast<Index>(k)]; x != 0) products_->push_back({a, b, c, k, x});
@@ -254,9 +255,8 @@ class ChartStep {
   };
   void find_pattern() {
     auto constants = system_.algebra.constants;
-    std::sort(constants.begin(), constants.end(), [](auto const& x, auto const& y) {
-      return std::tie(x.b, x.c, x.a) < std::tie(y.b, y.c, y.a);
-    });
+    std::sort(constants.begin(), constants.end(),
+              [](auto const& x, auto const& y) { return std::tie(x.b, x.c, x.a) < std::tie(y.b, y.c, y.a); });
     parts_ = std::make_shared<std::vector<Part>>();
     parts_->reserve(constants.size());
     for (std::size_t k = 0; k < constants.size(); ++k) {

@@ -8,8 +8,8 @@
 
 namespace actio {
 
-/// Units of the components of a velocity in which a second differential of a Lagrangian has entries 1 or -1 on
-/// its diagonal, so that nothing depends on the units of the scene. Where an entry is zero, from its row.
+/// Units of the components of a velocity in which a second differential of a Lagrangian has entries 1 or -1
+/// on its diagonal, so that nothing depends on the units of the scene. Where an entry is zero, from its row.
 inline Eigen::VectorXd units_of(Eigen::MatrixXd const& hessian) {
   Eigen::VectorXd units(hessian.rows());
   for (Eigen::Index i = 0; i < units.size(); ++i) {
@@ -65,8 +65,9 @@ class LegendreVelocity {
       auto const lu = Eigen::MatrixXd(units.asDiagonal() * hessian_ * units.asDiagonal()).partialPivLu();
       Eigen::VectorXd const update = units.asDiagonal() * lu.solve(units.asDiagonal() * residual_);
       if (!update.allFinite() || !(lu.rcond() > 0x1p-50))
-        throw Singular("Legendre map", "the second differential of the Lagrangian needs an inverse; condition",
-                       lu.rcond(), 0x1p-50);
+        throw Singular("Legendre map",
+                       "the second differential of the Lagrangian needs an inverse; condition", lu.rcond(),
+                       0x1p-50);
       std::vector<double> const from = v;
       double const before = size;
       for (double fraction = 1; fraction > 1e-9; fraction /= 2) {

@@ -62,10 +62,10 @@ struct ReducedSystem {
     curvature = with_hessian(lagrangian, all);
   }
 
-  int dimension() const { return algebra.dimension; }        ///< of the group
-  int length() const { return algebra.size; }                ///< of a vector
-  int carried() const { return vectors * algebra.size; }     ///< numbers in all vectors
-  int sign() const { return side == Side::left ? 1 : -1; }   ///< of the bracket
+  int dimension() const { return algebra.dimension; }       ///< of the group
+  int length() const { return algebra.size; }               ///< of a vector
+  int carried() const { return vectors * algebra.size; }    ///< numbers in all vectors
+  int sign() const { return side == Side::left ? 1 : -1; }  ///< of the bracket
 };
 
 }  // namespace actio

@@ -24,7 +24,7 @@ class FormulaParser {
  public:
   using Entry = TapeBuilder::Entry;
   static constexpr std::size_t longest = 200000;  ///< characters
-  static constexpr int deepest = 200;            ///< brackets in brackets
+  static constexpr int deepest = 200;             ///< brackets in brackets
 
   FormulaParser(std::string_view text, std::vector<std::string> const& names,
                 std::map<std::string, double> const& constants)

@@ -71,8 +71,8 @@ struct System {
   /// What the body that turns in a scene looks like; null where none does.
   BodyShape (*shape)(SceneFile const& file) = nullptr;
   std::vector<Picture> pictures = {};  ///< beside those that every system has: curves, drifts and the page
-  /// The quantities that a scene of it adds by itself, for instance the vectors that it names; null where none
-  /// does so.
+  /// The quantities that a scene of it adds by itself, for instance the vectors that it names; null where
+  /// none does so.
   std::vector<Quantity> (*own_quantities)(SceneFile const& file) = nullptr;
 };
 

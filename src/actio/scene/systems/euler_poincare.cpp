@@ -19,11 +19,13 @@ namespace {
 std::vector<Parameter> parameters() {
   return {
       {"system.group", "a text", "or system.algebra",
-       "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x R^2\", "
+       "The group: any of `actio list groups` with its numbers, \"SO(4)\", and products of them, \"SO(3) x "
+       "R^2\", "
        "\"SL(2) |x R^2\". `actio show \"SE(2)\"` tells the order of the components.",
        "", "\"SE(2)\""},
       {"system.algebra", "a list of square matrices, each a list of rows", "or system.group",
-       "A basis of the algebra of a group of one's own: linearly independent, and closed under commutators. The "
+       "A basis of the algebra of a group of one's own: linearly independent, and closed under commutators. "
+       "The "
        "components of the velocity are then x1, x2, ...",
        "", "[[[0, 1], [0, 0]]]"},
       {"system.side",
@@ -35,13 +37,17 @@ std::vector<Parameter> parameters() {
        "\"left\"",
        {"left", "right"}},
       {"system.lagrangian", "a formula", "needed",
-       "The Lagrangian, a formula in the components of the velocity, the parameters and the components of the "
-       "carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no abs, min "
+       "The Lagrangian, a formula in the components of the velocity, the parameters and the components of "
+       "the "
+       "carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no abs, "
+       "min "
        "or comparison.",
        "energy", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
-      {"system.parameters", "a table of numbers", "none", "Names of numbers in the Lagrangian.", "", "{ c = 6 }"},
+      {"system.parameters", "a table of numbers", "none", "Names of numbers in the Lagrangian.", "",
+       "{ c = 6 }"},
       {"system.advected", "a table of lists of numbers", "none",
-       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in space on "
+       "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in space "
+       "on "
        "the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] has the "
        "components gravity1, gravity2, gravity3 in the Lagrangian and is a quantity of that name. On SE(n) a "
        "list of n numbers is a direction.",
@@ -52,75 +58,139 @@ std::vector<Parameter> parameters() {
        "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
       {"method.step", "a number > 0", "from the time asked",
        "The time that a step takes, a whole number of times in the time between two rows. By default a "
-       "twentieth of the shortest time in which something changes at the start: the group turns, or the linearized "
+       "twentieth of the shortest time in which something changes at the start: the group turns, or the "
+       "linearized "
        "equations of motion swing or grow; a hundredth of the time between two rows where nothing does.",
        "time", "0.01"},
   };
 }
 
 std::vector<Method> methods() {
-  return {{"natural_chart",
-           {"2", "4", "6"},
-           "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken at "
-           "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the coadjoint orbit, the "
-           "bracket and the momentum of the symmetry.",
-           "eq_3_26"},
-          {"cayley_chart",
-           {"2", "4", "6"},
-           "The same with Cayley's transform for the exponential, order 2: over a step the group moves by "
-           "(1 - hv/2)^-1 (1 + hv/2); composed of substeps 4 and 6. On groups into which that transform maps.",
-           "eq_3_20"},
-          {"galerkin",
-           {"4", "2", "6", "8", "10", "12", "14", "16"},
-           "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "
-           "keeps what the natural chart keeps. Without carried vectors.",
-           "eq_3_20"}};
+  return {
+      {"natural_chart",
+       {"2", "4", "6"},
+       "The natural chart (3.25), order 2: over a step the group moves by exp(h v), and vectors are taken at "
+       "both ends; composed of substeps 4 (Suzuki) and 6 (Kahan and Li). It keeps the coadjoint orbit, the "
+       "bracket and the momentum of the symmetry.",
+       "eq_3_26"},
+      {"cayley_chart",
+       {"2", "4", "6"},
+       "The same with Cayley's transform for the exponential, order 2: over a step the group moves by "
+       "(1 - hv/2)^-1 (1 + hv/2); composed of substeps 4 and 6. On groups into which that transform maps.",
+       "eq_3_20"},
+      {"galerkin",
+       {"4", "2", "6", "8", "10", "12", "14", "16"},
+       "Galerkin's method with s nodes of Gauss, order 2s: paths are polynomials in the natural chart. It "
+       "keeps what the natural chart keeps. Without carried vectors.",
+       "eq_3_20"}};
 }
 
 using Kind = Quantity::Kind;
 
 std::vector<Quantity> quantities() {
   return {
-      {"velocity", Kind::list,
+      {"velocity",
+       Kind::list,
        "The velocity: of the body on the left, in space on the right; that which has the momentum.",
-       "v = g^{-1}\\dot g,\\ \\dot g g^{-1}", "of the component over time", "eq_2_16", {}, false},
-      {"body_momentum", Kind::list, "The momentum of the body, dl/dv on the left.",
-       "\\Pi = \\partial l/\\partial v = \\mathrm{Ad}^*_g\\,\\mu", "energy x time", "eq_2_16", {}, false},
-      {"spatial_momentum", Kind::list, "The momentum in space, dl/dv on the right.",
-       "\\mu = \\mathrm{Ad}^*_{g^{-1}}\\,\\Pi", "energy x time", "eq_3_8", {}, false},
-      {"energy", Kind::scalar, "The energy.", "\\langle\\partial l/\\partial v, v\\rangle - l", "energy", "", {},
+       "v = g^{-1}\\dot g,\\ \\dot g g^{-1}",
+       "of the component over time",
+       "eq_2_16",
+       {},
+       false},
+      {"body_momentum",
+       Kind::list,
+       "The momentum of the body, dl/dv on the left.",
+       "\\Pi = \\partial l/\\partial v = \\mathrm{Ad}^*_g\\,\\mu",
+       "energy x time",
+       "eq_2_16",
+       {},
+       false},
+      {"spatial_momentum",
+       Kind::list,
+       "The momentum in space, dl/dv on the right.",
+       "\\mu = \\mathrm{Ad}^*_{g^{-1}}\\,\\Pi",
+       "energy x time",
+       "eq_3_8",
+       {},
+       false},
+      {"energy",
+       Kind::scalar,
+       "The energy.",
+       "\\langle\\partial l/\\partial v, v\\rangle - l",
+       "energy",
+       "",
+       {},
        true},
-      {"configuration", Kind::matrix, "The configuration, an element of the group, as a matrix.",
-       "g", "1", "", {}, false},
-      {"casimir", Kind::list,
-       "The functions of degree one and two that every motion on the dual of the algebra keeps, as far as there "
+      {"configuration",
+       Kind::matrix,
+       "The configuration, an element of the group, as a matrix.",
+       "g",
+       "1",
+       "",
+       {},
+       false},
+      {"casimir",
+       Kind::list,
+       "The functions of degree one and two that every motion on the dual of the algebra keeps, as far as "
+       "there "
        "are any, with the carried vectors where there are some: `actio run SCENE --dry-run` writes them out.",
-       "C(\\Pi, a)", "of the momentum, or its square", "", {}, true},
-      {"poisson_defect", Kind::scalar,
+       "C(\\Pi, a)",
+       "of the momentum, or its square",
+       "",
+       {},
+       true},
+      {"poisson_defect",
+       Kind::scalar,
        "How far the next step is from keeping the Lie-Poisson bracket: 0 to rounding where it does, 1 where "
        "nothing cancels.",
-       "|A B A^T - B|/(|A B A^T| + |B|)", "1", "thm_3_2_1", {}, false},
-      {"symplectic_defect", Kind::scalar,
+       "|A B A^T - B|/(|A B A^T| + |B|)",
+       "1",
+       "thm_3_2_1",
+       {},
+       false},
+      {"symplectic_defect",
+       Kind::scalar,
        "How far the next step is from keeping the canonical two-form of configurations and momenta.",
-       "|A^T\\Omega A - \\Omega|/(|A^T\\Omega A| + |\\Omega|)", "1", "eq_3_5", {}, false},
-      {"leaf_defect", Kind::scalar,
+       "|A^T\\Omega A - \\Omega|/(|A^T\\Omega A| + |\\Omega|)",
+       "1",
+       "eq_3_5",
+       {},
+       false},
+      {"leaf_defect",
+       Kind::scalar,
        "How far the next step leads away from the coadjoint orbit, relative to the momentum.",
-       "\\min_g|\\Pi_1 - \\mathrm{Ad}^*_g\\Pi_0|/|\\Pi_0|", "1", "thm_3_2_1", {}, false},
-      {"order", Kind::scalar,
-       "The order that the method shows here: from one step, two of half its length and four of a quarter; of a "
+       "\\min_g|\\Pi_1 - \\mathrm{Ad}^*_g\\Pi_0|/|\\Pi_0|",
+       "1",
+       "thm_3_2_1",
+       {},
+       false},
+      {"order",
+       Kind::scalar,
+       "The order that the method shows here: from one step, two of half its length and four of a quarter; "
+       "of a "
        "longer step where its error is lost in rounding.",
-       "\\log_2(|\\Phi_h - \\Phi_{h/2}^2|/|\\Phi_{h/2}^2 - \\Phi_{h/4}^4|)", "1", "", {}, false},
-      {"tangent_map", Kind::matrix,
+       "\\log_2(|\\Phi_h - \\Phi_{h/2}^2|/|\\Phi_{h/2}^2 - \\Phi_{h/4}^4|)",
+       "1",
+       "",
+       {},
+       false},
+      {"tangent_map",
+       Kind::matrix,
        "How momentum and carried vectors now change with those at the start: the product of the exact "
        "derivatives of all steps.",
-       "\\partial(\\Pi, a)(t)/\\partial(\\Pi, a)(0)", "1", "", {}, false},
+       "\\partial(\\Pi, a)(t)/\\partial(\\Pi, a)(0)",
+       "1",
+       "",
+       {},
+       false},
   };
 }
 
 std::vector<Quantity> own_quantities(SceneFile const& file) {
   std::vector<Quantity> out;
   for (auto const& name : carried_names(file))
-    out.push_back({name, Kind::list, "The carried vector of that name.", "g^{-1}c,\\ g\\,c", "1", "", {}, false});
+    out.push_back(
+        {name, Kind::list, "The carried vector of that name.", "g^{-1}c,\\ g\\,c", "1", "", {}, false});
   return out;
 }
 
@@ -159,8 +229,8 @@ class Reader {
     return velocity_;
   }
   double energy() { return legendre_.energy(velocity(), motion_.point().vectors); }
-  /// The momentum on the other side: \f$\mathrm{Ad}^*_{g^{-1}}\Pi\f$ from that of the body, \f$\mathrm{Ad}^*_g\mu\f$
-  /// from that in space.
+  /// The momentum on the other side: \f$\mathrm{Ad}^*_{g^{-1}}\Pi\f$ from that of the body,
+  /// \f$\mathrm{Ad}^*_g\mu\f$ from that in space.
   void momentum_across(double* out) const {
     Eigen::MatrixXd const& g = motion_.configuration();
     Eigen::MatrixXd const back = g.inverse();
@@ -169,9 +239,10 @@ class Reader {
     // What rounding leaves of it, far out on a group that is not compact.
     double const lost = 0x1p-52 * g.norm() * back.norm();
     if (!(lost < 1e-3))
-      throw NumericsError(fmt::format("{}: the configuration has entries up to {:.3g}, and what it makes of the "
-                                      "other momentum is lost in rounding; leave this quantity out",
-                                      left ? "spatial_momentum" : "body_momentum", g.cwiseAbs().maxCoeff()));
+      throw NumericsError(
+          fmt::format("{}: the configuration has entries up to {:.3g}, and what it makes of the "
+                      "other momentum is lost in rounding; leave this quantity out",
+                      left ? "spatial_momentum" : "body_momentum", g.cwiseAbs().maxCoeff()));
     for (std::size_t a = 0; a < p.size(); ++a) {
       auto const& e = system_->algebra.basis[a];
       auto const moved = system_->algebra.vee(Matrix<double>(left ? back * e * g : g * e * back));
@@ -200,17 +271,16 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   auto const ends = ends_of(algebra.components);
   auto const reader = std::make_shared<Reader>(scene.system, motion);
   bool const left = scene.system->side == Side::left;
-  graph.define("velocity", ends,
-               [reader](auto, double* out) { std::ranges::copy(reader->velocity(), out); });
+  graph.define("velocity", ends, [reader](auto, double* out) { std::ranges::copy(reader->velocity(), out); });
   graph.define(left ? "body_momentum" : "spatial_momentum", ends,
                [&motion](auto, double* out) { std::ranges::copy(motion.point().momentum, out); });
-  graph.define(left ? "spatial_momentum" : "body_momentum", ends,
-               [reader](auto, double* out) { reader->momentum_across(out); }, modulus_of(motion));
+  graph.define(
+      left ? "spatial_momentum" : "body_momentum", ends,
+      [reader](auto, double* out) { reader->momentum_across(out); }, modulus_of(motion));
   graph.define("energy", {""}, [reader](auto, double* out) { *out = reader->energy(); });
   graph.define("configuration", column_ends(Kind::matrix, algebra.size), [&motion](auto, double* out) {
-    Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(out, motion.configuration().rows(),
-                                                               motion.configuration().cols()) =
-        motion.configuration();
+    Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
+        out, motion.configuration().rows(), motion.configuration().cols()) = motion.configuration();
   });
   for (std::size_t k = 0; k < scene.carried.size(); ++k) {
     auto const n = static_cast<std::size_t>(algebra.size);
@@ -220,8 +290,8 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
   }
 }
 
-/// Of momentum and vectors, those that the motion leaves at zero: the last component of a direction on a group
-/// of rigid motions.
+/// Of momentum and vectors, those that the motion leaves at zero: the last component of a direction on a
+/// group of rigid motions.
 std::vector<int> components_that_stay_zero(ReducedScene const& scene) {
   auto const& algebra = scene.system->algebra;
   std::vector<int> out;
@@ -234,9 +304,8 @@ std::vector<int> components_that_stay_zero(ReducedScene const& scene) {
 /// The structure of an algebra by an ideal that is spanned by one vector of the basis: on its dual that
 /// component is zero.
 MatrixAlgebra without(MatrixAlgebra algebra, int component) {
-  std::erase_if(algebra.constants, [&](auto const& c) {
-    return c.a == component || c.b == component || c.c == component;
-  });
+  std::erase_if(algebra.constants,
+                [&](auto const& c) { return c.a == component || c.b == component || c.c == component; });
   for (auto& c : algebra.constants) c.a -= c.a > component, c.b -= c.b > component, c.c -= c.c > component;
   algebra.components.erase(algebra.components.begin() + component);
   --algebra.dimension;
@@ -260,8 +329,8 @@ void define_casimirs(Simulation& simulation, Request const& request, ReducedScen
   if (std::ranges::find(request.quantities, "casimir") == request.quantities.end()) return;
   auto const all = std::make_shared<std::vector<Casimir> const>(casimirs_of(scene));
   if (all->empty())
-    request.file.section("output")
-        .fail("quantities", "casimir: the dual of this algebra has no Casimir of degree one or two");
+    request.file.section("output").fail(
+        "quantities", "casimir: the dual of this algebra has no Casimir of degree one or two");
   for (std::size_t k = 0; k < all->size(); ++k)
     simulation.remarks.push_back(fmt::format("casimir_{} is {}", k + 1, (*all)[k].text()));
   auto const now = [&motion, constant = components_that_stay_zero(scene)] {
@@ -270,8 +339,9 @@ void define_casimirs(Simulation& simulation, Request const& request, ReducedScen
     for (std::size_t k = constant.size(); k-- > 0;) x.erase(x.begin() + constant[k]);
     return Vector<double>(Eigen::Map<Eigen::VectorXd const>(x.data(), static_cast<Index>(x.size())));
   };
-  simulation.quantities.define("casimir", numbered_to(static_cast<int>(all->size())),
-                               [all, now](auto, double* out) {
+  simulation.quantities.define(
+      "casimir", numbered_to(static_cast<int>(all->size())),
+      [all, now](auto, double* out) {
     Vector<double> const x = now();
     for (auto const& casimir : *all) *out++ = casimir.evaluate(x);
       },
@@ -303,11 +373,11 @@ ReducedScheme scheme_of(Request const& request, ReducedScene const& scene) {
           order == 2   ? std::vector<double>{1}
           : order == 4 ? suzuki<double>()
                        : kahan_li<double>(),
-          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}),
-          choice.name};
+          asked(request, {"configuration", left ? "spatial_momentum" : "body_momentum"}), choice.name};
 }
 
-/// The step of the scene. By default it follows the pace of the start, and is halved until a step can be made.
+/// The step of the scene. By default it follows the pace of the start, and is halved until a step can be
+/// made.
 double step_of(Request const& request, ReducedScheme const& scheme, ReducedScene const& scene) {
   SceneTable method = request.file.section("method");
   bool const given = method.has("step");
@@ -351,19 +421,20 @@ Simulation prepare(Request const& request) {
   try {
     motion = scheme.motion(simulation.step, scene.start, scene.velocity, scene.configuration);
   } catch (Error const& error) {
-    double const longest = scheme.longest_step(simulation.step, request.schedule.common_divisor(), scene.start,
-                                               scene.velocity);
+    double const longest =
+        scheme.longest_step(simulation.step, request.schedule.common_divisor(), scene.start, scene.velocity);
     if (longest > 0)
       fail_for_long_step(method, request.schedule, StepTooLong(scheme.name, simulation.step, longest));
     simulation.failure = method.place("step").text() + ": " + error.what();
     motion = standing(scene);
   }
   if (simulation.failure.empty())
-    simulation.companion = companion_of(scheme, scene, simulation.step,
-                                        static_cast<int>(method.integer("order", 2, 16)), request.error_estimate);
-  if (asked(request, {"tangent_map"}))
-    motion = following_tangent(std::move(motion), scheme, simulation.step);
-  if (!scheme.with_configuration) simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
+    simulation.companion =
+        companion_of(scheme, scene, simulation.step, static_cast<int>(method.integer("order", 2, 16)),
+                     request.error_estimate);
+  if (asked(request, {"tangent_map"})) motion = following_tangent(std::move(motion), scheme, simulation.step);
+  if (!scheme.with_configuration)
+    simulation.shortcuts.push_back("momentum only: no configuration is reconstructed");
   define_state(simulation.quantities, scene, *motion);
   define_casimirs(simulation, request, scene, *motion);
   define_instruments(simulation.quantities, scheme, simulation.step, *motion);
@@ -376,21 +447,22 @@ Simulation prepare(Request const& request) {
 
 /// A Lagrangian of one's own on a group.
 System euler_poincare_system() {
-  return {"euler_poincare",
-          "A Lagrangian on a group",
-          "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
-          "vectors that the motion carries.",
-          "chapters 2 to 4",
-          parameters(),
-          methods(),
-          quantities(),
-          prepare,
-          "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
-          "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[run]\nuntil = 10\nevery = "
-          "0.1\n[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
-          nullptr,
-          {},
-          own_quantities};
+  return {
+      "euler_poincare",
+      "A Lagrangian on a group",
+      "Any invariant Lagrangian on any group of matrices: a formula in the velocity, in parameters and in "
+      "vectors that the motion carries.",
+      "chapters 2 to 4",
+      parameters(),
+      methods(),
+      quantities(),
+      prepare,
+      "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + c*v2^2)/2\"\n"
+      "parameters = { c = 6 }\n[initial]\nvelocity = [0.7, 1.0, 0.2]\n[run]\nuntil = 10\nevery = "
+      "0.1\n[output]\nquantities = [\"body_momentum\", \"energy\"]\n",
+      nullptr,
+      {},
+      own_quantities};
 }
 
 }  // namespace actio::scene

@@ -45,8 +45,8 @@ class GalerkinMotion : public ReducedMotion {
     }
   }
   void advance_plainly(long count) override {
-    // What a step remembers of the last one is no part of a checkpoint, so that each begins anew and the digits
-    // of a resumed run are those of an unbroken one.
+    // What a step remembers of the last one is no part of a checkpoint, so that each begins anew and the
+    // digits of a resumed run are those of an unbroken one.
     for (long k = 0; k < count; ++k) take(last_, configuration_, length_);
     show(last_, configuration_);
   }

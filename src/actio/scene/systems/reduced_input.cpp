@@ -20,9 +20,10 @@ MatrixAlgebra read_algebra(SceneTable const& system) {
   bool const named = system.has("group");
   if (named == system.has("algebra"))
     throw SceneError(named ? system.place("algebra") : system.place(),
-                     named ? "[system] has 'group' and 'algebra'; one of them says what the group is"
-                           : "[system] needs 'group', for instance group = \"SE(2)\", or 'algebra', a basis of "
-                             "matrices");
+                     named
+                         ? "[system] has 'group' and 'algebra'; one of them says what the group is"
+                         : "[system] needs 'group', for instance group = \"SE(2)\", or 'algebra', a basis of "
+                           "matrices");
   std::string const key = named ? "group" : "algebra";
   try {
     return named ? named_algebra(system.text(key)) : spanned_algebra(system.matrices(key));
@@ -42,17 +43,20 @@ bool is_name(std::string const& word) {
 /// Refuses a name that a formula cannot have, or that stands for something else there.
 void check_name(SceneTable const& table, std::string const& key, std::vector<std::string> const& taken) {
   if (!is_name(key))
-    table.fail(key, fmt::format("'{}' is no name for a formula: letters, digits and _ are, a letter or _ first",
-                                printable(key)));
+    table.fail(key,
+               fmt::format("'{}' is no name for a formula: letters, digits and _ are, a letter or _ first",
+                           printable(key)));
   for (auto const& other : taken)
     if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a component", key));
   std::vector<std::string_view> known{"pi"};
-  known.insert(known.end(), operation_names.begin() + static_cast<int>(Operation::atan2), operation_names.end());
+  known.insert(known.end(), operation_names.begin() + static_cast<int>(Operation::atan2),
+               operation_names.end());
   for (auto const& word : known)
     if (word == key) table.fail(key, fmt::format("the name '{}' is taken already: formulas know it", key));
 }
 
-std::map<std::string, double> read_parameters(SceneTable const& system, std::vector<std::string> const& taken) {
+std::map<std::string, double> read_parameters(SceneTable const& system,
+                                              std::vector<std::string> const& taken) {
   std::map<std::string, double> out;
   if (!system.has("parameters")) return out;
   if (!system.is_table("parameters"))
@@ -65,20 +69,20 @@ std::map<std::string, double> read_parameters(SceneTable const& system, std::vec
   return out;
 }
 
-/// A vector as long as the matrices have rows; on a group of rigid motions one without its last component is a
-/// direction, which the motion only turns.
+/// A vector as long as the matrices have rows; on a group of rigid motions one without its last component is
+/// a direction, which the motion only turns.
 Eigen::VectorXd padded(SceneTable const& table, std::string const& key, MatrixAlgebra const& algebra) {
   auto numbers = table.numbers(key);
   auto const rows = static_cast<std::size_t>(algebra.size);
   bool const motions = algebra.name == "SE(2)" || algebra.name == "SE(3)";
   if (motions && numbers.size() + 1 == rows) numbers.push_back(0);
   if (numbers.size() != rows)
-    table.fail(key, fmt::format("{}: {}{} numbers are expected, as many as the matrices of the group have rows, "
-                                "found {}",
-                                key, rows,
-                                motions ? fmt::format(" (a point has 1 last) or, of a direction, {}", rows - 1)
-                                        : "",
-                                numbers.size()));
+    table.fail(
+        key, fmt::format("{}: {}{} numbers are expected, as many as the matrices of the group have rows, "
+                         "found {}",
+                         key, rows,
+                         motions ? fmt::format(" (a point has 1 last) or, of a direction, {}", rows - 1) : "",
+                         numbers.size()));
   return Eigen::Map<Eigen::VectorXd const>(numbers.data(), algebra.size);
 }
 
@@ -86,18 +90,21 @@ std::vector<CarriedVector> read_carried(SceneTable const& system, MatrixAlgebra 
   std::vector<CarriedVector> out;
   if (!system.has("advected")) return out;
   if (!system.is_table("advected"))
-    system.fail("advected", "advected: a table of vectors is expected, for instance { gravity = [0, 0, -1] }");
+    system.fail("advected",
+                "advected: a table of vectors is expected, for instance { gravity = [0, 0, -1] }");
   SceneTable const table = system.inside("advected");
-  std::vector<std::string> taken{"velocity",      "body_momentum",     "spatial_momentum", "energy",
-                                 "configuration", "casimir",           "order",            "tangent_map",
-                                 "leaf_defect",   "symplectic_defect", "poisson_defect"};
+  std::vector<std::string> taken{
+      "velocity",      "body_momentum", "spatial_momentum", "energy",      "configuration",
+      "casimir",       "order",         "tangent_map",      "leaf_defect", "symplectic_defect",
+      "poisson_defect"};
   for (auto const& key : table.keys()) {
     for (auto const& other : taken)
       if (other == key) table.fail(key, fmt::format("the name '{}' is taken already: it is a quantity", key));
     check_name(table, key, algebra.components);
     for (int i = 1; i <= algebra.size; ++i)
       if (std::ranges::find(algebra.components, key + std::to_string(i)) != algebra.components.end())
-        table.fail(key, fmt::format("the name '{}' is taken already: {}{} is a component of the velocity", key, key, i));
+        table.fail(key, fmt::format("the name '{}' is taken already: {}{} is a component of the velocity",
+                                    key, key, i));
     out.push_back({key, padded(table, key, algebra)});
   }
   if (out.size() * static_cast<std::size_t>(algebra.size) > 128)
@@ -151,18 +158,20 @@ void require_regular(SceneTable const& system, ReducedScene const& scene) {
   LegendreVelocity legendre(*scene.system);
   LeastRegular const least(legendre.hessian(scene.velocity, scene.start.vectors));
   if (least.smallest > 1e-12 * least.largest) return;
-  system.fail("lagrangian",
-              fmt::format("lagrangian: it is not regular at the start: along {} its second derivative is {:.3g}, "
-                          "where the largest is {:.3g}, so that the momentum does not determine the velocity",
-                          combination(least.direction, scene.system->algebra.components), least.smallest,
-                          least.largest));
+  system.fail(
+      "lagrangian",
+      fmt::format("lagrangian: it is not regular at the start: along {} its second derivative is {:.3g}, "
+                  "where the largest is {:.3g}, so that the momentum does not determine the velocity",
+                  combination(least.direction, scene.system->algebra.components), least.smallest,
+                  least.largest));
 }
 
 Chart read_chart(SceneTable const& method, MatrixAlgebra const& algebra) {
   if (!method.is_text("name") || method.text("name") != "cayley_chart") return Chart::exponential;
   if (!SpanOfMatrices(algebra).cayley_stays())
-    method.fail("name", "cayley_chart: Cayley's transform does not map the algebra into this group, as it does for "
-                        "SO(n), SE(n), U(n), Sp(2n) and GL(n); natural_chart serves every group");
+    method.fail("name",
+                "cayley_chart: Cayley's transform does not map the algebra into this group, as it does for "
+                "SO(n), SE(n), U(n), Sp(2n) and GL(n); natural_chart serves every group");
   return Chart::cayley;
 }
 
@@ -171,7 +180,7 @@ Chart read_chart(SceneTable const& method, MatrixAlgebra const& algebra) {
 std::vector<std::string> carried_names(SceneFile const& file) {
   SceneTable const system = file.section("system");
   return system.has("advected") && system.is_table("advected") ? system.inside("advected").keys()
-                                                              : std::vector<std::string>{};
+                                                               : std::vector<std::string>{};
 }
 
 ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&) {
@@ -196,7 +205,8 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   try {
     scene.start.momentum = LegendreVelocity(*scene.system).momentum(scene.velocity, scene.start.vectors);
   } catch (NotFinite const&) {
-    system.fail("lagrangian", "lagrangian: at the start its value or one of its derivatives is no finite number");
+    system.fail("lagrangian",
+                "lagrangian: at the start its value or one of its derivatives is no finite number");
   }
   require_regular(system, scene);
   return scene;

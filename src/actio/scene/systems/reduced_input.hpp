@@ -26,8 +26,8 @@ struct ReducedScene {
 };
 
 /// Reads [system] and [initial]; defaults are written back.
-/// @throws SceneError  where a value is missing or wrong, with its place: an unknown group, a basis that is not
-///                     independent or not closed, a formula that is none, a vector of the wrong length, a
+/// @throws SceneError  where a value is missing or wrong, with its place: an unknown group, a basis that is
+///                     not independent or not closed, a formula that is none, a vector of the wrong length, a
 ///                     configuration that is no element, a Lagrangian that is not regular at the start
 ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>& remarks);
 

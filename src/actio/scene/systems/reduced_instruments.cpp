@@ -147,8 +147,8 @@ class StepOnCotangentBundle {
   std::vector<CarriedVector> const& carried_;
 };
 
-/// Translations on the side of the invariance take the point to the identity, and keep the two-form: there the
-/// vectors that are fixed are those that are carried now.
+/// Translations on the side of the invariance take the point to the identity, and keep the two-form: there
+/// the vectors that are fixed are those that are carried now.
 double symplectic_defect_now(ReducedScheme const& scheme, double h, ReducedMotion const& motion) {
   StepMap const step(scheme, motion.velocity());
   std::vector<CarriedVector> carried;
@@ -204,7 +204,8 @@ class FollowingTangent : public ReducedMotion {
  public:
   FollowingTangent(std::unique_ptr<ReducedMotion> motion, ReducedScheme scheme, double step)
       : motion_(std::move(motion)), scheme_(std::move(scheme)), step_(step) {
-    auto const n = static_cast<Eigen::Index>(motion_->point().momentum.size() + motion_->point().vectors.size());
+    auto const n =
+        static_cast<Eigen::Index>(motion_->point().momentum.size() + motion_->point().vectors.size());
     tangent_ = now_ = Eigen::MatrixXd::Identity(n, n);
   }
   void advance(long count) override {
@@ -251,9 +252,8 @@ void define_instruments(QuantityGraph& graph, ReducedScheme const& scheme, doubl
   graph.define("poisson_defect", {""}, [scheme, step, &motion](auto, double* out) {
     *out = poisson_defect_now(scheme, step, motion);
   });
-  graph.define("leaf_defect", {""}, [scheme, step, &motion](auto, double* out) {
-    *out = leaf_defect_now(scheme, step, motion);
-  });
+  graph.define("leaf_defect", {""},
+               [scheme, step, &motion](auto, double* out) { *out = leaf_defect_now(scheme, step, motion); });
   graph.define("symplectic_defect", {""}, [scheme, step, &motion](auto, double* out) {
     *out = symplectic_defect_now(scheme, step, motion);
   });

@@ -5,8 +5,8 @@
 
 namespace actio::scene {
 
-/// Defines `poisson_defect`, `symplectic_defect`, `leaf_defect`, `order` and `tangent_map`. Those but the last
-/// are of the next step from the state of a row; each costs some tens of steps.
+/// Defines `poisson_defect`, `symplectic_defect`, `leaf_defect`, `order` and `tangent_map`. Those but the
+/// last are of the next step from the state of a row; each costs some tens of steps.
 /// @param motion  whose state they are of
 void define_instruments(QuantityGraph& graph, ReducedScheme const& scheme, double step,
                         ReducedMotion const& motion);

@@ -8,8 +8,8 @@ namespace {
 /// In steps of the natural chart, or of a symmetric composition of it.
 class ChartMotion : public ReducedMotion {
  public:
-  ChartMotion(ReducedScheme scheme, double step, ReducedPoint const& start, std::vector<double> const& velocity,
-              Eigen::MatrixXd const& configuration)
+  ChartMotion(ReducedScheme scheme, double step, ReducedPoint const& start,
+              std::vector<double> const& velocity, Eigen::MatrixXd const& configuration)
       : scheme_(std::move(scheme)),
         step_(step),
         steps_(scheme_.system, step, scheme_.fractions, start, velocity) {
@@ -85,7 +85,8 @@ void require_like_energy(ReducedSystem const& system, ReducedPoint const& start,
   };
   double const before = energy(start), change = std::abs(energy(end) - before);
   if (change > 0.5 * size)
-    throw OutsideDomain("step", "the energy must change little in a step; its change over the size of its parts",
+    throw OutsideDomain("step",
+                        "the energy must change little in a step; its change over the size of its parts",
                         change / size, 0.5);
 }
 
@@ -137,6 +138,8 @@ void ReducedScheme::fail(Error const& error, double step, ReducedPoint const& st
   throw Error(error.what());
 }
 
-std::unique_ptr<ReducedMotion> standing(ReducedScene const& scene) { return std::make_unique<Standing>(scene); }
+std::unique_ptr<ReducedMotion> standing(ReducedScene const& scene) {
+  return std::make_unique<Standing>(scene);
+}
 
 }  // namespace actio::scene

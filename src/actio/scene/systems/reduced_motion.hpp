@@ -36,13 +36,13 @@ struct ReducedScheme {
   std::unique_ptr<ReducedMotion> motion(double step, ReducedPoint const& start,
                                         std::vector<double> const& velocity,
                                         Eigen::MatrixXd const& configuration) const;
-  /// A length of steps that can be made from a state, shorter than this one: eight of them, and eight that are
-  /// shorter by a fifth, and by another. Zero where none is found.
+  /// A length of steps that can be made from a state, shorter than this one: eight of them, and eight that
+  /// are shorter by a fifth, and by another. Zero where none is found.
   /// @param divisor  of the times of the rows, which the step divides; zero: any length
   double longest_step(double step, double divisor, ReducedPoint const& start,
                       std::vector<double> const& velocity) const;
-  /// Throws what says the longest step that would do where a step from a state fails; where none would, what it
-  /// failed with.
+  /// Throws what says the longest step that would do where a step from a state fails; where none would, what
+  /// it failed with.
   [[noreturn]] void fail(Error const& error, double step, ReducedPoint const& start,
                          std::vector<double> const& velocity) const;
 };

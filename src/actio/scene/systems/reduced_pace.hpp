@@ -5,8 +5,8 @@
 
 namespace actio::scene {
 
-/// The largest of some rates, 1/time: of turning, of what the equations of motion linearized at the start have as
-/// eigenvalues, and the root of how fast the turning grows. Zero where nothing changes.
+/// The largest of some rates, 1/time: of turning, of what the equations of motion linearized at the start
+/// have as eigenvalues, and the root of how fast the turning grows. Zero where nothing changes.
 /// @param time  over which the motion is looked at, at most
 double fastest_rate(ReducedScene const& scene, double time);
 
