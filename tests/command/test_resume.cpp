@@ -48,12 +48,14 @@ std::vector<Long> const& long_scenes() {
        "[\"attitude\", \"body_momentum\", \"energy\"]\n"},
       {"euler_poincare, with a carried vector and a tangent map",
        "[system]\nkind = \"euler_poincare\"\ngroup = \"SO(3)\"\nlagrangian = \"(w1^2 + 2*w2^2 + 3*w3^2)/2 - "
-       "gravity3 - 0.1*gravity1^2\"\nadvected = { gravity = [0, 0, -1] }\n[initial]\nvelocity = [0.7, 1, 0.2]\n"
+       "gravity3 - 0.1*gravity1^2\"\nadvected = { gravity = [0, 0, -1] }\n[initial]\nvelocity = [0.7, 1, "
+       "0.2]\n"
        "[method]\norder = 2\nstep = 0.01\n[run]\nuntil = 250\nevery = 0.5\n[output]\nquantities = "
        "[\"velocity\", \"energy\", \"configuration\", \"gravity\", \"tangent_map\"]\n"},
       {"euler_poincare, Galerkin",
        "[system]\nkind = \"euler_poincare\"\ngroup = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2 + "
-       "0.1*w^4\"\n[initial]\nvelocity = [0.7, 1, 0.2]\n[method]\nname = \"galerkin\"\norder = 4\nstep = 0.1\n"
+       "0.1*w^4\"\n[initial]\nvelocity = [0.7, 1, 0.2]\n[method]\nname = \"galerkin\"\norder = 4\nstep = "
+       "0.1\n"
        "[run]\nuntil = 600\nevery = 1\n[output]\nquantities = [\"velocity\", \"energy\", "
        "\"spatial_momentum\"]\n"},
   };
