@@ -53,15 +53,14 @@ class ChartIntegrator {
   /// A whole step.
   /// @throws NotConverged, Singular, NotFinite  where a substep has no solution; all is then as it was
   void step() {
-    ReducedPoint const point = point_;
-    Eigen::MatrixXd const g = configuration_;
+    point_before_ = point_, configuration_before_ = configuration_;
     try {
       for (auto& substep : substeps_) {
         substep(point_);
         if (configuration_.size()) move_configuration(substep);
       }
     } catch (...) {
-      point_ = point, configuration_ = g;
+      point_ = point_before_, configuration_ = configuration_before_;
       throw;
     }
   }
@@ -105,8 +104,8 @@ class ChartIntegrator {
 
   std::shared_ptr<ReducedSystem const> system_;
   std::vector<ChartSolver> substeps_;
-  ReducedPoint point_;
-  Eigen::MatrixXd configuration_;
+  ReducedPoint point_, point_before_;
+  Eigen::MatrixXd configuration_, configuration_before_;
 };
 
 }  // namespace actio

@@ -83,10 +83,9 @@ class ChartSolver {
   /// No eigenvalue of \f$h\,\mathrm{ad}_v\f$ has an imaginary part of pi or more. Its trace tells where that
   /// is beyond question.
   void require_in_chart() const {
-    if (system_.chart == Chart::cayley) return;
+    if (system_.chart == Chart::cayley || !(step_.square_of_ad() > std::numbers::pi * std::numbers::pi)) return;
     Vector<double> const v = Eigen::Map<Eigen::VectorXd const>(v_.data(), static_cast<Index>(v_.size()));
     Eigen::MatrixXd const ad = system_.algebra.ad(Vector<double>(v * h_));
-    if (!(ad.squaredNorm() > std::numbers::pi * std::numbers::pi)) return;
     double const turn = ad.eigenvalues().imag().cwiseAbs().maxCoeff();
     if (!(turn < std::numbers::pi))
       throw OutsideDomain("natural chart", "a step must turn by less than half a turn; radians", turn,

@@ -119,6 +119,14 @@ class ChartStep {
     return add_chi(h, v, a.empty());
   }
 
+  /// The squares of the entries of \f$h\,\mathrm{ad}_v\f$ in the last call, added up: no eigenvalue is larger
+  /// than its root.
+  S square_of_ad() const {
+    S sum(0);
+    for (auto const& entry : ad_star_) sum += entry.value * entry.value;
+    return sum;
+  }
+
  private:
   static std::size_t n(int i) { return static_cast<std::size_t>(i); }
 
