@@ -52,8 +52,9 @@ class ChartSolver {
     if (!(past_ > 0 && chord(point))) newton(point);
     require_in_chart();
     remember_velocity();
-    // The last update of the velocity changes both ends alike, to first order.
-    for (std::size_t i = 0; i < v_.size(); ++i) point.momentum[i] += step_.after[i] - step_.before[i];
+    // What the last residual leaves of the momentum goes with the step as the momentum does.
+    step_.transport(residual_);
+    for (std::size_t i = 0; i < v_.size(); ++i) point.momentum[i] = step_.after[i] - residual_[i];
     point.vectors = step_.vectors;
   }
 
@@ -83,7 +84,8 @@ class ChartSolver {
   /// No eigenvalue of \f$h\,\mathrm{ad}_v\f$ has an imaginary part of pi or more. Its trace tells where that
   /// is beyond question.
   void require_in_chart() const {
-    if (system_.chart == Chart::cayley || !(step_.square_of_ad() > std::numbers::pi * std::numbers::pi)) return;
+    if (system_.chart == Chart::cayley || !(step_.square_of_ad() > std::numbers::pi * std::numbers::pi))
+      return;
     Vector<double> const v = Eigen::Map<Eigen::VectorXd const>(v_.data(), static_cast<Index>(v_.size()));
     Eigen::MatrixXd const ad = system_.algebra.ad(Vector<double>(v * h_));
     double const turn = ad.eigenvalues().imag().cwiseAbs().maxCoeff();

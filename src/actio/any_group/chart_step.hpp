@@ -119,6 +119,12 @@ class ChartStep {
     return add_chi(h, v, a.empty());
   }
 
+  /// Carries a small covector from the start of the step to its end: \f$e^{A^T}x\f$, to second order.
+  void transport(std::vector<S>& x) {
+    apply_ad_star(x, odd_);
+    apply_ad_star(odd_, even_);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += odd_[i] + even_[i] / S(2);
+  }
   /// The squares of the entries of \f$h\,\mathrm{ad}_v\f$ in the last call, added up: no eigenvalue is larger
   /// than its root.
   S square_of_ad() const {
