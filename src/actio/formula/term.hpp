@@ -18,7 +18,7 @@ namespace actio {
 
 /// A number of the language: a constant beside terms.
 template <class T>
-concept Arithmetic = std::is_arithmetic_v<T>;
+concept BuiltInNumber = std::is_arithmetic_v<T>;
 
 /// An entry of a tape that is being recorded.
 class Term {
@@ -35,26 +35,26 @@ class Term {
   friend Term operator/(Term const& x, Term const& y) { return x.with(&TapeBuilder::divide, y); }
   friend Term operator-(Term const& x) { return {x.builder(), x.builder().negate(x.entry())}; }
 
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator+(Term const& x, T c) { return x + x.constant(c); }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator-(Term const& x, T c) { return x - x.constant(c); }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator*(Term const& x, T c) { return x * x.constant(c); }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator/(Term const& x, T c) { return x / x.constant(c); }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator+(T c, Term const& x) { return x.constant(c) + x; }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator-(T c, Term const& x) { return x.constant(c) - x; }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator*(T c, Term const& x) { return x.constant(c) * x; }
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   friend Term operator/(T c, Term const& x) { return x.constant(c) / x; }
 
   /// A constant of the same tape: a whole number, or the shortest decimal number that reads as a double.
   /// @throws NotFinite
-  template <Arithmetic T>
+  template <BuiltInNumber T>
   Term constant(T c) const {
     if constexpr (std::integral<T>)
       return {builder(), builder().number(ExactRatio{static_cast<std::int64_t>(c), 1})};
