@@ -14,15 +14,17 @@ namespace actio {
 
 /// The connected group of matrices with a given algebra: \ref SpannedGroup for bases of real matrices.
 ///
-/// It models the concept \ref ExponentialGroup. Where cubes of elements of the algebra are in the algebra,
+/// It models the concept `ExponentialGroup`. Where cubes of elements of the algebra are in the algebra,
 /// retraction and `restore` are by Cayley's transform; elsewhere (SL(n) and SU(n) for n > 2) the retraction
 /// is the exponential, and `restore` goes through the logarithm.
 struct SpanOfMatrices {
   static constexpr int size = Dynamic;
   static constexpr int dim = Dynamic;
 
+  /// Of an algebra, which copies share.
   explicit SpanOfMatrices(std::shared_ptr<MatrixAlgebra const> algebra)
       : algebra_(std::move(algebra)), cayley_stays_(cubes_stay()) {}
+  /// Of an algebra.
   explicit SpanOfMatrices(MatrixAlgebra algebra)
       : SpanOfMatrices(std::make_shared<MatrixAlgebra const>(std::move(algebra))) {}
 

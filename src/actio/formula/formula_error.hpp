@@ -12,6 +12,8 @@ namespace actio {
 struct FormulaError : Error {
   /// the byte of the text where it goes wrong, from 0; its length where it ends too soon
   std::size_t position;
+  /// @param at             the byte of the text
+  /// @param what_is_wrong  one line
   FormulaError(std::size_t at, std::string const& what_is_wrong) : Error(what_is_wrong), position(at) {}
 };
 

@@ -10,38 +10,38 @@ namespace actio {
 /// What an entry of a tape is, or does.
 enum class Operation : std::uint8_t {
   // Leaves.
-  input,
-  number,
-  pi,
+  input,   ///< a number that the formula is given
+  number,  ///< a constant
+  pi,      ///< half a turn
   // Arithmetic.
-  add,
-  subtract,
-  multiply,
-  divide,
-  negate,
+  add,       ///< a sum
+  subtract,  ///< a difference
+  multiply,  ///< a product
+  divide,    ///< a quotient
+  negate,    ///< minus a number
   // Functions of two numbers.
   power,  ///< with a constant exponent
-  atan2,
-  hypot,
+  atan2,  ///< the angle of a point (x, y), given y first
+  hypot,  ///< the length of (x, y)
   // Functions of one number.
-  sqrt,
-  cbrt,
-  exp,
-  log,
-  log2,
-  log10,
-  sin,
-  cos,
-  tan,
-  asin,
-  acos,
-  atan,
-  sinh,
-  cosh,
-  tanh,
-  asinh,
-  acosh,
-  atanh,
+  sqrt,   ///< square root
+  cbrt,   ///< cube root
+  exp,    ///< exponential
+  log,    ///< natural logarithm
+  log2,   ///< logarithm to base 2
+  log10,  ///< logarithm to base 10
+  sin,    ///< sine
+  cos,    ///< cosine
+  tan,    ///< tangent
+  asin,   ///< arc sine
+  acos,   ///< arc cosine
+  atan,   ///< arc tangent
+  sinh,   ///< hyperbolic sine
+  cosh,   ///< hyperbolic cosine
+  tanh,   ///< hyperbolic tangent
+  asinh,  ///< inverse of the hyperbolic sine
+  acosh,  ///< inverse of the hyperbolic cosine
+  atanh,  ///< inverse of the hyperbolic tangent
 };
 
 /// How many operations there are.

@@ -42,7 +42,7 @@ class FormulaPotential {
   int axis() const;
 
  private:
-  struct Tapes;
+  struct Tapes;  // of the formula and its derivatives
   std::shared_ptr<Tapes const> tapes_;
   std::array<bool, 10> uses_{};  // of r11, r12, ..., r33, t
   mutable std::vector<double> work_;

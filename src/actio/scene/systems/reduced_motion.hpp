@@ -25,11 +25,11 @@ class ReducedMotion : public Motion {
 
 /// What is stepped: the scheme, and from where.
 struct ReducedScheme {
-  std::shared_ptr<ReducedSystem const> system;
-  int stages = 0;                 ///< of Galerkin's method; 0: the natural chart
-  std::vector<double> fractions;  ///< of the substeps of the natural chart
-  bool with_configuration = true;
-  std::string name = "natural chart";  ///< of the method, for messages
+  std::shared_ptr<ReducedSystem const> system;  ///< that is stepped
+  int stages = 0;                               ///< of Galerkin's method; 0: the natural chart
+  std::vector<double> fractions;                ///< of the substeps of the natural chart
+  bool with_configuration = true;               ///< whether configurations are reconstructed
+  std::string name = "natural chart";           ///< of the method, for messages
 
   /// Steps of a length from a state.
   /// @throws Error  where the first step cannot be made

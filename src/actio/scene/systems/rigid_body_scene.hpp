@@ -8,16 +8,19 @@ namespace actio::scene {
 
 /// A scene of a rigid body.
 struct RigidBodyScene {
-  SceneTable system, initial, method;
-  std::vector<std::string> remarks;
-  PrincipalInertia inertia;
+  SceneTable system,                  ///< its section
+      initial,                        ///< its section
+      method;                         ///< its section
+  std::vector<std::string> remarks;   ///< what was done to the input
+  PrincipalInertia inertia;           ///< of the body
   std::optional<SceneTorque> torque;  ///< none: the body is free
   FreeState start;                    ///< momentum and attitude
   FreeBody free;                      ///< the body without its torque
-  MethodChoice choice;
+  MethodChoice choice;                ///< of the method and its order
   double fastest,  ///< a bound of the angular velocity, or of what else the step is measured by, 1/time
-      step;
+      step;        ///< time
 
+  /// Reads it.
   /// @param methods  of the system
   /// @throws SceneError  where a value is missing or wrong
   RigidBodyScene(Request const& request, std::vector<Method> const& methods);
@@ -28,7 +31,7 @@ struct RigidBodyScene {
 
 /// The motion of a scene.
 struct RigidBodyMotion {
-  std::unique_ptr<TurningBody> motion;
+  std::unique_ptr<TurningBody> motion;     ///< that quantities look at
   TorquedMotion const* torqued = nullptr;  ///< the same, where the body is under a torque
   std::string failure;                     ///< why it cannot take a step; it is the start alone then
 };
