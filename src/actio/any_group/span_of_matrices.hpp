@@ -30,6 +30,7 @@ struct SpanOfMatrices {
 
   int matrix_size() const { return algebra_->size; }
   int dimension() const { return algebra_->dimension; }
+  /// The algebra.
   MatrixAlgebra const& algebra() const { return *algebra_; }
   /// Whether Cayley's transform maps the algebra into the group.
   bool cayley_stays() const { return cayley_stays_; }

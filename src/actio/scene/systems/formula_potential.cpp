@@ -47,6 +47,7 @@ Eigen::Matrix3d along_turns(NineEntries const& rotation, double const* first, do
 
 }  // namespace
 
+/// The formula and its derivatives.
 struct FormulaPotential::Tapes {
   Tape slope,       ///< value, and first derivatives by the entries
       curvature,    ///< value, first and second derivatives by the entries

@@ -11,9 +11,8 @@
 
 namespace actio::scene {
 
-using Kind = Quantity::Kind;
-
 std::vector<Quantity> reduced_quantities() {
+  using Kind = Quantity::Kind;
   return {
       {"velocity",
        Kind::list,
@@ -115,8 +114,14 @@ std::vector<Quantity> reduced_quantities() {
 std::vector<Quantity> named_quantities(SceneFile const& file) {
   std::vector<Quantity> out;
   for (auto const& name : carried_names(file))
-    out.push_back(
-        {name, Kind::list, "The carried vector of that name.", "g^{-1}c,\\ g\\,c", "1", "", {}, false});
+    out.push_back({name,
+                   Quantity::Kind::list,
+                   "The carried vector of that name.",
+                   "g^{-1}c,\\ g\\,c",
+                   "1",
+                   "",
+                   {},
+                   false});
   return out;
 }
 
@@ -242,7 +247,8 @@ void define_state(QuantityGraph& graph, ReducedScene const& scene, ReducedMotion
       left ? "spatial_momentum" : "body_momentum", ends,
       [reader](auto, double* out) { reader->momentum_across(out); }, modulus_of(motion));
   graph.define("energy", {""}, [reader](auto, double* out) { *out = reader->energy(); });
-  graph.define("configuration", column_ends(Kind::matrix, algebra.size), [&motion](auto, double* out) {
+  graph.define("configuration", column_ends(Quantity::Kind::matrix, algebra.size),
+               [&motion](auto, double* out) {
     Eigen::Map<Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(
         out, motion.configuration().rows(), motion.configuration().cols()) = motion.configuration();
   });
