@@ -9,6 +9,7 @@
 #include <array>
 
 #include "actio/any_group/chart_step.hpp"
+#include "actio/any_group/eigenvalues_of.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
 
 namespace actio {
@@ -88,7 +89,7 @@ class ChartSolver {
       return;
     Vector<double> const v = Eigen::Map<Eigen::VectorXd const>(v_.data(), static_cast<Index>(v_.size()));
     Eigen::MatrixXd const ad = system_.algebra.ad(Vector<double>(v * h_));
-    double const turn = ad.eigenvalues().imag().cwiseAbs().maxCoeff();
+    double const turn = eigenvalues_of(ad).imag().cwiseAbs().maxCoeff();
     if (!(turn < std::numbers::pi))
       throw OutsideDomain("natural chart", "a step must turn by less than half a turn; radians", turn,
                           std::numbers::pi);
@@ -226,11 +227,10 @@ class ChartSolver {
     Rows(moduli_.data(), d, d) = derivative.cwiseAbs();
     Eigen::VectorXd const units = units_of(derivative);
     for (int i = 0; i < d; ++i) weights_[static_cast<std::size_t>(i)] = 1 / (units[i] * units[i]);
-    auto const lu = Eigen::MatrixXd(units.asDiagonal() * derivative * units.asDiagonal()).partialPivLu();
-    regular_ = lu.rcond();
-    Rows inverse(inverse_.data(), d, d);
-    inverse = units.asDiagonal() * lu.inverse() * units.asDiagonal();
-    return inverse.allFinite() && regular_ > 0x1p-50;
+    InverseInUnits const inverse(derivative, units);
+    regular_ = inverse.condition;
+    Rows(inverse_.data(), d, d) = inverse.matrix;
+    return regular_ > 0x1p-50;
   }
 
   /// Newton's iteration from the Legendre velocity, each update halved until the residual falls.

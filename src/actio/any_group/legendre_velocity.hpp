@@ -1,10 +1,8 @@
 // The Legendre map of a reduced Lagrangian at run time: velocities from momenta, and the energy.
 #pragma once
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include "actio/any_group/reduced_system.hpp"
+#include "actio/numbers/iex.hpp"
 
 namespace actio {
 
@@ -19,6 +17,27 @@ inline Eigen::VectorXd units_of(Eigen::MatrixXd const& hessian) {
   }
   return units;
 }
+
+/// The inverse of a matrix of second derivatives, and how well it is determined, in units of its components.
+struct InverseInUnits {
+  Eigen::MatrixXd matrix;  ///< the inverse; zero where there is none
+  /// one over the product of the norms of the matrix and of its inverse, in the units
+  double condition = 0;
+
+  /// @param units  as \ref units_of has them
+  InverseInUnits(Eigen::MatrixXd const& m, Eigen::VectorXd const& units)
+      : matrix(Eigen::MatrixXd::Zero(m.rows(), m.cols())) {
+    Eigen::MatrixXd const scaled = units.asDiagonal() * m * units.asDiagonal();
+    if (!is_finite(scaled)) return;
+    try {
+      Eigen::MatrixXd const inverse = inverse_matrix(scaled, "second derivative");
+      if (!is_finite(inverse)) return;
+      condition = 1 / (row_norm(scaled) * row_norm(inverse));
+      matrix = units.asDiagonal() * inverse * units.asDiagonal();
+    } catch (Singular const&) {
+    }
+  }
+};
 
 /// \f$v\f$ with \f$\partial l/\partial v(v, a) = P\f$, with its work space. For one thread at a time.
 class LegendreVelocity {
@@ -62,12 +81,12 @@ class LegendreVelocity {
       sizes.push_back(size);
       bool const done = size <= tolerance_;
       Eigen::VectorXd const units = units_of(hessian_);
-      auto const lu = Eigen::MatrixXd(units.asDiagonal() * hessian_ * units.asDiagonal()).partialPivLu();
-      Eigen::VectorXd const update = units.asDiagonal() * lu.solve(units.asDiagonal() * residual_);
-      if (!update.allFinite() || !(lu.rcond() > 0x1p-50))
+      InverseInUnits const inverse(hessian_, units);
+      if (!(inverse.condition > 0x1p-50))
         throw Singular("Legendre map",
-                       "the second differential of the Lagrangian needs an inverse; condition", lu.rcond(),
-                       0x1p-50);
+                       "the second differential of the Lagrangian needs an inverse; condition",
+                       inverse.condition, 0x1p-50);
+      Eigen::VectorXd const update = inverse.matrix * residual_;
       std::vector<double> const from = v;
       double const before = size;
       for (double fraction = 1; fraction > 1e-9; fraction /= 2) {
@@ -118,24 +137,6 @@ class LegendreVelocity {
   std::vector<double> inputs_, values_, work_;
   Eigen::MatrixXd hessian_;
   Eigen::VectorXd residual_;
-};
-
-/// The direction in which a symmetric matrix is least regular: a unit eigenvector of its eigenvalue of
-/// smallest modulus, each component in a unit of its own.
-struct LeastRegular {
-  double smallest,            ///< modulus of an eigenvalue
-      largest;                ///< modulus of an eigenvalue
-  Eigen::VectorXd direction;  ///< of the smallest
-
-  /// Of a symmetric matrix, in the units of \ref units_of.
-  explicit LeastRegular(Eigen::MatrixXd const& m) {
-    Eigen::VectorXd const units = units_of(m);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solved(units.asDiagonal() * m * units.asDiagonal());
-    Eigen::Index at = 0;
-    smallest = solved.eigenvalues().cwiseAbs().minCoeff(&at);
-    largest = solved.eigenvalues().cwiseAbs().maxCoeff();
-    direction = (units.asDiagonal() * solved.eigenvectors().col(at)).stableNormalized();
-  }
 };
 
 }  // namespace actio

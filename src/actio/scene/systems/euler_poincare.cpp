@@ -39,10 +39,10 @@ std::vector<Parameter> parameters() {
        "carried vectors; definitions may come first: \"m = w^2/2; m + v1^2\". It is smooth: there is no abs, "
        "min "
        "or comparison.",
-       "energy", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
-      {"system.parameters", "a table of numbers", "none", "Names of numbers in the Lagrangian.", "",
+       "", "\"(w^2 + v1^2 + 6*v2^2)/2\""},
+      {"system.parameters", "a table", "none", "Numbers that the Lagrangian knows by their names.", "",
        "{ c = 6 }"},
-      {"system.advected", "a table of lists of numbers", "none",
+      {"system.advected", "a table of vectors", "none",
        "Vectors that the motion carries, each as long as the matrices of the group have rows: fixed in space "
        "on "
        "the left, a = g^-1 c, and fixed in the body on the right, a = g c. gravity = [0, 0, -1] has the "
@@ -51,7 +51,7 @@ std::vector<Parameter> parameters() {
        "", "{ gravity = [0, 0, -1] }"},
       {"initial.velocity", "a list of as many numbers as the group has dimensions", "needed",
        "The velocity at the start, in the order of the components.", "1/time", "[0.7, 1.0, 0.2]"},
-      {"initial.configuration", "a list of n rows of n numbers, an element of the group", "the identity",
+      {"initial.configuration", "a square matrix, an element of the group", "the identity",
        "The configuration at the start, as a matrix.", "", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"},
       {"method.step", "a number > 0", "from the time asked",
        "The time that a step takes, a whole number of times in the time between two rows. By default a "

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "actio/any_group/least_regular.hpp"
 #include "actio/any_group/membership.hpp"
 #include "actio/any_group/named_algebra.hpp"
 #include "actio/any_group/span_of_matrices.hpp"

@@ -1,7 +1,5 @@
 #include "actio/scene/systems/reduced_pace.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include "actio/any_group/chart_map.hpp"
 
 namespace actio::scene {
@@ -32,8 +30,7 @@ double fastest_rate(ReducedScene const& scene, double time) {
       Eigen::MatrixXd const tangent = tangent_of(
           [&](ReducedPointOver<Moved<double>> const& x) { return map(Moved<double>(h), x); }, scene.start);
       auto const n = tangent.rows();
-      double const radius =
-          Eigen::MatrixXd(tangent - Eigen::MatrixXd::Identity(n, n)).eigenvalues().cwiseAbs().maxCoeff();
+      double const radius = eigenvalues_of(tangent - Eigen::MatrixXd::Identity(n, n)).cwiseAbs().maxCoeff();
       auto const after = map(h, ReducedPointOver<double>{scene.start.momentum, scene.start.vectors});
       std::vector<double> v_after = scene.velocity;
       LegendreVelocity(system).solve(after.momentum, after.vectors, v_after);

@@ -1,0 +1,27 @@
+// In which direction a Lagrangian is least regular.
+#pragma once
+
+#include "actio/any_group/legendre_velocity.hpp"
+#include "actio/numbers/eigenvalues.hpp"
+
+namespace actio {
+
+/// The direction in which a symmetric matrix is least regular: a unit eigenvector of its eigenvalue of
+/// smallest modulus, each component in a unit of its own.
+struct LeastRegular {
+  double smallest,            ///< modulus of an eigenvalue
+      largest;                ///< modulus of an eigenvalue
+  Eigen::VectorXd direction;  ///< of the smallest
+
+  /// Of a symmetric matrix, in the units of \ref units_of.
+  explicit LeastRegular(Eigen::MatrixXd const& m) {
+    Eigen::VectorXd const units = units_of(m);
+    auto const [values, vectors] = symmetric_eigen(Eigen::MatrixXd(units.asDiagonal() * m * units.asDiagonal()));
+    Eigen::Index at = 0;
+    smallest = values.cwiseAbs().minCoeff(&at);
+    largest = values.cwiseAbs().maxCoeff();
+    direction = (units.asDiagonal() * vectors.col(at)).stableNormalized();
+  }
+};
+
+}  // namespace actio
