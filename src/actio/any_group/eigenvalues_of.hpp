@@ -21,7 +21,8 @@ inline Eigen::VectorXcd eigenvalues_of(Eigen::MatrixXd a) {
   gsl_error_handler_t* const previous = gsl_set_error_handler_off();
   int const status = gsl_eigen_nonsymm(&m.matrix, &w.vector, work.get());
   gsl_set_error_handler(previous);
-  if (status != GSL_SUCCESS) throw NotConverged("eigenvalues_of: " + std::string(gsl_strerror(status)), {}, 0);
+  if (status != GSL_SUCCESS)
+    throw NotConverged("eigenvalues_of: " + std::string(gsl_strerror(status)), {}, 0);
   return values;
 }
 

@@ -16,7 +16,7 @@ struct LeastRegular {
   /// Of a symmetric matrix, in the units of \ref units_of.
   explicit LeastRegular(Eigen::MatrixXd const& m) {
     Eigen::VectorXd const units = units_of(m);
-    auto const [values, vectors] = symmetric_eigen(Eigen::MatrixXd(units.asDiagonal() * m * units.asDiagonal()));
+    auto const [values, vectors] = symmetric_eigen(units.asDiagonal() * m * units.asDiagonal());
     Eigen::Index at = 0;
     smallest = values.cwiseAbs().minCoeff(&at);
     largest = values.cwiseAbs().maxCoeff();

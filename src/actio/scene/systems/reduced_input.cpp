@@ -195,7 +195,7 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   scene.velocity = initial.numbers("velocity", algebra.dimension);
   scene.configuration = read_configuration(initial, algebra);
   Eigen::MatrixXd const mover =
-      side == Side::left ? Eigen::MatrixXd(scene.configuration.inverse()) : scene.configuration;
+      side == Side::left ? Eigen::MatrixXd(inverse_matrix(scene.configuration, "configuration")) : scene.configuration;
   for (auto const& vector : scene.carried) {
     Eigen::VectorXd const a = mover * vector.constant;
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());

@@ -166,7 +166,7 @@ class Reader {
   /// \f$\mathrm{Ad}^*_g\mu\f$ from that in space.
   void momentum_across(double* out) const {
     Eigen::MatrixXd const& g = motion_.configuration();
-    Eigen::MatrixXd const back = g.inverse();
+    Eigen::MatrixXd const back = inverse_matrix(g, "configuration");
     bool const left = system_->side == Side::left;
     auto const& p = motion_.point().momentum;
     // What rounding leaves of it, far out on a group that is not compact.
