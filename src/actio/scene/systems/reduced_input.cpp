@@ -194,8 +194,8 @@ ReducedScene read_reduced_scene(SceneFile const& file, std::vector<std::string>&
   Tape l = read_lagrangian(system, algebra, scene.carried);
   scene.velocity = initial.numbers("velocity", algebra.dimension);
   scene.configuration = read_configuration(initial, algebra);
-  Eigen::MatrixXd const mover =
-      side == Side::left ? Eigen::MatrixXd(inverse_matrix(scene.configuration, "configuration")) : scene.configuration;
+  Eigen::MatrixXd mover = scene.configuration;
+  if (side == Side::left) mover = inverse_matrix(scene.configuration, "configuration");
   for (auto const& vector : scene.carried) {
     Eigen::VectorXd const a = mover * vector.constant;
     scene.start.vectors.insert(scene.start.vectors.end(), a.data(), a.data() + a.size());
