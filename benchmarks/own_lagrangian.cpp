@@ -103,12 +103,13 @@ int main(int argc, char** argv) {
       argc, argv, "a Lagrangian as a formula in a scene, against the same in C++ on the general road");
   auto const all = pairs();
   long const steps = program.length(20000L, 4000L);
+  double const units = static_cast<double>(steps);
   std::vector<benchmark::Contestant> contestants;
   double volatile sink = 0;
   for (auto const& pair : all) {
-    contestants.push_back({pair.name + " in C++", [&] { sink = sink + pair.in_cpp(steps)[0]; }, steps});
+    contestants.push_back({pair.name + " in C++", [&] { sink = sink + pair.in_cpp(steps)[0]; }, units});
     contestants.push_back(
-        {pair.name + " as a scene", [&] { sink = sink + in_scene(pair, steps)[0]; }, steps});
+        {pair.name + " as a scene", [&] { sink = sink + in_scene(pair, steps)[0]; }, units});
   }
   auto const times = benchmark::in_turns(program.rounds(21), contestants);
   std::vector<book::Program::Row> rows;
