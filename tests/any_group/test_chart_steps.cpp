@@ -168,6 +168,22 @@ BOOST_AUTO_TEST_CASE(the_chart_by_cayleys_transform) {
   BOOST_TEST(apart(plain, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) > 1e-5);
 }
 
+BOOST_AUTO_TEST_CASE(a_momentum_stays_on_its_orbit) {
+  auto const system = own_system("SO(3)", Side::left, "(w1^2 + 2*w2^2 + 3*w3^2)/2");
+  std::vector<double> const v{0.3, 1.1, -0.4};
+  // Half a radian a step, so that the residual that is left of each step would show.
+  ChartIntegrator run(system, 0.4, {1}, point_at(*system, v), v);
+  auto const length = [&] {
+    return std::hypot(run.point().momentum[0], run.point().momentum[1], run.point().momentum[2]);
+  };
+  double const before = length();
+  int const steps = 100000;
+  for (int k = 0; k < steps; ++k) run.step();
+  double const drift = std::abs(length() / before - 1);
+  BOOST_TEST_MESSAGE("|Pi| after " << steps << " steps: drift " << drift);
+  BOOST_TEST(drift < 4 * eps * std::sqrt(steps));  // a random walk of some roundings a step
+}
+
 BOOST_AUTO_TEST_CASE(a_step_that_fails_leaves_the_state) {
   auto const system = own_system("SO(3)", Side::left, "(w1^2 + 2*w2^2 + 3*w3^2)/2");
   std::vector<double> const v{3, 2, 9};

@@ -154,7 +154,8 @@ BOOST_AUTO_TEST_CASE(both_charts_keep_what_they_should_and_differ) {
 }
 
 BOOST_AUTO_TEST_CASE(tangent_maps_are_differences_of_motions) {
-  // Two motions whose start differs by 1e-6 each way: what their ends differ by, to the square of it.
+  // Two motions whose start differs by a thousandth each way: what their ends differ by, to the square of it
+  // times what the third derivative may be.
   auto const run = [](double w) {
     std::string const start = "velocity = [" + std::to_string(w) + ", 1.0, 0.2]";
     return last_row(own("group = \"SE(2)\"\nlagrangian = \"(w^2 + v1^2 + 6*v2^2)/2\"", start,
@@ -189,7 +190,6 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said_at_its_place) {
   check_refused("c*v2^2", "0*v2^2", "it is not regular at the start: along v2");
   check_refused("c*v2^2", "c*v2^2 + 2*v1*v2*sqrt(6)", "not regular at the start: along");
   check_refused("c*v2^2", "c*log(v2 - 1)", "at the start");
-  check_refused("step = 0.1", "step = 100\n[run]\nuntil = 100", "");
   check_refused("step = 0.1", "name = \"galerkin\"\norder = 3\nstep = 0.1", "galerkin takes");
 }
 
