@@ -193,6 +193,15 @@ BOOST_AUTO_TEST_CASE(what_is_no_matrix_of_the_size_or_has_no_inverse_is_infinite
       BOOST_TEST((is ? distance == 0 : distance == infinite), g);
       if (g.rows() != 2 || !g.allFinite() || g(0, 0) == g(0, 1)) BOOST_TEST(!is, g);
     }
+  // Multiples of a rotation, which move the algebra as the rotation does, beyond what squares can hold.
+  Square large(2, 2);
+  large << 1, -1, 1, 1;
+  for (auto const& so2 : {named_algebra("SO(2)"), bare("SO(2)")})
+    for (double const size : {1e150, 1e160, 1e200, 1e300}) {
+      double distance = 0;
+      BOOST_TEST(!is_element(so2, size * large, distance), so2.name << ", " << size);
+      BOOST_TEST(distance > 1, so2.name << ", " << size);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
