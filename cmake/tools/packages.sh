@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# packages.sh [proofs]: sees to it that the Debian packages are there which the build, the checks and the book need; or
-# those that the kernel's proofs need, which nothing else does.
-# As root it installs what is missing; otherwise it prints the one line to type and ends with status 2.
+# packages.sh [proofs]: sees to it that the Debian packages are there which the build, the checks and the book
+# need; or those that the kernel's proofs need, which nothing else does. As root it installs what is missing;
+# otherwise it prints the one line to type and ends with status 2.
 set -euo pipefail
 
 packages=(

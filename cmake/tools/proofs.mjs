@@ -1,8 +1,9 @@
 // proofs.mjs ROOT BUILD JOBS: has the proofs of proofs_checks/kernel checked, in BUILD/kernel.
 //
-// Compiles the sources (coqc), has the compiled files checked once more by the separate checker (coqchk), which lists
-// the axioms that they and all they rest on use, and asks of each theorem what it assumes. Writes
-// BUILD/report/kernel.tsv. Status 1 where a source does not compile, an axiom is used, or a proof is admitted.
+// Compiles the sources (coqc), has the compiled files checked once more by the separate checker (coqchk),
+// which lists the axioms that they and all they rest on use, and asks of each theorem what it assumes. Writes
+// BUILD/report/kernel.tsv. Status 1 where a source does not compile, an axiom is used, or a proof is
+// admitted.
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';

@@ -1,5 +1,5 @@
-// The proofs that a kernel has checked, in the book: the sources of proofs_checks/kernel as pages, the seal of a
-// statement that has a proof there, and the table of all of them.
+// The proofs that a kernel has checked, in the book: the sources of proofs_checks/kernel as pages, the seal
+// of a statement that has a proof there, and the table of all of them.
 //
 // A proof counts where `./run proofs` has found it closed: its list, kernel.tsv, names the sources by their
 // digest, and a seal is shown only while the sources are those that were checked.

@@ -1,5 +1,5 @@
-// record.mjs --build BUILD --commit COMMIT [--what "bench stress checks proofs"] [--root ROOT]: records the figures
-// of the release in docs/release.
+// record.mjs --build BUILD --commit COMMIT [--what "bench stress checks proofs"] [--root ROOT]: records the
+// figures of the release in docs/release.
 //
 // Of the benchmarks and long tests those are recorded whose last full run was made with the executable as it
 // is now (cmake/tools/measure.sh --ask knows); of the checks all columns that `./run` does not fill; of the

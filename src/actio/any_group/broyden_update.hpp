@@ -7,10 +7,9 @@ namespace actio {
 
 /// Improves the inverse B of a derivative by Broyden's ("good") formula, and the next step with it.
 ///
-/// A step s = -B r from the residual r led to the residual r', from which the old inverse steps by u = -B r'. The
-/// new inverse is the one with
-/// \f$B'(r'-r) = s\f$ that differs from B by the matrix \f$u\,w^TB/(w\cdot s-w\cdot u)\f$ with
-/// \f$w = Ds\f$.
+/// A step s = -B r from the residual r led to the residual r', from which the old inverse steps by u = -B r'.
+/// The new inverse is the one with \f$B'(r'-r) = s\f$ that differs from B by the matrix
+/// \f$u\,w^TB/(w\cdot s-w\cdot u)\f$ with \f$w = Ds\f$.
 /// @param inverse  B, d x d, row by row; B' afterwards
 /// @param step     s, the last step
 /// @param weights  D, the positive weights of the components, which make them comparable
