@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_memory_of_such_a_body_is_refused) {
     other.remember(damaged);
   };
   BOOST_CHECK_NO_THROW(restore(-1, 0));
-  for (auto const [place, value] : std::initializer_list<std::pair<int, int>>{{size, 3},
+  for (auto const& [place, value] : std::initializer_list<std::pair<int, int>>{{size, 3},
                                                                               {size, 5},
                                                                               {continuation, -1},
                                                                               {continuation, 1000},

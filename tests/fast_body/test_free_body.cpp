@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(a_sphere_and_symmetric_bodies_have_their_closed_forms) {
 }
 
 BOOST_AUTO_TEST_CASE(the_momentum_alone_is_that_of_the_whole_state_to_the_last_bit) {
-  FreeSteps steps(body_of({1, 2, 3.5}, {0.3, -0.7, 0.45}), 0.01);
+  FreeSteps steps(body_of({1, 2, 2.8}, {0.3, -0.7, 0.45}), 0.01);
   long differ = 0;
   for (int k = 0; k < 2000; ++k) {
     steps.advance();
