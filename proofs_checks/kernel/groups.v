@@ -728,3 +728,224 @@ by rewrite !det_mulmx mulrAC -det_mulmx conjugates det1 mul1r.
 Qed.
 
 End DlpOrbits.
+
+(** ** The discrete Lie-Poisson algorithm preserves the brackets *)
+
+Section PoissonMap.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (a b f p v w x y mu theta eta : 'M[R]_n) (algebra : 'M[R]_n -> Prop).
+
+(** A field of covectors, given on dual numbers: it stands for \f$\ell'\f$. At \f$f\f$ it has the value \f$p_0\f$, and it is
+_closed_ there: its derivative is a symmetric bilinear form, as the second derivative of a function is. *)
+Definition covector_at (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 := forall v, value_of (p (varied f v)) = p0.
+Definition closed_at (p : 'M[dual R]_n -> 'M[dual R]_n) f :=
+  forall v w, pairing (rate_of (p (varied f v))) w = pairing (rate_of (p (varied f w))) v.
+
+(** The spatial momenta at the start and at the end of a right-invariant step, \f$-R_f^*\ell'(f)\f$ and
+\f$-L_f^*\ell'(f)\f$, for group elements that vary. *)
+Definition varied_momentum_before (p : 'M[dual R]_n -> 'M[dual R]_n) (x : 'M[dual R]_n) : 'M[dual R]_n := - R_star x (p x).
+Definition varied_momentum_after (p : 'M[dual R]_n -> 'M[dual R]_n) (x : 'M[dual R]_n) : 'M[dual R]_n := - L_star x (p x).
+
+Section Rates.
+
+Variables (p : 'M[dual R]_n -> 'M[dual R]_n) (f p0 : 'M[R]_n).
+Hypotheses (unit_f : f \in unitmx) (at_f : covector_at p f p0) (closed : closed_at p f).
+
+Let mu0 := - R_star f p0.
+
+(** The second derivative, on \f$\theta f\f$ and \f$\eta f\f$. *)
+Let second theta eta := pairing (rate_of (p (varied f (theta *m f)))) (eta *m f).
+
+Lemma second_symmetric theta eta : second theta eta = second eta theta.
+Proof. exact: closed. Qed.
+
+Lemma value_before v : value_of (varied_momentum_before p (varied f v)) = mu0.
+Proof.
+by rewrite /varied_momentum_before /R_star [p _]variedE at_f varied_transpose varied_mul varied_opp value_varied.
+Qed.
+
+Lemma value_after v : value_of (varied_momentum_after p (varied f v)) = - L_star f p0.
+Proof.
+by rewrite /varied_momentum_after /L_star [p _]variedE at_f varied_transpose varied_mul varied_opp value_varied.
+Qed.
+
+Lemma rate_before theta eta :
+  pairing (rate_of (varied_momentum_before p (varied f (theta *m f)))) eta
+  = pairing mu0 (eta *m theta) - second theta eta.
+Proof.
+rewrite /varied_momentum_before /R_star [p _]variedE at_f varied_transpose varied_mul varied_opp rate_varied.
+rewrite pairing_oppl pairing_addl opprD /mu0 pairing_oppl /second; congr (- _ - _).
+  by rewrite trmx_mul mulmxA -/(R_star f p0) -/(R_star theta _) R_star_dual.
+by rewrite -/(R_star f _) R_star_dual.
+Qed.
+
+Lemma rate_after theta eta :
+  pairing (rate_of (varied_momentum_after p (varied f (theta *m f)))) eta
+  = pairing mu0 (theta *m Ad f eta) - second theta (Ad f eta).
+Proof.
+have Ad_f : Ad f eta *m f = f *m eta by rewrite /Ad -mulmxA mulVmx // mulmx1.
+rewrite /varied_momentum_after /L_star [p _]variedE at_f varied_transpose varied_mul varied_opp rate_varied.
+rewrite pairing_oppl pairing_addl opprD addrC /mu0 pairing_oppl /second Ad_f; congr (- _ - _).
+  rewrite -/(L_star (theta *m f) p0) L_star_dual R_star_dual /left_translation /right_translation.
+  by rewrite -mulmxA -Ad_f mulmxA.
+by rewrite -/(L_star f _) L_star_dual.
+Qed.
+
+End Rates.
+
+Lemma regroup (A : zmodType) (P Q S T U V : A) :
+  P - U - (V - T) = P - Q - (S - T) - (U - S - (Q - V)).
+Proof.
+rewrite !opprB.
+have -> : P - Q + (T - S) + (Q - V + (S - U)) = P - Q + (Q - V) + (T - S + (S - U)) by rewrite addrACA.
+rewrite ![_ + (Q - V)]addrA ![_ + (S - U)]addrA !subrK.
+by rewrite addrACA [RHS]addrACA [- U - V]addrC.
+Qed.
+
+(** Proposition 3.2.1, with \f$f\f$ solved from \f$\mu\f$. The map \f$\Phi\f$ takes the momentum
+\f$\mu_0 = -R_f^*\ell'(f)\f$ at the start of a step to \f$\mu_1 = -L_f^*\ell'(f) = \mathrm{Ad}_f^*\mu_0\f$ at its end, and the
+functions \f$F\f$ and \f$H\f$ have the derivatives \f$a\f$ and \f$b\f$ at \f$\mu_1\f$. Let \f$F\circ\Phi\f$ and
+\f$H\circ\Phi\f$ have the derivatives \f$a'\f$ and \f$b'\f$ at \f$\mu_0\f$: this means that as \f$f\f$ varies along
+\f$\theta f\f$, \f$\langle\delta\mu_0, a'\rangle = \langle\delta\mu_1, a\rangle\f$. Then
+\f[ \{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \langle\mu_0, [a', b']\rangle = \langle\mu_1, [a, b]\rangle =
+\{F, H\}_+(\Phi(\mu_0)). \]
+The group may be smaller than that of all matrices: its algebra contains the differences of its elements, and
+\f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second derivative is used; it need not be regular. *)
+Theorem prop_3_2_1 algebra (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 a b a' b' : f \in unitmx ->
+  covector_at p f p0 -> closed_at p f ->
+  (forall x y, algebra x -> algebra y -> algebra (x - y)) -> Ad_keeps algebra f ->
+  algebra a -> algebra b -> algebra a' -> algebra b' ->
+  let before theta := rate_of (varied_momentum_before p (varied f (theta *m f))) in
+  let after theta := rate_of (varied_momentum_after p (varied f (theta *m f))) in
+  (forall theta, algebra theta -> pairing (before theta) a' = pairing (after theta) a) ->
+  (forall theta, algebra theta -> pairing (before theta) b' = pairing (after theta) b) ->
+  pairing (- R_star f p0) (bracket a' b') = pairing (- L_star f p0) (bracket a b).
+Proof.
+move=> uf at_f closed differences keeps in_a in_b in_a' in_b' /=.
+set mu0 := - R_star f p0; set second := fun theta eta =>
+  pairing (rate_of (p (varied f (theta *m f)))) (eta *m f).
+have exchange (x y z t : R) : x - y = z - t -> y - t = x - z.
+  move=> same; apply/eqP; rewrite -subr_eq0 opprB addrACA [y + z]addrC -addrACA -[y - x]opprB same.
+  by rewrite subrr.
+(* What the difference of a' and Ad_f a does to the second derivative. *)
+have gap c c' theta : pairing (rate_of (varied_momentum_before p (varied f (theta *m f)))) c'
+      = pairing (rate_of (varied_momentum_after p (varied f (theta *m f)))) c ->
+    second theta (c' - Ad f c) = pairing mu0 (c' *m theta - theta *m Ad f c).
+  rewrite (rate_before at_f) (rate_after uf at_f) => /exchange.
+  by rewrite {1}/second mulmxBl !pairing_addr !pairing_oppr => ->.
+move=> of_a of_b.
+set alpha := Ad f a; set beta := Ad f b; set u := a' - alpha; set w := b' - beta.
+have in_u : algebra u by apply: differences => //; apply: keeps.
+have in_w : algebra w by apply: differences => //; apply: keeps.
+have along_w := gap a a' w (of_a w in_w); have along_u := gap b b' u (of_b u in_u).
+have vanishes : pairing mu0 (a' *m w - w *m alpha - (b' *m u - u *m beta)) = 0.
+  rewrite pairing_addr pairing_oppr -along_w -along_u -/alpha -/beta -/u -/w.
+  by rewrite (_ : second u w = second w u) ?subrr //; apply: closed.
+have -> : pairing (- L_star f p0) (bracket a b) = pairing mu0 (bracket alpha beta).
+  rewrite -Ad_bracket // -Ad_star_dual /mu0 Ad_star_opp Ad_star_right //.
+apply/eqP; rewrite -subr_eq0 -pairing_oppr -pairing_addr -vanishes; apply/eqP; congr pairing.
+(* Both sides are a'b' - b'a' - alpha beta + beta alpha. *)
+by rewrite /u /w /bracket !mulmxBr !mulmxBl; apply: regroup.
+Qed.
+
+(** Proposition 3.2.1 for functions, on the dual of all matrices: if \f$\Phi\f$ is the discrete Lie-Poisson map near
+\f$\mu_0\f$, with \f$f\f$ solved from \f$\mu\f$, then
+\f$\{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \{F, H\}_+(\mathrm{Ad}^*_f\mu_0)\f$. *)
+Theorem prop_3_2_1_functions (F H : 'M[dual R]_n -> dual R) Phi (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 :
+  f \in unitmx -> covector_at p f p0 -> closed_at p f ->
+  (forall v, Phi (varied_momentum_before p (varied f v)) = varied_momentum_after p (varied f v)) ->
+  let mu0 := - R_star f p0 in
+  let mu1 := lie_poisson_update_right f mu0 in
+  differentiable F mu1 -> differentiable H mu1 ->
+  differentiable (F \o Phi) mu0 -> differentiable (H \o Phi) mu0 ->
+  lie_poisson_bracket_plus (F \o Phi) (H \o Phi) mu0 = lie_poisson_bracket_plus F H mu1.
+Proof.
+move=> uf at_f closed is_step /=; rewrite /lie_poisson_update_right Ad_star_opp Ad_star_right //.
+move=> dF dH dFPhi dHPhi.
+have chain K : differentiable K (- L_star f p0) -> differentiable (K \o Phi) (- R_star f p0) -> forall v,
+    pairing (rate_of (varied_momentum_before p (varied f v))) (differential (K \o Phi) (- R_star f p0))
+    = pairing (rate_of (varied_momentum_after p (varied f v))) (differential K (- L_star f p0)).
+  move=> dK dKPhi v; rewrite ![pairing (rate_of _) _]pairing_sym -dK -dKPhi /=; congr (rate (K _)).
+  by rewrite -(value_after at_f v) -(value_before at_f v) -!variedE is_step.
+by apply: (@prop_3_2_1 (@all_matrices R n) p) => // theta _; apply: chain.
+Qed.
+
+(** The first reading of proposition 3.2.1, along a given sequence of \f$f\f$: the map
+\f$\mu\mapsto\mathrm{Ad}^*_f\mu\f$ with \f$f\f$ fixed preserves the bracket. *)
+Theorem prop_3_2_1_fixed_sequence (F H : 'M[dual R]_n -> dual R) f mu : f \in unitmx ->
+  differentiable F (lie_poisson_update_right f mu) -> differentiable H (lie_poisson_update_right f mu) ->
+  lie_poisson_bracket_plus (F \o Ad_star (still f)) (H \o Ad_star (still f)) mu
+  = lie_poisson_bracket_plus F H (lie_poisson_update_right f mu).
+Proof. exact: claim_3_2_coadjoint_lie_poisson. Qed.
+
+End PoissonMap.
+
+(** ** Preserving the orbits is not enough
+
+Section 3.2, below (3.18): "This algorithm manifestly preserves the coadjoint orbits and hence the Poisson structure on
+\f$\mathfrak g^*\f$." That a map takes every \f$\mu\f$ to a point \f$\mathrm{Ad}^*_{f(\mu)}\mu\f$ of its orbit does not
+imply that it preserves the bracket, not even for polynomial maps. Take \f$f(\mu) = 1 + \mu_{11}E_{12}\f$ on 2 by 2
+matrices: \f$\mu_{11}\f$ goes to \f$\mu_{11} - \mu_{11}\mu_{12}\f$, and \f$\mu_{12}\f$ stays. At \f$\mu = E_{12}\f$, which is
+fixed, \f$\{\mu_{11}, \mu_{12}\}_+ = \mu_{12} = 1\f$, and after the map the bracket of the two functions is
+\f$\mu_{12}(1-\mu_{12}) = 0\f$. That the conclusion holds all the same, since \f$\mu_k =
+-R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$, is `prop_3_2_1`. *)
+
+(** \f$1 + cE_{12}\f$. *)
+Definition shear (S : comUnitRingType) (c : S) : 'M[S]_2 := 1%:M + c *: delta_mx 0 1.
+
+Lemma shear_inverse (S : comUnitRingType) (c : S) : shear c *m shear (- c) = 1%:M.
+Proof.
+rewrite /shear mulmxDl mul1mx mulmxDr mulmx1 -scalemxAl -scalemxAr mul_delta_mx_0 // !scaler0 addr0.
+by rewrite -addrA scaleNr addNr addr0.
+Qed.
+
+Lemma shear_entries (S : comUnitRingType) (c : S) :
+  [/\ shear c 0 0 = 1, shear c 0 1 = c, shear c 1 0 = 0 & shear c 1 1 = 1].
+Proof. by split; rewrite !mxE /= ?mulr0 ?addr0 ?add0r ?mulr1. Qed.
+
+Lemma sum_of_two (S : comUnitRingType) (E : 'I_2 -> S) : \sum_j E j = E 0 + E 1.
+Proof.
+by rewrite !big_ord_recl big_ord0 addr0; congr (_ + E _); apply: val_inj.
+Qed.
+
+Lemma shear_first_row (S : comUnitRingType) (c : S) (M : 'M[S]_2) :
+  Ad_star (shear c) M 0 0 = M 0 0 - c * M 0 1 /\ Ad_star (shear c) M 0 1 = M 0 1.
+Proof.
+have [d00 d01 d10 d11] := shear_entries (- c); have [c00 c01 c10 c11] := shear_entries c.
+have top j : ((shear c)^T *m M) 0 j = M 0 j.
+  by rewrite mxE sum_of_two [_^T 0 0]mxE [_^T 0 1]mxE c00 c10 mul1r mul0r addr0.
+rewrite /Ad_star (inverse_unique (shear_inverse c)); split; rewrite mxE sum_of_two !top.
+  by rewrite [_^T 0 0]mxE [_^T 1 0]mxE d00 d01 mulr1 mulrN mulrC.
+by rewrite [_^T 0 1]mxE [_^T 1 1]mxE d10 d11 mulr0 add0r mulr1.
+Qed.
+
+Theorem claim_3_2_orbits_and_bracket_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (Phi : 'M[dual R]_n -> 'M[dual R]_n),
+     (forall mu, exists2 h, h \in unitmx & Phi mu = Ad_star h mu) ->
+     forall (F H : 'M[dual R]_n -> dual R) (mu : 'M[R]_n), let image := value_of (Phi (still mu)) in
+     differentiable F image -> differentiable H image ->
+     differentiable (F \o Phi) mu -> differentiable (H \o Phi) mu ->
+     lie_poisson_bracket_plus (F \o Phi) (H \o Phi) mu = lie_poisson_bracket_plus F H image).
+Proof.
+move=> printed.
+pose Phi (M : 'M[dual Qc]_2) := Ad_star (shear (M 0 0)) M.
+pose F (M : 'M[dual Qc]_2) := M 0 0; pose H (M : 'M[dual Qc]_2) := M 0 1.
+pose mu : 'M[Qc]_2 := delta_mx 0 1.
+have on_orbits M : exists2 h, h \in unitmx & Phi M = Ad_star h M.
+  by exists (shear (M 0 0)) => //; have [] := mulmx1_unit (shear_inverse (M 0 0)).
+have F_still v : rate ((F \o Phi) (varied mu v)) = pairing 0 v.
+  by rewrite /= /F /Phi (shear_first_row _ _).1 pairing_0l !mxE /= mul0r mulr1 add0r subrr.
+have H_moves v : rate ((H \o Phi) (varied mu v)) = pairing mu v.
+  by rewrite /= /H /Phi (shear_first_row _ _).2 !mxE /= pairing_sym pairing_unit_matrix.
+have fixed : value_of (Phi (still mu)) = mu.
+  have no_shear : still mu 0 0 = 0 by rewrite mxE; apply: dual_equal; rewrite /= mxE.
+  by rewrite /Phi no_shear /shear scale0r addr0 Ad_star_one value_varied.
+have := printed _ _ Phi on_orbits F H mu; rewrite /= fixed => /(_ (differentiable_entry _ _ _)).
+move=> /(_ (differentiable_entry _ _ _) (differentiable_is F_still) (differentiable_is H_moves)).
+have entry_differential i j (f : 'M[Qc]_2) : differential (fun x => x i j) f = delta_mx i j.
+  by apply: differential_is => v; rewrite mxE pairing_sym pairing_unit_matrix.
+rewrite /lie_poisson_bracket_plus (differential_is F_still) !entry_differential.
+rewrite /bracket mul0mx mulmx0 subrr pairing_0r mul_delta_mx mul_delta_mx_0 // subr0 pairing_unit_matrix.
+by rewrite mxE.
+Qed.
