@@ -2,8 +2,7 @@
 
 Chapters 2, 3 and 5 put brackets on dual algebras, on cotangent bundles and on pairs of configurations. That
 each is a Poisson bracket is algebra: it follows from the rule of Leibniz and from derivatives that commute.
-The second half of the page is about rotations of space: skew matrices as vectors, the Casimir function of
-section 5.3, and the moments of inertia of chapter 5. *)
+*)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices ring_identities derivations.
