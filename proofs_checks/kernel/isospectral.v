@@ -1,0 +1,257 @@
+(** * Isospectral steps: the vorticity of an ideal fluid as a matrix
+
+Chapter 10 of the thesis names as one ultimate objective a scheme for the vorticity of an ideal fluid that
+keeps all the known first integrals. On the sphere the vorticity becomes a matrix \f$W\f$, the stream function
+a matrix \f$P\f$ with \f$\Delta P = W\f$, and Euler's equation becomes \f$\dot W = [P, W]\f$, the Lie-Poisson
+equation of a group of matrices. This page is about the discrete Lie-Poisson algorithm of chapter 3 for that
+equation, with the Cayley map in place of the exponential map: what a step conserves, and what has to be
+assumed for it. Matrices have any size, and their entries lie in any commutative ring. *)
+
+From mathcomp Require Import all_ssreflect all_algebra.
+From Coq Require Import Ring.
+From actio Require Import matrices.
+
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+Import GRing.Theory.
+Local Open Scope ring_scope.
+
+(* Products are expanded; what is left is a sum of products with whole coefficients, the same on both sides. *)
+Ltac expanded :=
+  rewrite ?(mulmxDl, mulmxDr, mulmxBl, mulmxBr, mulNmx, mulmxN, mul1mx, mulmx1, mul0mx, mulmx0, mulmxA, mulr2n).
+Ltac named_products :=
+  repeat match goal with |- context [?a *m ?b] => let x := fresh in set x := a *m b; clearbody x end.
+
+(* det(t - XY) = det(t - YX), both from the determinant of a matrix of four blocks. *)
+Lemma det_exchange (S : comRingType) n (t : S) (X Y : 'M[S]_n) :
+  GRing.lreg t -> \det (t%:M - X *m Y) = \det (t%:M - Y *m X).
+Proof.
+move=> regular; apply: (@lregX _ t n regular).
+have left : \det (block_mx t%:M X Y 1%:M) = \det (t%:M - X *m Y).
+  rewrite -[LHS]mulr1 -[X in _ * X = _](_ : \det (block_mx 1%:M 0 (- Y) (1%:M : 'M_n)) = 1); last first.
+    by rewrite det_lblock !det1 mulr1.
+  rewrite -det_mulmx mulmx_block !mulmx1 !mulmx0 !mul1mx !add0r addrN mulmxN.
+  by rewrite det_ublock det1 mulr1.
+have := det_mulmx (block_mx 1%:M 0 (- Y) t%:M) (block_mx t%:M X Y 1%:M).
+rewrite det_lblock det1 mul1r det_scalar left mulmx_block !mul1mx !mul0mx !addr0 mulmx1 mulNmx.
+rewrite (scalar_mxC t Y) addNr mulNmx [in LHS]addrC.
+by rewrite det_ublock det_scalar => <-.
+Qed.
+
+Lemma char_poly_exchange (S : comRingType) n (X Y : 'M[S]_n) : char_poly (X *m Y) = char_poly (Y *m X).
+Proof.
+rewrite /char_poly /char_poly_mx !map_mxM; apply: det_exchange.
+by apply: monic_lreg; apply: monicX.
+Qed.
+
+Section Step.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types A P Q U W X Y Wt : 'M[R]_n.
+
+Lemma ring_of_entries :
+  @ring_theory (GRing.Zmodule.sort (GRing.Ring.zmodType R)) 0 1 (@GRing.add (GRing.Ring.zmodType R)) *%R
+    (fun x y => @GRing.add (GRing.Ring.zmodType R) x (@GRing.opp (GRing.Ring.zmodType R) y))
+    (@GRing.opp (GRing.Ring.zmodType R)) eq.
+Proof.
+by split; [exact: add0r | exact: addrC | exact: addrA | exact: mul1r | exact: mulrC | exact: mulrA
+  | exact: mulrDl | | exact: subrr].
+Qed.
+Add Ring ring_of_entries : ring_of_entries.
+
+Ltac entry_ring :=
+  change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
+Ltac by_expansion := expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; entry_ring.
+
+(** ** A step *)
+
+(** A step is made of two matrices: \f$A\f$, which moves, and \f$\tilde W\f$, the vorticity half-way. The
+vorticity before the step is \f$W_0 = (1 - A)\tilde W(1 + A)\f$. *)
+Definition vorticity_before A Wt := (1%:M - A) *m Wt *m (1%:M + A).
+
+(** The vorticity after the step is \f$W_1 = (1 + A)\tilde W(1 - A)\f$. *)
+Definition vorticity_after A Wt := (1%:M + A) *m Wt *m (1%:M - A).
+
+(** The Cayley map, \f$\mathrm{cay}(A) = (1 - A)^{-1}(1 + A)\f$; the library's takes \f$2A\f$.
+C++: `actio::cayley`, `actio/groups/matrix_group.hpp`. *)
+Definition cayley A := invmx (1%:M - A) *m (1%:M + A).
+
+(** The power \f$W^k\f$. *)
+Definition power W k := iter k (mulmx W) 1%:M.
+
+(** The Casimir functions, or moments of the vorticity: \f$C_k = \mathrm{Tr}(W^k)\f$. For \f$k = 2\f$ it is the
+enstrophy. *)
+Definition casimir k W := \tr (power W k).
+
+Lemma one_pm_commute A : (1%:M - A) *m (1%:M + A) = (1%:M + A) *m (1%:M - A).
+Proof. by by_expansion. Qed.
+
+(** ** The increment of a step
+
+\f[ W_1 - W_0 = 2\,[A, \tilde W] . \f]
+So a step is the midpoint rule for \f$\dot W = [P, W]\f$ with \f$A = \frac{\Delta t}2P\f$. Nothing is assumed of
+\f$A\f$ and \f$\tilde W\f$. *)
+Theorem step_increment A Wt : vorticity_after A Wt - vorticity_before A Wt = bracket A Wt *+ 2.
+Proof. by rewrite /vorticity_after /vorticity_before /bracket; by_expansion. Qed.
+
+(** ** The mean of a step
+
+\f[ W_0 + W_1 = 2(\tilde W - A\tilde WA), \qquad W_0 + [A, \tilde W] = \tilde W - A\tilde WA . \f]
+The second equation names one half of the first without dividing by 2: the mean of the two vorticities is not
+\f$\tilde W\f$, but differs from it by \f$A\tilde WA\f$. *)
+Theorem step_mean A Wt :
+  vorticity_before A Wt + vorticity_after A Wt = (Wt - A *m Wt *m A) *+ 2 /\
+  vorticity_before A Wt + bracket A Wt = Wt - A *m Wt *m A.
+Proof. by rewrite /vorticity_after /vorticity_before /bracket; split; by_expansion. Qed.
+
+(** ** The equation for the vorticity half-way
+
+A step from a given \f$W_0\f$ solves \f$W_0 = (1 - A)\tilde W(1 + A)\f$. The equation is the fixed-point equation
+\f$\tilde W = W_0 + [A, \tilde W] + A\tilde WA\f$, which needs products of matrices alone. *)
+Theorem step_fixed_point A W Wt :
+  W = vorticity_before A Wt <-> Wt = W + bracket A Wt + A *m Wt *m A.
+Proof.
+have [_ mean] := step_mean A Wt; split=> [-> | fixed].
+  by rewrite mean subrK.
+by apply: (addIr (bracket A Wt)); rewrite mean; apply/eqP; rewrite eq_sym subr_eq; apply/eqP.
+Qed.
+
+(** ** The step in reverse
+
+Minus \f$A\f$ exchanges the vorticities before and after: the scheme is symmetric in time. *)
+Theorem step_reversed A Wt :
+  vorticity_before (- A) Wt = vorticity_after A Wt /\ vorticity_after (- A) Wt = vorticity_before A Wt.
+Proof. by rewrite /vorticity_after /vorticity_before opprK. Qed.
+
+(** ** A step is a conjugation, without an inverse
+
+\f[ (1 - A)\,W_1\,(1 + A) = (1 + A)\,W_0\,(1 - A) . \f]
+Both sides are \f$(1 - A)(1 + A)\,\tilde W\,(1 - A)(1 + A)\f$. Neither \f$1 - A\f$ nor \f$1 + A\f$ needs an inverse. *)
+Theorem step_without_inverse A Wt :
+  (1%:M - A) *m vorticity_after A Wt *m (1%:M + A) = (1%:M + A) *m vorticity_before A Wt *m (1%:M - A).
+Proof.
+rewrite /vorticity_after /vorticity_before !mulmxA one_pm_commute -!mulmxA.
+by rewrite one_pm_commute !mulmxA.
+Qed.
+
+Lemma cayley_commute A : 1%:M - A \in unitmx -> cayley A = (1%:M + A) *m invmx (1%:M - A).
+Proof.
+move=> unit; rewrite -[LHS](mulmxK unit) /cayley -[X in X *m _ = _]mulmxA.
+by rewrite -one_pm_commute mulKmx.
+Qed.
+
+Lemma cayley_inverse A :
+  1%:M - A \in unitmx -> 1%:M + A \in unitmx -> cayley A *m cayley (- A) = 1%:M.
+Proof.
+move=> minus plus; have unit : 1%:M - - A \in unitmx by rewrite opprK.
+by rewrite /cayley opprK mulmxA -[X in X *m _ = _]mulmxA mulmxV // mulmx1 mulVmx.
+Qed.
+
+Lemma cayley_unit A : 1%:M - A \in unitmx -> 1%:M + A \in unitmx -> cayley A \in unitmx.
+Proof. by move=> minus plus; case: (mulmx1_unit (cayley_inverse minus plus)). Qed.
+
+Lemma cayley_inv A :
+  1%:M - A \in unitmx -> 1%:M + A \in unitmx -> invmx (cayley A) = cayley (- A).
+Proof.
+move=> minus plus; have unit := cayley_unit minus plus.
+by rewrite -[RHS](mulKmx unit) cayley_inverse // mulmx1.
+Qed.
+
+(** ** A step is a conjugation by the Cayley map
+
+With \f$U = \mathrm{cay}(A)\f$ and an inverse of \f$1 - A\f$ alone, \f$W_1U = UW_0\f$. Where \f$1 + A\f$ has an inverse as
+well, \f$W_1 = UW_0U^{-1} = \mathrm{Ad}_UW_0\f$. Neither matrix has to be skew. *)
+Theorem step_conjugates A Wt : 1%:M - A \in unitmx ->
+  vorticity_after A Wt *m cayley A = cayley A *m vorticity_before A Wt /\
+  (1%:M + A \in unitmx -> vorticity_after A Wt = Ad (cayley A) (vorticity_before A Wt)).
+Proof.
+move=> minus; have turned : vorticity_after A Wt *m cayley A = cayley A *m vorticity_before A Wt.
+  rewrite {1}/cayley (cayley_commute minus) /vorticity_after /vorticity_before.
+  (* Both sides are (1 + A) Wt (1 + A). *)
+  by rewrite !mulmxA -[X in X *m _ = _]mulmxA mulmxV // mulmx1 -[X in _ = X *m _ *m _]mulmxA mulVmx // mulmx1.
+by split=> // plus; rewrite /Ad -turned mulmxK // cayley_unit.
+Qed.
+
+Lemma powerS W k : power W k.+1 = W *m power W k.
+Proof. by []. Qed.
+
+Lemma powerSr W k : power W k.+1 = power W k *m W.
+Proof.
+elim: k => [|k hyp]; first by rewrite /power /= mulmx1 mul1mx.
+by rewrite powerS {1}hyp mulmxA -powerS.
+Qed.
+
+Lemma power_exchange X Y k : power (X *m Y) k.+1 = X *m power (Y *m X) k *m Y.
+Proof.
+elim: k => [|k hyp]; first by rewrite /power /= !mulmx1.
+by rewrite [LHS]powerS hyp [power (Y *m X) k.+1]powerS !mulmxA.
+Qed.
+
+Lemma casimir_exchange X Y k : casimir k (X *m Y) = casimir k (Y *m X).
+Proof.
+case: k => [//|k]; rewrite /casimir power_exchange mxtrace_mulC mulmxA.
+by rewrite mxtrace_mulC -powerSr.
+Qed.
+
+(** ** All Casimirs are conserved
+
+\f[ \mathrm{Tr}(W_1^k) = \mathrm{Tr}(W_0^k) \quad\text{for every } k . \f]
+Nothing is assumed: no inverse, no symmetry of \f$A\f$ or \f$\tilde W\f$, no relation between the two. So the
+Casimirs hold for every choice of \f$A\f$, and for every error in it. *)
+Theorem casimirs_conserved A Wt k : casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt).
+Proof.
+(* Tr((XY)^k) = Tr((YX)^k), and 1 - A commutes with 1 + A. *)
+rewrite /vorticity_after /vorticity_before [LHS]casimir_exchange [RHS]casimir_exchange.
+by rewrite !mulmxA one_pm_commute.
+Qed.
+
+(** ** The spectrum is conserved
+
+\f[ \det(z - W_1) = \det(z - W_0) \]
+as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more than
+the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
+Theorem spectrum_conserved A Wt : char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt).
+Proof.
+rewrite /vorticity_after /vorticity_before [LHS]char_poly_exchange [RHS]char_poly_exchange.
+by rewrite !mulmxA one_pm_commute.
+Qed.
+
+(** ** A step from any position
+
+A turn \f$g\f$ of \f$A\f$ and \f$\tilde W\f$ turns the vorticities before and after. For \f$g\f$ any matrix with an
+inverse. *)
+Theorem step_equivariant (g : 'M[R]_n) A Wt : g \in unitmx ->
+  vorticity_before (Ad g A) (Ad g Wt) = Ad g (vorticity_before A Wt) /\
+  vorticity_after (Ad g A) (Ad g Wt) = Ad g (vorticity_after A Wt).
+Proof.
+move=> unit.
+have AdM X Y : Ad g X *m Ad g Y = Ad g (X *m Y) by rewrite /Ad !mulmxA mulmxKV.
+have AdD X Y : Ad g (X + Y) = Ad g X + Ad g Y by rewrite /Ad mulmxDr mulmxDl.
+have AdN X : Ad g (- X) = - Ad g X by rewrite /Ad mulmxN mulNmx.
+have Ad1 : Ad g 1%:M = 1%:M by rewrite /Ad mulmx1 mulmxV.
+by rewrite /vorticity_before /vorticity_after -!AdM !AdD !AdN !Ad1.
+Qed.
+
+(** ** The finish: Casimirs do not need convergence
+
+Let \f$W_s\f$ be any matrix in place of the solution, \f$r = W_0 + [A, W_s] + AW_sA - W_s\f$ its residual in the
+fixed-point equation, and \f$U = \mathrm{cay}(A)\f$. Then
+\f[ U W_0 U^{-1} = W_0 - r + 2\,[A, W_s] + U r U^{-1} . \f]
+The left side has the Casimirs of \f$W_0\f$ whatever \f$A\f$ is; on the right \f$U\f$ stands beside the small \f$r\f$ alone. *)
+Theorem finish_without_convergence A W Ws r : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
+  r = W + bracket A Ws + A *m Ws *m A - Ws ->
+  Ad (cayley A) W = W - r + bracket A Ws *+ 2 + Ad (cayley A) r.
+Proof.
+move=> minus plus residual.
+(* W - r is the vorticity before a step with Ws; the step carries it along. *)
+have before : W - r = vorticity_before A Ws.
+  by rewrite residual /vorticity_before /bracket; by_expansion.
+have -> : W - r + bracket A Ws *+ 2 = Ad (cayley A) (W - r).
+  by rewrite before -step_increment addrC subrK (proj2 (step_conjugates _ minus) plus).
+by rewrite /Ad mulmxBr mulmxBl subrK.
+Qed.
+
+End Step.
