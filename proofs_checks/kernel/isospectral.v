@@ -63,6 +63,7 @@ Add Ring ring_of_entries : ring_of_entries.
 
 Ltac entry_ring :=
   change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
   match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
 Ltac by_expansion := expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; entry_ring.
 
@@ -253,5 +254,117 @@ have -> : W - r + bracket A Ws *+ 2 = Ad (cayley A) (W - r).
   by rewrite before -step_increment addrC subrK (proj2 (step_conjugates _ minus) plus).
 by rewrite /Ad mulmxBr mulmxBl subrK.
 Qed.
+
+Lemma casimir_Ad (g : 'M[R]_n) W k : g \in unitmx -> casimir k (Ad g W) = casimir k W.
+Proof. by move=> unit; rewrite /Ad casimir_exchange mulmxA mulVmx // mul1mx. Qed.
+
+Lemma char_poly_Ad (g : 'M[R]_n) W : g \in unitmx -> char_poly (Ad g W) = char_poly W.
+Proof. by move=> unit; rewrite /Ad char_poly_exchange mulmxA mulVmx // mul1mx. Qed.
+
+(** With \f$r\f$ taken from the fixed-point equation, the right side of that formula has the Casimirs and the
+spectrum of \f$W_0\f$, however far \f$W_s\f$ is from a solution. *)
+Theorem casimirs_without_convergence A W Ws : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
+  let r := W + bracket A Ws + A *m Ws *m A - Ws in
+  let next := W - r + bracket A Ws *+ 2 + Ad (cayley A) r in
+  (forall k, casimir k next = casimir k W) /\ char_poly next = char_poly W.
+Proof.
+move=> minus plus r next; have unit := cayley_unit minus plus.
+rewrite -(_ : Ad (cayley A) W = next); last by apply: finish_without_convergence.
+by split=> [k|]; [apply: casimir_Ad | apply: char_poly_Ad].
+Qed.
+
+(** ** The Cayley map from one inverse
+
+With \f$S = (1 - A^2)^{-1}\f$,
+\f[ \mathrm{cay}(A) = 2S - 1 + 2AS . \f]
+For a skew \f$A\f$ the matrix \f$S\f$ is symmetric and \f$AS\f$ is skew: half of each is enough. *)
+Theorem cayley_by_one_inverse A : 1%:M - A *m A \in unitmx ->
+  let S := invmx (1%:M - A *m A) in cayley A = S *+ 2 - 1%:M + (A *m S) *+ 2.
+Proof.
+move=> unit S.
+have factors : 1%:M - A *m A = (1%:M + A) *m (1%:M - A) by by_expansion.
+have minus : 1%:M - A \in unitmx by move: unit; rewrite factors unitmx_mul => /andP[].
+have inverse : (1%:M - A *m A) *m S = 1%:M by rewrite mulmxV.
+have commutes : (1%:M - A *m A) *m (A *m S) = A.
+  by rewrite mulmxA (_ : _ *m A = A *m (1%:M - A *m A)) -?mulmxA ?inverse ?mulmx1 //; by_expansion.
+apply: (can_inj (mulKmx unit)).
+rewrite !mulr2n !mulmxDr mulmxN mulmx1 inverse commutes.
+rewrite {1}factors -mulmxA /cayley mulKVmx //; by_expansion.
+Qed.
+
+(** ** Energy *)
+
+(** The trace form is invariant: \f$\mathrm{Tr}([X, Y]Z) = \mathrm{Tr}(X[Y, Z])\f$. *)
+Lemma trace_bracket X Y Z : \tr (bracket X Y *m Z) = \tr (X *m bracket Y Z).
+Proof.
+rewrite /bracket mulmxBl mulmxBr !raddfB /= !mulmxA; congr (_ - _).
+by rewrite -mulmxA mxtrace_mulC.
+Qed.
+
+Lemma bracketN X Y : bracket Y X = - bracket X Y.
+Proof. by rewrite /bracket opprB. Qed.
+
+Lemma bracket_scale (e : R) X Y : bracket (e *: X) Y = e *: bracket X Y.
+Proof. by rewrite /bracket -scalemxAl -scalemxAr scalerBr. Qed.
+
+(** Of two matrices that commute, one is orthogonal to every bracket of the other. *)
+Lemma trace_commuting A Q W : A *m Q = Q *m A -> \tr (Q *m bracket A W) = 0.
+Proof. by move=> commute; rewrite -trace_bracket /bracket commute subrr mul0mx raddf0. Qed.
+
+(** A map \f$\Delta\f$ of matrices, in the place of the Laplacian, is _self-adjoint_ where
+\f$\mathrm{Tr}(\Delta X\,Y) = \mathrm{Tr}(X\,\Delta Y)\f$. *)
+Definition self_adjoint (Laplacian : 'M[R]_n -> 'M[R]_n) :=
+  forall X Y, \tr (Laplacian X *m Y) = \tr (X *m Laplacian Y).
+
+(** It is _invariant_ under \f$X\f$ where it commutes with the bracket: \f$\Delta[X, Y] = [X, \Delta Y]\f$. *)
+Definition invariant (Laplacian : 'M[R]_n -> 'M[R]_n) X :=
+  forall Y, Laplacian (bracket X Y) = bracket X (Laplacian Y).
+
+(** Twice the energy of a vorticity \f$W = \Delta P\f$, up to a factor that does not depend on \f$W\f$:
+\f$\mathrm{Tr}(PW)\f$. *)
+Definition energy P W := \tr (P *m W).
+
+Section Energy.
+
+Variable Laplacian : 'M[R]_n -> 'M[R]_n.
+Hypothesis adjoint : self_adjoint Laplacian.
+
+Lemma trace_nondegenerate X : (forall Y, \tr (X *m Y) = 0) -> X = 0.
+Proof.
+move=> vanishes; apply: trmx_inj; rewrite trmx0; apply: pairing_nondegenerate => Y.
+by rewrite /pairing trmxK.
+Qed.
+
+(** A self-adjoint map is additive; this need not be assumed. *)
+Lemma self_adjoint_additive X Y : Laplacian (X - Y) = Laplacian X - Laplacian Y.
+Proof.
+apply/eqP; rewrite -subr_eq0; apply/eqP; apply: trace_nondegenerate => Z.
+by rewrite 2!mulmxBl !raddfB /= !adjoint mulmxBl !raddfB /= -opprD subrr.
+Qed.
+
+(** ** The energy does not depend on the stream function
+
+Two stream functions of one vorticity give one energy. So \f$\Delta\f$ need not have an inverse, and where it has
+a kernel no choice matters. *)
+Theorem energy_well_defined P P' W : Laplacian P = W -> Laplacian P' = W -> energy P W = energy P' W.
+Proof. by move=> one other; rewrite /energy -[in LHS]other -adjoint one mxtrace_mulC. Qed.
+
+(** ** The change of energy
+
+With \f$\Delta P_0 = W_0\f$, \f$\Delta P_1 = W_1\f$ and \f$\Delta Q = W_0 + W_1\f$,
+\f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = \mathrm{Tr}\bigl(Q\,(W_1 - W_0)\bigr) . \f]
+So \f$\frac12Q\f$ is a discrete gradient of the energy, for any two vorticities. *)
+Theorem energy_difference P0 P1 Q W0 W1 :
+  Laplacian P0 = W0 -> Laplacian P1 = W1 -> Laplacian Q = W0 + W1 ->
+  energy P1 W1 - energy P0 W0 = \tr (Q *m (W1 - W0)).
+Proof.
+move=> one two sum.
+rewrite -one -two -self_adjoint_additive -adjoint sum one two mulmxDl !mulmxBr !raddfD /= !raddfN /=.
+rewrite /energy (mxtrace_mulC P1) (mxtrace_mulC P0).
+have -> : \tr (W0 *m P1) = \tr (W1 *m P0) by rewrite -one -two adjoint mxtrace_mulC.
+by rewrite [RHS]addrC addrA subrK.
+Qed.
+
+End Energy.
 
 End Step.
