@@ -64,6 +64,7 @@ Add Ring ring_of_entries : ring_of_entries.
 Ltac entry_ring :=
   change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
   change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
+  change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
   match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
 Ltac by_expansion := expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; entry_ring.
 
@@ -342,6 +343,16 @@ apply/eqP; rewrite -subr_eq0; apply/eqP; apply: trace_nondegenerate => Z.
 by rewrite 2!mulmxBl !raddfB /= !adjoint mulmxBl !raddfB /= -opprD subrr.
 Qed.
 
+(** It is homogeneous as well. *)
+Lemma self_adjoint_scale (e : R) X : Laplacian (e *: X) = e *: Laplacian X.
+Proof.
+apply/eqP; rewrite -subr_eq0; apply/eqP; apply: trace_nondegenerate => Z.
+by rewrite mulmxBl raddfB /= adjoint -!scalemxAl !mxtraceZ adjoint subrr.
+Qed.
+
+Lemma self_adjoint_sum X Y : Laplacian (X + Y) = Laplacian X + Laplacian Y.
+Proof. by rewrite -{1}[Y]opprK self_adjoint_additive -[- Y]scaleN1r self_adjoint_scale scaleN1r opprK. Qed.
+
 (** ** The energy does not depend on the stream function
 
 Two stream functions of one vorticity give one energy. So \f$\Delta\f$ need not have an inverse, and where it has
@@ -363,6 +374,160 @@ rewrite -one -two -self_adjoint_additive -adjoint sum one two mulmxDl !mulmxBr !
 rewrite /energy (mxtrace_mulC P1) (mxtrace_mulC P0).
 have -> : \tr (W0 *m P1) = \tr (W1 *m P0) by rewrite -one -two adjoint mxtrace_mulC.
 by rewrite [RHS]addrC addrA subrK.
+Qed.
+
+(** ** Energy is conserved by the averaged stream function
+
+Where \f$A\f$ commutes with a solution \f$Q\f$ of \f$\Delta Q = W_0 + W_1\f$, in particular where it is a multiple of one,
+the step conserves the energy. The step with \f$A = \frac{\Delta t}2\Delta^{-1}\frac{W_0 + W_1}2\f$ is of this kind.
+Neither 2 nor \f$\Delta\f$ needs an inverse, and \f$A\f$ need not be skew. *)
+Theorem energy_conserved A Wt P0 P1 Q :
+  Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
+  Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A *m Q = Q *m A ->
+  energy P1 (vorticity_after A Wt) = energy P0 (vorticity_before A Wt).
+Proof.
+move=> one two sum commute; apply/eqP; rewrite -subr_eq0 (energy_difference one two sum).
+by rewrite step_increment mulr2n mulmxDr raddfD /= (trace_commuting Wt commute) addr0.
+Qed.
+
+(** ** The change of energy by the Lie-Poisson step
+
+Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ instead, as in the discrete Lie-Poisson
+algorithm, the energy changes by
+\f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad \Delta Z = A\tilde WA - c , \f]
+a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$ is not zero
+where that of \f$W_0\f$ is. *)
+Theorem energy_error A Wt P0 P1 P Z (c : R) :
+  Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
+  Laplacian P = Wt - c%:M -> Laplacian Z = A *m Wt *m A - c%:M -> A *m P = P *m A ->
+  energy P1 (vorticity_after A Wt) - energy P0 (vorticity_before A Wt) = - (\tr (Z *m bracket A Wt) *+ 4).
+Proof.
+move=> one two middle rest commute.
+have sum : Laplacian ((P - Z) + (P - Z)) = vorticity_before A Wt + vorticity_after A Wt.
+  rewrite self_adjoint_sum self_adjoint_additive middle rest (proj1 (step_mean A Wt)).
+  by rewrite mulr2n [Wt - c%:M - _](_ : _ = Wt - A *m Wt *m A) // opprB addrA subrK.
+rewrite (energy_difference one two sum) step_increment -mulr2n -!scaler_nat -scalemxAl -scalemxAr.
+rewrite !mxtraceZ mulmxBl raddfB /= (trace_commuting Wt commute) sub0r !mulrN mulrA -natrM.
+by rewrite -[RHS]mulNrn -[RHS]mulr_natl mulrN.
+Qed.
+
+Lemma noether_identity X P : invariant Laplacian X -> \tr (X *m bracket P (Laplacian P)) *+ 2 = 0.
+Proof.
+move=> invariance.
+have half : \tr (X *m bracket P (Laplacian P)) = - \tr (X *m bracket P (Laplacian P)).
+  (* Delta goes from one factor to the other, and through the bracket with X. *)
+  rewrite -{1}trace_bracket -adjoint invariance trace_bracket.
+  by rewrite [bracket (Laplacian P) P]bracketN mulmxN raddfN.
+by rewrite mulr2n {1}half addNr.
+Qed.
+
+(** ** Noether's theorem for the Lie-Poisson step
+
+Where \f$\Delta\f$ is invariant under \f$X\f$ and \f$A = \epsilon P\f$ with \f$\Delta P = \tilde W - c\f$, the step conserves
+\f$\mathrm{Tr}(XW)\f$. With \f$X\f$ a generator of the rotations of the sphere this is a component of the angular
+momentum. The factor 2 of the increment is used: no division by 2 is. *)
+Theorem angular_momentum_conserved A Wt P X (e c : R) :
+  invariant Laplacian X -> Laplacian P = Wt - c%:M -> A = e *: P ->
+  \tr (X *m vorticity_after A Wt) = \tr (X *m vorticity_before A Wt).
+Proof.
+move=> invariance middle parallel; apply/eqP; rewrite -subr_eq0 -raddfB /= -mulmxBr step_increment.
+have -> : bracket A Wt = e *: bracket P (Laplacian P).
+  rewrite parallel bracket_scale middle; congr (e *: _); rewrite /bracket mulmxBr mulmxBl.
+  by rewrite scalar_mxC opprB addrA subrK.
+rewrite -scaler_nat -scalemxAr -scalemxAr !mxtraceZ mulrCA mulr_natl.
+by rewrite (noether_identity _ invariance) mulr0.
+Qed.
+
+(** ** Known first integrals by an energy-conserving step
+
+For any vorticity before and after a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$: all
+Casimirs, the spectrum and the energy are those of before. The Laplacian is any self-adjoint map of matrices.
+This is the statement of chapter 10 about schemes for the vorticity of an ideal fluid that preserve the first
+integrals, on matrices; it leaves the angular momentum out, which the next ones add. *)
+Theorem claim_10_0_reduced_hydrodynamics A Wt P0 P1 Q (e : R) :
+  Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
+  Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A = e *: Q ->
+  [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
+      char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt)
+    & energy P1 (vorticity_after A Wt) = energy P0 (vorticity_before A Wt)].
+Proof.
+move=> one two sum parallel; split; first exact: casimirs_conserved; first exact: spectrum_conserved.
+by apply: (energy_conserved one two sum); rewrite parallel -scalemxAl -scalemxAr.
+Qed.
+
+(** ** Known first integrals by the discrete Lie-Poisson algorithm
+
+For a step with \f$A = \epsilon P\f$, \f$\Delta P = \tilde W - c\f$: all Casimirs, the spectrum, and
+\f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant. The energy changes in third order. *)
+Theorem claim_10_0_reduced_hydrodynamics_angular_momentum A Wt P (e c : R) :
+  Laplacian P = Wt - c%:M -> A = e *: P ->
+  [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
+      char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt)
+    & forall X, invariant Laplacian X ->
+      \tr (X *m vorticity_after A Wt) = \tr (X *m vorticity_before A Wt)].
+Proof.
+move=> middle parallel; split; [exact: casimirs_conserved | exact: spectrum_conserved | move=> X invariance].
+exact: angular_momentum_conserved invariance middle parallel.
+Qed.
+
+(** ** All known first integrals at once
+
+Energy and angular momentum are conserved by any step whose \f$[A, \tilde W]\f$ is orthogonal to \f$Q\f$,
+\f$\Delta Q = W_0 + W_1\f$, and to the generators \f$X_i\f$ of the rotations: one equation each, to be met by the
+choice of \f$A\f$. The Casimirs and the spectrum are conserved for every \f$A\f$. The generators may be any
+matrices; no invariance is assumed. *)
+Theorem claim_10_0_reduced_hydrodynamics_all (I : Type) (X : I -> 'M[R]_n) A Wt P0 P1 Q :
+  Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
+  Laplacian Q = vorticity_before A Wt + vorticity_after A Wt ->
+  \tr (Q *m bracket A Wt) = 0 -> (forall i, \tr (X i *m bracket A Wt) = 0) ->
+  [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
+      char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt),
+      energy P1 (vorticity_after A Wt) = energy P0 (vorticity_before A Wt)
+    & forall i, \tr (X i *m vorticity_after A Wt) = \tr (X i *m vorticity_before A Wt)].
+Proof.
+move=> one two sum level turns.
+split; [exact: casimirs_conserved | exact: spectrum_conserved | | move=> i]; apply/eqP; rewrite -subr_eq0.
+  by rewrite (energy_difference one two sum) step_increment mulr2n mulmxDr raddfD /= level addr0.
+by rewrite -raddfB -mulmxBr step_increment mulr2n mulmxDr raddfD /= turns addr0.
+Qed.
+
+(** ** Equilibria stand still
+
+Let \f$\Delta P = W\f$ with \f$[P, W] = 0\f$, and \f$A = 2\epsilon P\f$ with \f$1 - A\f$ and \f$1 + A\f$ invertible. Then
+\f$\tilde W = (1 - A)^{-1}W(1 + A)^{-1}\f$ gives \f$W_0 = W_1 = W\f$ and solves the equations of the energy-conserving
+step with \f$Q = 2P\f$, for every length of the step. *)
+Theorem equilibria_stand_still A P W (e : R) : Laplacian P = W -> bracket P W = 0 -> A = e *: (P + P) ->
+  1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
+  let Wt := invmx (1%:M - A) *m W *m invmx (1%:M + A) in
+  [/\ vorticity_before A Wt = W, vorticity_after A Wt = W
+    & Laplacian (P + P) = vorticity_before A Wt + vorticity_after A Wt].
+Proof.
+move=> stream rest parallel minus plus Wt.
+have before : vorticity_before A Wt = W by rewrite /vorticity_before /Wt !mulmxA mulmxV // mul1mx mulmxKV.
+have commute : A *m W = W *m A.
+  move/eqP: rest; rewrite /bracket subr_eq0 => /eqP rest.
+  by rewrite parallel -scalemxAl -scalemxAr mulmxDl mulmxDr rest.
+have after : vorticity_after A Wt = W.
+  apply: (can_inj (mulKmx minus)); apply: (can_inj (mulmxK plus)).
+  by rewrite step_without_inverse before; expanded; rewrite !commute; by_expansion.
+by split=> //; rewrite self_adjoint_sum stream before after.
+Qed.
+
+(** ** Rossby and Haurwitz's wave
+
+Let \f$\Delta X = \kappa X\f$ and \f$\Delta V = \lambda V\f$. The vorticity \f$W = \kappa aX + \lambda bV\f$ has the
+stream function \f$P = aX + bV\f$, and
+\f[ [P, W] = (\lambda - \kappa)\,ab\,[X, V] : \f]
+with \f$X\f$ a generator of rotations, the equation turns \f$V\f$ about the axis of \f$X\f$ and leaves \f$X\f$ where it is. *)
+Theorem rossby_haurwitz X V (a b k l : R) :
+  Laplacian X = k *: X -> Laplacian V = l *: V ->
+  Laplacian (a *: X + b *: V) = (k * a) *: X + (l * b) *: V /\
+  bracket (a *: X + b *: V) ((k * a) *: X + (l * b) *: V) = ((l - k) * (a * b)) *: bracket X V.
+Proof.
+move=> eigen other; split.
+  by rewrite self_adjoint_sum !self_adjoint_scale eigen other !scalerA (mulrC a) (mulrC b).
+rewrite /bracket !mulmxDl !mulmxDr -!scalemxAl -!scalemxAr !scalerA; named_products.
+by apply/matrixP => i j; rewrite !mxE; entry_ring.
 Qed.
 
 End Energy.
