@@ -147,6 +147,12 @@ move=> unit; rewrite -[LHS](mulmxK unit) /cayley -[X in X *m _ = _]mulmxA.
 by rewrite -one_pm_commute mulKmx.
 Qed.
 
+Lemma cayley_left A : 1%:M - A \in unitmx -> (1%:M - A) *m cayley A = 1%:M + A.
+Proof. by move=> unit; rewrite /cayley mulKVmx. Qed.
+
+Lemma cayley_right A : 1%:M - A \in unitmx -> cayley A *m (1%:M - A) = 1%:M + A.
+Proof. by move=> unit; rewrite cayley_commute // mulmxKV. Qed.
+
 Lemma cayley_inverse A :
   1%:M - A \in unitmx -> 1%:M + A \in unitmx -> cayley A *m cayley (- A) = 1%:M.
 Proof.
@@ -303,6 +309,9 @@ Proof.
 rewrite /bracket mulmxBl mulmxBr !raddfB /= !mulmxA; congr (_ - _).
 by rewrite -mulmxA mxtrace_mulC.
 Qed.
+
+Lemma trace_turn X Wt Y Z : \tr (X *m Wt *m Y *m Z) = \tr (Wt *m (Y *m Z *m X)).
+Proof. by rewrite -!mulmxA mxtrace_mulC !mulmxA. Qed.
 
 Lemma bracketN X Y : bracket Y X = - bracket X Y.
 Proof. by rewrite /bracket opprB. Qed.
@@ -548,7 +557,7 @@ Proof. by rewrite -trace_bracket [bracket X (bracket _ _)]bracketN mulNmx raddfN
 Theorem laplacian_self_adjoint S1 S2 S3 : self_adjoint (laplacian S1 S2 S3).
 Proof.
 have one S X Y : \tr (bracket S (bracket S X) *m Y) = \tr (X *m bracket S (bracket S Y)).
-  by rewrite [RHS]mxtrace_mulC !trace_double_bracket mxtrace_mulC.
+  by rewrite (mxtrace_mulC X) (trace_double_bracket S X) (trace_double_bracket S Y) mxtrace_mulC.
 move=> X Y; have left a b c d : \tr ((a + b + c) *m d) = \tr (a *m d) + \tr (b *m d) + \tr (c *m d).
   by rewrite !mulmxDl !raddfD.
 by rewrite left !one [RHS]mxtrace_mulC left !(mxtrace_mulC X).
@@ -607,8 +616,215 @@ Theorem laplacian_invariant S1 S2 S3 :
     & invariant (laplacian S1 S2 S3) S3].
 Proof.
 move=> third first second; split; first exact: invariant_first.
-  by move=> Y; have := invariant_first first third Y; rewrite !laplacian_cyclic.
-by move=> Y; have := invariant_first second first Y; rewrite -!laplacian_cyclic.
+  by move=> Y; have := invariant_first first third Y; rewrite !(laplacian_cyclic S1).
+by move=> Y; have := invariant_first second first Y; rewrite !(laplacian_cyclic S2) !(laplacian_cyclic S1).
+Qed.
+
+(** ** Where to look for the correction
+
+For matrices \f$Q_i\f$, the gradients of the integrals that are to be conserved, the numbers \f$\mathrm{Tr}(Q_i[Q_j, W])\f$ are
+skew in \f$i\f$ and \f$j\f$, and the numbers \f$\mathrm{Tr}(Q_i[[Q_j, W], W]) = -\mathrm{Tr}([Q_i, W][Q_j, W])\f$ are symmetric. So a
+correction of \f$A\f$ by multiples of the \f$Q_j\f$ meets a skew system of equations, whose regular case has no
+solution but zero; one by multiples of the tangent vectors \f$[Q_j, W]\f$ of the orbit meets their Gram matrix. *)
+Theorem correction_systems (I : Type) (Q : I -> 'M[R]_n) W i j :
+  \tr (Q i *m bracket (Q j) W) = - \tr (Q j *m bracket (Q i) W) /\
+  \tr (Q i *m bracket (bracket (Q j) W) W) = - \tr (bracket (Q i) W *m bracket (Q j) W).
+Proof.
+split; first by rewrite -!trace_bracket [bracket (Q j) _]bracketN mulNmx raddfN opprK.
+by rewrite [bracket _ W in LHS]bracketN mulmxN raddfN /= -trace_bracket.
+Qed.
+
+(** ** The step in the terms of chapter 3 *)
+
+(** A _derivation_ of matrices: additive, with Leibniz's rule. A derivative in any direction is one. *)
+Definition matrix_derivation (d : 'M[R]_n -> 'M[R]_n) :=
+  (forall X Y, d (X + Y) = d X + d Y) /\ (forall X Y, d (X *m Y) = d X *m Y + X *m d Y).
+
+Section Derivation.
+
+Variable d : 'M[R]_n -> 'M[R]_n.
+Hypothesis derivation : matrix_derivation d.
+
+Lemma derivation_one : d 1%:M = 0.
+Proof.
+have := derivation.2 1%:M 1%:M; rewrite !mulmx1 !mul1mx -[X in X = _]addr0.
+by move/addrI.
+Qed.
+
+Lemma derivation_opp X : d (- X) = - d X.
+Proof.
+have zero : d 0 = 0 by apply: (addIr (d 0)); rewrite -derivation.1 addr0 add0r.
+by apply/eqP; rewrite -addr_eq0 -derivation.1 addNr zero.
+Qed.
+
+(** ** The derivative of the Cayley map
+
+With \f$U = \mathrm{cay}(A)\f$ and any derivation \f$d\f$,
+\f[ (1 - A)\,dU\,(1 - A) = 2\,dA, \qquad (1 - A)\,(dU\,U^{-1})\,(1 + A) = 2\,dA, \qquad
+(1 + A)\,(U^{-1}dU)\,(1 - A) = 2\,dA : \f]
+the derivative as it is, translated to the identity on the right, and on the left. *)
+Theorem derivative_of_cayley A : 1%:M - A \in unitmx ->
+  (1%:M - A) *m d (cayley A) *m (1%:M - A) = d A *+ 2 /\
+  (1%:M + A \in unitmx ->
+    (1%:M - A) *m (d (cayley A) *m invmx (cayley A)) *m (1%:M + A) = d A *+ 2 /\
+    (1%:M + A) *m (invmx (cayley A) *m d (cayley A)) *m (1%:M - A) = d A *+ 2).
+Proof.
+move=> minus; set U := cayley A.
+have product := cayley_left minus.
+have plain : (1%:M - A) *m d U *m (1%:M - A) = d A *+ 2.
+  (* Leibniz's rule for (1 - A) U = 1 + A. *)
+  have := derivation.2 (1%:M - A) U; rewrite product !derivation.1 derivation_opp derivation_one !add0r.
+  rewrite mulNmx addrC => /eqP; rewrite eq_sym subr_eq => /eqP ->.
+  rewrite mulmxDl -[d A *m U *m _]mulmxA cayley_right //.
+  by by_expansion.
+split=> // plus; have unit : U \in unitmx by apply: cayley_unit.
+have right : invmx U *m (1%:M + A) = 1%:M - A.
+  by apply: (can_inj (mulKmx unit)); rewrite mulKVmx // cayley_right.
+have left : (1%:M + A) *m invmx U = 1%:M - A.
+  by apply: (can_inj (mulmxK unit)); rewrite mulmxKV.
+by rewrite !mulmxA left -!mulmxA right !mulmxA.
+Qed.
+
+(** ** The two Legendre images of a step
+
+Let the derivative of a function of \f$A\f$ be \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$. As a function of \f$U = \mathrm{cay}(A)\f$ it has
+the derivative
+\f[ 2\,\mathrm{Tr}(\tilde W\,dA) = \mathrm{Tr}(W_1\,dU\,U^{-1}) = \mathrm{Tr}(W_0\,U^{-1}dU) : \f]
+its differential at \f$U\f$, translated to the identity on the two sides, is \f$W_1\f$ and \f$W_0\f$. *)
+Theorem legendre_images A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
+  \tr (vorticity_after A Wt *m (d (cayley A) *m invmx (cayley A))) = \tr (Wt *m d A) *+ 2 /\
+  \tr (vorticity_before A Wt *m (invmx (cayley A) *m d (cayley A))) = \tr (Wt *m d A) *+ 2.
+Proof.
+move=> minus plus; have [_ /(_ plus) [right left]] := derivative_of_cayley minus.
+(* The trace moves the factors 1 - A and 1 + A from one matrix to the other. *)
+by rewrite /vorticity_after /vorticity_before !trace_turn right left mulr2n mulmxDr raddfD -mulr2n.
+Qed.
+
+End Derivation.
+
+(** ** The difference of two values of the Cayley map
+
+\f[ (1 - B)\,(\mathrm{cay}(B) - \mathrm{cay}(A))\,(1 - A) = 2(B - A) , \f]
+without a limit: so the map is injective where 2 is no divisor of zero. *)
+Theorem cayley_difference A B : 1%:M - A \in unitmx -> 1%:M - B \in unitmx ->
+  (1%:M - B) *m (cayley B - cayley A) *m (1%:M - A) = (B - A) *+ 2.
+Proof.
+move=> minus other; rewrite [_ *m (cayley B - _)]mulmxBr mulmxBl cayley_left // -[X in _ - X]mulmxA cayley_right //.
+by by_expansion.
+Qed.
+
+(** The relative motion of a step, which looks back as in chapter 3: \f$f = g_kg_{k+1}^{-1}\f$ for
+\f$g_{k+1} = \mathrm{cay}(A)g_k\f$, so \f$f = \mathrm{cay}(-A)\f$. *)
+Definition relative_motion A := cayley (- A).
+
+(** The differential of the reduced discrete Lagrangian at \f$f\f$, as a covector there. *)
+Definition differential_at_motion A Wt := - ((1%:M + A) *m Wt *m (1%:M + A))^T.
+
+(** It is the differential: its pairing with \f$df\f$ is \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$, whatever the derivation. *)
+Lemma differential_is_derivative (d : 'M[R]_n -> 'M[R]_n) A Wt : matrix_derivation d -> 1%:M + A \in unitmx ->
+  pairing (differential_at_motion A Wt) (d (relative_motion A)) = \tr (Wt *m d A) *+ 2.
+Proof.
+move=> derivation plus; have minus : 1%:M - - A \in unitmx by rewrite opprK.
+have [plain _] := derivative_of_cayley derivation minus.
+move: plain; rewrite opprK (derivation_opp derivation) => plain.
+rewrite /pairing /differential_at_motion raddfN /= trmxK mulNmx raddfN /= trace_turn plain.
+by rewrite mulNrn mulmxN raddfN opprK mulr2n mulmxDr raddfD -mulr2n.
+Qed.
+
+Lemma motion_right A : 1%:M + A \in unitmx -> relative_motion A *m (1%:M + A) = 1%:M - A.
+Proof. by move=> plus; have := @cayley_right (- A); rewrite opprK => ->. Qed.
+
+Lemma motion_left A : 1%:M + A \in unitmx -> (1%:M + A) *m relative_motion A = 1%:M - A.
+Proof. by move=> plus; have := @cayley_left (- A); rewrite opprK => ->. Qed.
+
+Lemma step_momenta A Wt : 1%:M + A \in unitmx ->
+  R_star (relative_motion A) (differential_at_motion A Wt) = - (vorticity_before A Wt)^T /\
+  L_star (relative_motion A) (differential_at_motion A Wt) = - (vorticity_after A Wt)^T.
+Proof.
+move=> plus; rewrite /R_star /L_star /differential_at_motion mulNmx mulmxN -!trmx_mul; split.
+  by rewrite !mulmxA (motion_right plus).
+by rewrite -!mulmxA (motion_left plus) mulmxA.
+Qed.
+
+(** ** A step is a step of the discrete Lie-Poisson algorithm
+
+A vorticity \f$W\f$ is the momentum \f$\mu = W^T\f$, whose pairing with \f$\xi\f$ is \f$\mathrm{Tr}(W\xi)\f$. With the relative
+motion \f$f\f$ and the differential \f$\ell'\f$ of the reduced discrete Lagrangian there,
+\f[ \mu_0 = -R_f^*\,\ell'(f), \qquad \mu_1 = -L_f^*\,\ell'(f), \qquad \mu_1 = \mathrm{Ad}_f^*\,\mu_0 , \f]
+which are the momenta before and after a right-invariant step and the update (3.17). *)
+Theorem step_is_discrete_lie_poisson A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
+  let f := relative_motion A in
+  let differential := differential_at_motion A Wt in
+  [/\ (vorticity_before A Wt)^T = - R_star f differential,
+      (vorticity_after A Wt)^T = - L_star f differential
+    & (vorticity_after A Wt)^T = Ad_star f (vorticity_before A Wt)^T].
+Proof.
+move=> minus plus f differential; have [right left] := step_momenta Wt plus.
+have unit : f \in unitmx by rewrite /f /relative_motion cayley_unit // opprK.
+have before : (vorticity_before A Wt)^T = - R_star f differential by rewrite right opprK.
+have after : (vorticity_after A Wt)^T = - L_star f differential by rewrite left opprK.
+split=> //; rewrite before after /Ad_star /R_star /L_star mulmxN mulNmx -!mulmxA.
+by rewrite -trmx_mul mulVmx // trmx1 mulmx1.
+Qed.
+
+(** ** The vorticity half-way solves the discrete Euler-Poincaré equations
+
+The equation (3.10), \f$R_{f'}^*\ell'(f') = L_f^*\ell'(f)\f$ for a motion \f$f\f$ and the next one \f$f'\f$, says that the vorticity
+before the next step is the vorticity after this one. *)
+Theorem step_solves_discrete_euler_poincare A Wt A' Wt' : 1%:M + A \in unitmx -> 1%:M + A' \in unitmx ->
+  R_star (relative_motion A') (differential_at_motion A' Wt') =
+    L_star (relative_motion A) (differential_at_motion A Wt) <->
+  vorticity_before A' Wt' = vorticity_after A Wt.
+Proof.
+move=> plus next.
+rewrite (step_momenta Wt' next).1 (step_momenta Wt plus).2.
+by split=> [/oppr_inj/trmx_inj | ->].
+Qed.
+
+(** ** The differential of the Lagrangian
+
+For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$ whose value on numbers is \f$\partial\f$,
+\f[ \partial\,\mathrm{Tr}(A\,\Delta A) = 2\,\mathrm{Tr}(\Delta A\,dA) . \f]
+So for \f$A = \epsilon P\f$, \f$\Delta P = \tilde W\f$, the Lagrangian of the steps above is \f$\frac1\epsilon\mathrm{Tr}(A\,\Delta A)\f$, a
+multiple of the kinetic energy. On matrices of trace zero \f$\Delta P = \tilde W - c\f$ gives the same differential. *)
+Theorem lagrangian_differential (Laplacian d : 'M[R]_n -> 'M[R]_n) (der : R -> R) A :
+  self_adjoint Laplacian -> matrix_derivation d -> (forall X, d (Laplacian X) = Laplacian (d X)) ->
+  (forall X, der (\tr X) = \tr (d X)) ->
+  der (\tr (A *m Laplacian A)) = \tr (Laplacian A *m d A) *+ 2.
+Proof.
+move=> adjoint derivation commute trace.
+by rewrite trace derivation.2 raddfD /= commute -(adjoint A) mxtrace_mulC mulr2n.
+Qed.
+
+(** ** Equations of the vorticity as a Lie-Poisson equation
+
+With \f$\mu = W^T\f$ the Lie-Poisson equation of a right-invariant Hamiltonian, \f$\dot\mu = -\mathrm{ad}_P^*\mu\f$
+(theorem 2.2.3), is \f$\dot W = [P, W]\f$. *)
+Theorem euler_zeitlin_is_lie_poisson P W : (- ad_star P W^T)^T = bracket P W.
+Proof. by rewrite /ad_star /bracket raddfN raddfB /= !trmx_mul !trmxK opprB. Qed.
+
+(** ** The vorticity is carried along
+
+Let the vorticity after each step be that before the next, and \f$g_{k+1} = \mathrm{cay}(A_k)\,g_k\f$ from \f$g_0 = 1\f$. Then
+\f$W_k = g_kW_0g_k^{-1}\f$, and the body momentum \f$\mathrm{Ad}_{g_k}^*\mu_k\f$, the momentum map of the relabelling of the
+fluid, is the same after every step. This is the discrete vorticity preservation that chapter 10 expects of a
+discrete Noether theorem, for the group of matrices. *)
+Theorem claim_10_0_vorticity_preservation_matrices (A Wt g : nat -> 'M[R]_n) :
+  (forall k, 1%:M - A k \in unitmx) -> (forall k, 1%:M + A k \in unitmx) ->
+  (forall k, vorticity_before (A k.+1) (Wt k.+1) = vorticity_after (A k) (Wt k)) ->
+  g 0%N = 1%:M -> (forall k, g k.+1 = cayley (A k) *m g k) ->
+  let W k := vorticity_before (A k) (Wt k) in
+  forall k, W k = Ad (g k) (W 0%N) /\ Ad_star (g k) (W k)^T = (W 0%N)^T.
+Proof.
+move=> minus plus chain start moves W.
+have unit k : g k \in unitmx.
+  by elim: k => [|k hyp]; rewrite ?start ?unitmx1 // moves unitmx_mul hyp cayley_unit.
+have carried k : W k *m g k = g k *m W 0%N.
+  elim: k => [|k hyp]; first by rewrite start mulmx1 mul1mx.
+  rewrite {1}/W chain moves (mulmxA (vorticity_after _ _)) (step_conjugates _ (minus k)).1.
+  by rewrite -!(mulmxA (cayley _)) -hyp.
+move=> k; split; first by rewrite /Ad -carried mulmxK.
+by rewrite /Ad_star -!trmx_mul carried mulKmx.
 Qed.
 
 End Step.
