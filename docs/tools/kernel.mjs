@@ -46,11 +46,23 @@ export function pieces(text) {
 /// The registry's id that a theorem's name is or begins with; the longest.
 export const idOf = (name, ids) => [...ids].filter(id => name === id || name.startsWith(`${id}_`)).sort((a, b) => b.length - a.length)[0] ?? null;
 
+/// The same text, with blanks for what stands in comments, which may be nested.
+export function withoutComments(text) {
+  let out = '', depth = 0;
+  for (let i = 0; i < text.length; ++i) {
+    const two = text.slice(i, i + 2);
+    if (two === '(*') ++depth;
+    out += depth && text[i] !== '\n' ? ' ' : text[i];
+    if (two === '*)' && depth) { out += ' ', ++i, --depth; }
+  }
+  return out;
+}
+
 /// The theorems of the sources: name, id or null, file, line, the statement as it is written, and which of the three it is.
 export function theorems(root, ids) {
   const all = [];
   for (const file of proofFiles(root)) {
-    const text = fs.readFileSync(path.join(root, folder, file), 'utf8');
+    const text = withoutComments(fs.readFileSync(path.join(root, folder, file), 'utf8'));
     for (const m of text.matchAll(/^Theorem\s+(\w+)([\s\S]*?)\.\s*\n\s*Proof/gm)) {
       const id = idOf(m[1], ids), refutes = /_printed_fails(_\w+)?$/.test(m[1]);
       all.push({ name: m[1], id, file, line: text.slice(0, m.index).split('\n').length,
