@@ -137,7 +137,7 @@ function colour(code) {
 }
 export function codeBlock(code) {
   // What is claimed stands open; how it is proved unfolds.
-  const html = code.split(/(^Proof\.[\s\S]*?^(?:Qed|Defined)\.$|^Proof\. .*(?:Qed|Defined)\.$)/m).map((part, i) => {
+  const html = code.split(/(^Proof\.[^\n]*(?:Qed|Defined)\.$|^Proof\.[\s\S]*?(?:^|\s)(?:Qed|Defined)\.$)/m).map((part, i) => {
     if (!part.trim()) return '';
     if (i % 2 === 0) return `<pre class="coq">${colour(part.replace(/^\n+|\s+$/g, '')).replace(/(<span class="keyword">Theorem<\/span>\s+)(\w+)/g, '$1<a class="target" id="proof_$2"></a><b>$2</b>')}</pre>`;
     const lines = part.trim().split('\n').length;
