@@ -71,8 +71,7 @@ Definition from_left d g := g^-1 * d g.
 (** ** Variation of the reduced velocity, with ad
 
 Section 2.2, condition iv of theorem 2.2.1: for \f$\xi = \dot g\,g^{-1}\f$ and \f$\eta = \delta g\,g^{-1}\f$,
-\f[ \delta\xi = \dot\eta - \mathrm{ad}_\xi\eta . \f]
-C++: `actio::reduced_variation_right`, `variational/euler_poincare.hpp`. *)
+\f[ \delta\xi = \dot\eta - \mathrm{ad}_\xi\eta . \f] *)
 Theorem claim_2_2_reduced_variation_ad_of_curves delta dot g :
   derivation delta -> derivation dot -> (forall x, delta (dot x) = dot (delta x)) -> g \is a GRing.unit ->
   let xi := from_right dot g in let eta := from_right delta g in
