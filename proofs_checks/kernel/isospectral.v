@@ -63,6 +63,8 @@ Add Ring ring_of_entries : ring_of_entries.
 
 Ltac entry_ring :=
   change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.UnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.ComRing.zmodType R) with (GRing.Ring.zmodType R);
   change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
   change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
   repeat match goal with |- context [@fun_of_matrix _ _ _ ?M ?i ?j] =>
@@ -825,6 +827,156 @@ have carried k : W k *m g k = g k *m W 0%N.
   by rewrite -!(mulmxA (cayley _)) -hyp.
 move=> k; split; first by rewrite /Ad -carried mulmxK.
 by rewrite /Ad_star -!trmx_mul carried mulKmx.
+Qed.
+
+(** ** Skew matrices and unitary ones *)
+
+(** A map \f$X\mapsto X^*\f$ in the place of the transpose, or of the transpose with complex conjugate entries:
+additive, an exchange of factors, and its own inverse. *)
+Definition involution (star : 'M[R]_n -> 'M[R]_n) :=
+  [/\ forall X Y, star (X + Y) = star X + star Y, forall X Y, star (X *m Y) = star Y *m star X
+    & forall X, star (star X) = X].
+
+(** The transpose is one. *)
+Lemma transpose_involution : involution trmx.
+Proof. by split; [exact: raddfD | exact: trmx_mul | exact: trmxK]. Qed.
+
+(** So is the transpose with conjugate entries, for any automorphism of the ring that is its own inverse. *)
+Lemma hermitian_involution (conj : {rmorphism R -> R}) :
+  (forall a, conj (conj a) = a) -> involution (fun X => (map_mx conj X)^T).
+Proof.
+move=> twice; split=> [X Y | X Y | X]; first by rewrite map_mxD raddfD.
+  by rewrite map_mxM trmx_mul.
+by apply/matrixP => i j; rewrite !mxE twice.
+Qed.
+
+Section Star.
+
+Variable star : 'M[R]_n -> 'M[R]_n.
+Hypothesis starred : involution star.
+
+Let starD : forall X Y, star (X + Y) = star X + star Y. Proof. by case: starred. Qed.
+Let starM : forall X Y, star (X *m Y) = star Y *m star X. Proof. by case: starred. Qed.
+Let starK : forall X, star (star X) = X. Proof. by case: starred. Qed.
+
+Let star0 : star 0 = 0. Proof. by apply: (addIr (star 0)); rewrite -starD addr0 add0r. Qed.
+Let starN X : star (- X) = - star X.
+Proof. by apply/eqP; rewrite -addr_eq0 -starD addNr star0. Qed.
+Let star1 : star 1%:M = 1%:M.
+Proof. by rewrite -[LHS]mul1mx -{1}[1%:M]starK -starM mul1mx starK. Qed.
+
+(** ** A step keeps the vorticity skew
+
+Where \f$A^* = -A\f$, a step with \f$\tilde W^*\f$ in place of \f$\tilde W\f$ has the vorticities \f$W_0^*\f$ and \f$W_1^*\f$. So
+\f$W_0\f$ and \f$W_1\f$ are skew where \f$\tilde W\f$ is, and symmetric where it is. *)
+Theorem step_starred A Wt : star A = - A ->
+  star (vorticity_before A Wt) = vorticity_before A (star Wt) /\
+  star (vorticity_after A Wt) = vorticity_after A (star Wt) /\
+  (star Wt = - Wt -> star (vorticity_before A Wt) = - vorticity_before A Wt /\
+                     star (vorticity_after A Wt) = - vorticity_after A Wt).
+Proof.
+move=> skew.
+have before : star (vorticity_before A Wt) = vorticity_before A (star Wt).
+  by rewrite /vorticity_before !starM !starD starN star1 skew opprK mulmxA.
+have after : star (vorticity_after A Wt) = vorticity_after A (star Wt).
+  by rewrite /vorticity_after !starM !starD starN star1 skew opprK mulmxA.
+split=> //; split=> // skew_too; rewrite before after skew_too.
+by rewrite /vorticity_before /vorticity_after !mulmxN !mulNmx.
+Qed.
+
+Lemma star_unit X Y : X *m Y = 1%:M -> star Y *m star X = 1%:M.
+Proof. by move=> inverse; rewrite -starM inverse star1. Qed.
+
+(** ** The Cayley map of a skew matrix is unitary
+
+Where \f$A^* = -A\f$ and \f$1 - A\f$ has an inverse, so has \f$1 + A\f$, and \f$U = \mathrm{cay}(A)\f$ has \f$U^*U = UU^* = 1\f$. The
+step is then \f$W_1 = UW_0U^*\f$. *)
+Theorem cayley_unitary A : star A = - A -> 1%:M - A \in unitmx ->
+  [/\ 1%:M + A \in unitmx, star (cayley A) *m cayley A = 1%:M, cayley A *m star (cayley A) = 1%:M
+    & forall Wt, vorticity_after A Wt = cayley A *m vorticity_before A Wt *m star (cayley A)].
+Proof.
+move=> skew minus.
+have inverse := star_unit (mulVmx minus).
+have starred_factor : star (1%:M - A) = 1%:M + A by rewrite starD starN star1 skew opprK.
+have plus : 1%:M + A \in unitmx by rewrite starred_factor in inverse; case: (mulmx1_unit inverse).
+have star_inverse : star (invmx (1%:M - A)) = invmx (1%:M + A).
+  by rewrite -starred_factor -[LHS](mulKmx (_ : star (1%:M - A) \in unitmx)) ?inverse ?mulmx1 // starred_factor.
+have adjoint : star (cayley A) = cayley (- A).
+  rewrite [in RHS]cayley_commute ?opprK // /cayley starM star_inverse starD star1 skew.
+  by [].
+have one := cayley_inverse minus plus.
+rewrite adjoint; split=> //; first exact: mulmx1C.
+by move=> Wt; rewrite (proj2 (step_conjugates _ minus) plus) /Ad cayley_inv.
+Qed.
+
+(** ** One product is enough
+
+For skew \f$A\f$ and \f$\tilde W\f$ and the one product \f$B = A\tilde W\f$: \f$[A, \tilde W] = B - B^*\f$, and
+\f$A\tilde WA = BA\f$ is skew. *)
+Theorem one_product A Wt : star A = - A -> star Wt = - Wt ->
+  let B := A *m Wt in [/\ bracket A Wt = B - star B, A *m Wt *m A = B *m A & star (B *m A) = - (B *m A)].
+Proof.
+move=> skew skew_too B; rewrite /B /bracket !starM skew skew_too.
+by split=> //; rewrite !mulNmx !mulmxN ?opprK ?mulmxA // mulNmx.
+Qed.
+
+End Star.
+
+(* An entry by the numbers of its row and its column. *)
+Lemma entry_at (m : nat) (M : 'M[R]_m.+1) : exists a : nat -> nat -> R, forall i j, M i j = a i j.
+Proof. by exists (fun i j => M (inord i) (inord j)) => i j; rewrite !inord_val. Qed.
+
+(* The signs of the cofactors, and the entries of the identity. *)
+Ltac signs :=
+  repeat match goal with |- context [GRing.exp (GRing.opp (GRing.one _)) ?k] =>
+    progress (let k' := eval compute in k in change k with k') end;
+  rewrite ?expr0 ?expr1 ?sqrrN ?expr1n ?mul1r ?mulN1r ?mulr0n ?mulr1n ?addr0.
+
+Lemma det_of_two (M : 'M[R]_2) (a : nat -> nat -> R) : (forall i j, M i j = a i j) ->
+  \det M = a 0%N 0%N * a 1%N 1%N - a 0%N 1%N * a 1%N 0%N.
+Proof.
+move=> entry; rewrite (expand_det_row _ ord0) !big_ord_recl big_ord0 /cofactor !det_mx11 !mxE !entry /=.
+by signs; rewrite mulrN.
+Qed.
+
+Lemma det_of_three (M : 'M[R]_3) (a : nat -> nat -> R) : (forall i j, M i j = a i j) ->
+  \det M = a 0%N 0%N * (a 1%N 1%N * a 2%N 2%N - a 1%N 2%N * a 2%N 1%N)
+    - a 0%N 1%N * (a 1%N 0%N * a 2%N 2%N - a 1%N 2%N * a 2%N 0%N)
+    + a 0%N 2%N * (a 1%N 0%N * a 2%N 1%N - a 1%N 1%N * a 2%N 0%N).
+Proof.
+move=> entry; rewrite (expand_det_row _ ord0) !big_ord_recl big_ord0 /cofactor !entry.
+have minor (k : 'I_3) : \det (row' ord0 (col' k M)) =
+    a 1%N (bump k 0) * a 2%N (bump k 1) - a 1%N (bump k 1) * a 2%N (bump k 0).
+  by rewrite (det_of_two (a := fun i j => a i.+1 (bump k j))) // => i j; rewrite !mxE entry.
+by rewrite !minor /=; signs; rewrite mulrN addrA.
+Qed.
+
+(** ** Which group the Cayley map reaches
+
+For matrices of two and of three rows,
+\f[ \det(1 + A) - \det(1 - A) = 2\,\mathrm{Tr}A, \qquad \det(1 + A) - \det(1 - A) = 2\,(\mathrm{Tr}A + \det A) . \f]
+So for \f$\mathrm{Tr}A = 0\f$ the determinant of \f$\mathrm{cay}(A)\f$ is 1 in \f$\mathrm{SU}(2)\f$; in \f$\mathrm{SU}(3)\f$ it is 1 only where
+\f$2\det A = 0\f$, and \f$A = \mathrm{diag}(i, i, -2i)\f$ leaves the group. A multiple of \f$U\f$ makes the same step: what
+moves the vorticity is an element of the unitary group up to a factor. *)
+Theorem cayley_determinant (A : 'M[R]_2) (B : 'M[R]_3) :
+  \det (1%:M + A) - \det (1%:M - A) = \tr A *+ 2 /\
+  \det (1%:M + B) - \det (1%:M - B) = (\tr B + \det B) *+ 2.
+Proof.
+have [a entry_a] := entry_at A; have [b entry_b] := entry_at B.
+have plus m (X : 'M[R]_m) x : (forall i j, X i j = x (i : nat) (j : nat)) ->
+    forall i j, (1%:M + X) i j = ((i : nat) == j)%:R + x i j.
+  by move=> entry i j; rewrite !mxE entry.
+have minus m (X : 'M[R]_m) x : (forall i j, X i j = x (i : nat) (j : nat)) ->
+    forall i j, (1%:M - X) i j = ((i : nat) == j)%:R - x i j.
+  by move=> entry i j; rewrite !mxE entry.
+rewrite /mxtrace !big_ord_recl !big_ord0 !entry_a !entry_b; split.
+  rewrite [\det (1%:M + A)](det_of_two (a := fun i j => (i == j)%:R + a i j) (plus _ _ _ entry_a)).
+  rewrite [\det (1%:M - A)](det_of_two (a := fun i j => (i == j)%:R - a i j) (minus _ _ _ entry_a)) /=.
+  by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
+rewrite [\det (1%:M + B)](det_of_three (a := fun i j => (i == j)%:R + b i j) (plus _ _ _ entry_b)).
+rewrite [\det (1%:M - B)](det_of_three (a := fun i j => (i == j)%:R - b i j) (minus _ _ _ entry_b)).
+rewrite (det_of_three entry_b) /=.
+by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
 Qed.
 
 End Step.
