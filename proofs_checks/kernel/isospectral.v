@@ -7,7 +7,7 @@ equation of a group of matrices. This page is about the discrete Lie-Poisson alg
 equation, with the Cayley map in place of the exponential map: what a step conserves, and what has to be
 assumed for it. Matrices have any size, and their entries lie in any commutative ring. *)
 
-From mathcomp Require Import all_ssreflect all_algebra.
+From mathcomp Require Import all_ssreflect perm all_algebra.
 From Coq Require Import Ring.
 From actio Require Import matrices.
 
@@ -980,3 +980,129 @@ by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
 Qed.
 
 End Step.
+
+(** ** Euler's equation in continuous time *)
+
+(** A _derivation_ of numbers, in the place of the derivative by time: additive, with Leibniz's rule. *)
+Definition derivation (R : ringType) (der : R -> R) :=
+  (forall a b, der (a + b) = der a + der b) /\ (forall a b, der (a * b) = der a * b + a * der b).
+
+Section Derivations.
+
+Variables (R : comRingType) (der : R -> R).
+Hypothesis rule : derivation der.
+
+Lemma der0 : der 0 = 0.
+Proof. by apply: (addIr (der 0)); rewrite -rule.1 addr0 add0r. Qed.
+
+Lemma derN a : der (- a) = - der a.
+Proof. by apply/eqP; rewrite -addr_eq0 -rule.1 addNr der0. Qed.
+
+Lemma der1 : der 1 = 0.
+Proof. by have := rule.2 1 1; rewrite !mulr1 mul1r -[X in X = _]addr0 => /addrI. Qed.
+
+Lemma der_sign k a : der ((-1) ^+ k * a) = (-1) ^+ k * der a.
+Proof. by rewrite -signr_odd; case: (odd k); rewrite ?mulN1r ?mul1r ?derN. Qed.
+
+Lemma der_sum (I : Type) (r : seq I) (P : pred I) F : der (\sum_(i <- r | P i) F i) = \sum_(i <- r | P i) der (F i).
+Proof. by apply: (big_morph der rule.1 der0). Qed.
+
+Lemma der_prod (I : eqType) (r : seq I) F : uniq r ->
+  der (\prod_(i <- r) F i) = \sum_(i <- r) der (F i) * \prod_(k <- r | i != k) F k.
+Proof.
+elim: r => [|i r hyp]; first by rewrite !big_nil der1.
+case/andP=> new distinct; rewrite !big_cons eqxx rule.2 hyp //; congr (_ + _).
+  congr (_ * _); rewrite big_seq [RHS]big_seq_cond; apply: eq_bigl => k.
+  by case: (boolP (k \in r)) => //= inside; apply/esym; apply: contraNneq new => ->.
+rewrite mulr_sumr big_seq [RHS]big_seq; apply: eq_bigr => k inside.
+rewrite big_cons (_ : k != i); first by rewrite mulrCA.
+by apply: contraNneq new => <-.
+Qed.
+
+(* Jacobi's formula: the derivative of a determinant. *)
+Lemma der_det n (M : 'M[R]_n) : der (\det M) = \tr (map_mx der M *m \adj M).
+Proof.
+rewrite /determinant der_sum; under eq_bigr do rewrite der_sign der_prod ?index_enum_uniq // mulr_sumr.
+rewrite exchange_big; apply: eq_bigr => i _; rewrite mxE.
+rewrite (partition_big (fun s : {perm 'I_n} => s i) xpredT) //=; apply: eq_bigr => j _.
+rewrite !mxE expand_cofactor mulr_sumr; apply: eq_bigr => s /eqP <-.
+by rewrite mulrCA.
+Qed.
+
+(** Where a matrix changes by a bracket, its determinant does not change. *)
+Lemma der_det_bracket n (P M : 'M[R]_n) : map_mx der M = P *m M - M *m P -> der (\det M) = 0.
+Proof.
+move=> change; rewrite der_det change mulmxBl raddfB /= -!mulmxA mul_mx_adj.
+by rewrite [\tr (M *m _)]mxtrace_mulC -mulmxA mul_adj_mx subrr.
+Qed.
+
+(* The derivation of polynomials that acts on their coefficients. *)
+Lemma derivation_of_coefficients : derivation (map_poly der).
+Proof.
+split=> p q; apply/polyP => k; first by rewrite coefD !coef_map_id0 ?der0 // coefD rule.1.
+rewrite coefD !coefM coef_map_id0 ?der0 // coefM der_sum -big_split /=; apply: eq_bigr => i _.
+by rewrite rule.2 !coef_map_id0 ?der0.
+Qed.
+
+End Derivations.
+
+Section Euler.
+
+Variables (R : comUnitRingType) (n : nat) (der : R -> R).
+Hypothesis rule : derivation der.
+Implicit Types P W : 'M[R]_n.
+
+(** The derivative of a matrix, entry by entry. *)
+Definition rate W := map_mx der W.
+
+Lemma rate_mul (X Y : 'M[R]_n) : rate (X *m Y) = rate X *m Y + X *m rate Y.
+Proof.
+apply/matrixP => i j; rewrite !mxE (der_sum rule) -big_split; apply: eq_bigr => k _.
+by rewrite rule.2 !mxE.
+Qed.
+
+Lemma rate_power P W k : rate W = bracket P W -> rate (power W k) = bracket P (power W k).
+Proof.
+move=> equation; elim: k => [|k hyp].
+  apply/matrixP => i j; rewrite /bracket mulmx1 mul1mx !mxE subrr.
+  by case: (i == j); rewrite ?(der1 rule) ?(der0 rule).
+rewrite powerS rate_mul hyp equation /bracket mulmxBl mulmxBr !mulmxA.
+by rewrite addrA subrK.
+Qed.
+
+(** ** The moments of the vorticity
+
+\f[ \mathrm{Tr}(W^k[P, W]) = 0 \quad\text{for every } k, \]
+for any two matrices: the gradient of each Casimir is orthogonal to every tangent vector of the orbit. *)
+Theorem moments_orthogonal P W k : \tr (power W k *m bracket P W) = 0.
+Proof. by rewrite bracketN mulmxN raddfN /= trace_commuting ?oppr0 // -powerS powerSr. Qed.
+
+(** ** Euler's equation conserves all Casimirs and the spectrum
+
+Let \f$\dot W = [P, W]\f$, with a derivation of the numbers in the place of the derivative by time and \f$P\f$ any
+matrix. Then \f$\frac{d}{dt}W^k = [P, W^k]\f$, so \f$\frac{d}{dt}\mathrm{Tr}(W^k) = 0\f$ for every \f$k\f$, and every
+coefficient of the characteristic polynomial is constant. *)
+Theorem euler_equation_casimirs P W : rate W = bracket P W ->
+  (forall k, der (casimir k W) = 0) /\ (forall i, der (char_poly W)`_i = 0).
+Proof.
+move=> equation; split=> [k | i].
+  have -> : der (casimir k W) = \tr (rate (power W k)).
+    by rewrite /casimir /mxtrace (der_sum rule); apply: eq_bigr => i _; rewrite mxE.
+  by rewrite (rate_power _ equation) /bracket raddfB /= mxtrace_mulC subrr.
+have rules := derivation_of_coefficients rule.
+rewrite -(coef_map_id0 _ _ (der0 rule)) /char_poly.
+rewrite (der_det_bracket rules (P := map_mx polyC P)) ?coef0 //.
+(* z - W changes by the bracket of P with it, as W does. *)
+have -> : map_mx polyC P *m char_poly_mx W - char_poly_mx W *m map_mx polyC P = - map_mx polyC (bracket P W).
+  by rewrite /char_poly_mx mulmxBl mulmxBr scalar_mxC opprB addrC addrA subrK -!map_mxM /bracket map_mxB opprB.
+have constant c : map_poly der c%:P = (der c)%:P.
+  by apply/polyP => m; rewrite coef_map_id0 ?der0 // !coefC; case: eqP; rewrite ?der0.
+have variable b : map_poly der ('X *+ b) = 0.
+  apply/polyP => m; rewrite coef_map_id0 ?der0 // coefMn coefX coef0 -mulrnA.
+  by case: (_ * _)%N; [exact: der0 | move=> d; elim: d => [|d hyp]; rewrite ?(der1 rule) // mulrS rule.1 hyp
+    (der1 rule) addr0].
+rewrite -equation /char_poly_mx; apply/matrixP => j k; rewrite !mxE rules.1 (derN rules) variable add0r.
+by rewrite constant.
+Qed.
+
+End Euler.
