@@ -24,6 +24,17 @@ Ltac expanded :=
 Ltac named_products :=
   repeat match goal with |- context [?a *m ?b] => let x := fresh in set x := a *m b; clearbody x end.
 
+(* An equation between numbers, once the ring is declared; the instances of its structure are made one. *)
+Ltac entry_ring_over R :=
+  change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.UnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.ComRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
+  change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
+  repeat match goal with |- context [@fun_of_matrix _ _ _ ?M ?i ?j] =>
+    let x := fresh in set x : GRing.Zmodule.sort (GRing.Ring.zmodType R) := M i j; clearbody x end;
+  match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
+
 (* det(t - XY) = det(t - YX), both from the determinant of a matrix of four blocks. *)
 Lemma det_exchange (S : comRingType) n (t : S) (X Y : 'M[S]_n) :
   GRing.lreg t -> \det (t%:M - X *m Y) = \det (t%:M - Y *m X).
@@ -61,15 +72,7 @@ by split; [exact: add0r | exact: addrC | exact: addrA | exact: mul1r | exact: mu
 Qed.
 Add Ring ring_of_entries : ring_of_entries.
 
-Ltac entry_ring :=
-  change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.UnitRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.ComRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
-  change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
-  repeat match goal with |- context [@fun_of_matrix _ _ _ ?M ?i ?j] =>
-    let x := fresh in set x : GRing.Zmodule.sort (GRing.Ring.zmodType R) := M i j; clearbody x end;
-  match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
+Ltac entry_ring := entry_ring_over R.
 Ltac by_expansion := expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; entry_ring.
 
 (** ** A step *)
@@ -981,6 +984,59 @@ Qed.
 
 End Step.
 
+(** ** The rigid body in space *)
+
+Section RigidBody.
+
+Variable R : comUnitRingType.
+Add Ring ring_of_numbers : (ring_of_entries R).
+
+(* The matrix with three given rows. *)
+Definition grid (r : seq (seq R)) : 'M[R]_3 := \matrix_(i, j) nth 0 (nth [::] r i) j.
+
+(** The skew matrix of a vector, \f$\hat a\,b = a\times b\f$. *)
+Definition hat (x y z : R) : 'M[R]_3 := grid [:: [:: 0; - z; y]; [:: z; 0; - x]; [:: - y; x; 0]].
+
+Ltac nine_entries :=
+  apply/matrixP; case=> [] [|[|[|?]]] // ?; case=> [] [|[|[|?]]] // ?;
+  rewrite ?(mxE, big_ord_recl, big_ord0) /=; entry_ring_over R.
+
+(* The product of two of them: x a^T less the multiple (a . x) of the identity. *)
+Lemma hat_product (a b c x y z : R) : hat a b c *m hat x y z =
+  grid [:: [:: - (b * y + c * z); x * b; x * c]; [:: y * a; - (a * x + c * z); y * c];
+           [:: z * a; z * b; - (a * x + b * y)]].
+Proof. by nine_entries. Qed.
+
+Lemma hat_bracket (a b c x y z : R) :
+  bracket (hat a b c) (hat x y z) = hat (b * z - c * y) (c * x - a * z) (a * y - b * x).
+Proof. by rewrite /bracket !hat_product; nine_entries. Qed.
+
+Lemma hat_square (a b c x y z : R) :
+  hat a b c *m hat x y z *m hat a b c = - ((a * x + b * y + c * z) *: hat a b c).
+Proof. by rewrite hat_product; nine_entries. Qed.
+
+(** ** The step in space
+
+On \f$\mathrm{so}(3)\f$, with \f$A = \hat a\f$ and \f$\tilde W = \hat w\f$, the momenta before and after the step are
+\f[ w - a\times w + (a\cdot w)\,a, \qquad w + a\times w + (a\cdot w)\,a . \f]
+With \f$a\f$ parallel to the angular velocity of \f$w\f$ this is the discrete Lie-Poisson algorithm of a rigid body
+with the Cayley map; with \f$a\f$ parallel to that of their sum it conserves energy and length. *)
+Theorem rigid_body_step (a b c x y z : R) : let dot := a * x + b * y + c * z in
+  vorticity_before (hat a b c) (hat x y z) =
+    hat (x - (b * z - c * y) + dot * a) (y - (c * x - a * z) + dot * b) (z - (a * y - b * x) + dot * c) /\
+  vorticity_after (hat a b c) (hat x y z) =
+    hat (x + (b * z - c * y) + dot * a) (y + (c * x - a * z) + dot * b) (z + (a * y - b * x) + dot * c).
+Proof.
+move=> dot; have [_ mean] := step_mean (hat a b c) (hat x y z); have := step_increment (hat a b c) (hat x y z).
+rewrite mulr2n => /eqP; rewrite subr_eq -addrA [bracket _ _ + vorticity_before _ _]addrC mean => /eqP ->.
+have -> : vorticity_before (hat a b c) (hat x y z) =
+    hat x y z - hat a b c *m hat x y z *m hat a b c - bracket (hat a b c) (hat x y z).
+  by rewrite -mean addrK.
+by rewrite hat_square hat_bracket opprK /dot; split; nine_entries.
+Qed.
+
+End RigidBody.
+
 (** ** Euler's equation in continuous time *)
 
 (** A _derivation_ of numbers, in the place of the derivative by time: additive, with Leibniz's rule. *)
@@ -1103,6 +1159,29 @@ have variable b : map_poly der ('X *+ b) = 0.
     (der1 rule) addr0].
 rewrite -equation /char_poly_mx; apply/matrixP => j k; rewrite !mxE rules.1 (derN rules) variable add0r.
 by rewrite constant.
+Qed.
+
+(** ** Euler's equation conserves energy and angular momentum
+
+Let \f$\Delta\f$ be self-adjoint and commute with the derivation, \f$\Delta P = W\f$ and \f$\dot W = [P, W]\f$. Then the energy
+\f$\mathrm{Tr}(PW)\f$ is constant; and twice the derivative of \f$\mathrm{Tr}(XW)\f$ is zero, for every constant \f$X\f$ under
+which \f$\Delta\f$ is invariant. *)
+Theorem euler_equation_energy (Laplacian : 'M[R]_n -> 'M[R]_n) P W :
+  self_adjoint Laplacian -> (forall Y, rate (Laplacian Y) = Laplacian (rate Y)) ->
+  Laplacian P = W -> rate W = bracket P W ->
+  der (energy P W) = 0 /\
+  (forall X, invariant Laplacian X -> rate X = 0 -> der (\tr (X *m W)) *+ 2 = 0).
+Proof.
+move=> adjoint commute stream equation.
+have trace Y : der (\tr Y) = \tr (rate Y).
+  by rewrite /mxtrace (der_sum rule); apply: eq_bigr => i _; rewrite mxE.
+have level : \tr (P *m bracket P W) = 0 by apply: trace_commuting.
+split=> [| X invariance constant].
+  have first : \tr (rate P *m W) = \tr (P *m rate W).
+    by rewrite -[in LHS]stream -adjoint -commute stream mxtrace_mulC.
+  by rewrite /energy trace rate_mul raddfD /= first equation level addr0.
+rewrite trace rate_mul constant mul0mx add0r equation -stream.
+exact: noether_identity.
 Qed.
 
 End Euler.
