@@ -91,8 +91,8 @@ Definition cayley A := invmx (1%:M - A) *m (1%:M + A).
 (** The power \f$W^k\f$. *)
 Definition power W k := iter k (mulmx W) 1%:M.
 
-(** The Casimir functions, or moments of the vorticity: \f$C_k = \mathrm{Tr}(W^k)\f$. For \f$k = 2\f$ it is the
-enstrophy. *)
+(** The Casimir functions, or moments of the vorticity: \f$C_k = \mathrm{Tr}(W^k)\f$. For \f$k = 2\f$ it is
+the enstrophy. *)
 Definition casimir k W := \tr (power W k).
 
 Lemma one_pm_commute A : (1%:M - A) *m (1%:M + A) = (1%:M + A) *m (1%:M - A).
@@ -101,8 +101,8 @@ Proof. by by_expansion. Qed.
 (** ** The increment of a step
 
 \f[ W_1 - W_0 = 2\,[A, \tilde W] . \f]
-So a step is the midpoint rule for \f$\dot W = [P, W]\f$ with \f$A = \frac{\Delta t}2P\f$. Nothing is assumed of
-\f$A\f$ and \f$\tilde W\f$. *)
+So a step is the midpoint rule for \f$\dot W = [P, W]\f$ with \f$A = \frac{\Delta t}2P\f$. Nothing is assumed
+of \f$A\f$ and \f$\tilde W\f$. *)
 Theorem step_increment A Wt : vorticity_after A Wt - vorticity_before A Wt = bracket A Wt *+ 2.
 Proof. by rewrite /vorticity_after /vorticity_before /bracket; by_expansion. Qed.
 
@@ -118,8 +118,8 @@ Proof. by rewrite /vorticity_after /vorticity_before /bracket; split; by_expansi
 
 (** ** The equation for the vorticity half-way
 
-A step from a given \f$W_0\f$ solves \f$W_0 = (1 - A)\tilde W(1 + A)\f$. The equation is the fixed-point equation
-\f$\tilde W = W_0 + [A, \tilde W] + A\tilde WA\f$, which needs products of matrices alone. *)
+A step from a given \f$W_0\f$ solves \f$W_0 = (1 - A)\tilde W(1 + A)\f$. The equation is the fixed-point
+equation \f$\tilde W = W_0 + [A, \tilde W] + A\tilde WA\f$, which needs products of matrices alone. *)
 Theorem step_fixed_point A W Wt :
   W = vorticity_before A Wt <-> Wt = W + bracket A Wt + A *m Wt *m A.
 Proof.
@@ -138,7 +138,8 @@ Proof. by rewrite /vorticity_after /vorticity_before opprK. Qed.
 (** ** A step is a conjugation, without an inverse
 
 \f[ (1 - A)\,W_1\,(1 + A) = (1 + A)\,W_0\,(1 - A) . \f]
-Both sides are \f$(1 - A)(1 + A)\,\tilde W\,(1 - A)(1 + A)\f$. Neither \f$1 - A\f$ nor \f$1 + A\f$ needs an inverse. *)
+Both sides are \f$(1 - A)(1 + A)\,\tilde W\,(1 - A)(1 + A)\f$. Neither \f$1 - A\f$ nor \f$1 + A\f$ needs an
+inverse. *)
 Theorem step_without_inverse A Wt :
   (1%:M - A) *m vorticity_after A Wt *m (1%:M + A) = (1%:M + A) *m vorticity_before A Wt *m (1%:M - A).
 Proof.
@@ -177,8 +178,8 @@ Qed.
 
 (** ** A step is a conjugation by the Cayley map
 
-With \f$U = \mathrm{cay}(A)\f$ and an inverse of \f$1 - A\f$ alone, \f$W_1U = UW_0\f$. Where \f$1 + A\f$ has an inverse as
-well, \f$W_1 = UW_0U^{-1} = \mathrm{Ad}_UW_0\f$. Neither matrix has to be skew. *)
+With \f$U = \mathrm{cay}(A)\f$ and an inverse of \f$1 - A\f$ alone, \f$W_1U = UW_0\f$. Where \f$1 + A\f$ has
+an inverse as well, \f$W_1 = UW_0U^{-1} = \mathrm{Ad}_UW_0\f$. Neither matrix has to be skew. *)
 Theorem step_conjugates A Wt : 1%:M - A \in unitmx ->
   vorticity_after A Wt *m cayley A = cayley A *m vorticity_before A Wt /\
   (1%:M + A \in unitmx -> vorticity_after A Wt = Ad (cayley A) (vorticity_before A Wt)).
@@ -226,8 +227,8 @@ Qed.
 (** ** The spectrum is conserved
 
 \f[ \det(z - W_1) = \det(z - W_0) \]
-as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more than
-the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
+as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more
+than the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
 Theorem spectrum_conserved A Wt : char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt).
 Proof.
 rewrite /vorticity_after /vorticity_before [LHS]char_poly_exchange [RHS]char_poly_exchange.
@@ -236,8 +237,8 @@ Qed.
 
 (** ** A step from any position
 
-A turn \f$g\f$ of \f$A\f$ and \f$\tilde W\f$ turns the vorticities before and after. For \f$g\f$ any matrix with an
-inverse. *)
+A turn \f$g\f$ of \f$A\f$ and \f$\tilde W\f$ turns the vorticities before and after. For \f$g\f$ any matrix
+with an inverse. *)
 Theorem step_equivariant (g : 'M[R]_n) A Wt : g \in unitmx ->
   vorticity_before (Ad g A) (Ad g Wt) = Ad g (vorticity_before A Wt) /\
   vorticity_after (Ad g A) (Ad g Wt) = Ad g (vorticity_after A Wt).
@@ -252,10 +253,11 @@ Qed.
 
 (** ** The finish: Casimirs do not need convergence
 
-Let \f$W_s\f$ be any matrix in place of the solution, \f$r = W_0 + [A, W_s] + AW_sA - W_s\f$ its residual in the
-fixed-point equation, and \f$U = \mathrm{cay}(A)\f$. Then
+Let \f$W_s\f$ be any matrix in place of the solution, \f$r = W_0 + [A, W_s] + AW_sA - W_s\f$ its residual in
+the fixed-point equation, and \f$U = \mathrm{cay}(A)\f$. Then
 \f[ U W_0 U^{-1} = W_0 - r + 2\,[A, W_s] + U r U^{-1} . \f]
-The left side has the Casimirs of \f$W_0\f$ whatever \f$A\f$ is; on the right \f$U\f$ stands beside the small \f$r\f$ alone. *)
+The left side has the Casimirs of \f$W_0\f$ whatever \f$A\f$ is; on the right \f$U\f$ stands beside the small
+\f$r\f$ alone. *)
 Theorem finish_without_convergence A W Ws r : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
   r = W + bracket A Ws + A *m Ws *m A - Ws ->
   Ad (cayley A) W = W - r + bracket A Ws *+ 2 + Ad (cayley A) r.
@@ -371,8 +373,8 @@ Proof. by rewrite -{1}[Y]opprK self_adjoint_additive -[- Y]scaleN1r self_adjoint
 
 (** ** The energy does not depend on the stream function
 
-Two stream functions of one vorticity give one energy. So \f$\Delta\f$ need not have an inverse, and where it has
-a kernel no choice matters. *)
+Two stream functions of one vorticity give one energy. So \f$\Delta\f$ need not have an inverse, and where it
+has a kernel no choice matters. *)
 Theorem energy_well_defined P P' W : Laplacian P = W -> Laplacian P' = W -> energy P W = energy P' W.
 Proof. by move=> one other; rewrite /energy -[in LHS]other -adjoint one mxtrace_mulC. Qed.
 
@@ -394,9 +396,10 @@ Qed.
 
 (** ** Energy is conserved by the averaged stream function
 
-Where \f$A\f$ commutes with a solution \f$Q\f$ of \f$\Delta Q = W_0 + W_1\f$, in particular where it is a multiple of one,
-the step conserves the energy. The step with \f$A = \frac{\Delta t}2\Delta^{-1}\frac{W_0 + W_1}2\f$ is of this kind.
-Neither 2 nor \f$\Delta\f$ needs an inverse, and \f$A\f$ need not be skew. *)
+Where \f$A\f$ commutes with a solution \f$Q\f$ of \f$\Delta Q = W_0 + W_1\f$, in particular where it is a
+multiple of one, the step conserves the energy. The step with
+\f$A = \frac{\Delta t}2\Delta^{-1}\frac{W_0 + W_1}2\f$ is of this kind. Neither 2 nor \f$\Delta\f$ needs an
+inverse, and \f$A\f$ need not be skew. *)
 Theorem energy_conserved A Wt P0 P1 Q :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A *m Q = Q *m A ->
@@ -408,11 +411,11 @@ Qed.
 
 (** ** The change of energy by the Lie-Poisson step
 
-Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ instead, as in the discrete Lie-Poisson
-algorithm, the energy changes by
+Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ instead, as in the discrete
+Lie-Poisson algorithm, the energy changes by
 \f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad \Delta Z = A\tilde WA - c , \f]
-a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$ is not zero
-where that of \f$W_0\f$ is. *)
+a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$
+is not zero where that of \f$W_0\f$ is. *)
 Theorem energy_error A Wt P0 P1 P Z (c : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian P = Wt - c%:M -> Laplacian Z = A *m Wt *m A - c%:M -> A *m P = P *m A ->
@@ -439,9 +442,9 @@ Qed.
 
 (** ** Noether's theorem for the Lie-Poisson step
 
-Where \f$\Delta\f$ is invariant under \f$X\f$ and \f$A = \epsilon P\f$ with \f$\Delta P = \tilde W - c\f$, the step conserves
-\f$\mathrm{Tr}(XW)\f$. With \f$X\f$ a generator of the rotations of the sphere this is a component of the angular
-momentum. The factor 2 of the increment is used: no division by 2 is. *)
+Where \f$\Delta\f$ is invariant under \f$X\f$ and \f$A = \epsilon P\f$ with \f$\Delta P = \tilde W - c\f$, the
+step conserves \f$\mathrm{Tr}(XW)\f$. With \f$X\f$ a generator of the rotations of the sphere this is a
+component of the angular momentum. The factor 2 of the increment is used: no division by 2 is. *)
 Theorem angular_momentum_conserved A Wt P X (e c : R) :
   invariant Laplacian X -> Laplacian P = Wt - c%:M -> A = e *: P ->
   \tr (X *m vorticity_after A Wt) = \tr (X *m vorticity_before A Wt).
@@ -456,10 +459,10 @@ Qed.
 
 (** ** Known first integrals by an energy-conserving step
 
-For any vorticity before and after a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$: all
-Casimirs, the spectrum and the energy are those of before. The Laplacian is any self-adjoint map of matrices.
-This is the statement of chapter 10 about schemes for the vorticity of an ideal fluid that preserve the first
-integrals, on matrices; it leaves the angular momentum out, which the next ones add. *)
+For any vorticity before and after a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$:
+all Casimirs, the spectrum and the energy are those of before. The Laplacian is any self-adjoint map of
+matrices. This is the statement of chapter 10 about schemes for the vorticity of an ideal fluid that preserve
+the first integrals, on matrices; it leaves the angular momentum out, which the next ones add. *)
 Theorem claim_10_0_reduced_hydrodynamics A Wt P0 P1 Q (e : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A = e *: Q ->
@@ -474,7 +477,8 @@ Qed.
 (** ** Known first integrals by the discrete Lie-Poisson algorithm
 
 For a step with \f$A = \epsilon P\f$, \f$\Delta P = \tilde W - c\f$: all Casimirs, the spectrum, and
-\f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant. The energy changes in third order. *)
+\f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant. The energy changes in third
+order. *)
 Theorem claim_10_0_reduced_hydrodynamics_angular_momentum A Wt P (e c : R) :
   Laplacian P = Wt - c%:M -> A = e *: P ->
   [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
@@ -489,9 +493,9 @@ Qed.
 (** ** All known first integrals at once
 
 Energy and angular momentum are conserved by any step whose \f$[A, \tilde W]\f$ is orthogonal to \f$Q\f$,
-\f$\Delta Q = W_0 + W_1\f$, and to the generators \f$X_i\f$ of the rotations: one equation each, to be met by the
-choice of \f$A\f$. The Casimirs and the spectrum are conserved for every \f$A\f$. The generators may be any
-matrices; no invariance is assumed. *)
+\f$\Delta Q = W_0 + W_1\f$, and to the generators \f$X_i\f$ of the rotations: one equation each, to be met by
+the choice of \f$A\f$. The Casimirs and the spectrum are conserved for every \f$A\f$. The generators may be
+any matrices; no invariance is assumed. *)
 Theorem claim_10_0_reduced_hydrodynamics_all (I : Type) (X : I -> 'M[R]_n) A Wt P0 P1 Q :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt ->
@@ -509,9 +513,9 @@ Qed.
 
 (** ** Equilibria stand still
 
-Let \f$\Delta P = W\f$ with \f$[P, W] = 0\f$, and \f$A = 2\epsilon P\f$ with \f$1 - A\f$ and \f$1 + A\f$ invertible. Then
-\f$\tilde W = (1 - A)^{-1}W(1 + A)^{-1}\f$ gives \f$W_0 = W_1 = W\f$ and solves the equations of the energy-conserving
-step with \f$Q = 2P\f$, for every length of the step. *)
+Let \f$\Delta P = W\f$ with \f$[P, W] = 0\f$, and \f$A = 2\epsilon P\f$ with \f$1 - A\f$ and \f$1 + A\f$
+invertible. Then \f$\tilde W = (1 - A)^{-1}W(1 + A)^{-1}\f$ gives \f$W_0 = W_1 = W\f$ and solves the equations
+of the energy-conserving step with \f$Q = 2P\f$, for every length of the step. *)
 Theorem equilibria_stand_still A P W (e : R) : Laplacian P = W -> bracket P W = 0 -> A = e *: (P + P) ->
   1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
   let Wt := invmx (1%:M - A) *m W *m invmx (1%:M + A) in
@@ -531,10 +535,11 @@ Qed.
 
 (** ** Rossby and Haurwitz's wave
 
-Let \f$\Delta X = \kappa X\f$ and \f$\Delta V = \lambda V\f$. The vorticity \f$W = \kappa aX + \lambda bV\f$ has the
-stream function \f$P = aX + bV\f$, and
+Let \f$\Delta X = \kappa X\f$ and \f$\Delta V = \lambda V\f$. The vorticity \f$W = \kappa aX + \lambda bV\f$
+has the stream function \f$P = aX + bV\f$, and
 \f[ [P, W] = (\lambda - \kappa)\,ab\,[X, V] : \f]
-with \f$X\f$ a generator of rotations, the equation turns \f$V\f$ about the axis of \f$X\f$ and leaves \f$X\f$ where it is. *)
+with \f$X\f$ a generator of rotations, the equation turns \f$V\f$ about the axis of \f$X\f$ and leaves \f$X\f$
+where it is. *)
 Theorem rossby_haurwitz X V (a b k l : R) :
   Laplacian X = k *: X -> Laplacian V = l *: V ->
   Laplacian (a *: X + b *: V) = (k * a) *: X + (l * b) *: V /\
@@ -612,9 +617,10 @@ Proof. by rewrite /laplacian [LHS]addrC [LHS]addrA. Qed.
 
 (** ** The Laplacian commutes with the rotations
 
-Where \f$[S_1, S_2] = S_3\f$, \f$[S_2, S_3] = S_1\f$ and \f$[S_3, S_1] = S_2\f$, Hoppe's and Yau's Laplacian is invariant under
-\f$S_1\f$, \f$S_2\f$ and \f$S_3\f$. So the angular momentum \f$\mathrm{Tr}(S_kW)\f$ is conserved by the discrete Lie-Poisson
-algorithm. Nothing else is asked of the three matrices; the representation may be reducible. *)
+Where \f$[S_1, S_2] = S_3\f$, \f$[S_2, S_3] = S_1\f$ and \f$[S_3, S_1] = S_2\f$, Hoppe's and Yau's Laplacian
+is invariant under \f$S_1\f$, \f$S_2\f$ and \f$S_3\f$. So the angular momentum \f$\mathrm{Tr}(S_kW)\f$ is
+conserved by the discrete Lie-Poisson algorithm. Nothing else is asked of the three matrices; the
+representation may be reducible. *)
 Theorem laplacian_invariant S1 S2 S3 :
   bracket S1 S2 = S3 -> bracket S2 S3 = S1 -> bracket S3 S1 = S2 ->
   [/\ invariant (laplacian S1 S2 S3) S1, invariant (laplacian S1 S2 S3) S2
@@ -627,10 +633,11 @@ Qed.
 
 (** ** Where to look for the correction
 
-For matrices \f$Q_i\f$, the gradients of the integrals that are to be conserved, the numbers \f$\mathrm{Tr}(Q_i[Q_j, W])\f$ are
-skew in \f$i\f$ and \f$j\f$, and the numbers \f$\mathrm{Tr}(Q_i[[Q_j, W], W]) = -\mathrm{Tr}([Q_i, W][Q_j, W])\f$ are symmetric. So a
-correction of \f$A\f$ by multiples of the \f$Q_j\f$ meets a skew system of equations, whose regular case has no
-solution but zero; one by multiples of the tangent vectors \f$[Q_j, W]\f$ of the orbit meets their Gram matrix. *)
+For matrices \f$Q_i\f$, the gradients of the integrals that are to be conserved, the numbers
+\f$\mathrm{Tr}(Q_i[Q_j, W])\f$ are skew in \f$i\f$ and \f$j\f$, and the numbers
+\f$\mathrm{Tr}(Q_i[[Q_j, W], W]) = -\mathrm{Tr}([Q_i, W][Q_j, W])\f$ are symmetric. So a correction of \f$A\f$
+by multiples of the \f$Q_j\f$ meets a skew system of equations, whose regular case has no solution but zero;
+one by multiples of the tangent vectors \f$[Q_j, W]\f$ of the orbit meets their Gram matrix. *)
 Theorem correction_systems (I : Type) (Q : I -> 'M[R]_n) W i j :
   \tr (Q i *m bracket (Q j) W) = - \tr (Q j *m bracket (Q i) W) /\
   \tr (Q i *m bracket (bracket (Q j) W) W) = - \tr (bracket (Q i) W *m bracket (Q j) W).
@@ -692,8 +699,8 @@ Qed.
 
 (** ** The two Legendre images of a step
 
-Let the derivative of a function of \f$A\f$ be \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$. As a function of \f$U = \mathrm{cay}(A)\f$ it has
-the derivative
+Let the derivative of a function of \f$A\f$ be \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$. As a function of
+\f$U = \mathrm{cay}(A)\f$ it has the derivative
 \f[ 2\,\mathrm{Tr}(\tilde W\,dA) = \mathrm{Tr}(W_1\,dU\,U^{-1}) = \mathrm{Tr}(W_0\,U^{-1}dU) : \f]
 its differential at \f$U\f$, translated to the identity on the two sides, is \f$W_1\f$ and \f$W_0\f$. *)
 Theorem legendre_images A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
@@ -725,7 +732,8 @@ Definition relative_motion A := cayley (- A).
 (** The differential of the reduced discrete Lagrangian at \f$f\f$, as a covector there. *)
 Definition differential_at_motion A Wt := - ((1%:M + A) *m Wt *m (1%:M + A))^T.
 
-(** It is the differential: its pairing with \f$df\f$ is \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$, whatever the derivation. *)
+(** It is the differential: its pairing with \f$df\f$ is \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$, whatever the
+derivation. *)
 Lemma differential_is_derivative (d : 'M[R]_n -> 'M[R]_n) A Wt : matrix_derivation d -> 1%:M + A \in unitmx ->
   pairing (differential_at_motion A Wt) (d (relative_motion A)) = \tr (Wt *m d A) *+ 2.
 Proof.
@@ -753,8 +761,8 @@ Qed.
 
 (** ** A step is a step of the discrete Lie-Poisson algorithm
 
-A vorticity \f$W\f$ is the momentum \f$\mu = W^T\f$, whose pairing with \f$\xi\f$ is \f$\mathrm{Tr}(W\xi)\f$. With the relative
-motion \f$f\f$ and the differential \f$\ell'\f$ of the reduced discrete Lagrangian there,
+A vorticity \f$W\f$ is the momentum \f$\mu = W^T\f$, whose pairing with \f$\xi\f$ is \f$\mathrm{Tr}(W\xi)\f$.
+With the relative motion \f$f\f$ and the differential \f$\ell'\f$ of the reduced discrete Lagrangian there,
 \f[ \mu_0 = -R_f^*\,\ell'(f), \qquad \mu_1 = -L_f^*\,\ell'(f), \qquad \mu_1 = \mathrm{Ad}_f^*\,\mu_0 , \f]
 which are the momenta before and after a right-invariant step and the update (3.17). *)
 Theorem step_is_discrete_lie_poisson A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
@@ -774,8 +782,8 @@ Qed.
 
 (** ** The vorticity half-way solves the discrete Euler-Poincaré equations
 
-The equation (3.10), \f$R_{f'}^*\ell'(f') = L_f^*\ell'(f)\f$ for a motion \f$f\f$ and the next one \f$f'\f$, says that the vorticity
-before the next step is the vorticity after this one. *)
+The equation (3.10), \f$R_{f'}^*\ell'(f') = L_f^*\ell'(f)\f$ for a motion \f$f\f$ and the next one \f$f'\f$,
+says that the vorticity before the next step is the vorticity after this one. *)
 Theorem step_solves_discrete_euler_poincare A Wt A' Wt' : 1%:M + A \in unitmx -> 1%:M + A' \in unitmx ->
   R_star (relative_motion A') (differential_at_motion A' Wt') =
     L_star (relative_motion A) (differential_at_motion A Wt) <->
@@ -788,10 +796,12 @@ Qed.
 
 (** ** The differential of the Lagrangian
 
-For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$ whose value on numbers is \f$\partial\f$,
+For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$ whose value on numbers is
+\f$\partial\f$,
 \f[ \partial\,\mathrm{Tr}(A\,\Delta A) = 2\,\mathrm{Tr}(\Delta A\,dA) . \f]
-So for \f$A = \epsilon P\f$, \f$\Delta P = \tilde W\f$, the Lagrangian of the steps above is \f$\frac1\epsilon\mathrm{Tr}(A\,\Delta A)\f$, a
-multiple of the kinetic energy. On matrices of trace zero \f$\Delta P = \tilde W - c\f$ gives the same differential. *)
+So for \f$A = \epsilon P\f$, \f$\Delta P = \tilde W\f$, the Lagrangian of the steps above is
+\f$\frac1\epsilon\mathrm{Tr}(A\,\Delta A)\f$, a multiple of the kinetic energy. On matrices of trace zero
+\f$\Delta P = \tilde W - c\f$ gives the same differential. *)
 Theorem lagrangian_differential (Laplacian d : 'M[R]_n -> 'M[R]_n) (der : R -> R) A :
   self_adjoint Laplacian -> matrix_derivation d -> (forall X, d (Laplacian X) = Laplacian (d X)) ->
   (forall X, der (\tr X) = \tr (d X)) ->
@@ -803,17 +813,17 @@ Qed.
 
 (** ** Equations of the vorticity as a Lie-Poisson equation
 
-With \f$\mu = W^T\f$ the Lie-Poisson equation of a right-invariant Hamiltonian, \f$\dot\mu = -\mathrm{ad}_P^*\mu\f$
-(theorem 2.2.3), is \f$\dot W = [P, W]\f$. *)
+With \f$\mu = W^T\f$ the Lie-Poisson equation of a right-invariant Hamiltonian,
+\f$\dot\mu = -\mathrm{ad}_P^*\mu\f$ (theorem 2.2.3), is \f$\dot W = [P, W]\f$. *)
 Theorem euler_zeitlin_is_lie_poisson P W : (- ad_star P W^T)^T = bracket P W.
 Proof. by rewrite /ad_star /bracket raddfN raddfB /= !trmx_mul !trmxK opprB. Qed.
 
 (** ** The vorticity is carried along
 
-Let the vorticity after each step be that before the next, and \f$g_{k+1} = \mathrm{cay}(A_k)\,g_k\f$ from \f$g_0 = 1\f$. Then
-\f$W_k = g_kW_0g_k^{-1}\f$, and the body momentum \f$\mathrm{Ad}_{g_k}^*\mu_k\f$, the momentum map of the relabelling of the
-fluid, is the same after every step. This is the discrete vorticity preservation that chapter 10 expects of a
-discrete Noether theorem, for the group of matrices. *)
+Let the vorticity after each step be that before the next, and \f$g_{k+1} = \mathrm{cay}(A_k)\,g_k\f$ from
+\f$g_0 = 1\f$. Then \f$W_k = g_kW_0g_k^{-1}\f$, and the body momentum \f$\mathrm{Ad}_{g_k}^*\mu_k\f$, the
+momentum map of the relabelling of the fluid, is the same after every step. This is the discrete vorticity
+preservation that chapter 10 expects of a discrete Noether theorem, for the group of matrices. *)
 Theorem claim_10_0_vorticity_preservation_matrices (A Wt g : nat -> 'M[R]_n) :
   (forall k, 1%:M - A k \in unitmx) -> (forall k, 1%:M + A k \in unitmx) ->
   (forall k, vorticity_before (A k.+1) (Wt k.+1) = vorticity_after (A k) (Wt k)) ->
@@ -834,8 +844,8 @@ Qed.
 
 (** ** Skew matrices and unitary ones *)
 
-(** A map \f$X\mapsto X^*\f$ in the place of the transpose, or of the transpose with complex conjugate entries:
-additive, an exchange of factors, and its own inverse. *)
+(** A map \f$X\mapsto X^*\f$ in the place of the transpose, or of the transpose with complex conjugate
+entries: additive, an exchange of factors, and its own inverse. *)
 Definition involution (star : 'M[R]_n -> 'M[R]_n) :=
   [/\ forall X Y, star (X + Y) = star X + star Y, forall X Y, star (X *m Y) = star Y *m star X
     & forall X, star (star X) = X].
@@ -870,8 +880,8 @@ Proof. by rewrite -[LHS]mul1mx -{1}[1%:M]starK -starM mul1mx starK. Qed.
 
 (** ** A step keeps the vorticity skew
 
-Where \f$A^* = -A\f$, a step with \f$\tilde W^*\f$ in place of \f$\tilde W\f$ has the vorticities \f$W_0^*\f$ and \f$W_1^*\f$. So
-\f$W_0\f$ and \f$W_1\f$ are skew where \f$\tilde W\f$ is, and symmetric where it is. *)
+Where \f$A^* = -A\f$, a step with \f$\tilde W^*\f$ in place of \f$\tilde W\f$ has the vorticities \f$W_0^*\f$
+and \f$W_1^*\f$. So \f$W_0\f$ and \f$W_1\f$ are skew where \f$\tilde W\f$ is, and symmetric where it is. *)
 Theorem step_starred A Wt : star A = - A ->
   star (vorticity_before A Wt) = vorticity_before A (star Wt) /\
   star (vorticity_after A Wt) = vorticity_after A (star Wt) /\
@@ -892,8 +902,8 @@ Proof. by move=> inverse; rewrite -starM inverse star1. Qed.
 
 (** ** The Cayley map of a skew matrix is unitary
 
-Where \f$A^* = -A\f$ and \f$1 - A\f$ has an inverse, so has \f$1 + A\f$, and \f$U = \mathrm{cay}(A)\f$ has \f$U^*U = UU^* = 1\f$. The
-step is then \f$W_1 = UW_0U^*\f$. *)
+Where \f$A^* = -A\f$ and \f$1 - A\f$ has an inverse, so has \f$1 + A\f$, and \f$U = \mathrm{cay}(A)\f$ has
+\f$U^*U = UU^* = 1\f$. The step is then \f$W_1 = UW_0U^*\f$. *)
 Theorem cayley_unitary A : star A = - A -> 1%:M - A \in unitmx ->
   [/\ 1%:M + A \in unitmx, star (cayley A) *m cayley A = 1%:M, cayley A *m star (cayley A) = 1%:M
     & forall Wt, vorticity_after A Wt = cayley A *m vorticity_before A Wt *m star (cayley A)].
@@ -914,8 +924,8 @@ Qed.
 
 (** ** One product is enough
 
-For skew \f$A\f$ and \f$\tilde W\f$ and the one product \f$B = A\tilde W\f$: \f$[A, \tilde W] = B - B^*\f$, and
-\f$A\tilde WA = BA\f$ is skew. *)
+For skew \f$A\f$ and \f$\tilde W\f$ and the one product \f$B = A\tilde W\f$: \f$[A, \tilde W] = B - B^*\f$,
+and \f$A\tilde WA = BA\f$ is skew. *)
 Theorem one_product A Wt : star A = - A -> star Wt = - Wt ->
   let B := A *m Wt in [/\ bracket A Wt = B - star B, A *m Wt *m A = B *m A & star (B *m A) = - (B *m A)].
 Proof.
@@ -958,9 +968,10 @@ Qed.
 
 For matrices of two and of three rows,
 \f[ \det(1 + A) - \det(1 - A) = 2\,\mathrm{Tr}A, \qquad \det(1 + A) - \det(1 - A) = 2\,(\mathrm{Tr}A + \det A) . \f]
-So for \f$\mathrm{Tr}A = 0\f$ the determinant of \f$\mathrm{cay}(A)\f$ is 1 in \f$\mathrm{SU}(2)\f$; in \f$\mathrm{SU}(3)\f$ it is 1 only where
-\f$2\det A = 0\f$, and \f$A = \mathrm{diag}(i, i, -2i)\f$ leaves the group. A multiple of \f$U\f$ makes the same step: what
-moves the vorticity is an element of the unitary group up to a factor. *)
+So for \f$\mathrm{Tr}A = 0\f$ the determinant of \f$\mathrm{cay}(A)\f$ is 1 in \f$\mathrm{SU}(2)\f$; in
+\f$\mathrm{SU}(3)\f$ it is 1 only where \f$2\det A = 0\f$, and \f$A = \mathrm{diag}(i, i, -2i)\f$ leaves the
+group. A multiple of \f$U\f$ makes the same step: what moves the vorticity is an element of the unitary group
+up to a factor. *)
 Theorem cayley_determinant (A : 'M[R]_2) (B : 'M[R]_3) :
   \det (1%:M + A) - \det (1%:M - A) = \tr A *+ 2 /\
   \det (1%:M + B) - \det (1%:M - B) = (\tr B + \det B) *+ 2.
@@ -1017,10 +1028,11 @@ Proof. by rewrite hat_product; nine_entries. Qed.
 
 (** ** The step in space
 
-On \f$\mathrm{so}(3)\f$, with \f$A = \hat a\f$ and \f$\tilde W = \hat w\f$, the momenta before and after the step are
+On \f$\mathrm{so}(3)\f$, with \f$A = \hat a\f$ and \f$\tilde W = \hat w\f$, the momenta before and after the
+step are
 \f[ w - a\times w + (a\cdot w)\,a, \qquad w + a\times w + (a\cdot w)\,a . \f]
-With \f$a\f$ parallel to the angular velocity of \f$w\f$ this is the discrete Lie-Poisson algorithm of a rigid body
-with the Cayley map; with \f$a\f$ parallel to that of their sum it conserves energy and length. *)
+With \f$a\f$ parallel to the angular velocity of \f$w\f$ this is the discrete Lie-Poisson algorithm of a rigid
+body with the Cayley map; with \f$a\f$ parallel to that of their sum it conserves energy and length. *)
 Theorem rigid_body_step (a b c x y z : R) : let dot := a * x + b * y + c * z in
   vorticity_before (hat a b c) (hat x y z) =
     hat (x - (b * z - c * y) + dot * a) (y - (c * x - a * z) + dot * b) (z - (a * y - b * x) + dot * c) /\
@@ -1135,9 +1147,9 @@ Proof. by rewrite bracketN mulmxN raddfN /= trace_commuting ?oppr0 // -powerS po
 
 (** ** Euler's equation conserves all Casimirs and the spectrum
 
-Let \f$\dot W = [P, W]\f$, with a derivation of the numbers in the place of the derivative by time and \f$P\f$ any
-matrix. Then \f$\frac{d}{dt}W^k = [P, W^k]\f$, so \f$\frac{d}{dt}\mathrm{Tr}(W^k) = 0\f$ for every \f$k\f$, and every
-coefficient of the characteristic polynomial is constant. *)
+Let \f$\dot W = [P, W]\f$, with a derivation of the numbers in the place of the derivative by time and \f$P\f$
+any matrix. Then \f$\frac{d}{dt}W^k = [P, W^k]\f$, so \f$\frac{d}{dt}\mathrm{Tr}(W^k) = 0\f$ for every
+\f$k\f$, and every coefficient of the characteristic polynomial is constant. *)
 Theorem euler_equation_casimirs P W : rate W = bracket P W ->
   (forall k, der (casimir k W) = 0) /\ (forall i, der (char_poly W)`_i = 0).
 Proof.
@@ -1163,9 +1175,9 @@ Qed.
 
 (** ** Euler's equation conserves energy and angular momentum
 
-Let \f$\Delta\f$ be self-adjoint and commute with the derivation, \f$\Delta P = W\f$ and \f$\dot W = [P, W]\f$. Then the energy
-\f$\mathrm{Tr}(PW)\f$ is constant; and twice the derivative of \f$\mathrm{Tr}(XW)\f$ is zero, for every constant \f$X\f$ under
-which \f$\Delta\f$ is invariant. *)
+Let \f$\Delta\f$ be self-adjoint and commute with the derivation, \f$\Delta P = W\f$ and
+\f$\dot W = [P, W]\f$. Then the energy \f$\mathrm{Tr}(PW)\f$ is constant; and twice the derivative of
+\f$\mathrm{Tr}(XW)\f$ is zero, for every constant \f$X\f$ under which \f$\Delta\f$ is invariant. *)
 Theorem euler_equation_energy (Laplacian : 'M[R]_n -> 'M[R]_n) P W :
   self_adjoint Laplacian -> (forall Y, rate (Laplacian Y) = Laplacian (rate Y)) ->
   Laplacian P = W -> rate W = bracket P W ->
