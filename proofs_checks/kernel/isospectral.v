@@ -226,15 +226,9 @@ Qed.
 
 (** ** The spectrum is conserved
 
-<<<<<<< HEAD
-\f[ \det(z - W_1) = \det(z - W_0) \f]
-as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more than
-the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
-=======
 \f[ \det(z - W_1) = \det(z - W_0) \f]
 as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more
 than the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
->>>>>>> wk5
 Theorem spectrum_conserved A Wt : char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt).
 Proof.
 rewrite /vorticity_after /vorticity_before [LHS]char_poly_exchange [RHS]char_poly_exchange.
