@@ -324,3 +324,262 @@ by have := rate_is v; rewrite same ?pairing_0l.
 Qed.
 
 End GroupOfMatrices.
+
+(** ** Sequences that solve the Lagrange equations
+
+Section 4.1, below definition 4.1.1: in a solution each neighbouring pair is critical. The arrows
+\f$g_0, \dots, g_N\f$ are varied at their joints: \f$g_k\f$ becomes \f$x_k^{-1}g_kx_{k+1}\f$ with \f$x_k =
+1+\varepsilon v_k\f$, and nothing moves at the two ends, \f$v_0 = v_{N+1} = 0\f$. The product of all arrows is held, and the
+sum of \f$\ell\f$ changes by what the pairs leave:
+\f[ \frac{d}{d\varepsilon}\sum_{k=0}^N\ell(x_k^{-1}g_kx_{k+1}) =
+\sum_{k=0}^{N-1}\langle L^*_{g_k}\ell'(g_k) - R^*_{g_{k+1}}\ell'(g_{k+1}), v_{k+1}\rangle. \] *)
+
+Section Sequences.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (g v : nat -> 'M[R]_n) (l : 'M[dual R]_n -> dual R) (algebra : 'M[R]_n -> Prop).
+
+Definition joint v k : 'M[dual R]_n := varied 1%:M (v k).
+Definition moved_arrow g v k := invmx (joint v k) *m still (g k) *m joint v k.+1.
+
+Lemma moved_arrowE g v k : moved_arrow g v k = varied (g k) (g k *m v k.+1 - v k *m g k).
+Proof.
+rewrite /moved_arrow /joint varied_inverse ?unitmx1 // !varied_mul inverse_one !mul1mx !mulmx1 add0r.
+by rewrite mulNmx.
+Qed.
+
+Theorem claim_4_1_solution_sequence_product g v N : v 0%N = 0 -> v N = 0 ->
+  composed_right (moved_arrow g v) N = still (composed_right g N).
+Proof.
+move=> start stop; suff telescopes k : composed_right (moved_arrow g v) k = still (composed_right g k) *m joint v k.
+  by rewrite telescopes /joint stop varied_one mulmx1.
+elim: k => [|k IH] /=; first by rewrite /joint start /still varied_one mulmx1.
+have unit_joint : joint v k \in unitmx by rewrite varied_unit unitmx1.
+rewrite IH /moved_arrow !mulmxA -[_ *m joint v k *m _]mulmxA mulmxV // mulmx1.
+by rewrite /still [varied _ 0 *m varied _ 0]varied_mul mulmx0 mul0mx addr0.
+Qed.
+
+Theorem claim_4_1_solution_sequence_sum l g v N : (forall k, differentiable l (g k)) ->
+  v 0%N = 0 -> v N.+1 = 0 ->
+  rate (\sum_(k < N.+1) l (moved_arrow g v k))
+  = \sum_(k < N) pairing (left_differential l (g k) - right_differential l (g k.+1)) (v k.+1).
+Proof.
+move=> dl start stop; rewrite raddf_sum.
+have each k : rate (l (moved_arrow g v k))
+    = pairing (left_differential l (g k)) (v k.+1) - pairing (right_differential l (g k)) (v k).
+  by rewrite moved_arrowE dl pairing_addr pairing_oppr L_star_dual R_star_dual.
+rewrite (eq_bigr _ (fun (k : 'I_N.+1) _ => each k)) sumrB big_ord_recr big_ord_recl /= start stop !pairing_0r addr0 add0r.
+by rewrite -sumrB; apply: eq_bigr => k _; rewrite pairing_addl pairing_oppl.
+Qed.
+
+(** All pairs are critical exactly where the sequence is stationary. *)
+Theorem claim_4_1_solution_sequence algebra l g N : algebra 0 -> (forall k, differentiable l (g k)) ->
+  (forall k, k < N -> agree algebra (left_differential l (g k)) (right_differential l (g k.+1)))%N
+  <-> (forall v, (forall k, algebra (v k)) -> v 0%N = 0 -> v N.+1 = 0 ->
+       rate (\sum_(k < N.+1) l (moved_arrow g v k)) = 0).
+Proof.
+move=> zero_in dl; split=> [critical v in_v start stop|stationary k k_N x in_x].
+  rewrite claim_4_1_solution_sequence_sum // big1 // => k _.
+  by rewrite pairing_addl pairing_oppl critical // subrr.
+pose v j := if j == k.+1 then x else 0.
+have in_v j : algebra (v j) by rewrite /v; case: eqP.
+have stop : v N.+1 = 0 by rewrite /v eqSS gtn_eqF.
+have := stationary v in_v erefl stop; rewrite claim_4_1_solution_sequence_sum // (bigD1 (Ordinal k_N)) //=.
+rewrite big1 ?addr0 => [|j ne_k]; last by rewrite /v eqSS -val_eqE /= in ne_k *; rewrite (negbTE ne_k) pairing_0r.
+by rewrite /v eqxx pairing_addl pairing_oppl => /eqP; rewrite subr_eq0 => /eqP.
+Qed.
+
+(** ** The Legendre maps take the one dynamics to the other
+
+Section 4.1, below definition 4.1.2. \f$\Lambda\f$ takes the covector at the start of an arrow to the covector at its end; on
+a group it takes \f$R_h^*\ell'(h)\f$ to \f$L_h^*\ell'(h)\f$. It is written as a relation, since \f$\ell\f$ need not be
+regular. *)
+Definition generated_map l (mu nu : 'M[R]_n) :=
+  exists h, [/\ h \in unitmx, mu = right_differential l h & nu = left_differential l h].
+
+(** For a critical pair \f$(g, h)\f$, \f$F(g)\f$ goes to \f$F(h)\f$ under \f$\Lambda\f$, with the Legendre map at the sources
+of arrows for \f$F\f$ as well as with that at their targets. *)
+Theorem claim_4_1_legendre_intertwines l (g h : 'M[R]_n) : g \in unitmx -> h \in unitmx ->
+  left_differential l g = right_differential l h ->
+  generated_map l (right_differential l g) (right_differential l h)
+  /\ generated_map l (left_differential l g) (left_differential l h).
+Proof. by move=> ug uh critical; split; [exists g|exists h]; rewrite ?critical. Qed.
+
+(** The generated map carries a momentum by the coadjoint action. *)
+Theorem generated_map_coadjoint l (mu nu : 'M[R]_n) : generated_map l mu nu ->
+  exists2 h, h \in unitmx & nu = Ad_star h mu.
+Proof. by case=> h [u -> ->]; exists h => //; rewrite Ad_star_right. Qed.
+
+End Sequences.
+
+(** ** Invariant generating functions
+
+Section 4.2: for a generating function \f$S(g, g_0)\f$ that is invariant under multiplication of both configurations on the
+left there is one and only one \f$S_L\f$ with \f$S_L(g^{-1}g_0) = S(g, g_0)\f$, namely
+\f$S_L(f) = S(1, f)\f$. Its values may be of any type. *)
+
+Theorem claim_4_2_invariant_generating_function (R : comUnitRingType) (n : nat) T (S : 'M[R]_n -> 'M[R]_n -> T) :
+  (forall g g0 k, g \in unitmx -> g0 \in unitmx -> k \in unitmx -> S (k *m g) (k *m g0) = S g g0) ->
+  let S_L f := S 1%:M f in
+  (forall g g0, g \in unitmx -> g0 \in unitmx -> S_L (invmx g *m g0) = S g g0)
+  /\ (forall S', (forall g g0, g \in unitmx -> g0 \in unitmx -> S' (invmx g *m g0) = S g g0) ->
+      forall f, f \in unitmx -> S' f = S_L f).
+Proof.
+move=> invariant /=; split=> [g g0 u u0|S' is_S f u].
+  by rewrite -[in RHS](invariant _ _ (invmx g)) ?unitmx_inv // mulVmx.
+by rewrite -[f in LHS]mul1mx -[1%:M in LHS]inverse_one is_S ?unitmx1.
+Qed.
+
+Section LeftInvariant.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (f g p mu Pi : 'M[R]_n) (l : 'M[dual R]_n -> dual R).
+
+(** ** The step of a generating function
+
+(4.2): \f$\Pi_0 = -L_g^*\,dS_L(g)\f$. C++: `actio::initial_momentum_left`, `groupoid/hamilton_jacobi.hpp`. *)
+Definition initial_momentum_left l g := - left_differential l g.
+
+(** (4.3): \f$\Pi = \mathrm{Ad}^*_{g^{-1}}\Pi_0\f$. C++: `actio::final_momentum_left`, `groupoid/hamilton_jacobi.hpp`. *)
+Definition final_momentum_left g Pi := Ad_star (invmx g) Pi.
+
+(** The momentum that (4.3) makes of (4.2) is \f$\Pi = -R_g^*\,dS_L(g)\f$, the one in the Hamilton-Jacobi equation (4.1). *)
+Theorem eq_4_3 l g : g \in unitmx ->
+  final_momentum_left g (initial_momentum_left l g) = - right_differential l g.
+Proof. by move=> u; rewrite /final_momentum_left /initial_momentum_left Ad_star_opp Ad_star_left. Qed.
+
+(** ** The momenta of a left-invariant step
+
+Let \f$\mathbb L(g_0, g_1) = \ell(f)\f$ with \f$f = g_1^{-1}g_0\f$ be an action. Then
+\f$p_0 = -\partial\mathbb L/\partial g_0\f$ and \f$p_1 = \partial\mathbb L/\partial g_1\f$ are the momenta at the start
+and at the end of the step. C++: `actio::lift_left`, `reduction/relative_motion.hpp`. *)
+Definition lift_left l (x0 x1 : 'M[dual R]_n) := l (relative_motion_left x0 x1).
+Definition start_momentum (L : 'M[dual R]_n -> 'M[dual R]_n -> dual R) g0 g1 := - first_differential L g0 g1.
+Definition end_momentum (L : 'M[dual R]_n -> 'M[dual R]_n -> dual R) g0 g1 := second_differential L g0 g1.
+
+Lemma first_differential_left l g0 g1 : g1 \in unitmx -> differentiable l (relative_motion_left g0 g1) ->
+  first_differential (lift_left l) g0 g1 = L_star (invmx g1) (differential l (relative_motion_left g0 g1)).
+Proof.
+move=> u dl; apply: differential_is => v.
+by rewrite /lift_left /relative_motion_left inverse_still // varied_mul mul0mx addr0 dl -L_star_dual.
+Qed.
+
+Lemma second_differential_left l g0 g1 : g1 \in unitmx -> differentiable l (relative_motion_left g0 g1) ->
+  let f := relative_motion_left g0 g1 in
+  second_differential (lift_left l) g0 g1 = - L_star (invmx g1) (R_star f (differential l f)).
+Proof.
+move=> u dl /=; apply: differential_is => v.
+rewrite /lift_left /relative_motion_left varied_inverse // varied_mul mulmx0 add0r mulNmx dl.
+rewrite pairing_oppr pairing_oppl L_star_dual R_star_dual /left_translation /right_translation.
+by rewrite /relative_motion_left !mulmxA.
+Qed.
+
+(** ** The Legendre map of a left-invariant system
+
+Section 4.2: \f$\Pi_{k-1} = -L^*_{f_{k,k-1}}d\ell(f_{k,k-1})\f$ is the body momentum at \f$g_{k-1}\f$ with which the step to
+\f$g_k\f$ begins. *)
+
+Theorem claim_4_2_left_legendre_map l g0 g1 : g0 \in unitmx -> g1 \in unitmx ->
+  differentiable l (relative_motion_left g0 g1) ->
+  body_momentum g0 (start_momentum (lift_left l) g0 g1) = momentum_before_left l (relative_motion_left g0 g1).
+Proof.
+move=> u0 u1 dl; rewrite /start_momentum first_differential_left // /body_momentum /momentum_before_left.
+by rewrite /left_differential /L_star mulmxN mulmxA -trmx_mul.
+Qed.
+
+(** ** The two lines of a step on the dual of the algebra
+
+(4.4) with its minus signs: \f$\Pi_k = -L_f^*\,d\ell(f)\f$ and \f$\Pi_{k+1} = -R_f^*\,d\ell(f)\f$ with \f$f = f_{k+1,k} =
+g_{k+1}^{-1}g_k\f$ are the body momenta at the start and at the end of the step. No equation of motion is needed. *)
+
+Theorem eq_4_4 l gk gk1 : gk \in unitmx -> gk1 \in unitmx -> let f := relative_motion_left gk gk1 in
+  differentiable l f ->
+  body_momentum gk (start_momentum (lift_left l) gk gk1) = - left_differential l f
+  /\ body_momentum gk1 (end_momentum (lift_left l) gk gk1) = - right_differential l f.
+Proof.
+move=> u0 u1 f dl; split; first exact: claim_4_2_left_legendre_map.
+rewrite /end_momentum second_differential_left // /body_momentum /L_star mulmxN mulmxA.
+by rewrite transpose_inverse // mul1mx.
+Qed.
+
+(** Along a motion of (3.11) the momentum at the end of one step is the momentum at the start of the next. *)
+Theorem eq_4_4_next_step l f10 f21 : euler_poincare_left l f10 f21 = 0 ->
+  - right_differential l f10 = momentum_before_left l f21.
+Proof. by move/eqP; rewrite subr_eq0 => /eqP; rewrite /momentum_before_left => ->. Qed.
+
+(** ** A discrete Lagrangian in the role of the generating function
+
+Section 4.2: the two lines of (4.4), with their minus signs, are (4.2) and (4.3) with \f$S_L = \ell\f$. *)
+
+Theorem claim_4_2_hamilton_jacobi_identification l Pi Pi' :
+  (exists f, [/\ f \in unitmx, Pi = - left_differential l f & Pi' = - right_differential l f])
+  <-> (exists g, [/\ g \in unitmx, Pi = initial_momentum_left l g & Pi' = final_momentum_left g Pi]).
+Proof.
+by split=> [[f [u -> ->]]|[g [u -> ->]]]; [exists f; rewrite -eq_4_3|exists g; rewrite eq_4_3].
+Qed.
+
+(** ** The system and the discrete Euler-Poincare equation
+
+Section 4.2: the equation (3.11) joins two of the systems (4.4), the second line of one step and the first line of the
+next, with \f$\Pi_k\f$ eliminated. *)
+
+Theorem claim_4_2_system_and_dep l f10 f21 :
+  euler_poincare_left l f10 f21 = 0 <-> exists Pi, Pi = right_differential l f10 /\ Pi = left_differential l f21.
+Proof.
+split=> [/eqP|[Pi [-> same]]]; last by rewrite /euler_poincare_left -same subrr.
+by rewrite subr_eq0 => /eqP same; exists (right_differential l f10).
+Qed.
+
+(** For configurations: the residual of (3.2) at \f$g_1\f$, translated to the identity on the left, is that of (3.11), on a
+motion or not. *)
+Theorem claim_4_2_system_and_dep_configurations l g0 g1 g2 :
+  g0 \in unitmx -> g1 \in unitmx -> g2 \in unitmx ->
+  let f10 := relative_motion_left g0 g1 in
+  let f21 := relative_motion_left g1 g2 in
+  differentiable l f10 -> differentiable l f21 ->
+  Ad_star g1 (discrete_euler_lagrange (lift_left l) g0 g1 g2) = euler_poincare_left l f10 f21.
+Proof.
+move=> u0 u1 u2 f10 f21 d10 d21; rewrite /discrete_euler_lagrange /D1 /D2 -/(R_star _ _).
+have [_ last] := eq_4_4 u0 u1 d10; have [first _] := eq_4_4 u1 u2 d21.
+have linear p q : Ad_star g1 (p + q) = Ad_star g1 p + Ad_star g1 q by rewrite /Ad_star mulmxDr mulmxDl.
+rewrite linear !Ad_star_right // /euler_poincare_left addrC; congr (_ + _); last exact: last.
+by apply: oppr_inj; rewrite -first /body_momentum /start_momentum /L_star mulmxN.
+Qed.
+
+(** ** The momentum update that follows from the two lines
+
+Section 4.2: \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$, for the two lines of (4.4) as they are printed and with
+minus signs as well. *)
+
+Theorem claim_4_2_dlp_consequence l f Pi Pi' : f \in unitmx ->
+  Pi = left_differential l f /\ Pi' = right_differential l f
+  \/ Pi = - left_differential l f /\ Pi' = - right_differential l f ->
+  Pi' = lie_poisson_update_left f Pi.
+Proof.
+by move=> u [] [-> ->]; rewrite /lie_poisson_update_left ?Ad_star_opp Ad_star_left.
+Qed.
+
+(** ** The square of group and dual-algebra dynamics
+
+(4.5): \f$\Sigma_\ell\f$ takes \f$f_{k,k-1}\f$ to \f$f_{k+1,k}\f$ where the two satisfy (3.11). \f$\Lambda_\ell\f$ takes
+\f$\Pi_{k-1}\f$ to \f$\Pi_k = \mathrm{Ad}^*_{f^{-1}}\Pi_{k-1}\f$, where \f$f\f$ solves \f$F\ell(f) = \Pi_{k-1}\f$. With
+\f$F\ell = c\,L^*d\ell\f$ the square commutes for every number \f$c\f$, \f$-1\f$ being the physical momentum and 1 the
+printed map. *)
+
+Definition sigma_left l f10 f21 := euler_poincare_left l f10 f21 = 0.
+Definition legendre_left (c : R) l f := c *: left_differential l f.
+Definition lambda_left (c : R) l Pi Pi' :=
+  exists f, [/\ f \in unitmx, Pi = legendre_left c l f & Pi' = lie_poisson_update_left f Pi].
+
+Lemma Ad_star_scale c g p : Ad_star g (c *: p) = c *: Ad_star g p.
+Proof. by rewrite /Ad_star -scalemxAr -scalemxAl. Qed.
+
+Theorem eq_4_5 c l f10 f21 : f10 \in unitmx -> sigma_left l f10 f21 ->
+  lambda_left c l (legendre_left c l f10) (legendre_left c l f21).
+Proof.
+move=> u /eqP; rewrite subr_eq0 => /eqP motion; exists f10; split=> //.
+rewrite /legendre_left motion /lie_poisson_update_left.
+by rewrite Ad_star_scale Ad_star_left.
+Qed.
+
+End LeftInvariant.
