@@ -583,3 +583,108 @@ by rewrite Ad_star_scale Ad_star_left.
 Qed.
 
 End LeftInvariant.
+
+(** ** The signs as printed
+
+The Legendre map and the two lines of (4.4) are printed without their minus signs. For an action \f$\ell\f$ they then give
+minus the body momentum with which the step begins, and minus the one with which it ends, against (4.2), of which the
+thesis says that \f$\ell\f$ plays the role of its generating function. The rotations of the plane are enough: with
+\f$\ell(f) = \mathrm{Tr}(f)\f$, \f$g_k\f$ a quarter turn and \f$g_{k+1} = 1\f$ the two sides have opposite values on
+the skew matrices, which are not zero. *)
+
+Definition quarter_turn := integers [:: [:: 0; -1]; [:: 1; 0]].
+
+Lemma quarter_turn_orthogonal : orthogonal (matrix_of 2 quarter_turn).
+Proof. by decide_by_computation. Qed.
+Lemma quarter_turn_skew : skew (matrix_of 2 quarter_turn).
+Proof. by rewrite /skew; decide_by_computation. Qed.
+Lemma one_orthogonal (R : comUnitRingType) (n : nat) : orthogonal (1%:M : 'M[R]_n).
+Proof. by rewrite /orthogonal trmx1 mulmx1. Qed.
+Lemma relative_to_one (R : comUnitRingType) (n : nat) (f : 'M[R]_n) : relative_motion_left f 1%:M = f.
+Proof. by rewrite /relative_motion_left inverse_one mul1mx. Qed.
+
+Theorem claim_4_2_left_legendre_map_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (g0 g1 : 'M[R]_n),
+     orthogonal g0 -> orthogonal g1 -> differentiable l (relative_motion_left g0 g1) ->
+     agree (@skew R n) (body_momentum g0 (start_momentum (lift_left l) g0 g1))
+       (left_differential l (relative_motion_left g0 g1))).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- L_star f 1%:M) x = pairing (L_star f 1%:M) x.
+  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
+  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
+  rewrite claim_4_2_left_legendre_map ?unitmx1 ?orthogonal_unit // relative_to_one.
+  by rewrite /momentum_before_left /left_differential linear_differential.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.
+
+Theorem eq_4_4_printed_fails_first :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     orthogonal gk -> orthogonal gk1 -> differentiable l (relative_motion_left gk gk1) ->
+     agree (@skew R n) (body_momentum gk (start_momentum (lift_left l) gk gk1))
+       (left_differential l (relative_motion_left gk gk1))).
+Proof. exact: claim_4_2_left_legendre_map_printed_fails. Qed.
+
+Theorem eq_4_4_printed_fails_second :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     orthogonal gk -> orthogonal gk1 -> differentiable l (relative_motion_left gk gk1) ->
+     agree (@skew R n) (body_momentum gk1 (end_momentum (lift_left l) gk gk1))
+       (right_differential l (relative_motion_left gk gk1))).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
+  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
+  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
+  have [_ ->] := eq_4_4 (orthogonal_unit o) (unitmx1 _ _) dl; rewrite relative_to_one.
+  by rewrite /right_differential linear_differential.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.
+
+(** That the printed system (4.4) "is precisely the Lie-Poisson Hamilton-Jacobi system with the reduced discrete Lagrangian
+\f$\ell\f$ playing the role of the generating function" fails not only in the signs of momenta: the two systems do not relate
+the same momenta. On 1 by 1 matrices with \f$\ell(f) = f^2\f$ the printed one takes the momentum 2 to itself, by
+\f$f = 1\f$; (4.2) asks for \f$-2g^2 = 2\f$, which no rational \f$g\f$ satisfies. *)
+
+Theorem claim_4_2_hamilton_jacobi_identification_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (Pi Pi' : 'M[R]_n),
+     (forall f, f \in unitmx -> differentiable l f) ->
+     (exists f, [/\ f \in unitmx, Pi = left_differential l f & Pi' = right_differential l f])
+     <-> (exists g, [/\ g \in unitmx, Pi = initial_momentum_left l g & Pi' = final_momentum_left g Pi])).
+Proof.
+move=> printed; pose l (x : 'M[dual rat]_1) := x 0 0 * x 0 0.
+have rate_is (f v : 'M[rat]_1) : rate (l (varied f v)) = pairing (f 0 0 *+ 2)%:M v.
+  rewrite /l !mxE /= [v 0 0 * _]mulrC -mulr2n pairing_sym /pairing mul_mx_scalar mxtraceZ mxtrace_tr.
+  by rewrite /mxtrace big_ord1 mulrnAl.
+have slope f : differential l f = (f 0 0 *+ 2)%:M by apply: differential_is.
+have [from_printed _] := printed _ _ l 2%:R%:M 2%:R%:M (fun f _ => differentiable_is (rate_is f)).
+case: from_printed => [|g [_ Pi_g _]].
+  exists 1%:M; rewrite unitmx1 /left_differential /right_differential !slope /L_star /R_star trmx1 mul1mx mulmx1.
+  by rewrite mxE.
+move/matrixP/(_ 0 0): Pi_g; rewrite /initial_momentum_left /left_differential slope /L_star mul_mx_scalar !mxE.
+rewrite eqxx mulr1n => two_is; have : (2%:R : rat) <= 0.
+  by rewrite two_is Num.Theory.oppr_le0 mulrnAl Num.Theory.mulrn_wge0 // -expr2 Num.Theory.sqr_ge0.
+by [].
+Qed.
+
+(** ** The update as printed
+
+Below (4.4) the update is printed as "a direct consequence", \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}}\Pi_k\f$. The inverse is
+missing, as in (3.18): with \f$\ell(f) = \mathrm{Tr}(W^Tf)\f$, \f$W = \mathrm{diag}(1, -1)\f$, and \f$f\f$ a
+triangular matrix the two lines do not satisfy it. *)
+
+Theorem claim_4_2_dlp_consequence_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (f Pi Pi' : 'M[R]_n),
+     f \in unitmx -> differentiable l f -> Pi = left_differential l f -> Pi' = right_differential l f ->
+     Pi' = Ad_star f Pi).
+Proof.
+move=> printed.
+have for_linear (R : comUnitRingType) (n : nat) (W f : 'M[R]_n) : f \in unitmx ->
+    R_star f W = Ad_star f (L_star f W).
+  move=> u; have := printed R n _ f _ _ u (@linear_differentiable R n W f) erefl erefl.
+  by rewrite /left_differential /right_differential linear_differential.
+pose W := integers [:: [:: 1; 0]; [:: 0; -1]]; pose f := integers [:: [:: 1; 0]; [:: 1; 1]].
+have unit_f : matrix_of 2 f \in unitmx by decide_by_computation.
+by have := for_linear _ _ (matrix_of 2 W) _ unit_f; decide_by_computation.
+Qed.
