@@ -688,3 +688,279 @@ pose W := integers [:: [:: 1; 0]; [:: 0; -1]]; pose f := integers [:: [:: 1; 0];
 have unit_f : matrix_of 2 f \in unitmx by decide_by_computation.
 by have := for_linear _ _ (matrix_of 2 W) _ unit_f; decide_by_computation.
 Qed.
+
+(** ** The algorithm iterated
+
+Section 4.2: the discrete Lie-Poisson algorithm iterated is (4.3) with the composed relative motion
+\f$g = f_{N,N-1}\cdots f_{1,0}\f$, the later factors first. *)
+
+Section Iterated.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (f g v Pi : nat -> 'M[R]_n) (l : 'M[dual R]_n -> dual R).
+
+(** \f$f_{N-1}\cdots f_1f_0\f$. *)
+Fixpoint composed_left (S : comUnitRingType) (f : nat -> 'M[S]_n) N : 'M[S]_n :=
+  if N is k.+1 then f k *m composed_left f k else 1%:M.
+
+Lemma composed_left_unit f N : (forall k, f k \in unitmx) -> composed_left f N \in unitmx.
+Proof. by move=> u; elim: N => [|N IH] /=; rewrite ?unitmx1 // product_unit. Qed.
+
+(** Momenta: the last one is \f$\mathrm{Ad}^*_{g^{-1}}\f$ of the first. *)
+Theorem claim_4_2_iterated_lie_poisson_momentum f Pi N : (forall k, f k \in unitmx) ->
+  (forall k, Pi k.+1 = lie_poisson_update_left (f k) (Pi k)) ->
+  Pi N = final_momentum_left (composed_left f N) (Pi 0%N).
+Proof.
+move=> u update; elim: N => [|N IH] /=; first by rewrite /final_momentum_left inverse_one Ad_star_one.
+rewrite update IH /lie_poisson_update_left /final_momentum_left.
+by rewrite Ad_star_product ?unitmx_inv ?composed_left_unit // inverse_product ?composed_left_unit.
+Qed.
+
+(** Configurations: with (3.15) the composed motion is \f$g = g_N^{-1}g_0\f$. For a motion that starts at the identity it is
+the inverse of the position \f$g_N\f$. *)
+Theorem claim_4_2_iterated_lie_poisson f g N : (forall k, f k \in unitmx) -> (forall k, g k \in unitmx) ->
+  (forall k, g k.+1 = reconstruct_left (g k) (f k)) ->
+  composed_left f N = relative_motion_left (g 0%N) (g N).
+Proof.
+move=> uf ug step; elim: N => [|N IH] /=; first by rewrite /relative_motion_left mulVmx.
+rewrite IH step /relative_motion_left /reconstruct_left inverse_product ?unitmx_inv // invmxK.
+by rewrite mulmxA.
+Qed.
+
+(** The generating function of the iterated step is the sum of \f$\ell\f$ along the motion, as a function of the composed
+motion: however the relative motions vary along a solution of (3.11), the sum changes by
+\f$-\langle\Pi_0, g^{-1}\delta g\rangle\f$, which depends on the variation of the product alone and is (4.2) for it. *)
+Theorem claim_4_2_iterated_lie_poisson_generating_function l f v N : (forall k, f k \in unitmx) ->
+  (forall k, differentiable l (f k)) -> (forall k, euler_poincare_left l (f k) (f k.+1) = 0) ->
+  let g := composed_left f N in
+  let delta_g := rate_of (composed_left (fun k => varied (f k) (v k)) N) in
+  rate (\sum_(k < N) l (varied (f k) (v k))) = - pairing (momentum_before_left l (f 0%N)) (invmx g *m delta_g).
+Proof.
+move=> u dl motion; pose c k := composed_left (fun k => varied (f k) (v k)) k.
+have value_c k : value_of (c k) = composed_left f k.
+  elim: k => [|k IH]; first by rewrite /c /= -[X in value_of X]varied_one value_varied.
+  by rewrite /c /= [composed_left _ k]variedE varied_mul value_varied -/(c k) IH.
+(* The first momentum is carried along by the update, and each step adds its own variation. *)
+have carried k : momentum_before_left l (f k) = final_momentum_left (composed_left f k) (momentum_before_left l (f 0%N)).
+  apply: (@claim_4_2_iterated_lie_poisson_momentum f (fun k => momentum_before_left l (f k))) => // j.
+  by apply/(agree_all _ _)/(eq_3_18 _ _ _ (u j)) => x _; rewrite motion.
+elim: N => [|N IH] /=; first by rewrite big_ord0 -[X in rate_of X]varied_one rate_varied mulmx0 pairing_0r oppr0.
+rewrite big_ord_recr raddfD /= IH dl -/(c N) [c N]variedE varied_mul rate_varied value_c.
+have uc := composed_left_unit N u.
+rewrite rate_varied inverse_product // mulmxDr pairing_addr opprD; congr (_ + _).
+  by rewrite mulmxA -[_ *m invmx (f N) *m f N]mulmxA mulVmx // mulmx1.
+have -> : invmx (composed_left f N) *m invmx (f N) *m (v N *m composed_left f N)
+    = Ad (invmx (composed_left f N)) (invmx (f N) *m v N) by rewrite /Ad invmxK !mulmxA.
+rewrite -Ad_star_dual -[Ad_star _ _]carried /momentum_before_left pairing_oppl opprK L_star_dual.
+by rewrite /left_translation mulmxA mulmxV // mul1mx.
+Qed.
+
+End Iterated.
+
+(** The thesis has the solution \f$g\f$ of (4.2) approximate "the current position \f$g(t)\f$". For a motion that starts at the
+identity the composed motion is the inverse of the position; the two differ after one step already. *)
+
+Theorem claim_4_2_iterated_lie_poisson_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (f g : nat -> 'M[R]_n) (N : nat),
+     (forall k, f k \in unitmx) -> g 0%N = 1%:M -> (forall k, g k.+1 = reconstruct_left (g k) (f k)) ->
+     composed_left f N = g N).
+Proof.
+move=> printed.
+have self_inverse (R : comUnitRingType) (n : nat) (f : 'M[R]_n) : f \in unitmx -> f = invmx f.
+  move=> u; pose g := fix g k := if k is j.+1 then reconstruct_left (g j) f else 1%:M.
+  have := printed R n (fun=> f) g 1%N (fun=> u) erefl (fun=> erefl).
+  by rewrite /= mulmx1 /reconstruct_left mul1mx.
+have unit_f : matrix_of 2 quarter_turn \in unitmx by decide_by_computation.
+by have := self_inverse _ _ _ unit_f; decide_by_computation.
+Qed.
+
+(** ** The square of Legendre maps and quotient maps
+
+Section 4.3. Above: \f$F\mathbb L(g_k, g_{k+1}) = (g_k, p_k)\f$ with \f$p_k = \partial\mathbb L/\partial g_k\f$. Below:
+\f$F\ell(f) = R_f^*\ell'(f)\f$. Down: \f$\pi_d(g_k, g_{k+1}) = g_kg_{k+1}^{-1}\f$ and \f$\pi(g, p) = R_g^*p\f$. *)
+
+Section Square.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (f g p mu Pi : 'M[R]_n) (l : 'M[dual R]_n -> dual R).
+
+(** C++: `actio::lift_right`, `reduction/relative_motion.hpp`. *)
+Definition lift_right l (x0 x1 : 'M[dual R]_n) := l (relative_motion_right x0 x1).
+
+(** (4.8), the chain rule: since \f$f = g_kg_{k+1}^{-1}\f$, \f$\partial\mathbb L/\partial g_k =
+R^*_{g_{k+1}^{-1}}\,\partial\ell/\partial f\f$. *)
+Lemma first_differential_right l gk gk1 : gk1 \in unitmx -> differentiable l (relative_motion_right gk gk1) ->
+  first_differential (lift_right l) gk gk1 = R_star (invmx gk1) (differential l (relative_motion_right gk gk1)).
+Proof.
+move=> u dl; apply: differential_is => v.
+rewrite /lift_right /relative_motion_right inverse_still // varied_mul mulmx0 add0r dl.
+by rewrite -/(right_translation _ _) -R_star_dual.
+Qed.
+
+(** ** The spatial momentum along the square
+
+(4.8) with its inverse:
+\f[ \mu = R_{g_k}^*p_k = R_{g_k}^*\frac{\partial(\ell\circ\pi_d)}{\partial g_k} =
+R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\,\frac{\partial\ell}{\partial f} =
+R_f^*\,\ell'(f). \] *)
+
+Theorem eq_4_8 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  R_star gk (first_differential (lift_right l) gk gk1) = R_star gk (R_star (invmx gk1) (differential l f))
+  /\ R_star gk (R_star (invmx gk1) (differential l f)) = R_star f (differential l f).
+Proof.
+move=> u f dl; split; first by rewrite first_differential_right.
+by rewrite /R_star -mulmxA -trmx_mul.
+Qed.
+
+(** ** The Legendre maps commute with the quotient maps
+
+Theorem 4.3.1, with either sign of both Legendre maps, here by any factor \f$c\f$: from a pair the two ways around the
+square (4.6) lead to one momentum. That \f$\mathbb L\f$ is regular is not needed. *)
+
+Definition legendre_of_pairs (c : R) l gk gk1 : 'M[R]_n * 'M[R]_n := (gk, c *: first_differential (lift_right l) gk gk1).
+Definition quotient_of_covectors (gp : 'M[R]_n * 'M[R]_n) : 'M[R]_n := R_star gp.1 gp.2.
+Definition legendre_of_group (c : R) l f : 'M[R]_n := c *: right_differential l f.
+
+Theorem thm_4_3_1 c l gk gk1 : gk1 \in unitmx -> differentiable l (relative_motion_right gk gk1) ->
+  quotient_of_covectors (legendre_of_pairs c l gk gk1) = legendre_of_group c l (relative_motion_right gk gk1).
+Proof.
+move=> u dl; have [first last] := eq_4_8 u dl.
+by rewrite /quotient_of_covectors /= {1}/R_star -scalemxAl -/(R_star _ _) first last.
+Qed.
+
+(** (4.7): \f$p_k = \partial\mathbb L/\partial g_k\f$ and \f$\mu = R_{g_k}^*p_k\f$, over \f$f\f$ with
+\f$fg_{k+1} = g_k\f$. *)
+
+Theorem eq_4_7 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f -> f *m gk1 = gk /\ D1 (lift_right l) gk gk1 = right_differential l f.
+Proof.
+move=> u f dl; split; first by rewrite /f /relative_motion_right -mulmxA mulVmx // mulmx1.
+by rewrite /D1; have [-> ->] := eq_4_8 u dl.
+Qed.
+
+Lemma second_differential_right l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  second_differential (lift_right l) gk gk1 = - R_star (invmx gk1) (L_star f (differential l f)).
+Proof.
+move=> u f dl; apply: differential_is => v.
+rewrite /lift_right /relative_motion_right varied_inverse // varied_mul mul0mx addr0 mulmxN dl.
+rewrite pairing_oppr pairing_oppl R_star_dual L_star_dual /left_translation /right_translation.
+by rewrite /f /relative_motion_right !mulmxA.
+Qed.
+
+(** (4.6) for the other Legendre map, that of the momentum after the step: \f$D_2\mathbb L\f$ above and
+\f$-L_f^*\ell'(f)\f$ below. *)
+
+Theorem eq_4_6 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  D1 (lift_right l) gk gk1 = right_differential l f /\ D2 (lift_right l) gk gk1 = - left_differential l f.
+Proof.
+move=> u f dl; split; first by have [_ ->] := eq_4_7 u dl.
+rewrite /D2 /left_differential second_differential_right // /R_star mulNmx -mulmxA.
+by rewrite inverse_transpose // mulmx1.
+Qed.
+
+(** ** The value of the Legendre map
+
+Theorem 4.3.1, last line of its proof: \f$\mu = F\ell(f) = -R_f^*\ell'(f)\f$, with the minus of the physical momentum, is the
+spatial momentum with which the step from \f$g_k\f$ begins, \f$\mathbb L\f$ being an action. *)
+
+Theorem claim_4_3_legendre_map_value l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  spatial_momentum gk (start_momentum (lift_right l) gk gk1) = momentum_before_right l f.
+Proof.
+move=> u f dl; rewrite /spatial_momentum /start_momentum /R_star mulNmx -/(R_star _ _).
+by have [-> ->] := eq_4_8 u dl.
+Qed.
+
+(** ** The reconstructed algorithm is the image of the discrete motion
+
+Corollary 4.3.1 and section 4.3: let the momenta be carried by the discrete Lie-Poisson algorithm along a solution of (3.10),
+and the configurations by (3.14). Then \f$(g_k, R^*_{g_k^{-1}}\mu_k)\f$ is the image of the pair \f$(g_k, g_{k+1})\f$ under the
+Legendre map \f$-D_1\mathbb L\f$; and its body momentum, that of the symmetry, is the same at all steps. *)
+
+Theorem cor_4_3_1 l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) -> g 0%N \in unitmx ->
+  (forall j, differentiable l (f j)) -> (forall j, euler_poincare_right l (f j) (f j.+1) = 0) ->
+  (forall j, g j.+1 = reconstruct_right (g j) (f j)) ->
+  mu 0%N = momentum_before_right l (f 0%N) ->
+  (forall j, mu j.+1 = lie_poisson_update_right (f j) (mu j)) ->
+  R_star (invmx (g k)) (mu k) = start_momentum (lift_right l) (g k) (g k.+1).
+Proof.
+move=> u u0 dl motion step first update.
+have ug j : g j \in unitmx by elim: j => [//|j IH]; rewrite step /reconstruct_right product_unit ?unitmx_inv.
+have mu_is j : mu j = momentum_before_right l (f j).
+  elim: j => [//|j IH]; rewrite update IH; apply/esym.
+  by apply/(agree_all _ _)/(eq_3_17 _ _ _ (u j)) => x _; rewrite motion.
+have f_is : relative_motion_right (g k) (g k.+1) = f k.
+  rewrite step /relative_motion_right /reconstruct_right inverse_product ?unitmx_inv // invmxK.
+  by rewrite mulmxA mulmxV // mul1mx.
+have dl_k : differentiable l (relative_motion_right (g k) (g k.+1)) by rewrite f_is.
+have := claim_4_3_legendre_map_value (ug k.+1) dl_k; rewrite f_is -mu_is => <-.
+by rewrite /spatial_momentum /R_star -mulmxA transpose_inverse // mulmx1.
+Qed.
+
+Theorem claim_4_3_reconstruction_image l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) ->
+  (forall j, g j \in unitmx) -> (forall j, g j.+1 = reconstruct_right (g j) (f j)) ->
+  (forall j, mu j.+1 = lie_poisson_update_right (f j) (mu j)) ->
+  body_momentum (g k) (R_star (invmx (g k)) (mu k)) = body_momentum (g 0%N) (R_star (invmx (g 0%N)) (mu 0%N)).
+Proof.
+move=> uf ug step update.
+have body j : body_momentum (g j) (R_star (invmx (g j)) (mu j)) = Ad_star (g j) (mu j).
+  by rewrite /body_momentum /L_star /R_star /Ad_star mulmxA.
+rewrite !body; elim: k => [//|k <-]; rewrite step update /lie_poisson_update_right /reconstruct_right.
+by rewrite Ad_star_product ?product_unit ?unitmx_inv // mulmxA mulmxV // mul1mx.
+Qed.
+
+End Square.
+
+(** ** The tangent maps of the square commute
+
+Section 4.3, above (4.10): \f$TF\ell\circ T\pi_d = T\pi\circ TF\mathbb L\f$. Theorem 4.3.1 holds over every commutative ring; over
+that of dual numbers, with functions given on dual numbers of dual numbers, it says that the two ways around the square
+lead to one momentum and to one rate of it. *)
+
+Theorem claim_4_3_tangent_square (R : comUnitRingType) (n : nat) (c : dual R)
+  (l : 'M[dual (dual R)]_n -> dual (dual R)) (gk gk1 v v1 : 'M[R]_n) : gk1 \in unitmx ->
+  differentiable l (relative_motion_right (varied gk v) (varied gk1 v1)) ->
+  rate_of (quotient_of_covectors (legendre_of_pairs c l (varied gk v) (varied gk1 v1)))
+  = rate_of (legendre_of_group c l (relative_motion_right (varied gk v) (varied gk1 v1))).
+Proof. by move=> u dl; rewrite thm_4_3_1 // varied_unit. Qed.
+
+(** ** The square: what is printed
+
+(4.8) is printed with \f$R_{g_k}^*\bigl(R_{g_{k+1}}^*\,\partial\ell/\partial f\bigr)\f$ in the middle, without the inverse that
+the sentence after it has. With \f$g_k = 1\f$ and the covector 1 the two differ wherever
+\f$g_{k+1}\f$ is not its own inverse. *)
+
+Theorem eq_4_8_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     gk \in unitmx -> gk1 \in unitmx -> let f := relative_motion_right gk gk1 in differentiable l f ->
+     R_star gk (R_star gk1 (differential l f)) = R_star f (differential l f)).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (g : 'M[R]_n) : g \in unitmx ->
+    R_star g 1%:M = R_star (invmx g) 1%:M.
+  move=> u; have := printed R n _ 1%:M g (unitmx1 _ _) u (@linear_differentiable R n 1%:M _).
+  by rewrite /= linear_differential /relative_motion_right mul1mx {1}/R_star trmx1 mulmx1.
+have unit_g : matrix_of 2 quarter_turn \in unitmx by decide_by_computation.
+by have := for_trace _ _ _ unit_g; decide_by_computation.
+Qed.
+
+(** The value of the Legendre map is printed as \f$\mu = R_f^*\ell'(f)\f$. For an action this is minus the momentum with which the
+step begins; a quarter turn of the plane with \f$\ell(f) = \mathrm{Tr}(f)\f$ shows it, on the skew matrices. *)
+
+Theorem claim_4_3_legendre_map_value_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     orthogonal gk -> orthogonal gk1 -> let f := relative_motion_right gk gk1 in differentiable l f ->
+     agree (@skew R n) (spatial_momentum gk (start_momentum (lift_right l) gk gk1)) (right_differential l f)).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
+  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_right f 1%:M).
+  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
+  rewrite claim_4_3_legendre_map_value ?unitmx1 // eq_3_9_onto.
+  by rewrite /momentum_before_right /right_differential linear_differential.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.
