@@ -332,7 +332,7 @@ Section 4.1, below definition 4.1.1: in a solution each neighbouring pair is cri
 1+\varepsilon v_k\f$, and nothing moves at the two ends, \f$v_0 = v_{N+1} = 0\f$. The product of all arrows is held, and the
 sum of \f$\ell\f$ changes by what the pairs leave:
 \f[ \frac{d}{d\varepsilon}\sum_{k=0}^N\ell(x_k^{-1}g_kx_{k+1}) =
-\sum_{k=0}^{N-1}\langle L^*_{g_k}\ell'(g_k) - R^*_{g_{k+1}}\ell'(g_{k+1}), v_{k+1}\rangle. \] *)
+\sum_{k=0}^{N-1}\langle L^*_{g_k}\ell'(g_k) - R^*_{g_{k+1}}\ell'(g_{k+1}), v_{k+1}\rangle. \f] *)
 
 Section Sequences.
 
@@ -802,7 +802,7 @@ Qed.
 (4.8) with its inverse:
 \f[ \mu = R_{g_k}^*p_k = R_{g_k}^*\frac{\partial(\ell\circ\pi_d)}{\partial g_k} =
 R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\,\frac{\partial\ell}{\partial f} =
-R_f^*\,\ell'(f). \] *)
+R_f^*\,\ell'(f). \f] *)
 
 Theorem eq_4_8 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
   differentiable l f ->
