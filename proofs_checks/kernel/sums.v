@@ -640,7 +640,7 @@ Definition hamiltonian_vector J (X : V * V) (dF : V * V -> W) := forall w, discr
 quotient map \f$\pi_d\f$. Where \f$\mathbb L\f$ is regular in its first slot the bracket of any two
 functions of the first configuration is zero, so that the printed formula would make all functions on
 \f$G\f$ commute. *)
-Theorem eq_3_13_printed_bracket_vanishes J (X Y : V * V) (dF dH : V * V -> W) :
+Theorem bracket_of_the_first_projection_vanishes J (X Y : V * V) (dF dH : V * V -> W) :
   (forall y, D12 J 0 y = 0) -> (forall x, (forall y, D12 J x y = 0) -> x = 0) ->
   (forall v, dF (0, v) = 0) -> (forall v, dH (0, v) = 0) ->
   hamiltonian_vector J X dF -> hamiltonian_vector J Y dH -> discrete_two_form J X Y = 0.
