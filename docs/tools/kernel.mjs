@@ -46,11 +46,23 @@ export function pieces(text) {
 /// The registry's id that a theorem's name is or begins with; the longest.
 export const idOf = (name, ids) => [...ids].filter(id => name === id || name.startsWith(`${id}_`)).sort((a, b) => b.length - a.length)[0] ?? null;
 
+/// The same text, with blanks for what stands in comments, which may be nested.
+export function withoutComments(text) {
+  let out = '', depth = 0;
+  for (let i = 0; i < text.length; ++i) {
+    const two = text.slice(i, i + 2);
+    if (two === '(*') ++depth;
+    out += depth && text[i] !== '\n' ? ' ' : text[i];
+    if (two === '*)' && depth) { out += ' ', ++i, --depth; }
+  }
+  return out;
+}
+
 /// The theorems of the sources: name, id or null, file, line, the statement as it is written, and which of the three it is.
 export function theorems(root, ids) {
   const all = [];
   for (const file of proofFiles(root)) {
-    const text = fs.readFileSync(path.join(root, folder, file), 'utf8');
+    const text = withoutComments(fs.readFileSync(path.join(root, folder, file), 'utf8'));
     for (const m of text.matchAll(/^Theorem\s+(\w+)([\s\S]*?)\.\s*\n\s*Proof/gm)) {
       const id = idOf(m[1], ids), refutes = /_printed_fails(_\w+)?$/.test(m[1]);
       all.push({ name: m[1], id, file, line: text.slice(0, m.index).split('\n').length,
@@ -119,15 +131,16 @@ export function seal(book, id) {
 // ---- Pages
 
 const keyword = /\b(Theorem|Lemma|Corollary|Example|Definition|Fixpoint|Proof|Qed|Section|End|Variables?|Hypothes[ei]s|Context|Implicit Types?|Record|Notation|Local|Canonical|Let|Import|From|Require|Set|Unset|Open Scope|forall|exists|fun|let|in|if|then|else|match|with|end)\b/g;
-/// Code with its keywords and comments set off. The lines of a proof are folded away below the theorem.
+/// Code with its keywords and comments set off.
 function colour(code) {
   return code.split(/(\(\*[\s\S]*?\*\))/).map((part, i) => (i % 2 ? `<span class="comment">${escapeHtml(part)}</span>` : escapeHtml(part).replace(keyword, '<span class="keyword">$&</span>'))).join('');
 }
-export function codeBlock(code) {
-  // What is claimed stands open; how it is proved unfolds.
-  const html = code.split(/(^Proof\.[\s\S]*?^(?:Qed|Defined)\.$|^Proof\. .*(?:Qed|Defined)\.$)/m).map((part, i) => {
+/// A piece of a source: what is claimed stands open, how it is proved unfolds. The name of a theorem leads to its statement.
+export function codeBlock(code, ids = new Set()) {
+  const named = name => { const id = idOf(name, ids); return id ? `<a href="@ref:${id}">${name}</a>` : name; };
+  const html = code.split(/(^Proof\.[^\n]*(?:Qed|Defined)\.$|^Proof\.[\s\S]*?(?:^|\s)(?:Qed|Defined)\.$)/m).map((part, i) => {
     if (!part.trim()) return '';
-    if (i % 2 === 0) return `<pre class="coq">${colour(part.replace(/^\n+|\s+$/g, '')).replace(/(<span class="keyword">Theorem<\/span>\s+)(\w+)/g, '$1<a class="target" id="proof_$2"></a><b>$2</b>')}</pre>`;
+    if (i % 2 === 0) return `<pre class="coq">${colour(part.replace(/^\n+|\s+$/g, '')).replace(/(<span class="keyword">Theorem<\/span>\s+)(\w+)/g, (_, theorem, name) => `${theorem}<a class="target" id="proof_${name}"></a><b>${named(name)}</b>`)}</pre>`;
     const lines = part.trim().split('\n').length;
     return `<details class="coq-proof"><summary>proof, ${lines} line${lines === 1 ? '' : 's'}</summary><pre class="coq">${colour(part.trim())}</pre></details>`;
   });

@@ -324,3 +324,643 @@ by have := rate_is v; rewrite same ?pairing_0l.
 Qed.
 
 End GroupOfMatrices.
+
+(** ** Sequences that solve the Lagrange equations
+
+Section 4.1, below definition 4.1.1: in a solution each neighbouring pair is critical. The arrows
+\f$g_0, \dots, g_N\f$ are varied at their joints: \f$g_k\f$ becomes \f$x_k^{-1}g_kx_{k+1}\f$ with \f$x_k =
+1+\varepsilon v_k\f$, and nothing moves at the two ends, \f$v_0 = v_{N+1} = 0\f$. The product of all arrows is held, and the
+sum of \f$\ell\f$ changes by what the pairs leave:
+\f[ \frac{d}{d\varepsilon}\sum_{k=0}^N\ell(x_k^{-1}g_kx_{k+1}) =
+\sum_{k=0}^{N-1}\langle L^*_{g_k}\ell'(g_k) - R^*_{g_{k+1}}\ell'(g_{k+1}), v_{k+1}\rangle. \f] *)
+
+Section Sequences.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (g v : nat -> 'M[R]_n) (l : 'M[dual R]_n -> dual R) (algebra : 'M[R]_n -> Prop).
+
+Definition joint v k : 'M[dual R]_n := varied 1%:M (v k).
+Definition moved_arrow g v k := invmx (joint v k) *m still (g k) *m joint v k.+1.
+
+Lemma moved_arrowE g v k : moved_arrow g v k = varied (g k) (g k *m v k.+1 - v k *m g k).
+Proof.
+rewrite /moved_arrow /joint varied_inverse ?unitmx1 // !varied_mul inverse_one !mul1mx !mulmx1 add0r.
+by rewrite mulNmx.
+Qed.
+
+Theorem claim_4_1_solution_sequence_product g v N : v 0%N = 0 -> v N = 0 ->
+  composed_right (moved_arrow g v) N = still (composed_right g N).
+Proof.
+move=> start stop; suff telescopes k : composed_right (moved_arrow g v) k = still (composed_right g k) *m joint v k.
+  by rewrite telescopes /joint stop varied_one mulmx1.
+elim: k => [|k IH] /=; first by rewrite /joint start /still varied_one mulmx1.
+have unit_joint : joint v k \in unitmx by rewrite varied_unit unitmx1.
+rewrite IH /moved_arrow !mulmxA -[_ *m joint v k *m _]mulmxA mulmxV // mulmx1.
+by rewrite /still [varied _ 0 *m varied _ 0]varied_mul mulmx0 mul0mx addr0.
+Qed.
+
+Theorem claim_4_1_solution_sequence_sum l g v N : (forall k, differentiable l (g k)) ->
+  v 0%N = 0 -> v N.+1 = 0 ->
+  rate (\sum_(k < N.+1) l (moved_arrow g v k))
+  = \sum_(k < N) pairing (left_differential l (g k) - right_differential l (g k.+1)) (v k.+1).
+Proof.
+move=> dl start stop; rewrite raddf_sum.
+have each k : rate (l (moved_arrow g v k))
+    = pairing (left_differential l (g k)) (v k.+1) - pairing (right_differential l (g k)) (v k).
+  by rewrite moved_arrowE dl pairing_addr pairing_oppr L_star_dual R_star_dual.
+rewrite (eq_bigr _ (fun (k : 'I_N.+1) _ => each k)) sumrB big_ord_recr big_ord_recl /= start stop !pairing_0r addr0 add0r.
+by rewrite -sumrB; apply: eq_bigr => k _; rewrite pairing_addl pairing_oppl.
+Qed.
+
+(** All pairs are critical exactly where the sequence is stationary. *)
+Theorem claim_4_1_solution_sequence algebra l g N : algebra 0 -> (forall k, differentiable l (g k)) ->
+  (forall k, k < N -> agree algebra (left_differential l (g k)) (right_differential l (g k.+1)))%N
+  <-> (forall v, (forall k, algebra (v k)) -> v 0%N = 0 -> v N.+1 = 0 ->
+       rate (\sum_(k < N.+1) l (moved_arrow g v k)) = 0).
+Proof.
+move=> zero_in dl; split=> [critical v in_v start stop|stationary k k_N x in_x].
+  rewrite claim_4_1_solution_sequence_sum // big1 // => k _.
+  by rewrite pairing_addl pairing_oppl critical // subrr.
+pose v j := if j == k.+1 then x else 0.
+have in_v j : algebra (v j) by rewrite /v; case: eqP.
+have stop : v N.+1 = 0 by rewrite /v eqSS gtn_eqF.
+have := stationary v in_v erefl stop; rewrite claim_4_1_solution_sequence_sum // (bigD1 (Ordinal k_N)) //=.
+rewrite big1 ?addr0 => [|j ne_k]; last by rewrite /v eqSS -val_eqE /= in ne_k *; rewrite (negbTE ne_k) pairing_0r.
+by rewrite /v eqxx pairing_addl pairing_oppl => /eqP; rewrite subr_eq0 => /eqP.
+Qed.
+
+(** ** The Legendre maps take the one dynamics to the other
+
+Section 4.1, below definition 4.1.2. \f$\Lambda\f$ takes the covector at the start of an arrow to the covector at its end; on
+a group it takes \f$R_h^*\ell'(h)\f$ to \f$L_h^*\ell'(h)\f$. It is written as a relation, since \f$\ell\f$ need not be
+regular. *)
+Definition generated_map l (mu nu : 'M[R]_n) :=
+  exists h, [/\ h \in unitmx, mu = right_differential l h & nu = left_differential l h].
+
+(** For a critical pair \f$(g, h)\f$, \f$F(g)\f$ goes to \f$F(h)\f$ under \f$\Lambda\f$, with the Legendre map at the sources
+of arrows for \f$F\f$ as well as with that at their targets. *)
+Theorem claim_4_1_legendre_intertwines l (g h : 'M[R]_n) : g \in unitmx -> h \in unitmx ->
+  left_differential l g = right_differential l h ->
+  generated_map l (right_differential l g) (right_differential l h)
+  /\ generated_map l (left_differential l g) (left_differential l h).
+Proof. by move=> ug uh critical; split; [exists g|exists h]; rewrite ?critical. Qed.
+
+(** The generated map carries a momentum by the coadjoint action. *)
+Theorem generated_map_coadjoint l (mu nu : 'M[R]_n) : generated_map l mu nu ->
+  exists2 h, h \in unitmx & nu = Ad_star h mu.
+Proof. by case=> h [u -> ->]; exists h => //; rewrite Ad_star_right. Qed.
+
+End Sequences.
+
+(** ** Invariant generating functions
+
+Section 4.2: for a generating function \f$S(g, g_0)\f$ that is invariant under multiplication of both configurations on the
+left there is one and only one \f$S_L\f$ with \f$S_L(g^{-1}g_0) = S(g, g_0)\f$, namely
+\f$S_L(f) = S(1, f)\f$. Its values may be of any type. *)
+
+Theorem claim_4_2_invariant_generating_function (R : comUnitRingType) (n : nat) T (S : 'M[R]_n -> 'M[R]_n -> T) :
+  (forall g g0 k, g \in unitmx -> g0 \in unitmx -> k \in unitmx -> S (k *m g) (k *m g0) = S g g0) ->
+  let S_L f := S 1%:M f in
+  (forall g g0, g \in unitmx -> g0 \in unitmx -> S_L (invmx g *m g0) = S g g0)
+  /\ (forall S', (forall g g0, g \in unitmx -> g0 \in unitmx -> S' (invmx g *m g0) = S g g0) ->
+      forall f, f \in unitmx -> S' f = S_L f).
+Proof.
+move=> invariant /=; split=> [g g0 u u0|S' is_S f u].
+  by rewrite -[in RHS](invariant _ _ (invmx g)) ?unitmx_inv // mulVmx.
+by rewrite -[f in LHS]mul1mx -[1%:M in LHS]inverse_one is_S ?unitmx1.
+Qed.
+
+Section LeftInvariant.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (f g p mu Pi : 'M[R]_n) (l : 'M[dual R]_n -> dual R).
+
+(** ** The step of a generating function
+
+(4.2): \f$\Pi_0 = -L_g^*\,dS_L(g)\f$. C++: `actio::initial_momentum_left`, `groupoid/hamilton_jacobi.hpp`. *)
+Definition initial_momentum_left l g := - left_differential l g.
+
+(** (4.3): \f$\Pi = \mathrm{Ad}^*_{g^{-1}}\Pi_0\f$. C++: `actio::final_momentum_left`, `groupoid/hamilton_jacobi.hpp`. *)
+Definition final_momentum_left g Pi := Ad_star (invmx g) Pi.
+
+(** The momentum that (4.3) makes of (4.2) is \f$\Pi = -R_g^*\,dS_L(g)\f$, the one in the Hamilton-Jacobi equation (4.1). *)
+Theorem eq_4_3 l g : g \in unitmx ->
+  final_momentum_left g (initial_momentum_left l g) = - right_differential l g.
+Proof. by move=> u; rewrite /final_momentum_left /initial_momentum_left Ad_star_opp Ad_star_left. Qed.
+
+(** ** The momenta of a left-invariant step
+
+Let \f$\mathbb L(g_0, g_1) = \ell(f)\f$ with \f$f = g_1^{-1}g_0\f$ be an action. Then
+\f$p_0 = -\partial\mathbb L/\partial g_0\f$ and \f$p_1 = \partial\mathbb L/\partial g_1\f$ are the momenta at the start
+and at the end of the step. C++: `actio::lift_left`, `reduction/relative_motion.hpp`. *)
+Definition lift_left l (x0 x1 : 'M[dual R]_n) := l (relative_motion_left x0 x1).
+Definition start_momentum (L : 'M[dual R]_n -> 'M[dual R]_n -> dual R) g0 g1 := - first_differential L g0 g1.
+Definition end_momentum (L : 'M[dual R]_n -> 'M[dual R]_n -> dual R) g0 g1 := second_differential L g0 g1.
+
+Lemma first_differential_left l g0 g1 : g1 \in unitmx -> differentiable l (relative_motion_left g0 g1) ->
+  first_differential (lift_left l) g0 g1 = L_star (invmx g1) (differential l (relative_motion_left g0 g1)).
+Proof.
+move=> u dl; apply: differential_is => v.
+by rewrite /lift_left /relative_motion_left inverse_still // varied_mul mul0mx addr0 dl -L_star_dual.
+Qed.
+
+Lemma second_differential_left l g0 g1 : g1 \in unitmx -> differentiable l (relative_motion_left g0 g1) ->
+  let f := relative_motion_left g0 g1 in
+  second_differential (lift_left l) g0 g1 = - L_star (invmx g1) (R_star f (differential l f)).
+Proof.
+move=> u dl /=; apply: differential_is => v.
+rewrite /lift_left /relative_motion_left varied_inverse // varied_mul mulmx0 add0r mulNmx dl.
+rewrite pairing_oppr pairing_oppl L_star_dual R_star_dual /left_translation /right_translation.
+by rewrite /relative_motion_left !mulmxA.
+Qed.
+
+(** ** The Legendre map of a left-invariant system
+
+Section 4.2: \f$\Pi_{k-1} = -L^*_{f_{k,k-1}}d\ell(f_{k,k-1})\f$ is the body momentum at \f$g_{k-1}\f$ with which the step to
+\f$g_k\f$ begins. *)
+
+Theorem claim_4_2_left_legendre_map l g0 g1 : g0 \in unitmx -> g1 \in unitmx ->
+  differentiable l (relative_motion_left g0 g1) ->
+  body_momentum g0 (start_momentum (lift_left l) g0 g1) = momentum_before_left l (relative_motion_left g0 g1).
+Proof.
+move=> u0 u1 dl; rewrite /start_momentum first_differential_left // /body_momentum /momentum_before_left.
+by rewrite /left_differential /L_star mulmxN mulmxA -trmx_mul.
+Qed.
+
+(** ** The two lines of a step on the dual of the algebra
+
+(4.4) with its minus signs: \f$\Pi_k = -L_f^*\,d\ell(f)\f$ and \f$\Pi_{k+1} = -R_f^*\,d\ell(f)\f$ with \f$f = f_{k+1,k} =
+g_{k+1}^{-1}g_k\f$ are the body momenta at the start and at the end of the step. No equation of motion is needed. *)
+
+Theorem eq_4_4 l gk gk1 : gk \in unitmx -> gk1 \in unitmx -> let f := relative_motion_left gk gk1 in
+  differentiable l f ->
+  body_momentum gk (start_momentum (lift_left l) gk gk1) = - left_differential l f
+  /\ body_momentum gk1 (end_momentum (lift_left l) gk gk1) = - right_differential l f.
+Proof.
+move=> u0 u1 f dl; split; first exact: claim_4_2_left_legendre_map.
+rewrite /end_momentum second_differential_left // /body_momentum /L_star mulmxN mulmxA.
+by rewrite transpose_inverse // mul1mx.
+Qed.
+
+(** Along a motion of (3.11) the momentum at the end of one step is the momentum at the start of the next. *)
+Theorem eq_4_4_next_step l f10 f21 : euler_poincare_left l f10 f21 = 0 ->
+  - right_differential l f10 = momentum_before_left l f21.
+Proof. by move/eqP; rewrite subr_eq0 => /eqP; rewrite /momentum_before_left => ->. Qed.
+
+(** ** A discrete Lagrangian in the role of the generating function
+
+Section 4.2: the two lines of (4.4), with their minus signs, are (4.2) and (4.3) with \f$S_L = \ell\f$. *)
+
+Theorem claim_4_2_hamilton_jacobi_identification l Pi Pi' :
+  (exists f, [/\ f \in unitmx, Pi = - left_differential l f & Pi' = - right_differential l f])
+  <-> (exists g, [/\ g \in unitmx, Pi = initial_momentum_left l g & Pi' = final_momentum_left g Pi]).
+Proof.
+by split=> [[f [u -> ->]]|[g [u -> ->]]]; [exists f; rewrite -eq_4_3|exists g; rewrite eq_4_3].
+Qed.
+
+(** ** The system and the discrete Euler-Poincare equation
+
+Section 4.2: the equation (3.11) joins two of the systems (4.4), the second line of one step and the first line of the
+next, with \f$\Pi_k\f$ eliminated. *)
+
+Theorem claim_4_2_system_and_dep l f10 f21 :
+  euler_poincare_left l f10 f21 = 0 <-> exists Pi, Pi = right_differential l f10 /\ Pi = left_differential l f21.
+Proof.
+split=> [/eqP|[Pi [-> same]]]; last by rewrite /euler_poincare_left -same subrr.
+by rewrite subr_eq0 => /eqP same; exists (right_differential l f10).
+Qed.
+
+(** For configurations: the residual of (3.2) at \f$g_1\f$, translated to the identity on the left, is that of (3.11), on a
+motion or not. *)
+Theorem claim_4_2_system_and_dep_configurations l g0 g1 g2 :
+  g0 \in unitmx -> g1 \in unitmx -> g2 \in unitmx ->
+  let f10 := relative_motion_left g0 g1 in
+  let f21 := relative_motion_left g1 g2 in
+  differentiable l f10 -> differentiable l f21 ->
+  Ad_star g1 (discrete_euler_lagrange (lift_left l) g0 g1 g2) = euler_poincare_left l f10 f21.
+Proof.
+move=> u0 u1 u2 f10 f21 d10 d21; rewrite /discrete_euler_lagrange /D1 /D2 -/(R_star _ _).
+have [_ last] := eq_4_4 u0 u1 d10; have [first _] := eq_4_4 u1 u2 d21.
+have linear p q : Ad_star g1 (p + q) = Ad_star g1 p + Ad_star g1 q by rewrite /Ad_star mulmxDr mulmxDl.
+rewrite linear !Ad_star_right // /euler_poincare_left addrC; congr (_ + _); last exact: last.
+by apply: oppr_inj; rewrite -first /body_momentum /start_momentum /L_star mulmxN.
+Qed.
+
+(** ** The momentum update that follows from the two lines
+
+Section 4.2: \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$, for the two lines of (4.4) as they are printed and with
+minus signs as well. *)
+
+Theorem claim_4_2_dlp_consequence l f Pi Pi' : f \in unitmx ->
+  Pi = left_differential l f /\ Pi' = right_differential l f
+  \/ Pi = - left_differential l f /\ Pi' = - right_differential l f ->
+  Pi' = lie_poisson_update_left f Pi.
+Proof.
+by move=> u [] [-> ->]; rewrite /lie_poisson_update_left ?Ad_star_opp Ad_star_left.
+Qed.
+
+(** ** The square of group and dual-algebra dynamics
+
+(4.5): \f$\Sigma_\ell\f$ takes \f$f_{k,k-1}\f$ to \f$f_{k+1,k}\f$ where the two satisfy (3.11). \f$\Lambda_\ell\f$ takes
+\f$\Pi_{k-1}\f$ to \f$\Pi_k = \mathrm{Ad}^*_{f^{-1}}\Pi_{k-1}\f$, where \f$f\f$ solves \f$F\ell(f) = \Pi_{k-1}\f$. With
+\f$F\ell = c\,L^*d\ell\f$ the square commutes for every number \f$c\f$, \f$-1\f$ being the physical momentum and 1 the
+printed map. *)
+
+Definition sigma_left l f10 f21 := euler_poincare_left l f10 f21 = 0.
+Definition legendre_left (c : R) l f := c *: left_differential l f.
+Definition lambda_left (c : R) l Pi Pi' :=
+  exists f, [/\ f \in unitmx, Pi = legendre_left c l f & Pi' = lie_poisson_update_left f Pi].
+
+Lemma Ad_star_scale c g p : Ad_star g (c *: p) = c *: Ad_star g p.
+Proof. by rewrite /Ad_star -scalemxAr -scalemxAl. Qed.
+
+Theorem eq_4_5 c l f10 f21 : f10 \in unitmx -> sigma_left l f10 f21 ->
+  lambda_left c l (legendre_left c l f10) (legendre_left c l f21).
+Proof.
+move=> u /eqP; rewrite subr_eq0 => /eqP motion; exists f10; split=> //.
+rewrite /legendre_left motion /lie_poisson_update_left.
+by rewrite Ad_star_scale Ad_star_left.
+Qed.
+
+End LeftInvariant.
+
+(** ** The signs as printed
+
+The Legendre map and the two lines of (4.4) are printed without their minus signs. For an action \f$\ell\f$ they then give
+minus the body momentum with which the step begins, and minus the one with which it ends, against (4.2), of which the
+thesis says that \f$\ell\f$ plays the role of its generating function. The rotations of the plane are enough: with
+\f$\ell(f) = \mathrm{Tr}(f)\f$, \f$g_k\f$ a quarter turn and \f$g_{k+1} = 1\f$ the two sides have opposite values on
+the skew matrices, which are not zero. *)
+
+Definition quarter_turn := integers [:: [:: 0; -1]; [:: 1; 0]].
+
+Lemma quarter_turn_orthogonal : orthogonal (matrix_of 2 quarter_turn).
+Proof. by decide_by_computation. Qed.
+Lemma quarter_turn_skew : skew (matrix_of 2 quarter_turn).
+Proof. by rewrite /skew; decide_by_computation. Qed.
+Lemma one_orthogonal (R : comUnitRingType) (n : nat) : orthogonal (1%:M : 'M[R]_n).
+Proof. by rewrite /orthogonal trmx1 mulmx1. Qed.
+Lemma relative_to_one (R : comUnitRingType) (n : nat) (f : 'M[R]_n) : relative_motion_left f 1%:M = f.
+Proof. by rewrite /relative_motion_left inverse_one mul1mx. Qed.
+
+Theorem claim_4_2_left_legendre_map_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (g0 g1 : 'M[R]_n),
+     orthogonal g0 -> orthogonal g1 -> differentiable l (relative_motion_left g0 g1) ->
+     agree (@skew R n) (body_momentum g0 (start_momentum (lift_left l) g0 g1))
+       (left_differential l (relative_motion_left g0 g1))).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- L_star f 1%:M) x = pairing (L_star f 1%:M) x.
+  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
+  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
+  rewrite claim_4_2_left_legendre_map ?unitmx1 ?orthogonal_unit // relative_to_one.
+  by rewrite /momentum_before_left /left_differential linear_differential.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.
+
+Theorem eq_4_4_printed_fails_first :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     orthogonal gk -> orthogonal gk1 -> differentiable l (relative_motion_left gk gk1) ->
+     agree (@skew R n) (body_momentum gk (start_momentum (lift_left l) gk gk1))
+       (left_differential l (relative_motion_left gk gk1))).
+Proof. exact: claim_4_2_left_legendre_map_printed_fails. Qed.
+
+Theorem eq_4_4_printed_fails_second :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     orthogonal gk -> orthogonal gk1 -> differentiable l (relative_motion_left gk gk1) ->
+     agree (@skew R n) (body_momentum gk1 (end_momentum (lift_left l) gk gk1))
+       (right_differential l (relative_motion_left gk gk1))).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
+  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
+  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
+  have [_ ->] := eq_4_4 (orthogonal_unit o) (unitmx1 _ _) dl; rewrite relative_to_one.
+  by rewrite /right_differential linear_differential.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.
+
+(** That the printed system (4.4) "is precisely the Lie-Poisson Hamilton-Jacobi system with the reduced discrete Lagrangian
+\f$\ell\f$ playing the role of the generating function" fails not only in the signs of momenta: the two systems do not relate
+the same momenta. On 1 by 1 matrices with \f$\ell(f) = f^2\f$ the printed one takes the momentum 2 to itself, by
+\f$f = 1\f$; (4.2) asks for \f$-2g^2 = 2\f$, which no rational \f$g\f$ satisfies. *)
+
+Theorem claim_4_2_hamilton_jacobi_identification_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (Pi Pi' : 'M[R]_n),
+     (forall f, f \in unitmx -> differentiable l f) ->
+     (exists f, [/\ f \in unitmx, Pi = left_differential l f & Pi' = right_differential l f])
+     <-> (exists g, [/\ g \in unitmx, Pi = initial_momentum_left l g & Pi' = final_momentum_left g Pi])).
+Proof.
+move=> printed; pose l (x : 'M[dual rat]_1) := x 0 0 * x 0 0.
+have rate_is (f v : 'M[rat]_1) : rate (l (varied f v)) = pairing (f 0 0 *+ 2)%:M v.
+  rewrite /l !mxE /= [v 0 0 * _]mulrC -mulr2n pairing_sym /pairing mul_mx_scalar mxtraceZ mxtrace_tr.
+  by rewrite /mxtrace big_ord1 mulrnAl.
+have slope f : differential l f = (f 0 0 *+ 2)%:M by apply: differential_is.
+have [from_printed _] := printed _ _ l 2%:R%:M 2%:R%:M (fun f _ => differentiable_is (rate_is f)).
+case: from_printed => [|g [_ Pi_g _]].
+  exists 1%:M; rewrite unitmx1 /left_differential /right_differential !slope /L_star /R_star trmx1 mul1mx mulmx1.
+  by rewrite mxE.
+move/matrixP/(_ 0 0): Pi_g; rewrite /initial_momentum_left /left_differential slope /L_star mul_mx_scalar !mxE.
+rewrite eqxx mulr1n => two_is; have : (2%:R : rat) <= 0.
+  by rewrite two_is Num.Theory.oppr_le0 mulrnAl Num.Theory.mulrn_wge0 // -expr2 Num.Theory.sqr_ge0.
+by [].
+Qed.
+
+(** ** The update as printed
+
+Below (4.4) the update is printed as "a direct consequence", \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}}\Pi_k\f$. The inverse is
+missing, as in (3.18): with \f$\ell(f) = \mathrm{Tr}(W^Tf)\f$, \f$W = \mathrm{diag}(1, -1)\f$, and \f$f\f$ a
+triangular matrix the two lines do not satisfy it. *)
+
+Theorem claim_4_2_dlp_consequence_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (f Pi Pi' : 'M[R]_n),
+     f \in unitmx -> differentiable l f -> Pi = left_differential l f -> Pi' = right_differential l f ->
+     Pi' = Ad_star f Pi).
+Proof.
+move=> printed.
+have for_linear (R : comUnitRingType) (n : nat) (W f : 'M[R]_n) : f \in unitmx ->
+    R_star f W = Ad_star f (L_star f W).
+  move=> u; have := printed R n _ f _ _ u (@linear_differentiable R n W f) erefl erefl.
+  by rewrite /left_differential /right_differential linear_differential.
+pose W := integers [:: [:: 1; 0]; [:: 0; -1]]; pose f := integers [:: [:: 1; 0]; [:: 1; 1]].
+have unit_f : matrix_of 2 f \in unitmx by decide_by_computation.
+by have := for_linear _ _ (matrix_of 2 W) _ unit_f; decide_by_computation.
+Qed.
+
+(** ** The algorithm iterated
+
+Section 4.2: the discrete Lie-Poisson algorithm iterated is (4.3) with the composed relative motion
+\f$g = f_{N,N-1}\cdots f_{1,0}\f$, the later factors first. *)
+
+Section Iterated.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (f g v Pi : nat -> 'M[R]_n) (l : 'M[dual R]_n -> dual R).
+
+(** \f$f_{N-1}\cdots f_1f_0\f$. *)
+Fixpoint composed_left (S : comUnitRingType) (f : nat -> 'M[S]_n) N : 'M[S]_n :=
+  if N is k.+1 then f k *m composed_left f k else 1%:M.
+
+Lemma composed_left_unit f N : (forall k, f k \in unitmx) -> composed_left f N \in unitmx.
+Proof. by move=> u; elim: N => [|N IH] /=; rewrite ?unitmx1 // product_unit. Qed.
+
+(** Momenta: the last one is \f$\mathrm{Ad}^*_{g^{-1}}\f$ of the first. *)
+Theorem claim_4_2_iterated_lie_poisson_momentum f Pi N : (forall k, f k \in unitmx) ->
+  (forall k, Pi k.+1 = lie_poisson_update_left (f k) (Pi k)) ->
+  Pi N = final_momentum_left (composed_left f N) (Pi 0%N).
+Proof.
+move=> u update; elim: N => [|N IH] /=; first by rewrite /final_momentum_left inverse_one Ad_star_one.
+rewrite update IH /lie_poisson_update_left /final_momentum_left.
+by rewrite Ad_star_product ?unitmx_inv ?composed_left_unit // inverse_product ?composed_left_unit.
+Qed.
+
+(** Configurations: with (3.15) the composed motion is \f$g = g_N^{-1}g_0\f$. For a motion that starts at the identity it is
+the inverse of the position \f$g_N\f$. *)
+Theorem claim_4_2_iterated_lie_poisson f g N : (forall k, f k \in unitmx) -> (forall k, g k \in unitmx) ->
+  (forall k, g k.+1 = reconstruct_left (g k) (f k)) ->
+  composed_left f N = relative_motion_left (g 0%N) (g N).
+Proof.
+move=> uf ug step; elim: N => [|N IH] /=; first by rewrite /relative_motion_left mulVmx.
+rewrite IH step /relative_motion_left /reconstruct_left inverse_product ?unitmx_inv // invmxK.
+by rewrite mulmxA.
+Qed.
+
+(** The generating function of the iterated step is the sum of \f$\ell\f$ along the motion, as a function of the composed
+motion: however the relative motions vary along a solution of (3.11), the sum changes by
+\f$-\langle\Pi_0, g^{-1}\delta g\rangle\f$, which depends on the variation of the product alone and is (4.2) for it. *)
+Theorem claim_4_2_iterated_lie_poisson_generating_function l f v N : (forall k, f k \in unitmx) ->
+  (forall k, differentiable l (f k)) -> (forall k, euler_poincare_left l (f k) (f k.+1) = 0) ->
+  let g := composed_left f N in
+  let delta_g := rate_of (composed_left (fun k => varied (f k) (v k)) N) in
+  rate (\sum_(k < N) l (varied (f k) (v k))) = - pairing (momentum_before_left l (f 0%N)) (invmx g *m delta_g).
+Proof.
+move=> u dl motion; pose c k := composed_left (fun k => varied (f k) (v k)) k.
+have value_c k : value_of (c k) = composed_left f k.
+  elim: k => [|k IH]; first by rewrite /c /= -[X in value_of X]varied_one value_varied.
+  by rewrite /c /= [composed_left _ k]variedE varied_mul value_varied -/(c k) IH.
+(* The first momentum is carried along by the update, and each step adds its own variation. *)
+have carried k : momentum_before_left l (f k) = final_momentum_left (composed_left f k) (momentum_before_left l (f 0%N)).
+  apply: (@claim_4_2_iterated_lie_poisson_momentum f (fun k => momentum_before_left l (f k))) => // j.
+  by apply/(agree_all _ _)/(eq_3_18 _ _ _ (u j)) => x _; rewrite motion.
+elim: N => [|N IH] /=; first by rewrite big_ord0 -[X in rate_of X]varied_one rate_varied mulmx0 pairing_0r oppr0.
+rewrite big_ord_recr raddfD /= IH dl -/(c N) [c N]variedE varied_mul rate_varied value_c.
+have uc := composed_left_unit N u.
+rewrite rate_varied inverse_product // mulmxDr pairing_addr opprD; congr (_ + _).
+  by rewrite mulmxA -[_ *m invmx (f N) *m f N]mulmxA mulVmx // mulmx1.
+have -> : invmx (composed_left f N) *m invmx (f N) *m (v N *m composed_left f N)
+    = Ad (invmx (composed_left f N)) (invmx (f N) *m v N) by rewrite /Ad invmxK !mulmxA.
+rewrite -Ad_star_dual -[Ad_star _ _]carried /momentum_before_left pairing_oppl opprK L_star_dual.
+by rewrite /left_translation mulmxA mulmxV // mul1mx.
+Qed.
+
+End Iterated.
+
+(** The thesis has the solution \f$g\f$ of (4.2) approximate "the current position \f$g(t)\f$". For a motion that starts at the
+identity the composed motion is the inverse of the position; the two differ after one step already. *)
+
+Theorem claim_4_2_iterated_lie_poisson_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (f g : nat -> 'M[R]_n) (N : nat),
+     (forall k, f k \in unitmx) -> g 0%N = 1%:M -> (forall k, g k.+1 = reconstruct_left (g k) (f k)) ->
+     composed_left f N = g N).
+Proof.
+move=> printed.
+have self_inverse (R : comUnitRingType) (n : nat) (f : 'M[R]_n) : f \in unitmx -> f = invmx f.
+  move=> u; pose g := fix g k := if k is j.+1 then reconstruct_left (g j) f else 1%:M.
+  have := printed R n (fun=> f) g 1%N (fun=> u) erefl (fun=> erefl).
+  by rewrite /= mulmx1 /reconstruct_left mul1mx.
+have unit_f : matrix_of 2 quarter_turn \in unitmx by decide_by_computation.
+by have := self_inverse _ _ _ unit_f; decide_by_computation.
+Qed.
+
+(** ** The square of Legendre maps and quotient maps
+
+Section 4.3. Above: \f$F\mathbb L(g_k, g_{k+1}) = (g_k, p_k)\f$ with \f$p_k = \partial\mathbb L/\partial g_k\f$. Below:
+\f$F\ell(f) = R_f^*\ell'(f)\f$. Down: \f$\pi_d(g_k, g_{k+1}) = g_kg_{k+1}^{-1}\f$ and \f$\pi(g, p) = R_g^*p\f$. *)
+
+Section Square.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types (f g p mu Pi : 'M[R]_n) (l : 'M[dual R]_n -> dual R).
+
+(** C++: `actio::lift_right`, `reduction/relative_motion.hpp`. *)
+Definition lift_right l (x0 x1 : 'M[dual R]_n) := l (relative_motion_right x0 x1).
+
+(** (4.8), the chain rule: since \f$f = g_kg_{k+1}^{-1}\f$, \f$\partial\mathbb L/\partial g_k =
+R^*_{g_{k+1}^{-1}}\,\partial\ell/\partial f\f$. *)
+Lemma first_differential_right l gk gk1 : gk1 \in unitmx -> differentiable l (relative_motion_right gk gk1) ->
+  first_differential (lift_right l) gk gk1 = R_star (invmx gk1) (differential l (relative_motion_right gk gk1)).
+Proof.
+move=> u dl; apply: differential_is => v.
+rewrite /lift_right /relative_motion_right inverse_still // varied_mul mulmx0 add0r dl.
+by rewrite -/(right_translation _ _) -R_star_dual.
+Qed.
+
+(** ** The spatial momentum along the square
+
+(4.8) with its inverse:
+\f[ \mu = R_{g_k}^*p_k = R_{g_k}^*\frac{\partial(\ell\circ\pi_d)}{\partial g_k} =
+R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\,\frac{\partial\ell}{\partial f} =
+R_f^*\,\ell'(f). \f] *)
+
+Theorem eq_4_8 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  R_star gk (first_differential (lift_right l) gk gk1) = R_star gk (R_star (invmx gk1) (differential l f))
+  /\ R_star gk (R_star (invmx gk1) (differential l f)) = R_star f (differential l f).
+Proof.
+move=> u f dl; split; first by rewrite first_differential_right.
+by rewrite /R_star -mulmxA -trmx_mul.
+Qed.
+
+(** ** The Legendre maps commute with the quotient maps
+
+Theorem 4.3.1, with either sign of both Legendre maps, here by any factor \f$c\f$: from a pair the two ways around the
+square (4.6) lead to one momentum. That \f$\mathbb L\f$ is regular is not needed. *)
+
+Definition legendre_of_pairs (c : R) l gk gk1 : 'M[R]_n * 'M[R]_n := (gk, c *: first_differential (lift_right l) gk gk1).
+Definition quotient_of_covectors (gp : 'M[R]_n * 'M[R]_n) : 'M[R]_n := R_star gp.1 gp.2.
+Definition legendre_of_group (c : R) l f : 'M[R]_n := c *: right_differential l f.
+
+Theorem thm_4_3_1 c l gk gk1 : gk1 \in unitmx -> differentiable l (relative_motion_right gk gk1) ->
+  quotient_of_covectors (legendre_of_pairs c l gk gk1) = legendre_of_group c l (relative_motion_right gk gk1).
+Proof.
+move=> u dl; have [first last] := eq_4_8 u dl.
+by rewrite /quotient_of_covectors /= {1}/R_star -scalemxAl -/(R_star _ _) first last.
+Qed.
+
+(** (4.7): \f$p_k = \partial\mathbb L/\partial g_k\f$ and \f$\mu = R_{g_k}^*p_k\f$, over \f$f\f$ with
+\f$fg_{k+1} = g_k\f$. *)
+
+Theorem eq_4_7 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f -> f *m gk1 = gk /\ D1 (lift_right l) gk gk1 = right_differential l f.
+Proof.
+move=> u f dl; split; first by rewrite /f /relative_motion_right -mulmxA mulVmx // mulmx1.
+by rewrite /D1; have [-> ->] := eq_4_8 u dl.
+Qed.
+
+Lemma second_differential_right l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  second_differential (lift_right l) gk gk1 = - R_star (invmx gk1) (L_star f (differential l f)).
+Proof.
+move=> u f dl; apply: differential_is => v.
+rewrite /lift_right /relative_motion_right varied_inverse // varied_mul mul0mx addr0 mulmxN dl.
+rewrite pairing_oppr pairing_oppl R_star_dual L_star_dual /left_translation /right_translation.
+by rewrite /f /relative_motion_right !mulmxA.
+Qed.
+
+(** (4.6) for the other Legendre map, that of the momentum after the step: \f$D_2\mathbb L\f$ above and
+\f$-L_f^*\ell'(f)\f$ below. *)
+
+Theorem eq_4_6 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  D1 (lift_right l) gk gk1 = right_differential l f /\ D2 (lift_right l) gk gk1 = - left_differential l f.
+Proof.
+move=> u f dl; split; first by have [_ ->] := eq_4_7 u dl.
+rewrite /D2 /left_differential second_differential_right // /R_star mulNmx -mulmxA.
+by rewrite inverse_transpose // mulmx1.
+Qed.
+
+(** ** The value of the Legendre map
+
+Theorem 4.3.1, last line of its proof: \f$\mu = F\ell(f) = -R_f^*\ell'(f)\f$, with the minus of the physical momentum, is the
+spatial momentum with which the step from \f$g_k\f$ begins, \f$\mathbb L\f$ being an action. *)
+
+Theorem claim_4_3_legendre_map_value l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+  differentiable l f ->
+  spatial_momentum gk (start_momentum (lift_right l) gk gk1) = momentum_before_right l f.
+Proof.
+move=> u f dl; rewrite /spatial_momentum /start_momentum /R_star mulNmx -/(R_star _ _).
+by have [-> ->] := eq_4_8 u dl.
+Qed.
+
+(** ** The reconstructed algorithm is the image of the discrete motion
+
+Corollary 4.3.1 and section 4.3: let the momenta be carried by the discrete Lie-Poisson algorithm along a solution of (3.10),
+and the configurations by (3.14). Then \f$(g_k, R^*_{g_k^{-1}}\mu_k)\f$ is the image of the pair \f$(g_k, g_{k+1})\f$ under the
+Legendre map \f$-D_1\mathbb L\f$; and its body momentum, that of the symmetry, is the same at all steps. *)
+
+Theorem cor_4_3_1 l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) -> g 0%N \in unitmx ->
+  (forall j, differentiable l (f j)) -> (forall j, euler_poincare_right l (f j) (f j.+1) = 0) ->
+  (forall j, g j.+1 = reconstruct_right (g j) (f j)) ->
+  mu 0%N = momentum_before_right l (f 0%N) ->
+  (forall j, mu j.+1 = lie_poisson_update_right (f j) (mu j)) ->
+  R_star (invmx (g k)) (mu k) = start_momentum (lift_right l) (g k) (g k.+1).
+Proof.
+move=> u u0 dl motion step first update.
+have ug j : g j \in unitmx by elim: j => [//|j IH]; rewrite step /reconstruct_right product_unit ?unitmx_inv.
+have mu_is j : mu j = momentum_before_right l (f j).
+  elim: j => [//|j IH]; rewrite update IH; apply/esym.
+  by apply/(agree_all _ _)/(eq_3_17 _ _ _ (u j)) => x _; rewrite motion.
+have f_is : relative_motion_right (g k) (g k.+1) = f k.
+  rewrite step /relative_motion_right /reconstruct_right inverse_product ?unitmx_inv // invmxK.
+  by rewrite mulmxA mulmxV // mul1mx.
+have dl_k : differentiable l (relative_motion_right (g k) (g k.+1)) by rewrite f_is.
+have := claim_4_3_legendre_map_value (ug k.+1) dl_k; rewrite f_is -mu_is => <-.
+by rewrite /spatial_momentum /R_star -mulmxA transpose_inverse // mulmx1.
+Qed.
+
+Theorem claim_4_3_reconstruction_image l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) ->
+  (forall j, g j \in unitmx) -> (forall j, g j.+1 = reconstruct_right (g j) (f j)) ->
+  (forall j, mu j.+1 = lie_poisson_update_right (f j) (mu j)) ->
+  body_momentum (g k) (R_star (invmx (g k)) (mu k)) = body_momentum (g 0%N) (R_star (invmx (g 0%N)) (mu 0%N)).
+Proof.
+move=> uf ug step update.
+have body j : body_momentum (g j) (R_star (invmx (g j)) (mu j)) = Ad_star (g j) (mu j).
+  by rewrite /body_momentum /L_star /R_star /Ad_star mulmxA.
+rewrite !body; elim: k => [//|k <-]; rewrite step update /lie_poisson_update_right /reconstruct_right.
+by rewrite Ad_star_product ?product_unit ?unitmx_inv // mulmxA mulmxV // mul1mx.
+Qed.
+
+End Square.
+
+(** ** The tangent maps of the square commute
+
+Section 4.3, above (4.10): \f$TF\ell\circ T\pi_d = T\pi\circ TF\mathbb L\f$. Theorem 4.3.1 holds over every commutative ring; over
+that of dual numbers, with functions given on dual numbers of dual numbers, it says that the two ways around the square
+lead to one momentum and to one rate of it. *)
+
+Theorem claim_4_3_tangent_square (R : comUnitRingType) (n : nat) (c : dual R)
+  (l : 'M[dual (dual R)]_n -> dual (dual R)) (gk gk1 v v1 : 'M[R]_n) : gk1 \in unitmx ->
+  differentiable l (relative_motion_right (varied gk v) (varied gk1 v1)) ->
+  rate_of (quotient_of_covectors (legendre_of_pairs c l (varied gk v) (varied gk1 v1)))
+  = rate_of (legendre_of_group c l (relative_motion_right (varied gk v) (varied gk1 v1))).
+Proof. by move=> u dl; rewrite thm_4_3_1 // varied_unit. Qed.
+
+(** ** The square: what is printed
+
+(4.8) is printed with \f$R_{g_k}^*\bigl(R_{g_{k+1}}^*\,\partial\ell/\partial f\bigr)\f$ in the middle, without the inverse that
+the sentence after it has. With \f$g_k = 1\f$ and the covector 1 the two differ wherever
+\f$g_{k+1}\f$ is not its own inverse. *)
+
+Theorem eq_4_8_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     gk \in unitmx -> gk1 \in unitmx -> let f := relative_motion_right gk gk1 in differentiable l f ->
+     R_star gk (R_star gk1 (differential l f)) = R_star f (differential l f)).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (g : 'M[R]_n) : g \in unitmx ->
+    R_star g 1%:M = R_star (invmx g) 1%:M.
+  move=> u; have := printed R n _ 1%:M g (unitmx1 _ _) u (@linear_differentiable R n 1%:M _).
+  by rewrite /= linear_differential /relative_motion_right mul1mx {1}/R_star trmx1 mulmx1.
+have unit_g : matrix_of 2 quarter_turn \in unitmx by decide_by_computation.
+by have := for_trace _ _ _ unit_g; decide_by_computation.
+Qed.
+
+(** The value of the Legendre map is printed as \f$\mu = R_f^*\ell'(f)\f$. For an action this is minus the momentum with which the
+step begins; a quarter turn of the plane with \f$\ell(f) = \mathrm{Tr}(f)\f$ shows it, on the skew matrices. *)
+
+Theorem claim_4_3_legendre_map_value_printed_fails :
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (gk gk1 : 'M[R]_n),
+     orthogonal gk -> orthogonal gk1 -> let f := relative_motion_right gk gk1 in differentiable l f ->
+     agree (@skew R n) (spatial_momentum gk (start_momentum (lift_right l) gk gk1)) (right_differential l f)).
+Proof.
+move=> printed.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
+  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_right f 1%:M).
+  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
+  rewrite claim_4_3_legendre_map_value ?unitmx1 // eq_3_9_onto.
+  by rewrite /momentum_before_right /right_differential linear_differential.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.

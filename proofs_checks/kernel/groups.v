@@ -620,7 +620,7 @@ Qed.
 Section 3.2, before proposition 3.2.1, with \f$\mu_k = \mathrm{Ad}^*_{g_k^{-1}}\mu_0\f$ and
 \f$\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0\f$ by (3.16) and \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$:
 \f[ \mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{k,k+1}^{-1}g_k)^{-1}}\mu_0 =
-\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \] *)
+\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \f] *)
 Theorem claim_3_2_dlp_chain gk gk1 mu0 muk muk1 : gk \in unitmx -> gk1 \in unitmx ->
   muk = Ad_star (invmx gk) mu0 -> muk1 = Ad_star (invmx gk1) mu0 ->
   let f := relative_motion_right gk gk1 in
@@ -809,7 +809,7 @@ functions \f$F\f$ and \f$H\f$ have the derivatives \f$a\f$ and \f$b\f$ at \f$\mu
 \f$H\circ\Phi\f$ have the derivatives \f$a'\f$ and \f$b'\f$ at \f$\mu_0\f$: this means that as \f$f\f$ varies along
 \f$\theta f\f$, \f$\langle\delta\mu_0, a'\rangle = \langle\delta\mu_1, a\rangle\f$. Then
 \f[ \{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \langle\mu_0, [a', b']\rangle = \langle\mu_1, [a, b]\rangle =
-\{F, H\}_+(\Phi(\mu_0)). \]
+\{F, H\}_+(\Phi(\mu_0)). \f]
 The group may be smaller than that of all matrices: its algebra contains the differences of its elements, and
 \f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second derivative is used; it need not be regular. *)
 Theorem prop_3_2_1 algebra (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 a b a' b' : f \in unitmx ->

@@ -7,7 +7,7 @@ equation of a group of matrices. This page is about the discrete Lie-Poisson alg
 equation, with the Cayley map in place of the exponential map: what a step conserves, and what has to be
 assumed for it. Matrices have any size, and their entries lie in any commutative ring. *)
 
-From mathcomp Require Import all_ssreflect all_algebra.
+From mathcomp Require Import all_ssreflect perm all_algebra.
 From Coq Require Import Ring.
 From actio Require Import matrices.
 
@@ -23,6 +23,17 @@ Ltac expanded :=
   rewrite ?(mulmxDl, mulmxDr, mulmxBl, mulmxBr, mulNmx, mulmxN, mul1mx, mulmx1, mul0mx, mulmx0, mulmxA, mulr2n).
 Ltac named_products :=
   repeat match goal with |- context [?a *m ?b] => let x := fresh in set x := a *m b; clearbody x end.
+
+(* An equation between numbers, once the ring is declared; the instances of its structure are made one. *)
+Ltac entry_ring_over R :=
+  change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.UnitRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.ComRing.zmodType R) with (GRing.Ring.zmodType R);
+  change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
+  change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
+  repeat match goal with |- context [@fun_of_matrix _ _ _ ?M ?i ?j] =>
+    let x := fresh in set x : GRing.Zmodule.sort (GRing.Ring.zmodType R) := M i j; clearbody x end;
+  match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
 
 (* det(t - XY) = det(t - YX), both from the determinant of a matrix of four blocks. *)
 Lemma det_exchange (S : comRingType) n (t : S) (X Y : 'M[S]_n) :
@@ -61,13 +72,7 @@ by split; [exact: add0r | exact: addrC | exact: addrA | exact: mul1r | exact: mu
 Qed.
 Add Ring ring_of_entries : ring_of_entries.
 
-Ltac entry_ring :=
-  change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
-  change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
-  repeat match goal with |- context [@fun_of_matrix _ _ _ ?M ?i ?j] =>
-    let x := fresh in set x : GRing.Zmodule.sort (GRing.Ring.zmodType R) := M i j; clearbody x end;
-  match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
+Ltac entry_ring := entry_ring_over R.
 Ltac by_expansion := expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; entry_ring.
 
 (** ** A step *)
@@ -86,8 +91,8 @@ Definition cayley A := invmx (1%:M - A) *m (1%:M + A).
 (** The power \f$W^k\f$. *)
 Definition power W k := iter k (mulmx W) 1%:M.
 
-(** The Casimir functions, or moments of the vorticity: \f$C_k = \mathrm{Tr}(W^k)\f$. For \f$k = 2\f$ it is the
-enstrophy. *)
+(** The Casimir functions, or moments of the vorticity: \f$C_k = \mathrm{Tr}(W^k)\f$. For \f$k = 2\f$ it is
+the enstrophy. *)
 Definition casimir k W := \tr (power W k).
 
 Lemma one_pm_commute A : (1%:M - A) *m (1%:M + A) = (1%:M + A) *m (1%:M - A).
@@ -96,8 +101,8 @@ Proof. by by_expansion. Qed.
 (** ** The increment of a step
 
 \f[ W_1 - W_0 = 2\,[A, \tilde W] . \f]
-So a step is the midpoint rule for \f$\dot W = [P, W]\f$ with \f$A = \frac{\Delta t}2P\f$. Nothing is assumed of
-\f$A\f$ and \f$\tilde W\f$. *)
+So a step is the midpoint rule for \f$\dot W = [P, W]\f$ with \f$A = \frac{\Delta t}2P\f$. Nothing is assumed
+of \f$A\f$ and \f$\tilde W\f$. *)
 Theorem step_increment A Wt : vorticity_after A Wt - vorticity_before A Wt = bracket A Wt *+ 2.
 Proof. by rewrite /vorticity_after /vorticity_before /bracket; by_expansion. Qed.
 
@@ -113,8 +118,8 @@ Proof. by rewrite /vorticity_after /vorticity_before /bracket; split; by_expansi
 
 (** ** The equation for the vorticity half-way
 
-A step from a given \f$W_0\f$ solves \f$W_0 = (1 - A)\tilde W(1 + A)\f$. The equation is the fixed-point equation
-\f$\tilde W = W_0 + [A, \tilde W] + A\tilde WA\f$, which needs products of matrices alone. *)
+A step from a given \f$W_0\f$ solves \f$W_0 = (1 - A)\tilde W(1 + A)\f$. The equation is the fixed-point
+equation \f$\tilde W = W_0 + [A, \tilde W] + A\tilde WA\f$, which needs products of matrices alone. *)
 Theorem step_fixed_point A W Wt :
   W = vorticity_before A Wt <-> Wt = W + bracket A Wt + A *m Wt *m A.
 Proof.
@@ -133,7 +138,8 @@ Proof. by rewrite /vorticity_after /vorticity_before opprK. Qed.
 (** ** A step is a conjugation, without an inverse
 
 \f[ (1 - A)\,W_1\,(1 + A) = (1 + A)\,W_0\,(1 - A) . \f]
-Both sides are \f$(1 - A)(1 + A)\,\tilde W\,(1 - A)(1 + A)\f$. Neither \f$1 - A\f$ nor \f$1 + A\f$ needs an inverse. *)
+Both sides are \f$(1 - A)(1 + A)\,\tilde W\,(1 - A)(1 + A)\f$. Neither \f$1 - A\f$ nor \f$1 + A\f$ needs an
+inverse. *)
 Theorem step_without_inverse A Wt :
   (1%:M - A) *m vorticity_after A Wt *m (1%:M + A) = (1%:M + A) *m vorticity_before A Wt *m (1%:M - A).
 Proof.
@@ -172,8 +178,8 @@ Qed.
 
 (** ** A step is a conjugation by the Cayley map
 
-With \f$U = \mathrm{cay}(A)\f$ and an inverse of \f$1 - A\f$ alone, \f$W_1U = UW_0\f$. Where \f$1 + A\f$ has an inverse as
-well, \f$W_1 = UW_0U^{-1} = \mathrm{Ad}_UW_0\f$. Neither matrix has to be skew. *)
+With \f$U = \mathrm{cay}(A)\f$ and an inverse of \f$1 - A\f$ alone, \f$W_1U = UW_0\f$. Where \f$1 + A\f$ has
+an inverse as well, \f$W_1 = UW_0U^{-1} = \mathrm{Ad}_UW_0\f$. Neither matrix has to be skew. *)
 Theorem step_conjugates A Wt : 1%:M - A \in unitmx ->
   vorticity_after A Wt *m cayley A = cayley A *m vorticity_before A Wt /\
   (1%:M + A \in unitmx -> vorticity_after A Wt = Ad (cayley A) (vorticity_before A Wt)).
@@ -220,9 +226,9 @@ Qed.
 
 (** ** The spectrum is conserved
 
-\f[ \det(z - W_1) = \det(z - W_0) \]
-as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more than
-the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
+\f[ \det(z - W_1) = \det(z - W_0) \f]
+as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more
+than the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
 Theorem spectrum_conserved A Wt : char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt).
 Proof.
 rewrite /vorticity_after /vorticity_before [LHS]char_poly_exchange [RHS]char_poly_exchange.
@@ -231,8 +237,8 @@ Qed.
 
 (** ** A step from any position
 
-A turn \f$g\f$ of \f$A\f$ and \f$\tilde W\f$ turns the vorticities before and after. For \f$g\f$ any matrix with an
-inverse. *)
+A turn \f$g\f$ of \f$A\f$ and \f$\tilde W\f$ turns the vorticities before and after. For \f$g\f$ any matrix
+with an inverse. *)
 Theorem step_equivariant (g : 'M[R]_n) A Wt : g \in unitmx ->
   vorticity_before (Ad g A) (Ad g Wt) = Ad g (vorticity_before A Wt) /\
   vorticity_after (Ad g A) (Ad g Wt) = Ad g (vorticity_after A Wt).
@@ -247,10 +253,11 @@ Qed.
 
 (** ** The finish: Casimirs do not need convergence
 
-Let \f$W_s\f$ be any matrix in place of the solution, \f$r = W_0 + [A, W_s] + AW_sA - W_s\f$ its residual in the
-fixed-point equation, and \f$U = \mathrm{cay}(A)\f$. Then
+Let \f$W_s\f$ be any matrix in place of the solution, \f$r = W_0 + [A, W_s] + AW_sA - W_s\f$ its residual in
+the fixed-point equation, and \f$U = \mathrm{cay}(A)\f$. Then
 \f[ U W_0 U^{-1} = W_0 - r + 2\,[A, W_s] + U r U^{-1} . \f]
-The left side has the Casimirs of \f$W_0\f$ whatever \f$A\f$ is; on the right \f$U\f$ stands beside the small \f$r\f$ alone. *)
+The left side has the Casimirs of \f$W_0\f$ whatever \f$A\f$ is; on the right \f$U\f$ stands beside the small
+\f$r\f$ alone. *)
 Theorem finish_without_convergence A W Ws r : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
   r = W + bracket A Ws + A *m Ws *m A - Ws ->
   Ad (cayley A) W = W - r + bracket A Ws *+ 2 + Ad (cayley A) r.
@@ -366,8 +373,8 @@ Proof. by rewrite -{1}[Y]opprK self_adjoint_additive -[- Y]scaleN1r self_adjoint
 
 (** ** The energy does not depend on the stream function
 
-Two stream functions of one vorticity give one energy. So \f$\Delta\f$ need not have an inverse, and where it has
-a kernel no choice matters. *)
+Two stream functions of one vorticity give one energy. So \f$\Delta\f$ need not have an inverse, and where it
+has a kernel no choice matters. *)
 Theorem energy_well_defined P P' W : Laplacian P = W -> Laplacian P' = W -> energy P W = energy P' W.
 Proof. by move=> one other; rewrite /energy -[in LHS]other -adjoint one mxtrace_mulC. Qed.
 
@@ -389,9 +396,10 @@ Qed.
 
 (** ** Energy is conserved by the averaged stream function
 
-Where \f$A\f$ commutes with a solution \f$Q\f$ of \f$\Delta Q = W_0 + W_1\f$, in particular where it is a multiple of one,
-the step conserves the energy. The step with \f$A = \frac{\Delta t}2\Delta^{-1}\frac{W_0 + W_1}2\f$ is of this kind.
-Neither 2 nor \f$\Delta\f$ needs an inverse, and \f$A\f$ need not be skew. *)
+Where \f$A\f$ commutes with a solution \f$Q\f$ of \f$\Delta Q = W_0 + W_1\f$, in particular where it is a
+multiple of one, the step conserves the energy. The step with
+\f$A = \frac{\Delta t}2\Delta^{-1}\frac{W_0 + W_1}2\f$ is of this kind. Neither 2 nor \f$\Delta\f$ needs an
+inverse, and \f$A\f$ need not be skew. *)
 Theorem energy_conserved A Wt P0 P1 Q :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A *m Q = Q *m A ->
@@ -403,11 +411,11 @@ Qed.
 
 (** ** The change of energy by the Lie-Poisson step
 
-Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ instead, as in the discrete Lie-Poisson
-algorithm, the energy changes by
+Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ instead, as in the discrete
+Lie-Poisson algorithm, the energy changes by
 \f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad \Delta Z = A\tilde WA - c , \f]
-a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$ is not zero
-where that of \f$W_0\f$ is. *)
+a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$
+is not zero where that of \f$W_0\f$ is. *)
 Theorem energy_error A Wt P0 P1 P Z (c : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian P = Wt - c%:M -> Laplacian Z = A *m Wt *m A - c%:M -> A *m P = P *m A ->
@@ -434,9 +442,9 @@ Qed.
 
 (** ** Noether's theorem for the Lie-Poisson step
 
-Where \f$\Delta\f$ is invariant under \f$X\f$ and \f$A = \epsilon P\f$ with \f$\Delta P = \tilde W - c\f$, the step conserves
-\f$\mathrm{Tr}(XW)\f$. With \f$X\f$ a generator of the rotations of the sphere this is a component of the angular
-momentum. The factor 2 of the increment is used: no division by 2 is. *)
+Where \f$\Delta\f$ is invariant under \f$X\f$ and \f$A = \epsilon P\f$ with \f$\Delta P = \tilde W - c\f$, the
+step conserves \f$\mathrm{Tr}(XW)\f$. With \f$X\f$ a generator of the rotations of the sphere this is a
+component of the angular momentum. The factor 2 of the increment is used: no division by 2 is. *)
 Theorem angular_momentum_conserved A Wt P X (e c : R) :
   invariant Laplacian X -> Laplacian P = Wt - c%:M -> A = e *: P ->
   \tr (X *m vorticity_after A Wt) = \tr (X *m vorticity_before A Wt).
@@ -451,10 +459,10 @@ Qed.
 
 (** ** Known first integrals by an energy-conserving step
 
-For any vorticity before and after a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$: all
-Casimirs, the spectrum and the energy are those of before. The Laplacian is any self-adjoint map of matrices.
-This is the statement of chapter 10 about schemes for the vorticity of an ideal fluid that preserve the first
-integrals, on matrices; it leaves the angular momentum out, which the next ones add. *)
+For any vorticity before and after a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$:
+all Casimirs, the spectrum and the energy are those of before. The Laplacian is any self-adjoint map of
+matrices. This is the statement of chapter 10 about schemes for the vorticity of an ideal fluid that preserve
+the first integrals, on matrices; it leaves the angular momentum out, which the next ones add. *)
 Theorem claim_10_0_reduced_hydrodynamics A Wt P0 P1 Q (e : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A = e *: Q ->
@@ -469,7 +477,8 @@ Qed.
 (** ** Known first integrals by the discrete Lie-Poisson algorithm
 
 For a step with \f$A = \epsilon P\f$, \f$\Delta P = \tilde W - c\f$: all Casimirs, the spectrum, and
-\f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant. The energy changes in third order. *)
+\f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant. The energy changes in third
+order. *)
 Theorem claim_10_0_reduced_hydrodynamics_angular_momentum A Wt P (e c : R) :
   Laplacian P = Wt - c%:M -> A = e *: P ->
   [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
@@ -484,9 +493,9 @@ Qed.
 (** ** All known first integrals at once
 
 Energy and angular momentum are conserved by any step whose \f$[A, \tilde W]\f$ is orthogonal to \f$Q\f$,
-\f$\Delta Q = W_0 + W_1\f$, and to the generators \f$X_i\f$ of the rotations: one equation each, to be met by the
-choice of \f$A\f$. The Casimirs and the spectrum are conserved for every \f$A\f$. The generators may be any
-matrices; no invariance is assumed. *)
+\f$\Delta Q = W_0 + W_1\f$, and to the generators \f$X_i\f$ of the rotations: one equation each, to be met by
+the choice of \f$A\f$. The Casimirs and the spectrum are conserved for every \f$A\f$. The generators may be
+any matrices; no invariance is assumed. *)
 Theorem claim_10_0_reduced_hydrodynamics_all (I : Type) (X : I -> 'M[R]_n) A Wt P0 P1 Q :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt ->
@@ -504,9 +513,9 @@ Qed.
 
 (** ** Equilibria stand still
 
-Let \f$\Delta P = W\f$ with \f$[P, W] = 0\f$, and \f$A = 2\epsilon P\f$ with \f$1 - A\f$ and \f$1 + A\f$ invertible. Then
-\f$\tilde W = (1 - A)^{-1}W(1 + A)^{-1}\f$ gives \f$W_0 = W_1 = W\f$ and solves the equations of the energy-conserving
-step with \f$Q = 2P\f$, for every length of the step. *)
+Let \f$\Delta P = W\f$ with \f$[P, W] = 0\f$, and \f$A = 2\epsilon P\f$ with \f$1 - A\f$ and \f$1 + A\f$
+invertible. Then \f$\tilde W = (1 - A)^{-1}W(1 + A)^{-1}\f$ gives \f$W_0 = W_1 = W\f$ and solves the equations
+of the energy-conserving step with \f$Q = 2P\f$, for every length of the step. *)
 Theorem equilibria_stand_still A P W (e : R) : Laplacian P = W -> bracket P W = 0 -> A = e *: (P + P) ->
   1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
   let Wt := invmx (1%:M - A) *m W *m invmx (1%:M + A) in
@@ -526,10 +535,11 @@ Qed.
 
 (** ** Rossby and Haurwitz's wave
 
-Let \f$\Delta X = \kappa X\f$ and \f$\Delta V = \lambda V\f$. The vorticity \f$W = \kappa aX + \lambda bV\f$ has the
-stream function \f$P = aX + bV\f$, and
+Let \f$\Delta X = \kappa X\f$ and \f$\Delta V = \lambda V\f$. The vorticity \f$W = \kappa aX + \lambda bV\f$
+has the stream function \f$P = aX + bV\f$, and
 \f[ [P, W] = (\lambda - \kappa)\,ab\,[X, V] : \f]
-with \f$X\f$ a generator of rotations, the equation turns \f$V\f$ about the axis of \f$X\f$ and leaves \f$X\f$ where it is. *)
+with \f$X\f$ a generator of rotations, the equation turns \f$V\f$ about the axis of \f$X\f$ and leaves \f$X\f$
+where it is. *)
 Theorem rossby_haurwitz X V (a b k l : R) :
   Laplacian X = k *: X -> Laplacian V = l *: V ->
   Laplacian (a *: X + b *: V) = (k * a) *: X + (l * b) *: V /\
@@ -607,9 +617,10 @@ Proof. by rewrite /laplacian [LHS]addrC [LHS]addrA. Qed.
 
 (** ** The Laplacian commutes with the rotations
 
-Where \f$[S_1, S_2] = S_3\f$, \f$[S_2, S_3] = S_1\f$ and \f$[S_3, S_1] = S_2\f$, Hoppe's and Yau's Laplacian is invariant under
-\f$S_1\f$, \f$S_2\f$ and \f$S_3\f$. So the angular momentum \f$\mathrm{Tr}(S_kW)\f$ is conserved by the discrete Lie-Poisson
-algorithm. Nothing else is asked of the three matrices; the representation may be reducible. *)
+Where \f$[S_1, S_2] = S_3\f$, \f$[S_2, S_3] = S_1\f$ and \f$[S_3, S_1] = S_2\f$, Hoppe's and Yau's Laplacian
+is invariant under \f$S_1\f$, \f$S_2\f$ and \f$S_3\f$. So the angular momentum \f$\mathrm{Tr}(S_kW)\f$ is
+conserved by the discrete Lie-Poisson algorithm. Nothing else is asked of the three matrices; the
+representation may be reducible. *)
 Theorem laplacian_invariant S1 S2 S3 :
   bracket S1 S2 = S3 -> bracket S2 S3 = S1 -> bracket S3 S1 = S2 ->
   [/\ invariant (laplacian S1 S2 S3) S1, invariant (laplacian S1 S2 S3) S2
@@ -622,10 +633,11 @@ Qed.
 
 (** ** Where to look for the correction
 
-For matrices \f$Q_i\f$, the gradients of the integrals that are to be conserved, the numbers \f$\mathrm{Tr}(Q_i[Q_j, W])\f$ are
-skew in \f$i\f$ and \f$j\f$, and the numbers \f$\mathrm{Tr}(Q_i[[Q_j, W], W]) = -\mathrm{Tr}([Q_i, W][Q_j, W])\f$ are symmetric. So a
-correction of \f$A\f$ by multiples of the \f$Q_j\f$ meets a skew system of equations, whose regular case has no
-solution but zero; one by multiples of the tangent vectors \f$[Q_j, W]\f$ of the orbit meets their Gram matrix. *)
+For matrices \f$Q_i\f$, the gradients of the integrals that are to be conserved, the numbers
+\f$\mathrm{Tr}(Q_i[Q_j, W])\f$ are skew in \f$i\f$ and \f$j\f$, and the numbers
+\f$\mathrm{Tr}(Q_i[[Q_j, W], W]) = -\mathrm{Tr}([Q_i, W][Q_j, W])\f$ are symmetric. So a correction of \f$A\f$
+by multiples of the \f$Q_j\f$ meets a skew system of equations, whose regular case has no solution but zero;
+one by multiples of the tangent vectors \f$[Q_j, W]\f$ of the orbit meets their Gram matrix. *)
 Theorem correction_systems (I : Type) (Q : I -> 'M[R]_n) W i j :
   \tr (Q i *m bracket (Q j) W) = - \tr (Q j *m bracket (Q i) W) /\
   \tr (Q i *m bracket (bracket (Q j) W) W) = - \tr (bracket (Q i) W *m bracket (Q j) W).
@@ -687,8 +699,8 @@ Qed.
 
 (** ** The two Legendre images of a step
 
-Let the derivative of a function of \f$A\f$ be \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$. As a function of \f$U = \mathrm{cay}(A)\f$ it has
-the derivative
+Let the derivative of a function of \f$A\f$ be \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$. As a function of
+\f$U = \mathrm{cay}(A)\f$ it has the derivative
 \f[ 2\,\mathrm{Tr}(\tilde W\,dA) = \mathrm{Tr}(W_1\,dU\,U^{-1}) = \mathrm{Tr}(W_0\,U^{-1}dU) : \f]
 its differential at \f$U\f$, translated to the identity on the two sides, is \f$W_1\f$ and \f$W_0\f$. *)
 Theorem legendre_images A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
@@ -720,7 +732,8 @@ Definition relative_motion A := cayley (- A).
 (** The differential of the reduced discrete Lagrangian at \f$f\f$, as a covector there. *)
 Definition differential_at_motion A Wt := - ((1%:M + A) *m Wt *m (1%:M + A))^T.
 
-(** It is the differential: its pairing with \f$df\f$ is \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$, whatever the derivation. *)
+(** It is the differential: its pairing with \f$df\f$ is \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$, whatever the
+derivation. *)
 Lemma differential_is_derivative (d : 'M[R]_n -> 'M[R]_n) A Wt : matrix_derivation d -> 1%:M + A \in unitmx ->
   pairing (differential_at_motion A Wt) (d (relative_motion A)) = \tr (Wt *m d A) *+ 2.
 Proof.
@@ -748,8 +761,8 @@ Qed.
 
 (** ** A step is a step of the discrete Lie-Poisson algorithm
 
-A vorticity \f$W\f$ is the momentum \f$\mu = W^T\f$, whose pairing with \f$\xi\f$ is \f$\mathrm{Tr}(W\xi)\f$. With the relative
-motion \f$f\f$ and the differential \f$\ell'\f$ of the reduced discrete Lagrangian there,
+A vorticity \f$W\f$ is the momentum \f$\mu = W^T\f$, whose pairing with \f$\xi\f$ is \f$\mathrm{Tr}(W\xi)\f$.
+With the relative motion \f$f\f$ and the differential \f$\ell'\f$ of the reduced discrete Lagrangian there,
 \f[ \mu_0 = -R_f^*\,\ell'(f), \qquad \mu_1 = -L_f^*\,\ell'(f), \qquad \mu_1 = \mathrm{Ad}_f^*\,\mu_0 , \f]
 which are the momenta before and after a right-invariant step and the update (3.17). *)
 Theorem step_is_discrete_lie_poisson A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
@@ -769,8 +782,8 @@ Qed.
 
 (** ** The vorticity half-way solves the discrete Euler-Poincaré equations
 
-The equation (3.10), \f$R_{f'}^*\ell'(f') = L_f^*\ell'(f)\f$ for a motion \f$f\f$ and the next one \f$f'\f$, says that the vorticity
-before the next step is the vorticity after this one. *)
+The equation (3.10), \f$R_{f'}^*\ell'(f') = L_f^*\ell'(f)\f$ for a motion \f$f\f$ and the next one \f$f'\f$,
+says that the vorticity before the next step is the vorticity after this one. *)
 Theorem step_solves_discrete_euler_poincare A Wt A' Wt' : 1%:M + A \in unitmx -> 1%:M + A' \in unitmx ->
   R_star (relative_motion A') (differential_at_motion A' Wt') =
     L_star (relative_motion A) (differential_at_motion A Wt) <->
@@ -783,10 +796,12 @@ Qed.
 
 (** ** The differential of the Lagrangian
 
-For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$ whose value on numbers is \f$\partial\f$,
+For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$ whose value on numbers is
+\f$\partial\f$,
 \f[ \partial\,\mathrm{Tr}(A\,\Delta A) = 2\,\mathrm{Tr}(\Delta A\,dA) . \f]
-So for \f$A = \epsilon P\f$, \f$\Delta P = \tilde W\f$, the Lagrangian of the steps above is \f$\frac1\epsilon\mathrm{Tr}(A\,\Delta A)\f$, a
-multiple of the kinetic energy. On matrices of trace zero \f$\Delta P = \tilde W - c\f$ gives the same differential. *)
+So for \f$A = \epsilon P\f$, \f$\Delta P = \tilde W\f$, the Lagrangian of the steps above is
+\f$\frac1\epsilon\mathrm{Tr}(A\,\Delta A)\f$, a multiple of the kinetic energy. On matrices of trace zero
+\f$\Delta P = \tilde W - c\f$ gives the same differential. *)
 Theorem lagrangian_differential (Laplacian d : 'M[R]_n -> 'M[R]_n) (der : R -> R) A :
   self_adjoint Laplacian -> matrix_derivation d -> (forall X, d (Laplacian X) = Laplacian (d X)) ->
   (forall X, der (\tr X) = \tr (d X)) ->
@@ -798,17 +813,17 @@ Qed.
 
 (** ** Equations of the vorticity as a Lie-Poisson equation
 
-With \f$\mu = W^T\f$ the Lie-Poisson equation of a right-invariant Hamiltonian, \f$\dot\mu = -\mathrm{ad}_P^*\mu\f$
-(theorem 2.2.3), is \f$\dot W = [P, W]\f$. *)
+With \f$\mu = W^T\f$ the Lie-Poisson equation of a right-invariant Hamiltonian,
+\f$\dot\mu = -\mathrm{ad}_P^*\mu\f$ (theorem 2.2.3), is \f$\dot W = [P, W]\f$. *)
 Theorem euler_zeitlin_is_lie_poisson P W : (- ad_star P W^T)^T = bracket P W.
 Proof. by rewrite /ad_star /bracket raddfN raddfB /= !trmx_mul !trmxK opprB. Qed.
 
 (** ** The vorticity is carried along
 
-Let the vorticity after each step be that before the next, and \f$g_{k+1} = \mathrm{cay}(A_k)\,g_k\f$ from \f$g_0 = 1\f$. Then
-\f$W_k = g_kW_0g_k^{-1}\f$, and the body momentum \f$\mathrm{Ad}_{g_k}^*\mu_k\f$, the momentum map of the relabelling of the
-fluid, is the same after every step. This is the discrete vorticity preservation that chapter 10 expects of a
-discrete Noether theorem, for the group of matrices. *)
+Let the vorticity after each step be that before the next, and \f$g_{k+1} = \mathrm{cay}(A_k)\,g_k\f$ from
+\f$g_0 = 1\f$. Then \f$W_k = g_kW_0g_k^{-1}\f$, and the body momentum \f$\mathrm{Ad}_{g_k}^*\mu_k\f$, the
+momentum map of the relabelling of the fluid, is the same after every step. This is the discrete vorticity
+preservation that chapter 10 expects of a discrete Noether theorem, for the group of matrices. *)
 Theorem claim_10_0_vorticity_preservation_matrices (A Wt g : nat -> 'M[R]_n) :
   (forall k, 1%:M - A k \in unitmx) -> (forall k, 1%:M + A k \in unitmx) ->
   (forall k, vorticity_before (A k.+1) (Wt k.+1) = vorticity_after (A k) (Wt k)) ->
@@ -827,4 +842,358 @@ move=> k; split; first by rewrite /Ad -carried mulmxK.
 by rewrite /Ad_star -!trmx_mul carried mulKmx.
 Qed.
 
+(** ** Skew matrices and unitary ones *)
+
+(** A map \f$X\mapsto X^*\f$ in the place of the transpose, or of the transpose with complex conjugate
+entries: additive, an exchange of factors, and its own inverse. *)
+Definition involution (star : 'M[R]_n -> 'M[R]_n) :=
+  [/\ forall X Y, star (X + Y) = star X + star Y, forall X Y, star (X *m Y) = star Y *m star X
+    & forall X, star (star X) = X].
+
+(** The transpose is one. *)
+Lemma transpose_involution : involution trmx.
+Proof. by split; [exact: raddfD | exact: trmx_mul | exact: trmxK]. Qed.
+
+(** So is the transpose with conjugate entries, for any automorphism of the ring that is its own inverse. *)
+Lemma hermitian_involution (conj : {rmorphism R -> R}) :
+  (forall a, conj (conj a) = a) -> involution (fun X => (map_mx conj X)^T).
+Proof.
+move=> twice; split=> [X Y | X Y | X]; first by rewrite map_mxD raddfD.
+  by rewrite map_mxM trmx_mul.
+by apply/matrixP => i j; rewrite !mxE twice.
+Qed.
+
+Section Star.
+
+Variable star : 'M[R]_n -> 'M[R]_n.
+Hypothesis starred : involution star.
+
+Let starD : forall X Y, star (X + Y) = star X + star Y. Proof. by case: starred. Qed.
+Let starM : forall X Y, star (X *m Y) = star Y *m star X. Proof. by case: starred. Qed.
+Let starK : forall X, star (star X) = X. Proof. by case: starred. Qed.
+
+Let star0 : star 0 = 0. Proof. by apply: (addIr (star 0)); rewrite -starD addr0 add0r. Qed.
+Let starN X : star (- X) = - star X.
+Proof. by apply/eqP; rewrite -addr_eq0 -starD addNr star0. Qed.
+Let star1 : star 1%:M = 1%:M.
+Proof. by rewrite -[LHS]mul1mx -{1}[1%:M]starK -starM mul1mx starK. Qed.
+
+(** ** A step keeps the vorticity skew
+
+Where \f$A^* = -A\f$, a step with \f$\tilde W^*\f$ in place of \f$\tilde W\f$ has the vorticities \f$W_0^*\f$
+and \f$W_1^*\f$. So \f$W_0\f$ and \f$W_1\f$ are skew where \f$\tilde W\f$ is, and symmetric where it is. *)
+Theorem step_starred A Wt : star A = - A ->
+  star (vorticity_before A Wt) = vorticity_before A (star Wt) /\
+  star (vorticity_after A Wt) = vorticity_after A (star Wt) /\
+  (star Wt = - Wt -> star (vorticity_before A Wt) = - vorticity_before A Wt /\
+                     star (vorticity_after A Wt) = - vorticity_after A Wt).
+Proof.
+move=> skew.
+have before : star (vorticity_before A Wt) = vorticity_before A (star Wt).
+  by rewrite /vorticity_before !starM !starD starN star1 skew opprK mulmxA.
+have after : star (vorticity_after A Wt) = vorticity_after A (star Wt).
+  by rewrite /vorticity_after !starM !starD starN star1 skew opprK mulmxA.
+split=> //; split=> // skew_too; rewrite before after skew_too.
+by rewrite /vorticity_before /vorticity_after !mulmxN !mulNmx.
+Qed.
+
+Lemma star_unit X Y : X *m Y = 1%:M -> star Y *m star X = 1%:M.
+Proof. by move=> inverse; rewrite -starM inverse star1. Qed.
+
+(** ** The Cayley map of a skew matrix is unitary
+
+Where \f$A^* = -A\f$ and \f$1 - A\f$ has an inverse, so has \f$1 + A\f$, and \f$U = \mathrm{cay}(A)\f$ has
+\f$U^*U = UU^* = 1\f$. The step is then \f$W_1 = UW_0U^*\f$. *)
+Theorem cayley_unitary A : star A = - A -> 1%:M - A \in unitmx ->
+  [/\ 1%:M + A \in unitmx, star (cayley A) *m cayley A = 1%:M, cayley A *m star (cayley A) = 1%:M
+    & forall Wt, vorticity_after A Wt = cayley A *m vorticity_before A Wt *m star (cayley A)].
+Proof.
+move=> skew minus.
+have inverse := star_unit (mulVmx minus).
+have starred_factor : star (1%:M - A) = 1%:M + A by rewrite starD starN star1 skew opprK.
+have plus : 1%:M + A \in unitmx by rewrite starred_factor in inverse; case: (mulmx1_unit inverse).
+have star_inverse : star (invmx (1%:M - A)) = invmx (1%:M + A).
+  by rewrite -starred_factor -[LHS](mulKmx (_ : star (1%:M - A) \in unitmx)) ?inverse ?mulmx1 // starred_factor.
+have adjoint : star (cayley A) = cayley (- A).
+  rewrite [in RHS]cayley_commute ?opprK // /cayley starM star_inverse starD star1 skew.
+  by [].
+have one := cayley_inverse minus plus.
+rewrite adjoint; split=> //; first exact: mulmx1C.
+by move=> Wt; rewrite (proj2 (step_conjugates _ minus) plus) /Ad cayley_inv.
+Qed.
+
+(** ** One product is enough
+
+For skew \f$A\f$ and \f$\tilde W\f$ and the one product \f$B = A\tilde W\f$: \f$[A, \tilde W] = B - B^*\f$,
+and \f$A\tilde WA = BA\f$ is skew. *)
+Theorem one_product A Wt : star A = - A -> star Wt = - Wt ->
+  let B := A *m Wt in [/\ bracket A Wt = B - star B, A *m Wt *m A = B *m A & star (B *m A) = - (B *m A)].
+Proof.
+move=> skew skew_too B; rewrite /B /bracket !starM skew skew_too.
+by split=> //; rewrite !mulNmx !mulmxN ?opprK ?mulmxA // mulNmx.
+Qed.
+
+End Star.
+
+(* An entry by the numbers of its row and its column. *)
+Lemma entry_at (m : nat) (M : 'M[R]_m.+1) : exists a : nat -> nat -> R, forall i j, M i j = a i j.
+Proof. by exists (fun i j => M (inord i) (inord j)) => i j; rewrite !inord_val. Qed.
+
+(* The signs of the cofactors, and the entries of the identity. *)
+Ltac signs :=
+  repeat match goal with |- context [GRing.exp (GRing.opp (GRing.one _)) ?k] =>
+    progress (let k' := eval compute in k in change k with k') end;
+  rewrite ?expr0 ?expr1 ?sqrrN ?expr1n ?mul1r ?mulN1r ?mulr0n ?mulr1n ?addr0.
+
+Lemma det_of_two (M : 'M[R]_2) (a : nat -> nat -> R) : (forall i j, M i j = a i j) ->
+  \det M = a 0%N 0%N * a 1%N 1%N - a 0%N 1%N * a 1%N 0%N.
+Proof.
+move=> entry; rewrite (expand_det_row _ ord0) !big_ord_recl big_ord0 /cofactor !det_mx11 !mxE !entry /=.
+by signs; rewrite mulrN.
+Qed.
+
+Lemma det_of_three (M : 'M[R]_3) (a : nat -> nat -> R) : (forall i j, M i j = a i j) ->
+  \det M = a 0%N 0%N * (a 1%N 1%N * a 2%N 2%N - a 1%N 2%N * a 2%N 1%N)
+    - a 0%N 1%N * (a 1%N 0%N * a 2%N 2%N - a 1%N 2%N * a 2%N 0%N)
+    + a 0%N 2%N * (a 1%N 0%N * a 2%N 1%N - a 1%N 1%N * a 2%N 0%N).
+Proof.
+move=> entry; rewrite (expand_det_row _ ord0) !big_ord_recl big_ord0 /cofactor !entry.
+have minor (k : 'I_3) : \det (row' ord0 (col' k M)) =
+    a 1%N (bump k 0) * a 2%N (bump k 1) - a 1%N (bump k 1) * a 2%N (bump k 0).
+  by rewrite (det_of_two (a := fun i j => a i.+1 (bump k j))) // => i j; rewrite !mxE entry.
+by rewrite !minor /=; signs; rewrite mulrN addrA.
+Qed.
+
+(** ** Which group the Cayley map reaches
+
+For matrices of two and of three rows,
+\f[ \det(1 + A) - \det(1 - A) = 2\,\mathrm{Tr}A, \qquad \det(1 + A) - \det(1 - A) = 2\,(\mathrm{Tr}A + \det A) . \f]
+So for \f$\mathrm{Tr}A = 0\f$ the determinant of \f$\mathrm{cay}(A)\f$ is 1 in \f$\mathrm{SU}(2)\f$; in
+\f$\mathrm{SU}(3)\f$ it is 1 only where \f$2\det A = 0\f$, and \f$A = \mathrm{diag}(i, i, -2i)\f$ leaves the
+group. A multiple of \f$U\f$ makes the same step: what moves the vorticity is an element of the unitary group
+up to a factor. *)
+Theorem cayley_determinant (A : 'M[R]_2) (B : 'M[R]_3) :
+  \det (1%:M + A) - \det (1%:M - A) = \tr A *+ 2 /\
+  \det (1%:M + B) - \det (1%:M - B) = (\tr B + \det B) *+ 2.
+Proof.
+have [a entry_a] := entry_at A; have [b entry_b] := entry_at B.
+have plus m (X : 'M[R]_m) x : (forall i j, X i j = x (i : nat) (j : nat)) ->
+    forall i j, (1%:M + X) i j = ((i : nat) == j)%:R + x i j.
+  by move=> entry i j; rewrite !mxE entry.
+have minus m (X : 'M[R]_m) x : (forall i j, X i j = x (i : nat) (j : nat)) ->
+    forall i j, (1%:M - X) i j = ((i : nat) == j)%:R - x i j.
+  by move=> entry i j; rewrite !mxE entry.
+rewrite /mxtrace !big_ord_recl !big_ord0 !entry_a !entry_b; split.
+  rewrite [\det (1%:M + A)](det_of_two (a := fun i j => (i == j)%:R + a i j) (plus _ _ _ entry_a)).
+  rewrite [\det (1%:M - A)](det_of_two (a := fun i j => (i == j)%:R - a i j) (minus _ _ _ entry_a)) /=.
+  by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
+rewrite [\det (1%:M + B)](det_of_three (a := fun i j => (i == j)%:R + b i j) (plus _ _ _ entry_b)).
+rewrite [\det (1%:M - B)](det_of_three (a := fun i j => (i == j)%:R - b i j) (minus _ _ _ entry_b)).
+rewrite (det_of_three entry_b) /=.
+by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
+Qed.
+
 End Step.
+
+(** ** The rigid body in space *)
+
+Section RigidBody.
+
+Variable R : comUnitRingType.
+Add Ring ring_of_numbers : (ring_of_entries R).
+
+(* The matrix with three given rows. *)
+Definition grid (r : seq (seq R)) : 'M[R]_3 := \matrix_(i, j) nth 0 (nth [::] r i) j.
+
+(** The skew matrix of a vector, \f$\hat a\,b = a\times b\f$. *)
+Definition hat (x y z : R) : 'M[R]_3 := grid [:: [:: 0; - z; y]; [:: z; 0; - x]; [:: - y; x; 0]].
+
+Ltac nine_entries :=
+  apply/matrixP; case=> [] [|[|[|?]]] // ?; case=> [] [|[|[|?]]] // ?;
+  rewrite ?(mxE, big_ord_recl, big_ord0) /=; entry_ring_over R.
+
+(* The product of two of them: x a^T less the multiple (a . x) of the identity. *)
+Lemma hat_product (a b c x y z : R) : hat a b c *m hat x y z =
+  grid [:: [:: - (b * y + c * z); x * b; x * c]; [:: y * a; - (a * x + c * z); y * c];
+           [:: z * a; z * b; - (a * x + b * y)]].
+Proof. by nine_entries. Qed.
+
+Lemma hat_bracket (a b c x y z : R) :
+  bracket (hat a b c) (hat x y z) = hat (b * z - c * y) (c * x - a * z) (a * y - b * x).
+Proof. by rewrite /bracket !hat_product; nine_entries. Qed.
+
+Lemma hat_square (a b c x y z : R) :
+  hat a b c *m hat x y z *m hat a b c = - ((a * x + b * y + c * z) *: hat a b c).
+Proof. by rewrite hat_product; nine_entries. Qed.
+
+(** ** The step in space
+
+On \f$\mathrm{so}(3)\f$, with \f$A = \hat a\f$ and \f$\tilde W = \hat w\f$, the momenta before and after the
+step are
+\f[ w - a\times w + (a\cdot w)\,a, \qquad w + a\times w + (a\cdot w)\,a . \f]
+With \f$a\f$ parallel to the angular velocity of \f$w\f$ this is the discrete Lie-Poisson algorithm of a rigid
+body with the Cayley map; with \f$a\f$ parallel to that of their sum it conserves energy and length. *)
+Theorem rigid_body_step (a b c x y z : R) : let dot := a * x + b * y + c * z in
+  vorticity_before (hat a b c) (hat x y z) =
+    hat (x - (b * z - c * y) + dot * a) (y - (c * x - a * z) + dot * b) (z - (a * y - b * x) + dot * c) /\
+  vorticity_after (hat a b c) (hat x y z) =
+    hat (x + (b * z - c * y) + dot * a) (y + (c * x - a * z) + dot * b) (z + (a * y - b * x) + dot * c).
+Proof.
+move=> dot; have [_ mean] := step_mean (hat a b c) (hat x y z); have := step_increment (hat a b c) (hat x y z).
+rewrite mulr2n => /eqP; rewrite subr_eq -addrA [bracket _ _ + vorticity_before _ _]addrC mean => /eqP ->.
+have -> : vorticity_before (hat a b c) (hat x y z) =
+    hat x y z - hat a b c *m hat x y z *m hat a b c - bracket (hat a b c) (hat x y z).
+  by rewrite -mean addrK.
+by rewrite hat_square hat_bracket opprK /dot; split; nine_entries.
+Qed.
+
+End RigidBody.
+
+(** ** Euler's equation in continuous time *)
+
+(** A _derivation_ of numbers, in the place of the derivative by time: additive, with Leibniz's rule. *)
+Definition derivation (R : ringType) (der : R -> R) :=
+  (forall a b, der (a + b) = der a + der b) /\ (forall a b, der (a * b) = der a * b + a * der b).
+
+Section Derivations.
+
+Variables (R : comRingType) (der : R -> R).
+Hypothesis rule : derivation der.
+
+Lemma der0 : der 0 = 0.
+Proof. by apply: (addIr (der 0)); rewrite -rule.1 addr0 add0r. Qed.
+
+Lemma derN a : der (- a) = - der a.
+Proof. by apply/eqP; rewrite -addr_eq0 -rule.1 addNr der0. Qed.
+
+Lemma der1 : der 1 = 0.
+Proof. by have := rule.2 1 1; rewrite !mulr1 mul1r -[X in X = _]addr0 => /addrI. Qed.
+
+Lemma der_sign k a : der ((-1) ^+ k * a) = (-1) ^+ k * der a.
+Proof. by rewrite -signr_odd; case: (odd k); rewrite ?mulN1r ?mul1r ?derN. Qed.
+
+Lemma der_sum (I : Type) (r : seq I) (P : pred I) F : der (\sum_(i <- r | P i) F i) = \sum_(i <- r | P i) der (F i).
+Proof. by apply: (big_morph der rule.1 der0). Qed.
+
+Lemma der_prod (I : eqType) (r : seq I) F : uniq r ->
+  der (\prod_(i <- r) F i) = \sum_(i <- r) der (F i) * \prod_(k <- r | i != k) F k.
+Proof.
+elim: r => [|i r hyp]; first by rewrite !big_nil der1.
+case/andP=> new distinct; rewrite !big_cons eqxx rule.2 hyp //; congr (_ + _).
+  congr (_ * _); rewrite big_seq [RHS]big_seq_cond; apply: eq_bigl => k.
+  by case: (boolP (k \in r)) => //= inside; apply/esym; apply: contraNneq new => ->.
+rewrite mulr_sumr big_seq [RHS]big_seq; apply: eq_bigr => k inside.
+rewrite big_cons (_ : k != i); first by rewrite mulrCA.
+by apply: contraNneq new => <-.
+Qed.
+
+(* Jacobi's formula: the derivative of a determinant. *)
+Lemma der_det n (M : 'M[R]_n) : der (\det M) = \tr (map_mx der M *m \adj M).
+Proof.
+rewrite /determinant der_sum; under eq_bigr do rewrite der_sign der_prod ?index_enum_uniq // mulr_sumr.
+rewrite exchange_big; apply: eq_bigr => i _; rewrite mxE.
+rewrite (partition_big (fun s : {perm 'I_n} => s i) xpredT) //=; apply: eq_bigr => j _.
+rewrite !mxE expand_cofactor mulr_sumr; apply: eq_bigr => s /eqP <-.
+by rewrite mulrCA.
+Qed.
+
+(** Where a matrix changes by a bracket, its determinant does not change. *)
+Lemma der_det_bracket n (P M : 'M[R]_n) : map_mx der M = P *m M - M *m P -> der (\det M) = 0.
+Proof.
+move=> change; rewrite der_det change mulmxBl raddfB /= -!mulmxA mul_mx_adj.
+by rewrite [\tr (M *m _)]mxtrace_mulC -mulmxA mul_adj_mx subrr.
+Qed.
+
+(* The derivation of polynomials that acts on their coefficients. *)
+Lemma derivation_of_coefficients : derivation (map_poly der).
+Proof.
+split=> p q; apply/polyP => k; first by rewrite coefD !coef_map_id0 ?der0 // coefD rule.1.
+rewrite coefD !coefM coef_map_id0 ?der0 // coefM der_sum -big_split /=; apply: eq_bigr => i _.
+by rewrite rule.2 !coef_map_id0 ?der0.
+Qed.
+
+End Derivations.
+
+Section Euler.
+
+Variables (R : comUnitRingType) (n : nat) (der : R -> R).
+Hypothesis rule : derivation der.
+Implicit Types P W : 'M[R]_n.
+
+(** The derivative of a matrix, entry by entry. *)
+Definition rate W := map_mx der W.
+
+Lemma rate_mul (X Y : 'M[R]_n) : rate (X *m Y) = rate X *m Y + X *m rate Y.
+Proof.
+apply/matrixP => i j; rewrite !mxE (der_sum rule) -big_split; apply: eq_bigr => k _.
+by rewrite rule.2 !mxE.
+Qed.
+
+Lemma rate_power P W k : rate W = bracket P W -> rate (power W k) = bracket P (power W k).
+Proof.
+move=> equation; elim: k => [|k hyp].
+  apply/matrixP => i j; rewrite /bracket mulmx1 mul1mx !mxE subrr.
+  by case: (i == j); rewrite ?(der1 rule) ?(der0 rule).
+rewrite powerS rate_mul hyp equation /bracket mulmxBl mulmxBr !mulmxA.
+by rewrite addrA subrK.
+Qed.
+
+(** ** The moments of the vorticity
+
+\f[ \mathrm{Tr}(W^k[P, W]) = 0 \quad\text{for every } k, \f]
+for any two matrices: the gradient of each Casimir is orthogonal to every tangent vector of the orbit. *)
+Theorem moments_orthogonal P W k : \tr (power W k *m bracket P W) = 0.
+Proof. by rewrite bracketN mulmxN raddfN /= trace_commuting ?oppr0 // -powerS powerSr. Qed.
+
+(** ** Euler's equation conserves all Casimirs and the spectrum
+
+Let \f$\dot W = [P, W]\f$, with a derivation of the numbers in the place of the derivative by time and \f$P\f$
+any matrix. Then \f$\frac{d}{dt}W^k = [P, W^k]\f$, so \f$\frac{d}{dt}\mathrm{Tr}(W^k) = 0\f$ for every
+\f$k\f$, and every coefficient of the characteristic polynomial is constant. *)
+Theorem euler_equation_casimirs P W : rate W = bracket P W ->
+  (forall k, der (casimir k W) = 0) /\ (forall i, der (char_poly W)`_i = 0).
+Proof.
+move=> equation; split=> [k | i].
+  have -> : der (casimir k W) = \tr (rate (power W k)).
+    by rewrite /casimir /mxtrace (der_sum rule); apply: eq_bigr => i _; rewrite mxE.
+  by rewrite (rate_power _ equation) /bracket raddfB /= mxtrace_mulC subrr.
+have rules := derivation_of_coefficients rule.
+rewrite -(coef_map_id0 _ _ (der0 rule)) /char_poly.
+rewrite (der_det_bracket rules (P := map_mx polyC P)) ?coef0 //.
+(* z - W changes by the bracket of P with it, as W does. *)
+have -> : map_mx polyC P *m char_poly_mx W - char_poly_mx W *m map_mx polyC P = - map_mx polyC (bracket P W).
+  by rewrite /char_poly_mx mulmxBl mulmxBr scalar_mxC opprB addrC addrA subrK -!map_mxM /bracket map_mxB opprB.
+have constant c : map_poly der c%:P = (der c)%:P.
+  by apply/polyP => m; rewrite coef_map_id0 ?der0 // !coefC; case: eqP; rewrite ?der0.
+have variable b : map_poly der ('X *+ b) = 0.
+  apply/polyP => m; rewrite coef_map_id0 ?der0 // coefMn coefX coef0 -mulrnA.
+  by case: (_ * _)%N; [exact: der0 | move=> d; elim: d => [|d hyp]; rewrite ?(der1 rule) // mulrS rule.1 hyp
+    (der1 rule) addr0].
+rewrite -equation /char_poly_mx; apply/matrixP => j k; rewrite !mxE rules.1 (derN rules) variable add0r.
+by rewrite constant.
+Qed.
+
+(** ** Euler's equation conserves energy and angular momentum
+
+Let \f$\Delta\f$ be self-adjoint and commute with the derivation, \f$\Delta P = W\f$ and
+\f$\dot W = [P, W]\f$. Then the energy \f$\mathrm{Tr}(PW)\f$ is constant; and twice the derivative of
+\f$\mathrm{Tr}(XW)\f$ is zero, for every constant \f$X\f$ under which \f$\Delta\f$ is invariant. *)
+Theorem euler_equation_energy (Laplacian : 'M[R]_n -> 'M[R]_n) P W :
+  self_adjoint Laplacian -> (forall Y, rate (Laplacian Y) = Laplacian (rate Y)) ->
+  Laplacian P = W -> rate W = bracket P W ->
+  der (energy P W) = 0 /\
+  (forall X, invariant Laplacian X -> rate X = 0 -> der (\tr (X *m W)) *+ 2 = 0).
+Proof.
+move=> adjoint commute stream equation.
+have trace Y : der (\tr Y) = \tr (rate Y).
+  by rewrite /mxtrace (der_sum rule); apply: eq_bigr => i _; rewrite mxE.
+have level : \tr (P *m bracket P W) = 0 by apply: trace_commuting.
+split=> [| X invariance constant].
+  have first : \tr (rate P *m W) = \tr (P *m rate W).
+    by rewrite -[in LHS]stream -adjoint -commute stream mxtrace_mulC.
+  by rewrite /energy trace rate_mul raddfD /= first equation level addr0.
+rewrite trace rate_mul constant mul0mx add0r equation -stream.
+exact: noether_identity.
+Qed.
+
+End Euler.
