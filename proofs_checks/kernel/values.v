@@ -8,7 +8,7 @@ come with a proof that they are its rows. *)
 
 From Coq Require Import ZArith QArith Qcanon String.
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices dual_numbers groups groupoids rotations isospectral computed samples.
+From actio Require Import matrices dual_numbers groups groupoids rotations isospectral rigid_body computed samples.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -136,8 +136,8 @@ Definition momentum_before_left_rows a b f : value (momentum_before_left (functi
 Definition D1_rows a b f g : value (D1 (pair_function a b) (M f) (M g)). Proof. eexists; rewrite product_D1; to_rows; reflexivity. Defined.
 Definition D2_rows a b f g : value (D2 (pair_function a b) (M f) (M g)). Proof. eexists; rewrite product_D2; to_rows; reflexivity. Defined.
 Definition discrete_euler_lagrange_rows a b f g x :
-  value (discrete_euler_lagrange (pair_function a b) (M f) (M g) (M x)).
-Proof. eexists; rewrite /discrete_euler_lagrange product_D1 product_D2; to_rows; reflexivity. Defined.
+  value (groupoids.discrete_euler_lagrange (pair_function a b) (M f) (M g) (M x)).
+Proof. eexists; rewrite /groupoids.discrete_euler_lagrange product_D1 product_D2; to_rows; reflexivity. Defined.
 
 Definition lie_poisson_bracket_plus_number a b c d mu :
   number (groups.lie_poisson_bracket_plus (function a b) (function c d) (M mu)).
@@ -153,11 +153,21 @@ Proof. by eexists; rewrite legendre_at_target_of_group; [rewrite /left_different
 Definition legendre_at_source_number a b g v : number (legendre_at_source (function a b) (M g) (M v)).
 Proof. by eexists; rewrite legendre_at_source_of_group; [rewrite /right_differential quadratic_differential; to_rows; reflexivity | exact: quadratic_differentiable]. Defined.
 
-Definition inertia_operator_rows l x : value (inertia_operator (M l) (M x)). Proof. rewrite /inertia_operator; by_rows. Defined.
-Definition kinetic_energy_number l x : number (kinetic_energy (M l) (M x)). Proof. rewrite /kinetic_energy /inertia_operator; by_rows. Defined.
+Definition inertia_operator_rows l x : value (rotations.inertia_operator (M l) (M x)). Proof. rewrite /rotations.inertia_operator; by_rows. Defined.
+Definition kinetic_energy_number l x : number (rotations.kinetic_energy (M l) (M x)). Proof. rewrite /rotations.kinetic_energy /rotations.inertia_operator; by_rows. Defined.
 
 Definition cayley_rows a : value (isospectral.cayley (M a)). Proof. rewrite /isospectral.cayley; by_rows. Defined.
 Definition casimir_number a : number (casimir 2 (M a)). Proof. rewrite /casimir /power /=; by_rows. Defined.
+
+Definition momentum_before_rows f l : value (momentum_before (M f) (M l)).
+Proof. rewrite /momentum_before; by_rows. Defined.
+Definition momentum_after_rows f l : value (momentum_after (M f) (M l)).
+Proof. rewrite /momentum_after; by_rows. Defined.
+Definition orthogonality_rows g : value (orthogonality (M g)). Proof. rewrite /orthogonality; by_rows. Defined.
+Definition body_multiplier_rows g a : value (body_multiplier (M g) (M a)).
+Proof. rewrite /body_multiplier; by_rows. Defined.
+Definition trace_casimir_number l f : number (trace_casimir (M l) (M f)).
+Proof. rewrite /trace_casimir; by_rows. Defined.
 
 End Rows.
 
@@ -172,7 +182,7 @@ exists (tabulate 3 3 (fun i j => nth Qc_zero (nth [::]
 by apply/matrixP; apply: axes; apply: axes; rewrite !mxE /=.
 Defined.
 
-Definition cross_rows x y : value (\col_i cross (vector x) (vector y) i).
+Definition cross_rows x y : value (\col_i rotations.cross (vector x) (vector y) i).
 Proof.
 exists (tabulate 3 1 (fun i _ => entry x ((i + 1) %% 3)%N 0 * entry y ((i + 2) %% 3)%N 0
   - entry x ((i + 2) %% 3)%N 0 * entry y ((i + 1) %% 3)%N 0)).
@@ -242,7 +252,8 @@ Definition actions : seq (seq string) :=
       on_groups "Ad_star" [:: In_group; In_algebra] (fun n l => matrix_given (Ad_star_rows n (l @ 0) (l @ 1)));
       on_groups "bracket" [:: In_algebra; In_algebra] (fun n l => matrix_given (bracket_rows n (l @ 0) (l @ 1)));
       on_groups "ad_star" [:: In_algebra; In_algebra] (fun n l => matrix_given (ad_star_rows n (l @ 0) (l @ 1)));
-      on_groups "pairing" [:: In_algebra; In_algebra] (fun n l => number_given (number_of (pairing_number n (l @ 0) (l @ 1))));
+      on_groups "pairing" [:: In_algebra; In_algebra] 
+        (fun n l => number_given (number_of (pairing_number n (l @ 0) (l @ 1))));
       on_groups "L_star" [:: In_group; Any] (fun n l => matrix_given (L_star_rows n (l @ 0) (l @ 1)));
       on_groups "R_star" [:: In_group; Any] (fun n l => matrix_given (R_star_rows n (l @ 0) (l @ 1)));
       on_rotations "skew_part" [:: Any] (fun n l => matrix_given (skew_part_rows n (l @ 0)))].
@@ -300,6 +311,15 @@ Definition bodies : seq (seq string) :=
         (fun n l => number_given (number_of (kinetic_energy_number n (l @ 0) (l @ 1))));
       on_rotations "casimir" [:: In_algebra] (fun n l => number_given (number_of (casimir_number n (l @ 0))));
       on_rotations "cayley" [:: In_algebra] (fun n l => matrix_given (cayley_rows n (l @ 0)));
+      on_rotations "momentum_before" [:: In_group; Inertia]
+        (fun n l => matrix_given (momentum_before_rows n (l @ 0) (l @ 1)));
+      on_rotations "momentum_after" [:: In_group; Inertia]
+        (fun n l => matrix_given (momentum_after_rows n (l @ 0) (l @ 1)));
+      on_rotations "orthogonality" [:: Any] (fun n l => matrix_given (orthogonality_rows n (l @ 0)));
+      on_rotations "body_multiplier" [:: In_group; Any]
+        (fun n l => matrix_given (body_multiplier_rows n (l @ 0) (l @ 1)));
+      on_rotations "trace_casimir" [:: Inertia; In_group]
+        (fun n l => number_given (number_of (trace_casimir_number n (l @ 0) (l @ 1))));
       in_space "hat" [:: Column] (fun l => matrix_given (hat_rows (l @ 0)));
       in_space "cross" [:: Column; Column] (fun l => (3%N, 1%N, rows_of (cross_rows (l @ 0) (l @ 1))))].
 
@@ -313,10 +333,12 @@ Definition all_values : seq (seq string) := Eval lazy beta iota delta [
     lie_poisson_bracket_plus_number lie_poisson_update_left_rows lie_poisson_update_right_rows
     momentum_before_left_rows momentum_before_right_rows reconstruct_left_rows reconstruct_right_rows
     relative_motion_left_rows relative_motion_right_rows right_differential_rows right_translation_rows
-    skew_part_rows Ad_rows Ad_star_rows bracket_rows ad_star_rows L_star_rows R_star_rows pairing_number] in
+    skew_part_rows momentum_before_rows
+    momentum_after_rows orthogonality_rows body_multiplier_rows
+    trace_casimir_number Ad_rows Ad_star_rows bracket_rows ad_star_rows L_star_rows R_star_rows pairing_number] in
   (actions ++ motions ++ differentials ++ brackets_and_forms ++ bodies)%SEQ.
 
-(** Three definitions in a file. *)
+(** Three definitions in a file: a text of thousands of letters takes long to print. *)
 Definition part k : string := lines (flatten (take 3 (drop (3 * k)%N all_values))).
 
 Redirect "values_00" Eval vm_compute in part 0.
@@ -330,3 +352,5 @@ Redirect "values_07" Eval vm_compute in part 7.
 Redirect "values_08" Eval vm_compute in part 8.
 Redirect "values_09" Eval vm_compute in part 9.
 Redirect "values_10" Eval vm_compute in part 10.
+Redirect "values_11" Eval vm_compute in part 11.
+Redirect "values_12" Eval vm_compute in part 12.
