@@ -1,14 +1,15 @@
 (** * Values of the definitions
 
-What the definitions of these pages give on rational matrices, written out: for every definition that has a
-twin in the library, on two samples of each of the groups \f$GL(2)\f$, \f$GL(3)\f$, \f$GL(4)\f$ and \f$SO(3)\f$ where it is
-about a group, and of the sizes 2, 3 and 4 where it is about a body. The library evaluates its functions
-on the same matrices and compares fractions. A definition enters as it stands on its page: the rows that are computed
-come with a proof that they are its rows. *)
+What definitions of these pages give on rational matrices, written out: on two samples of each of the groups
+\f$GL(2)\f$, \f$GL(3)\f$, \f$GL(4)\f$ and \f$SO(3)\f$ where a definition is about a group, and of the sizes 2, 3 and
+4 where it is about a body. The library evaluates its functions on the same matrices and compares fractions. A
+definition enters as it stands on its page: the rows that are computed come with a proof that they are its
+rows. *)
 
 From Coq Require Import ZArith QArith Qcanon String.
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices dual_numbers groups groupoids rotations isospectral rigid_body computed samples.
+From actio Require Import matrices dual_numbers groups groupoids rotations isospectral rigid_body.
+From actio Require Import computed samples.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -80,8 +81,8 @@ End Functions.
 
 (** ** The rows of each definition *)
 
-(* The rows are left open first and the equation is rewritten: a rewriting of the claim as a whole would be part of
-   what computes. *)
+(* The rows are left open first and the equation is rewritten: a rewriting of the claim as a whole would be
+   part of what computes. *)
 Ltac by_differential :=
   eexists; rewrite /right_differential /left_differential !quadratic_differential; to_rows; reflexivity.
 
@@ -113,8 +114,10 @@ Definition relative_motion_right_rows f g : value (relative_motion_right (M f) (
 Proof. rewrite /relative_motion_right; by_rows. Defined.
 Definition relative_motion_left_rows f g : value (relative_motion_left (M f) (M g)).
 Proof. rewrite /relative_motion_left; by_rows. Defined.
-Definition reconstruct_right_rows g f : value (reconstruct_right (M g) (M f)). Proof. rewrite /reconstruct_right; by_rows. Defined.
-Definition reconstruct_left_rows g f : value (reconstruct_left (M g) (M f)). Proof. rewrite /reconstruct_left; by_rows. Defined.
+Definition reconstruct_right_rows g f : value (reconstruct_right (M g) (M f)).
+Proof. rewrite /reconstruct_right; by_rows. Defined.
+Definition reconstruct_left_rows g f : value (reconstruct_left (M g) (M f)).
+Proof. rewrite /reconstruct_left; by_rows. Defined.
 Definition lie_poisson_update_right_rows f mu : value (lie_poisson_update_right (M f) (M mu)).
 Proof. rewrite /lie_poisson_update_right; by_rows. Defined.
 Definition lie_poisson_update_left_rows f mu : value (lie_poisson_update_left (M f) (M mu)).
@@ -133,8 +136,10 @@ Definition momentum_before_right_rows a b f : value (momentum_before_right (func
 Definition momentum_before_left_rows a b f : value (momentum_before_left (function a b) (M f)) :=
   value_opp (left_differential_rows a b f).
 
-Definition D1_rows a b f g : value (D1 (pair_function a b) (M f) (M g)). Proof. eexists; rewrite product_D1; to_rows; reflexivity. Defined.
-Definition D2_rows a b f g : value (D2 (pair_function a b) (M f) (M g)). Proof. eexists; rewrite product_D2; to_rows; reflexivity. Defined.
+Definition D1_rows a b f g : value (D1 (pair_function a b) (M f) (M g)).
+Proof. eexists; rewrite product_D1; to_rows; reflexivity. Defined.
+Definition D2_rows a b f g : value (D2 (pair_function a b) (M f) (M g)).
+Proof. eexists; rewrite product_D2; to_rows; reflexivity. Defined.
 Definition discrete_euler_lagrange_rows a b f g x :
   value (groupoids.discrete_euler_lagrange (pair_function a b) (M f) (M g) (M x)).
 Proof. eexists; rewrite /groupoids.discrete_euler_lagrange product_D1 product_D2; to_rows; reflexivity. Defined.
@@ -143,27 +148,38 @@ Definition lie_poisson_bracket_plus_number a b c d mu :
   number (groups.lie_poisson_bracket_plus (function a b) (function c d) (M mu)).
 Proof. rewrite /groups.lie_poisson_bracket_plus; by_differential. Defined.
 
-(** The number that the form of Kirillov and Kostant has on \f$\mathrm{ad}^*_x\mu\f$ and \f$\mathrm{ad}^*_y\mu\f$. *)
+(** The number that the form of Kirillov and Kostant has on \f$\mathrm{ad}^*_x\mu\f$ and
+\f$\mathrm{ad}^*_y\mu\f$. *)
 Definition kirillov_kostant_plus_number mu x y :
   {c : Qc | kirillov_kostant_plus (@all_matrices _ _) (M mu) (ad_star (M x) (M mu)) (ad_star (M y) (M mu)) c}.
 Proof. by eexists; have := kirillov_kostant_value (M mu) (M x) (M y); to_rows; apply. Defined.
 
 Definition legendre_at_target_number a b g v : number (legendre_at_target (function a b) (M g) (M v)).
-Proof. by eexists; rewrite legendre_at_target_of_group; [rewrite /left_differential quadratic_differential; to_rows; reflexivity | exact: quadratic_differentiable]. Defined.
+Proof.
+eexists; rewrite legendre_at_target_of_group; last exact: quadratic_differentiable.
+by rewrite /left_differential quadratic_differential; to_rows; reflexivity.
+Defined.
 Definition legendre_at_source_number a b g v : number (legendre_at_source (function a b) (M g) (M v)).
-Proof. by eexists; rewrite legendre_at_source_of_group; [rewrite /right_differential quadratic_differential; to_rows; reflexivity | exact: quadratic_differentiable]. Defined.
+Proof.
+eexists; rewrite legendre_at_source_of_group; last exact: quadratic_differentiable.
+by rewrite /right_differential quadratic_differential; to_rows; reflexivity.
+Defined.
 
-Definition inertia_operator_rows l x : value (rotations.inertia_operator (M l) (M x)). Proof. rewrite /rotations.inertia_operator; by_rows. Defined.
-Definition kinetic_energy_number l x : number (rotations.kinetic_energy (M l) (M x)). Proof. rewrite /rotations.kinetic_energy /rotations.inertia_operator; by_rows. Defined.
+Definition inertia_operator_rows l x : value (rotations.inertia_operator (M l) (M x)).
+Proof. rewrite /rotations.inertia_operator; by_rows. Defined.
+Definition kinetic_energy_number l x : number (rotations.kinetic_energy (M l) (M x)).
+Proof. rewrite /rotations.kinetic_energy /rotations.inertia_operator; by_rows. Defined.
 
-Definition cayley_rows a : value (isospectral.cayley (M a)). Proof. rewrite /isospectral.cayley; by_rows. Defined.
+Definition cayley_rows a : value (isospectral.cayley (M a)).
+Proof. rewrite /isospectral.cayley; by_rows. Defined.
 Definition casimir_number a : number (casimir 2 (M a)). Proof. rewrite /casimir /power /=; by_rows. Defined.
 
 Definition momentum_before_rows f l : value (momentum_before (M f) (M l)).
 Proof. rewrite /momentum_before; by_rows. Defined.
 Definition momentum_after_rows f l : value (momentum_after (M f) (M l)).
 Proof. rewrite /momentum_after; by_rows. Defined.
-Definition orthogonality_rows g : value (orthogonality (M g)). Proof. rewrite /orthogonality; by_rows. Defined.
+Definition orthogonality_rows g : value (orthogonality (M g)).
+Proof. rewrite /orthogonality; by_rows. Defined.
 Definition body_multiplier_rows g a : value (body_multiplier (M g) (M a)).
 Proof. rewrite /body_multiplier; by_rows. Defined.
 Definition trace_casimir_number l f : number (trace_casimir (M l) (M f)).
@@ -191,9 +207,9 @@ Defined.
 
 (** ** Samples and lines
 
-An argument of a definition: an element of the group, a matrix of its algebra or of the dual of the algebra, any
-matrix, the positive diagonal matrix of an inertia, or a vector. The group is that of the invertible matrices or
-that of the rotations. *)
+An argument of a definition: an element of the group, a matrix of its algebra or of the dual of the algebra,
+any matrix, the positive diagonal matrix of an inertia, or a vector. The group is that of the invertible
+matrices or that of the rotations. *)
 Local Open Scope string_scope.
 
 Inductive kind := In_group | In_algebra | Any | Inertia | Column.
@@ -210,8 +226,8 @@ Definition sample_of (rotations : bool) n (k : kind) (seed : Z) : given :=
   | Column => (n, 1%N, sample n 1 seed)
   end.
 
-(** A line for each argument and one for the value: definition, sample, `in1`, `in2` and so on or `out`, rows and
-columns, entries. *)
+(** A line for each argument and one for the value: definition, sample, `in1`, `in2` and so on or `out`, rows
+and columns, entries. *)
 Definition table_line (name case role : string) (t : given) : string :=
   let: (m, n, a) := t in matrix_line (words [:: name; case; role]) m n a.
 
@@ -249,9 +265,12 @@ Local Notation "l @ k" := (nth [::] l k%N) (at level 10).
 
 Definition actions : seq (seq string) :=
   [:: on_groups "Ad" [:: In_group; In_algebra] (fun n l => matrix_given (Ad_rows n (l @ 0) (l @ 1)));
-      on_groups "Ad_star" [:: In_group; In_algebra] (fun n l => matrix_given (Ad_star_rows n (l @ 0) (l @ 1)));
-      on_groups "bracket" [:: In_algebra; In_algebra] (fun n l => matrix_given (bracket_rows n (l @ 0) (l @ 1)));
-      on_groups "ad_star" [:: In_algebra; In_algebra] (fun n l => matrix_given (ad_star_rows n (l @ 0) (l @ 1)));
+      on_groups "Ad_star" [:: In_group; In_algebra]
+        (fun n l => matrix_given (Ad_star_rows n (l @ 0) (l @ 1)));
+      on_groups "bracket" [:: In_algebra; In_algebra]
+        (fun n l => matrix_given (bracket_rows n (l @ 0) (l @ 1)));
+      on_groups "ad_star" [:: In_algebra; In_algebra]
+        (fun n l => matrix_given (ad_star_rows n (l @ 0) (l @ 1)));
       on_groups "pairing" [:: In_algebra; In_algebra] 
         (fun n l => number_given (number_of (pairing_number n (l @ 0) (l @ 1))));
       on_groups "L_star" [:: In_group; Any] (fun n l => matrix_given (L_star_rows n (l @ 0) (l @ 1)));
