@@ -1,14 +1,14 @@
 (** * Values of the definitions
 
 What definitions of these pages give on rational matrices, written out: on two samples of each of the groups
-\f$GL(2)\f$, \f$GL(3)\f$, \f$GL(4)\f$ and \f$SO(3)\f$ where a definition is about a group, and of the sizes 2, 3 and
-4 where it is about a body. The library evaluates its functions on the same matrices and compares fractions. A
-definition enters as it stands on its page: the rows that are computed come with a proof that they are its
-rows. *)
+\f$GL(2)\f$, \f$GL(3)\f$, \f$GL(4)\f$ and \f$SO(3)\f$ where a definition is about a group, and of the sizes 2,
+3 and 4 where it is about a body. The library evaluates its functions on the same matrices and compares
+fractions. A definition enters as it stands on its page: the rows that are computed come with a proof that
+they are its rows. *)
 
 From Coq Require Import ZArith QArith Qcanon String.
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices dual_numbers groups groupoids rotations isospectral rigid_body.
+From actio Require Import matrices groups groupoids rotations isospectral rigid_body dual_numbers.
 From actio Require Import computed samples.
 
 Set Implicit Arguments.
@@ -142,7 +142,9 @@ Definition D2_rows a b f g : value (D2 (pair_function a b) (M f) (M g)).
 Proof. eexists; rewrite product_D2; to_rows; reflexivity. Defined.
 Definition discrete_euler_lagrange_rows a b f g x :
   value (groupoids.discrete_euler_lagrange (pair_function a b) (M f) (M g) (M x)).
-Proof. eexists; rewrite /groupoids.discrete_euler_lagrange product_D1 product_D2; to_rows; reflexivity. Defined.
+Proof.
+by eexists; rewrite /groupoids.discrete_euler_lagrange product_D1 product_D2; to_rows; reflexivity.
+Defined.
 
 Definition lie_poisson_bracket_plus_number a b c d mu :
   number (groups.lie_poisson_bracket_plus (function a b) (function c d) (M mu)).
@@ -354,7 +356,8 @@ Definition all_values : seq (seq string) := Eval lazy beta iota delta [
     relative_motion_left_rows relative_motion_right_rows right_differential_rows right_translation_rows
     skew_part_rows momentum_before_rows
     momentum_after_rows orthogonality_rows body_multiplier_rows
-    trace_casimir_number Ad_rows Ad_star_rows bracket_rows ad_star_rows L_star_rows R_star_rows pairing_number] in
+    trace_casimir_number Ad_rows Ad_star_rows bracket_rows ad_star_rows L_star_rows R_star_rows
+    pairing_number] in
   (actions ++ motions ++ differentials ++ brackets_and_forms ++ bodies)%SEQ.
 
 (** Three definitions in a file: a text of thousands of letters takes long to print. *)

@@ -1,5 +1,5 @@
-// The definitions of the proofs against the library: proofs_checks/kernel/values.tsv holds, as fractions, what
-// they give on matrices; the library evaluates its functions over the rationals on the same matrices.
+// The definitions of the proofs against the library: proofs_checks/kernel/values.tsv holds, as fractions,
+// what they give on matrices; the library evaluates its functions over the rationals on the same matrices.
 #include <boost/test/unit_test.hpp>
 
 #include <fstream>
