@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# packages.sh: sees to it that the Debian packages which the build, the checks and the book need are there.
-# As root it installs what is missing; otherwise it prints the one line to type and ends with status 2.
+# packages.sh [proofs]: sees to it that the Debian packages are there which the build, the checks and the book
+# need; or those that the kernel's proofs need, which nothing else does. As root it installs what is missing;
+# otherwise it prints the one line to type and ends with status 2.
 set -euo pipefail
 
 packages=(
@@ -13,6 +14,8 @@ packages=(
   libopenblas-dev valgrind                                               # what the benchmarks are measured beside, and count with
   nodejs doxygen doxygen-awesome-css libjs-katex fonts-katex libjs-lunr texlive-binaries # the book
 )
+
+[[ ${1:-} != proofs ]] || packages=(coq libcoq-mathcomp-algebra ninja-build nodejs)
 
 if ! command -v dpkg-query >/dev/null; then
   echo "not a Debian system: please provide what these packages hold: ${packages[*]}"

@@ -14,6 +14,7 @@ import { localHeaders, textbookBlocks } from './textbook.mjs';
 import { coverage } from './coverage.mjs';
 import { housePlan, houseTable, readHouse } from './house.mjs';
 import { keysPage, readKeys } from './keys.mjs';
+import { beyondTable, codeAt, codeBlock, kernelCounts, kernelPage, kernelTable, proofFiles, readKernel, seal } from './kernel.mjs';
 import { benchmarkTable, inlineSvg, programCard, programTable, reportTable } from './programs.mjs';
 import { legend, measured, originClass, originText, releasedChecks, releasedPrograms } from './release.mjs';
 
@@ -34,6 +35,7 @@ const book = {
   ownIds: new Map(),      // id of a definition or result of our own -> where, title
   ...readScenes(opt.root, opt.build),
   release: { programs: releasedPrograms(opt.root), checks: releasedChecks(opt.root) },
+  kernel: readKernel(opt.root, opt.build),
 };
 if (opt.strict && !book.scenes && fs.existsSync(at('data/scenes'))) errors.add(path.join(opt.build, 'report/scenes'), 1, 'missing: run the scenes');
 
@@ -60,6 +62,8 @@ if (keys) pages.push({ file: path.join(opt.build, 'report/scenes/keys.json'), ou
 // One page for each system that scenes are made of, after the page that tells how to run them.
 for (const system of book.systems ?? []) pages.push({ file: path.join(opt.build, `report/scenes/systems.json:${system.name}`), out: `23_system_${system.name}.md`, chapter: null, text: systemPage(book, system) });
 for (const scene of book.scenes?.values() ?? []) pages.push({ file: scene.file, out: `23_x_scene_${scene.name}.md`, chapter: null, text: scenePage(scene) });
+// One page for each source of proofs, in the order in which they are read.
+proofFiles(opt.root).forEach((file, i) => pages.push({ file: at('proofs_checks/kernel', file), out: `32_${String(i).padStart(2, '0')}_kernel_${file.replace(/\.v$/, '')}.md`, chapter: null, text: kernelPage(opt.root, file) }));
 for (const p of pages) {
   p.lines = (p.text ?? fs.readFileSync(p.file, 'utf8')).split('\n');
   // Where no scene was run there are no pages of scenes to lead to.
@@ -234,7 +238,7 @@ for (const p of pages) {
       if (!known(p, line, id)) return;
       open.push({ kind: 'statement', id, line });
       p.lastNamed = id;
-      block(`<div class="statement statement-${book.byId.get(id).kind}" id="${id}"><div class="statement-head">${heading(id, boxTitle(id, title))}<span class="statement-tools">${badge(verdictOf(book, id))}</span></div><div class="statement-body">`, anchorHere(id, 'statement'));
+      block(`<div class="statement statement-${book.byId.get(id).kind}" id="${id}"><div class="statement-head">${heading(id, boxTitle(id, title))}<span class="statement-tools">${seal(book, id)}${badge(verdictOf(book, id))}</span></div><div class="statement-body">`, anchorHere(id, 'statement'));
     },
     endstatement() {
       const top = open.pop();
@@ -355,6 +359,11 @@ for (const p of pages) {
       emit('\\subpage scene_keys "Every key of a scene" has them all, with type, default, unit and an example.');
       emit('');
     },
+    kernelcode(place) { const [file, from] = place.split(':'); block(codeBlock(codeAt(opt.root, file, Number(from)), new Set(registry.map(s => s.id)))); },
+    kerneltable() { block(book.kernel?.rows.length ? kernelTable(book) : ''); },
+    kernelbeyond() { block(book.kernel?.rows.length ? beyondTable(book) : ''); },
+    kernelcounts() { block(book.kernel ? kernelCounts(book) : ''); },
+    kernelfiles() { for (const file of proofFiles(opt.root)) emit(`- \\subpage kernel_${file.replace(/\.v$/, '')}`); emit(''); },
     ledgercounts() { block(ledgerCounts(book)); },
     ledgerstrength() { block(ledgerStrength(book)); },
     verified(chapter) {
@@ -395,7 +404,7 @@ for (const p of pages) {
     // A chapter that is not there yet is named without a link.
     text = text.replace(/\\ref (ch(\d\d)([a-z]?))\b(?: "([^"]*)")?/g, (all, id, n, own, words) => book.chapters.some(c => c.id === id) ? all : words ?? `chapter ${Number(n)}${own.toUpperCase()}`);
     if (/^#{1,6} /.test(text) && /\\f[$[(]|BOOKITEM/.test(text)) errors.add(p.file, line, 'a title holds a formula or a command: the tree and the search show it as text');
-    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
+    const stray = /\\(statement|endstatement|definition|enddefinition|result|endresult|proof|endproof|equation|endequation|printed|endprinted|exercise|endexercise|hint|solution|tryit|step|prints|claims|idea|animation|beside|asCode|endbeside|evidence|table|picture|program|verified|ledger|kernelcode|kerneltable|kernelbeyond|kernelcounts|kernelfiles|errata|benchmarks|houseplan|house|scene|scenefile|sceneviewer|scenepicture|scenes|systems|python)\b(?!`)/.exec(text.replace(/`[^`]*`/g, ''));
     if (stray) errors.add(p.file, line, `\\${stray[1]} stands alone on its line`);
     // Beside its code an equation carries its number in the corner.
     if (open.at(-1)?.kind === 'beside' && !open.at(-1).code) text = text.replace(/\s*\\tag\{[^}]*\}/g, '');

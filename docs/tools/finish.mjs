@@ -35,7 +35,7 @@ for (const [name, html] of text)
 
 const anchorPage = new Map();
 for (const [name, html] of text)
-  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|res|rem|claim|bridge|exercise|program|erratum|ledger)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
+  if (!name.endsWith('_source.html')) for (const m of html.matchAll(/\bid="((?:eq|thm|prop|lem|cor|def|res|rem|claim|bridge|exercise|program|erratum|ledger|proof)_[A-Za-z0-9_]+)"/g)) anchorPage.set(m[1], name);
 
 function resolve(page, kind, target) {
   if (kind === 'source') {

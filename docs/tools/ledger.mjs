@@ -1,6 +1,7 @@
 // The ledger in HTML: evidence under a statement, the page of all statements, the counts, the errata.
 import { badge, boxed, columnNames, columnOrder, controlRatio, escapeHtml, inEpsilons, label, labelled, number, ratioText, shortLabel, verdictText, worst } from './lib.mjs';
 import { smallPrint as prose } from './small_print.mjs';
+import { proved, seal } from './kernel.mjs';
 import { measuredAt, withRelease } from './release.mjs';
 
 export function verdictOf(book, id) {
@@ -126,7 +127,7 @@ export function evidence(book, id, anchor) {
     released.length ? `${released.map(c => columnNames[c] ?? c).join(' and ')}: <span class="figure from-release" title="${escapeHtml(`measured ${measuredAt(book.release.checks.release)}`)}">of the release</span>, until <code>./run test</code>` : '',
     missing.length ? `${missing.map(c => columnNames[c]).join(' and ')}: <span class="notrun">not run</span>` : '',
   ].filter(Boolean).map(s => `<span>${s}</span>`).join('');
-  return `<details class="evidence"${idAttribute}><summary>${evidenceLine(r)}<span class="evidence-where">${where}</span></summary>${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}</details>`;
+  return `<details class="evidence"${idAttribute}><summary>${evidenceLine(book, r)}<span class="evidence-where">${where}</span></summary>${foot ? `<div class="evidence-foot">${foot}</div>` : ''}${worstOnly}${unfolded}</details>`;
 }
 
 /// The largest of the draws, and the median where it is another one.
@@ -138,12 +139,18 @@ function controlText(e) {
 /// Kinds of evidence, the strongest first.
 const strength = ['proof', 'exact', 'enclosure', 'precision', 'order'];
 const kindsOf = r => [...new Set((r?.evidence ?? []).map(e => e.kind))].sort((a, b) => strength.indexOf(a) - strength.indexOf(b));
-/// By which the ledger sorts: the strongest kind, half a step less where the check says what it leaves; 0 without evidence.
-const rankOf = r => (kindsOf(r).length ? strength.length - strength.indexOf(kindsOf(r)[0]) - (r.left ? 0.5 : 0) : 0);
+/// The strongest kind: a proof where a kernel has checked one of the whole statement.
+const strongest = (book, id) => (proved(book, id) === 'whole' ? 'proof' : kindsOf(book.statements?.get(id))[0]);
+/// By which the ledger sorts: the strongest kind; half a step more where a part of it is proved, half a step less where the
+/// check says what it leaves; 0 without evidence.
+function rankOf(book, id) {
+  const kind = strongest(book, id), left = book.statements?.get(id)?.left;
+  return kind ? strength.length - strength.indexOf(kind) + (kind !== 'proof' && proved(book, id) ? 0.5 : 0) - (kind !== 'proof' && left ? 0.5 : 0) : 0;
+}
 const leftOf = r => (r?.left ? `<div class="ledger-note ledger-left"><b>Not shown:</b> ${prose(r.left)}</div>` : '');
 
 /// Evidence in a line: verdict, strongest kind, worst residual, least control.
-function evidenceLine(r) {
+function evidenceLine(book, r) {
   const kind = strength.find(k => r.evidence.some(e => e.kind === k)) ?? r.evidence[0].kind;
   const of = r.evidence.filter(e => e.kind === kind), models = new Set(r.evidence.map(e => e.model).filter(Boolean)).size;
   const points = of.reduce((sum, e) => sum + (e.points ?? 0), 0);
@@ -153,7 +160,7 @@ function evidenceLine(r) {
   const largest = rounded.length ? rounded.reduce((a, b) => (Number(b.measured) / Number(b.epsilon) > Number(a.measured) / Number(a.epsilon) ? b : a)) : null;
   const residual = largest ? `residual ≤ ${inEpsilons(largest.measured, largest.epsilon)}` : w ? `residual ${number(w.entry.measured)}` : '';
   const controls = (r.control ?? []).map(c => Number(c.measured));
-  return `<span class="evidence-title">Evidence <span>for ${nameOf(r.id)}</span></span>${badge(r.verdict)}${[
+  return `<span class="evidence-title">Evidence <span>for ${nameOf(r.id)}</span></span>${badge(r.verdict)}${book.boxes.has(r.id) ? '' : seal(book, r.id)}${[
     `<span class="evidence-kind"${over}>${kind}${models > 1 ? `, ${models} models` : ''}${kind === 'exact' && points ? `, ${points} points` : ''}</span>`,
     residual ? `<span>${residual}</span>` : '',
     orders.length ? `<span>order ${[...new Set([Math.min(...orders), Math.max(...orders)].map(x => x.toFixed(2)))].join(' to ')}</span>` : '',
@@ -181,7 +188,7 @@ export function ledgerCounts(book) {
 /// How many statements have which strongest kind of evidence, by chapter, and how many leave something.
 export function ledgerStrength(book) {
   if (!book.statements) return '';
-  const kindOf = s => kindsOf(book.statements.get(s.id))[0];
+  const kindOf = s => strongest(book, s.id);
   const used = strength.filter(k => book.registry.some(s => kindOf(s) === k));
   const count = n => n || '·';
   const row = (name, list, tag) => `<tr><${tag}>${name}</${tag}>${used.map(k => `<${tag} class="num">${count(list.filter(s => kindOf(s) === k).length)}</${tag}>`).join('')}<${tag} class="num">${count(list.filter(s => kindsOf(book.statements.get(s.id)).includes('enclosure')).length)}</${tag}><${tag} class="num">${count(list.filter(s => book.statements.get(s.id)?.left).length)}</${tag}></tr>`;
@@ -208,13 +215,13 @@ function ledgerRow(book, s, here) {
   const seconds = r?.seconds === undefined ? '' : ` title="${number(r.seconds)} s"`;
   const cells = [`<td class="id">${name}</td>`,
     `<td>${subject(book, s)}${r?.note && verdict !== 'pending' ? `<div class="ledger-note">${prose(r.note)}</div>` : ''}${leftOf(r)}</td>`,
-    `<td>${badge(verdict)}</td>`,
+    `<td>${badge(verdict)}${seal(book, s.id)}</td>`,
     here ? '' : `<td class="kind"><span title="${models} model${models === 1 ? '' : 's'}">${kinds.join(', ')}</span></td>`,
     `<td class="num">${figure}</td>`,
     here ? '' : `<td class="num">${control === null ? '' : `<span title="control / residual: ${ratioText(controlRatio(r)).replace(/<[^>]+>/g, '')}">${number(control)}</span>`}</td>`,
     `<td${seconds}>${source ? book.sourceLink(source.path, source.line, 'check') : ''}</td>`];
   const names = columns.filter(c => !here || !['kind', 'control'].includes(c[1])).map(c => (['id', 'subject', 'source'].includes(c[1]) ? '' : c[0]));
-  return `<tr data-verdict="${verdict}" data-strength="${rankOf(r)}">${labelled(cells.filter(c => c !== ''), names)}</tr>`;
+  return `<tr data-verdict="${verdict}" data-strength="${rankOf(book, s.id)}">${labelled(cells.filter(c => c !== ''), names)}</tr>`;
 }
 
 export function ledger(book) {
@@ -260,7 +267,7 @@ export function errata(book) {
     const figures = [control ? `${verdict === 'corrected' ? 'broken form' : 'control'}: ${prose(control.what)}, off by ${number(control.measured)}` : '',
       w ? `${verdict === 'corrected' ? 'corrected form' : 'statement'}: ${Number(w.entry.measured) === 0 ? 'exactly 0' : inEpsilons(w.entry.measured, w.entry.epsilon)}` : '',
       ratio !== null ? `ratio ${ratioText(ratio)}` : ''].filter(Boolean).map(f => `<span>${f}</span>`).join('');
-    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${subject(book, s)}</span><span class="statement-tools">${scan}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p>${slip}<div class="evidence-foot">${figures}</div></article>`;
+    return `<article class="erratum" id="erratum_${s.id}"><div class="statement-head">${statementLink(s.id, shortLabel(s.id))}<span class="erratum-subject">${subject(book, s)}</span><span class="statement-tools">${scan}${seal(book, s.id)}${badge(verdict)}</span></div>${forms ? `<div class="erratum-forms">${forms}</div>` : ''}<p>${prose(r.note)}</p>${slip}<div class="evidence-foot">${figures}</div></article>`;
   });
   const corrected = part('corrected'), convention = part('convention');
   return `<h2 id="errata_corrected">Corrected: ${corrected.length}</h2>${corrected.join('') || '<p>None so far.</p>'}<h2 id="errata_convention">Conventions and hypotheses: ${convention.length}</h2>${convention.join('') || '<p>None so far.</p>'}`;

@@ -1,8 +1,9 @@
-// record.mjs --build BUILD --commit COMMIT [--what "bench stress checks"] [--root ROOT]: records the figures
-// of the release in docs/release.
+// record.mjs --build BUILD --commit COMMIT [--what "bench stress checks proofs"] [--root ROOT]: records the
+// figures of the release in docs/release.
 //
 // Of the benchmarks and long tests those are recorded whose last full run was made with the executable as it
-// is now (cmake/tools/measure.sh --ask knows); of the checks all columns that `./run` does not fill. What was
+// is now (cmake/tools/measure.sh --ask knows); of the checks all columns that `./run` does not fill; of the
+// proofs the list that the kernel has checked, where it is of the sources as they are. What was
 // recorded before and is not current now stays, and is named. Status 1 where a page shows figures of a
 // program that is neither current nor recorded before.
 import {execFileSync} from 'node:child_process';
@@ -10,10 +11,11 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 
+import {digest, readList} from './kernel.mjs';
 import {optionalPrograms, options, walk} from './lib.mjs';
 import {measuredAt, packChecks, quickColumns} from './release.mjs';
 
-const opt = options({build: 'build', commit: '', what: 'bench stress checks', root: '.'});
+const opt = options({build: 'build', commit: '', what: 'bench stress checks proofs', root: '.'});
 const target = path.join(opt.root, 'docs/release');
 const what = opt.what.split(/\s+/).filter(Boolean);
 
@@ -100,6 +102,16 @@ if (what.includes('checks')) {
         measuredAt(before.release)}`);
   else
     missing.push('checks: never recorded, and no column beyond those of ./run is there; type ./run test');
+}
+
+if (what.includes('proofs')) {
+  const list = path.join(opt.build, 'report/kernel.tsv'), kept = path.join(target, 'kernel.tsv');
+  const current = file => readList(file)?.facts.sources === digest(opt.root);
+  if (current(list)) {
+    fs.copyFileSync(list, kept);
+    console.log('proofs: recorded');
+  } else if (!current(kept))
+    missing.push('proofs: the kernel has not checked them as they stand; type ./run proofs');
 }
 
 for (const m of missing) console.error(m);

@@ -262,7 +262,7 @@ Qed.
 
 Definition 4.1.1: the pair \f$(g, h)\f$ is critical exactly where the momentum at the end of \f$g\f$ is the
 momentum at the start of \f$h\f$, \f$L_g^*\ell'(g) = R_h^*\ell'(h)\f$ on the algebra. *)
-Theorem def_4_1_1 algebra l g h : g \in unitmx -> differentiable l g -> differentiable l h ->
+Theorem def_4_1_1_group algebra l g h : g \in unitmx -> differentiable l g -> differentiable l h ->
   critical algebra l g h <-> agree algebra (left_differential l g) (right_differential l h).
 Proof.
 move=> u dg dh.
@@ -283,7 +283,7 @@ Definition 4.1.1 with \f$g = f_{01}\f$ and \f$h = f_{12}\f$, \f$f_{k,k+1} = g_kg
 Theorem def_4_1_1_right algebra l f01 f12 : f01 \in unitmx -> differentiable l f01 -> differentiable l f12 ->
   critical algebra l f01 f12 <-> agree algebra (euler_poincare_right l f01 f12) 0.
 Proof.
-move=> u d0 d1; apply: (iff_trans (def_4_1_1 algebra u d0 d1)).
+move=> u d0 d1; apply: (iff_trans (def_4_1_1_group algebra u d0 d1)).
 split=> same x in_x; move: (same x in_x); rewrite pairing_0l pairing_addl pairing_oppl.
   by move=> ->; rewrite subrr.
 by move/eqP; rewrite subr_eq0 => /eqP.
@@ -297,7 +297,7 @@ factor. *)
 Theorem def_4_1_1_left algebra l f10 f21 : f21 \in unitmx -> differentiable l f10 -> differentiable l f21 ->
   critical algebra l f21 f10 <-> agree algebra (euler_poincare_left l f10 f21) 0.
 Proof.
-move=> u d0 d1; apply: (iff_trans (def_4_1_1 algebra u d1 d0)).
+move=> u d0 d1; apply: (iff_trans (def_4_1_1_group algebra u d1 d0)).
 split=> same x in_x; move: (same x in_x); rewrite pairing_0l pairing_addl pairing_oppl.
   by move=> ->; rewrite subrr.
 by move/eqP; rewrite subr_eq0 => /eqP.
@@ -381,9 +381,9 @@ Qed.
 
 (** ** How the sum along a sequence changes
 
-Section 4.1, below definition 4.1.1: with \f$v_0 = v_{N+1} = 0\f$, \f[
-\frac{d}{d\varepsilon}\sum_{k=0}^N\ell(x_k^{-1}g_kx_{k+1}) = \sum_{k=0}^{N-1}\langle L^*_{g_k}\ell'(g_k) -
-R^*_{g_{k+1}}\ell'(g_{k+1}), v_{k+1}\rangle. \] *)
+Section 4.1, below definition 4.1.1: with \f$v_0 = v_{N+1} = 0\f$,
+\f[ \frac{d}{d\varepsilon}\sum_{k=0}^N\ell(x_k^{-1}g_kx_{k+1}) = \sum_{k=0}^{N-1}\langle L^*_{g_k}\ell'(g_k) -
+R^*_{g_{k+1}}\ell'(g_{k+1}), v_{k+1}\rangle. \f] *)
 Theorem claim_4_1_solution_sequence_sum l g v N : (forall k, differentiable l (g k)) ->
   v 0%N = 0 -> v N.+1 = 0 ->
   rate (\sum_(k < N.+1) l (moved_arrow g v k))
@@ -402,7 +402,7 @@ Qed.
 
 Section 4.1, below definition 4.1.1: each neighbouring pair is critical exactly where the sum of \f$\ell\f$
 along the sequence is stationary, its product held. *)
-Theorem claim_4_1_solution_sequence algebra l g N : algebra 0 -> (forall k, differentiable l (g k)) ->
+Theorem claim_4_1_solution_sequence_group algebra l g N : algebra 0 -> (forall k, differentiable l (g k)) ->
   (forall k, k < N -> agree algebra (left_differential l (g k)) (right_differential l (g k.+1)))%N
   <-> (forall v, (forall k, algebra (v k)) -> v 0%N = 0 -> v N.+1 = 0 ->
        rate (\sum_(k < N.+1) l (moved_arrow g v k)) = 0).
@@ -430,7 +430,7 @@ Definition generated_map l (mu nu : 'M[R]_n) :=
 Section 4.1, below definition 4.1.2: for a critical pair \f$(g, h)\f$, \f$F(g)\f$ goes to \f$F(h)\f$ under
 \f$\Lambda\f$, with the Legendre map at the sources of arrows for \f$F\f$ as well as with that at their
 targets. *)
-Theorem claim_4_1_legendre_intertwines l (g h : 'M[R]_n) : g \in unitmx -> h \in unitmx ->
+Theorem claim_4_1_legendre_intertwines_group l (g h : 'M[R]_n) : g \in unitmx -> h \in unitmx ->
   left_differential l g = right_differential l h ->
   generated_map l (right_differential l g) (right_differential l h)
   /\ generated_map l (left_differential l g) (left_differential l h).
@@ -509,7 +509,7 @@ Definition final_momentum_left g Pi := Ad_star (invmx g) Pi.
 
 The momentum that (4.3) makes of (4.2) is \f$\Pi = -R_g^*\,dS_L(g)\f$, the one in the Hamilton-Jacobi equation
 (4.1). *)
-Theorem eq_4_3 l g : g \in unitmx ->
+Theorem eq_4_3_by_right_translation l g : g \in unitmx ->
   final_momentum_left g (initial_momentum_left l g) = - right_differential l g.
 Proof. by move=> u; rewrite /final_momentum_left /initial_momentum_left Ad_star_opp Ad_star_left. Qed.
 
@@ -582,7 +582,8 @@ Theorem claim_4_2_hamilton_jacobi_identification l Pi Pi' :
   (exists f, [/\ f \in unitmx, Pi = - left_differential l f & Pi' = - right_differential l f])
   <-> (exists g, [/\ g \in unitmx, Pi = initial_momentum_left l g & Pi' = final_momentum_left g Pi]).
 Proof.
-by split=> [[f [u -> ->]]|[g [u -> ->]]]; [exists f; rewrite -eq_4_3|exists g; rewrite eq_4_3].
+split=> [[f [u -> ->]]|[g [u -> ->]]]; first by exists f; rewrite -eq_4_3_by_right_translation.
+by exists g; rewrite eq_4_3_by_right_translation.
 Qed.
 
 (** ** The system and the discrete Euler-Poincare equation
@@ -798,7 +799,8 @@ Qed.
 
 Section 4.2: with configurations reconstructed by (3.15) the composed motion is \f$g = g_N^{-1}g_0\f$. For a
 motion that starts at the identity it is the inverse of the position \f$g_N\f$. *)
-Theorem claim_4_2_iterated_lie_poisson f g N : (forall k, f k \in unitmx) -> (forall k, g k \in unitmx) ->
+Theorem claim_4_2_iterated_lie_poisson_configurations f g N :
+  (forall k, f k \in unitmx) -> (forall k, g k \in unitmx) ->
   (forall k, g k.+1 = reconstruct_left (g k) (f k)) ->
   composed_left f N = relative_motion_left (g 0%N) (g N).
 Proof.
@@ -843,25 +845,6 @@ Qed.
 
 End Iterated.
 
-(** ** The composed motion is not the position
-
-Section 4.2: the thesis has the solution \f$g\f$ of (4.2) approximate "the current position \f$g(t)\f$". For a
-motion that starts at the identity the composed motion is the inverse of the position; the two differ after
-one step already, of a quarter turn. *)
-Theorem claim_4_2_iterated_lie_poisson_printed_fails :
-  ~ (forall (R : comUnitRingType) (n : nat) (f g : nat -> 'M[R]_n) (N : nat),
-     (forall k, f k \in unitmx) -> g 0%N = 1%:M -> (forall k, g k.+1 = reconstruct_left (g k) (f k)) ->
-     composed_left f N = g N).
-Proof.
-move=> printed.
-have self_inverse (R : comUnitRingType) (n : nat) (f : 'M[R]_n) : f \in unitmx -> f = invmx f.
-  move=> u; pose g := fix g k := if k is j.+1 then reconstruct_left (g j) f else 1%:M.
-  have := printed R n (fun=> f) g 1%N (fun=> u) erefl (fun=> erefl).
-  by rewrite /= mulmx1 /reconstruct_left mul1mx.
-have unit_f : matrix_of 2 quarter_turn \in unitmx by decide_by_computation.
-by have := self_inverse _ _ _ unit_f; decide_by_computation.
-Qed.
-
 Section Square.
 
 Variables (R : comUnitRingType) (n : nat).
@@ -883,9 +866,10 @@ Qed.
 
 (** ** The spatial momentum along the square
 
-(4.8) with its inverse: \f[ \mu = R_{g_k}^*p_k = R_{g_k}^*\frac{\partial(\ell\circ\pi_d)}{\partial g_k} =
+(4.8) with its inverse:
+\f[ \mu = R_{g_k}^*p_k = R_{g_k}^*\frac{\partial(\ell\circ\pi_d)}{\partial g_k} =
 R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\,\frac{\partial\ell}{\partial
-f} = R_f^*\,\ell'(f). \] *)
+f} = R_f^*\,\ell'(f). \f] *)
 
 Theorem eq_4_8 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
   differentiable l f ->
@@ -969,7 +953,7 @@ Corollary 4.3.1: let the momenta be carried by the discrete Lie-Poisson algorith
 and the configurations by (3.14). Then \f$(g_k, R^*_{g_k^{-1}}\mu_k)\f$ is the image of the pair
 \f$(g_k, g_{k+1})\f$ under the Legendre map \f$-D_1\mathbb L\f$. *)
 
-Theorem cor_4_3_1 l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) -> g 0%N \in unitmx ->
+Theorem cor_4_3_1_image l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) -> g 0%N \in unitmx ->
   (forall j, differentiable l (f j)) -> (forall j, euler_poincare_right l (f j) (f j.+1) = 0) ->
   (forall j, g j.+1 = reconstruct_right (g j) (f j)) ->
   mu 0%N = momentum_before_right l (f 0%N) ->
@@ -994,7 +978,8 @@ Qed.
 Section 4.3: lifted to the covectors \f$R^*_{g_k^{-1}}\mu_k\f$ at configurations reconstructed by (3.14), a
 motion of the discrete Lie-Poisson algorithm has one body momentum, that of the symmetry, at all steps. No
 equation for the relative motions is needed. *)
-Theorem claim_4_3_reconstruction_image l (f g mu : nat -> 'M[R]_n) k : (forall j, f j \in unitmx) ->
+Theorem claim_4_3_reconstruction_image_body_momentum (f g mu : nat -> 'M[R]_n) k :
+  (forall j, f j \in unitmx) ->
   (forall j, g j \in unitmx) -> (forall j, g j.+1 = reconstruct_right (g j) (f j)) ->
   (forall j, mu j.+1 = lie_poisson_update_right (f j) (mu j)) ->
   body_momentum (g k) (R_star (invmx (g k)) (mu k)) = body_momentum (g 0%N) (R_star (invmx (g 0%N)) (mu 0%N)).
@@ -1096,6 +1081,29 @@ rewrite e01 /R_star -scalemxAl mxE [X in _ * X]mxE sum_of_two [_^T 0 1]mxE [_^T 
 by rewrite [delta_mx _ _ _ _]mxE [delta_mx _ _ _ _]mxE /= mul0r add0r !mulr1.
 Qed.
 
+(** ** The composed motion does not approximate the position
+
+Section 4.2: the thesis has the solution \f$g\f$ of (4.2) approximate "the current position \f$g(t)\f$". Take
+the motion \f$g(t) = 1 + tpE_{12}\f$ of a free particle, which begins at the identity, at the times
+\f$kT/N\f$: the composed relative motion is \f$1 - TpE_{12}\f$ for every number \f$N\f$ of steps, the inverse
+of the position \f$1 + TpE_{12}\f$. *)
+Theorem claim_4_2_iterated_lie_poisson_printed_fails :
+  ~ (forall T p eps : rat, 0 < eps -> exists2 N, (0 < N)%N &
+       let g k := shear (k%:R * (T / N%:R) * p) in
+       `|composed_left (fun k => relative_motion_left (g k) (g k.+1)) N 0 1 - shear (T * p) 0 1| < eps).
+Proof.
+move=> /(_ 1 1 1 isT) [N positive]; set g := fun k => shear (k%:R * (1 / N%:R) * 1).
+have unit_g k : g k \in unitmx by have [] := mulmx1_unit (shear_inverse (k%:R * (1 / N%:R) * 1 : rat)).
+have nonzero : N%:R != 0 :> rat by rewrite Num.Theory.pnatr_eq0 -lt0n.
+rewrite /= (@claim_4_2_iterated_lie_poisson_configurations _ _ _ g) => [|k|k|k] //.
+- rewrite /relative_motion_left (inverse_unique (shear_inverse _)) shear_product.
+  have entry (a : rat) : shear a 0 1 = a by have [] := shear_entries a.
+  by rewrite !entry !mul0r !mulr1 mul1r mulfV.
+- exact: relative_motion_left_unit.
+rewrite /reconstruct_left /relative_motion_left inverse_product ?unitmx_inv // invmxK.
+by rewrite mulmxA mulmxV // mul1mx.
+Qed.
+
 (** ** The algorithm of a free particle, with the minus
 
 Corollary 4.3.1 for a free particle on a line, with \f$p_k = -D_1\mathbb L(g_k, g_{k+1})\f$: \f$N\f$ steps
@@ -1172,7 +1180,7 @@ Qed.
 (4.9), on the right: with the lift \f$\sigma\f$ that keeps the body momentum,
 \f$\omega_\mu = \sigma^*\omega_{\mathrm{can}}\f$. On two lifted vectors the canonical form has the value of
 the form \f$\omega_+\f$ of the orbit. *)
-Theorem eq_4_9 algebra g m_c x y : g \in unitmx -> (forall z, algebra z -> algebra (- z)) ->
+Theorem eq_4_9_orbit_form algebra g m_c x y : g \in unitmx -> (forall z, algebra z -> algebra (- z)) ->
   algebra x -> algebra y ->
   let mu := spatial_momentum g (L_star (invmx g) m_c) in
   kirillov_kostant_plus algebra mu (- ad_star x mu) (- ad_star y mu)

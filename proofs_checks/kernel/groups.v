@@ -2,11 +2,10 @@
 
 The algebra of sections 2.2 and 3.2: variations of velocities, the coadjoint action with its orbits and
 brackets, body and spatial momenta, the quotient of pairs of configurations by the symmetry, and the discrete
-Lie-Poisson algorithm. A group element is an invertible matrix
-of any size over any commutative ring. Where a theorem is about a group of matrices smaller than all of them,
-its _algebra_ is a set of matrices and two covectors are the same where they have the same values on the
-algebra; the set of all matrices is the algebra of the general linear group. Derivatives are taken with dual
-numbers. *)
+Lie-Poisson algorithm. A group element is an invertible matrix of any size over any commutative ring. Where a
+theorem is about a group of matrices smaller than all of them, its _algebra_ is a set of matrices and two
+covectors are the same where they have the same values on the algebra; the set of all matrices is the algebra
+of the general linear group. Derivatives are taken with dual numbers. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices dual_numbers computed.
@@ -298,7 +297,7 @@ differentiable at \f$\Phi(\mu)\f$, \f$\{F\circ\Phi, H\circ\Phi\}_+ = \{F, H\}_+\
 is the negative of the plus bracket and is preserved with it. With \f$g^{-1}\f$ for \f$g\f$ this is the
 coadjoint action of \f$g\f$. *)
 
-Theorem claim_3_2_coadjoint_lie_poisson F H g mu : g \in unitmx ->
+Theorem claim_3_2_coadjoint_lie_poisson_brackets F H g mu : g \in unitmx ->
   differentiable F (Ad_star g mu) -> differentiable H (Ad_star g mu) ->
   lie_poisson_bracket_plus (F \o Ad_star (still g)) (H \o Ad_star (still g)) mu
   = lie_poisson_bracket_plus F H (Ad_star g mu).
@@ -310,6 +309,45 @@ have carried K : differentiable K (Ad_star g mu) ->
   move=> dK; apply: differential_is => nu /=.
   by rewrite Ad_star_still // dK pairing_sym Ad_star_dual pairing_sym.
 by rewrite /lie_poisson_bracket_plus !carried // -Ad_bracket // -Ad_star_dual.
+Qed.
+
+(** ** The bracket induces the form of the orbit
+
+Section 3.2, before (3.17): the vector fields of functions \f$F\f$ and \f$H\f$ for the plus bracket are
+\f$-\mathrm{ad}^*_{dF}\mu\f$ and \f$-\mathrm{ad}^*_{dH}\mu\f$ at \f$\mu\f$. They are tangent to the orbit, and
+its form has the value \f$\{F, H\}_+(\mu)\f$ on them. *)
+Theorem claim_3_2_coadjoint_lie_poisson_leaf_form algebra F H mu : (forall z, algebra z -> algebra (- z)) ->
+  algebra (differential F mu) -> algebra (differential H mu) ->
+  kirillov_kostant_plus algebra mu (- ad_star (differential F mu) mu) (- ad_star (differential H mu) mu)
+    (lie_poisson_bracket_plus F H mu).
+Proof.
+move=> opposite in_F in_H; exists (- differential F mu), (- differential H mu).
+have ad_star_opp z : ad_star (- z) mu = - ad_star z mu.
+  by rewrite /ad_star [trmx _]raddfN mulNmx mulmxN opprB opprK addrC.
+split; [exact: opposite|exact: opposite| | |]; rewrite ?ad_star_opp //.
+by rewrite /lie_poisson_bracket_plus /bracket !mulmxN !mulNmx !opprK.
+Qed.
+
+(** ** What the coadjoint action preserves
+
+Section 3.2, before (3.17): \f$\mathrm{Ad}^*_{g^{-1}}\f$ with \f$g\f$ in the group takes each coadjoint orbit
+into itself, its symplectic form to itself, and the brackets of Lie and Poisson to themselves; the orbits are
+sets of covectors. *)
+Theorem claim_3_2_coadjoint_lie_poisson algebra group g mu : is_group group ->
+  (forall h, group h -> Ad_keeps algebra h) -> group g ->
+  [/\ forall nu, on_orbit group mu nu -> on_orbit group mu (Ad_star (invmx g) nu),
+      forall v w c, kirillov_kostant_plus algebra mu v w c ->
+        kirillov_kostant_plus algebra (Ad_star (invmx g) mu) (Ad_star (invmx g) v) (Ad_star (invmx g) w) c
+    & forall F H, differentiable F (Ad_star (invmx g) mu) -> differentiable H (Ad_star (invmx g) mu) ->
+        lie_poisson_bracket_plus (F \o Ad_star (still (invmx g))) (H \o Ad_star (still (invmx g))) mu
+        = lie_poisson_bracket_plus F H (Ad_star (invmx g) mu)].
+Proof.
+move=> is_g keeps in_g; have [_ _ units inverses] := is_g; split.
+- by move=> nu; apply: claim_3_2_coadjoint_lie_poisson_orbits.
+- move=> v w c; apply: claim_2_2_coadjoint_action_kk; first exact: units.
+    by apply: keeps.
+  by apply: keeps; apply: inverses.
+by move=> F H; apply: claim_3_2_coadjoint_lie_poisson_brackets; rewrite unitmx_inv units.
 Qed.
 
 End Orbits.
@@ -646,9 +684,9 @@ Qed.
 (** ** The chain of equalities that leads to (3.17)
 
 Section 3.2, before proposition 3.2.1, with \f$\mu_k = \mathrm{Ad}^*_{g_k^{-1}}\mu_0\f$ and
-\f$\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0\f$ by (3.16) and \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$: \f[
-\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{k,k+1}^{-1}g_k)^{-1}}\mu_0 =
-\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \] *)
+\f$\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0\f$ by (3.16) and \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$:
+\f[ \mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{k,k+1}^{-1}g_k)^{-1}}\mu_0 =
+\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \f] *)
 Theorem claim_3_2_dlp_chain gk gk1 mu0 muk muk1 : gk \in unitmx -> gk1 \in unitmx ->
   muk = Ad_star (invmx gk) mu0 -> muk1 = Ad_star (invmx gk1) mu0 ->
   let f := relative_motion_right gk gk1 in
@@ -853,11 +891,12 @@ Proposition 3.2.1, with \f$f\f$ solved from \f$\mu\f$. The map \f$\Phi\f$ takes 
 its end, and the functions \f$F\f$ and \f$H\f$ have the derivatives \f$a\f$ and \f$b\f$ at \f$\mu_1\f$. Let
 \f$F\circ\Phi\f$ and \f$H\circ\Phi\f$ have the derivatives \f$a'\f$ and \f$b'\f$ at \f$\mu_0\f$: this means
 that as \f$f\f$ varies along \f$\theta f\f$,
-\f$\langle\delta\mu_0, a'\rangle = \langle\delta\mu_1, a\rangle\f$, and so for \f$b'\f$ and \f$b\f$. Then \f[
-\{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \langle\mu_0, [a', b']\rangle = \langle\mu_1, [a, b]\rangle = \{F,
-H\}_+(\Phi(\mu_0)). \] The group may be smaller than that of all matrices: its algebra contains the
-differences of its elements, and \f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second
-derivative is used; it need not be regular. *)
+\f$\langle\delta\mu_0, a'\rangle = \langle\delta\mu_1, a\rangle\f$, and so for \f$b'\f$ and \f$b\f$. Then
+\f[ \{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \langle\mu_0, [a', b']\rangle = \langle\mu_1, [a, b]\rangle = \{F,
+H\}_+(\Phi(\mu_0)). \f]
+The group may be smaller than that of all matrices: its algebra contains the differences of its elements, and
+\f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second derivative is used; it need not be
+regular. *)
 Theorem prop_3_2_1 algebra (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 a b a' b' : f \in unitmx ->
   covector_at p f p0 -> closed_at p f ->
   (forall x y, algebra x -> algebra y -> algebra (x - y)) -> Ad_keeps algebra f ->
@@ -928,7 +967,7 @@ Theorem prop_3_2_1_fixed_sequence (F H : 'M[dual R]_n -> dual R) f mu : f \in un
   differentiable F (lie_poisson_update_right f mu) -> differentiable H (lie_poisson_update_right f mu) ->
   lie_poisson_bracket_plus (F \o Ad_star (still f)) (H \o Ad_star (still f)) mu
   = lie_poisson_bracket_plus F H (lie_poisson_update_right f mu).
-Proof. exact: claim_3_2_coadjoint_lie_poisson. Qed.
+Proof. exact: claim_3_2_coadjoint_lie_poisson_brackets. Qed.
 
 End PoissonMap.
 

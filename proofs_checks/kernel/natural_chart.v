@@ -416,7 +416,8 @@ Section 3.3, above (3.21), with the corrected sign:
 \f$m - 1\f$ factors \f$\eta\f$, \f$m = 1, 2, \dots\f$; on the left these are the derivative of \f$x^m/m!\f$,
 on the right the \f$\frac{\mathrm{ad}^k_\eta\zeta}{(k+1)!}\,\frac{\eta^{m-1-k}}{(m-1-k)!}\f$. They agree for
 each \f$m\f$. Nothing is said of convergence. *)
-Theorem claim_3_3_derivative_of_exponential (c : nat -> R) eta zeta m : (forall k, c k * k`!%:R = 1) ->
+Theorem claim_3_3_derivative_of_exponential_power_by_power (c : nat -> R) eta zeta m :
+  (forall k, c k * k`!%:R = 1) ->
   c m *: rate_of (power (varied eta zeta) m)
   = \sum_(k < m) (c k.+1 *: ad_power eta zeta k) *m (c (m - k.+1)%N *: power eta (m - k.+1)%N).
 Proof.
@@ -438,7 +439,7 @@ Printed is \f$T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta)\f$, wit
 \f$\mathrm{ad}_\eta\zeta = [\eta, \zeta] = \eta\zeta - \zeta\eta\f$. The terms with \f$m = 2\f$ differ
 wherever \f$\eta\f$ and \f$\zeta\f$ do not commute: \f$\tfrac12(\eta\zeta + \zeta\eta)\f$ is not
 \f$\zeta\eta - \tfrac12[\eta, \zeta]\f$, with \f$\eta = E_{12}\f$ and \f$\zeta = E_{21}\f$. *)
-Theorem claim_3_3_derivative_of_exponential_printed_fails :
+Theorem claim_3_3_derivative_of_exponential_printed_fails_power_by_power :
   ~ (forall (R : comUnitRingType) (n : nat) (c : nat -> R) (eta zeta : 'M[R]_n) (m : nat),
      (forall k, c k * k`!%:R = 1) ->
      c m *: rate_of (power (varied eta zeta) m)
@@ -448,7 +449,7 @@ Proof.
 move=> printed; pose c k : rat := (k`!%:R)^-1.
 have factorials k : c k * k`!%:R = 1 by rewrite /c mulVf // Num.Theory.pnatr_eq0 -lt0n fact_gt0.
 pose eta : 'M[rat]_2 := delta_mx 0 1; pose zeta : 'M[rat]_2 := delta_mx 1 0.
-have := printed _ _ c eta zeta 2%N factorials; rewrite claim_3_3_derivative_of_exponential //.
+have := printed _ _ c eta zeta 2%N factorials; rewrite claim_3_3_derivative_of_exponential_power_by_power //.
 rewrite !big_ord_recl !big_ord0 !addr0 /= => /addrI.
 rewrite -!scalemxAr !mulmx1 !scalerA /ad /bracket !mul_delta_mx => /matrixP /(_ 0 0).
 by rewrite !mxE /= => /eqP; vm_compute.

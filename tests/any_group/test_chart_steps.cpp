@@ -168,6 +168,30 @@ BOOST_AUTO_TEST_CASE(the_chart_by_cayleys_transform) {
   BOOST_TEST(apart(plain, SE<2>{}, general, {0.7, 1.0, 0.2}, h, 50) > 1e-5);
 }
 
+BOOST_AUTO_TEST_CASE(a_vector_is_carried_by_either_chart_and_by_steps_of_any_length) {
+  // Carried as the momentum is: their product and the vector's length do not change. No turn of the
+  // body but that of the momentum does both.
+  auto const plain = own_system("SO(3)", Side::left, "(w1^2 + 2*w2^2 + 3*w3^2)/2 + a1*0", true);
+  auto const turned =
+      std::make_shared<ReducedSystem const>(plain->algebra, Side::left, 1, plain->lagrangian, Chart::cayley);
+  std::vector<double> const v{0.3, 1.1, -0.4}, a{0.6, 0, 0.8};
+  for (auto const& system : {plain, turned})
+    for (double const h : {0.1, 1.5}) BOOST_TEST_CONTEXT("chart " << (system == plain) << ", step " << h) {
+        ChartIntegrator run(system, h, {1}, point_at(*system, v, a), v);
+        auto const product = [&] {
+          auto const& [p, w] = run.point();
+          return p[0] * w[0] + p[1] * w[1] + p[2] * w[2];
+        };
+        double const before = product();
+        auto const where = run.point().vectors;
+        for (int k = 0; k < 20; ++k) run.step();
+        auto const& w = run.point().vectors;
+        BOOST_TEST(std::abs(product() - before) < 1e-13);
+        BOOST_TEST(std::abs(std::hypot(w[0], w[1], w[2]) - 1) < 1e-13);
+        BOOST_TEST(std::abs(w[0] - where[0]) + std::abs(w[1] - where[1]) > 0.01);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(a_momentum_stays_on_its_orbit) {
   auto const system = own_system("SO(3)", Side::left, "(w1^2 + 2*w2^2 + 3*w3^2)/2");
   std::vector<double> const v{0.3, 1.1, -0.4};

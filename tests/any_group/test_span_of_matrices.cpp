@@ -115,6 +115,29 @@ BOOST_AUTO_TEST_CASE(products_of_exponentials_are_elements_with_a_name_and_witho
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_rate_of_change_is_restored_to_that_of_elements) {
+  SpanOfMatrices const span = span_of("SL(3)");
+  Draw draw(5);
+  Vector<double> const x = draw.vector<double>(8) / 2, y = draw.vector<double>(8);
+  Matrix<double> const g = primitive::exp(span, x), tangent = span.hat(y) * g;
+  // Two rates: one of elements, and the same with a change of scale, which leaves the group.
+  Matrix<Dual<double, 2>> moving(3, 3);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      moving(i, j).value = g(i, j);
+      moving(i, j).part[0] = tangent(i, j);
+      moving(i, j).part[1] = tangent(i, j) + 0.25 * g(i, j);
+    }
+  auto const restored = primitive::restore_by_logarithm(span, moving);
+  double const bound = 256 * eps * row_norm(g) * row_norm(g);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      BOOST_TEST(std::abs(restored(i, j).value - g(i, j)) < bound);
+      BOOST_TEST(std::abs(restored(i, j).part[0] - tangent(i, j)) < bound);
+      BOOST_TEST(std::abs(restored(i, j).part[1] - tangent(i, j)) < bound);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(matrices_of_larger_groups_are_no_elements) {
   auto const refused = [](MatrixAlgebra const& algebra, Square const& g) {
     double distance = 0;
@@ -169,6 +192,15 @@ BOOST_AUTO_TEST_CASE(what_is_no_matrix_of_the_size_or_has_no_inverse_is_infinite
       bool const is = is_element(algebra, g, distance);
       BOOST_TEST((is ? distance == 0 : distance == infinite), g);
       if (g.rows() != 2 || !g.allFinite() || g(0, 0) == g(0, 1)) BOOST_TEST(!is, g);
+    }
+  // Multiples of a rotation, which move the algebra as the rotation does, beyond what squares can hold.
+  Square large(2, 2);
+  large << 1, -1, 1, 1;
+  for (auto const& so2 : {named_algebra("SO(2)"), bare("SO(2)")})
+    for (double const size : {1e150, 1e160, 1e200, 1e300}) {
+      double distance = 0;
+      BOOST_TEST(!is_element(so2, size * large, distance), so2.name << ", " << size);
+      BOOST_TEST(distance > 1, so2.name << ", " << size);
     }
 }
 

@@ -12,6 +12,22 @@ namespace {
 
 constexpr int n_ = Eigen::Dynamic;
 
+/// Gives back what was saved, but one of the whole numbers at its head changed.
+struct Damaged {
+  testing::Bytes& bytes;
+  int place, value, seen = 0;
+  template <class... T>
+  void operator()(T&... values) {
+    bytes(values...);
+    (one(values), ...);
+  }
+  template <class T>
+  void one(T& number) {
+    if constexpr (std::is_same_v<T, int>)
+      if (seen++ == place) number = value;
+  }
+};
+
 void is_the_same(ChartedBody const& a, ChartedBody const& b) {
   BOOST_TEST((a.momentum().components == b.momentum().components));
   BOOST_TEST((a.attitude().value == b.attitude().value));
@@ -45,6 +61,33 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_broken_off_after_any_number_of_steps_has_the_
           is_the_same(second, first);
         }
       }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_memory_of_such_a_body_is_refused) {
+  auto const inertia = inertia_from_lambda<n_, double>(Eigen::VectorXd::LinSpaced(4, 1, 2));
+  FastNaturalChart scheme(inertia, 0.1);
+  auto body = scheme.release(momentum(inertia.group, Eigen::VectorXd::Ones(6)));
+  for (int k = 0; k < 5; ++k) scheme.step(body);
+  int const size = 0, continuation = 1, latest = 2, past = 3;
+  auto restore = [&](int place, int value) {
+    testing::Bytes bytes;
+    body.remember(bytes);
+    auto other = scheme.release(momentum(inertia.group, Eigen::VectorXd::Ones(6)));
+    bytes.rewind();
+    Damaged damaged{bytes, place, value};
+    other.remember(damaged);
+  };
+  BOOST_CHECK_NO_THROW(restore(-1, 0));
+  for (auto const& [place, value] : std::initializer_list<std::pair<int, int>>{{size, 3},
+                                                                              {size, 5},
+                                                                              {continuation, -1},
+                                                                              {continuation, 1000},
+                                                                              {latest, -1},
+                                                                              {latest, 1000},
+                                                                              {past, -1},
+                                                                              {past, 1000}})
+    BOOST_TEST_CONTEXT("number " << place << " is " << value)
+  BOOST_CHECK_THROW(restore(place, value), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -57,6 +57,16 @@ BOOST_AUTO_TEST_CASE(a_sphere_and_symmetric_bodies_have_their_closed_forms) {
     }
 }
 
+BOOST_AUTO_TEST_CASE(the_momentum_alone_is_that_of_the_whole_state_to_the_last_bit) {
+  FreeSteps steps(body_of({1, 2, 2.8}, {0.3, -0.7, 0.45}), 0.01);
+  long differ = 0;
+  for (int k = 0; k < 2000; ++k) {
+    steps.advance();
+    differ += momentum_of(steps.state()) != steps.body_momentum().components;
+  }
+  BOOST_TEST(differ == 0);
+}
+
 BOOST_AUTO_TEST_CASE(about_a_principal_axis_it_turns_steadily) {
   for (Vector3d const& I : {Vector3d(0.6, 0.8, 1), Vector3d(1, 0.6, 0.8), Vector3d(0.8, 1, 0.6),
                             Vector3d(1e-6, 1, 1 + 1e-6), Vector3d(1, 1 + 1e-12, 2)})

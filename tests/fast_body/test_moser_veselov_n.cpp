@@ -340,6 +340,10 @@ BOOST_AUTO_TEST_CASE(refuses_what_it_cannot_use) {
   g.value.row(2) *= -1;
   BOOST_CHECK_EXCEPTION(scheme.release(g, pi), OutsideDomain,
                         [](OutsideDomain const& e) { return e.measured == -1; });
+  // Its columns are at right angles, and its determinant is 1; they are not of length 1.
+  auto stretched = random_attitude(random, 5);
+  stretched.value.col(0) *= 2, stretched.value.col(1) /= 2;
+  BOOST_CHECK_THROW(scheme.release(stretched, pi), OutsideDomain);
   g.value.row(2) *= -1.001;
   BOOST_CHECK_THROW(scheme.release(g, pi), OutsideDomain);
   g.value(0, 0) = nan;

@@ -353,6 +353,9 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_flown_is_named) {
   BOOST_TEST(batch.refused()[0].index == 1u);
   BOOST_TEST(batch.refused()[1].index == 4u);
   BOOST_CHECK_THROW(batch.state(1), BodyRefused);
+  auto const at_rest = batch.state(0);
+  batch.step(0);
+  BOOST_TEST(apart(batch.state(0), at_rest) == 0);
   batch.step(50);
   auto const alone = start.after(5, 50, torque);
   for (std::size_t const i : {0u, 2u, 3u, 5u}) BOOST_TEST(apart(batch.state(i), alone) <= 1e-12);

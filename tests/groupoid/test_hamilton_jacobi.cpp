@@ -183,4 +183,15 @@ BOOST_AUTO_TEST_CASE(what_makes_no_sense_is_refused) {
                     Error);
 }
 
+BOOST_AUTO_TEST_CASE(the_coefficients_of_chi_are_bernoulli_numbers_over_factorials) {
+  // chi(-x) = x/(1 - e^-x) = sum B_k x^k/k! with B_1 = 1/2.
+  std::vector<rational> const known{
+      1, ratio<rational>(1, 2),    ratio<rational>(1, 12), 0, ratio<rational>(-1, 720),
+      0, ratio<rational>(1, 30240)};
+  for (int order = 0; order <= 6; ++order)
+    BOOST_TEST((detail::chi_coefficients<rational>(order) ==
+                std::vector<rational>(known.begin(), known.begin() + order + 1)),
+               "up to " << order);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -154,4 +154,12 @@ BOOST_AUTO_TEST_CASE(numbers_to_second_order_are_equal_in_all_their_parts_only) 
   BOOST_TEST((!(x == other_value) && !(x == other_slope) && !(x == other_bend)));
 }
 
+BOOST_AUTO_TEST_CASE(the_size_of_a_number_to_second_order_is_that_of_its_largest_part) {
+  SecondOrder<double, 2> value = SecondOrder<double, 2>::variable(0.25, 0) * 0.0, slope = value, bend = value;
+  value.value = -3, slope.first[1] = -4, bend.second[2] = -5;
+  BOOST_TEST(magnitude(value) == 3);
+  BOOST_TEST(magnitude(slope) == 4);
+  BOOST_TEST(magnitude(bend) == 5);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

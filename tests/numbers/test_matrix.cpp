@@ -119,6 +119,7 @@ BOOST_AUTO_TEST_CASE(a_norm_of_numbers_whose_squares_overflow_is_found) {
   BOOST_TEST(std::abs(large.stableNorm() / 5e200 - 1) < 4e-16);
   BOOST_TEST(std::abs(small.stableNorm() / 5e-200 - 1) < 4e-16);
   BOOST_TEST(nothing.stableNorm() == 0);
+  BOOST_TEST(Vector<double>(0).stableNorm() == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -90,6 +90,13 @@ BOOST_AUTO_TEST_CASE(what_has_no_answer_is_refused) {
   BOOST_CHECK_THROW(euler_poincare_with_multiplier(skew, one, one, one), OutsideDomain);
   BOOST_CHECK_THROW(euler_poincare_without_multiplier(body, broken, one), NotFinite);
   BOOST_CHECK_THROW(constrained_stationarity(body, one, one, one, skew), OutsideDomain);
+  // Matrices of other sizes, in their rows, their columns or both.
+  using Any = Matrix<double>;
+  Any const square = Any::Identity(3, 3), wide = Any::Zero(3, 4), tall = Any::Zero(4, 3), none(0, 0);
+  BOOST_CHECK_NO_THROW(euler_poincare_without_multiplier(square, square, square));
+  for (Any const& other : {wide, tall, Any(Any::Identity(4, 4)), none})
+    BOOST_CHECK_THROW(euler_poincare_without_multiplier(square, square, other), OutsideDomain);
+  BOOST_CHECK_THROW(euler_poincare_without_multiplier(none, none, none), OutsideDomain);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

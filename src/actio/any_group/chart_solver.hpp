@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "actio/any_group/broyden_update.hpp"
 #include "actio/any_group/chart_step.hpp"
 #include "actio/any_group/eigenvalues_of.hpp"
 #include "actio/any_group/legendre_velocity.hpp"
@@ -164,7 +165,7 @@ class ChartSolver {
         find_update();
       } else if (iteration > 0 && !done) {
         fresh = false;
-        improve();
+        broyden_update(inverse_, last_, weights_, update_);
       }
       move(1);
       if (done) return true;
@@ -181,24 +182,6 @@ class ChartSolver {
       for (std::size_t j = 0; j < d; ++j) sum -= inverse_[i * d + j] * residual_[j];
       update_[i] = sum;
     }
-  }
-  /// Broyden's formula on the inverse, as in chord_iteration.hpp; turns the update into that of the new one.
-  void improve() {
-    auto const d = v_.size();
-    double square = 0, together = 0;
-    for (std::size_t i = 0; i < d; ++i) {
-      double const weighted = last_[i] * weights_[i];
-      square += weighted * last_[i], together += weighted * update_[i];
-    }
-    double const rest = square - together;
-    if (!(rest > square / 2)) return;
-    for (std::size_t j = 0; j < d; ++j) {
-      double along = 0;
-      for (std::size_t i = 0; i < d; ++i) along += last_[i] * weights_[i] * inverse_[i * d + j];
-      along /= rest;
-      for (std::size_t i = 0; i < d; ++i) inverse_[i * d + j] += update_[i] * along;
-    }
-    for (double& u : update_) u *= square / rest;
   }
   void move(double fraction) {
     for (std::size_t i = 0; i < v_.size(); ++i) v_[i] += fraction * update_[i];
