@@ -542,11 +542,11 @@ Qed.
 Section 4.2: \f$\Pi_{k-1} = -L^*_{f_{k,k-1}}d\ell(f_{k,k-1})\f$ is the body momentum at \f$g_{k-1}\f$ with
 which the step to \f$g_k\f$ begins. *)
 
-Theorem claim_4_2_left_legendre_map l g0 g1 : g0 \in unitmx -> g1 \in unitmx ->
+Theorem claim_4_2_left_legendre_map l g0 g1 : g1 \in unitmx ->
   differentiable l (relative_motion_left g0 g1) ->
   body_momentum g0 (start_momentum (lift_left l) g0 g1) = momentum_before_left l (relative_motion_left g0 g1).
 Proof.
-move=> u0 u1 dl; rewrite /start_momentum first_differential_left // /body_momentum /momentum_before_left.
+move=> u1 dl; rewrite /start_momentum first_differential_left // /body_momentum /momentum_before_left.
 by rewrite /left_differential /L_star mulmxN mulmxA -trmx_mul.
 Qed.
 
@@ -556,12 +556,12 @@ Qed.
 \f$f = f_{k+1,k} = g_{k+1}^{-1}g_k\f$ are the body momenta at the start and at the end of the step. No
 equation of motion is needed. *)
 
-Theorem eq_4_4 l gk gk1 : gk \in unitmx -> gk1 \in unitmx -> let f := relative_motion_left gk gk1 in
+Theorem eq_4_4 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_left gk gk1 in
   differentiable l f ->
   body_momentum gk (start_momentum (lift_left l) gk gk1) = - left_differential l f
   /\ body_momentum gk1 (end_momentum (lift_left l) gk gk1) = - right_differential l f.
 Proof.
-move=> u0 u1 f dl; split; first exact: claim_4_2_left_legendre_map.
+move=> u1 f dl; split; first exact: claim_4_2_left_legendre_map.
 rewrite /end_momentum second_differential_left // /body_momentum /L_star mulmxN mulmxA.
 by rewrite transpose_inverse // mul1mx.
 Qed.
@@ -604,14 +604,14 @@ Qed.
 Section 4.2: the residual of (3.2) at \f$g_1\f$, translated to the identity on the left, is that of (3.11), on
 a motion or not. *)
 Theorem claim_4_2_system_and_dep_configurations l g0 g1 g2 :
-  g0 \in unitmx -> g1 \in unitmx -> g2 \in unitmx ->
+  g1 \in unitmx -> g2 \in unitmx ->
   let f10 := relative_motion_left g0 g1 in
   let f21 := relative_motion_left g1 g2 in
   differentiable l f10 -> differentiable l f21 ->
   Ad_star g1 (discrete_euler_lagrange (lift_left l) g0 g1 g2) = euler_poincare_left l f10 f21.
 Proof.
-move=> u0 u1 u2 f10 f21 d10 d21; rewrite /discrete_euler_lagrange /D1 /D2 -/(R_star _ _).
-have [_ last] := eq_4_4 u0 u1 d10; have [first _] := eq_4_4 u1 u2 d21.
+move=> u1 u2 f10 f21 d10 d21; rewrite /discrete_euler_lagrange /D1 /D2 -/(R_star _ _).
+have [_ last] := eq_4_4 u1 d10; have [first _] := eq_4_4 u2 d21.
 have linear p q : Ad_star g1 (p + q) = Ad_star g1 p + Ad_star g1 q by rewrite /Ad_star mulmxDr mulmxDl.
 rewrite linear !Ad_star_right // /euler_poincare_left addrC; congr (_ + _); last exact: last.
 by apply: oppr_inj; rewrite -first /body_momentum /start_momentum /L_star mulmxN.
@@ -685,7 +685,7 @@ have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f ->
     pairing (- L_star f 1%:M) x = pairing (L_star f 1%:M) x.
   move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
   have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  rewrite claim_4_2_left_legendre_map ?unitmx1 ?orthogonal_unit // relative_to_one.
+  rewrite claim_4_2_left_legendre_map ?unitmx1 // relative_to_one.
   by rewrite /momentum_before_left /left_differential linear_differential.
 by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
 Qed.
@@ -715,7 +715,7 @@ have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f ->
     pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
   move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
   have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  have [_ ->] := eq_4_4 (orthogonal_unit o) (unitmx1 _ _) dl; rewrite relative_to_one.
+  have [_ ->] := eq_4_4 (unitmx1 _ _) dl; rewrite relative_to_one.
   by rewrite /right_differential linear_differential.
 by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
 Qed.

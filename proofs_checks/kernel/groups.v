@@ -225,9 +225,9 @@ Qed.
 
 Section 2.2: coadjoint orbits are symplectic. A tangent vector \f$\mathrm{ad}^*_x\mu\f$ on which all values of
 the form vanish is zero as a covector of the algebra. *)
-Theorem claim_2_2_coadjoint_orbits_nondegenerate algebra mu x : algebra x ->
+Theorem claim_2_2_coadjoint_orbits_nondegenerate algebra mu x :
   (forall y, algebra y -> pairing mu (bracket x y) = 0) -> agree algebra (ad_star x mu) 0.
-Proof. by move=> _ vanishes y in_y; rewrite -pairing_bracket vanishes // pairing_0l. Qed.
+Proof. by move=> vanishes y in_y; rewrite -pairing_bracket vanishes // pairing_0l. Qed.
 
 (** \f$\mathrm{Ad}^*\f$ carries generators:
 \f$\mathrm{Ad}^*_{g^{-1}}\mathrm{ad}^*_x\mu = \mathrm{ad}^*_{\mathrm{Ad}_gx}\mathrm{Ad}^*_{g^{-1}}\mu\f$. *)
@@ -389,11 +389,11 @@ Proof. by move=> u0 u1; rewrite product_unit ?unitmx_inv. Qed.
 \f$(g_k, g_{k+1})\mapsto(g_k\bar g, g_{k+1}\bar g)\f$. Two pairs have the same image exactly where one is the
 other, multiplied on the right by one \f$\bar g\f$. *)
 
-Theorem eq_3_9 g0 g1 h0 h1 : g0 \in unitmx -> g1 \in unitmx -> h0 \in unitmx -> h1 \in unitmx ->
+Theorem eq_3_9 g0 g1 h0 h1 : g1 \in unitmx -> h1 \in unitmx ->
   relative_motion_right g0 g1 = relative_motion_right h0 h1
   <-> exists2 k, k \in unitmx & h0 = g0 *m k /\ h1 = g1 *m k.
 Proof.
-rewrite /relative_motion_right => u0 u1 w0 w1; split=> [same|[k uk [-> ->]]]; last first.
+rewrite /relative_motion_right => u1 w1; split=> [same|[k uk [-> ->]]]; last first.
   by rewrite inverse_product // mulmxA -[g0 *m k *m _]mulmxA mulmxV // mulmx1.
 exists (invmx g1 *m h1); first by rewrite product_unit ?unitmx_inv.
 split; first by rewrite mulmxA same -mulmxA mulVmx // mulmx1.
