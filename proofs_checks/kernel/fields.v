@@ -14,7 +14,7 @@ Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
-Import GRing.Theory Num.Theory.
+Import Order.TTheory GRing.Theory Num.Theory.
 Local Open Scope ring_scope.
 
 (** A function, or a vector, before others. *)
@@ -517,4 +517,189 @@ rewrite (eq_6_8 along_x along_y (chain V) (fun mu => chain (D mu))) !big_ord1 Vy
 rewrite big1 => [|mu _]; last exact: mul0r.
 rewrite !subr0 !mulr1 -/V [V (y 0)]Vy => /(congr1 (at_origin c)); rewrite rmorphN rmorph1 => /eqP.
 by rewrite eq_sym -addr_eq0 -(natrD _ 1 1) pnatr_eq0.
+Qed.
+
+(** ** The current of time translation
+
+Section 9.2: with \f$\zeta_Y = (0, \zeta, 0)\f$ the current is
+\f$-\zeta\,(e\,d^nx_0 + p_a{}^j\dot\phi^a\,d^nx_j)\f$, with the energy density \f$e = p_a{}^0v^a{}_0 - L\f$ of
+(6.5). Time is the coordinate \f$x^0\f$. *)
+Definition energy_density (R : comRingType) n N (v : 'I_N -> 'I_n.+1 -> R)
+    (d_v : 'I_N -> 'I_n.+1 -> derivation R) (L : R) := \sum_a momentum d_v L a ord0 * v a ord0 - L.
+
+Theorem claim_9_2_time_current (R : comRingType) n N (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N -> 'I_n.+1 -> R)
+    (d_v : 'I_N -> 'I_n.+1 -> derivation R) (L zeta : R) (X : derivation R) :
+    (forall mu, X (x mu) = zeta *+ (mu == ord0)) -> (forall a, X (y a) = 0) ->
+  noether_current x y v d_v L X ord0 = - (zeta * energy_density v d_v L)
+  /\ forall j, noether_current x y v d_v L X (lift ord0 j)
+      = - (zeta * \sum_a momentum d_v L a (lift ord0 j) * v a ord0).
+Proof.
+move=> base fields.
+have along a : X (y a) - \sum_nu v a nu * X (x nu) = - (zeta * v a ord0).
+  rewrite fields sub0r big_ord_recl base eqxx mulr1n big1 ?addr0 => [|j _]; first by rewrite mulrC.
+  by rewrite base mulr0n mulr0.
+rewrite /noether_current /energy_density; split=> [|j].
+  rewrite base eqxx mulr1n mulrBr mulr_sumr opprB addrC [L * _]mulrC -sumrN; congr (_ + _).
+  by apply: eq_bigr => a _; rewrite along; ring_identity.
+rewrite base mulr0n mulr0 addr0 mulr_sumr -sumrN; apply: eq_bigr => a _; rewrite along; ring_identity.
+Qed.
+
+(** ** Constraints and multipliers *)
+
+Section Constraints.
+
+Variables (R : comRingType) (n N k : nat).
+Variables (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R) (D : 'I_n.+1 -> derivation R).
+
+(** A density, constraints \f$\Phi^i\f$ on first jets and multipliers \f$\lambda_i\f$, which are other fields: they do
+not depend on \f$y\f$ and \f$v\f$. *)
+Variables (L : R) (Phi lambda : 'I_k -> R).
+Hypothesis multiplier_y : forall a i, d_y a (lambda i) = 0.
+Hypothesis multiplier_v : forall a mu i, d_v a mu (lambda i) = 0.
+
+(** The left side of the constrained Euler-Lagrange equations (7.2). C++: `actio::constrained_equations`,
+`constraints/constrained_equations.hpp`. *)
+Definition constrained_equation (l : 'I_k -> R) a :=
+  \sum_mu D mu (d_v a mu L) - d_y a L
+  + \sum_i l i * d_y a (Phi i) - \sum_mu D mu (\sum_i l i * d_v a mu (Phi i)).
+
+Lemma euler_lagrange_of_augmented (l : 'I_k -> R) a :
+    (forall b i, d_y b (l i) = 0) -> (forall b mu i, d_v b mu (l i) = 0) ->
+  euler_lagrange d_y d_v D (L - \sum_i l i * Phi i) a = - constrained_equation l a.
+Proof.
+move=> l_y l_v; rewrite /euler_lagrange /momentum /constrained_equation.
+have -> : d_y a (L - \sum_i l i * Phi i) = d_y a L - \sum_i l i * d_y a (Phi i).
+  rewrite raddfB /= raddf_sum; congr (_ - _); apply: eq_bigr => i _.
+  by rewrite leibniz l_y mul0r add0r.
+have -> : \sum_mu D mu (d_v a mu (L - \sum_i l i * Phi i))
+          = \sum_mu D mu (d_v a mu L) - \sum_mu D mu (\sum_i l i * d_v a mu (Phi i)).
+  rewrite -sumrB; apply: eq_bigr => mu _; rewrite -raddfB /=; congr (D mu _).
+  rewrite raddfB /= raddf_sum; congr (_ - _); apply: eq_bigr => i _.
+  by rewrite leibniz l_v mul0r add0r.
+ring_identity.
+Qed.
+
+(** ** The density with the multiplier among its fields
+
+The field equations of \f$L_\Phi = L - \langle\lambda, \Phi\rangle\f$ are the constrained equations (7.2), and for the
+multiplier the constraint; those of the printed \f$L + \langle\lambda, \Phi\rangle\f$ are (7.2) with \f$-\lambda\f$ in
+place of \f$\lambda\f$. Numbers of fields and of constraints are arbitrary. *)
+Theorem claim_7_2_augmented_lagrangian a :
+  euler_lagrange d_y d_v D (L - \sum_i lambda i * Phi i) a = - constrained_equation lambda a.
+Proof. exact: euler_lagrange_of_augmented. Qed.
+
+Theorem claim_7_2_augmented_lagrangian_other_sign a :
+  euler_lagrange d_y d_v D (L + \sum_i lambda i * Phi i) a = - constrained_equation (fun i => - lambda i) a.
+Proof.
+rewrite -euler_lagrange_of_augmented => [|b i|b mu i]; last 2 first.
+- by rewrite raddfN /= multiplier_y oppr0.
+- by rewrite raddfN /= multiplier_v oppr0.
+by congr (euler_lagrange _ _ _ (_ + _) a); rewrite -sumrN; apply: eq_bigr => i _; rewrite mulNr opprK.
+Qed.
+
+Theorem claim_7_2_augmented_lagrangian_multiplier (d_lambda : 'I_k -> derivation R) j :
+    (forall i, d_lambda j (lambda i) = (i == j)%:R) -> d_lambda j L = 0 -> (forall i, d_lambda j (Phi i) = 0) ->
+  d_lambda j (L - \sum_i lambda i * Phi i) = - Phi j.
+Proof.
+move=> own L_free Phi_free; rewrite raddfB /= L_free sub0r raddf_sum (bigD1 j) //= big1 => [|i ne].
+  by rewrite leibniz own eqxx Phi_free mul1r mulr0 !addr0.
+by rewrite leibniz own (negbTE ne) Phi_free mul0r mulr0 addr0.
+Qed.
+
+End Constraints.
+
+(** The equations of the printed density \f$L + \langle\lambda, \Phi\rangle\f$ are not (7.2): for \f$L = y\f$,
+\f$\Phi = y\f$ and \f$\lambda = 1\f$ the section \f$y = 0\f$ solves (7.2) and not the other. *)
+Theorem claim_7_2_augmented_lagrangian_printed_fails :
+  ~ (forall (R : comRingType) (n N k : nat) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
+       (D : 'I_n.+1 -> derivation R) (L : R) (Phi lambda : 'I_k -> R),
+      (forall a i, d_y a (lambda i) = 0) -> (forall a mu i, d_v a mu (lambda i) = 0) ->
+      (forall a, euler_lagrange d_y d_v D (L + \sum_i lambda i * Phi i) a = 0)
+      <-> (forall a, constrained_equation d_y d_v D L Phi lambda a = 0)).
+Proof.
+move=> claim; have [R [c]] := polynomials 1.
+pose y := coordinate c 0; pose d_y (_ : 'I_1) := partial c 0.
+pose zero := zero_derivation [comRingType of R].
+have Dy a : d_y a y = 1 by rewrite partial_coordinate.
+have lambda_y a (i : 'I_1) : d_y a (1 : R) = 0 by exact: derivative_of_one.
+have lambda_v (a : 'I_1) (mu : 'I_2) (i : 'I_1) : zero (1 : R) = 0 by [].
+pose d_v (_ : 'I_1) (_ : 'I_2) := zero; pose D (_ : 'I_2) := zero.
+have solves a : constrained_equation d_y d_v D y (fun _ : 'I_1 => y) (fun _ => 1) a = 0.
+  rewrite /constrained_equation big_ord1 mul1r Dy [X in X - _ + _]big1 // [X in _ - X]big1 //; ring_identity.
+have [_ H] := claim _ _ _ _ d_y d_v D y (fun _ => y) (fun _ => 1) lambda_y lambda_v.
+have := H solves ord0; rewrite /euler_lagrange big_ord1 mul1r big1 // subr0 raddfD /= Dy.
+move/(congr1 (at_origin c)) => /eqP.
+by rewrite -(natrD _ 1 1) rmorph_nat raddf0 pnatr_eq0.
+Qed.
+
+(** ** Lagrange's multiplier theorem, the linear part
+
+At a point \f$\varphi\f$ with \f$\Psi(\varphi) = 0\f$ the differential of \f$h\f$ is a row, and that of \f$\Psi\f$ a
+matrix. The differential of \f$h\f$ vanishes on all vectors that \f$d\Psi\f$ takes to zero if and only if there is a
+multiplier, \f$dh = \lambda\,d\Psi\f$, and that is what it means that \f$h - \langle\lambda, \Psi\rangle\f$ is
+critical at \f$(\varphi, \lambda)\f$. This holds over any field and for any \f$\Psi\f$. That \f$d\Psi\f$ is onto, a
+hypothesis that Theorem 7.1.1 does not name, is needed for the vectors in question to be the tangent vectors of
+\f$\mathcal N = \Psi^{-1}(0)\f$, and it makes the multiplier unique. *)
+Theorem claim_7_1_first_to_second_on_kernel (F : fieldType) m k (dh : 'rV[F]_m) (dPsi : 'M[F]_(k, m)) :
+  (forall u : 'cV[F]_m, dPsi *m u = 0 -> dh *m u = 0) <-> exists lambda : 'rV[F]_k, dh = lambda *m dPsi.
+Proof.
+split=> [vanishes|[lambda ->] u on_kernel]; last by rewrite -mulmxA on_kernel mulmx0.
+apply/submxP; rewrite submxE; apply/eqP/matrixP => i j; rewrite [RHS]mxE.
+have := vanishes (cokermx dPsi *m delta_mx j 0); rewrite mulmxA mulmx_coker mul0mx [dh *m _]mulmxA => /(_ erefl).
+by rewrite -colE => /matrixP /(_ i 0); rewrite [LHS]mxE [RHS]mxE.
+Qed.
+
+Theorem claim_7_1_first_to_second_unique (F : fieldType) m k (dPsi : 'M[F]_(k, m)) (lambda lambda' : 'rV[F]_k) :
+  row_free dPsi -> lambda *m dPsi = lambda' *m dPsi -> lambda = lambda'.
+Proof. by move=> onto; apply: (row_free_inj onto). Qed.
+
+(** As printed, without a hypothesis on \f$\Psi\f$, the first statement of Theorem 7.1.1 does not imply the second:
+\f$h(x) = x\f$ on the zeros of \f$\Psi(x) = x^2\f$, which are one point, has its minimum and its maximum there, and no
+\f$\lambda\f$ makes \f$h - \lambda\Psi\f$ critical. *)
+Theorem claim_7_1_first_to_second_printed_fails :
+  ~ (forall (h Psi : {poly rat}) (phi : rat), Psi.[phi] = 0 ->
+      (forall psi, Psi.[psi] = 0 -> h.[phi] <= h.[psi]) ->
+      exists lambda, ((h - lambda *: Psi)^`()).[phi] = 0).
+Proof.
+move=> claim; have [||lambda] := claim 'X ('X ^+ 2) 0.
+- by rewrite hornerXn expr0n.
+- by move=> psi; rewrite hornerXn => /eqP; rewrite sqrf_eq0 => /eqP ->.
+rewrite derivB derivX derivZ derivXn hornerD hornerN hornerZ hornerMn hornerXn expr1 mul0rn mulr0 subr0 hornerC.
+by move/eqP; rewrite oner_eq0.
+Qed.
+
+(** If an extremum in the second statement were to be a minimum or a maximum, it would fail for a constraint as
+regular as \f$\Psi(x) = x\f$: near every zero of \f$\Psi\f$ the function \f$\bar h(x, \lambda) = x^2 - \lambda x\f$ rises
+and falls, though \f$h\f$ has its minimum there. An extremum is a point where the derivative vanishes. *)
+Theorem thm_7_1_1_printed_fails_as_minimum_or_maximum :
+  ~ (forall (h Psi : {poly rat}) (phi : rat), Psi.[phi] = 0 ->
+      (forall psi, Psi.[psi] = 0 -> h.[phi] <= h.[psi]) ->
+      let h_bar x l := h.[x] - l * Psi.[x] in
+      exists lambda eps, 0 < eps /\
+        ((forall x l, `|x - phi| < eps -> `|l - lambda| < eps -> h_bar phi lambda <= h_bar x l)
+         \/ (forall x l, `|x - phi| < eps -> `|l - lambda| < eps -> h_bar x l <= h_bar phi lambda))).
+Proof.
+move=> claim; have [||lambda [eps [eps_pos]]] := claim ('X ^+ 2) 'X 0; first by rewrite hornerX.
+  by move=> psi; rewrite hornerX => ->.
+rewrite !hornerXn !hornerX expr0n /= mulr0 subrr.
+pose t := eps / 2%:R; have t_pos : 0 < t by rewrite divr_gt0.
+have t_eps : t < eps by rewrite ltr_pdivr_mulr // ltr_pmulr // ltr1n.
+pose s := t / 2%:R; have s_pos : 0 < s by rewrite divr_gt0.
+have s_t : s < t by rewrite ltr_pdivr_mulr // ltr_pmulr // ltr1n.
+have s_eps := lt_trans s_t t_eps.
+have near_s : `|s - 0| < eps by rewrite subr0 gtr0_norm.
+have near_minus_s : `|- s - 0| < eps by rewrite subr0 normrN gtr0_norm.
+have near_lambda : `|lambda - lambda| < eps by rewrite subrr normr0.
+have near_more : `|(lambda + t) - lambda| < eps by rewrite addrAC subrr add0r gtr0_norm.
+have near_less : `|(lambda - t) - lambda| < eps by rewrite addrAC subrr add0r normrN gtr0_norm.
+case: (leP 0 lambda) => sign [least|greatest].
+- have := least s (lambda + t) near_s near_more; rewrite hornerXn hornerX expr2 -mulrBl pmulr_lge0 // subr_ge0.
+  by rewrite leNgt (lt_le_trans s_t) // ler_addr.
+- have := greatest (- s) lambda near_minus_s near_lambda; rewrite hornerXn hornerX sqrrN mulrN opprK leNgt.
+  by rewrite ltr_paddr ?exprn_gt0 // mulr_ge0 // ltW.
+- have := least (- s) (lambda - t) near_minus_s near_less.
+  rewrite hornerXn hornerX sqrrN mulrN opprK expr2 -mulrDl pmulr_lge0 // leNgt; case/negP.
+  by rewrite addrCA -[X in _ < X](addr0 0) ltr_add // subr_lt0.
+- have := greatest s lambda near_s near_lambda; rewrite hornerXn hornerX leNgt -mulNr.
+  by rewrite ltr_paddr ?exprn_gt0 // mulr_ge0 ?oppr_ge0 // ltW.
 Qed.
