@@ -6,7 +6,7 @@ derivation as a vector field that differentiates them; nothing is used of either
 what is proved here holds for smooth functions, for polynomials, and for power series alike. *)
 
 From mathcomp Require Import all_ssreflect fingroup perm all_algebra.
-From actio Require Import matrices.
+From actio Require Import matrices ring_identities.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -210,6 +210,24 @@ have := congr1 determinant two_ways.
 by rewrite !det_mulmx !(det_lblock, det_ublock) !det1 !(mul1r, mulr1).
 Qed.
 
+Lemma determinant_of_two (R : comRingType) (M : 'M[R]_2) : \det M = M 0 0 * M 1 1 - M 1 0 * M 0 1.
+Proof.
+rewrite (expand_det_col _ 0) !big_ord_recl big_ord0 addr0 /cofactor !det_mx11 !mxE /=.
+have -> : lift 0 0 = 1 :> 'I_2 by apply: val_inj.
+have -> : lift 1 0 = 0 :> 'I_2 by apply: val_inj.
+rewrite /bump /= expr0 expr1; ring_identity.
+Qed.
+
+Lemma determinant_of_blocks (R : comRingType) (a b c e : 'M[R]_1) :
+  \det (block_mx a b c e : 'M_(1 + 1)) = a 0 0 * e 0 0 - c 0 0 * b 0 0.
+Proof.
+rewrite (determinant_of_two (block_mx a b c e)).
+have -> : 0 = lshift 1 (0 : 'I_1) :> 'I_(1 + 1) by apply: val_inj.
+have -> : 1 = rshift 1 (0 : 'I_1) :> 'I_(1 + 1) by apply: val_inj.
+by congr (_ * _ - _ * _);
+   [exact: block_mxEul | exact: block_mxEdr | exact: block_mxEdl | exact: block_mxEur].
+Qed.
+
 (** ** Polynomials *)
 
 (** The derivative of polynomials in one variable over \f$R\f$, a derivation. *)
@@ -302,3 +320,11 @@ pose none (i : 'I_0) : derivation [comRingType of rat] := match i with Ordinal _
 by apply: (@CoordinateRing 0 [comUnitRingType of rat] (fun _ => 0) none [rmorphism of idfun]
             [rmorphism of idfun]) => //; case.
 Qed.
+
+(** The derivation that is zero everywhere. *)
+Lemma leibniz_of_zero (R : comRingType) (f h : R) :
+  (\0%R : R -> R) (f * h) = (\0%R : R -> R) f * h + f * (\0%R : R -> R) h.
+Proof. by rewrite mul0r mulr0 addr0. Qed.
+
+Definition zero_derivation (R : comRingType) : derivation R :=
+  @Derivation R [additive of \0%R : R -> R] (@leibniz_of_zero R).

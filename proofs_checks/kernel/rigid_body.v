@@ -273,9 +273,10 @@ Definition lagrangian L g v := kinetic_energy L (g^T *m v).
 
 (** ** The factor of the discrete Lagrangian, (5.2)
 
-Section 5.1 evaluates the Lagrangian (5.1) at the configuration \f$q\f$ and the velocity \f$q\zeta\f$.
-Whatever \f$q\f$ and \f$\zeta\f$ are, that is \f$\tfrac14\langle\zeta,\mathcal J(\zeta)\rangle\f$, with the
-factor and the pairing of (5.1); and it is the same for \f$-\zeta\f$. *)
+Section 5.1 evaluates the Lagrangian (5.1) at the configuration \f$q\f$, here `g`, and the velocity
+\f$q\zeta\f$. Whatever \f$q\f$ and \f$\zeta\f$ are, that is
+\f$\tfrac14\langle\zeta,\mathcal J(\zeta)\rangle\f$, with the factor and the pairing of (5.1); and it is the
+same for \f$-\zeta\f$. *)
 Theorem eq_5_2_factor L g zeta :
   orthogonal g ->
   lagrangian L g (left_translation g zeta) = 4%:R^-1 * pairing zeta (inertia_operator L zeta) /\
@@ -1056,12 +1057,12 @@ Implicit Types h : R.
 
 Add Ring laws_for_momenta : (laws_of_a_ring R).
 
-(** The body momentum before a step with the relative motion \f$f\f$, \f$f^T\Lambda - \Lambda f\f$, times
-\f$h\f$.
+(** The body momentum before a step with the relative motion \f$f\f$, multiplied by the step \f$h\f$:
+\f$f^T\Lambda - \Lambda f\f$.
 C++: `actio::MoserVeselov::momentum_before`, `rigid_body/moser_veselov.hpp`. *)
 Definition momentum_before f L := f^T *m L - L *m f.
 
-(** The body momentum after it, \f$\Lambda f^T - f\Lambda\f$, times \f$h\f$.
+(** The body momentum after it, multiplied by \f$h\f$: \f$\Lambda f^T - f\Lambda\f$.
 C++: `actio::MoserVeselov::momentum_after`, `rigid_body/moser_veselov.hpp`. *)
 Definition momentum_after f L := L *m f^T - f *m L.
 
@@ -2015,7 +2016,7 @@ Qed.
 Section 5.3 gives the Casimir function as \f$\mathrm{Tr}(\mu^2)\f$, and says that its pull-back is
 \f$\mathrm{Tr}(f\Lambda f\Lambda)\f$ up to a constant term and a sign. From \f$\mathrm{Tr}(\mu^2)\f$ it is
 not: with either sign, no constant will do. The identity and a quarter turn show it. *)
-Theorem claim_5_3_pullback_value_printed_fails_from_the_trace :
+Theorem claim_5_3_pullback_value_not_from_the_trace :
   ~ (forall L : 'M[Qc]_3, generalized_body L ->
        exists sign c : Qc, (sign = 1 \/ sign = -1) /\
          forall f, special_orthogonal f ->

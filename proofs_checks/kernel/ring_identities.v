@@ -106,7 +106,7 @@ Ltac ring_identity :=
       match read R a (@nil (GRing.ComRing.sort R)) with
       | (?e, ?atoms) =>
           match read R b atoms with
-          | (?f, ?atoms') => exact (@same_value R atoms' e f (eq_refl true))
+          | (?f, ?atoms') => exact (@same_value R atoms' e f (@erefl bool true <: same_polynomial e f = true))
           end
       end
   end.

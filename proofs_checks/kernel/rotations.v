@@ -259,7 +259,7 @@ Definition moment_of_inertia i j := twice_kinetic_energy (turning i j).
 (5.1) with matrices paired by \f$\mathrm{Tr}(A^TB)\f$: a body of masses that turns with the skew matrix
 \f$\xi\f$ has the kinetic energy \f$\frac14\langle\xi, J\xi\rangle\f$, here times 4. Its angular momentum is
 \f$J\xi = \Lambda\xi + \xi\Lambda\f$. *)
-Theorem eq_5_1 xi : skew xi ->
+Theorem eq_5_1_of_masses xi : skew xi ->
   2%:R * twice_kinetic_energy xi = pairing xi (inertia_operator second_moments_of_masses xi).
 Proof.
 move=> skew_xi.
@@ -348,7 +348,7 @@ constant, any matrix \f$\xi\f$ of functions and any way \f$d\f$ to differentiate
 Definition kinetic_energy (R : comUnitRingType) n (Lambda xi : 'M[R]_n) : R :=
   pairing xi (inertia_operator Lambda xi) / 4%:R.
 
-Theorem claim_5_3_algebra_legendre (R : comUnitRingType) n (d : derivation R) (Lambda xi : 'M[R]_n) :
+Theorem claim_5_3_algebra_legendre_along_a_curve (R : comUnitRingType) n (d : derivation R) (Lambda xi : 'M[R]_n) :
     (2%:R : R) \is a GRing.unit -> symmetric Lambda -> derivative_of d Lambda = 0 ->
   d (kinetic_energy Lambda xi) = pairing (2%:R^-1 *: inertia_operator Lambda xi) (derivative_of d xi).
 Proof.
@@ -375,7 +375,7 @@ Qed.
 
 (** With the pairing of (5.1) the printed \f$\partial l/\partial\xi = \mathcal J(\xi)\f$ is twice the derivative,
 already for a disc that turns at a rate which changes. *)
-Theorem claim_5_3_algebra_legendre_printed_fails :
+Theorem claim_5_3_algebra_legendre_printed_fails_along_a_curve :
   ~ (forall (R : comUnitRingType) n (d : derivation R) (Lambda xi : 'M[R]_n),
       (2%:R : R) \is a GRing.unit -> symmetric Lambda -> derivative_of d Lambda = 0 -> skew xi ->
       d (kinetic_energy Lambda xi) = pairing (inertia_operator Lambda xi) (derivative_of d xi)).
@@ -393,7 +393,7 @@ have dE : derivative_of d (z *: E) = E.
 have symmetric1 : symmetric (1%:M : 'M[R]_2) by rewrite /symmetric trmx1.
 have skewzE : skew (z *: E) by rewrite /skew linearZ /= skewE scalerN.
 move=> claim; have := claim _ _ d 1%:M (z *: E) unit2 symmetric1 constant1 skewzE.
-rewrite claim_5_3_algebra_legendre // dE /inertia_operator mul1mx mulmx1 -scalerDl /pairing.
+rewrite claim_5_3_algebra_legendre_along_a_curve // dE /inertia_operator mul1mx mulmx1 -scalerDl /pairing.
 have trE : \tr (E^T *m E) = 2%:R.
   rewrite skewE mulNmx raddfN /= /mxtrace !big_ord_recl big_ord0 !mxE !big_ord_recl !big_ord0 !mxE /=.
   ring_identity.
