@@ -136,6 +136,11 @@ Definition momentum_before_right_rows a b f : value (momentum_before_right (func
 Definition momentum_before_left_rows a b f : value (momentum_before_left (function a b) (M f)) :=
   value_opp (left_differential_rows a b f).
 
+Definition initial_momentum_left_rows a b g : value (initial_momentum_left (function a b) (M g)) :=
+  value_opp (left_differential_rows a b g).
+Definition final_momentum_left_rows g mu : value (final_momentum_left (M g) (M mu)).
+Proof. rewrite /final_momentum_left; by_rows. Defined.
+
 Definition D1_rows a b f g : value (D1 (pair_function a b) (M f) (M g)).
 Proof. eexists; rewrite product_D1; to_rows; reflexivity. Defined.
 Definition D2_rows a b f g : value (D2 (pair_function a b) (M f) (M g)).
@@ -307,6 +312,10 @@ Definition differentials : seq (seq string) :=
         (fun n l => matrix_given (euler_poincare_right_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
       on_groups "euler_poincare_left" [:: Any; Any; In_group; In_group]
         (fun n l => matrix_given (euler_poincare_left_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
+      on_groups "initial_momentum_left" [:: Any; Any; In_group]
+        (fun n l => matrix_given (initial_momentum_left_rows n (l @ 0) (l @ 1) (l @ 2)));
+      on_groups "final_momentum_left" [:: In_group; In_algebra]
+        (fun n l => matrix_given (final_momentum_left_rows n (l @ 0) (l @ 1)));
       on_groups "D1" [:: Any; Any; In_group; In_group]
         (fun n l => matrix_given (D1_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
       on_groups "D2" [:: Any; Any; In_group; In_group]
@@ -356,8 +365,8 @@ Definition all_values : seq (seq string) := Eval lazy beta iota delta [
     relative_motion_left_rows relative_motion_right_rows right_differential_rows right_translation_rows
     skew_part_rows momentum_before_rows
     momentum_after_rows orthogonality_rows body_multiplier_rows
-    trace_casimir_number Ad_rows Ad_star_rows bracket_rows ad_star_rows L_star_rows R_star_rows
-    pairing_number] in
+    trace_casimir_number initial_momentum_left_rows final_momentum_left_rows
+    Ad_rows Ad_star_rows bracket_rows ad_star_rows L_star_rows R_star_rows pairing_number] in
   (actions ++ motions ++ differentials ++ brackets_and_forms ++ bodies)%SEQ.
 
 (** Three definitions in a file: a text of thousands of letters takes long to print. *)
@@ -376,3 +385,4 @@ Redirect "values_09" Eval vm_compute in part 9.
 Redirect "values_10" Eval vm_compute in part 10.
 Redirect "values_11" Eval vm_compute in part 11.
 Redirect "values_12" Eval vm_compute in part 12.
+Redirect "values_13" Eval vm_compute in part 13.

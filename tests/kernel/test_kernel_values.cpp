@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "actio/groupoid/group_as_groupoid.hpp"
+#include "actio/groupoid/hamilton_jacobi.hpp"
 #include "actio/groupoid/lagrange_equations.hpp"
 #include "actio/groups/linear_groups.hpp"
 #include "actio/groups/rotations_of_any_size.hpp"
@@ -199,6 +200,10 @@ Evaluators<On<G>> const& of_group() {
        [](X const& x) { return x.is(momentum_before_right(x.function(), x.element(2))); }},
       {"momentum_before_left",
        [](X const& x) { return x.is(momentum_before_left(x.function(), x.element(2))); }},
+      {"initial_momentum_left",
+       [](X const& x) { return x.is(initial_momentum_left(x.function(), x.element(2))); }},
+      {"final_momentum_left",
+       [](X const& x) { return x.is(final_momentum_left(x.element(0), x.momentum(1))); }},
       {"euler_poincare_right",
        [](X const& x) { return x.is(euler_poincare_right(x.function(), x.element(2), x.element(3))); }},
       {"euler_poincare_left",
