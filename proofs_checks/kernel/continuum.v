@@ -251,6 +251,9 @@ Proof.
 by move=> P0 P1 [[|[|//]] lt]; [move: P0 | move: P1]; congr P; apply: val_inj.
 Qed.
 
+Lemma sum_in_plane (S : comRingType) (f : 'I_2 -> S) : \sum_i f i = f 0 + f 1.
+Proof. by rewrite !big_ord_recl big_ord0 addr0; congr (f _ + f _); apply: val_inj. Qed.
+
 Lemma shear_symmetric : shear_metric^T = shear_metric.
 Proof. by apply/matrixP; apply: plane; apply: plane; rewrite !mxE. Qed.
 
@@ -363,4 +366,305 @@ rewrite /printed_acceleration_at /shear_velocity !derivative_of_nat !big_ord_rec
 case: (two_values e) => -> /=; rewrite !(mulr0, mul0r, mulr1, addr0, add0r).
   by move/(one_is_not_zero c).
 by move=> _ /esym /(one_is_not_zero c).
+Qed.
+
+(** ** Fields along a section *)
+
+Section AlongSection.
+
+Variables (R : comUnitRingType) (n N : nat).
+
+(** The derivatives \f$v^a{}_\mu\f$ of the fields and the total derivatives along a section. *)
+Variables (v : 'I_N -> 'I_n.+1 -> R) (D : 'I_n.+1 -> derivation R).
+
+(** The direction of the body with the number \f$k\f$, the velocity and the deformation gradient. *)
+Definition along_body (k : 'I_n) : 'I_n.+1 := lift ord0 k.
+Definition velocity_of a : R := v a ord0.
+Definition gradient_of a k : R := v a (along_body k).
+
+(** \f$\sqrt{\det G}\f$. *)
+Variable vol : R.
+Hypothesis unit_volume : vol \is a GRing.unit.
+
+(** \f$\Gamma^k_{jk} = \frac1{\sqrt{\det G}}\frac{\partial\sqrt{\det G}}{\partial x^j}\f$. *)
+Definition body_symbol j : R := vol^-1 * D (along_body j) vol.
+
+(** \f$\mathcal P_a{}^i{}_{|i} = \frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} -
+\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$. C++: `actio::two_point_divergence`,
+`continuum/two_point_divergence.hpp`. *)
+Definition two_point_divergence (gamma : 'I_N -> 'I_N -> 'I_N -> R) (P : 'I_N -> 'I_n -> R) a : R :=
+  \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol j
+  - \sum_b \sum_c \sum_j P b j * gamma b a c * gradient_of c j.
+
+(** The covariant derivative of a vector field \f$w\f$ of space along a direction of the body,
+\f$\nabla_jw^a = \frac{\partial w^a}{\partial x^j} + \gamma^a_{bc}\,w^bF^c{}_j\f$. *)
+Definition covariant_derivative (gamma : 'I_N -> 'I_N -> 'I_N -> R) (w : 'I_N -> R) j a : R :=
+  D (along_body j) (w a) + \sum_b \sum_c gamma a b c * w b * gradient_of c j.
+
+(** ** The rule of Leibniz for the covariant divergence
+
+What fixes the covariant divergence of section 6.2 is that for every vector field \f$w\f$ of space along the section
+\f[ \frac1{\sqrt{\det G}}\frac{\partial}{\partial x^i}\bigl(\sqrt{\det G}\,\mathcal P_a{}^iw^a\bigr) =
+\mathcal P_a{}^i{}_{|i}\,w^a + \mathcal P_a{}^i\,\nabla_iw^a . \f]
+It holds with \f$\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ in the last term, for any symbols \f$\gamma\f$. *)
+Theorem claim_6_2_covariant_divergence gamma P w :
+  vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
+  = \sum_a two_point_divergence gamma P a * w a + \sum_a \sum_i P a i * covariant_derivative gamma w i a.
+Proof.
+have -> : vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
+  = \sum_i \sum_a (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a + P a i * D (along_body i) (w a)).
+  rewrite mulr_sumr; apply: eq_bigr => i _; rewrite leibniz mulrDr [X in _ + X]mulrA mulVr ?unit_volume //.
+  rewrite mul1r raddf_sum mulrA mulr_sumr -big_split; apply: eq_bigr => a _ /=.
+  rewrite leibniz /body_symbol; ring_identity.
+rewrite exchange_big.
+pose turned a := \sum_b \sum_c \sum_j P b j * gamma b a c * gradient_of c j.
+have -> : \sum_a two_point_divergence gamma P a * w a
+  = \sum_a (\sum_i (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a) - turned a * w a).
+  apply: eq_bigr => a _; rewrite /two_point_divergence big_split /= -!mulr_suml -/(turned a); ring_identity.
+have turnedE : \sum_a turned a * w a
+  = \sum_a \sum_i P a i * (\sum_b \sum_c gamma a b c * w b * gradient_of c i).
+  rewrite /turned; under eq_bigr do rewrite mulr_suml.
+  rewrite exchange_big; apply: eq_bigr => b _; under [RHS]eq_bigr do rewrite mulr_sumr.
+  rewrite [RHS]exchange_big; apply: eq_bigr => a _; rewrite mulr_suml; under [RHS]eq_bigr do rewrite mulr_sumr.
+  rewrite [RHS]exchange_big; apply: eq_bigr => c _; rewrite mulr_suml; apply: eq_bigr => i _.
+  ring_identity.
+have -> : \sum_a \sum_i P a i * covariant_derivative gamma w i a
+  = \sum_a \sum_i P a i * D (along_body i) (w a) + \sum_a turned a * w a.
+  rewrite turnedE -big_split; apply: eq_bigr => a _; rewrite -big_split; apply: eq_bigr => i _.
+  by rewrite /covariant_derivative mulrDr.
+have -> : \sum_a \sum_i (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a + P a i * D (along_body i) (w a))
+  = \sum_a \sum_i (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a)
+    + \sum_a \sum_i P a i * D (along_body i) (w a).
+  by rewrite -big_split; apply: eq_bigr => a _; rewrite -big_split.
+rewrite sumrB; ring_identity.
+Qed.
+
+End AlongSection.
+
+(** ** The equation of motion *)
+
+Section Motion.
+
+Variables (R : comUnitRingType) (n N : nat).
+
+(** The derivatives \f$v^a{}_\mu\f$ of the fields, the partial derivatives of functions on jets, and the total
+derivatives along a section. *)
+Variables (v : 'I_N -> 'I_n.+1 -> R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
+          (D : 'I_n.+1 -> derivation R).
+
+(** Mass density, \f$\sqrt{\det G}\f$, metric of space, stored energy, and the symmetric derivatives
+\f$\partial W/\partial g_{bc}\f$. *)
+Variables (rho vol : R) (g : 'M[R]_N) (W : R) (W_g : 'M[R]_N).
+
+(** \f$\frac{\partial W}{\partial v^a{}_k}\f$. *)
+Definition energy_slope a (k : 'I_n) : R := d_v a (along_body k) W.
+
+(** The density (6.3) as a function on jets. *)
+Definition medium_density : R := density rho vol g (velocity_of v) W.
+
+(** What a medium is: \f$y^a\f$ and \f$v^a{}_\mu\f$ are coordinates; mass and volume are functions of the point of the
+body, and \f$g\f$ is one of the point of space; the stored energy \f$W(x, G, g, F)\f$ does not depend on the velocity,
+and on the point of space through \f$g\f$ alone. *)
+Record is_medium : Prop := IsMedium {
+  two_is_unit : (2%:R : R) \is a GRing.unit;
+  volume_is_unit : vol \is a GRing.unit;
+  metric_is_symmetric : g^T = g;
+  metric_is_regular : g \in unitmx;
+  velocity_coordinates : forall a mu b nu, d_v a mu (v b nu) = ((b == a) && (nu == mu))%:R;
+  place_coordinates : forall a b nu, d_y a (v b nu) = 0;
+  body_v : forall a mu, d_v a mu rho = 0 /\ d_v a mu vol = 0;
+  body_y : forall a, d_y a rho = 0 /\ d_y a vol = 0;
+  body_t : D ord0 rho = 0 /\ D ord0 vol = 0;
+  space_v : forall a mu b c, d_v a mu (g b c) = 0;
+  space_D : forall mu b c, D mu (g b c) = \sum_a v a mu * d_y a (g b c);
+  energy_v : forall a, d_v a ord0 W = 0;
+  energy_y : forall a, d_y a W = \sum_b \sum_c W_g b c * d_y a (g b c)
+}.
+
+Hypothesis medium : is_medium.
+
+Lemma half_constant (d : derivation R) : d 2%:R^-1 = 0.
+Proof. by rewrite derivative_of_inverse ?(two_is_unit medium) // derivative_of_nat !mul0r oppr0. Qed.
+
+Lemma derivative_of_density (d : derivation R) : d rho = 0 -> d vol = 0 ->
+  d medium_density = 2%:R^-1 * vol * rho * d (speed_squared g (velocity_of v)) - vol * rho * d W.
+Proof.
+move=> d_rho d_vol; rewrite /medium_density /density /kinetic /potential raddfB /= !leibniz half_constant d_rho d_vol.
+ring_identity.
+Qed.
+
+Lemma derivative_of_speed (d : derivation R) :
+  d (speed_squared g (velocity_of v))
+  = \sum_b \sum_c d (g b c) * (velocity_of v) b * (velocity_of v) c
+    + 2%:R * (\sum_b \sum_c g b c * d ((velocity_of v) b) * (velocity_of v) c).
+Proof.
+have -> : 2%:R * (\sum_b \sum_c g b c * d ((velocity_of v) b) * (velocity_of v) c)
+  = \sum_b \sum_c g b c * d ((velocity_of v) b) * (velocity_of v) c
+    + \sum_b \sum_c g b c * (velocity_of v) b * d ((velocity_of v) c).
+  rewrite mulr_natl mulr2n; congr (_ + _); rewrite exchange_big.
+  apply: eq_bigr => c _; apply: eq_bigr => b _; rewrite (metric_entry (metric_is_symmetric medium)) /=.
+  ring_identity.
+rewrite /speed_squared raddf_sum -!big_split; apply: eq_bigr => b _ /=.
+rewrite raddf_sum -!big_split; apply: eq_bigr => c _; rewrite !leibniz /=; ring_identity.
+Qed.
+
+(** ** The momenta of a medium
+
+(6.4): the partial derivatives of the density are
+\f$p_a{}^0 = \rho\,g_{ab}v^b{}_0\sqrt{\det G}\f$ and
+\f$p_a{}^j = -\rho\,\frac{\partial W}{\partial v^a{}_j}\sqrt{\det G}\f$. *)
+Theorem eq_6_4 a :
+  momentum d_v medium_density a ord0 = time_momentum rho vol g (velocity_of v) a
+  /\ forall j, momentum d_v medium_density a (along_body j) = space_momentum rho vol energy_slope a j.
+Proof.
+have flat mu : \sum_b \sum_c d_v a mu (g b c) * (velocity_of v) b * (velocity_of v) c = 0.
+  by rewrite big1 // => b _; rewrite big1 // => c _; rewrite (space_v medium) !mul0r.
+split=> [|j]; rewrite /momentum derivative_of_density ?(body_v medium _ _).1 ?(body_v medium _ _).2 //.
+  rewrite (energy_v medium) derivative_of_speed flat.
+  have -> : \sum_b \sum_c g b c * d_v a ord0 ((velocity_of v) b) * (velocity_of v) c = \sum_c g a c * (velocity_of v) c.
+    rewrite (bigD1 a) //= [X in _ + X]big1 => [|b ne].
+      by rewrite addr0; apply: eq_bigr => c _; rewrite (velocity_coordinates medium) !eqxx mulr1.
+    by rewrite big1 // => c _; rewrite (velocity_coordinates medium) (negbTE ne) mulr0 mul0r.
+  set s := \sum_c _; rewrite /time_momentum -/s.
+  have -> : 2%:R^-1 * vol * rho * (0 + 2%:R * s) - vol * rho * 0 = 2%:R^-1 * 2%:R * (rho * s * vol).
+    ring_identity.
+  by rewrite mulVr ?(two_is_unit medium) // mul1r.
+rewrite derivative_of_speed flat add0r.
+have -> : \sum_b \sum_c g b c * d_v a (along_body j) ((velocity_of v) b) * (velocity_of v) c = 0.
+  rewrite big1 // => b _; rewrite big1 // => c _; rewrite (velocity_coordinates medium).
+  by rewrite (negbTE (neq_lift _ _)) andbF mulr0 mul0r.
+rewrite /space_momentum /energy_slope; ring_identity.
+Qed.
+
+(** \f$\rho\,\frac{\partial W}{\partial v^a{}_k}\f$, the first Piola-Kirchhoff stress (6.19).
+C++: `actio::first_piola_kirchhoff_stress`, `continuum/stresses.hpp`. *)
+Definition first_piola_kirchhoff_stress a k : R := rho * energy_slope a k.
+
+Definition acceleration := material_acceleration g d_y (D ord0) (velocity_of v).
+
+(** ** The equation of motion of a continuous medium
+
+For the density (6.3) the Euler-Lagrange equations (6.12) are
+\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
+\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr)
+= -\rho\,\frac{\partial W}{\partial g_{bc}}\frac{\partial g_{bc}}{\partial y^a} . \f]
+The Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference of the two sides, for every section. *)
+Theorem eq_6_13 a :
+  euler_lagrange d_y d_v D medium_density a
+  = - (vol * (rho * (\sum_b g a b * acceleration b)
+      - vol^-1 * (\sum_k D (along_body k) (rho * energy_slope a k * vol))
+      + rho * \sum_b \sum_c W_g b c * d_y a (g b c))).
+Proof.
+have motion b c : D ord0 (g b c) = \sum_e (velocity_of v) e * d_y e (g b c) by apply: (space_D medium).
+have acc := claim_6_2_material_acceleration (two_is_unit medium) (metric_is_symmetric medium)
+              (metric_is_regular medium) motion a.
+rewrite /euler_lagrange big_ord_recl (eq_6_4 a).1.
+have -> : \sum_(k < n) D (lift ord0 k) (momentum d_v medium_density a (lift ord0 k))
+          = - \sum_k D (along_body k) (rho * energy_slope a k * vol).
+  by rewrite -sumrN; apply: eq_bigr => k _; rewrite -/(along_body k) (eq_6_4 a).2 raddfN.
+rewrite derivative_of_density ?(body_y medium _).1 ?(body_y medium _).2 // derivative_of_speed.
+have -> : \sum_b \sum_c g b c * d_y a ((velocity_of v) b) * (velocity_of v) c = 0.
+  by rewrite big1 // => b _; rewrite big1 // => c _; rewrite (place_coordinates medium) mulr0 mul0r.
+rewrite (energy_y medium) acc /time_momentum !leibniz (body_t medium).1 (body_t medium).2 -/(acceleration _).
+set S := \sum_b \sum_c d_y a (g b c) * _ * _; set T := D ord0 _; set Z := \sum_k D _ _.
+rewrite -{1}(mulVKr (volume_is_unit medium) Z); ring_identity.
+Qed.
+
+(** ** The equation of motion with constant metrics
+
+(6.15), for constant \f$g\f$ and \f$G\f$ and a mass density that may vary: \f$\rho\,\ddot\phi_a =
+\frac{\partial}{\partial x^k}\bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\bigr)\f$. *)
+Theorem eq_6_15 a :
+    (forall e b c, d_y e (g b c) = 0) -> (forall k, D (along_body k) vol = 0) ->
+  euler_lagrange d_y d_v D medium_density a
+  = - (vol * (rho * (\sum_b g a b * D ord0 ((velocity_of v) b)) - \sum_k D (along_body k) (rho * energy_slope a k))).
+Proof.
+move=> constant_g constant_G; rewrite eq_6_13; congr (- (_ * _)).
+have straight b : acceleration b = D ord0 ((velocity_of v) b).
+  rewrite /acceleration /material_acceleration big1 ?addr0 // => e _; rewrite big1 // => c _.
+  rewrite /christoffel big1 ?mulr0 ?mul0r // => h _.
+  by rewrite /first_kind !constant_g !(addr0, subr0, mulr0).
+rewrite (eq_bigr _ (fun b _ => congr1 (fun r => g a b * r) (straight b))).
+rewrite [X in _ + rho * X]big1 ?mulr0 ?addr0 => [|b _]; last first.
+  by rewrite big1 // => c _; rewrite constant_g mulr0.
+congr (_ - _); rewrite mulr_sumr; apply: eq_bigr => k _.
+by rewrite leibniz constant_G mulr0 addr0 mulrCA mulVr ?mulr1 ?(volume_is_unit medium).
+Qed.
+
+End Motion.
+
+(** In the printed last term, \f$-\mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c\f$, the indices \f$i\f$ and \f$j\f$ are left
+over. The rule of Leibniz fails if both are summed, and whatever values they are given, in the plane with the metric
+\f$(dy^1)^2 + (dy^2 + y^1dy^1)^2\f$ and its Christoffel symbols, for the shear \f$y = (x^1 + x^2, x^2)\f$. *)
+Definition divergence_with (R : comUnitRingType) n N (D : 'I_n.+1 -> derivation R) (vol : R) (P : 'I_N -> 'I_n -> R)
+    (last_term : 'I_N -> R) a :=
+  \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D vol j - last_term a.
+
+(** What is asked of the last term: the rule of Leibniz, for the Christoffel symbols of a metric of the plane. *)
+Definition leibniz_rule_for (last_term : forall R : comUnitRingType,
+    ('I_2 -> 'I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> 'I_2 -> R) : Prop :=
+  forall (R : comUnitRingType) (v : 'I_2 -> 'I_3 -> R) (D : 'I_3 -> derivation R) (d_y : 'I_2 -> derivation R)
+    (g : 'M[R]_2) (vol : R) (P : 'I_2 -> 'I_2 -> R) (w : 'I_2 -> R),
+  (2%:R : R) \is a GRing.unit -> vol \is a GRing.unit -> g^T = g -> g \in unitmx ->
+  (forall k b c, D (along_body k) (g b c) = \sum_e gradient_of v e k * d_y e (g b c)) ->
+  (forall k e i, D (along_body k) (gradient_of v e i) = D (along_body i) (gradient_of v e k)) ->
+  vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
+  = \sum_a divergence_with D vol P (last_term R (christoffel g d_y) P (gradient_of v)) a * w a
+    + \sum_a \sum_i P a i * covariant_derivative v D (christoffel g d_y) w i a.
+
+(** The corrected term obeys it. *)
+Lemma leibniz_rule_corrected :
+  leibniz_rule_for (fun R gamma P F a => \sum_b \sum_c \sum_j P b j * gamma b a c * F c j).
+Proof. by move=> R v D d_y g vol P w _ unit_vol _ _ _ _; apply: claim_6_2_covariant_divergence. Qed.
+
+Section ShearOfTheBody.
+
+Variables (R : comUnitRingType) (c : coordinate_ring 1 R).
+Hypothesis unit2 : (2%:R : R) \is a GRing.unit.
+
+Definition shear_jet (a : 'I_2) (mu : 'I_3) : R := if a == 0 then 1 else (mu == along_body 1)%:R.
+
+Lemma shear_last_term last_term (P : 'I_2 -> 'I_2 -> R) : leibniz_rule_for last_term ->
+  (forall a i, partial c 0 (P a i) = 0) ->
+  last_term R (christoffel (shear_metric c) (shear_derivative c)) P (gradient_of shear_jet) 0 = P 1 0 + P 1 1.
+Proof.
+move=> rule constant_P.
+pose D (_ : 'I_3) := partial c 0; pose w (a : 'I_2) : R := (a == 0)%:R.
+have motion k b e : D (along_body k) (shear_metric c b e)
+    = \sum_h gradient_of shear_jet h k * shear_derivative c h (shear_metric c b e).
+  by rewrite sum_in_plane /gradient_of /shear_jet /shear_derivative /= mul1r mulr0 addr0.
+have mixed k e i : D (along_body k) (gradient_of shear_jet e i) = D (along_body i) (gradient_of shear_jet e k).
+  by rewrite /gradient_of /shear_jet; case: (e == 0); rewrite ?derivative_of_one ?derivative_of_nat.
+have := rule R shear_jet D (shear_derivative c) (shear_metric c) 1 P w unit2 (unitr1 _) (shear_symmetric c)
+          (shear_regular c) motion mixed.
+rewrite (leibniz_rule_corrected (D := D) P w unit2 (unitr1 _) (shear_symmetric c) (shear_regular c) motion mixed).
+move/addIr; rewrite !sum_in_plane /w /= !(mulr0, mulr1, addr0) /divergence_with.
+move/addrI/oppr_inj => <-.
+rewrite !sum_in_plane !shear_christoffel //= /gradient_of /shear_jet /=; ring_identity.
+Qed.
+
+End ShearOfTheBody.
+
+Theorem claim_6_2_covariant_divergence_printed_fails :
+  ~ leibniz_rule_for (fun R gamma P F a => \sum_b \sum_c \sum_i \sum_j P b i * gamma b a c * F c j).
+Proof.
+move=> rule; have [R [c]] := polynomials 1; have unit2 := unit2_of_coordinates c.
+pose P (a i : 'I_2) : R := ((a == 1) && (i == 1))%:R.
+have constant_P a i : partial c 0 (P a i) = 0 by apply: derivative_of_nat.
+have := shear_last_term unit2 rule constant_P.
+rewrite !sum_in_plane !shear_christoffel //= /gradient_of /shear_jet /P /=.
+rewrite !(mulr0, mul0r, mulr1, addr0, add0r) => equal; apply: (one_is_not_zero c).
+by apply: (addrI (1 : R)); rewrite equal addr0.
+Qed.
+
+Theorem claim_6_2_covariant_divergence_printed_fails_at (i j : 'I_2) :
+  ~ leibniz_rule_for (fun R gamma P F a => \sum_b \sum_c P b i * gamma b a c * F c j).
+Proof.
+move=> rule; have [R [c]] := polynomials 1; have unit2 := unit2_of_coordinates c.
+pose P (a k : 'I_2) : R := ((a == 1) && (k != i))%:R.
+have constant_P a k : partial c 0 (P a k) = 0 by apply: derivative_of_nat.
+have := shear_last_term unit2 rule constant_P.
+rewrite !sum_in_plane !shear_christoffel //= /gradient_of /shear_jet /P /= eqxx /=.
+rewrite !(mulr0, mul0r, mulr1, addr0, add0r) => equal; apply: (one_is_not_zero c); rewrite equal.
+by case: (two_values i) => -> /=; rewrite ?addr0 ?add0r.
 Qed.
