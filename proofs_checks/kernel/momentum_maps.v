@@ -87,4 +87,121 @@ split; last exact: claim_2_2_lie_poisson_equivalence_iii_iv.
 by split=> [/reduced [] // | equation]; apply/reduced.
 Qed.
 
+(** ** Which momentum moves the group element
+
+Along Hamilton's equations of a right-invariant function \f$\dot g = T_eR_g\,\delta h/\delta\mu\f$ with
+\f$\mu = \lambda(p)\f$ at the same instant. *)
+Theorem claim_2_2_reconstruction_velocity g p phi H_g H_p : g \in unitmx ->
+  derivatives_right g p phi H_g H_p -> hamilton_equations g p H_g H_p -> g^' = right_translation g phi.
+Proof. by move=> unit chain /(hamilton_equations_right unit chain) []. Qed.
+
+(** ** The Euler-Lagrange equations of an invariant Lagrangian *)
+
+(** The partial derivatives of \f$L(g, \dot g) = l(\dot gg^{-1})\f$, where \f$m = \delta l/\delta\xi\f$ at
+\f$\xi = \dot gg^{-1}\f$: the chain rule, with \f$\delta(\dot gg^{-1}) = (\delta\dot g - \xi\,\delta g)g^{-1}\f$. *)
+Definition derivatives_of_right_lagrangian g xi m L_g L_v :=
+  forall dg dv, pairing L_g dg + pairing L_v dv = pairing m ((dv - xi *m dg) *m invmx g).
+
+(** The same for \f$L(g, \dot g) = l(g^{-1}\dot g)\f$ at \f$\xi = g^{-1}\dot g\f$. *)
+Definition derivatives_of_left_lagrangian g xi m L_g L_v :=
+  forall dg dv, pairing L_g dg + pairing L_v dv = pairing m (invmx g *m (dv - dg *m xi)).
+
+Lemma derivatives_of_right_lagrangianE g xi m L_g L_v :
+  derivatives_of_right_lagrangian g xi m L_g L_v ->
+  L_v = R_star (invmx g) m /\ L_g = - (xi^T *m R_star (invmx g) m).
+Proof.
+move=> chain; split; apply: pairing_injective => v.
+  by have := chain 0 v; rewrite pairing_0r add0r mulmx0 subr0 R_star_dual => ->.
+have := chain v 0; rewrite pairing_0r addr0 sub0r mulNmx pairing_oppr => ->.
+by rewrite pairing_oppl -/(L_star xi _) L_star_dual R_star_dual.
+Qed.
+
+Lemma derivatives_of_left_lagrangianE g xi m L_g L_v :
+  derivatives_of_left_lagrangian g xi m L_g L_v ->
+  L_v = L_star (invmx g) m /\ L_g = - (L_star (invmx g) m *m xi^T).
+Proof.
+move=> chain; split; apply: pairing_injective => v.
+  by have := chain 0 v; rewrite pairing_0r add0r mul0mx subr0 L_star_dual => ->.
+have := chain v 0; rewrite pairing_0r addr0 sub0r mulmxN pairing_oppr => ->.
+by rewrite pairing_oppl -/(R_star xi _) R_star_dual L_star_dual.
+Qed.
+
+Lemma derivative_of_transposed_inverse g : g \in unitmx ->
+  (invmx g)^T^' = - ((invmx g)^T *m (g^')^T *m (invmx g)^T).
+Proof.
+move=> unit; rewrite derivative_of_transpose derivative_of_inverse_matrix // raddfN /=.
+by rewrite !trmx_mul mulmxA.
+Qed.
+
+(** ** The Euler-Poincare equations are the Euler-Lagrange equations
+
+Theorem 2.2.1, i and iii: with \f$\dot g = \xi g\f$ and \f$m = \delta l/\delta\xi\f$,
+\f[ \frac{d}{dt}\frac{\partial L}{\partial\dot g} = \frac{\partial L}{\partial g}
+\quad\Longleftrightarrow\quad \frac{dm}{dt} = -\mathrm{ad}_\xi^*\,m . \f]
+The Lagrangian need not be regular. *)
+Theorem claim_2_2_euler_poincare_equations g xi m L_g L_v : g \in unitmx -> g^' = right_translation g xi ->
+  derivatives_of_right_lagrangian g xi m L_g L_v -> L_v^' = L_g <-> m^' = - ad_star xi m.
+Proof.
+move=> unit moves /derivatives_of_right_lagrangianE [-> ->].
+have back : (invmx g)^T \in unitmx by rewrite unitmx_tr unitmx_inv.
+(* The momentum m g^{-T} has the derivative (m' - m xi^T) g^{-T}. *)
+have rate : (R_star (invmx g) m)^' = (m^' - m *m xi^T) *m (invmx g)^T.
+  rewrite /R_star derivative_of_matrix_product derivative_of_transposed_inverse // moves /right_translation.
+  rewrite trmx_mul mulmxN mulmxBl !mulmxA -[m *m _ *m g^T]mulmxA -trmx_mul mulmxV //.
+  by rewrite trmx1 mulmx1.
+have cancel (X Y : 'M[R]_n) : X *m (invmx g)^T = Y *m (invmx g)^T -> X = Y.
+  by move=> same; apply: (can_inj (mulmxK back)).
+rewrite rate /R_star mulmxA -[- (_ *m (invmx g)^T)]mulNmx /ad_star opprB; split=> [/cancel /eqP | ->].
+  by rewrite subr_eq addrC => /eqP.
+by rewrite addrAC subrr add0r.
+Qed.
+
+(** ** The Euler-Poincare equations on the left
+
+For \f$L(g, \dot g) = l(g^{-1}\dot g)\f$ and \f$\dot g = g\xi\f$ the sign is the other:
+\f$\dot m = \mathrm{ad}_\xi^*\,m\f$. *)
+Theorem claim_2_2_left_reduction_euler_poincare g xi m L_g L_v : g \in unitmx ->
+  g^' = left_translation g xi -> derivatives_of_left_lagrangian g xi m L_g L_v ->
+  L_v^' = L_g <-> m^' = ad_star xi m.
+Proof.
+move=> unit moves /derivatives_of_left_lagrangianE [-> ->].
+have back : (invmx g)^T \in unitmx by rewrite unitmx_tr unitmx_inv.
+have rate : (L_star (invmx g) m)^' = (invmx g)^T *m (m^' - xi^T *m m).
+  rewrite /L_star derivative_of_matrix_product derivative_of_transposed_inverse // moves /left_translation.
+  rewrite trmx_mul mulNmx mulmxBr !mulmxA addrC; congr (_ - _).
+  have one : g^T *m (invmx g)^T = 1%:M by rewrite -trmx_mul mulVmx // trmx1.
+  by rewrite -[_ *m g^T *m (invmx g)^T]mulmxA one mulmx1.
+have cancel (X Y : 'M[R]_n) : (invmx g)^T *m X = (invmx g)^T *m Y -> X = Y.
+  by move=> same; apply: (can_inj (mulKmx back)).
+rewrite rate /L_star -mulmxA -[- (_ *m (m *m _))]mulmxN /ad_star; split=> [/cancel /eqP | ->].
+  by rewrite subr_eq addrC => /eqP.
+by rewrite addrAC subrr add0r.
+Qed.
+
+(** ** Euler-Poincare and Lie-Poisson equations
+
+Let \f$h + l = \langle\mu, \xi\rangle\f$. Then \f$\mu = \delta l/\delta\xi\f$ if and only if
+\f$\xi = \delta h/\delta\mu\f$, each read as the chain rule for every derivation of the ring. So the
+Euler-Poincare equation of \f$l\f$ is the Lie-Poisson equation of \f$h\f$, with either sign, and Legendre's
+transformation goes both ways. *)
+Definition is_velocity_derivative (l : R) xi mu := forall c : derivation R, c l = pairing mu (derivative_of c xi).
+Definition is_momentum_derivative (h : R) mu xi := forall c : derivation R, c h = pairing (derivative_of c mu) xi.
+
+Theorem claim_2_2_euler_poincare_lie_poisson (l h : R) xi mu : h + l = pairing mu xi ->
+  let euler_poincare := is_velocity_derivative l xi mu in
+  let lie_poisson := is_momentum_derivative h mu xi in
+  [/\ euler_poincare <-> lie_poisson,
+      euler_poincare /\ mu^' = - ad_star xi mu <-> lie_poisson /\ mu^' = - ad_star xi mu
+    & euler_poincare /\ mu^' = ad_star xi mu <-> lie_poisson /\ mu^' = ad_star xi mu].
+Proof.
+move=> legendre euler_poincare lie_poisson.
+have same : euler_poincare <-> lie_poisson.
+  split=> chain c; have := congr1 c legendre; rewrite raddfD /pairing derivative_of_trace.
+    rewrite derivative_of_matrix_product derivative_of_transpose raddfD /= chain -/(pairing _ _).
+    by move/addIr.
+  rewrite derivative_of_matrix_product derivative_of_transpose raddfD /= chain -/(pairing _ _).
+  by move/addrI.
+by split=> //; split=> -[chain equation]; split=> //; apply/same.
+Qed.
+
 End Reduction.
