@@ -60,6 +60,13 @@ split=> -[moves] equation; split=> //; last first.
 by rewrite (rate moves) equation /ad_star opprB addrC mulNmx mulmxA.
 Qed.
 
+(* The partial derivatives of a right-invariant function are what the chain rule makes them. *)
+Lemma derivatives_of_right_function g p phi : derivatives_right g p phi (phi^T *m p) (phi *m g).
+Proof.
+move=> dg dp; rewrite pairing_addl R_star_dual R_star_dual addrC -/(L_star phi p) L_star_dual.
+by rewrite /right_translation /left_translation pairing_sym.
+Qed.
+
 (** ** Lie-Poisson reduction
 
 Theorem 2.2.3, with the momentum in the equation for \f$g\f$ taken at the same instant: where
@@ -205,3 +212,84 @@ by split=> //; split=> -[chain equation]; split=> //; apply/same.
 Qed.
 
 End Reduction.
+
+(** ** A motion in which the velocity changes *)
+
+Section Example.
+
+Variables (R : comUnitRingType) (d : derivation R) (t : R).
+Hypothesis time : d t = 1.
+
+(* The matrix with three given rows; what is not given is zero. *)
+Let rows (r : seq (seq R)) : 'M[R]_3 := \matrix_(i, j) nth 0 (nth [::] r i) j.
+
+Ltac entries := apply/matrixP; case=> [] [|[|[|?]]] // ?; case=> [] [|[|[|?]]] // ?.
+
+(** The function \f$h = 3\mu_{12}^2 + \mu_{23}\f$ of matrices with three rows, and its derivative. *)
+Definition example_hamiltonian (mu : 'M[R]_3) := 3%:R * (mu 0 1 * mu 0 1) + mu 1 2%:R.
+Definition example_velocity (mu : 'M[R]_3) : 'M[R]_3 := (6%:R * mu 0 1) *: delta_mx 0 1 + delta_mx 1 2%:R.
+
+(** A motion in the time \f$t\f$ that begins at the identity. *)
+Definition example_g := rows [:: [:: 1; 3%:R * (t * t); 2%:R * (t * t * t)]; [:: 0; 1; t]; [:: 0; 0; 1]].
+Definition example_p := rows [:: [:: 0; 0; 1]; [:: 0; 0; - (3%:R * (t * t))]; [:: 0; 0; t * t * t]].
+
+Lemma example_derivative mu : is_momentum_derivative (example_hamiltonian mu) mu (example_velocity mu).
+Proof.
+move=> c; rewrite /example_hamiltonian /example_velocity pairing_addr pairing_sym pairing_scalel pairing_sym.
+by rewrite !pairing_unit_matrix !mxE raddfD /= !leibniz derivative_of_nat; ring_identity.
+Qed.
+
+Lemma example_unit : example_g \in unitmx.
+Proof.
+have: example_g *m rows [:: [:: 1; - (3%:R * (t * t)); t * t * t]; [:: 0; 1; - t]; [:: 0; 0; 1]] = 1%:M.
+  by entries; rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
+by case/mulmx1_unit.
+Qed.
+
+Lemma example_motion : let phi := example_velocity (lambda example_g example_p) in
+  hamilton_equations d example_g example_p (phi^T *m example_p) (phi *m example_g).
+Proof.
+move=> phi; have -> : phi = (6%:R * t) *: delta_mx 0 1 + delta_mx 1 2%:R.
+  rewrite /phi /example_velocity /lambda /spatial_momentum /R_star; congr ((_ * _) *: _ + _).
+  by rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
+split.
+  have -> : derivative_of d example_g = rows [:: [:: 0; 6%:R * t; 6%:R * (t * t)]; [:: 0; 0; 1]; [::]].
+    by entries; rewrite !mxE /= ?leibniz ?derivative_of_nat ?derivative_of_one ?raddf0 ?time; ring_identity.
+  by entries; rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
+have -> : derivative_of d example_p = rows [:: [::]; [:: 0; 0; - (6%:R * t)]; [:: 0; 0; 3%:R * (t * t)]].
+  by entries; rewrite !mxE /= ?raddfN /= ?leibniz ?derivative_of_nat ?derivative_of_one ?raddf0 ?time; ring_identity.
+by entries; rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
+Qed.
+
+End Example.
+
+(** ** The momentum at the start does not move the group element
+
+Theorem 2.2.3 prints \f$\dot g = T_eR_g\frac{\delta h}{\delta\mu}\f$ with \f$\mu = p(0)\f$. The ring of the
+counterexample is that of polynomials in the time \f$t\f$ with integer coefficients, and \f$p(0)\f$ has the
+values of the polynomials at 0. The Hamiltonian is \f$h = 3\mu_{12}^2 + \mu_{23}\f$ on matrices with three rows, the
+motion begins at the identity,
+\f[ g = \begin{pmatrix} 1 & 3t^2 & 2t^3 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix} , \]
+and \f$\dot g_{12} = 6t\f$, which at \f$\mu = p(0)\f$ would be zero. *)
+
+Local Notation polynomials := [comUnitRingType of {poly int}].
+
+Definition at_time_zero n (p : 'M[polynomials]_n) : 'M[polynomials]_n :=
+  map_mx (fun q : {poly int} => q.[0]%:P) p.
+
+Definition time_derivative : derivation polynomials := polynomial_derivative [comRingType of int].
+
+Theorem claim_2_2_reconstruction_velocity_printed_fails :
+  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n) g p H_g H_p,
+      (forall mu, is_momentum_derivative (h mu) mu (dh mu)) ->
+      g \in unitmx -> derivatives_right g p (dh (lambda g p)) H_g H_p ->
+      hamilton_equations time_derivative g p H_g H_p ->
+      derivative_of time_derivative g = right_translation g (dh (at_time_zero p))).
+Proof.
+move=> printed; pose t : polynomials := 'X; have time : time_derivative t = 1 by apply: derivX.
+have := printed _ _ _ _ _ _ _ (@example_derivative polynomials) (example_unit t)
+  (derivatives_of_right_function _ _ _) (example_motion time).
+move/matrixP/(_ 0 1); rewrite /right_translation !mxE !big_ord_recl big_ord0 !mxE /=.
+rewrite hornerC !(mulr0, mul0r, add0r, addr0) => /(congr1 (fun q : {poly int} => q.[1])).
+by rewrite /t !derivE !hornerE.
+Qed.
