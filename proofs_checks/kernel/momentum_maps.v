@@ -293,3 +293,104 @@ move/matrixP/(_ 0 1); rewrite /right_translation !mxE !big_ord_recl big_ord0 !mx
 rewrite hornerC !(mulr0, mul0r, add0r, addr0) => /(congr1 (fun q : {poly int} => q.[1])).
 by rewrite /t !derivE !hornerE.
 Qed.
+
+(** ** Momentum maps of the two translations *)
+
+Section Translations.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types f g h k m p mu theta zeta xi eta x y z A : 'M[R]_n.
+
+(** ** The momentum maps
+
+The generator of \f$g\mapsto e^{t\zeta}g\f$ at \f$g\f$ is \f$\zeta g\f$, that of \f$g\mapsto ge^{t\zeta}\f$ is
+\f$g\zeta\f$. So the momentum map of multiplication from the left is the spatial momentum, that of
+multiplication from the right the body momentum:
+\f[ \langle R_g^*p, \zeta\rangle = \langle p, \zeta g\rangle, \qquad
+\langle L_g^*p, \zeta\rangle = \langle p, g\zeta\rangle . \f] *)
+Theorem momentum_maps_of_translations g p zeta :
+  pairing (spatial_momentum g p) zeta = pairing p (right_translation g zeta) /\
+  pairing (body_momentum g p) zeta = pairing p (left_translation g zeta).
+Proof. by rewrite R_star_dual L_star_dual. Qed.
+
+(** ** Equivariance of the momentum maps
+
+Multiplication from the left by \f$h\f$ takes a covector \f$p\f$ at \f$g\f$ to \f$L_{h^{-1}}^*p\f$ at \f$hg\f$. It
+leaves the body momentum as it is and turns the spatial momentum by \f$\mathrm{Ad}_{h^{-1}}^*\f$. Multiplication
+from the right by \f$k\f$ leaves the spatial momentum as it is and turns the body momentum by
+\f$\mathrm{Ad}_k^*\f$. *)
+Theorem momentum_maps_equivariant g p h k : h \in unitmx -> k \in unitmx ->
+  [/\ body_momentum (h *m g) (L_star (invmx h) p) = body_momentum g p,
+      spatial_momentum (h *m g) (L_star (invmx h) p) = Ad_star (invmx h) (spatial_momentum g p),
+      spatial_momentum (g *m k) (R_star (invmx k) p) = spatial_momentum g p
+    & body_momentum (g *m k) (R_star (invmx k) p) = Ad_star k (body_momentum g p)].
+Proof.
+move=> unit_h unit_k.
+have one : h^T *m (invmx h)^T = 1%:M by rewrite -trmx_mul mulVmx // trmx1.
+have two : (invmx k)^T *m k^T = 1%:M by rewrite -trmx_mul mulmxV // trmx1.
+split; rewrite /body_momentum /spatial_momentum /Ad_star /L_star /R_star ?invmxK !trmx_mul.
+- by rewrite mulmxA -[_ *m h^T *m _]mulmxA one mulmx1.
+- by rewrite !mulmxA.
+- by rewrite -mulmxA [X in p *m X]mulmxA two mul1mx.
+by rewrite !mulmxA.
+Qed.
+
+(** ** Spatial and body momenta commute
+
+The canonical bracket of a function of the spatial momentum with a function of the body momentum vanishes. So
+each is conserved by every Hamiltonian of the other, and the plus bracket and the minus bracket live side by
+side on the cotangent bundle. *)
+Theorem spatial_and_body_momenta_commute g p phi psi F_g F_p H_g H_p :
+  derivatives_right g p phi F_g F_p -> derivatives_left g p psi H_g H_p ->
+  canonical_pairing F_g F_p H_g H_p = 0.
+Proof.
+case/derivatives_rightE => -> ->; case/derivatives_leftE => -> ->.
+(* Both terms are the trace of phi g psi p^T. *)
+rewrite /canonical_pairing /pairing [X in X - _]mxtrace_mulC -[X in _ - X]mxtrace_tr !trmx_mul !trmxK.
+by rewrite [X in X - _]mxtrace_mulC [X in _ - X]mxtrace_mulC -!mulmxA [X in X - _]mxtrace_mulC -!mulmxA subrr.
+Qed.
+
+(** ** Noether's theorem along a curve
+
+Let \f$p = \partial L/\partial\dot g\f$ and \f$q = \partial L/\partial g\f$ along a curve, and let \f$\vartheta\f$ be
+the generator of a symmetry along it. Off shell
+\f[ \frac{d}{dt}\langle p, \vartheta\rangle = \langle\dot p - q, \vartheta\rangle
++ \bigl(\langle q, \vartheta\rangle + \langle p, \dot\vartheta\rangle\bigr) , \f]
+where the last bracket is the change of \f$L\f$ under the symmetry. Where it vanishes and the Euler-Lagrange
+equation holds, the momentum \f$J = \langle p, \vartheta\rangle\f$ is constant.
+C++: `actio::noether_momentum`, `variational/momentum_map.hpp`. *)
+Definition noether_momentum p theta := pairing p theta.
+
+Theorem claim_2_1_noether_momentum (d : derivation R) p q theta :
+  d (noether_momentum p theta) =
+    pairing (derivative_of d p - q) theta + (pairing q theta + pairing p (derivative_of d theta)) /\
+  (pairing q theta + pairing p (derivative_of d theta) = 0 -> derivative_of d p = q ->
+   d (noether_momentum p theta) = 0).
+Proof.
+rewrite /noether_momentum derivative_of_pairing pairing_addl pairing_oppl; split=> [|invariance equation].
+  by rewrite addrA subrK.
+by rewrite equation.
+Qed.
+
+(** ** The forms of Kirillov and Kostant are closed
+
+On the orbits of the dual algebra the fields \f$\mu\mapsto\mathrm{ad}_x^*\mu\f$ have the bracket
+\f$\mathrm{ad}_y^*\mathrm{ad}_x^* - \mathrm{ad}_x^*\mathrm{ad}_y^* = \mathrm{ad}_{[x,y]}^*\f$, and the derivative of
+\f$\omega(y, z) = \langle\mu, [y, z]\rangle\f$ along \f$\mathrm{ad}_x^*\mu\f$ is
+\f$\langle\mathrm{ad}_x^*\mu, [y, z]\rangle\f$. With these the exterior derivative of the form on three fields,
+\f[ \sum\bigl(\langle\mathrm{ad}_x^*\mu, [y, z]\rangle - \langle\mu, [[x, y], z]\rangle\bigr) , \f]
+the sum over the cyclic exchanges of \f$x\f$, \f$y\f$, \f$z\f$, vanishes by the identity of Jacobi. *)
+Theorem claim_2_2_coadjoint_orbits_closed mu x y z :
+  ad_star y (ad_star x mu) - ad_star x (ad_star y mu) = ad_star (bracket x y) mu /\
+  (pairing (ad_star x mu) (bracket y z) - pairing mu (bracket (bracket x y) z)) +
+  (pairing (ad_star y mu) (bracket z x) - pairing mu (bracket (bracket y z) x)) +
+  (pairing (ad_star z mu) (bracket x y) - pairing mu (bracket (bracket z x) y)) = 0.
+Proof.
+have fields : ad_star y (ad_star x mu) - ad_star x (ad_star y mu) = ad_star (bracket x y) mu.
+  apply: pairing_injective => v; rewrite pairing_addl pairing_oppl !ad_star_dual -pairing_oppr -pairing_addr.
+  by congr pairing; rewrite /ad (isospectral.jacobi x y v) addrK.
+split=> //; rewrite !ad_star_dual -!pairing_oppr -!pairing_addr -[RHS](pairing_0r mu); congr pairing.
+by rewrite /ad /bracket; by_expansion.
+Qed.
+
+End Translations.
