@@ -233,6 +233,12 @@ Definition example_velocity (mu : 'M[R]_3) : 'M[R]_3 := (6%:R * mu 0 1) *: delta
 Definition example_g := rows [:: [:: 1; 3%:R * (t * t); 2%:R * (t * t * t)]; [:: 0; 1; t]; [:: 0; 0; 1]].
 Definition example_p := rows [:: [:: 0; 0; 1]; [:: 0; 0; - (3%:R * (t * t))]; [:: 0; 0; t * t * t]].
 
+Lemma delta_left (i j : 'I_3) (M : 'M[R]_3) : delta_mx i j *m M = \matrix_(k, l) (M j l *+ (k == i)).
+Proof.
+apply/matrixP => k l; rewrite !mxE (bigD1 j) //= mxE eqxx andbT mulr_natl big1 ?addr0 // => m ne.
+by rewrite mxE (negbTE ne) andbF mul0r.
+Qed.
+
 Lemma example_derivative mu : is_momentum_derivative (example_hamiltonian mu) mu (example_velocity mu).
 Proof.
 move=> c; rewrite /example_hamiltonian /example_velocity pairing_addr pairing_sym pairing_scalel pairing_sym.
@@ -252,13 +258,9 @@ Proof.
 move=> phi; have -> : phi = (6%:R * t) *: delta_mx 0 1 + delta_mx 1 2%:R.
   rewrite /phi /example_velocity /lambda /spatial_momentum /R_star; congr ((_ * _) *: _ + _).
   by rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
-split.
-  have -> : derivative_of d example_g = rows [:: [:: 0; 6%:R * t; 6%:R * (t * t)]; [:: 0; 0; 1]; [::]].
-    by entries; rewrite !mxE /= ?leibniz ?derivative_of_nat ?derivative_of_one ?raddf0 ?time; ring_identity.
-  by entries; rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
-have -> : derivative_of d example_p = rows [:: [::]; [:: 0; 0; - (6%:R * t)]; [:: 0; 0; 3%:R * (t * t)]].
-  by entries; rewrite !mxE /= ?raddfN /= ?leibniz ?derivative_of_nat ?derivative_of_one ?raddf0 ?time; ring_identity.
-by entries; rewrite !(mxE, big_ord_recl, big_ord0) /=; ring_identity.
+rewrite [(_ + _)^T]raddfD /= linearZ /= !trmx_delta !mulmxDl -!scalemxAl !delta_left.
+by split; entries; rewrite !mxE /= ?raddfN /= ?leibniz ?derivative_of_nat ?derivative_of_one ?raddf0 ?time;
+  ring_identity.
 Qed.
 
 End Example.
@@ -289,8 +291,8 @@ Proof.
 move=> printed; pose t : polynomials := 'X; have time : time_derivative t = 1 by apply: derivX.
 have := printed _ _ _ _ _ _ _ (@example_derivative polynomials) (example_unit t)
   (derivatives_of_right_function _ _ _) (example_motion time).
-move/matrixP/(_ 0 1); rewrite /right_translation !mxE !big_ord_recl big_ord0 !mxE /=.
-rewrite hornerC !(mulr0, mul0r, add0r, addr0) => /(congr1 (fun q : {poly int} => q.[1])).
+rewrite /right_translation /example_velocity mulmxDl -scalemxAl !delta_left => /matrixP/(_ 0 1).
+rewrite !mxE /= hornerC mulr0 mul0r add0r mulr0n => /(congr1 (fun q : {poly int} => q.[1])).
 by rewrite /t !derivE !hornerE.
 Qed.
 
@@ -394,3 +396,124 @@ by rewrite /ad /bracket; by_expansion.
 Qed.
 
 End Translations.
+
+(** ** The Cayley map as a retraction *)
+
+Section Retraction.
+
+Variables (R : comUnitRingType) (n : nat).
+Implicit Types f g h k v A B Q : 'M[R]_n.
+
+(** Its inverse, \f$(Q - 1)(Q + 1)^{-1}\f$; the library's is twice as large.
+C++: `actio::inverse_cayley`, `groups/matrix_group.hpp`. *)
+Definition inverse_cayley Q := (Q - 1%:M) *m invmx (Q + 1%:M).
+
+(** ** The Cayley map and its inverse
+
+Where 2 has an inverse: \f$\mathrm{cay}(A) + 1 = 2(1 - A)^{-1}\f$ is invertible where \f$1 - A\f$ is, and
+\f$\mathrm{cay}^{-1}(\mathrm{cay}(A)) = A\f$; and \f$\mathrm{cay}(\mathrm{cay}^{-1}(Q)) = Q\f$ where \f$Q + 1\f$ is
+invertible. *)
+Theorem cayley_and_its_inverse A Q : (2%:R : R) \is a GRing.unit ->
+  (1%:M - A \in unitmx -> cayley A + 1%:M \in unitmx /\ inverse_cayley (cayley A) = A) /\
+  (Q + 1%:M \in unitmx -> 1%:M - inverse_cayley Q \in unitmx /\ cayley (inverse_cayley Q) = Q).
+Proof.
+move=> two; have halves X : (2%:R)^-1 *: (X *+ 2) = X :> 'M[R]_n by rewrite -scaler_nat scalerA mulVr ?scale1r.
+split=> [minus | plus].
+  have sum : (cayley A + 1%:M) *m (1%:M - A) = 1%:M *+ 2.
+    by rewrite mulmxDl cayley_right //; by_expansion.
+  have inverse : (cayley A + 1%:M) *m ((2%:R)^-1 *: (1%:M - A)) = 1%:M by rewrite -scalemxAr sum halves.
+  have unit := (mulmx1_unit inverse).1.
+  split=> //; apply: (can_inj (mulmxK unit)); rewrite mulmxKV //.
+  apply: (can_inj (mulmxK minus)); rewrite -!mulmxA sum mulmxBl cayley_right // mul1mx.
+  by by_expansion.
+set A' := inverse_cayley Q.
+have product : A' *m (Q + 1%:M) = Q - 1%:M by rewrite mulmxKV.
+have difference : (1%:M - A') *m (Q + 1%:M) = 1%:M *+ 2.
+  by rewrite mulmxBl product; by_expansion.
+have inverse : (1%:M - A') *m ((2%:R)^-1 *: (Q + 1%:M)) = 1%:M by rewrite -scalemxAr difference halves.
+have unit := (mulmx1_unit inverse).1.
+split=> //; apply: (can_inj (mulKmx unit)); rewrite cayley_left //.
+apply: (can_inj (mulmxK plus)); rewrite mulmxDl product mul1mx.
+have -> : (1%:M - A') *m Q *m (Q + 1%:M) = (1%:M - A') *m (Q + 1%:M) *m Q by by_expansion.
+by rewrite difference mulmxDl; by_expansion.
+Qed.
+
+(** ** What makes it a retraction
+
+\f$\mathrm{cay}(0) = 1\f$; to first order \f$\mathrm{cay}(B) = 1 + 2B\f$, which is exact where \f$B^2 = 0\f$;
+\f$\mathrm{cay}(-A) = \mathrm{cay}(A)^{-1}\f$;
+\f$\mathrm{cay}(\mathrm{Ad}_gA) = \mathrm{Ad}_g\,\mathrm{cay}(A)\f$; and the exact remainder of the second order,
+\f[ \mathrm{cay}(A) = 1 + 2A + 2A^2 + 2A^3(1 - A)^{-1} . \f]
+Up to the last term this is \f$\exp(2A)\f$. *)
+Theorem cayley_is_a_retraction g A : g \in unitmx -> 1%:M - A \in unitmx ->
+  [/\ cayley (0 : 'M[R]_n) = 1%:M,
+      forall B, B *m B = 0 -> cayley B = 1%:M + B *+ 2,
+      1%:M + A \in unitmx -> cayley (- A) = invmx (cayley A),
+      cayley (Ad g A) = Ad g (cayley A)
+    & cayley A = 1%:M + A *+ 2 + (A *m A) *+ 2 + (A *m A *m A *m invmx (1%:M - A)) *+ 2].
+Proof.
+move=> unit_g minus; split.
+- by rewrite /cayley subr0 addr0 invmx1 mulmx1.
+- move=> B square; have inverse : (1%:M - B) *m (1%:M + B) = 1%:M.
+    by expanded; rewrite square; by_expansion.
+  apply: (can_inj (mulKmx (mulmx1_unit inverse).1)); rewrite cayley_left ?(mulmx1_unit inverse).1 //.
+  by expanded; rewrite square; by_expansion.
+- by move=> plus; rewrite cayley_inv.
+- have one_minus : 1%:M - Ad g A = Ad g (1%:M - A).
+    by rewrite /Ad mulmxBr mulmx1 mulmxBl mulmxV.
+  have one_plus : 1%:M + Ad g A = Ad g (1%:M + A) by rewrite /Ad mulmxDr mulmx1 mulmxDl mulmxV.
+  have unit : Ad g (1%:M - A) \in unitmx by rewrite /Ad !unitmx_mul unitmx_inv unit_g minus.
+  have together X Y : Ad g X *m Ad g Y = Ad g (X *m Y) by rewrite /Ad !mulmxA mulmxKV.
+  apply: (can_inj (mulKmx unit)); rewrite together cayley_left // -one_plus -{1}one_minus cayley_left //.
+  by rewrite one_minus.
+apply: (can_inj (mulmxK minus)); rewrite cayley_right // !mulr2n !mulmxDl mulmxKV //.
+by by_expansion.
+Qed.
+
+(** ** Rotations from skew matrices and back
+
+For an invertible \f$Q + 1\f$, where \f$Q\f$ is orthogonal the matrix \f$\mathrm{cay}^{-1}(Q)\f$ is skew. The converse is
+the unitarity of the Cayley map of a skew matrix. *)
+Theorem inverse_cayley_skew Q : Q + 1%:M \in unitmx -> orthogonal Q -> skew (inverse_cayley Q).
+Proof.
+move=> plus o; rewrite /skew; have left := orthogonal_left o.
+have plus_T : Q^T + 1%:M \in unitmx by rewrite -[1%:M]trmx1 -raddfD unitmx_tr.
+have product : inverse_cayley Q *m (Q + 1%:M) = Q - 1%:M by rewrite mulmxKV.
+(* Both sides between Q^T + 1 and Q + 1. *)
+apply: (can_inj (mulKmx plus_T)); apply: (can_inj (mulmxK plus)).
+have transposed : (Q^T + 1%:M) *m (inverse_cayley Q)^T = Q^T - 1%:M.
+  by rewrite -[1%:M]trmx1 -raddfD -raddfB -trmx_mul product.
+rewrite transposed mulmxN mulNmx -mulmxA product; expanded; rewrite left.
+by by_expansion.
+Qed.
+
+(** ** A discretization without origin inherits the symmetry
+
+Remark 3.1.1. A discrete Lagrangian is the Lagrangian at an approximate configuration and velocity. Let these be
+\f$q = u(f)\,g_0\f$ and \f$\dot q = w(f)\,q\f$ with any two functions \f$u\f$ and \f$w\f$ of the relative motion
+\f$f = g_0g_1^{-1}\f$; in the chart by the Cayley map at \f$g_0\f$ they are half-way in the chart, and a multiple of
+\f$\mathrm{cay}^{-1}(f)\f$. Then the diagonal action on pairs is the lifted action on states, and the discrete
+Lagrangian is right-invariant where the Lagrangian is. *)
+Definition configuration_right (u : 'M[R]_n -> 'M[R]_n) g0 g1 := u (relative_motion_right g0 g1) *m g0.
+Definition velocity_right (u w : 'M[R]_n -> 'M[R]_n) g0 g1 :=
+  w (relative_motion_right g0 g1) *m configuration_right u g0 g1.
+
+Theorem rem_3_1_1 T (L : 'M[R]_n -> 'M[R]_n -> T) (u w : 'M[R]_n -> 'M[R]_n) :
+  let discrete g0 g1 := L (configuration_right u g0 g1) (velocity_right u w g0 g1) in
+  forall g0 g1 k, g1 \in unitmx -> k \in unitmx ->
+  [/\ configuration_right u (g0 *m k) (g1 *m k) = configuration_right u g0 g1 *m k,
+      velocity_right u w (g0 *m k) (g1 *m k) = velocity_right u w g0 g1 *m k
+    & (forall g v, L (g *m k) (v *m k) = L g v) -> discrete (g0 *m k) (g1 *m k) = discrete g0 g1].
+Proof.
+move=> discrete g0 g1 k unit_1 unit_k.
+have same : relative_motion_right (g0 *m k) (g1 *m k) = relative_motion_right g0 g1.
+  rewrite /relative_motion_right; apply: (can_inj (mulmxK unit_1)); apply: (can_inj (mulmxK unit_k)).
+  by rewrite -!mulmxA [invmx (g1 *m k) *m _]mulVmx ?unitmx_mul ?unit_1 // mulmx1 mulKmx.
+have place : configuration_right u (g0 *m k) (g1 *m k) = configuration_right u g0 g1 *m k.
+  by rewrite /configuration_right same mulmxA.
+have rate : velocity_right u w (g0 *m k) (g1 *m k) = velocity_right u w g0 g1 *m k.
+  by rewrite /velocity_right same place mulmxA.
+by split=> // invariance; rewrite /discrete place rate invariance.
+Qed.
+
+End Retraction.
