@@ -1,15 +1,15 @@
 (** * Isospectral steps: the vorticity of an ideal fluid as a matrix
 
-Chapter 10 of the thesis names as one ultimate objective a scheme for the vorticity of an ideal fluid that
-keeps all the known first integrals. On the sphere the vorticity becomes a matrix \f$W\f$, the stream function
-a matrix \f$P\f$ with \f$\Delta P = W\f$, and Euler's equation becomes \f$\dot W = [P, W]\f$, the Lie-Poisson
-equation of a group of matrices. This page is about the discrete Lie-Poisson algorithm of chapter 3 for that
-equation, with the Cayley map in place of the exponential map: what a step conserves, and what has to be
-assumed for it. Matrices have any size, and their entries lie in any commutative ring. *)
+Chapters 1 and 10 of the thesis name as an ultimate objective schemes for the vorticity of an ideal fluid that
+keep all the known first integrals: the Casimirs, which are the moments of the vorticity, with energy and
+angular momentum. On the sphere the vorticity can be read as a matrix \f$W\f$, the stream function as a matrix
+\f$P\f$ with \f$\Delta P = W\f$, and Euler's equation as \f$\dot W = [P, W]\f$, the Lie-Poisson equation of a
+group of matrices. This page is about the discrete Lie-Poisson algorithm of chapter 3 for that equation, with
+the Cayley map in place of the exponential map: what a step conserves, and what has to be assumed for it.
+Matrices have any size, and their entries lie in any commutative ring. *)
 
-From mathcomp Require Import all_ssreflect perm all_algebra.
-From Coq Require Import Ring.
-From actio Require Import matrices.
+From mathcomp Require Import all_ssreflect all_algebra.
+From actio Require Import matrices ring_identities derivations rotations.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -18,22 +18,14 @@ Unset Printing Implicit Defensive.
 Import GRing.Theory.
 Local Open Scope ring_scope.
 
-(* Products are expanded; what is left is a sum of products with whole coefficients, the same on both sides. *)
+(* Products are expanded; what is left is an equation between sums of products, which holds entry by entry. *)
 Ltac expanded :=
-  rewrite ?(mulmxDl, mulmxDr, mulmxBl, mulmxBr, mulNmx, mulmxN, mul1mx, mulmx1, mul0mx, mulmx0, mulmxA, mulr2n).
+  rewrite ?(mulmxDl, mulmxDr, mulmxBl, mulmxBr, mulNmx, mulmxN, mul1mx, mulmx1, mulmxA, mulr2n).
 Ltac named_products :=
   repeat match goal with |- context [?a *m ?b] => let x := fresh in set x := a *m b; clearbody x end.
 
-(* An equation between numbers, once the ring is declared; the instances of its structure are made one. *)
-Ltac entry_ring_over R :=
-  change (GRing.ComUnitRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.UnitRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.ComRing.zmodType R) with (GRing.Ring.zmodType R);
-  change (GRing.UnitRing.ringType R) with (GRing.ComUnitRing.ringType R);
-  change (GRing.ComRing.ringType R) with (GRing.ComUnitRing.ringType R);
-  repeat match goal with |- context [@fun_of_matrix _ _ _ ?M ?i ?j] =>
-    let x := fresh in set x : GRing.Zmodule.sort (GRing.Ring.zmodType R) := M i j; clearbody x end;
-  match goal with |- @eq _ ?x ?y => change (@eq (GRing.Zmodule.sort (GRing.Ring.zmodType R)) x y) end; ring.
+Ltac by_expansion :=
+  expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; ring_identity.
 
 (* det(t - XY) = det(t - YX), both from the determinant of a matrix of four blocks. *)
 Lemma det_exchange (S : comRingType) n (t : S) (X Y : 'M[S]_n) :
@@ -62,19 +54,6 @@ Section Step.
 Variables (R : comUnitRingType) (n : nat).
 Implicit Types A P Q U W X Y Wt : 'M[R]_n.
 
-Lemma ring_of_entries :
-  @ring_theory (GRing.Zmodule.sort (GRing.Ring.zmodType R)) 0 1 (@GRing.add (GRing.Ring.zmodType R)) *%R
-    (fun x y => @GRing.add (GRing.Ring.zmodType R) x (@GRing.opp (GRing.Ring.zmodType R) y))
-    (@GRing.opp (GRing.Ring.zmodType R)) eq.
-Proof.
-by split; [exact: add0r | exact: addrC | exact: addrA | exact: mul1r | exact: mulrC | exact: mulrA
-  | exact: mulrDl | | exact: subrr].
-Qed.
-Add Ring ring_of_entries : ring_of_entries.
-
-Ltac entry_ring := entry_ring_over R.
-Ltac by_expansion := expanded; named_products; apply/matrixP => ? ?; rewrite !mxE; entry_ring.
-
 (** ** A step *)
 
 (** A step is made of two matrices: \f$A\f$, which moves, and \f$\tilde W\f$, the vorticity half-way. The
@@ -85,7 +64,7 @@ Definition vorticity_before A Wt := (1%:M - A) *m Wt *m (1%:M + A).
 Definition vorticity_after A Wt := (1%:M + A) *m Wt *m (1%:M - A).
 
 (** The Cayley map, \f$\mathrm{cay}(A) = (1 - A)^{-1}(1 + A)\f$; the library's takes \f$2A\f$.
-C++: `actio::cayley`, `actio/groups/matrix_group.hpp`. *)
+C++: `actio::cayley`, `groups/matrix_group.hpp`. *)
 Definition cayley A := invmx (1%:M - A) *m (1%:M + A).
 
 (** The power \f$W^k\f$. *)
@@ -413,7 +392,8 @@ Qed.
 
 Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ instead, as in the discrete
 Lie-Poisson algorithm, the energy changes by
-\f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad \Delta Z = A\tilde WA - c , \f]
+\f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad
+\Delta Z = A\tilde WA - c , \f]
 a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$
 is not zero where that of \f$W_0\f$ is. *)
 Theorem energy_error A Wt P0 P1 P Z (c : R) :
@@ -548,7 +528,7 @@ Proof.
 move=> eigen other; split.
   by rewrite self_adjoint_sum !self_adjoint_scale eigen other !scalerA (mulrC a) (mulrC b).
 rewrite /bracket !mulmxDl !mulmxDr -!scalemxAl -!scalemxAr !scalerA; named_products.
-by apply/matrixP => i j; rewrite !mxE; entry_ring.
+by apply/matrixP => i j; rewrite !mxE; ring_identity.
 Qed.
 
 End Energy.
@@ -648,46 +628,36 @@ Qed.
 
 (** ** The step in the terms of chapter 3 *)
 
-(** A _derivation_ of matrices: additive, with Leibniz's rule. A derivative in any direction is one. *)
-Definition matrix_derivation (d : 'M[R]_n -> 'M[R]_n) :=
-  (forall X Y, d (X + Y) = d X + d Y) /\ (forall X Y, d (X *m Y) = d X *m Y + X *m d Y).
+Section Derivative.
 
-Section Derivation.
+Variable d : derivation R.
 
-Variable d : 'M[R]_n -> 'M[R]_n.
-Hypothesis derivation : matrix_derivation d.
+Lemma derivative_of_identity : derivative_of d (1%:M : 'M[R]_n) = 0.
+Proof. by apply/matrixP => i j; rewrite !mxE; case: (i == j); rewrite ?derivative_of_one ?raddf0. Qed.
 
-Lemma derivation_one : d 1%:M = 0.
-Proof.
-have := derivation.2 1%:M 1%:M; rewrite !mulmx1 !mul1mx -[X in X = _]addr0.
-by move/addrI.
-Qed.
-
-Lemma derivation_opp X : d (- X) = - d X.
-Proof.
-have zero : d 0 = 0 by apply: (addIr (d 0)); rewrite -derivation.1 addr0 add0r.
-by apply/eqP; rewrite -addr_eq0 -derivation.1 addNr zero.
-Qed.
+Lemma derivative_of_trace X : d (\tr X) = \tr (derivative_of d X).
+Proof. by rewrite /mxtrace raddf_sum; apply: eq_bigr => i _; rewrite mxE. Qed.
 
 (** ** The derivative of the Cayley map
 
-With \f$U = \mathrm{cay}(A)\f$ and any derivation \f$d\f$,
+With \f$U = \mathrm{cay}(A)\f$ and any derivation \f$d\f$ of the ring, which acts on matrices entry by entry,
 \f[ (1 - A)\,dU\,(1 - A) = 2\,dA, \qquad (1 - A)\,(dU\,U^{-1})\,(1 + A) = 2\,dA, \qquad
 (1 + A)\,(U^{-1}dU)\,(1 - A) = 2\,dA : \f]
 the derivative as it is, translated to the identity on the right, and on the left. *)
 Theorem derivative_of_cayley A : 1%:M - A \in unitmx ->
-  (1%:M - A) *m d (cayley A) *m (1%:M - A) = d A *+ 2 /\
+  (1%:M - A) *m derivative_of d (cayley A) *m (1%:M - A) = derivative_of d A *+ 2 /\
   (1%:M + A \in unitmx ->
-    (1%:M - A) *m (d (cayley A) *m invmx (cayley A)) *m (1%:M + A) = d A *+ 2 /\
-    (1%:M + A) *m (invmx (cayley A) *m d (cayley A)) *m (1%:M - A) = d A *+ 2).
+    (1%:M - A) *m (derivative_of d (cayley A) *m invmx (cayley A)) *m (1%:M + A) = derivative_of d A *+ 2 /\
+    (1%:M + A) *m (invmx (cayley A) *m derivative_of d (cayley A)) *m (1%:M - A) = derivative_of d A *+ 2).
 Proof.
 move=> minus; set U := cayley A.
 have product := cayley_left minus.
-have plain : (1%:M - A) *m d U *m (1%:M - A) = d A *+ 2.
+have plain : (1%:M - A) *m derivative_of d U *m (1%:M - A) = derivative_of d A *+ 2.
   (* Leibniz's rule for (1 - A) U = 1 + A. *)
-  have := derivation.2 (1%:M - A) U; rewrite product !derivation.1 derivation_opp derivation_one !add0r.
+  have := derivative_of_matrix_product d (1%:M - A) U.
+  rewrite product !derivative_of_matrix_sum derivative_of_matrix_opp derivative_of_identity !add0r.
   rewrite mulNmx addrC => /eqP; rewrite eq_sym subr_eq => /eqP ->.
-  rewrite mulmxDl -[d A *m U *m _]mulmxA cayley_right //.
+  rewrite mulmxDl -[derivative_of d A *m U *m _]mulmxA cayley_right //.
   by by_expansion.
 split=> // plus; have unit : U \in unitmx by apply: cayley_unit.
 have right : invmx U *m (1%:M + A) = 1%:M - A.
@@ -704,15 +674,16 @@ Let the derivative of a function of \f$A\f$ be \f$2\,\mathrm{Tr}(\tilde W\,dA)\f
 \f[ 2\,\mathrm{Tr}(\tilde W\,dA) = \mathrm{Tr}(W_1\,dU\,U^{-1}) = \mathrm{Tr}(W_0\,U^{-1}dU) : \f]
 its differential at \f$U\f$, translated to the identity on the two sides, is \f$W_1\f$ and \f$W_0\f$. *)
 Theorem legendre_images A Wt : 1%:M - A \in unitmx -> 1%:M + A \in unitmx ->
-  \tr (vorticity_after A Wt *m (d (cayley A) *m invmx (cayley A))) = \tr (Wt *m d A) *+ 2 /\
-  \tr (vorticity_before A Wt *m (invmx (cayley A) *m d (cayley A))) = \tr (Wt *m d A) *+ 2.
+  let U := cayley A in let dU := derivative_of d U in
+  \tr (vorticity_after A Wt *m (dU *m invmx U)) = \tr (Wt *m derivative_of d A) *+ 2 /\
+  \tr (vorticity_before A Wt *m (invmx U *m dU)) = \tr (Wt *m derivative_of d A) *+ 2.
 Proof.
-move=> minus plus; have [_ /(_ plus) [right left]] := derivative_of_cayley minus.
+move=> minus plus U dU; have [_ /(_ plus) [right left]] := derivative_of_cayley minus.
 (* The trace moves the factors 1 - A and 1 + A from one matrix to the other. *)
 by rewrite /vorticity_after /vorticity_before !trace_turn right left mulr2n mulmxDr raddfD -mulr2n.
 Qed.
 
-End Derivation.
+End Derivative.
 
 (** ** The difference of two values of the Cayley map
 
@@ -721,7 +692,8 @@ without a limit: so the map is injective where 2 is no divisor of zero. *)
 Theorem cayley_difference A B : 1%:M - A \in unitmx -> 1%:M - B \in unitmx ->
   (1%:M - B) *m (cayley B - cayley A) *m (1%:M - A) = (B - A) *+ 2.
 Proof.
-move=> minus other; rewrite [_ *m (cayley B - _)]mulmxBr mulmxBl cayley_left // -[X in _ - X]mulmxA cayley_right //.
+move=> minus other; rewrite [_ *m (cayley B - _)]mulmxBr mulmxBl cayley_left // -[X in _ - X]mulmxA.
+rewrite cayley_right //.
 by by_expansion.
 Qed.
 
@@ -734,12 +706,13 @@ Definition differential_at_motion A Wt := - ((1%:M + A) *m Wt *m (1%:M + A))^T.
 
 (** It is the differential: its pairing with \f$df\f$ is \f$2\,\mathrm{Tr}(\tilde W\,dA)\f$, whatever the
 derivation. *)
-Lemma differential_is_derivative (d : 'M[R]_n -> 'M[R]_n) A Wt : matrix_derivation d -> 1%:M + A \in unitmx ->
-  pairing (differential_at_motion A Wt) (d (relative_motion A)) = \tr (Wt *m d A) *+ 2.
+Lemma differential_is_derivative (d : derivation R) A Wt : 1%:M + A \in unitmx ->
+  pairing (differential_at_motion A Wt) (derivative_of d (relative_motion A)) =
+  \tr (Wt *m derivative_of d A) *+ 2.
 Proof.
-move=> derivation plus; have minus : 1%:M - - A \in unitmx by rewrite opprK.
-have [plain _] := derivative_of_cayley derivation minus.
-move: plain; rewrite opprK (derivation_opp derivation) => plain.
+move=> plus; have minus : 1%:M - - A \in unitmx by rewrite opprK.
+have [plain _] := derivative_of_cayley d minus.
+move: plain; rewrite opprK derivative_of_matrix_opp => plain.
 rewrite /pairing /differential_at_motion raddfN /= trmxK mulNmx raddfN /= trace_turn plain.
 by rewrite mulNrn mulmxN raddfN opprK mulr2n mulmxDr raddfD -mulr2n.
 Qed.
@@ -796,19 +769,17 @@ Qed.
 
 (** ** The differential of the Lagrangian
 
-For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$ whose value on numbers is
-\f$\partial\f$,
-\f[ \partial\,\mathrm{Tr}(A\,\Delta A) = 2\,\mathrm{Tr}(\Delta A\,dA) . \f]
+For a self-adjoint \f$\Delta\f$ that commutes with a derivation \f$d\f$,
+\f[ d\,\mathrm{Tr}(A\,\Delta A) = 2\,\mathrm{Tr}(\Delta A\,dA) . \f]
 So for \f$A = \epsilon P\f$, \f$\Delta P = \tilde W\f$, the Lagrangian of the steps above is
 \f$\frac1\epsilon\mathrm{Tr}(A\,\Delta A)\f$, a multiple of the kinetic energy. On matrices of trace zero
 \f$\Delta P = \tilde W - c\f$ gives the same differential. *)
-Theorem lagrangian_differential (Laplacian d : 'M[R]_n -> 'M[R]_n) (der : R -> R) A :
-  self_adjoint Laplacian -> matrix_derivation d -> (forall X, d (Laplacian X) = Laplacian (d X)) ->
-  (forall X, der (\tr X) = \tr (d X)) ->
-  der (\tr (A *m Laplacian A)) = \tr (Laplacian A *m d A) *+ 2.
+Theorem lagrangian_differential (Laplacian : 'M[R]_n -> 'M[R]_n) (d : derivation R) A :
+  self_adjoint Laplacian -> (forall X, derivative_of d (Laplacian X) = Laplacian (derivative_of d X)) ->
+  d (\tr (A *m Laplacian A)) = \tr (Laplacian A *m derivative_of d A) *+ 2.
 Proof.
-move=> adjoint derivation commute trace.
-by rewrite trace derivation.2 raddfD /= commute -(adjoint A) mxtrace_mulC mulr2n.
+move=> adjoint commute; rewrite derivative_of_trace derivative_of_matrix_product raddfD /= commute.
+by rewrite -(adjoint A) mxtrace_mulC mulr2n.
 Qed.
 
 (** ** Equations of the vorticity as a Lie-Poisson equation
@@ -903,23 +874,21 @@ Proof. by move=> inverse; rewrite -starM inverse star1. Qed.
 (** ** The Cayley map of a skew matrix is unitary
 
 Where \f$A^* = -A\f$ and \f$1 - A\f$ has an inverse, so has \f$1 + A\f$, and \f$U = \mathrm{cay}(A)\f$ has
-\f$U^*U = UU^* = 1\f$. The step is then \f$W_1 = UW_0U^*\f$. *)
+\f$U^*U = UU^* = 1\f$. Then \f$\mathrm{Ad}_UX = UXU^*\f$ for every \f$X\f$: the step is \f$W_1 = UW_0U^*\f$,
+and the finish without convergence adds \f$UrU^*\f$. *)
 Theorem cayley_unitary A : star A = - A -> 1%:M - A \in unitmx ->
   [/\ 1%:M + A \in unitmx, star (cayley A) *m cayley A = 1%:M, cayley A *m star (cayley A) = 1%:M
-    & forall Wt, vorticity_after A Wt = cayley A *m vorticity_before A Wt *m star (cayley A)].
+    & forall X, Ad (cayley A) X = cayley A *m X *m star (cayley A)].
 Proof.
-move=> skew minus.
-have inverse := star_unit (mulVmx minus).
-have starred_factor : star (1%:M - A) = 1%:M + A by rewrite starD starN star1 skew opprK.
-have plus : 1%:M + A \in unitmx by rewrite starred_factor in inverse; case: (mulmx1_unit inverse).
+move=> skew minus; have inverse := star_unit (mulVmx minus).
+have factor : star (1%:M - A) = 1%:M + A by rewrite starD starN star1 skew opprK.
+have plus : 1%:M + A \in unitmx by rewrite -factor; case: (mulmx1_unit inverse).
 have star_inverse : star (invmx (1%:M - A)) = invmx (1%:M + A).
-  by rewrite -starred_factor -[LHS](mulKmx (_ : star (1%:M - A) \in unitmx)) ?inverse ?mulmx1 // starred_factor.
+  by rewrite -[LHS](mulKmx plus) -{2}factor inverse mulmx1.
 have adjoint : star (cayley A) = cayley (- A).
-  rewrite [in RHS]cayley_commute ?opprK // /cayley starM star_inverse starD star1 skew.
-  by [].
-have one := cayley_inverse minus plus.
-rewrite adjoint; split=> //; first exact: mulmx1C.
-by move=> Wt; rewrite (proj2 (step_conjugates _ minus) plus) /Ad cayley_inv.
+  by rewrite [in RHS]cayley_commute ?opprK // /cayley starM star_inverse starD star1 skew.
+have one := cayley_inverse minus plus; rewrite adjoint.
+by split=> // [|X]; [exact: mulmx1C | rewrite /Ad cayley_inv].
 Qed.
 
 (** ** One product is enough
@@ -967,7 +936,8 @@ Qed.
 (** ** Which group the Cayley map reaches
 
 For matrices of two and of three rows,
-\f[ \det(1 + A) - \det(1 - A) = 2\,\mathrm{Tr}A, \qquad \det(1 + A) - \det(1 - A) = 2\,(\mathrm{Tr}A + \det A) . \f]
+\f[ \det(1 + A) - \det(1 - A) = 2\,\mathrm{Tr}A, \qquad
+\det(1 + A) - \det(1 - A) = 2\,(\mathrm{Tr}A + \det A) . \f]
 So for \f$\mathrm{Tr}A = 0\f$ the determinant of \f$\mathrm{cay}(A)\f$ is 1 in \f$\mathrm{SU}(2)\f$; in
 \f$\mathrm{SU}(3)\f$ it is 1 only where \f$2\det A = 0\f$, and \f$A = \mathrm{diag}(i, i, -2i)\f$ leaves the
 group. A multiple of \f$U\f$ makes the same step: what moves the vorticity is an element of the unitary group
@@ -986,156 +956,39 @@ have minus m (X : 'M[R]_m) x : (forall i j, X i j = x (i : nat) (j : nat)) ->
 rewrite /mxtrace !big_ord_recl !big_ord0 !entry_a !entry_b; split.
   rewrite [\det (1%:M + A)](det_of_two (a := fun i j => (i == j)%:R + a i j) (plus _ _ _ entry_a)).
   rewrite [\det (1%:M - A)](det_of_two (a := fun i j => (i == j)%:R - a i j) (minus _ _ _ entry_a)) /=.
-  by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
+  by signs; rewrite /bump mulr2n /= ?add1n; ring_identity.
 rewrite [\det (1%:M + B)](det_of_three (a := fun i j => (i == j)%:R + b i j) (plus _ _ _ entry_b)).
 rewrite [\det (1%:M - B)](det_of_three (a := fun i j => (i == j)%:R - b i j) (minus _ _ _ entry_b)).
 rewrite (det_of_three entry_b) /=.
-by signs; rewrite /bump mulr2n /= ?add1n; entry_ring.
+by signs; rewrite /bump mulr2n /= ?add1n; ring_identity.
 Qed.
 
 End Step.
 
-(** ** The rigid body in space *)
+(** ** Euler's equation in continuous time
 
-Section RigidBody.
-
-Variable R : comUnitRingType.
-Add Ring ring_of_numbers : (ring_of_entries R).
-
-(* The matrix with three given rows. *)
-Definition grid (r : seq (seq R)) : 'M[R]_3 := \matrix_(i, j) nth 0 (nth [::] r i) j.
-
-(** The skew matrix of a vector, \f$\hat a\,b = a\times b\f$. *)
-Definition hat (x y z : R) : 'M[R]_3 := grid [:: [:: 0; - z; y]; [:: z; 0; - x]; [:: - y; x; 0]].
-
-Ltac nine_entries :=
-  apply/matrixP; case=> [] [|[|[|?]]] // ?; case=> [] [|[|[|?]]] // ?;
-  rewrite ?(mxE, big_ord_recl, big_ord0) /=; entry_ring_over R.
-
-(* The product of two of them: x a^T less the multiple (a . x) of the identity. *)
-Lemma hat_product (a b c x y z : R) : hat a b c *m hat x y z =
-  grid [:: [:: - (b * y + c * z); x * b; x * c]; [:: y * a; - (a * x + c * z); y * c];
-           [:: z * a; z * b; - (a * x + b * y)]].
-Proof. by nine_entries. Qed.
-
-Lemma hat_bracket (a b c x y z : R) :
-  bracket (hat a b c) (hat x y z) = hat (b * z - c * y) (c * x - a * z) (a * y - b * x).
-Proof. by rewrite /bracket !hat_product; nine_entries. Qed.
-
-Lemma hat_square (a b c x y z : R) :
-  hat a b c *m hat x y z *m hat a b c = - ((a * x + b * y + c * z) *: hat a b c).
-Proof. by rewrite hat_product; nine_entries. Qed.
-
-(** ** The step in space
-
-On \f$\mathrm{so}(3)\f$, with \f$A = \hat a\f$ and \f$\tilde W = \hat w\f$, the momenta before and after the
-step are
-\f[ w - a\times w + (a\cdot w)\,a, \qquad w + a\times w + (a\cdot w)\,a . \f]
-With \f$a\f$ parallel to the angular velocity of \f$w\f$ this is the discrete Lie-Poisson algorithm of a rigid
-body with the Cayley map; with \f$a\f$ parallel to that of their sum it conserves energy and length. *)
-Theorem rigid_body_step (a b c x y z : R) : let dot := a * x + b * y + c * z in
-  vorticity_before (hat a b c) (hat x y z) =
-    hat (x - (b * z - c * y) + dot * a) (y - (c * x - a * z) + dot * b) (z - (a * y - b * x) + dot * c) /\
-  vorticity_after (hat a b c) (hat x y z) =
-    hat (x + (b * z - c * y) + dot * a) (y + (c * x - a * z) + dot * b) (z + (a * y - b * x) + dot * c).
-Proof.
-move=> dot; have [_ mean] := step_mean (hat a b c) (hat x y z); have := step_increment (hat a b c) (hat x y z).
-rewrite mulr2n => /eqP; rewrite subr_eq -addrA [bracket _ _ + vorticity_before _ _]addrC mean => /eqP ->.
-have -> : vorticity_before (hat a b c) (hat x y z) =
-    hat x y z - hat a b c *m hat x y z *m hat a b c - bracket (hat a b c) (hat x y z).
-  by rewrite -mean addrK.
-by rewrite hat_square hat_bracket opprK /dot; split; nine_entries.
-Qed.
-
-End RigidBody.
-
-(** ** Euler's equation in continuous time *)
-
-(** A _derivation_ of numbers, in the place of the derivative by time: additive, with Leibniz's rule. *)
-Definition derivation (R : ringType) (der : R -> R) :=
-  (forall a b, der (a + b) = der a + der b) /\ (forall a b, der (a * b) = der a * b + a * der b).
-
-Section Derivations.
-
-Variables (R : comRingType) (der : R -> R).
-Hypothesis rule : derivation der.
-
-Lemma der0 : der 0 = 0.
-Proof. by apply: (addIr (der 0)); rewrite -rule.1 addr0 add0r. Qed.
-
-Lemma derN a : der (- a) = - der a.
-Proof. by apply/eqP; rewrite -addr_eq0 -rule.1 addNr der0. Qed.
-
-Lemma der1 : der 1 = 0.
-Proof. by have := rule.2 1 1; rewrite !mulr1 mul1r -[X in X = _]addr0 => /addrI. Qed.
-
-Lemma der_sign k a : der ((-1) ^+ k * a) = (-1) ^+ k * der a.
-Proof. by rewrite -signr_odd; case: (odd k); rewrite ?mulN1r ?mul1r ?derN. Qed.
-
-Lemma der_sum (I : Type) (r : seq I) (P : pred I) F : der (\sum_(i <- r | P i) F i) = \sum_(i <- r | P i) der (F i).
-Proof. by apply: (big_morph der rule.1 der0). Qed.
-
-Lemma der_prod (I : eqType) (r : seq I) F : uniq r ->
-  der (\prod_(i <- r) F i) = \sum_(i <- r) der (F i) * \prod_(k <- r | i != k) F k.
-Proof.
-elim: r => [|i r hyp]; first by rewrite !big_nil der1.
-case/andP=> new distinct; rewrite !big_cons eqxx rule.2 hyp //; congr (_ + _).
-  congr (_ * _); rewrite big_seq [RHS]big_seq_cond; apply: eq_bigl => k.
-  by case: (boolP (k \in r)) => //= inside; apply/esym; apply: contraNneq new => ->.
-rewrite mulr_sumr big_seq [RHS]big_seq; apply: eq_bigr => k inside.
-rewrite big_cons (_ : k != i); first by rewrite mulrCA.
-by apply: contraNneq new => <-.
-Qed.
-
-(* Jacobi's formula: the derivative of a determinant. *)
-Lemma der_det n (M : 'M[R]_n) : der (\det M) = \tr (map_mx der M *m \adj M).
-Proof.
-rewrite /determinant der_sum; under eq_bigr do rewrite der_sign der_prod ?index_enum_uniq // mulr_sumr.
-rewrite exchange_big; apply: eq_bigr => i _; rewrite mxE.
-rewrite (partition_big (fun s : {perm 'I_n} => s i) xpredT) //=; apply: eq_bigr => j _.
-rewrite !mxE expand_cofactor mulr_sumr; apply: eq_bigr => s /eqP <-.
-by rewrite mulrCA.
-Qed.
-
-(** Where a matrix changes by a bracket, its determinant does not change. *)
-Lemma der_det_bracket n (P M : 'M[R]_n) : map_mx der M = P *m M - M *m P -> der (\det M) = 0.
-Proof.
-move=> change; rewrite der_det change mulmxBl raddfB /= -!mulmxA mul_mx_adj.
-by rewrite [\tr (M *m _)]mxtrace_mulC -mulmxA mul_adj_mx subrr.
-Qed.
-
-(* The derivation of polynomials that acts on their coefficients. *)
-Lemma derivation_of_coefficients : derivation (map_poly der).
-Proof.
-split=> p q; apply/polyP => k; first by rewrite coefD !coef_map_id0 ?der0 // coefD rule.1.
-rewrite coefD !coefM coef_map_id0 ?der0 // coefM der_sum -big_split /=; apply: eq_bigr => i _.
-by rewrite rule.2 !coef_map_id0 ?der0.
-Qed.
-
-End Derivations.
+The derivative by time is any derivation of the ring of numbers; on matrices it acts entry by entry. *)
 
 Section Euler.
 
-Variables (R : comUnitRingType) (n : nat) (der : R -> R).
-Hypothesis rule : derivation der.
+Variables (R : comUnitRingType) (n : nat) (d : derivation R).
 Implicit Types P W : 'M[R]_n.
 
-(** The derivative of a matrix, entry by entry. *)
-Definition rate W := map_mx der W.
-
-Lemma rate_mul (X Y : 'M[R]_n) : rate (X *m Y) = rate X *m Y + X *m rate Y.
-Proof.
-apply/matrixP => i j; rewrite !mxE (der_sum rule) -big_split; apply: eq_bigr => k _.
-by rewrite rule.2 !mxE.
-Qed.
-
-Lemma rate_power P W k : rate W = bracket P W -> rate (power W k) = bracket P (power W k).
+Lemma derivative_of_power P W k : derivative_of d W = bracket P W ->
+  derivative_of d (power W k) = bracket P (power W k).
 Proof.
 move=> equation; elim: k => [|k hyp].
-  apply/matrixP => i j; rewrite /bracket mulmx1 mul1mx !mxE subrr.
-  by case: (i == j); rewrite ?(der1 rule) ?(der0 rule).
-rewrite powerS rate_mul hyp equation /bracket mulmxBl mulmxBr !mulmxA.
+  by rewrite derivative_of_identity /bracket mulmx1 mul1mx subrr.
+rewrite powerS derivative_of_matrix_product hyp equation /bracket mulmxBl mulmxBr !mulmxA.
 by rewrite addrA subrK.
+Qed.
+
+(* Where a matrix changes by a bracket, its determinant does not change. *)
+Lemma determinant_of_bracket (S : comRingType) (c : derivation S) (P M : 'M[S]_n) :
+  derivative_of c M = P *m M - M *m P -> c (\det M) = 0.
+Proof.
+move=> change; rewrite derivative_of_determinant change mulmxBr raddfB /= !mulmxA mul_adj_mx.
+by rewrite mxtrace_mulC mulmxA mul_mx_adj subrr.
 Qed.
 
 (** ** The moments of the vorticity
@@ -1150,27 +1003,19 @@ Proof. by rewrite bracketN mulmxN raddfN /= trace_commuting ?oppr0 // -powerS po
 Let \f$\dot W = [P, W]\f$, with a derivation of the numbers in the place of the derivative by time and \f$P\f$
 any matrix. Then \f$\frac{d}{dt}W^k = [P, W^k]\f$, so \f$\frac{d}{dt}\mathrm{Tr}(W^k) = 0\f$ for every
 \f$k\f$, and every coefficient of the characteristic polynomial is constant. *)
-Theorem euler_equation_casimirs P W : rate W = bracket P W ->
-  (forall k, der (casimir k W) = 0) /\ (forall i, der (char_poly W)`_i = 0).
+Theorem euler_equation_casimirs P W : derivative_of d W = bracket P W ->
+  (forall k, d (casimir k W) = 0) /\ (forall i, d (char_poly W)`_i = 0).
 Proof.
 move=> equation; split=> [k | i].
-  have -> : der (casimir k W) = \tr (rate (power W k)).
-    by rewrite /casimir /mxtrace (der_sum rule); apply: eq_bigr => i _; rewrite mxE.
-  by rewrite (rate_power _ equation) /bracket raddfB /= mxtrace_mulC subrr.
-have rules := derivation_of_coefficients rule.
-rewrite -(coef_map_id0 _ _ (der0 rule)) /char_poly.
-rewrite (der_det_bracket rules (P := map_mx polyC P)) ?coef0 //.
+  by rewrite derivative_of_trace (derivative_of_power _ equation) /bracket raddfB /= mxtrace_mulC subrr.
 (* z - W changes by the bracket of P with it, as W does. *)
+have -> : d (char_poly W)`_i = (coefficient_derivative d (char_poly W))`_i by rewrite coef_map.
+rewrite /char_poly (determinant_of_bracket (P := map_mx polyC P)) ?coef0 //.
 have -> : map_mx polyC P *m char_poly_mx W - char_poly_mx W *m map_mx polyC P = - map_mx polyC (bracket P W).
-  by rewrite /char_poly_mx mulmxBl mulmxBr scalar_mxC opprB addrC addrA subrK -!map_mxM /bracket map_mxB opprB.
-have constant c : map_poly der c%:P = (der c)%:P.
-  by apply/polyP => m; rewrite coef_map_id0 ?der0 // !coefC; case: eqP; rewrite ?der0.
-have variable b : map_poly der ('X *+ b) = 0.
-  apply/polyP => m; rewrite coef_map_id0 ?der0 // coefMn coefX coef0 -mulrnA.
-  by case: (_ * _)%N; [exact: der0 | move=> d; elim: d => [|d hyp]; rewrite ?(der1 rule) // mulrS rule.1 hyp
-    (der1 rule) addr0].
-rewrite -equation /char_poly_mx; apply/matrixP => j k; rewrite !mxE rules.1 (derN rules) variable add0r.
-by rewrite constant.
+  rewrite /char_poly_mx mulmxBl mulmxBr scalar_mxC opprB addrC addrA subrK -!map_mxM.
+  by rewrite /bracket map_mxB opprB.
+apply/matrixP => j k; rewrite -equation /char_poly_mx !mxE raddfB raddfMn /=.
+by rewrite coefficient_derivative_X coefficient_derivative_C mul0rn sub0r.
 Qed.
 
 (** ** Euler's equation conserves energy and angular momentum
@@ -1179,21 +1024,69 @@ Let \f$\Delta\f$ be self-adjoint and commute with the derivation, \f$\Delta P = 
 \f$\dot W = [P, W]\f$. Then the energy \f$\mathrm{Tr}(PW)\f$ is constant; and twice the derivative of
 \f$\mathrm{Tr}(XW)\f$ is zero, for every constant \f$X\f$ under which \f$\Delta\f$ is invariant. *)
 Theorem euler_equation_energy (Laplacian : 'M[R]_n -> 'M[R]_n) P W :
-  self_adjoint Laplacian -> (forall Y, rate (Laplacian Y) = Laplacian (rate Y)) ->
-  Laplacian P = W -> rate W = bracket P W ->
-  der (energy P W) = 0 /\
-  (forall X, invariant Laplacian X -> rate X = 0 -> der (\tr (X *m W)) *+ 2 = 0).
+  self_adjoint Laplacian -> (forall Y, derivative_of d (Laplacian Y) = Laplacian (derivative_of d Y)) ->
+  Laplacian P = W -> derivative_of d W = bracket P W ->
+  d (energy P W) = 0 /\
+  (forall X, invariant Laplacian X -> derivative_of d X = 0 -> d (\tr (X *m W)) *+ 2 = 0).
 Proof.
 move=> adjoint commute stream equation.
-have trace Y : der (\tr Y) = \tr (rate Y).
-  by rewrite /mxtrace (der_sum rule); apply: eq_bigr => i _; rewrite mxE.
 have level : \tr (P *m bracket P W) = 0 by apply: trace_commuting.
 split=> [| X invariance constant].
-  have first : \tr (rate P *m W) = \tr (P *m rate W).
+  have first : \tr (derivative_of d P *m W) = \tr (P *m derivative_of d W).
     by rewrite -[in LHS]stream -adjoint -commute stream mxtrace_mulC.
-  by rewrite /energy trace rate_mul raddfD /= first equation level addr0.
-rewrite trace rate_mul constant mul0mx add0r equation -stream.
+  by rewrite /energy derivative_of_trace derivative_of_matrix_product raddfD /= first equation level addr0.
+rewrite derivative_of_trace derivative_of_matrix_product constant mul0mx add0r equation -stream.
 exact: noether_identity.
 Qed.
 
 End Euler.
+
+(** ** The rigid body of any dimension
+
+The operator of inertia \f$J(\Omega) = \Lambda\Omega + \Omega\Lambda\f$ (section 5.0) is self-adjoint for
+every matrix \f$\Lambda\f$, and invariant under every \f$X\f$ that commutes with it. So all that is said above
+of \f$\Delta\f$ holds for the free rigid body of any dimension: the Casimirs of the momentum are conserved by
+every step, the energy by one with \f$A\f$ parallel to the sum of the velocities before and after. *)
+Theorem inertia_operator_self_adjoint (R : comUnitRingType) n (Lambda : 'M[R]_n) :
+  self_adjoint (inertia_operator Lambda) /\
+  (forall X, bracket X Lambda = 0 -> invariant (inertia_operator Lambda) X).
+Proof.
+split=> [X Y | X].
+  rewrite /inertia_operator mulmxDl mulmxDr !raddfD /= addrC; congr (_ + _); first by rewrite mulmxA.
+  by rewrite -mulmxA mxtrace_mulC mulmxA.
+move=> /eqP; rewrite subr_eq0 => /eqP commutes Y; rewrite /inertia_operator /bracket; expanded.
+by rewrite -commutes -!mulmxA -commutes; by_expansion.
+Qed.
+
+(** ** A step of the rigid body in space
+
+On \f$\mathfrak{so}(3)\f$, with \f$A = \hat a\f$ and \f$\tilde W = \hat w\f$, the momenta before and after a
+step are
+\f[ w - a\times w + (a\cdot w)\,a, \qquad w + a\times w + (a\cdot w)\,a . \f]
+Their lengths are equal for every \f$a\f$. *)
+Theorem rigid_body_step (R : comUnitRingType) (a w : 'I_3 -> R) :
+  let along i := w i + dot a w * a i in
+  [/\ vorticity_before (hat a) (hat w) = hat (fun i => along i - cross a w i),
+      vorticity_after (hat a) (hat w) = hat (fun i => along i + cross a w i)
+    & dot (fun i => along i - cross a w i) (fun i => along i - cross a w i) =
+      dot (fun i => along i + cross a w i) (fun i => along i + cross a w i)].
+Proof.
+move=> along; have [_ mean] := step_mean (hat a) (hat w).
+have square : hat w - hat a *m hat w *m hat a = hat along.
+  apply/matrixP; apply: axes; apply: axes;
+    rewrite !(mxE, sum_over_axes) /= /along /dot ?sum_over_axes ?next3; ring_identity.
+have before : vorticity_before (hat a) (hat w) = hat along - hat (cross a w).
+  by rewrite -square -mean -hat_bracket addrK.
+have after : vorticity_after (hat a) (hat w) = hat along + hat (cross a w).
+  rewrite -square -mean -hat_bracket -[LHS](subrK (vorticity_before (hat a) (hat w))) step_increment.
+  by rewrite mulr2n addrC addrA.
+have opposite : dot along (cross a w) = 0.
+  rewrite /along /dot /cross !sum_over_axes !next3; ring_identity.
+split; first by rewrite before; apply/matrixP; apply: axes; apply: axes; rewrite !mxE /=; ring_identity.
+  by rewrite after; apply/matrixP; apply: axes; apply: axes; rewrite !mxE /=; ring_identity.
+set v := cross a w in opposite *.
+have -> : dot (fun i => along i - v i) (fun i => along i - v i) =
+    dot (fun i => along i + v i) (fun i => along i + v i) - dot along v *+ 4.
+  by rewrite /dot !sum_over_axes; ring_identity.
+by rewrite opposite mul0rn subr0.
+Qed.
