@@ -1,11 +1,11 @@
 (** * Continuous media
 
-Section 6.2 for the density (6.3) of a continuous medium: momenta and energy, the equation of motion (6.13), the
-pressure of a fluid, and the stresses of a solid. Functions on jets and on space-time form a commutative ring, in
-which 2 and the roots of the determinants of the metrics have inverses; a derivative is a derivation of it. What is
-proved holds in all dimensions \f$n\f$ of the body and \f$N\f$ of space, in all metrics. Space-time has the
-coordinates \f$x^0 = t\f$ and \f$x^k\f$, \f$k = 1, \dots, n\f$; \f$F^a{}_k = v^a{}_k\f$ is the deformation
-gradient. *)
+Section 6.2 for the density (6.3) of a continuous medium: momenta and energy, the equation of motion (6.13),
+the pressure of a fluid, and the stresses of a solid. Functions on jets and on space-time form a commutative
+ring, in which 2 and the roots of the determinants of the metrics have inverses; a derivative is a derivation
+of it. What is proved holds in all dimensions \f$n\f$ of the body and \f$N\f$ of space, in all metrics.
+Space-time has the coordinates \f$x^0 = t\f$ and \f$x^k\f$, \f$k = 1, \dots, n\f$; \f$F^a{}_k = v^a{}_k\f$ is
+the deformation gradient. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices ring_identities derivations fields.
@@ -23,8 +23,8 @@ Section Energy.
 
 Variables (R : comUnitRingType) (n N : nat).
 
-(** Mass density, \f$\sqrt{\det G}\f$, the metric of space, velocity and deformation gradient at a jet, the stored
-energy there and its derivatives \f$\partial W/\partial v^a{}_j\f$. *)
+(** Mass density, \f$\sqrt{\det G}\f$, the metric of space, velocity and deformation gradient at a jet, the
+stored energy there and its derivatives \f$\partial W/\partial v^a{}_j\f$. *)
 Variables (rho vol : R) (g : 'M[R]_N) (velocity : 'I_N -> R) (F : 'I_N -> 'I_n -> R) (W : R)
           (W_F : 'I_N -> 'I_n -> R).
 
@@ -75,8 +75,8 @@ Qed.
 
 (** ** The two expressions of the energy
 
-\f$p_a{}^0v^a{}_0 - L\f$ and \f$\mathbb K + \mathbb P\f$ are the same, because \f$\mathbb K\f$ is quadratic in the
-velocity; the metric need not be symmetric for that. *)
+\f$p_a{}^0v^a{}_0 - L\f$ and \f$\mathbb K + \mathbb P\f$ are the same, because \f$\mathbb K\f$ is quadratic in
+the velocity; the metric need not be symmetric for that. *)
 Theorem claim_6_2_energy_two_expressions : energy = kinetic + potential.
 Proof. rewrite /energy power_of_momentum /density; ring_identity. Qed.
 
@@ -89,16 +89,18 @@ Proof. rewrite /affine_momentum_of_medium /energy; ring_identity. Qed.
 
 End Energy.
 
-(** The printed \f$\Pi = -p_a{}^jv^a{}_j - \sqrt{\det G}\,e\f$ has the factor once more. It fails for a particle of dust
-with \f$\sqrt{\det G} = 2\f$. *)
+(** The printed \f$\Pi = -p_a{}^jv^a{}_j - \sqrt{\det G}\,e\f$ has the factor once more. It fails for a
+particle of dust with \f$\sqrt{\det G} = 2\f$. *)
 Theorem claim_6_2_affine_momentum_energy_printed_fails :
   ~ (forall (n N : nat) (rho vol : rat) (g : 'M[rat]_N) velocity (F : 'I_N -> 'I_n -> rat) W W_F,
       0 < rho -> 0 < vol -> g^T = g ->
       affine_momentum_of_medium rho vol g velocity F W W_F
       = - (\sum_a \sum_j space_momentum rho vol W_F a j * F a j) - vol * energy rho vol g velocity W).
 Proof.
-move=> claim; have := claim 1%N 1%N 1 2%:R 1%:M (fun _ => 1) (fun _ _ => 0) 0 (fun _ _ => 0) isT isT (trmx1 _ _).
-rewrite claim_6_2_affine_momentum_energy claim_6_2_energy_two_expressions // /kinetic /potential /speed_squared.
+move=> claim; have := claim 1%N 1%N 1 2%:R 1%:M (fun _ => 1) (fun _ _ => 0) 0 (fun _ _ =>
+  0) isT isT (trmx1 _ _).
+rewrite claim_6_2_affine_momentum_energy claim_6_2_energy_two_expressions // /kinetic /potential
+  /speed_squared.
 rewrite !big_ord1 !mxE => /eqP; by vm_compute.
 Qed.
 
@@ -139,9 +141,8 @@ Qed.
 
 (** ** The Christoffel symbols
 
-They are the symmetric symbols under which the metric is parallel,
-\f$\frac{\partial g_{ab}}{\partial y^c} = g_{db}\,\gamma^d_{ac} + g_{ad}\,\gamma^d_{bc}\f$, and the only ones, in every
-dimension. *)
+They are the symmetric symbols under which the metric is parallel, \f$\frac{\partial g_{ab}}{\partial y^c} =
+g_{db}\,\gamma^d_{ac} + g_{ad}\,\gamma^d_{bc}\f$, and the only ones, in every dimension. *)
 Theorem claim_6_2_christoffel (gamma : 'I_N -> 'I_N -> 'I_N -> R) :
   (forall d a b, gamma d a b = gamma d b a)
     /\ (forall a b c, d_y c (g a b) = \sum_d g d b * gamma d a c + \sum_d g a d * gamma d b c)
@@ -206,7 +207,8 @@ have firstE : \sum_c \sum_e first_kind a c e * velocity c * velocity e = 2%:R * 
     by apply: eq_bigr => c _; apply: eq_bigr => e _; rewrite (metric_entry e a); ring_identity.
   rewrite /T /S -big_split -sumrB; apply: eq_bigr => c _ /=; rewrite -big_split -sumrB.
   by apply: eq_bigr => e _; rewrite /first_kind (metric_entry c a) /=; ring_identity.
-have -> : \sum_b g a b * material_acceleration b = \sum_b g a b * rate (velocity b) + 2%:R^-1 * (2%:R * T - S).
+have -> : \sum_b g a b * material_acceleration b = \sum_b g a b * rate (velocity b) + 2%:R^-1 * (2%:R * T -
+  S).
   rewrite -firstE /material_acceleration mulr_sumr.
   have -> : \sum_b g a b * (rate (velocity b) + \sum_c \sum_e christoffel b c e * velocity c * velocity e)
     = \sum_b g a b * rate (velocity b)
@@ -222,10 +224,10 @@ Qed.
 
 End Metric.
 
-(** The printed acceleration has \f$\gamma^a_{bc}\dot\phi^b\dot\phi^c\f$ in its component \f$b\f$, with an index
-\f$a\f$ that belongs to nothing. Whatever value \f$e\f$ that index is given, the formula fails in the plane, in the two
-ways in which it can be read: with a sum over \f$b\f$ and \f$c\f$, \f$\gamma^e_{bc}\dot\phi^b\dot\phi^c\f$, or with a
-sum over \f$c\f$ alone. *)
+(** The printed acceleration has \f$\gamma^a_{bc}\dot\phi^b\dot\phi^c\f$ in its component \f$b\f$, with an
+index \f$a\f$ that belongs to nothing. Whatever value \f$e\f$ that index is given, the formula fails in the
+plane, in the two ways in which it can be read: with a sum over \f$b\f$ and \f$c\f$,
+\f$\gamma^e_{bc}\dot\phi^b\dot\phi^c\f$, or with a sum over \f$c\f$ alone. *)
 Definition printed_acceleration_summed (R : comUnitRingType) N (g : 'M[R]_N) (d_y : 'I_N -> derivation R)
     (rate : derivation R) (velocity : 'I_N -> R) e b :=
   rate (velocity b) + \sum_a \sum_c christoffel g d_y e a c * velocity a * velocity c.
@@ -234,8 +236,8 @@ Definition printed_acceleration_at (R : comUnitRingType) N (g : 'M[R]_N) (d_y : 
     (rate : derivation R) (velocity : 'I_N -> R) e b :=
   rate (velocity b) + \sum_c christoffel g d_y e b c * velocity b * velocity c.
 
-(** A metric of the plane for the counterexample, \f$(dy^1)^2 + (dy^2 + y^1dy^1)^2\f$ at \f$y^1 = z\f$: its only symbol is
-\f$\gamma^2_{11} = 1\f$. *)
+(** A metric of the plane for the counterexample, \f$(dy^1)^2 + (dy^2 + y^1dy^1)^2\f$ at \f$y^1 = z\f$: its
+only symbol is \f$\gamma^2_{11} = 1\f$. *)
 Section Shear.
 
 Variables (R : comUnitRingType) (c : coordinate_ring 1 R).
@@ -302,7 +304,8 @@ Proof. by rewrite !big_ord_recl big_ord0 /shear_velocity /= mul1r mul0r !addr0. 
 Lemma shear_acceleration b :
   material_acceleration (shear_metric c) (shear_derivative c) rate shear_velocity b = (b == 1)%:R.
 Proof.
-rewrite /material_acceleration /shear_velocity derivative_of_nat !big_ord_recl !big_ord0 !shear_christoffel //.
+rewrite /material_acceleration /shear_velocity derivative_of_nat !big_ord_recl !big_ord0 !shear_christoffel
+  //.
 move: b; apply: plane => /=; ring_identity.
 Qed.
 
@@ -310,15 +313,18 @@ Qed.
 Lemma shear_only_acceleration (printed : 'I_2 -> R) :
     (forall a, \sum_b shear_metric c a b * printed b
       = rate (\sum_b shear_metric c a b * shear_velocity b)
-        - 2%:R^-1 * \sum_b \sum_e shear_derivative c a (shear_metric c b e) * shear_velocity b * shear_velocity e) ->
+        - 2%:R^-1 * \sum_b \sum_e shear_derivative c a (shear_metric c b e) * shear_velocity b *
+          shear_velocity e) ->
   forall b, printed b = (b == 1)%:R.
 Proof.
 move=> same b; rewrite -shear_acceleration.
 have /(congr1 (mulmx (invmx (shear_metric c)))) : shear_metric c *m (\col_b printed b)
-    = shear_metric c *m (\col_b material_acceleration (shear_metric c) (shear_derivative c) rate shear_velocity b).
+    = shear_metric c *m (\col_b material_acceleration (shear_metric c) (shear_derivative c) rate
+      shear_velocity b).
   apply/matrixP => a z; rewrite !(mxE mulmx_key).
   have := same a.
-  rewrite -(claim_6_2_material_acceleration unit2 (shear_symmetric c) (shear_regular c) shear_along_motion) => equal.
+  rewrite -(claim_6_2_material_acceleration unit2 (shear_symmetric c) (shear_regular c) shear_along_motion)
+    => equal.
   transitivity (\sum_b shear_metric c a b * printed b).
     by apply: eq_bigr => b' _; rewrite [X in _ * X = _]mxE.
   by rewrite equal; apply: eq_bigr => b' _; rewrite [X in _ = _ * X]mxE.
@@ -346,7 +352,8 @@ Proof.
 have [R [c]] := polynomials 1; have unit2 := unit2_of_coordinates c => claim.
 have := claim _ _ _ _ _ unit2 (shear_symmetric c) (shear_regular c) (shear_along_motion c).
 move/(shear_only_acceleration unit2) => value; have := value 0; have := value 1.
-rewrite /printed_acceleration_summed /shear_velocity !derivative_of_nat !big_ord_recl !big_ord0 !shear_christoffel //=.
+rewrite /printed_acceleration_summed /shear_velocity !derivative_of_nat !big_ord_recl !big_ord0
+  !shear_christoffel //=.
 case: (two_values e) => -> /=; rewrite !(mulr0, mul0r, mulr1, addr0, add0r).
   by move/(one_is_not_zero c).
 by move=> _ /esym /(one_is_not_zero c).
@@ -362,7 +369,8 @@ Proof.
 have [R [c]] := polynomials 1; have unit2 := unit2_of_coordinates c => claim.
 have := claim _ _ _ _ _ unit2 (shear_symmetric c) (shear_regular c) (shear_along_motion c).
 move/(shear_only_acceleration unit2) => value; have := value 0; have := value 1.
-rewrite /printed_acceleration_at /shear_velocity !derivative_of_nat !big_ord_recl !big_ord0 !shear_christoffel //=.
+rewrite /printed_acceleration_at /shear_velocity !derivative_of_nat !big_ord_recl !big_ord0
+  !shear_christoffel //=.
 case: (two_values e) => -> /=; rewrite !(mulr0, mul0r, mulr1, addr0, add0r).
   by move/(one_is_not_zero c).
 by move=> _ /esym /(one_is_not_zero c).
@@ -389,8 +397,8 @@ Hypothesis unit_volume : vol \is a GRing.unit.
 (** \f$\Gamma^k_{jk} = \frac1{\sqrt{\det G}}\frac{\partial\sqrt{\det G}}{\partial x^j}\f$. *)
 Definition body_symbol j : R := vol^-1 * D (along_body j) vol.
 
-(** \f$\mathcal P_a{}^i{}_{|i} = \frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal P_a{}^j\,\Gamma^k_{jk} -
-\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$. C++: `actio::two_point_divergence`,
+(** \f$\mathcal P_a{}^i{}_{|i} = \frac{\partial\mathcal P_a{}^i}{\partial x^i} + \mathcal
+P_a{}^j\,\Gamma^k_{jk} - \mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$. C++: `actio::two_point_divergence`,
 `continuum/two_point_divergence.hpp`. *)
 Definition two_point_divergence (gamma : 'I_N -> 'I_N -> 'I_N -> R) (P : 'I_N -> 'I_n -> R) a : R :=
   \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol j
@@ -403,16 +411,17 @@ Definition covariant_derivative (gamma : 'I_N -> 'I_N -> 'I_N -> R) (w : 'I_N ->
 
 (** ** The rule of Leibniz for the covariant divergence
 
-What fixes the covariant divergence of section 6.2 is that for every vector field \f$w\f$ of space along the section
-\f[ \frac1{\sqrt{\det G}}\frac{\partial}{\partial x^i}\bigl(\sqrt{\det G}\,\mathcal P_a{}^iw^a\bigr) =
-\mathcal P_a{}^i{}_{|i}\,w^a + \mathcal P_a{}^i\,\nabla_iw^a . \f]
-It holds with \f$\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ in the last term, for any symbols \f$\gamma\f$. *)
+What fixes the covariant divergence of section 6.2 is that for every vector field \f$w\f$ of space along the
+section \f[ \frac1{\sqrt{\det G}}\frac{\partial}{\partial x^i}\bigl(\sqrt{\det G}\,\mathcal P_a{}^iw^a\bigr) =
+\mathcal P_a{}^i{}_{|i}\,w^a + \mathcal P_a{}^i\,\nabla_iw^a . \f] It holds with \f$\mathcal
+P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ in the last term, for any symbols \f$\gamma\f$. *)
 Theorem claim_6_2_covariant_divergence gamma P w :
   vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
   = \sum_a two_point_divergence gamma P a * w a + \sum_a \sum_i P a i * covariant_derivative gamma w i a.
 Proof.
 have -> : vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
-  = \sum_i \sum_a (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a + P a i * D (along_body i) (w a)).
+  = \sum_i \sum_a (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a + P a i * D (along_body i)
+    (w a)).
   rewrite mulr_sumr; apply: eq_bigr => i _; rewrite leibniz mulrDr [X in _ + X]mulrA mulVr ?unit_volume //.
   rewrite mul1r raddf_sum mulrA mulr_sumr -big_split; apply: eq_bigr => a _ /=.
   rewrite leibniz /body_symbol; ring_identity.
@@ -425,14 +434,16 @@ have turnedE : \sum_a turned a * w a
   = \sum_a \sum_i P a i * (\sum_b \sum_c gamma a b c * w b * gradient_of c i).
   rewrite /turned; under eq_bigr do rewrite mulr_suml.
   rewrite exchange_big; apply: eq_bigr => b _; under [RHS]eq_bigr do rewrite mulr_sumr.
-  rewrite [RHS]exchange_big; apply: eq_bigr => a _; rewrite mulr_suml; under [RHS]eq_bigr do rewrite mulr_sumr.
+  rewrite [RHS]exchange_big; apply: eq_bigr => a _; rewrite mulr_suml;
+    under [RHS]eq_bigr do rewrite mulr_sumr.
   rewrite [RHS]exchange_big; apply: eq_bigr => c _; rewrite mulr_suml; apply: eq_bigr => i _.
   ring_identity.
 have -> : \sum_a \sum_i P a i * covariant_derivative gamma w i a
   = \sum_a \sum_i P a i * D (along_body i) (w a) + \sum_a turned a * w a.
   rewrite turnedE -big_split; apply: eq_bigr => a _; rewrite -big_split; apply: eq_bigr => i _.
   by rewrite /covariant_derivative mulrDr.
-have -> : \sum_a \sum_i (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a + P a i * D (along_body i) (w a))
+have -> : \sum_a \sum_i (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a + P a i * D
+  (along_body i) (w a))
   = \sum_a \sum_i (D (along_body i) (P a i) * w a + P a i * body_symbol i * w a)
     + \sum_a \sum_i P a i * D (along_body i) (w a).
   by rewrite -big_split; apply: eq_bigr => a _; rewrite -big_split.
@@ -462,9 +473,9 @@ Definition energy_slope a (k : 'I_n) : R := d_v a (along_body k) W.
 (** The density (6.3) as a function on jets. *)
 Definition medium_density : R := density rho vol g (velocity_of v) W.
 
-(** What a medium is: \f$y^a\f$ and \f$v^a{}_\mu\f$ are coordinates; mass and volume are functions of the point of the
-body, and \f$g\f$ is one of the point of space; the stored energy \f$W(x, G, g, F)\f$ does not depend on the velocity,
-and on the point of space through \f$g\f$ alone. *)
+(** What a medium is: \f$y^a\f$ and \f$v^a{}_\mu\f$ are coordinates; mass and volume are functions of the
+point of the body, and \f$g\f$ is one of the point of space; the stored energy \f$W(x, G, g, F)\f$ does not
+depend on the velocity, and on the point of space through \f$g\f$ alone. *)
 Record is_medium : Prop := IsMedium {
   two_is_unit : (2%:R : R) \is a GRing.unit;
   volume_is_unit : vol \is a GRing.unit;
@@ -489,7 +500,8 @@ Proof. by rewrite derivative_of_inverse ?(two_is_unit medium) // derivative_of_n
 Lemma derivative_of_density (d : derivation R) : d rho = 0 -> d vol = 0 ->
   d medium_density = 2%:R^-1 * vol * rho * d (speed_squared g (velocity_of v)) - vol * rho * d W.
 Proof.
-move=> d_rho d_vol; rewrite /medium_density /density /kinetic /potential raddfB /= !leibniz half_constant d_rho d_vol.
+move=> d_rho d_vol; rewrite /medium_density /density /kinetic /potential raddfB /= !leibniz half_constant
+  d_rho d_vol.
 ring_identity.
 Qed.
 
@@ -521,7 +533,8 @@ have flat mu : \sum_b \sum_c d_v a mu (g b c) * (velocity_of v) b * (velocity_of
   by rewrite big1 // => b _; rewrite big1 // => c _; rewrite (space_v medium) !mul0r.
 split=> [|j]; rewrite /momentum derivative_of_density ?(body_v medium _ _).1 ?(body_v medium _ _).2 //.
   rewrite (energy_v medium) derivative_of_speed flat.
-  have -> : \sum_b \sum_c g b c * d_v a ord0 ((velocity_of v) b) * (velocity_of v) c = \sum_c g a c * (velocity_of v) c.
+  have -> : \sum_b \sum_c g b c * d_v a ord0 ((velocity_of v) b) * (velocity_of v) c = \sum_c g a c *
+    (velocity_of v) c.
     rewrite (bigD1 a) //= [X in _ + X]big1 => [|b ne].
       by rewrite addr0; apply: eq_bigr => c _; rewrite (velocity_coordinates medium) !eqxx mulr1.
     by rewrite big1 // => c _; rewrite (velocity_coordinates medium) (negbTE ne) mulr0 mul0r.
@@ -544,11 +557,11 @@ Definition acceleration := material_acceleration g d_y (D ord0) (velocity_of v).
 
 (** ** The equation of motion of a continuous medium
 
-For the density (6.3) the Euler-Lagrange equations (6.12) are
-\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
-\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr)
-= -\rho\,\frac{\partial W}{\partial g_{bc}}\frac{\partial g_{bc}}{\partial y^a} . \f]
-The Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference of the two sides, for every section. *)
+For the density (6.3) the Euler-Lagrange equations (6.12) are \f[
+\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
+\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr) = -\rho\,\frac{\partial W}{\partial
+g_{bc}}\frac{\partial g_{bc}}{\partial y^a} . \f] The Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times
+the difference of the two sides, for every section. *)
 Theorem eq_6_13 a :
   euler_lagrange d_y d_v D medium_density a
   = - (vol * (rho * (\sum_b g a b * acceleration b)
@@ -577,7 +590,8 @@ Qed.
 Theorem eq_6_15 a :
     (forall e b c, d_y e (g b c) = 0) -> (forall k, D (along_body k) vol = 0) ->
   euler_lagrange d_y d_v D medium_density a
-  = - (vol * (rho * (\sum_b g a b * D ord0 ((velocity_of v) b)) - \sum_k D (along_body k) (rho * energy_slope a k))).
+  = - (vol * (rho * (\sum_b g a b * D ord0 ((velocity_of v) b)) - \sum_k D (along_body k) (rho *
+    energy_slope a k))).
 Proof.
 move=> constant_g constant_G; rewrite eq_6_13; congr (- (_ * _)).
 have straight b : acceleration b = D ord0 ((velocity_of v) b).
@@ -593,14 +607,17 @@ Qed.
 
 End Motion.
 
-(** In the printed last term, \f$-\mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c\f$, the indices \f$i\f$ and \f$j\f$ are left
-over. The rule of Leibniz fails if both are summed, and whatever values they are given, in the plane with the metric
-\f$(dy^1)^2 + (dy^2 + y^1dy^1)^2\f$ and its Christoffel symbols, for the shear \f$y = (x^1 + x^2, x^2)\f$. *)
-Definition divergence_with (R : comUnitRingType) n N (D : 'I_n.+1 -> derivation R) (vol : R) (P : 'I_N -> 'I_n -> R)
+(** In the printed last term, \f$-\mathcal P_b{}^i\,\gamma^b_{ac}\,F_j{}^c\f$, the indices \f$i\f$ and \f$j\f$
+are left over. The rule of Leibniz fails if both are summed, and whatever values they are given, in the plane
+with the metric \f$(dy^1)^2 + (dy^2 + y^1dy^1)^2\f$ and its Christoffel symbols, for the shear \f$y = (x^1 +
+x^2, x^2)\f$. *)
+Definition divergence_with (R : comUnitRingType) n N (D : 'I_n.+1 -> derivation R) (vol : R) (P : 'I_N ->
+  'I_n -> R)
     (last_term : 'I_N -> R) a :=
   \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D vol j - last_term a.
 
-(** What is asked of the last term: the rule of Leibniz, for the Christoffel symbols of a metric of the plane. *)
+(** What is asked of the last term: the rule of Leibniz, for the Christoffel symbols of a metric of the plane.
+*)
 Definition leibniz_rule_for (last_term : forall R : comUnitRingType,
     ('I_2 -> 'I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> 'I_2 -> R) : Prop :=
   forall (R : comUnitRingType) (v : 'I_2 -> 'I_3 -> R) (D : 'I_3 -> derivation R) (d_y : 'I_2 -> derivation R)
@@ -633,11 +650,13 @@ pose D (_ : 'I_3) := partial c 0; pose w (a : 'I_2) : R := (a == 0)%:R.
 have motion k b e : D (along_body k) (shear_metric c b e)
     = \sum_h gradient_of shear_jet h k * shear_derivative c h (shear_metric c b e).
   by rewrite sum_in_plane /gradient_of /shear_jet /shear_derivative /= mul1r mulr0 addr0.
-have mixed k e i : D (along_body k) (gradient_of shear_jet e i) = D (along_body i) (gradient_of shear_jet e k).
+have mixed k e i : D (along_body k) (gradient_of shear_jet e i) = D (along_body i) (gradient_of shear_jet e
+  k).
   by rewrite /gradient_of /shear_jet; case: (e == 0); rewrite ?derivative_of_one ?derivative_of_nat.
 have := rule R shear_jet D (shear_derivative c) (shear_metric c) 1 P w unit2 (unitr1 _) (shear_symmetric c)
           (shear_regular c) motion mixed.
-rewrite (leibniz_rule_corrected (D := D) P w unit2 (unitr1 _) (shear_symmetric c) (shear_regular c) motion mixed).
+rewrite (leibniz_rule_corrected (D := D) P w unit2 (unitr1 _) (shear_symmetric c) (shear_regular c) motion
+  mixed).
 move/addIr; rewrite !sum_in_plane /w /= !(mulr0, mulr1, addr0) /divergence_with.
 move/addrI/oppr_inj => <-.
 rewrite !sum_in_plane !shear_christoffel //= /gradient_of /shear_jet /=; ring_identity.

@@ -82,13 +82,15 @@ Proof. exact/esym/map_trmx. Qed.
 
 (** *** Jacobi's formula *)
 
-(** The derivative of a determinant: \f$d\det A = \mathrm{Tr}(\mathrm{adj}(A)\,dA)\f$. No inverse is needed. *)
+(** The derivative of a determinant: \f$d\det A = \mathrm{Tr}(\mathrm{adj}(A)\,dA)\f$. No inverse is needed.
+*)
 Lemma derivative_of_determinant n (A : 'M[R]_n) : d (\det A) = \tr (\adj A *m derivative_of d A).
 Proof.
 rewrite /determinant raddf_sum /=.
 transitivity (\sum_(s : 'S_n) \sum_i (-1) ^+ s * (d (A i (s i)) * \prod_(j | j != i) A j (s j))).
   apply: eq_bigr => s _; rewrite leibniz.
-  have -> : d ((-1) ^+ s) = 0 by case: (odd_perm s); rewrite ?expr0 ?expr1 ?raddfN /= derivative_of_one ?oppr0.
+  have -> : d ((-1) ^+ s) = 0 by case: (odd_perm s);
+    rewrite ?expr0 ?expr1 ?raddfN /= derivative_of_one ?oppr0.
   by rewrite mul0r add0r derivative_of_product mulr_sumr.
 rewrite exchange_big /= /mxtrace [RHS](eq_bigr (fun j => \sum_i cofactor A i j * d (A i j))); last first.
   by move=> j _; rewrite mxE; apply: eq_bigr => i _; rewrite !mxE.
@@ -135,10 +137,9 @@ have ne : (s a == s m :> nat) = false by apply/negbTE; rewrite val_eqE (inj_eq p
 by rewrite !permM tpermL tpermR -leqNgt leq_eqVlt ne.
 Qed.
 
-(** The matrix of cofactors of a gradient has no divergence:
-\f$\sum_k\partial_k\,\mathrm{adj}(F)^k{}_a = 0\f$, over any commutative ring and in any dimension. In a term with
-\f$\partial_kF^m{}_l\f$ the exchange of the places \f$k\f$ and \f$l\f$ turns the sign of the permutation
-and nothing else. *)
+(** The matrix of cofactors of a gradient has no divergence: \f$\sum_k\partial_k\,\mathrm{adj}(F)^k{}_a =
+0\f$, over any commutative ring and in any dimension. In a term with \f$\partial_kF^m{}_l\f$ the exchange of
+the places \f$k\f$ and \f$l\f$ turns the sign of the permutation and nothing else. *)
 Lemma divergence_of_cofactors D F a : is_gradient D F -> \sum_k D k ((\adj F) k a) = 0.
 Proof.
 move=> grad.
@@ -316,7 +317,8 @@ Lemma polynomials n : exists R : idomainType, inhabited (coordinate_ring n [comU
 Proof.
 elim: n => [|n [R [c]]]; last by exists [idomainType of {poly R}]; split; exact: one_coordinate_more.
 exists [idomainType of rat]; split.
-pose none (i : 'I_0) : derivation [comRingType of rat] := match i with Ordinal _ lt => match notF lt with end end.
+pose none (i : 'I_0) : derivation [comRingType of rat] := match i with Ordinal _ lt =>
+  match notF lt with end end.
 by apply: (@CoordinateRing 0 [comUnitRingType of rat] (fun _ => 0) none [rmorphism of idfun]
             [rmorphism of idfun]) => //; case.
 Qed.

@@ -1,10 +1,10 @@
 (** * Fields: densities on jets, their field equations and currents
 
 Chapters 6, 7 and 9 for a general density. Functions on jets form a commutative ring, and a vector field is a
-derivation of it: the partial derivatives in the coordinates of a jet, and the total derivatives
-\f$D_\mu\f$ along a section. A form is known by its values on vector fields, and these are determinants. There
-are \f$n + 1\f$ coordinates \f$x^\mu\f$ of space-time, the first of them time, and \f$N\f$ fields, in any numbers.
-What the fields are smooth functions of does not matter: all that is used are the rule of Leibniz and, where it is
+derivation of it: the partial derivatives in the coordinates of a jet, and the total derivatives \f$D_\mu\f$
+along a section. A form is known by its values on vector fields, and these are determinants. There are \f$n +
+1\f$ coordinates \f$x^\mu\f$ of space-time, the first of them time, and \f$N\f$ fields, in any numbers. What
+the fields are smooth functions of does not matter: all that is used are the rule of Leibniz and, where it is
 named, the chain rule. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
@@ -36,7 +36,8 @@ Variables (R : comRingType) (n N : nat).
 
 (** Coordinates of a jet, \f$x^\mu\f$, \f$y^a\f$ and \f$v^a{}_\mu\f$, and the partial derivatives in them. *)
 Variables (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N -> 'I_n.+1 -> R).
-Variables (d_x : 'I_n.+1 -> derivation R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R).
+Variables (d_x : 'I_n.+1 -> derivation R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 ->
+  derivation R).
 
 (** The total derivatives along a section. *)
 Variable D : 'I_n.+1 -> derivation R.
@@ -60,8 +61,8 @@ Definition affine_momentum L := L - \sum_a \sum_mu momentum L a mu * v a mu.
 D_\mu\frac{\partial L}{\partial v^a{}_\mu}\f$. C++: `actio::euler_lagrange`, `jets/field_equations.hpp`. *)
 Definition euler_lagrange L a := d_y a L - \sum_mu D mu (momentum L a mu).
 
-(** The Cartan form (6.10) on \f$n + 1\f$ vectors: \f$\Theta = p_a{}^\mu\,dy^a\wedge d^nx_\mu + \Pi\,d^{n+1}x\f$.
-With \f$d^nx_\mu = \partial_\mu\lrcorner\,d^{n+1}x\f$ the form \f$dh\wedge d^nx_\mu\f$ is
+(** The Cartan form (6.10) on \f$n + 1\f$ vectors: \f$\Theta = p_a{}^\mu\,dy^a\wedge d^nx_\mu +
+\Pi\,d^{n+1}x\f$. With \f$d^nx_\mu = \partial_\mu\lrcorner\,d^{n+1}x\f$ the form \f$dh\wedge d^nx_\mu\f$ is
 \f$dx^0\wedge\dots\wedge dx^n\f$ with \f$dh\f$ at the \f$\mu\f$-th place. C++: `actio::cartan_form`,
 `jets/cartan.hpp`. *)
 Definition cartan_form L (u : 'I_n.+1 -> derivation R) : R :=
@@ -97,9 +98,9 @@ Qed.
 
 (** ** The density from the Cartan form
 
-Corollary 6.2.1: along a section the Cartan form gives back the density, \f$(j^1\phi)^*\Theta = L\,d^{n+1}x\f$.
-Pulled back along a section a form is known by its value on the total derivatives \f$D_0, \dots, D_n\f$, on which
-\f$d^{n+1}x\f$ is 1. *)
+Corollary 6.2.1: along a section the Cartan form gives back the density, \f$(j^1\phi)^*\Theta =
+L\,d^{n+1}x\f$. Pulled back along a section a form is known by its value on the total derivatives \f$D_0,
+\dots, D_n\f$, on which \f$d^{n+1}x\f$ is 1. *)
 Theorem cor_6_2_1 L : cartan_form L D = L.
 Proof.
 rewrite /cartan_form volume_on_section mulr1.
@@ -129,7 +130,8 @@ have -> : block_mx (vertical_part W h)%:M (\row_j D j h)
   by rewrite -sumrN; apply: eq_bigr => nu _; rewrite !mxE mulrN mulrC.
 rewrite det_mulmx det_lblock !det1 !mulr1 /wedge; congr (\det _).
 apply/matrixP => i j; rewrite /block_mx !mxE /before.
-by case: (splitP i) => i' _; rewrite !mxE; case: (splitP j) => j' _; rewrite !mxE ?(ord1 i') ?(ord1 j') ?mulr1n.
+by case: (splitP i) => i' _; rewrite !mxE; case: (splitP j) => j' _;
+  rewrite !mxE ?(ord1 i') ?(ord1 j') ?mulr1n.
 Qed.
 
 Lemma vertical_part_of_base mu W : vertical_part W (x mu) = 0.
@@ -232,12 +234,12 @@ Qed.
 
 (** ** The Euler-Lagrange derivative and the multisymplectic form
 
-With \f$\Omega = -d\Theta\f$, as it is set after (6.6), for every vector field \f$W\f$ on the jet bundle
-\f[ (j^1\phi)^*(W\lrcorner\Omega) = -E_a\,(W^a - v^a{}_\mu W^\mu)\,d^{n+1}x , \f]
-where \f$E_a\f$ is the Euler-Lagrange derivative (6.12). So (6.8) has the sign that is printed in it reversed,
-\f$D_{EL}\mathcal L\cdot\mathcal V = -(j^1\phi)^*[j^1\mathcal V\lrcorner\Omega]\f$, for arbitrary variations. That
-\f$W\f$ is the prolongation of a variation is not used, nor that the section has commuting second derivatives: only
-the chain rule for the density along \f$W\f$ and along the section. *)
+With \f$\Omega = -d\Theta\f$, as it is set after (6.6), for every vector field \f$W\f$ on the jet bundle \f[
+(j^1\phi)^*(W\lrcorner\Omega) = -E_a\,(W^a - v^a{}_\mu W^\mu)\,d^{n+1}x , \f] where \f$E_a\f$ is the
+Euler-Lagrange derivative (6.12). So (6.8) has the sign that is printed in it reversed, \f$D_{EL}\mathcal
+L\cdot\mathcal V = -(j^1\phi)^*[j^1\mathcal V\lrcorner\Omega]\f$, for arbitrary variations. That \f$W\f$ is
+the prolongation of a variation is not used, nor that the section has commuting second derivatives: only the
+chain rule for the density along \f$W\f$ and along the section. *)
 Theorem eq_6_8 L W : chain_rule L W -> (forall mu, chain_rule L (D mu)) ->
   multisymplectic_form L (before W D)
   = - \sum_a euler_lagrange L a * (W (y a) - \sum_mu v a mu * W (x mu)).
@@ -264,9 +266,9 @@ Qed.
 
 (** ** The field equations by contraction
 
-A section solves the field equations \f$E_a = 0\f$ if and only if \f$(j^1\phi)^*(W\lrcorner\Omega) = 0\f$ for every
-vector field \f$W\f$ on the jet bundle along which the density has its chain rule (section 6.2). One way uses that
-the \f$\partial/\partial y^a\f$ are among them. *)
+A section solves the field equations \f$E_a = 0\f$ if and only if \f$(j^1\phi)^*(W\lrcorner\Omega) = 0\f$ for
+every vector field \f$W\f$ on the jet bundle along which the density has its chain rule (section 6.2). One way
+uses that the \f$\partial/\partial y^a\f$ are among them. *)
 Theorem claim_6_2_el_by_contraction L :
     (forall a mu, d_y a (x mu) = 0) -> (forall a b, d_y a (y b) = (b == a)%:R) ->
     (forall a b mu, d_y a (v b mu) = 0) -> (forall mu, chain_rule L (D mu)) ->
@@ -282,7 +284,8 @@ have along_a : chain_rule L (d_y a).
   rewrite add0r [X in _ + X]big1 ?addr0 // => b _; rewrite big1 // => mu _.
   by rewrite velocities mul0r.
 have sumE : \sum_b euler_lagrange L b * (d_y a (y b) - \sum_mu v b mu * d_y a (x mu)) = euler_lagrange L a.
-  rewrite -[RHS](pick (euler_lagrange L)); apply: eq_bigr => b _; rewrite [X in _ - X]big1 => [|mu _]; last by rewrite base mulr0.
+  rewrite -[RHS](pick (euler_lagrange L)); apply: eq_bigr => b _; rewrite [X in _ - X]big1 => [|mu _];
+    last by rewrite base mulr0.
   by rewrite subr0 mulrC.
 by have := zero (d_y a) along_a; rewrite eq_6_8 // sumE => /eqP; rewrite oppr_eq0 => /eqP.
 Qed.
@@ -290,11 +293,10 @@ Qed.
 (** ** Noether's currents
 
 A vector field \f$X\f$ on the jet bundle contracted into the Cartan form and pulled back along a section is
-\f$(j^1\phi)^*(X\lrcorner\Theta) = j^\kappa\,d^nx_\kappa\f$ with
-\f[ j^\kappa = p_a{}^\kappa\,(X^a - v^a{}_\nu X^\nu) + L\,X^\kappa . \f]
-The coefficient \f$j^\kappa\f$ is the value of \f$\Theta\f$ on \f$D_0, \dots, D_n\f$ with \f$D_\kappa\f$ replaced by
-\f$X\f$. This is the momentum map (9.7) in coordinates, for every density and every \f$X\f$.
-C++: `actio::noether_current`, `noether/covariant_momentum_map.hpp`. *)
+\f$(j^1\phi)^*(X\lrcorner\Theta) = j^\kappa\,d^nx_\kappa\f$ with \f[ j^\kappa = p_a{}^\kappa\,(X^a - v^a{}_\nu
+X^\nu) + L\,X^\kappa . \f] The coefficient \f$j^\kappa\f$ is the value of \f$\Theta\f$ on \f$D_0, \dots,
+D_n\f$ with \f$D_\kappa\f$ replaced by \f$X\f$. This is the momentum map (9.7) in coordinates, for every
+density and every \f$X\f$. C++: `actio::noether_current`, `noether/covariant_momentum_map.hpp`. *)
 Definition noether_current L X kappa : R :=
   \sum_a momentum L a kappa * (X (y a) - \sum_nu v a nu * X (x nu)) + L * X (x kappa).
 
@@ -425,12 +427,12 @@ Qed.
 
 (** ** The multisymplectic form formula at a point
 
-Theorem 6.2.2 says that the form \f$j^1\mathcal V\lrcorner j^1\mathcal W\lrcorner\Omega\f$ has no flux through the
-boundary of a region where \f$V\f$ and \f$W\f$ are first variations of a solution. By Stokes' theorem that is a
-statement about a divergence: for all vertical variations, of a solution or not,
-\f[ D_\mu\bigl(W^a\,V(p_a{}^\mu) - V^a\,W(p_a{}^\mu)\bigr) = V^a\,W(E_a) - W^a\,V(E_a) , \f]
-and it vanishes where both solve the linearised equations \f$V(E_a) = W(E_a) = 0\f$. Variations are vector fields
-that commute with the total derivatives; the chain rule is used along them and along their commutator. *)
+Theorem 6.2.2 says that the form \f$j^1\mathcal V\lrcorner j^1\mathcal W\lrcorner\Omega\f$ has no flux through
+the boundary of a region where \f$V\f$ and \f$W\f$ are first variations of a solution. By Stokes' theorem that
+is a statement about a divergence: for all vertical variations, of a solution or not, \f[
+D_\mu\bigl(W^a\,V(p_a{}^\mu) - V^a\,W(p_a{}^\mu)\bigr) = V^a\,W(E_a) - W^a\,V(E_a) , \f] and it vanishes where
+both solve the linearised equations \f$V(E_a) = W(E_a) = 0\f$. Variations are vector fields that commute with
+the total derivatives; the chain rule is used along them and along their commutator. *)
 Theorem thm_6_2_2_divergence L V W :
     (forall mu, V (x mu) = 0) -> (forall mu, W (x mu) = 0) ->
     (forall mu f, V (D mu f) = D mu (V f)) -> (forall mu f, W (D mu f) = D mu (W f)) ->
@@ -480,9 +482,9 @@ Qed.
 
 End Fields.
 
-(** (6.8) with the printed sign fails for one field on a space-time with one dimension of the body, already for the
-density \f$L = y\f$ and the variation \f$\partial/\partial y\f$ of the section \f$y = 0\f$: the left side is 1, the right
-side \f$-1\f$. *)
+(** (6.8) with the printed sign fails for one field on a space-time with one dimension of the body, already
+for the density \f$L = y\f$ and the variation \f$\partial/\partial y\f$ of the section \f$y = 0\f$: the left
+side is 1, the right side \f$-1\f$. *)
 Theorem eq_6_8_printed_fails :
   ~ (forall (R : comRingType) (n N : nat) (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N -> 'I_n.+1 -> R)
        (d_x : 'I_n.+1 -> derivation R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
@@ -513,7 +515,8 @@ have chain u : chain_rule x y v D d_y d_v (y 0) u.
   exact: mulr0.
 have := claim _ _ _ x y v D d_y d_v D (y 0) V along_x along_y mixed vertical prolonged_V (chain V)
               (fun mu => chain (D mu)).
-rewrite (eq_6_8 along_x along_y (chain V) (fun mu => chain (D mu))) !big_ord1 Vy /euler_lagrange big1 => [|mu _]; last exact: raddf0.
+rewrite (eq_6_8 along_x along_y (chain V) (fun mu => chain (D mu))) !big_ord1 Vy /euler_lagrange big1 =>
+  [|mu _]; last exact: raddf0.
 rewrite big1 => [|mu _]; last exact: mul0r.
 rewrite !subr0 !mulr1 -/V [V (y 0)]Vy => /(congr1 (at_origin c)); rewrite rmorphN rmorph1 => /eqP.
 by rewrite eq_sym -addr_eq0 -(natrD _ 1 1) pnatr_eq0.
@@ -527,7 +530,8 @@ Section 9.2: with \f$\zeta_Y = (0, \zeta, 0)\f$ the current is
 Definition energy_density (R : comRingType) n N (v : 'I_N -> 'I_n.+1 -> R)
     (d_v : 'I_N -> 'I_n.+1 -> derivation R) (L : R) := \sum_a momentum d_v L a ord0 * v a ord0 - L.
 
-Theorem claim_9_2_time_current (R : comRingType) n N (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N -> 'I_n.+1 -> R)
+Theorem claim_9_2_time_current (R : comRingType) n N (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N ->
+  'I_n.+1 -> R)
     (d_v : 'I_N -> 'I_n.+1 -> derivation R) (L zeta : R) (X : derivation R) :
     (forall mu, X (x mu) = zeta *+ (mu == ord0)) -> (forall a, X (y a) = 0) ->
   noether_current x y v d_v L X ord0 = - (zeta * energy_density v d_v L)
@@ -551,8 +555,8 @@ Section Constraints.
 Variables (R : comRingType) (n N k : nat).
 Variables (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R) (D : 'I_n.+1 -> derivation R).
 
-(** A density, constraints \f$\Phi^i\f$ on first jets and multipliers \f$\lambda_i\f$, which are other fields: they do
-not depend on \f$y\f$ and \f$v\f$. *)
+(** A density, constraints \f$\Phi^i\f$ on first jets and multipliers \f$\lambda_i\f$, which are other fields:
+they do not depend on \f$y\f$ and \f$v\f$. *)
 Variables (L : R) (Phi lambda : 'I_k -> R).
 Hypothesis multiplier_y : forall a i, d_y a (lambda i) = 0.
 Hypothesis multiplier_v : forall a mu i, d_v a mu (lambda i) = 0.
@@ -581,9 +585,9 @@ Qed.
 
 (** ** The density with the multiplier among its fields
 
-The field equations of \f$L_\Phi = L - \langle\lambda, \Phi\rangle\f$ are the constrained equations (7.2), and for the
-multiplier the constraint; those of the printed \f$L + \langle\lambda, \Phi\rangle\f$ are (7.2) with \f$-\lambda\f$ in
-place of \f$\lambda\f$. Numbers of fields and of constraints are arbitrary. *)
+The field equations of \f$L_\Phi = L - \langle\lambda, \Phi\rangle\f$ are the constrained equations (7.2), and
+for the multiplier the constraint; those of the printed \f$L + \langle\lambda, \Phi\rangle\f$ are (7.2) with
+\f$-\lambda\f$ in place of \f$\lambda\f$. Numbers of fields and of constraints are arbitrary. *)
 Theorem claim_7_2_augmented_lagrangian a :
   euler_lagrange d_y d_v D (L - \sum_i lambda i * Phi i) a = - constrained_equation lambda a.
 Proof. exact: euler_lagrange_of_augmented. Qed.
@@ -598,7 +602,8 @@ by congr (euler_lagrange _ _ _ (_ + _) a); rewrite -sumrN; apply: eq_bigr => i _
 Qed.
 
 Theorem claim_7_2_augmented_lagrangian_multiplier (d_lambda : 'I_k -> derivation R) j :
-    (forall i, d_lambda j (lambda i) = (i == j)%:R) -> d_lambda j L = 0 -> (forall i, d_lambda j (Phi i) = 0) ->
+    (forall i, d_lambda j (lambda i) = (i == j)%:R) -> d_lambda j L = 0 -> (forall i,
+      d_lambda j (Phi i) = 0) ->
   d_lambda j (L - \sum_i lambda i * Phi i) = - Phi j.
 Proof.
 move=> own L_free Phi_free; rewrite raddfB /= L_free sub0r raddf_sum (bigD1 j) //= big1 => [|i ne].
@@ -611,7 +616,8 @@ End Constraints.
 (** The equations of the printed density \f$L + \langle\lambda, \Phi\rangle\f$ are not (7.2): for \f$L = y\f$,
 \f$\Phi = y\f$ and \f$\lambda = 1\f$ the section \f$y = 0\f$ solves (7.2) and not the other. *)
 Theorem claim_7_2_augmented_lagrangian_printed_fails :
-  ~ (forall (R : comRingType) (n N k : nat) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
+  ~ (forall (R : comRingType) (n N k : nat) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 ->
+    derivation R)
        (D : 'I_n.+1 -> derivation R) (L : R) (Phi lambda : 'I_k -> R),
       (forall a i, d_y a (lambda i) = 0) -> (forall a mu i, d_v a mu (lambda i) = 0) ->
       (forall a, euler_lagrange d_y d_v D (L + \sum_i lambda i * Phi i) a = 0)
@@ -634,28 +640,31 @@ Qed.
 
 (** ** Lagrange's multiplier theorem, the linear part
 
-At a point \f$\varphi\f$ with \f$\Psi(\varphi) = 0\f$ the differential of \f$h\f$ is a row, and that of \f$\Psi\f$ a
-matrix. The differential of \f$h\f$ vanishes on all vectors that \f$d\Psi\f$ takes to zero if and only if there is a
-multiplier, \f$dh = \lambda\,d\Psi\f$, and that is what it means that \f$h - \langle\lambda, \Psi\rangle\f$ is
-critical at \f$(\varphi, \lambda)\f$. This holds over any field and for any \f$\Psi\f$. That \f$d\Psi\f$ is onto, a
-hypothesis that Theorem 7.1.1 does not name, is needed for the vectors in question to be the tangent vectors of
-\f$\mathcal N = \Psi^{-1}(0)\f$, and it makes the multiplier unique. *)
+At a point \f$\varphi\f$ with \f$\Psi(\varphi) = 0\f$ the differential of \f$h\f$ is a row, and that of
+\f$\Psi\f$ a matrix. The differential of \f$h\f$ vanishes on all vectors that \f$d\Psi\f$ takes to zero if and
+only if there is a multiplier, \f$dh = \lambda\,d\Psi\f$, and that is what it means that \f$h -
+\langle\lambda, \Psi\rangle\f$ is critical at \f$(\varphi, \lambda)\f$. This holds over any field and for any
+\f$\Psi\f$. That \f$d\Psi\f$ is onto, a hypothesis that Theorem 7.1.1 does not name, is needed for the vectors
+in question to be the tangent vectors of \f$\mathcal N = \Psi^{-1}(0)\f$, and it makes the multiplier unique.
+*)
 Theorem claim_7_1_first_to_second_on_kernel (F : fieldType) m k (dh : 'rV[F]_m) (dPsi : 'M[F]_(k, m)) :
   (forall u : 'cV[F]_m, dPsi *m u = 0 -> dh *m u = 0) <-> exists lambda : 'rV[F]_k, dh = lambda *m dPsi.
 Proof.
 split=> [vanishes|[lambda ->] u on_kernel]; last by rewrite -mulmxA on_kernel mulmx0.
 apply/submxP; rewrite submxE; apply/eqP/matrixP => i j; rewrite [RHS]mxE.
-have := vanishes (cokermx dPsi *m delta_mx j 0); rewrite mulmxA mulmx_coker mul0mx [dh *m _]mulmxA => /(_ erefl).
+have := vanishes (cokermx dPsi *m delta_mx j 0); rewrite mulmxA mulmx_coker mul0mx [dh *m _]mulmxA =>
+  /(_ erefl).
 by rewrite -colE => /matrixP /(_ i 0); rewrite [LHS]mxE [RHS]mxE.
 Qed.
 
-Theorem claim_7_1_first_to_second_unique (F : fieldType) m k (dPsi : 'M[F]_(k, m)) (lambda lambda' : 'rV[F]_k) :
+Theorem claim_7_1_first_to_second_unique (F : fieldType) m k (dPsi : 'M[F]_(k,
+  m)) (lambda lambda' : 'rV[F]_k) :
   row_free dPsi -> lambda *m dPsi = lambda' *m dPsi -> lambda = lambda'.
 Proof. by move=> onto; apply: (row_free_inj onto). Qed.
 
-(** As printed, without a hypothesis on \f$\Psi\f$, the first statement of Theorem 7.1.1 does not imply the second:
-\f$h(x) = x\f$ on the zeros of \f$\Psi(x) = x^2\f$, which are one point, has its minimum and its maximum there, and no
-\f$\lambda\f$ makes \f$h - \lambda\Psi\f$ critical. *)
+(** As printed, without a hypothesis on \f$\Psi\f$, the first statement of Theorem 7.1.1 does not imply the
+second: \f$h(x) = x\f$ on the zeros of \f$\Psi(x) = x^2\f$, which are one point, has its minimum and its
+maximum there, and no \f$\lambda\f$ makes \f$h - \lambda\Psi\f$ critical. *)
 Theorem claim_7_1_first_to_second_printed_fails :
   ~ (forall (h Psi : {poly rat}) (phi : rat), Psi.[phi] = 0 ->
       (forall psi, Psi.[psi] = 0 -> h.[phi] <= h.[psi]) ->
@@ -664,13 +673,15 @@ Proof.
 move=> claim; have [||lambda] := claim 'X ('X ^+ 2) 0.
 - by rewrite hornerXn expr0n.
 - by move=> psi; rewrite hornerXn => /eqP; rewrite sqrf_eq0 => /eqP ->.
-rewrite derivB derivX derivZ derivXn hornerD hornerN hornerZ hornerMn hornerXn expr1 mul0rn mulr0 subr0 hornerC.
+rewrite derivB derivX derivZ derivXn hornerD hornerN hornerZ hornerMn hornerXn expr1 mul0rn mulr0 subr0
+  hornerC.
 by move/eqP; rewrite oner_eq0.
 Qed.
 
-(** If an extremum in the second statement were to be a minimum or a maximum, it would fail for a constraint as
-regular as \f$\Psi(x) = x\f$: near every zero of \f$\Psi\f$ the function \f$\bar h(x, \lambda) = x^2 - \lambda x\f$ rises
-and falls, though \f$h\f$ has its minimum there. An extremum is a point where the derivative vanishes. *)
+(** If an extremum in the second statement were to be a minimum or a maximum, it would fail for a constraint
+as regular as \f$\Psi(x) = x\f$: near every zero of \f$\Psi\f$ the function \f$\bar h(x, \lambda) = x^2 -
+\lambda x\f$ rises and falls, though \f$h\f$ has its minimum there. An extremum is a point where the
+derivative vanishes. *)
 Theorem thm_7_1_1_printed_fails_as_minimum_or_maximum :
   ~ (forall (h Psi : {poly rat}) (phi : rat), Psi.[phi] = 0 ->
       (forall psi, Psi.[psi] = 0 -> h.[phi] <= h.[psi]) ->
@@ -693,7 +704,8 @@ have near_lambda : `|lambda - lambda| < eps by rewrite subrr normr0.
 have near_more : `|(lambda + t) - lambda| < eps by rewrite addrAC subrr add0r gtr0_norm.
 have near_less : `|(lambda - t) - lambda| < eps by rewrite addrAC subrr add0r normrN gtr0_norm.
 case: (leP 0 lambda) => sign [least|greatest].
-- have := least s (lambda + t) near_s near_more; rewrite hornerXn hornerX expr2 -mulrBl pmulr_lge0 // subr_ge0.
+- have := least s (lambda + t) near_s near_more;
+  rewrite hornerXn hornerX expr2 -mulrBl pmulr_lge0 // subr_ge0.
   by rewrite leNgt (lt_le_trans s_t) // ler_addr.
 - have := greatest (- s) lambda near_minus_s near_lambda; rewrite hornerXn hornerX sqrrN mulrN opprK leNgt.
   by rewrite ltr_paddr ?exprn_gt0 // mulr_ge0 // ltW.

@@ -1,9 +1,9 @@
 (** * Stresses
 
-The two stresses of section 6.2, first Piola and Kirchhoff's \f$\mathcal P_a{}^i = \rho\,\partial W/\partial v^a{}_i\f$
-(6.19) and Cauchy's \f$\sigma^{ab} = \frac{2\rho}J\,\partial W/\partial g_{ab}\f$ (6.14), and the equation of motion
-written with them: for any stored energy (6.20), and for one that depends on the Green tensor (6.21). Body and space
-may have different dimensions. *)
+The two stresses of section 6.2, first Piola and Kirchhoff's \f$\mathcal P_a{}^i = \rho\,\partial W/\partial
+v^a{}_i\f$ (6.19) and Cauchy's \f$\sigma^{ab} = \frac{2\rho}J\,\partial W/\partial g_{ab}\f$ (6.14), and the
+equation of motion written with them: for any stored energy (6.20), and for one that depends on the Green
+tensor (6.21). Body and space may have different dimensions. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices ring_identities derivations fields continuum.
@@ -23,13 +23,14 @@ Variables (R : comUnitRingType) (n N : nat).
 `continuum/continuum.hpp`. *)
 Definition green_tensor (g : 'M[R]_N) (F : 'M[R]_(N, n)) : 'M[R]_n := F^T *m g *m F.
 
-(** \f$\sigma^{ab} = \frac{2\rho}{J}\,\frac{\partial W}{\partial g_{ab}}\f$ (6.14). C++: `actio::cauchy_stress`,
-`continuum/stresses.hpp`. *)
+(** \f$\sigma^{ab} = \frac{2\rho}{J}\,\frac{\partial W}{\partial g_{ab}}\f$ (6.14). C++:
+`actio::cauchy_stress`, `continuum/stresses.hpp`. *)
 Definition cauchy_stress (rho J : R) (W_g : 'M[R]_N) : 'M[R]_N := (2%:R * rho / J) *: W_g.
 
-(** A stored energy that depends on the metric and the gradient through the Green tensor, with the symmetric slope
-\f$S^{ij} = \partial W/\partial C_{ij}\f$, has the rate \f$dW = S^{ij}\,dC_{ij}\f$. *)
-Definition rate_through_green_tensor (d : derivation R) (W : R) (S : 'M[R]_n) (g : 'M[R]_N) (F : 'M[R]_(N, n)) :=
+(** A stored energy that depends on the metric and the gradient through the Green tensor, with the symmetric
+slope \f$S^{ij} = \partial W/\partial C_{ij}\f$, has the rate \f$dW = S^{ij}\,dC_{ij}\f$. *)
+Definition rate_through_green_tensor (d : derivation R) (W : R) (S : 'M[R]_n) (g : 'M[R]_N) (F : 'M[R]_(N,
+  n)) :=
   d W = \tr (S^T *m derivative_of d (green_tensor g F)).
 
 (** Its derivatives in the gradient and in the metric: \f$2\,g_{ab}F^b{}_jS^{ij}\f$ and
@@ -74,10 +75,9 @@ Qed.
 
 (** ** Piola's transformation
 
-For an energy of the Green tensor \f$\mathcal P_a{}^iF^b{}_i = J\,g_{ac}\,\sigma^{cb}\f$, for bodies of fewer dimensions
-than their space as well; and where \f$F\f$ has an inverse
-\f[ \mathcal P_a{}^i = J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c . \f]
-The solid may have any symmetry or none. *)
+For an energy of the Green tensor \f$\mathcal P_a{}^iF^b{}_i = J\,g_{ac}\,\sigma^{cb}\f$, for bodies of fewer
+dimensions than their space as well; and where \f$F\f$ has an inverse \f[ \mathcal P_a{}^i =
+J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c . \f] The solid may have any symmetry or none. *)
 Theorem claim_6_2_piola_transform_with_gradient (rho J : R) S g F : J \is a GRing.unit ->
   rho *: slope_in_gradient S g F *m F^T = J *: (g *m cauchy_stress rho J (slope_in_metric S F)).
 Proof.
@@ -97,7 +97,8 @@ Proof. by move=> sym; rewrite linearZ /= sym. Qed.
 Theorem claim_6_2_stress_symmetry_of_solids (rho : R) S g F : S^T = S -> g \in unitmx ->
   let tau := invmx g *m (rho *: slope_in_gradient S g F) *m F^T in tau^T = tau.
 Proof.
-move=> sym_S unit_g /=; rewrite /slope_in_gradient scalerA -scalemxAr !mulmxA mulVmx // mul1mx -scalemxAl linearZ /=.
+move=> sym_S unit_g /=; rewrite /slope_in_gradient scalerA -scalemxAr !mulmxA mulVmx // mul1mx -scalemxAl
+  linearZ /=.
 by rewrite !trmx_mul trmxK sym_S mulmxA.
 Qed.
 
@@ -107,7 +108,8 @@ Theorem claim_6_2_piola_transform (R : comUnitRingType) n (rho J : R) (S g F : '
     J \is a GRing.unit -> F \in unitmx ->
   rho *: slope_in_gradient S g F = J *: (g *m cauchy_stress rho J (slope_in_metric S F) *m (invmx F)^T).
 Proof.
-move=> unit_J unit_F; rewrite scalemxAl -claim_6_2_piola_transform_with_gradient // -mulmxA -trmx_mul mulVmx //.
+move=> unit_J unit_F; rewrite scalemxAl -claim_6_2_piola_transform_with_gradient // -mulmxA -trmx_mul mulVmx
+  //.
 by rewrite trmx1 mulmx1.
 Qed.
 
@@ -132,15 +134,18 @@ Proof.
 have sym_g := metric_entry (metric_is_symmetric medium).
 have sym_W b c : W_g b c = W_g c b by have /matrixP /(_ c b) := symmetric_slope; rewrite mxE.
 have [_ /(_ (fun _ _ _ => erefl)) [sym_gamma parallel]] :=
-  claim_6_2_christoffel d_y (two_is_unit medium) (metric_is_symmetric medium) (metric_is_regular medium) gamma.
+  claim_6_2_christoffel d_y (two_is_unit medium) (metric_is_symmetric medium) (metric_is_regular medium)
+    gamma.
 have half : \sum_b \sum_c W_g b c * d_y a (g b c)
     = 2%:R * (\sum_b \sum_c \sum_e gamma b a c * g b e * W_g e c).
-  have first : \sum_e \sum_c W_g e c * (\sum_b g b c * gamma b e a) = \sum_b \sum_c \sum_e gamma b a c * g b e * W_g e c.
+  have first : \sum_e \sum_c W_g e c * (\sum_b g b c * gamma b e a) = \sum_b \sum_c \sum_e gamma b a c * g b
+    e * W_g e c.
     rewrite exchange_big; under eq_bigr do under eq_bigr do rewrite mulr_sumr.
     under eq_bigr do rewrite exchange_big.
     rewrite exchange_big; apply: eq_bigr => b _; rewrite exchange_big; apply: eq_bigr => c _.
     apply: eq_bigr => e _; rewrite (sym_W c e) (sym_gamma b c a); ring_identity.
-  have second : \sum_e \sum_c W_g e c * (\sum_b g e b * gamma b c a) = \sum_b \sum_c \sum_e gamma b a c * g b e * W_g e c.
+  have second : \sum_e \sum_c W_g e c * (\sum_b g e b * gamma b c a) = \sum_b \sum_c \sum_e gamma b a c * g
+    b e * W_g e c.
     under eq_bigr do under eq_bigr do rewrite mulr_sumr.
     under eq_bigr do rewrite exchange_big.
     rewrite exchange_big; apply: eq_bigr => b _; rewrite exchange_big; apply: eq_bigr => c _.
@@ -184,8 +189,9 @@ Qed.
 
 (** ** The equation of motion of elasticity
 
-(6.21), \f$\rho\,\frac{D_gV}{Dt} = \mathrm{DIV}\,\mathcal P\f$ with one index lowered: for an energy of the Green tensor,
-where \f$\mathcal P_b{}^jF^c{}_j = J\,g_{bd}\,\sigma^{dc}\f$ and the last term of (6.20) vanishes. *)
+(6.21), \f$\rho\,\frac{D_gV}{Dt} = \mathrm{DIV}\,\mathcal P\f$ with one index lowered: for an energy of the
+Green tensor, where \f$\mathcal P_b{}^jF^c{}_j = J\,g_{bd}\,\sigma^{dc}\f$ and the last term of (6.20)
+vanishes. *)
 Theorem eq_6_21 (S : 'M[R]_n) a :
     let F := \matrix_(b, k) gradient_of v b k in
     W_g = slope_in_metric S F -> (forall b k, energy_slope d_v W b k = slope_in_gradient S g F b k) ->
