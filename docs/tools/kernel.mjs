@@ -18,10 +18,10 @@ export function proofFiles(root) {
   return fs.readFileSync(list, 'utf8').split('\n').map(l => l.trim()).filter(l => /^\w+\.v$/.test(l));
 }
 
-/// What the list of checked proofs names the sources by.
+/// What the list of checked proofs names the sources by: all that the kernel reads, which comments are not.
 export const digest = root => {
   const hash = createHash('sha256');
-  for (const file of proofFiles(root)) hash.update(`${file}\n`).update(fs.readFileSync(path.join(root, folder, file)));
+  for (const file of proofFiles(root)) hash.update(`${file}\n`).update(withoutComments(fs.readFileSync(path.join(root, folder, file), 'utf8')).replace(/\s+/g, ' '));
   return hash.digest('hex').slice(0, 16);
 };
 

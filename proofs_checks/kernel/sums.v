@@ -247,7 +247,7 @@ Qed.
 
 (** ** The first line of the differential of the action, as printed
 
-(3.3) as printed, where \f$D_2\mathbb L$ stands at \f$(g_k, g_{k+1})\f$ and \f$D_1\mathbb L\f$ at
+(3.3) as printed, where \f$D_2\mathbb L\f$ stands at \f$(g_k, g_{k+1})\f$ and \f$D_1\mathbb L\f$ at
 \f$(g_{k-1}, g_k)\f$; the sequence runs over all integers, so that \f$g_{-1}\f$ and \f$g_{N+1}\f$ exist. The
 differential of the action is another form: a free particle at \f$g_k = k^2\f$, \f$N = 3\f$, its last
 configuration varied. *)
