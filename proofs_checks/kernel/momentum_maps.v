@@ -39,13 +39,8 @@ Definition hamilton_equations g p H_g H_p := g^' = H_p /\ p^' = - H_g.
 \f$\lambda(p) = T_e^*R_g\,p\f$. *)
 Definition lambda g p := spatial_momentum g p.
 
-(** ** Hamilton's equations of a right-invariant function
-
-For a function of \f$\mu = \lambda(p)\f$ alone, \f$H(p) = h(\mu)\f$ with \f$\phi = \delta h/\delta\mu\f$, Hamilton's
-equations are the equation for \f$g\f$ and the Lie-Poisson equation together:
-\f[ \dot g = T_eR_g\,\phi, \qquad \dot\mu = -\mathrm{ad}_\phi^*\,\mu . \f]
-The momentum in \f$\phi\f$ is that of the same instant. *)
-Theorem hamilton_equations_right g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
+(* Hamilton's equations of a function of the spatial momentum alone. *)
+Lemma hamilton_equations_right g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
   hamilton_equations g p H_g H_p <-> g^' = right_translation g phi /\ (lambda g p)^' = - ad_star phi (lambda g p).
 Proof.
 move=> unit chain; have [-> ->] := derivatives_rightE chain; rewrite /hamilton_equations /right_translation.
@@ -67,13 +62,39 @@ move=> dg dp; rewrite pairing_addl R_star_dual R_star_dual addrC -/(L_star phi p
 by rewrite /right_translation /left_translation pairing_sym.
 Qed.
 
+(** ** Hamilton's equations, Lie-Poisson equations and brackets
+
+For a right-invariant Hamiltonian, \f$H(p) = h(\mu)\f$ with \f$\mu = \lambda(p)\f$ and \f$\phi = \delta h/\delta\mu\f$ at the
+same instant. Hamilton's equations say the same as \f$\dot F = \{F, H\}\f$ for all \f$F\f$, that is for all partial
+derivatives \f$F_g\f$, \f$F_p\f$. They also say the same as the equation for \f$g\f$ and the Lie-Poisson equation
+together,
+\f[ \dot g = T_eR_g\,\phi, \qquad \dot\mu = -\mathrm{ad}_\phi^*\,\mu , \f]
+and the second of these the same as \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$, that is for all differentials
+\f$\psi = \delta f/\delta\mu\f$. *)
+Theorem claim_2_2_lie_poisson_equivalence g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
+  let hamilton := hamilton_equations g p H_g H_p in
+  let lie_poisson := (lambda g p)^' = - ad_star phi (lambda g p) in
+  [/\ hamilton <-> forall F_g F_p, pairing F_g g^' + pairing F_p p^' = canonical_pairing F_g F_p H_g H_p,
+      hamilton <-> g^' = right_translation g phi /\ lie_poisson
+    & lie_poisson <-> forall psi, pairing (lambda g p)^' psi = pairing (lambda g p) (bracket psi phi)].
+Proof.
+move=> unit chain hamilton lie_poisson.
+split; [| exact: hamilton_equations_right | exact: claim_2_2_lie_poisson_equivalence_iii_iv].
+rewrite /hamilton /hamilton_equations /canonical_pairing; split=> [[-> ->] F_g F_p | same].
+  by rewrite pairing_oppr.
+have H_p_is : g^' = H_p.
+  apply: pairing_injective => v; rewrite pairing_symmetric [RHS]pairing_symmetric.
+  by have := same v 0; rewrite !pairing_0l subr0 addr0.
+split=> //; apply: pairing_injective => v; rewrite pairing_symmetric.
+by have := same 0 v; rewrite !pairing_0l add0r sub0r => ->; rewrite [RHS]pairing_symmetric pairing_oppr.
+Qed.
+
 (** ** Lie-Poisson reduction
 
 Theorem 2.2.3, with the momentum in the equation for \f$g\f$ taken at the same instant: where
 \f$\dot g = T_eR_g\,\delta h/\delta\mu\f$, the following are equivalent. (i) \f$p\f$ satisfies Hamilton's equations.
-(ii) \f$\dot F = \{F, H\}\f$ for all \f$F\f$, that is for all partial derivatives \f$F_g\f$, \f$F_p\f$. (iii) \f$\mu\f$
-satisfies the Lie-Poisson equation. (iv) \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$, that is for all differentials
-\f$\delta f/\delta\mu\f$. *)
+(ii) \f$\dot F = \{F, H\}\f$ for all \f$F\f$. (iii) \f$\mu\f$ satisfies the Lie-Poisson equation. (iv)
+\f$\dot f = \{f, h\}_+\f$ for all \f$f\f$. *)
 Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
   g^' = right_translation g phi ->
   let i := hamilton_equations g p H_g H_p in
@@ -82,16 +103,9 @@ Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_
   let iv := forall psi, pairing (lambda g p)^' psi = pairing (lambda g p) (bracket psi phi) in
   [/\ i <-> ii, i <-> iii & iii <-> iv].
 Proof.
-move=> unit chain moves i ii iii iv; have reduced := hamilton_equations_right unit chain.
-split; last exact: claim_2_2_lie_poisson_equivalence_iii_iv.
-  rewrite /i /ii /hamilton_equations /canonical_pairing; split=> [[-> ->] F_g F_p | same].
-    by rewrite pairing_oppr.
-  have H_p_is : g^' = H_p.
-    apply: pairing_injective => v; rewrite pairing_symmetric [RHS]pairing_symmetric.
-    by have := same v 0; rewrite !pairing_0l subr0 addr0.
-  split=> //; apply: pairing_injective => v; rewrite pairing_symmetric.
-  by have := same 0 v; rewrite !pairing_0l add0r sub0r => ->; rewrite [RHS]pairing_symmetric pairing_oppr.
-by split=> [/reduced [] // | equation]; apply/reduced.
+move=> unit chain moves i ii iii iv.
+have [one two three] := claim_2_2_lie_poisson_equivalence unit chain.
+by split=> //; split=> [/two [] // | equation]; apply/two.
 Qed.
 
 (** ** Which momentum moves the group element
@@ -229,6 +243,9 @@ Ltac entries := apply/matrixP; case=> [] [|[|[|?]]] // ?; case=> [] [|[|[|?]]] /
 Definition example_hamiltonian (mu : 'M[R]_3) := 3%:R * (mu 0 1 * mu 0 1) + mu 1 2%:R.
 Definition example_velocity (mu : 'M[R]_3) : 'M[R]_3 := (6%:R * mu 0 1) *: delta_mx 0 1 + delta_mx 1 2%:R.
 
+Lemma example_velocity_entry mu : example_velocity mu 0 1 = 6%:R * mu 0 1.
+Proof. by rewrite !mxE /= mulr1 addr0. Qed.
+
 (** A motion in the time \f$t\f$ that begins at the identity. *)
 Definition example_g := rows [:: [:: 1; 3%:R * (t * t); 2%:R * (t * t * t)]; [:: 0; 1; t]; [:: 0; 0; 1]].
 Definition example_p := rows [:: [:: 0; 0; 1]; [:: 0; 0; - (3%:R * (t * t))]; [:: 0; 0; t * t * t]].
@@ -263,6 +280,45 @@ by split; entries; rewrite !mxE /= ?raddfN /= ?leibniz ?derivative_of_nat ?deriv
   ring_identity.
 Qed.
 
+(* The momentum of that motion, and another motion of the group element: that of the momentum at time 0. *)
+Lemma example_momentum : lambda example_g example_p 0 1 = t /\ lambda example_g example_p 0 2%:R = 1.
+Proof.
+by rewrite /lambda /spatial_momentum /R_star !(mxE, big_ord_recl, big_ord0) /=; split; ring_identity.
+Qed.
+
+Definition frozen_g : 'M[R]_3 := 1%:M + t *: delta_mx 1 2%:R.
+Definition frozen_p := lambda example_g example_p *m (1%:M - t *: delta_mx 2%:R 1).
+
+Lemma frozen_product : frozen_g *m (1%:M - t *: delta_mx 1 2%:R) = 1%:M.
+Proof.
+have square : delta_mx 1 2%:R *m (delta_mx 1 2%:R : 'M[R]_3) = 0 :> 'M[R]_3 by rewrite mul_delta_mx_0.
+rewrite /frozen_g mulmxDl mul1mx mulmxBr mulmx1 -scalemxAl -scalemxAr square !scaler0 subr0.
+by rewrite subrK.
+Qed.
+
+Lemma frozen_momentum : lambda frozen_g frozen_p = lambda example_g example_p.
+Proof.
+rewrite {1}/lambda /spatial_momentum /R_star /frozen_p -mulmxA.
+have -> : 1%:M - t *: delta_mx 2%:R 1 = (1%:M - t *: delta_mx 1 2%:R)^T :> 'M[R]_3.
+  by rewrite raddfB /= trmx1 [(t *: _)^T]linearZ /= trmx_delta.
+by rewrite -trmx_mul frozen_product trmx1 mulmx1.
+Qed.
+
+(* The momentum at time 0 is that of the motion above. *)
+Lemma frozen_start : frozen_p 0 1 = 0.
+Proof.
+have [] := example_momentum; rewrite /frozen_p; move: (lambda _ _) => mu entry_t entry_1.
+rewrite mulmxBr mulmx1 -scalemxAr !mxE entry_t (bigD1 2%:R) //= !mxE entry_1.
+by rewrite big1 ?addr0 ?mulr1 ?subrr // => k ne; rewrite !mxE (negbTE ne) mulr0.
+Qed.
+
+Lemma frozen_velocity : derivative_of d frozen_g = delta_mx 1 2%:R *m frozen_g.
+Proof.
+rewrite /frozen_g mulmxDr mulmx1 -scalemxAr mul_delta_mx_cond mulr0n scaler0 addr0.
+apply/matrixP => i j; rewrite !mxE raddfD /= leibniz time mul1r.
+by case: (i == j); case: (_ && _); rewrite ?derivative_of_one ?raddf0 ?mulr0 ?addr0 ?add0r.
+Qed.
+
 End Example.
 
 (** ** The momentum at the start does not move the group element
@@ -294,6 +350,41 @@ have := printed _ _ _ _ _ _ _ (@example_derivative polynomials) (example_unit t)
 rewrite /right_translation /example_velocity mulmxDl -scalemxAl !delta_left => /matrixP/(_ 0 1).
 rewrite !mxE /= hornerC mulr0 mul0r add0r mulr0n => /(congr1 (fun q : {poly int} => q.[1])).
 by rewrite /t !derivE !hornerE.
+Qed.
+
+(** ** The equivalence as printed
+
+Where the group element moves by the momentum at time 0, as Theorem 2.2.3 prints it, the Lie-Poisson equation
+(iii) does not bring Hamilton's equations (i) with it. With the momentum \f$\mu(t)\f$ of the motion above and
+\f[ g = \begin{pmatrix} 1 & 0 & 0 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix}, \qquad p = \mu\,g^{-T}, \f]
+the printed hypothesis and (iii) hold, and (i) does not. *)
+Theorem thm_2_2_3_printed_fails :
+  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n) g p H_g H_p,
+      (forall mu, is_momentum_derivative (h mu) mu (dh mu)) ->
+      g \in unitmx -> derivatives_right g p (dh (lambda g p)) H_g H_p ->
+      derivative_of time_derivative g = right_translation g (dh (at_time_zero p)) ->
+      hamilton_equations time_derivative g p H_g H_p <->
+      derivative_of time_derivative (lambda g p) = - ad_star (dh (lambda g p)) (lambda g p)).
+Proof.
+move=> printed; pose t : polynomials := 'X; have time : time_derivative t = 1 by apply: derivX.
+have unit := (mulmx1_unit (frozen_product t)).1.
+have chain := derivatives_of_right_function (frozen_g t) (frozen_p t)
+  (example_velocity (lambda (frozen_g t) (frozen_p t))).
+have frozen : derivative_of time_derivative (frozen_g t) =
+    right_translation (frozen_g t) (example_velocity (at_time_zero (frozen_p t))).
+  rewrite (frozen_velocity time) /right_translation; congr (_ *m _).
+  by rewrite /example_velocity mxE frozen_start horner0 mulr0 scale0r add0r.
+have [_ back] := printed _ _ _ _ _ _ _ (@example_derivative polynomials) unit chain frozen.
+have equation : derivative_of time_derivative (lambda (frozen_g t) (frozen_p t)) =
+    - ad_star (example_velocity (lambda (frozen_g t) (frozen_p t))) (lambda (frozen_g t) (frozen_p t)).
+  rewrite !frozen_momentum.
+  have := hamilton_equations_right time_derivative (example_unit t) (derivatives_of_right_function _ _ _).
+  by move=> /(_ (example_p t)) both; case/both: (example_motion time).
+have [moves _] := back equation.
+have same : delta_mx 1 2%:R = example_velocity (lambda (example_g t) (example_p t)).
+  by apply: (can_inj (mulmxK unit)); rewrite -(frozen_velocity time) moves frozen_momentum.
+move/matrixP/(_ 0 1): same; rewrite example_velocity_entry (example_momentum t).1 mxE /=.
+by move/(congr1 (fun q : {poly int} => q.[1])); rewrite /t !hornerE.
 Qed.
 
 (** ** Momentum maps of the two translations *)
