@@ -41,7 +41,8 @@ Definition lambda g p := spatial_momentum g p.
 
 (* Hamilton's equations of a function of the spatial momentum alone. *)
 Lemma hamilton_equations_right g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
-  hamilton_equations g p H_g H_p <-> g^' = right_translation g phi /\ (lambda g p)^' = - ad_star phi (lambda g p).
+  hamilton_equations g p H_g H_p <->
+  g^' = right_translation g phi /\ (lambda g p)^' = - ad_star phi (lambda g p).
 Proof.
 move=> unit chain; have [-> ->] := derivatives_rightE chain; rewrite /hamilton_equations /right_translation.
 have rate : g^' = phi *m g -> (lambda g p)^' = p^' *m g^T + lambda g p *m phi^T.
@@ -64,14 +65,15 @@ Qed.
 
 (** ** Hamilton's equations, Lie-Poisson equations and brackets
 
-For a right-invariant Hamiltonian, \f$H(p) = h(\mu)\f$ with \f$\mu = \lambda(p)\f$ and \f$\phi = \delta h/\delta\mu\f$ at the
-same instant. Hamilton's equations say the same as \f$\dot F = \{F, H\}\f$ for all \f$F\f$, that is for all partial
-derivatives \f$F_g\f$, \f$F_p\f$. They also say the same as the equation for \f$g\f$ and the Lie-Poisson equation
-together,
+For a right-invariant Hamiltonian, \f$H(p) = h(\mu)\f$ with \f$\mu = \lambda(p)\f$ and
+\f$\phi = \delta h/\delta\mu\f$ at the same instant. Hamilton's equations say the same as
+\f$\dot F = \{F, H\}\f$ for all \f$F\f$, that is for all partial derivatives \f$F_g\f$, \f$F_p\f$. They also
+say the same as the equation for \f$g\f$ and the Lie-Poisson equation together,
 \f[ \dot g = T_eR_g\,\phi, \qquad \dot\mu = -\mathrm{ad}_\phi^*\,\mu , \f]
 and the second of these the same as \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$, that is for all differentials
 \f$\psi = \delta f/\delta\mu\f$. *)
-Theorem claim_2_2_lie_poisson_equivalence g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
+Theorem claim_2_2_lie_poisson_equivalence g p phi H_g H_p :
+  g \in unitmx -> derivatives_right g p phi H_g H_p ->
   let hamilton := hamilton_equations g p H_g H_p in
   let lie_poisson := (lambda g p)^' = - ad_star phi (lambda g p) in
   [/\ hamilton <-> forall F_g F_p, pairing F_g g^' + pairing F_p p^' = canonical_pairing F_g F_p H_g H_p,
@@ -92,9 +94,9 @@ Qed.
 (** ** Lie-Poisson reduction
 
 Theorem 2.2.3, with the momentum in the equation for \f$g\f$ taken at the same instant: where
-\f$\dot g = T_eR_g\,\delta h/\delta\mu\f$, the following are equivalent. (i) \f$p\f$ satisfies Hamilton's equations.
-(ii) \f$\dot F = \{F, H\}\f$ for all \f$F\f$. (iii) \f$\mu\f$ satisfies the Lie-Poisson equation. (iv)
-\f$\dot f = \{f, h\}_+\f$ for all \f$f\f$. *)
+\f$\dot g = T_eR_g\,\delta h/\delta\mu\f$, the following are equivalent. (i) \f$p\f$ satisfies Hamilton's
+equations. (ii) \f$\dot F = \{F, H\}\f$ for all \f$F\f$. (iii) \f$\mu\f$ satisfies the Lie-Poisson equation.
+(iv) \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$. *)
 Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
   g^' = right_translation g phi ->
   let i := hamilton_equations g p H_g H_p in
@@ -119,7 +121,8 @@ Proof. by move=> unit chain /(hamilton_equations_right unit chain) []. Qed.
 (** ** The Euler-Lagrange equations of an invariant Lagrangian *)
 
 (** The partial derivatives of \f$L(g, \dot g) = l(\dot gg^{-1})\f$, where \f$m = \delta l/\delta\xi\f$ at
-\f$\xi = \dot gg^{-1}\f$: the chain rule, with \f$\delta(\dot gg^{-1}) = (\delta\dot g - \xi\,\delta g)g^{-1}\f$. *)
+\f$\xi = \dot gg^{-1}\f$: the chain rule, with
+\f$\delta(\dot gg^{-1}) = (\delta\dot g - \xi\,\delta g)g^{-1}\f$. *)
 Definition derivatives_of_right_lagrangian g xi m L_g L_v :=
   forall dg dv, pairing L_g dg + pairing L_v dv = pairing m ((dv - xi *m dg) *m invmx g).
 
@@ -205,8 +208,10 @@ Let \f$h + l = \langle\mu, \xi\rangle\f$. Then \f$\mu = \delta l/\delta\xi\f$ if
 \f$\xi = \delta h/\delta\mu\f$, each read as the chain rule for every derivation of the ring. So the
 Euler-Poincare equation of \f$l\f$ is the Lie-Poisson equation of \f$h\f$, with either sign, and Legendre's
 transformation goes both ways. *)
-Definition is_velocity_derivative (l : R) xi mu := forall c : derivation R, c l = pairing mu (derivative_of c xi).
-Definition is_momentum_derivative (h : R) mu xi := forall c : derivation R, c h = pairing (derivative_of c mu) xi.
+Definition is_velocity_derivative (l : R) xi mu :=
+  forall c : derivation R, c l = pairing mu (derivative_of c xi).
+Definition is_momentum_derivative (h : R) mu xi :=
+  forall c : derivation R, c h = pairing (derivative_of c mu) xi.
 
 Theorem claim_2_2_euler_poincare_lie_poisson (l h : R) xi mu : h + l = pairing mu xi ->
   let euler_poincare := is_velocity_derivative l xi mu in
@@ -325,8 +330,8 @@ End Example.
 
 Theorem 2.2.3 prints \f$\dot g = T_eR_g\frac{\delta h}{\delta\mu}\f$ with \f$\mu = p(0)\f$. The ring of the
 counterexample is that of polynomials in the time \f$t\f$ with integer coefficients, and \f$p(0)\f$ has the
-values of the polynomials at 0. The Hamiltonian is \f$h = 3\mu_{12}^2 + \mu_{23}\f$ on matrices with three rows, the
-motion begins at the identity,
+values of the polynomials at 0. The Hamiltonian is \f$h = 3\mu_{12}^2 + \mu_{23}\f$ on matrices with three
+rows, the motion begins at the identity,
 \f[ g = \begin{pmatrix} 1 & 3t^2 & 2t^3 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix} , \]
 and \f$\dot g_{12} = 6t\f$, which at \f$\mu = p(0)\f$ would be zero. *)
 
@@ -338,7 +343,8 @@ Definition at_time_zero n (p : 'M[polynomials]_n) : 'M[polynomials]_n :=
 Definition time_derivative : derivation polynomials := polynomial_derivative [comRingType of int].
 
 Theorem claim_2_2_reconstruction_velocity_printed_fails :
-  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n) g p H_g H_p,
+  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n)
+            g p H_g H_p,
       (forall mu, is_momentum_derivative (h mu) mu (dh mu)) ->
       g \in unitmx -> derivatives_right g p (dh (lambda g p)) H_g H_p ->
       hamilton_equations time_derivative g p H_g H_p ->
@@ -359,7 +365,8 @@ Where the group element moves by the momentum at time 0, as Theorem 2.2.3 prints
 \f[ g = \begin{pmatrix} 1 & 0 & 0 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix}, \qquad p = \mu\,g^{-T}, \f]
 the printed hypothesis and (iii) hold, and (i) does not. *)
 Theorem thm_2_2_3_printed_fails :
-  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n) g p H_g H_p,
+  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n)
+            g p H_g H_p,
       (forall mu, is_momentum_derivative (h mu) mu (dh mu)) ->
       g \in unitmx -> derivatives_right g p (dh (lambda g p)) H_g H_p ->
       derivative_of time_derivative g = right_translation g (dh (at_time_zero p)) ->
@@ -408,9 +415,9 @@ Proof. by rewrite R_star_dual L_star_dual. Qed.
 
 (** ** Equivariance of the momentum maps
 
-Multiplication from the left by \f$h\f$ takes a covector \f$p\f$ at \f$g\f$ to \f$L_{h^{-1}}^*p\f$ at \f$hg\f$. It
-leaves the body momentum as it is and turns the spatial momentum by \f$\mathrm{Ad}_{h^{-1}}^*\f$. Multiplication
-from the right by \f$k\f$ leaves the spatial momentum as it is and turns the body momentum by
+Multiplication from the left by \f$h\f$ takes a covector \f$p\f$ at \f$g\f$ to \f$L_{h^{-1}}^*p\f$ at
+\f$hg\f$. It leaves the body momentum as it is and turns the spatial momentum by \f$\mathrm{Ad}_{h^{-1}}^*\f$.
+Multiplication from the right by \f$k\f$ leaves the spatial momentum as it is and turns the body momentum by
 \f$\mathrm{Ad}_k^*\f$. *)
 Theorem momentum_maps_equivariant g p h k : h \in unitmx -> k \in unitmx ->
   [/\ body_momentum (h *m g) (L_star (invmx h) p) = body_momentum g p,
@@ -445,8 +452,8 @@ Qed.
 
 (** ** Noether's theorem along a curve
 
-Let \f$p = \partial L/\partial\dot g\f$ and \f$q = \partial L/\partial g\f$ along a curve, and let \f$\vartheta\f$ be
-the generator of a symmetry along it. Off shell
+Let \f$p = \partial L/\partial\dot g\f$ and \f$q = \partial L/\partial g\f$ along a curve, and let
+\f$\vartheta\f$ be the generator of a symmetry along it. Off shell
 \f[ \frac{d}{dt}\langle p, \vartheta\rangle = \langle\dot p - q, \vartheta\rangle
 + \bigl(\langle q, \vartheta\rangle + \langle p, \dot\vartheta\rangle\bigr) , \f]
 where the last bracket is the change of \f$L\f$ under the symmetry. Where it vanishes and the Euler-Lagrange
@@ -465,12 +472,76 @@ rewrite /noether_momentum derivative_of_pairing pairing_addl pairing_oppl; split
 by rewrite equation.
 Qed.
 
+(** ** A symmetry takes solutions to solutions
+
+Let multiplication from the right by a constant \f$k\f$ leave the Lagrangian as it is,
+\f$L(gk, \dot gk) = L(g, \dot g)\f$, so that its partial derivatives \f$M_g\f$, \f$M_v\f$ at
+\f$(gk, \dot gk)\f$ and \f$L_g\f$, \f$L_v\f$ at \f$(g, \dot g)\f$ belong to one differential. Then the
+Euler-Lagrange map goes along: its value along \f$gk\f$ is that along \f$g\f$, translated by
+\f$R_{k^{-1}}^*\f$. So \f$gk\f$ is a solution exactly where \f$g\f$ is. The same holds on the left. *)
+Theorem claim_2_1_symmetry_of_solutions_equations (d : derivation R) k L_g L_v M_g M_v :
+  k \in unitmx -> derivative_of d k = 0 ->
+  ((forall dg dv, pairing M_g (right_translation k dg) + pairing M_v (right_translation k dv) =
+                  pairing L_g dg + pairing L_v dv) ->
+   derivative_of d M_v - M_g = R_star (invmx k) (derivative_of d L_v - L_g) /\
+   (derivative_of d M_v = M_g <-> derivative_of d L_v = L_g)) /\
+  ((forall dg dv, pairing M_g (left_translation k dg) + pairing M_v (left_translation k dv) =
+                  pairing L_g dg + pairing L_v dv) ->
+   derivative_of d M_v - M_g = L_star (invmx k) (derivative_of d L_v - L_g) /\
+   (derivative_of d M_v = M_g <-> derivative_of d L_v = L_g)).
+Proof.
+move=> unit constant.
+have still : derivative_of d (invmx k) = 0.
+  by rewrite derivative_of_inverse_matrix // constant mulmx0 mul0mx oppr0.
+have still_T : derivative_of d (invmx k)^T = 0 by rewrite derivative_of_transpose still trmx0.
+have unit_T : (invmx k)^T \in unitmx by rewrite unitmx_tr unitmx_inv.
+split=> same.
+  have moved p q : (forall v, pairing p (right_translation k v) = pairing q v) -> p = R_star (invmx k) q.
+    move=> pairs; apply: pairing_injective => v; rewrite R_star_dual -pairs /right_translation mulmxKV //.
+  have M_g_is : M_g = R_star (invmx k) L_g.
+    apply: moved => v; have := same v 0.
+    by rewrite {2}/right_translation mul0mx !pairing_0r !addr0.
+  have M_v_is : M_v = R_star (invmx k) L_v.
+    apply: moved => v; have := same 0 v.
+    by rewrite {1}/right_translation mul0mx !pairing_0r !add0r.
+  have goes_along : derivative_of d M_v - M_g = R_star (invmx k) (derivative_of d L_v - L_g).
+    by rewrite M_g_is M_v_is /R_star derivative_of_matrix_product still_T mulmx0 addr0 mulmxBl.
+  split=> //; split=> [equation | equation].
+    apply/eqP; rewrite -subr_eq0; apply/eqP; apply: (can_inj (mulmxK unit_T)).
+    by rewrite mul0mx -/(R_star (invmx k) _) -goes_along equation subrr.
+  by apply/eqP; rewrite -subr_eq0 goes_along equation subrr /R_star mul0mx.
+have moved p q : (forall v, pairing p (left_translation k v) = pairing q v) -> p = L_star (invmx k) q.
+  by move=> pairs; apply: pairing_injective => v; rewrite L_star_dual -pairs /left_translation mulKVmx.
+have M_g_is : M_g = L_star (invmx k) L_g.
+  apply: moved => v; have := same v 0.
+  by rewrite {2}/left_translation mulmx0 !pairing_0r !addr0.
+have M_v_is : M_v = L_star (invmx k) L_v.
+  apply: moved => v; have := same 0 v.
+  by rewrite {1}/left_translation mulmx0 !pairing_0r !add0r.
+have goes_along : derivative_of d M_v - M_g = L_star (invmx k) (derivative_of d L_v - L_g).
+  by rewrite M_g_is M_v_is /L_star derivative_of_matrix_product still_T mul0mx add0r mulmxBr.
+split=> //; split=> [equation | equation].
+  apply/eqP; rewrite -subr_eq0; apply/eqP; apply: (can_inj (mulKmx unit_T)).
+  by rewrite mulmx0 -/(L_star (invmx k) _) -goes_along equation subrr.
+by apply/eqP; rewrite -subr_eq0 goes_along equation subrr /L_star mulmx0.
+Qed.
+
+(** ** The diagonal action is free
+
+Section 3.2. The element that takes one pair of configurations to another is known from the first two
+configurations, \f$k = g_0^{-1}h_0\f$; so it depends on them as smoothly as the group allows, which is why the
+action is proper, and only the identity leaves a pair as it is. *)
+Theorem claim_3_2_proper_action_free g0 g1 h0 h1 k : g0 \in unitmx ->
+  (g0 *m k = h0 /\ g1 *m k = h1 -> k = invmx g0 *m h0) /\ (g0 *m k = g0 /\ g1 *m k = g1 -> k = 1%:M).
+Proof. by move=> unit; split=> -[first _]; rewrite -[k](mulKmx unit) first ?mulKmx ?mulVmx. Qed.
+
 (** ** The forms of Kirillov and Kostant are closed
 
 On the orbits of the dual algebra the fields \f$\mu\mapsto\mathrm{ad}_x^*\mu\f$ have the bracket
-\f$\mathrm{ad}_y^*\mathrm{ad}_x^* - \mathrm{ad}_x^*\mathrm{ad}_y^* = \mathrm{ad}_{[x,y]}^*\f$, and the derivative of
-\f$\omega(y, z) = \langle\mu, [y, z]\rangle\f$ along \f$\mathrm{ad}_x^*\mu\f$ is
-\f$\langle\mathrm{ad}_x^*\mu, [y, z]\rangle\f$. With these the exterior derivative of the form on three fields,
+\f$\mathrm{ad}_y^*\mathrm{ad}_x^* - \mathrm{ad}_x^*\mathrm{ad}_y^* = \mathrm{ad}_{[x,y]}^*\f$, and the
+derivative of \f$\omega(y, z) = \langle\mu, [y, z]\rangle\f$ along \f$\mathrm{ad}_x^*\mu\f$ is
+\f$\langle\mathrm{ad}_x^*\mu, [y, z]\rangle\f$. With these the exterior derivative of the form on three
+fields,
 \f[ \sum\bigl(\langle\mathrm{ad}_x^*\mu, [y, z]\rangle - \langle\mu, [[x, y], z]\rangle\bigr) , \f]
 the sum over the cyclic exchanges of \f$x\f$, \f$y\f$, \f$z\f$, vanishes by the identity of Jacobi. *)
 Theorem claim_2_2_coadjoint_orbits_closed mu x y z :
@@ -502,13 +573,14 @@ Definition inverse_cayley Q := (Q - 1%:M) *m invmx (Q + 1%:M).
 (** ** The Cayley map and its inverse
 
 Where 2 has an inverse: \f$\mathrm{cay}(A) + 1 = 2(1 - A)^{-1}\f$ is invertible where \f$1 - A\f$ is, and
-\f$\mathrm{cay}^{-1}(\mathrm{cay}(A)) = A\f$; and \f$\mathrm{cay}(\mathrm{cay}^{-1}(Q)) = Q\f$ where \f$Q + 1\f$ is
-invertible. *)
+\f$\mathrm{cay}^{-1}(\mathrm{cay}(A)) = A\f$; and \f$\mathrm{cay}(\mathrm{cay}^{-1}(Q)) = Q\f$ where
+\f$Q + 1\f$ is invertible. *)
 Theorem cayley_and_its_inverse A Q : (2%:R : R) \is a GRing.unit ->
   (1%:M - A \in unitmx -> cayley A + 1%:M \in unitmx /\ inverse_cayley (cayley A) = A) /\
   (Q + 1%:M \in unitmx -> 1%:M - inverse_cayley Q \in unitmx /\ cayley (inverse_cayley Q) = Q).
 Proof.
-move=> two; have halves X : (2%:R)^-1 *: (X *+ 2) = X :> 'M[R]_n by rewrite -scaler_nat scalerA mulVr ?scale1r.
+move=> two; have halves X : (2%:R)^-1 *: (X *+ 2) = X :> 'M[R]_n.
+  by rewrite -scaler_nat scalerA mulVr ?scale1r.
 split=> [minus | plus].
   have sum : (cayley A + 1%:M) *m (1%:M - A) = 1%:M *+ 2.
     by rewrite mulmxDl cayley_right //; by_expansion.
@@ -533,7 +605,8 @@ Qed.
 
 \f$\mathrm{cay}(0) = 1\f$; to first order \f$\mathrm{cay}(B) = 1 + 2B\f$, which is exact where \f$B^2 = 0\f$;
 \f$\mathrm{cay}(-A) = \mathrm{cay}(A)^{-1}\f$;
-\f$\mathrm{cay}(\mathrm{Ad}_gA) = \mathrm{Ad}_g\,\mathrm{cay}(A)\f$; and the exact remainder of the second order,
+\f$\mathrm{cay}(\mathrm{Ad}_gA) = \mathrm{Ad}_g\,\mathrm{cay}(A)\f$; and the exact remainder of the second
+order,
 \f[ \mathrm{cay}(A) = 1 + 2A + 2A^2 + 2A^3(1 - A)^{-1} . \f]
 Up to the last term this is \f$\exp(2A)\f$. *)
 Theorem cayley_is_a_retraction g A : g \in unitmx -> 1%:M - A \in unitmx ->
@@ -563,8 +636,8 @@ Qed.
 
 (** ** Rotations from skew matrices and back
 
-For an invertible \f$Q + 1\f$, where \f$Q\f$ is orthogonal the matrix \f$\mathrm{cay}^{-1}(Q)\f$ is skew. The converse is
-the unitarity of the Cayley map of a skew matrix. *)
+For an invertible \f$Q + 1\f$, where \f$Q\f$ is orthogonal the matrix \f$\mathrm{cay}^{-1}(Q)\f$ is skew. The
+converse is the unitarity of the Cayley map of a skew matrix. *)
 Theorem inverse_cayley_skew Q : Q + 1%:M \in unitmx -> orthogonal Q -> skew (inverse_cayley Q).
 Proof.
 move=> plus o; rewrite /skew; have left := orthogonal_left o.
@@ -580,11 +653,11 @@ Qed.
 
 (** ** A discretization without origin inherits the symmetry
 
-Remark 3.1.1. A discrete Lagrangian is the Lagrangian at an approximate configuration and velocity. Let these be
-\f$q = u(f)\,g_0\f$ and \f$\dot q = w(f)\,q\f$ with any two functions \f$u\f$ and \f$w\f$ of the relative motion
-\f$f = g_0g_1^{-1}\f$; in the chart by the Cayley map at \f$g_0\f$ they are half-way in the chart, and a multiple of
-\f$\mathrm{cay}^{-1}(f)\f$. Then the diagonal action on pairs is the lifted action on states, and the discrete
-Lagrangian is right-invariant where the Lagrangian is. *)
+Remark 3.1.1. A discrete Lagrangian is the Lagrangian at an approximate configuration and velocity. Let these
+be \f$q = u(f)\,g_0\f$ and \f$\dot q = w(f)\,q\f$ with any two functions \f$u\f$ and \f$w\f$ of the relative
+motion \f$f = g_0g_1^{-1}\f$; in the chart by the Cayley map at \f$g_0\f$ they are half-way in the chart, and
+a multiple of \f$\mathrm{cay}^{-1}(f)\f$. Then the diagonal action on pairs is the lifted action on states,
+and the discrete Lagrangian is right-invariant where the Lagrangian is. *)
 Definition configuration_right (u : 'M[R]_n -> 'M[R]_n) g0 g1 := u (relative_motion_right g0 g1) *m g0.
 Definition velocity_right (u w : 'M[R]_n -> 'M[R]_n) g0 g1 :=
   w (relative_motion_right g0 g1) *m configuration_right u g0 g1.
@@ -613,11 +686,11 @@ End Retraction.
 
 Section BracketReduction.
 
-(** The functions on a Poisson manifold are a ring with a bracket, and a group moves them. The functions on the
-quotient are another ring; the pull-back by the quotient map takes each of them to a function on the manifold,
-and a function that the group leaves as it is comes from the quotient: it can be lowered. For pairs in a group
-the quotient map is \f$\pi_d(g_0, g_1) = g_0g_1^{-1}\f$, and \f$F\f$ is lowered to \f$F(f, 1)\f$. That the action is
-proper is not needed for this. *)
+(** The functions on a Poisson manifold are a ring with a bracket, and a group moves them. The functions on
+the quotient are another ring; the pull-back by the quotient map takes each of them to a function on the
+manifold, and a function that the group leaves as it is comes from the quotient: it can be lowered. For pairs
+in a group the quotient map is \f$\pi_d(g_0, g_1) = g_0g_1^{-1}\f$, and \f$F\f$ is lowered to \f$F(f, 1)\f$.
+That the action is proper is not needed for this. *)
 Variables (functions quotient_functions : comRingType) (b : functions -> functions -> functions).
 Hypothesis poisson : is_poisson_bracket b.
 Variables (G : Type) (act : G -> functions -> functions).
@@ -640,10 +713,10 @@ Proof. by move=> same; rewrite -[s]lower_pull_back same lower_pull_back. Qed.
 
 (** ** Brackets of invariant functions are invariant
 
-Chapter 10, on a configuration space larger than its symmetry group: where the group preserves the bracket, the
-bracket of two invariant functions is invariant. Where the group is generated by brackets with its momentum
-\f$J\f$, all invariant functions commute with \f$J\f$. So the quotient of pairs inherits a bracket, whatever the
-configuration space. *)
+Chapter 10, on a configuration space larger than its symmetry group: where the group preserves the bracket,
+the bracket of two invariant functions is invariant. Where the group is generated by brackets with its
+momentum \f$J\f$, all invariant functions commute with \f$J\f$. So the quotient of pairs inherits a bracket,
+whatever the configuration space. *)
 Theorem claim_10_0_reduced_pair_space_bracket :
   (forall f h, is_invariant f -> is_invariant h -> is_invariant (b f h)) /\
   (forall (J : functions) (generator : functions -> functions), (forall f, b f J = generator f) ->
@@ -656,12 +729,13 @@ Qed.
 
 (** ** The bracket on the quotient
 
-(3.13), with the functions lifted by the quotient map: \f$\{f, h\}_G\circ\pi_d = \{f\circ\pi_d, h\circ\pi_d\}\f$. There
-is one bracket with this property. *)
+(3.13), with the functions lifted by the quotient map:
+\f$\{f, h\}_G\circ\pi_d = \{f\circ\pi_d, h\circ\pi_d\}\f$. There is one bracket with this property. *)
 Theorem eq_3_13 :
   (forall s t, pull_back (reduced_bracket s t) = b (pull_back s) (pull_back t)) /\
   (forall c : quotient_functions -> quotient_functions -> quotient_functions,
-    (forall s t, pull_back (c s t) = b (pull_back s) (pull_back t)) -> forall s t, c s t = reduced_bracket s t).
+    (forall s t, pull_back (c s t) = b (pull_back s) (pull_back t)) ->
+    forall s t, c s t = reduced_bracket s t).
 Proof.
 have lifts s t : pull_back (reduced_bracket s t) = b (pull_back s) (pull_back t).
   apply/invariant_from_quotient; apply: claim_10_0_reduced_pair_space_bracket.1; exact: pull_back_invariant.
@@ -670,8 +744,8 @@ Qed.
 
 (** ** A step that the symmetry commutes with preserves the bracket on the quotient
 
-Let a map of functions, composition with the discrete Euler-Lagrange flow, preserve the bracket and commute with
-the group. It goes down to the functions on the quotient, where it is composition with the discrete
+Let a map of functions, composition with the discrete Euler-Lagrange flow, preserve the bracket and commute
+with the group. It goes down to the functions on the quotient, where it is composition with the discrete
 Euler-Poincare algorithm, and there it preserves the reduced bracket. *)
 Theorem claim_3_2_dep_preserves_bracket (flow : functions -> functions) :
   (forall f h, flow (b f h) = b (flow f) (flow h)) -> (forall k f, act k (flow f) = flow (act k f)) ->
@@ -688,9 +762,10 @@ Qed.
 
 (** ** The discrete Euler-Poincare algorithm is a Poisson map
 
-Theorem 3.2.2, corrected: the bracket of (3.13) is a Poisson bracket, and it is preserved by every step that comes
-from one on pairs which preserves the bracket there and commutes with the symmetry. That the discrete
-Euler-Lagrange flow is such a step is `claim_3_1_flow_symplectic` and `claim_3_1_symmetry_of_discrete_flow`. *)
+Theorem 3.2.2, corrected: the bracket of (3.13) is a Poisson bracket, and it is preserved by every step that
+comes from one on pairs which preserves the bracket there and commutes with the symmetry. That the discrete
+Euler-Lagrange flow is such a step is `claim_3_1_flow_symplectic` and `claim_3_1_symmetry_of_discrete_flow`.
+*)
 Theorem thm_3_2_2 :
   is_poisson_bracket reduced_bracket /\
   (forall flow : functions -> functions,
