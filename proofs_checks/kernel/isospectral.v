@@ -394,8 +394,8 @@ Where \f$A\f$ commutes with a solution \f$P\f$ of \f$\Delta P = \tilde W - c\f$ 
 Lie-Poisson algorithm, the energy changes by
 \f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad
 \Delta Z = A\tilde WA - c , \f]
-a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$ need
-not be zero where that of \f$W_0\f$ is. *)
+a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$
+need not be zero where that of \f$W_0\f$ is. *)
 Theorem energy_error A Wt P0 P1 P Z (c : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian P = Wt - c%:M -> Laplacian Z = A *m Wt *m A - c%:M -> A *m P = P *m A ->

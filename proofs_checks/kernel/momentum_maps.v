@@ -285,6 +285,13 @@ by split; entries; rewrite !mxE /= ?raddfN /= ?leibniz ?derivative_of_nat ?deriv
   ring_identity.
 Qed.
 
+Lemma example_equation : let mu := lambda example_g example_p in
+  derivative_of d mu = - ad_star (example_velocity mu) mu.
+Proof.
+move=> mu; have chain := derivatives_of_right_function example_g example_p (example_velocity mu).
+exact: ((hamilton_equations_right d example_unit chain).1 example_motion).2.
+Qed.
+
 (* The momentum of that motion, and another motion of the group element: that of the momentum at time 0. *)
 Lemma example_momentum : lambda example_g example_p 0 1 = t /\ lambda example_g example_p 0 2%:R = 1.
 Proof.
@@ -384,9 +391,7 @@ have frozen : derivative_of time_derivative (frozen_g t) =
 have [_ back] := printed _ _ _ _ _ _ _ (@example_derivative polynomials) unit chain frozen.
 have equation : derivative_of time_derivative (lambda (frozen_g t) (frozen_p t)) =
     - ad_star (example_velocity (lambda (frozen_g t) (frozen_p t))) (lambda (frozen_g t) (frozen_p t)).
-  rewrite !frozen_momentum.
-  have := hamilton_equations_right time_derivative (example_unit t) (derivatives_of_right_function _ _ _).
-  by move=> /(_ (example_p t)) both; case/both: (example_motion time).
+  by rewrite !frozen_momentum; apply: example_equation.
 have [moves _] := back equation.
 have same : delta_mx 1 2%:R = example_velocity (lambda (example_g t) (example_p t)).
   by apply: (can_inj (mulmxK unit)); rewrite -(frozen_velocity time) moves frozen_momentum.
