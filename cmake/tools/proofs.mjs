@@ -2,8 +2,10 @@
 //
 // Compiles the sources (coqc), has the compiled files checked once more by the separate checker (coqchk),
 // which lists the axioms that they and all they rest on use, and asks of each theorem what it assumes. Writes
-// BUILD/report/kernel.tsv. Status 1 where a source does not compile, an axiom is used, or a proof is
-// admitted.
+// BUILD/report/kernel.tsv. What the definitions give on samples, which values.v prints, goes to
+// BUILD/report/kernel_values.tsv and is compared with proofs_checks/kernel/values.tsv, which the library is
+// tested against. Status 1 where a source does not compile, an axiom is used, a proof is admitted, or a value
+// is not the recorded one.
 import { execFileSync, spawn } from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -21,8 +23,11 @@ if (!files.length) fail(`${folder}/_CoqProject names no source`);
 const there = fs.readdirSync(path.join(root, folder)).filter(f => f.endsWith('.v'));
 for (const f of there) if (!files.includes(f)) fail(`${folder}/${f} is not in _CoqProject`);
 
+// What each source prints into files of its own.
+const printed = new Map(files.map(f => [f, [...fs.readFileSync(path.join(root, folder, f), 'utf8').matchAll(/^Redirect "(\w+)"/gm)].map(m => `${m[1]}.out`)]));
+
 fs.mkdirSync(work, { recursive: true });
-for (const old of fs.readdirSync(work)) if (!files.includes(`${old.split('.')[0]}.v`) && !/^(build\.ninja|\.ninja)/.test(old)) fs.rmSync(path.join(work, old), { recursive: true });
+for (const old of fs.readdirSync(work)) if (!files.includes(`${old.split('.')[0]}.v`) && ![...printed.values()].flat().includes(old) && !/^(build\.ninja|\.ninja)/.test(old)) fs.rmSync(path.join(work, old), { recursive: true });
 for (const f of files) {
   const text = fs.readFileSync(path.join(root, folder, f), 'utf8'), copy = path.join(work, f);
   if (/\b(Axioms?|Parameters?|Conjecture|Admitted|admit|Abort)\b/.test(withoutComments(text))) fail(`${f} assumes or admits something`);
@@ -37,7 +42,7 @@ for (const m of execFileSync('coqdep', ['-Q', '.', 'actio', ...files], { cwd: wo
 fs.writeFileSync(path.join(work, 'build.ninja'), `rule prove
   command = coqc ${flags.join(' ')} $in
   description = prove $in
-${files.map(f => `build ${f}o: prove ${f} | ${needs.get(f).map(d => `${d}o`).join(' ')}`).join('\n')}
+${files.map(f => `build ${[`${f}o`, ...printed.get(f)].join(' ')}: prove ${f} | ${needs.get(f).map(d => `${d}o`).join(' ')}`).join('\n')}
 `);
 const run = (program, words) => new Promise(resolve => {
   const child = spawn(program, words, { cwd: work });
@@ -47,6 +52,23 @@ const run = (program, words) => new Promise(resolve => {
 });
 let done = await run('ninja', ['-j', jobs, '--quiet']);
 if (done.status !== 0) { process.stderr.write(done.said); fail('a proof does not compile'); }
+
+// ---- The values of the definitions
+
+const texts = (printed.get('values.v') ?? []).map(f => /^\s*= "([\s\S]*)"(?:%string)?\s*: string\s*$/.exec(fs.readFileSync(path.join(work, f), 'utf8'))?.[1] ?? fail(`${f} holds no text`));
+if (texts.length) {
+  const rows = texts.flatMap(t => t.split('\n')).filter(Boolean).map(l => l.split(' ')).map(w => [...w.slice(0, 5), w.slice(5).join(' ')].join('\t'));
+  const written = `definition\tsample\trole\trows\tcolumns\tentries\n${rows.join('\n')}\n`;
+  const fresh = path.join(build, 'report/kernel_values.tsv'), kept = path.join(root, folder, 'values.tsv');
+  fs.mkdirSync(path.dirname(fresh), { recursive: true });
+  fs.writeFileSync(fresh, written);
+  const recorded = fs.existsSync(kept) ? fs.readFileSync(kept, 'utf8') : '';
+  if (recorded !== written) {
+    const now = written.split('\n'), then = recorded.split('\n'), k = now.findIndex((l, i) => l !== then[i]);
+    const [name, sample] = ((k < 0 ? then[now.length] : now[k]) || then[k] || '').split('\t');
+    fail(`the values of the definitions are not those of ${folder}/values.tsv, which the library is tested against; the first that differs is ${name}${sample ? ` on sample ${sample}` : ''}. Where the change is meant, \`cp ${fresh} ${kept}\` records the new values`);
+  }
+}
 
 // ---- The checker, and beside it what each theorem assumes
 

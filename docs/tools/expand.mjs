@@ -359,7 +359,7 @@ for (const p of pages) {
       emit('\\subpage scene_keys "Every key of a scene" has them all, with type, default, unit and an example.');
       emit('');
     },
-    kernelcode(place) { const [file, from] = place.split(':'); block(codeBlock(codeAt(opt.root, file, Number(from)))); },
+    kernelcode(place) { const [file, from] = place.split(':'); block(codeBlock(codeAt(opt.root, file, Number(from)), new Set(registry.map(s => s.id)))); },
     kerneltable() { block(book.kernel?.rows.length ? kernelTable(book) : ''); },
     kernelbeyond() { block(book.kernel?.rows.length ? beyondTable(book) : ''); },
     kernelcounts() { block(book.kernel ? kernelCounts(book) : ''); },

@@ -131,15 +131,16 @@ export function seal(book, id) {
 // ---- Pages
 
 const keyword = /\b(Theorem|Lemma|Corollary|Example|Definition|Fixpoint|Proof|Qed|Section|End|Variables?|Hypothes[ei]s|Context|Implicit Types?|Record|Notation|Local|Canonical|Let|Import|From|Require|Set|Unset|Open Scope|forall|exists|fun|let|in|if|then|else|match|with|end)\b/g;
-/// Code with its keywords and comments set off. The lines of a proof are folded away below the theorem.
+/// Code with its keywords and comments set off.
 function colour(code) {
   return code.split(/(\(\*[\s\S]*?\*\))/).map((part, i) => (i % 2 ? `<span class="comment">${escapeHtml(part)}</span>` : escapeHtml(part).replace(keyword, '<span class="keyword">$&</span>'))).join('');
 }
-export function codeBlock(code) {
-  // What is claimed stands open; how it is proved unfolds.
-  const html = code.split(/(^Proof\.[\s\S]*?^(?:Qed|Defined)\.$|^Proof\. .*(?:Qed|Defined)\.$)/m).map((part, i) => {
+/// A piece of a source: what is claimed stands open, how it is proved unfolds. The name of a theorem leads to its statement.
+export function codeBlock(code, ids = new Set()) {
+  const named = name => { const id = idOf(name, ids); return id ? `<a href="@ref:${id}">${name}</a>` : name; };
+  const html = code.split(/(^Proof\.[^\n]*(?:Qed|Defined)\.$|^Proof\.[\s\S]*?(?:^|\s)(?:Qed|Defined)\.$)/m).map((part, i) => {
     if (!part.trim()) return '';
-    if (i % 2 === 0) return `<pre class="coq">${colour(part.replace(/^\n+|\s+$/g, '')).replace(/(<span class="keyword">Theorem<\/span>\s+)(\w+)/g, '$1<a class="target" id="proof_$2"></a><b>$2</b>')}</pre>`;
+    if (i % 2 === 0) return `<pre class="coq">${colour(part.replace(/^\n+|\s+$/g, '')).replace(/(<span class="keyword">Theorem<\/span>\s+)(\w+)/g, (_, theorem, name) => `${theorem}<a class="target" id="proof_${name}"></a><b>${named(name)}</b>`)}</pre>`;
     const lines = part.trim().split('\n').length;
     return `<details class="coq-proof"><summary>proof, ${lines} line${lines === 1 ? '' : 's'}</summary><pre class="coq">${colour(part.trim())}</pre></details>`;
   });

@@ -210,7 +210,7 @@ contains ch03.html 'marker-end="url(#idea[0-9]*-head-c1)"'
 contains ch03.html 'data-animation="flip"'
 contains ch03.html '<a class="seal" href="kernel_computed.html#proof_eq_3_9"[^>]*>proved</a>'
 contains ch03.html '<a class="seal seal-refuted" href="kernel_computed.html#proof_thm_3_2_3_printed_fails"[^>]*>print refuted</a>'
-contains kernel_computed.html '<a class="target" id="proof_eq_3_9"></a><b>eq_3_9</b>'
+contains kernel_computed.html '<a class="target" id="proof_eq_3_9"></a><b><a href="ch03.html#eq_3_9">eq_3_9</a></b>'
 contains kernel.html '<b>1</b> statements of the thesis are proved, 1 of them as a whole.*of <b>1</b> statements the printed form is refuted'
 
 # What every page must have is looked for in the book as it stands.

@@ -209,7 +209,8 @@ Lemma derivative_of_combination m (a : 'I_n -> R) :
   (forall p, d m (a p) = 0) -> d m (\sum_p a p * mu p) = a m.
 Proof.
 move=> constant_a; rewrite raddf_sum (bigD1 m) //= leibniz coordinates constant_a eqxx mul0r add0r mulr1.
-by rewrite big1 ?addr0 // => p ne; rewrite leibniz coordinates constant_a eq_sym (negbTE ne) mul0r mulr0 addr0.
+by rewrite big1 ?addr0 // => p ne; rewrite leibniz coordinates constant_a eq_sym (negbTE ne) mul0r mulr0
+  addr0.
 Qed.
 
 Lemma lie_poisson_half_schouten i j k :
@@ -265,7 +266,8 @@ Definition hamiltonian_vector (omega : 'M[R]_n) F : 'cV[R]_n := - invmx omega *m
 Definition symplectic_bracket (omega : 'M[R]_n) F H : R :=
   ((hamiltonian_vector omega F)^T *m omega *m hamiltonian_vector omega H) 0 0.
 
-(** A two-form is closed where \f$\partial_i\omega_{jk} + \partial_j\omega_{ki} + \partial_k\omega_{ij} = 0\f$. *)
+(** A two-form is closed where \f$\partial_i\omega_{jk} + \partial_j\omega_{ki} + \partial_k\omega_{ij} =
+0\f$. *)
 Definition closed (omega : 'M[R]_n) :=
   forall i j k, d i (omega j k) + d j (omega k i) + d k (omega i j) = 0.
 
@@ -290,10 +292,9 @@ Proof. by rewrite /symplectic_bracket hamiltonian_vectorE /hamiltonian_vector mu
 
 (** ** The bracket on pairs of configurations
 
-With \f$X_F\lrcorner\,\omega = dF\f$ the equation
-\f[ \{F, H\} = \omega(X_F, X_H) \f]
-defines a Poisson structure, as is said before (3.12) of the discrete two-form: for each two-form on a space of
-any dimension that is nondegenerate and closed. *)
+With \f$X_F\lrcorner\,\omega = dF\f$ the equation \f[ \{F, H\} = \omega(X_F, X_H) \f] defines a Poisson
+structure, as is said before (3.12) of the discrete two-form: for each two-form on a space of any dimension
+that is nondegenerate and closed. *)
 Theorem eq_3_12_poisson_structure : closed omega -> is_poisson_bracket (symplectic_bracket omega).
 Proof.
 move=> closed_form.
@@ -340,8 +341,8 @@ Section Pairs.
 Variables (R : comUnitRingType) (n : nat) (d : 'I_(n + n) -> derivation R).
 Hypothesis commute : forall i j f, d i (d j f) = d j (d i f).
 
-(** Coordinates of pairs \f$(g_0, g_1)\f$: the first \f$n\f$ are those of \f$g_0\f$, with the mark 0, the others
-those of \f$g_1\f$, with the mark 1. *)
+(** Coordinates of pairs \f$(g_0, g_1)\f$: the first \f$n\f$ are those of \f$g_0\f$, with the mark 0, the
+others those of \f$g_1\f$, with the mark 1. *)
 Definition side (i : 'I_(n + n)) : R := (n <= i)%:R.
 
 (** The discrete Lagrange two-form (3.5), \f$\frac{\partial^2\mathbb L}{\partial g_0^i\,\partial g_1^j}\,

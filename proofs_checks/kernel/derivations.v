@@ -6,7 +6,7 @@ derivation as a vector field that differentiates them; nothing is used of either
 what is proved here holds for smooth functions, for polynomials, and for power series alike. *)
 
 From mathcomp Require Import all_ssreflect fingroup perm all_algebra.
-From actio Require Import matrices.
+From actio Require Import matrices ring_identities.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -82,13 +82,15 @@ Proof. exact/esym/map_trmx. Qed.
 
 (** *** Jacobi's formula *)
 
-(** The derivative of a determinant: \f$d\det A = \mathrm{Tr}(\mathrm{adj}(A)\,dA)\f$. No inverse is needed. *)
+(** The derivative of a determinant: \f$d\det A = \mathrm{Tr}(\mathrm{adj}(A)\,dA)\f$. No inverse is needed.
+*)
 Lemma derivative_of_determinant n (A : 'M[R]_n) : d (\det A) = \tr (\adj A *m derivative_of d A).
 Proof.
 rewrite /determinant raddf_sum /=.
 transitivity (\sum_(s : 'S_n) \sum_i (-1) ^+ s * (d (A i (s i)) * \prod_(j | j != i) A j (s j))).
   apply: eq_bigr => s _; rewrite leibniz.
-  have -> : d ((-1) ^+ s) = 0 by case: (odd_perm s); rewrite ?expr0 ?expr1 ?raddfN /= derivative_of_one ?oppr0.
+  have -> : d ((-1) ^+ s) = 0 by case: (odd_perm s);
+    rewrite ?expr0 ?expr1 ?raddfN /= derivative_of_one ?oppr0.
   by rewrite mul0r add0r derivative_of_product mulr_sumr.
 rewrite exchange_big /= /mxtrace [RHS](eq_bigr (fun j => \sum_i cofactor A i j * d (A i j))); last first.
   by move=> j _; rewrite mxE; apply: eq_bigr => i _; rewrite !mxE.
@@ -135,10 +137,9 @@ have ne : (s a == s m :> nat) = false by apply/negbTE; rewrite val_eqE (inj_eq p
 by rewrite !permM tpermL tpermR -leqNgt leq_eqVlt ne.
 Qed.
 
-(** The matrix of cofactors of a gradient has no divergence:
-\f$\sum_k\partial_k\,\mathrm{adj}(F)^k{}_a = 0\f$, over any commutative ring and in any dimension. In a term with
-\f$\partial_kF^m{}_l\f$ the exchange of the places \f$k\f$ and \f$l\f$ turns the sign of the permutation
-and nothing else. *)
+(** The matrix of cofactors of a gradient has no divergence: \f$\sum_k\partial_k\,\mathrm{adj}(F)^k{}_a =
+0\f$, over any commutative ring and in any dimension. In a term with \f$\partial_kF^m{}_l\f$ the exchange of
+the places \f$k\f$ and \f$l\f$ turns the sign of the permutation and nothing else. *)
 Lemma divergence_of_cofactors D F a : is_gradient D F -> \sum_k D k ((\adj F) k a) = 0.
 Proof.
 move=> grad.
@@ -208,6 +209,24 @@ have two_ways : block_mx 1%:M 0 (- Q) 1%:M *m block_mx 1%:M P 0 (1%:M + Q *m P)
   by rewrite addrC addrK.
 have := congr1 determinant two_ways.
 by rewrite !det_mulmx !(det_lblock, det_ublock) !det1 !(mul1r, mulr1).
+Qed.
+
+Lemma determinant_of_two (R : comRingType) (M : 'M[R]_2) : \det M = M 0 0 * M 1 1 - M 1 0 * M 0 1.
+Proof.
+rewrite (expand_det_col _ 0) !big_ord_recl big_ord0 addr0 /cofactor !det_mx11 !mxE /=.
+have -> : lift 0 0 = 1 :> 'I_2 by apply: val_inj.
+have -> : lift 1 0 = 0 :> 'I_2 by apply: val_inj.
+rewrite /bump /= expr0 expr1; ring_identity.
+Qed.
+
+Lemma determinant_of_blocks (R : comRingType) (a b c e : 'M[R]_1) :
+  \det (block_mx a b c e : 'M_(1 + 1)) = a 0 0 * e 0 0 - c 0 0 * b 0 0.
+Proof.
+rewrite (determinant_of_two (block_mx a b c e)).
+have -> : 0 = lshift 1 (0 : 'I_1) :> 'I_(1 + 1) by apply: val_inj.
+have -> : 1 = rshift 1 (0 : 'I_1) :> 'I_(1 + 1) by apply: val_inj.
+by congr (_ * _ - _ * _);
+   [exact: block_mxEul | exact: block_mxEdr | exact: block_mxEdl | exact: block_mxEur].
 Qed.
 
 (** ** Polynomials *)
@@ -298,7 +317,16 @@ Lemma polynomials n : exists R : idomainType, inhabited (coordinate_ring n [comU
 Proof.
 elim: n => [|n [R [c]]]; last by exists [idomainType of {poly R}]; split; exact: one_coordinate_more.
 exists [idomainType of rat]; split.
-pose none (i : 'I_0) : derivation [comRingType of rat] := match i with Ordinal _ lt => match notF lt with end end.
+pose none (i : 'I_0) : derivation [comRingType of rat] := match i with Ordinal _ lt =>
+  match notF lt with end end.
 by apply: (@CoordinateRing 0 [comUnitRingType of rat] (fun _ => 0) none [rmorphism of idfun]
             [rmorphism of idfun]) => //; case.
 Qed.
+
+(** The derivation that is zero everywhere. *)
+Lemma leibniz_of_zero (R : comRingType) (f h : R) :
+  (\0%R : R -> R) (f * h) = (\0%R : R -> R) f * h + f * (\0%R : R -> R) h.
+Proof. by rewrite mul0r mulr0 addr0. Qed.
+
+Definition zero_derivation (R : comRingType) : derivation R :=
+  @Derivation R [additive of \0%R : R -> R] (@leibniz_of_zero R).

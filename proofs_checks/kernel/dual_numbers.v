@@ -6,8 +6,8 @@ derivative \f$b\f$ there, every formula in sums, products and inverses takes \f$
 value of the formula and to its derivative. So a variation of a group element is the matrix
 \f$g + \varepsilon\,\delta g\f$, a function of group elements is given on such matrices as well, and its
 derivative is what multiplies \f$\varepsilon\f$. This is no approximation, and it makes sense over every
-commutative ring; the library takes its derivatives in the same way. Dual numbers over dual numbers give second
-derivatives. *)
+commutative ring; the library takes its derivatives in the same way. Dual numbers over dual numbers give
+second derivatives. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices.
@@ -21,8 +21,7 @@ Local Open Scope ring_scope.
 
 (** ** The ring of dual numbers
 
-\f$a + b\varepsilon\f$: the _value_ \f$a\f$ and the _rate_ \f$b\f$.
-C++: `actio::Dual`, `numbers/dual.hpp`. *)
+\f$a + b\varepsilon\f$: the _value_ \f$a\f$ and the _rate_ \f$b\f$. C++: `actio::Dual`, `numbers/dual.hpp`. *)
 Record dual (R : Type) := Dual { value : R; rate : R }.
 
 Section DualNumbers.
@@ -110,8 +109,7 @@ Section VariedMatrices.
 
 Variable R : comUnitRingType.
 
-(** \f$f + \varepsilon v\f$.
-C++: `actio::checks::varied`, `sequences.hpp` of the checks. *)
+(** \f$f + \varepsilon v\f$. C++: `actio::checks::varied`, `sequences.hpp` of the checks. *)
 Definition varied m n (f v : 'M[R]_(m, n)) : 'M[dual R]_(m, n) := \matrix_(i, j) Dual (f i j) (v i j).
 
 (** A matrix that does not vary. *)
@@ -192,8 +190,8 @@ covector of which the entries are the derivatives of \f$\ell\f$ along the unit m
 Definition differential (l : 'M[dual R]_n -> dual R) f : 'M[R]_n :=
   \matrix_(i, j) rate (l (varied f (delta_mx i j))).
 
-(** \f$\ell\f$ is _differentiable_ at \f$f\f$ where its derivatives along all directions are those of a covector:
-\f$\frac{d}{d\varepsilon}\ell(f+\varepsilon v) = \langle\ell'(f), v\rangle\f$. *)
+(** \f$\ell\f$ is _differentiable_ at \f$f\f$ where its derivatives along all directions are those of a
+covector: \f$\frac{d}{d\varepsilon}\ell(f+\varepsilon v) = \langle\ell'(f), v\rangle\f$. *)
 Definition differentiable (l : 'M[dual R]_n -> dual R) f :=
   forall v, rate (l (varied f v)) = pairing (differential l f) v.
 
@@ -211,8 +209,8 @@ Proof. by move=> is_p; apply/matrixP => i j; rewrite mxE is_p pairing_unit_matri
 Lemma differentiable_is l f p : (forall v, rate (l (varied f v)) = pairing p v) -> differentiable l f.
 Proof. by move=> is_p v; rewrite (differential_is is_p). Qed.
 
-(** Polynomials in the entries are differentiable: constants and entries are, sums and products of two functions
-are where both are. *)
+(** Polynomials in the entries are differentiable: constants and entries are, sums and products of two
+functions are where both are. *)
 Lemma differentiable_constant c f : differentiable (fun=> Dual c 0) f.
 Proof. by apply: (@differentiable_is _ _ 0) => v; rewrite /pairing trmx0 mul0mx mxtrace0. Qed.
 Lemma differentiable_entry i j f : differentiable (fun x => x i j) f.
@@ -241,7 +239,8 @@ Proof. by rewrite /pairing -mxtrace_tr trmx_mul trmxK. Qed.
 Lemma differentiable_sum l k f : differentiable l f -> differentiable k f ->
   differentiable (fun x => l x + k x) f.
 Proof.
-by move=> dl dk; apply: (@differentiable_is _ _ (differential l f + differential k f)) => v; rewrite pairing_addl -dl -dk.
+move=> dl dk; apply: (@differentiable_is _ _ (differential l f + differential k f)) => v.
+by rewrite pairing_addl -dl -dk.
 Qed.
 Lemma differentiable_product l k f a b : (forall v, value (l (varied f v)) = a) ->
   (forall v, value (k (varied f v)) = b) -> differentiable l f -> differentiable k f ->

@@ -1,11 +1,11 @@
 (** * Groups of matrices, momenta and the discrete Lie-Poisson algorithm
 
-The algebra of sections 2.2, 3.2 and 3.3: variations of velocities, the coadjoint action with its orbits and
-brackets, body and spatial momenta, the quotient of pairs of configurations by the symmetry, the discrete
-Lie-Poisson algorithm, and discrete Lagrangians in the natural chart. A group element is an invertible matrix of
-any size over any commutative ring. Where a theorem is about a group of matrices smaller than all of them, its
-_algebra_ is a set of matrices and two covectors are the same where they have the same values on the algebra; the
-set of all matrices is the algebra of the general linear group. Derivatives are taken with dual numbers. *)
+The algebra of sections 2.2 and 3.2: variations of velocities, the coadjoint action with its orbits and
+brackets, body and spatial momenta, the quotient of pairs of configurations by the symmetry, and the discrete
+Lie-Poisson algorithm. A group element is an invertible matrix of any size over any commutative ring. Where a
+theorem is about a group of matrices smaller than all of them, its _algebra_ is a set of matrices and two
+covectors are the same where they have the same values on the algebra; the set of all matrices is the algebra
+of the general linear group. Derivatives are taken with dual numbers. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices dual_numbers computed.
@@ -115,13 +115,14 @@ Proof. by move=> keeps same x in_algebra; rewrite !Ad_star_dual same //; apply: 
 
 (** ** Variations of the reduced velocity, right-invariant case
 
-Section 2.2, below theorem 2.2.1. Let \f$g(t,\epsilon)\f$ be a family of curves, \f$\xi = \dot g\,g^{-1}\f$ its
-velocity and \f$\eta = \delta g\,g^{-1}\f$ its variation. Then
-\f[ \delta\xi = \dot\eta - \mathrm{ad}_\xi\,\eta, \qquad \mathrm{ad}_\xi\,\eta = [\xi, \eta] = \xi\eta - \eta\xi. \f]
+Section 2.2, below theorem 2.2.1. Let \f$g(t,\epsilon)\f$ be a family of curves, \f$\xi = \dot g\,g^{-1}\f$
+its velocity and \f$\eta = \delta g\,g^{-1}\f$ its variation. Then
+\f[ \delta\xi = \dot\eta - \mathrm{ad}_\xi\,\eta, \qquad \mathrm{ad}_\xi\,\eta = [\xi, \eta] = \xi\eta -
+\eta\xi. \f]
 At one point of the family only \f$g\f$, \f$\dot g\f$, \f$\delta g\f$ and the mixed derivative
 \f$\delta\dot g\f$ enter, and these are any four matrices, the first of them invertible: \f$\xi\f$ varies with
-\f$\epsilon\f$ as \f$(\dot g + \epsilon\,\delta\dot g)(g + \epsilon\,\delta g)^{-1}\f$, and \f$\eta\f$ with the
-time as \f$(\delta g + t\,\delta\dot g)(g + t\,\dot g)^{-1}\f$. *)
+\f$\epsilon\f$ as \f$(\dot g + \epsilon\,\delta\dot g)(g + \epsilon\,\delta g)^{-1}\f$, and \f$\eta\f$ with
+the time as \f$(\delta g + t\,\delta\dot g)(g + t\,\dot g)^{-1}\f$. *)
 
 Theorem claim_2_2_reduced_variation_ad g g_dot g_varied g_dot_varied : g \in unitmx ->
   let xi := varied g_dot g_dot_varied *m invmx (varied g g_varied) in
@@ -151,11 +152,11 @@ End Groups.
 
 (** ** Variations of the reduced velocity: the sign as printed
 
-Theorem 2.2.1, condition iv, is printed
-\f$\delta\xi = \dot\eta - \mathrm{ad}_\xi\,\eta = \dot\eta + [\xi, \eta]\f$ for \f$\xi = \dot g\,g^{-1}\f$, with
-\f$\mathrm{ad}_\xi\,\eta = [\xi,\eta]\f$ as in theorem 2.2.3. The second of the two expressions fails wherever
-velocity and variation do not commute: at \f$g = 1\f$ already, with \f$\dot g\f$ and \f$\delta g\f$ the two
-2 by 2 matrices that have a single 1 beside the diagonal. The first expression is
+Condition iv of theorem 2.2.1 is printed
+\f$\delta\xi = \dot\eta - \mathrm{ad}_\xi\,\eta = \dot\eta + [\xi, \eta]\f$ for \f$\xi = \dot g\,g^{-1}\f$,
+with \f$\mathrm{ad}_\xi\,\eta = [\xi,\eta]\f$ as in theorem 2.2.3. The second of the two expressions fails
+wherever velocity and variation do not commute: at \f$g = 1\f$ already, with \f$\dot g\f$ and \f$\delta g\f$
+the two 2 by 2 matrices that have a single 1 beside the diagonal. The first expression is
 `claim_2_2_reduced_variation_ad`. *)
 
 Theorem claim_2_2_reduced_variation_bracket_printed_fails :
@@ -174,7 +175,8 @@ Qed.
 
 (** ** Coadjoint orbits
 
-The coadjoint orbit of \f$\mu\f$ is the set of all \f$\mathrm{Ad}^*_{g^{-1}}\mu\f$ with \f$g\f$ in the group. *)
+The coadjoint orbit of \f$\mu\f$ is the set of all \f$\mathrm{Ad}^*_{g^{-1}}\mu\f$ with \f$g\f$ in the group.
+*)
 
 Section Orbits.
 
@@ -190,12 +192,12 @@ Definition on_orbit group mu nu := exists2 g, group g & nu = Ad_star (invmx g) m
 
 (** ** The symplectic forms of coadjoint orbits
 
-Section 2.2. The tangent vectors of the orbit at \f$\mu\f$ are the \f$\mathrm{ad}^*_x\mu\f$ with \f$x\f$ in the
-algebra, and the form of Kirillov and Kostant is
-\f$\omega_+(\mathrm{ad}^*_x\mu, \mathrm{ad}^*_y\mu) = \langle\mu, [x,y]\rangle\f$. It is written here as a relation
-between two tangent vectors and a number: the number is the value on these vectors, found by means of some
-generators \f$x\f$ and \f$y\f$. \f$\omega_-\f$ is its negative.
-C++: `actio::kirillov_kostant_plus`, `variational/coadjoint_orbit.hpp`. *)
+Section 2.2. The tangent vectors of the orbit at \f$\mu\f$ are the \f$\mathrm{ad}^*_x\mu\f$ with \f$x\f$ in
+the algebra, and the form of Kirillov and Kostant is
+\f$\omega_+(\mathrm{ad}^*_x\mu, \mathrm{ad}^*_y\mu) = \langle\mu, [x,y]\rangle\f$. It is written here as a
+relation between two tangent vectors and a number: the number is the value on these vectors, found by means of
+some generators \f$x\f$ and \f$y\f$. \f$\omega_-\f$ is its negative. C++: `actio::kirillov_kostant_plus`,
+`variational/coadjoint_orbit.hpp`. *)
 Definition kirillov_kostant_plus algebra mu v w (c : R) := exists x y,
   [/\ algebra x, algebra y, agree algebra v (ad_star x mu), agree algebra w (ad_star y mu)
     & c = pairing mu (bracket x y)].
@@ -206,7 +208,10 @@ Proof. by rewrite ad_star_dual. Qed.
 Lemma bracket_skew x y : bracket x y = - bracket y x.
 Proof. by rewrite /bracket opprB. Qed.
 
-(** The form is well defined: its value does not depend on the generators. *)
+(** ** The form of an orbit is well defined
+
+Section 2.2: the value of the form of Kirillov and Kostant on two tangent vectors does not depend on the
+generators by which it is found. No property of the set of matrices that is called the algebra is used. *)
 Theorem claim_2_2_coadjoint_orbits_form algebra mu v w c d :
   kirillov_kostant_plus algebra mu v w c -> kirillov_kostant_plus algebra mu v w d -> c = d.
 Proof.
@@ -216,13 +221,16 @@ rewrite pairing_bracket -v_x // v_x' // -pairing_bracket bracket_skew pairing_op
 by rewrite pairing_bracket -w_y // w_y' // -pairing_bracket -pairing_oppr -bracket_skew.
 Qed.
 
-(** It is not degenerate: a tangent vector on which all its values vanish is zero as a covector. *)
-Theorem claim_2_2_coadjoint_orbits_nondegenerate algebra mu x : algebra x ->
-  (forall y, algebra y -> pairing mu (bracket x y) = 0) -> agree algebra (ad_star x mu) 0.
-Proof. by move=> _ vanishes y in_y; rewrite -pairing_bracket vanishes // pairing_0l. Qed.
+(** ** The form of an orbit is not degenerate
 
-(** \f$\mathrm{Ad}^*\f$ carries generators: \f$\mathrm{Ad}^*_{g^{-1}}\mathrm{ad}^*_x\mu =
-\mathrm{ad}^*_{\mathrm{Ad}_gx}\mathrm{Ad}^*_{g^{-1}}\mu\f$. *)
+Section 2.2: coadjoint orbits are symplectic. A tangent vector \f$\mathrm{ad}^*_x\mu\f$ on which all values of
+the form vanish is zero as a covector of the algebra. *)
+Theorem claim_2_2_coadjoint_orbits_nondegenerate algebra mu x :
+  (forall y, algebra y -> pairing mu (bracket x y) = 0) -> agree algebra (ad_star x mu) 0.
+Proof. by move=> vanishes y in_y; rewrite -pairing_bracket vanishes // pairing_0l. Qed.
+
+(** \f$\mathrm{Ad}^*\f$ carries generators:
+\f$\mathrm{Ad}^*_{g^{-1}}\mathrm{ad}^*_x\mu = \mathrm{ad}^*_{\mathrm{Ad}_gx}\mathrm{Ad}^*_{g^{-1}}\mu\f$. *)
 Lemma Ad_star_ad_star g x mu : g \in unitmx ->
   Ad_star (invmx g) (ad_star x mu) = ad_star (Ad g x) (Ad_star (invmx g) mu).
 Proof.
@@ -232,12 +240,11 @@ Qed.
 
 (** ** The coadjoint action preserves the symplectic forms
 
-Section 2.2, lemma 14.4.2 of Marsden and Ratiu: \f$\mathrm{Ad}^*_{g^{-1}}\f$ preserves
-\f$\omega_\pm\f$. The map is linear and so carries tangent vectors as it carries momenta; tangent vectors
-\f$v\f$, \f$w\f$ at \f$\mu\f$ on which the form has the value \f$c\f$ go to tangent vectors at
-\f$\mathrm{Ad}^*_{g^{-1}}\mu\f$ on which it has the same value. All that is used of \f$g\f$ is that
-\f$\mathrm{Ad}_g\f$ and \f$\mathrm{Ad}_{g^{-1}}\f$ keep the algebra; that this is closed under brackets is not
-needed. *)
+Section 2.2, lemma 14.4.2 of Marsden and Ratiu: \f$\mathrm{Ad}^*_{g^{-1}}\f$ preserves \f$\omega_\pm\f$. The
+map is linear and so carries tangent vectors as it carries momenta; tangent vectors \f$v\f$, \f$w\f$ at
+\f$\mu\f$ on which the form has the value \f$c\f$ go to tangent vectors at \f$\mathrm{Ad}^*_{g^{-1}}\mu\f$ on
+which it has the same value. All that is used of \f$g\f$ is that \f$\mathrm{Ad}_g\f$ and
+\f$\mathrm{Ad}_{g^{-1}}\f$ keep the algebra; that this is closed under brackets is not needed. *)
 
 Theorem claim_2_2_coadjoint_action_kk algebra g mu v w c : g \in unitmx ->
   Ad_keeps algebra g -> Ad_keeps algebra (invmx g) ->
@@ -265,11 +272,11 @@ Qed.
 (** ** Brackets of functions on the dual
 
 The plus bracket of Lie and Poisson, theorem 2.2.2, is
-\f$\{F, H\}_+(\mu) = \langle\mu, [\frac{\delta F}{\delta\mu}, \frac{\delta H}{\delta\mu}]\rangle\f$. The derivative of a
-function of covectors is a matrix \f$a\f$ of the algebra, with
+\f$\{F, H\}_+(\mu) = \langle\mu, [\frac{\delta F}{\delta\mu}, \frac{\delta H}{\delta\mu}]\rangle\f$. The
+derivative of a function of covectors is a matrix \f$a\f$ of the algebra, with
 \f$\frac{d}{d\varepsilon}F(\mu+\varepsilon\nu) = \langle\nu, a\rangle\f$; since the pairing
-\f$\mathrm{Tr}(\nu^Ta)\f$ is symmetric, it is the differential of \f$F\f$ as above.
-C++: `actio::lie_poisson_bracket_plus`, `variational/lie_poisson.hpp`. *)
+\f$\mathrm{Tr}(\nu^Ta)\f$ is symmetric, it is the differential of \f$F\f$ as above. C++:
+`actio::lie_poisson_bracket_plus`, `variational/lie_poisson.hpp`. *)
 Definition lie_poisson_bracket_plus (F H : 'M[dual R]_n -> dual R) mu :=
   pairing mu (bracket (differential F mu) (differential H mu)).
 
@@ -279,16 +286,18 @@ Proof. by move=> u; rewrite varied_inverse // mulmx0 mul0mx oppr0. Qed.
 Lemma Ad_star_still g mu nu : g \in unitmx ->
   Ad_star (still g) (varied mu nu) = varied (Ad_star g mu) (Ad_star g nu).
 Proof.
-by move=> u; rewrite /Ad_star inverse_still // !varied_transpose !varied_mul !trmx0 !mulmx0 !mul0mx !addr0 add0r.
+move=> u; rewrite /Ad_star inverse_still // !varied_transpose !varied_mul !trmx0.
+by rewrite !mulmx0 !mul0mx !addr0 add0r.
 Qed.
 
 (** ** The coadjoint action preserves the brackets
 
-Section 3.2, before (3.17): for \f$\Phi(\mu) = \mathrm{Ad}^*_g\,\mu\f$ and all functions that are differentiable at
-\f$\Phi(\mu)\f$, \f$\{F\circ\Phi, H\circ\Phi\}_+ = \{F, H\}_+\circ\Phi\f$. The minus bracket is the negative of the
-plus bracket and is preserved with it. With \f$g^{-1}\f$ for \f$g\f$ this is the coadjoint action of \f$g\f$. *)
+Section 3.2, before (3.17): for \f$\Phi(\mu) = \mathrm{Ad}^*_g\,\mu\f$ and all functions that are
+differentiable at \f$\Phi(\mu)\f$, \f$\{F\circ\Phi, H\circ\Phi\}_+ = \{F, H\}_+\circ\Phi\f$. The minus bracket
+is the negative of the plus bracket and is preserved with it. With \f$g^{-1}\f$ for \f$g\f$ this is the
+coadjoint action of \f$g\f$. *)
 
-Theorem claim_3_2_coadjoint_lie_poisson F H g mu : g \in unitmx ->
+Theorem claim_3_2_coadjoint_lie_poisson_brackets F H g mu : g \in unitmx ->
   differentiable F (Ad_star g mu) -> differentiable H (Ad_star g mu) ->
   lie_poisson_bracket_plus (F \o Ad_star (still g)) (H \o Ad_star (still g)) mu
   = lie_poisson_bracket_plus F H (Ad_star g mu).
@@ -302,6 +311,45 @@ have carried K : differentiable K (Ad_star g mu) ->
 by rewrite /lie_poisson_bracket_plus !carried // -Ad_bracket // -Ad_star_dual.
 Qed.
 
+(** ** The bracket induces the form of the orbit
+
+Section 3.2, before (3.17): the vector fields of functions \f$F\f$ and \f$H\f$ for the plus bracket are
+\f$-\mathrm{ad}^*_{dF}\mu\f$ and \f$-\mathrm{ad}^*_{dH}\mu\f$ at \f$\mu\f$. They are tangent to the orbit, and
+its form has the value \f$\{F, H\}_+(\mu)\f$ on them. *)
+Theorem claim_3_2_coadjoint_lie_poisson_leaf_form algebra F H mu : (forall z, algebra z -> algebra (- z)) ->
+  algebra (differential F mu) -> algebra (differential H mu) ->
+  kirillov_kostant_plus algebra mu (- ad_star (differential F mu) mu) (- ad_star (differential H mu) mu)
+    (lie_poisson_bracket_plus F H mu).
+Proof.
+move=> opposite in_F in_H; exists (- differential F mu), (- differential H mu).
+have ad_star_opp z : ad_star (- z) mu = - ad_star z mu.
+  by rewrite /ad_star [trmx _]raddfN mulNmx mulmxN opprB opprK addrC.
+split; [exact: opposite|exact: opposite| | |]; rewrite ?ad_star_opp //.
+by rewrite /lie_poisson_bracket_plus /bracket !mulmxN !mulNmx !opprK.
+Qed.
+
+(** ** What the coadjoint action preserves
+
+Section 3.2, before (3.17): \f$\mathrm{Ad}^*_{g^{-1}}\f$ with \f$g\f$ in the group takes each coadjoint orbit
+into itself, its symplectic form to itself, and the brackets of Lie and Poisson to themselves; the orbits are
+sets of covectors. *)
+Theorem claim_3_2_coadjoint_lie_poisson algebra group g mu : is_group group ->
+  (forall h, group h -> Ad_keeps algebra h) -> group g ->
+  [/\ forall nu, on_orbit group mu nu -> on_orbit group mu (Ad_star (invmx g) nu),
+      forall v w c, kirillov_kostant_plus algebra mu v w c ->
+        kirillov_kostant_plus algebra (Ad_star (invmx g) mu) (Ad_star (invmx g) v) (Ad_star (invmx g) w) c
+    & forall F H, differentiable F (Ad_star (invmx g) mu) -> differentiable H (Ad_star (invmx g) mu) ->
+        lie_poisson_bracket_plus (F \o Ad_star (still (invmx g))) (H \o Ad_star (still (invmx g))) mu
+        = lie_poisson_bracket_plus F H (Ad_star (invmx g) mu)].
+Proof.
+move=> is_g keeps in_g; have [_ _ units inverses] := is_g; split.
+- by move=> nu; apply: claim_3_2_coadjoint_lie_poisson_orbits.
+- move=> v w c; apply: claim_2_2_coadjoint_action_kk; first exact: units.
+    by apply: keeps.
+  by apply: keeps; apply: inverses.
+by move=> F H; apply: claim_3_2_coadjoint_lie_poisson_brackets; rewrite unitmx_inv units.
+Qed.
+
 End Orbits.
 
 (** ** Pairs of configurations modulo the symmetry *)
@@ -311,20 +359,20 @@ Section RelativeMotions.
 Variables (R : comUnitRingType) (n : nat).
 Implicit Types (f g h v w : 'M[R]_n).
 
-(** \f$f_{01} = g_0g_1^{-1}\f$, right-invariant.
-C++: `actio::relative_motion_right`, `reduction/relative_motion.hpp`. *)
+(** \f$f_{01} = g_0g_1^{-1}\f$, right-invariant. C++: `actio::relative_motion_right`,
+`reduction/relative_motion.hpp`. *)
 Definition relative_motion_right g0 g1 : 'M[R]_n := g0 *m invmx g1.
 
-(** \f$f_{10} = g_1^{-1}g_0\f$, left-invariant.
-C++: `actio::relative_motion_left`, `reduction/relative_motion.hpp`. *)
+(** \f$f_{10} = g_1^{-1}g_0\f$, left-invariant. C++: `actio::relative_motion_left`,
+`reduction/relative_motion.hpp`. *)
 Definition relative_motion_left g0 g1 : 'M[R]_n := invmx g1 *m g0.
 
-(** The configuration after \f$g_k\f$, from \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$.
-C++: `actio::reconstruct_right`, `reduction/relative_motion.hpp`. *)
+(** The configuration after \f$g_k\f$, from \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$. C++:
+`actio::reconstruct_right`, `reduction/relative_motion.hpp`. *)
 Definition reconstruct_right gk f : 'M[R]_n := invmx f *m gk.
 
-(** The configuration after \f$g_k\f$, from \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$.
-C++: `actio::reconstruct_left`, `reduction/relative_motion.hpp`. *)
+(** The configuration after \f$g_k\f$, from \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$. C++: `actio::reconstruct_left`,
+`reduction/relative_motion.hpp`. *)
 Definition reconstruct_left gk f : 'M[R]_n := gk *m invmx f.
 
 Lemma relative_motion_right_unit g0 g1 : g0 \in unitmx -> g1 \in unitmx ->
@@ -338,29 +386,32 @@ Proof. by move=> u0 u1; rewrite product_unit ?unitmx_inv. Qed.
 (** ** The quotient map
 
 (3.9): \f$\pi_d(g_k, g_{k+1}) = g_kg_{k+1}^{-1}\f$ is the quotient by the action
-\f$(g_k, g_{k+1})\mapsto(g_k\bar g, g_{k+1}\bar g)\f$. Two pairs have the same image exactly where one is the other,
-multiplied on the right by one \f$\bar g\f$; and every group element is the image of a pair. *)
+\f$(g_k, g_{k+1})\mapsto(g_k\bar g, g_{k+1}\bar g)\f$. Two pairs have the same image exactly where one is the
+other, multiplied on the right by one \f$\bar g\f$. *)
 
-Theorem eq_3_9 g0 g1 h0 h1 : g0 \in unitmx -> g1 \in unitmx -> h0 \in unitmx -> h1 \in unitmx ->
+Theorem eq_3_9 g0 g1 h0 h1 : g1 \in unitmx -> h1 \in unitmx ->
   relative_motion_right g0 g1 = relative_motion_right h0 h1
   <-> exists2 k, k \in unitmx & h0 = g0 *m k /\ h1 = g1 *m k.
 Proof.
-rewrite /relative_motion_right => u0 u1 w0 w1; split=> [same|[k uk [-> ->]]]; last first.
+rewrite /relative_motion_right => u1 w1; split=> [same|[k uk [-> ->]]]; last first.
   by rewrite inverse_product // mulmxA -[g0 *m k *m _]mulmxA mulmxV // mulmx1.
 exists (invmx g1 *m h1); first by rewrite product_unit ?unitmx_inv.
 split; first by rewrite mulmxA same -mulmxA mulVmx // mulmx1.
 by rewrite mulmxA mulmxV // mul1mx.
 Qed.
 
+(** ** Every group element is a relative motion
+
+(3.9): \f$f\f$ is the image of the pair \f$(f, 1)\f$. *)
 Theorem eq_3_9_onto f : relative_motion_right f 1%:M = f.
 Proof. by rewrite /relative_motion_right inverse_one mulmx1. Qed.
 
 (** ** The reduced Lagrangian
 
-Section 3.2, below (3.9): for a function \f$\mathbb L\f$ of pairs that is invariant under multiplication of both on
-the right there is one and only one \f$\ell\f$ with
-\f$\ell(g_kg_{k+1}^{-1}) = \mathbb L(g_k, g_{k+1})\f$, and the action sum is
-\f$\sum_k\ell(f_{k,k+1})\f$. Its values may be of any type. *)
+Section 3.2, below (3.9): for a function \f$\mathbb L\f$ of pairs that is invariant under multiplication of
+both on the right there is one and only one \f$\ell\f$ with
+\f$\ell(g_kg_{k+1}^{-1}) = \mathbb L(g_k, g_{k+1})\f$, namely \f$\ell(f) = \mathbb L(f, 1)\f$. Its values may
+be of any type. *)
 
 Theorem claim_3_2_reduced_lagrangian T (L : 'M[R]_n -> 'M[R]_n -> T) :
   (forall g0 g1 k, g0 \in unitmx -> g1 \in unitmx -> k \in unitmx -> L (g0 *m k) (g1 *m k) = L g0 g1) ->
@@ -374,6 +425,9 @@ move=> invariant /=; split=> [g0 g1 u0 u1|l' is_l f u].
 by rewrite -[f in LHS]eq_3_9_onto is_l // unitmx1.
 Qed.
 
+(** ** The reduced action sum
+
+Section 3.2, below (3.9): \f$\sum_{k=0}^{N-1}\mathbb L(g_k, g_{k+1}) = \sum_{k=0}^{N-1}\ell(f_{k,k+1})\f$. *)
 Theorem claim_3_2_reduced_lagrangian_sum (A : zmodType) (L : 'M[R]_n -> 'M[R]_n -> A) (l : 'M[R]_n -> A)
   (g : nat -> 'M[R]_n) N :
   (forall g0 g1, L g0 g1 = l (relative_motion_right g0 g1)) ->
@@ -382,8 +436,9 @@ Proof. by move=> reduced; apply: eq_bigr => k _. Qed.
 
 (** ** How the relative motion varies
 
-Theorem 3.2.1, condition (3): \f[ \delta f_{k,k+1} = TR_{f_{k,k+1}}\bigl(\delta g_kg_k^{-1} -
-\mathrm{Ad}_{f_{k,k+1}}\,\delta g_{k+1}g_{k+1}^{-1}\bigr). \f] *)
+In condition (3) of theorem 3.2.1:
+\f[ \delta f_{k,k+1} = TR_{f_{k,k+1}}\bigl(\delta g_kg_k^{-1} - \mathrm{Ad}_{f_{k,k+1}}\,\delta
+g_{k+1}g_{k+1}^{-1}\bigr). \f] *)
 
 Theorem claim_3_2_variation_of_f g0 g1 v0 v1 : g0 \in unitmx -> g1 \in unitmx ->
   let f := relative_motion_right g0 g1 in
@@ -398,9 +453,10 @@ congr (varied _ _); rewrite /right_translation /Ad mulmxBl -!mulmxA back_f mulVm
 by rewrite mulmxN addrC /relative_motion_right -?mulmxA.
 Qed.
 
-(** The same on the left, for \f$f_{10} = g_1^{-1}g_0\f$ of remark 3.2.1:
-\f$\delta f = TL_f\bigl(g_0^{-1}\delta g_0 - \mathrm{Ad}_{f^{-1}}\,g_1^{-1}\delta g_1\bigr)\f$. *)
+(** ** How the relative motion varies, left-invariant case
 
+For \f$f_{10} = g_1^{-1}g_0\f$ of remark 3.2.1:
+\f$\delta f = TL_f\bigl(g_0^{-1}\delta g_0 - \mathrm{Ad}_{f^{-1}}\,g_1^{-1}\delta g_1\bigr)\f$. *)
 Theorem variation_of_relative_motion_left g0 g1 v0 v1 : g0 \in unitmx -> g1 \in unitmx ->
   let f := relative_motion_left g0 g1 in
   invmx (varied g1 v1) *m varied g0 v0
@@ -416,18 +472,20 @@ Qed.
 
 End RelativeMotions.
 
-(** ** Body and spatial momentum *)
-
 Section Momenta.
 
 Variables (R : comUnitRingType) (n : nat).
 Implicit Types (f g m p mu : 'M[R]_n) (l : 'M[dual R]_n -> dual R) (algebra group : 'M[R]_n -> Prop).
 
-(** Section 3.2, before (3.16): a covector \f$m\f$ at \f$g\f$ has the body momentum \f$m_c = L_g^*m\f$ and the spatial
-momentum \f$m_s = R_g^*m\f$, with the relation \f$m_s = \mathrm{Ad}^*_{g^{-1}}m_c\f$. *)
+(** A covector \f$m\f$ at \f$g\f$ has the body momentum \f$m_c = L_g^*m\f$ and the spatial momentum
+\f$m_s = R_g^*m\f$. *)
 Definition body_momentum g m := L_star g m.
 Definition spatial_momentum g m := R_star g m.
 
+(** ** Body and spatial momentum
+
+Section 3.2, before (3.16): \f$m_s = \mathrm{Ad}^*_{g^{-1}}m_c\f$ for every covector at every group element.
+*)
 Theorem claim_3_2_body_spatial_momenta g m : g \in unitmx ->
   spatial_momentum g m = Ad_star (invmx g) (body_momentum g m).
 Proof. by move=> u; rewrite [RHS]Ad_star_left. Qed.
@@ -435,25 +493,27 @@ Proof. by move=> u; rewrite [RHS]Ad_star_left. Qed.
 (** ** The spatial momentum in time
 
 (3.16): while the body momentum is the constant \f$\mu_0\f$, the spatial momentum is
-\f$\mu(t) = \mathrm{Ad}^*_{g(t)^{-1}}\mu_0\f$. The times may be of any kind, steps as well as an interval. The
-constant is \f$\mu(0)\f$ only where the motion begins at the identity: it is
-\f$\mathrm{Ad}^*_{g(0)}\mu(0)\f$. *)
+\f$\mu(t) = \mathrm{Ad}^*_{g(t)^{-1}}\mu_0\f$. The times may be of any kind, steps as well as an interval. *)
 
 Theorem eq_3_16 Time (g m : Time -> 'M[R]_n) mu0 : (forall t, g t \in unitmx) ->
   (forall t, body_momentum (g t) (m t) = mu0) ->
   forall t, spatial_momentum (g t) (m t) = Ad_star (invmx (g t)) mu0.
 Proof. by move=> u constant t; rewrite claim_3_2_body_spatial_momenta // constant. Qed.
 
+(** ** The constant in (3.16)
+
+\f$\mu_0 = \mathrm{Ad}^*_{g(t)}\mu(t)\f$ at every time; in particular \f$\mu_0\f$ is
+\f$\mathrm{Ad}^*_{g(0)}\mu(0)\f$, which is \f$\mu(0)\f$ where the motion begins at the identity. *)
 Theorem eq_3_16_constant Time (g m : Time -> 'M[R]_n) mu0 t : g t \in unitmx ->
   body_momentum (g t) (m t) = mu0 -> mu0 = Ad_star (g t) (spatial_momentum (g t) (m t)).
 Proof. by move=> u <-; rewrite claim_3_2_body_spatial_momenta // Ad_starVK. Qed.
 
 (** ** Reduced motion along the coadjoint orbit
 
-Section 2.2, last formula: \f$\mu(t) = \mathrm{Ad}^*_{g^{-1}(t)}\mu_0\f$. Here \f$\mu_0\f$ is the value of the momentum
-map \f$J(p) = L_g^*p\f$ of multiplication from the right, taken at \f$p(t)\f$, a covector at \f$g(t)\f$. The two
-sides of the formula determine each other: it holds at all times exactly where \f$J(p(t)) = \mu_0\f$ at all
-times. *)
+Section 2.2, last formula: \f$\mu(t) = \mathrm{Ad}^*_{g^{-1}(t)}\mu_0\f$. Here \f$\mu_0\f$ is the value of the
+momentum map \f$J(p) = L_g^*p\f$ of multiplication from the right, taken at \f$p(t)\f$, a covector at
+\f$g(t)\f$. The two sides of the formula determine each other: it holds at all times exactly where
+\f$J(p(t)) = \mu_0\f$ at all times. *)
 
 Theorem claim_2_2_reduced_motion Time (g p : Time -> 'M[R]_n) mu0 : (forall t, g t \in unitmx) ->
   (forall t, body_momentum (g t) (p t) = mu0)
@@ -463,8 +523,6 @@ move=> u; split=> [constant|moves t]; first exact: eq_3_16.
 by rewrite -[mu0](Ad_starVK _ (u t)) -moves [RHS]Ad_star_right.
 Qed.
 
-(** ** The differential of a reduced Lagrangian, translated to the identity *)
-
 (** \f$R_f^*\,\ell'(f)\f$. C++: `actio::right_differential`, `groups/differential.hpp`. *)
 Definition right_differential l f := R_star f (differential l f).
 
@@ -472,20 +530,20 @@ Definition right_differential l f := R_star f (differential l f).
 Definition left_differential l f := L_star f (differential l f).
 
 (** The residual of the discrete Euler-Poincare equations (3.10), right-invariant:
-\f$R^*_{f_{12}}\ell'(f_{12}) - L^*_{f_{01}}\ell'(f_{01})\f$.
-C++: `actio::euler_poincare_right`, `reduction/discrete_euler_poincare.hpp`. *)
+\f$R^*_{f_{12}}\ell'(f_{12}) - L^*_{f_{01}}\ell'(f_{01})\f$. C++: `actio::euler_poincare_right`,
+`reduction/discrete_euler_poincare.hpp`. *)
 Definition euler_poincare_right l f01 f12 := right_differential l f12 - left_differential l f01.
 
-(** That of (3.11), left-invariant: \f$L^*_{f_{21}}\ell'(f_{21}) - R^*_{f_{10}}\ell'(f_{10})\f$.
-C++: `actio::euler_poincare_left`, `reduction/discrete_euler_poincare.hpp`. *)
+(** That of (3.11), left-invariant: \f$L^*_{f_{21}}\ell'(f_{21}) - R^*_{f_{10}}\ell'(f_{10})\f$. C++:
+`actio::euler_poincare_left`, `reduction/discrete_euler_poincare.hpp`. *)
 Definition euler_poincare_left l f10 f21 := left_differential l f21 - right_differential l f10.
 
-(** The spatial momentum at the start of a right-invariant step, \f$\mu_0 = -R_f^*\ell'(f)\f$.
-C++: `actio::momentum_before_right`, `reduction/discrete_lie_poisson.hpp`. *)
+(** The spatial momentum at the start of a right-invariant step, \f$\mu_0 = -R_f^*\ell'(f)\f$. C++:
+`actio::momentum_before_right`, `reduction/discrete_lie_poisson.hpp`. *)
 Definition momentum_before_right l f := - right_differential l f.
 
-(** The body momentum at the start of a left-invariant step, \f$\Pi_0 = -L_f^*\ell'(f)\f$.
-C++: `actio::momentum_before_left`, `reduction/discrete_lie_poisson.hpp`. *)
+(** The body momentum at the start of a left-invariant step, \f$\Pi_0 = -L_f^*\ell'(f)\f$. C++:
+`actio::momentum_before_left`, `reduction/discrete_lie_poisson.hpp`. *)
 Definition momentum_before_left l f := - left_differential l f.
 
 (** C++: `actio::lie_poisson_update_right`, `reduction/discrete_lie_poisson.hpp`. *)
@@ -493,12 +551,6 @@ Definition lie_poisson_update_right f mu := Ad_star f mu.
 
 (** C++: `actio::lie_poisson_update_left`, `reduction/discrete_lie_poisson.hpp`. *)
 Definition lie_poisson_update_left f mu := Ad_star (invmx f) mu.
-
-(** ** The other representative of a pair
-
-Section 3.2, below (3.9): one may use \f$g_{k+1}g_k^{-1}\f$ instead of \f$g_kg_{k+1}^{-1}\f$. The reduced Lagrangian is
-then \f$\tilde\ell(h) = \ell(h^{-1})\f$, and the equations (3.10) exchange their sides: \f$L^*\tilde\ell'\f$ at
-\f$h_{21} = f_{12}^{-1}\f$ equals \f$R^*\tilde\ell'\f$ at \f$h_{10} = f_{01}^{-1}\f$, which has the form of (3.11). *)
 
 Lemma differential_of_inverse l f : f \in unitmx -> differentiable l f ->
   differential (fun x => l (invmx x)) (invmx f) = - (f^T *m differential l f *m f^T).
@@ -508,6 +560,12 @@ rewrite pairing_oppr pairing_oppl -[_ *m f^T]/(R_star f (L_star f _)) R_star_dua
 by rewrite /left_translation /right_translation mulmxA.
 Qed.
 
+(** ** The other representative of a pair
+
+Section 3.2, below (3.9): one may use \f$g_{k+1}g_k^{-1}\f$ instead of \f$g_kg_{k+1}^{-1}\f$. The reduced
+Lagrangian is then \f$\tilde\ell(h) = \ell(h^{-1})\f$, and the equations (3.10) exchange their sides:
+\f$L^*\tilde\ell'\f$ at \f$h_{21} = f_{12}^{-1}\f$ equals \f$R^*\tilde\ell'\f$ at \f$h_{10} = f_{01}^{-1}\f$,
+which has the form of (3.11). *)
 Theorem claim_3_2_alternative_quotient l f01 f12 : f01 \in unitmx -> f12 \in unitmx ->
   differentiable l f01 -> differentiable l f12 ->
   euler_poincare_right l f01 f12 = - euler_poincare_left (fun x => l (invmx x)) (invmx f01) (invmx f12).
@@ -519,13 +577,14 @@ Qed.
 
 (** ** The discrete Lie-Poisson algorithm, right-invariant
 
-(3.17): \f$\mu_{k+1} = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k\f$ with \f$\mu_k = -R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$. The update and
-the discrete Euler-Poincare equations (3.10) say the same, in every group; neither the sign of the momentum nor
-any property of \f$\ell\f$ enters. *)
+(3.17): \f$\mu_{k+1} = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k\f$ with \f$\mu_k = -R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$.
+The update and the discrete Euler-Poincare equations (3.10) say the same, in every group; neither the sign of
+the momentum nor any property of \f$\ell\f$ enters. *)
 
 Theorem eq_3_17 algebra l f01 f12 : f01 \in unitmx ->
   agree algebra (euler_poincare_right l f01 f12) 0
-  <-> agree algebra (momentum_before_right l f12) (lie_poisson_update_right f01 (momentum_before_right l f01)).
+  <-> agree algebra (momentum_before_right l f12)
+        (lie_poisson_update_right f01 (momentum_before_right l f01)).
 Proof.
 rewrite /lie_poisson_update_right Ad_star_opp => u; rewrite Ad_star_right // -/(left_differential l f01).
 split=> [motion x in_x|update x in_x].
@@ -534,19 +593,23 @@ move: (update x in_x); rewrite pairing_0l pairing_addl !pairing_oppl => /oppr_in
 by rewrite subrr.
 Qed.
 
-(** The momentum at the end of a step is \f$-L_f^*\ell'(f)\f$, whether or not a motion goes on from there. *)
+(** ** The momentum at the end of a step
+
+The update (3.17) takes \f$-R_f^*\ell'(f)\f$ to \f$-L_f^*\ell'(f)\f$, whether or not a motion goes on from
+there. *)
 Theorem eq_3_17_end_of_step l f : f \in unitmx ->
   lie_poisson_update_right f (momentum_before_right l f) = - left_differential l f.
 Proof. by move=> u; rewrite /lie_poisson_update_right Ad_star_opp Ad_star_right. Qed.
 
 (** ** The discrete Lie-Poisson algorithm, left-invariant
 
-(3.18) with its inverse: \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$ with \f$\Pi_k =
--L^*_{f_{k+1,k}}\ell'(f_{k+1,k})\f$. The update and the equations (3.11) say the same. *)
+(3.18) with its inverse: \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$ with
+\f$\Pi_k = -L^*_{f_{k+1,k}}\ell'(f_{k+1,k})\f$. The update and the equations (3.11) say the same. *)
 
 Theorem eq_3_18 algebra l f10 f21 : f10 \in unitmx ->
   agree algebra (euler_poincare_left l f10 f21) 0
-  <-> agree algebra (momentum_before_left l f21) (lie_poisson_update_left f10 (momentum_before_left l f10)).
+  <-> agree algebra (momentum_before_left l f21)
+        (lie_poisson_update_left f10 (momentum_before_left l f10)).
 Proof.
 rewrite /lie_poisson_update_left Ad_star_opp => u; rewrite Ad_star_left // -/(right_differential l f10).
 split=> [motion x in_x|update x in_x].
@@ -559,10 +622,10 @@ End Momenta.
 
 (** ** The left-invariant update as printed
 
-(3.18) is printed without the inverse, \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}}\Pi_k\f$. This fails for a motion of
-\f$\ell(f) = \mathrm{Tr}(W^Tf)\f$ with \f$W = \mathrm{diag}(1, -1)\f$: the two relative motions below satisfy (3.11),
-and the update without the inverse does not take the momentum before the first step to the momentum before the
-second. *)
+(3.18) is printed without the inverse, \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}}\Pi_k\f$. This fails for a
+motion of \f$\ell(f) = \mathrm{Tr}(W^Tf)\f$ with \f$W = \mathrm{diag}(1, -1)\f$: the two relative motions
+below satisfy (3.11), and the update without the inverse does not take the momentum before the first step to
+the momentum before the second. *)
 
 Theorem eq_3_18_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (f10 f21 : 'M[R]_n),
@@ -585,14 +648,14 @@ have motion : L_star (matrix_of 2 f21) (matrix_of 2 W) - R_star (matrix_of 2 f10
 by have := for_linear _ _ _ _ _ unit0 unit1 motion; decide_by_computation.
 Qed.
 
-(** ** Remark 3.2.2: the momentum that the left-invariant algorithm carries *)
-
 Section Chains.
 
 Variables (R : comUnitRingType) (n : nat).
 Implicit Types (f g mu pi : 'M[R]_n) (l : 'M[dual R]_n -> dual R) (group : 'M[R]_n -> Prop).
 
-(** With \f$\Pi_k := \mathrm{Ad}^*_{g_k}\pi_0\f$ and \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$ the update is
+(** ** The momentum that the left-invariant algorithm carries
+
+Remark 3.2.2: with \f$\Pi_k := \mathrm{Ad}^*_{g_k}\pi_0\f$ and \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$ the update is
 \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$, whatever \f$\pi_0\f$. *)
 Theorem rem_3_2_2 gk gk1 pi0 : gk \in unitmx -> gk1 \in unitmx ->
   Ad_star gk1 pi0 = lie_poisson_update_left (relative_motion_left gk gk1) (Ad_star gk pi0).
@@ -602,14 +665,17 @@ rewrite /lie_poisson_update_left Ad_star_product ?unitmx_inv //; congr Ad_star.
 by rewrite /relative_motion_left inverse_product ?unitmx_inv // invmxK mulmxA mulmxV // mul1mx.
 Qed.
 
-(** Along a motion of (3.11), with configurations reconstructed by (3.15), \f$\pi_0\f$ is the spatial momentum
-\f$\mathrm{Ad}^*_{g_k^{-1}}\Pi_k\f$, the same before every step. *)
+(** ** The constant of the left-invariant algorithm
+
+Remark 3.2.2: along a motion of (3.11), with configurations reconstructed by (3.15), \f$\pi_0\f$ is the
+spatial momentum \f$\mathrm{Ad}^*_{g_k^{-1}}\Pi_k\f$, the same before every step. *)
 Theorem rem_3_2_2_constant l g0 f10 f21 : g0 \in unitmx -> f10 \in unitmx ->
   euler_poincare_left l f10 f21 = 0 ->
   Ad_star (invmx (reconstruct_left g0 f10)) (momentum_before_left l f21)
   = Ad_star (invmx g0) (momentum_before_left l f10).
 Proof.
-move=> u0 u1 motion; have update : agree (@all_matrices R n) (euler_poincare_left l f10 f21) 0 by rewrite motion.
+move=> u0 u1 motion.
+have update : agree (@all_matrices R n) (euler_poincare_left l f10 f21) 0 by rewrite motion.
 move/(eq_3_18 _ _ _ u1)/agree_all: update => ->; rewrite /lie_poisson_update_left.
 rewrite Ad_star_product ?unitmx_inv ?product_unit ?unitmx_inv //; congr Ad_star.
 by rewrite /reconstruct_left inverse_product ?unitmx_inv // invmxK mulmxA mulVmx // mul1mx.
@@ -620,7 +686,7 @@ Qed.
 Section 3.2, before proposition 3.2.1, with \f$\mu_k = \mathrm{Ad}^*_{g_k^{-1}}\mu_0\f$ and
 \f$\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0\f$ by (3.16) and \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$:
 \f[ \mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{k,k+1}^{-1}g_k)^{-1}}\mu_0 =
-\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \] *)
+\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \f] *)
 Theorem claim_3_2_dlp_chain gk gk1 mu0 muk muk1 : gk \in unitmx -> gk1 \in unitmx ->
   muk = Ad_star (invmx gk) mu0 -> muk1 = Ad_star (invmx gk1) mu0 ->
   let f := relative_motion_right gk gk1 in
@@ -639,19 +705,24 @@ Qed.
 
 End Chains.
 
-(** Printed are \f$\mathrm{Ad}^*_{g_{k+1}}\mu_0\f$ as the first expression and
-\f$\mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k}\mu_0\f$ as the third one, each without an inverse that (3.16) has.
-The first fails already where \f$g_k = 1\f$, the third where \f$g_{k+1} = 1\f$. *)
+(** ** The chain of equalities: the first expression as printed
 
+Printed is \f$\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}}\mu_0\f$, without the inverse that (3.16) has. It fails
+already where \f$g_k = 1\f$, for a triangular \f$g_{k+1}\f$ of size 2. *)
 Theorem claim_3_2_dlp_chain_printed_fails_first :
   ~ (forall (R : comUnitRingType) (n : nat) (gk gk1 mu0 muk1 : 'M[R]_n), gk \in unitmx -> gk1 \in unitmx ->
      muk1 = Ad_star (invmx gk1) mu0 -> muk1 = Ad_star gk1 mu0).
 Proof.
 move=> printed; pose g := integers [:: [:: 1; 1]; [:: 0; 1]]; pose mu := integers [:: [:: 0; 0]; [:: 0; 1]].
 have unit_g : matrix_of 2 g \in unitmx by decide_by_computation.
-by have := printed _ _ 1%:M (matrix_of 2 g) (matrix_of 2 mu) _ (unitmx1 _ _) unit_g erefl; decide_by_computation.
+have := printed _ _ 1%:M (matrix_of 2 g) (matrix_of 2 mu) _ (unitmx1 _ _) unit_g erefl.
+by decide_by_computation.
 Qed.
 
+(** ** The chain of equalities: the third expression as printed
+
+Printed is \f$\mu_{k+1} = \mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k}\mu_0\f$, without the inverse at
+\f$g_k\f$. It fails already where \f$g_{k+1} = 1\f$. *)
 Theorem claim_3_2_dlp_chain_printed_fails_third :
   ~ (forall (R : comUnitRingType) (n : nat) (gk gk1 mu0 muk1 : 'M[R]_n), gk \in unitmx -> gk1 \in unitmx ->
      muk1 = Ad_star (invmx gk1) mu0 -> muk1 = Ad_star (relative_motion_right gk gk1) (Ad_star gk mu0)).
@@ -662,9 +733,10 @@ have := printed _ _ (matrix_of 2 g) 1%:M (matrix_of 2 mu) _ unit_g (unitmx1 _ _)
 by rewrite /relative_motion_right inverse_one Ad_star_one mulmx1; decide_by_computation.
 Qed.
 
-(** Remark 3.2.2 prints (3.18) without its inverse beside the definition \f$\Pi_k := \mathrm{Ad}^*_{g_k}\pi_0\f$, and
-the two contradict each other. *)
+(** ** Remark 3.2.2 as printed
 
+The remark prints \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}}\Pi_k\f$, without its inverse, beside the definition
+\f$\Pi_k := \mathrm{Ad}^*_{g_k}\pi_0\f$, and the two contradict each other. *)
 Theorem rem_3_2_2_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (gk gk1 pi0 : 'M[R]_n), gk \in unitmx -> gk1 \in unitmx ->
      Ad_star gk1 pi0 = Ad_star (relative_motion_left gk gk1) (Ad_star gk pi0)).
@@ -674,11 +746,6 @@ have unit_g : matrix_of 2 g \in unitmx by decide_by_computation.
 have := printed _ _ (matrix_of 2 g) 1%:M (matrix_of 2 pi0) unit_g (unitmx1 _ _).
 by rewrite /relative_motion_left inverse_one mul1mx Ad_star_one; decide_by_computation.
 Qed.
-
-(** ** The momentum stays on its coadjoint orbit
-
-Section 3.2, below (3.18): the algorithm preserves the coadjoint orbits. The element of the group that joins the first
-momentum with the last is the inverse of the product of all relative motions, the earlier factors first. *)
 
 Section DlpOrbits.
 
@@ -691,6 +758,10 @@ Fixpoint composed_right f N : 'M[R]_n := if N is k.+1 then composed_right f k *m
 Lemma composed_right_in group f N : is_group group -> (forall k, group (f k)) -> group (composed_right f N).
 Proof. by case=> [one products _ _] in_f; elim: N => [|N IH] //=; apply: products. Qed.
 
+(** ** Several steps of the algorithm
+
+Section 3.2: after \f$N\f$ steps of (3.17) the momentum is \f$\mathrm{Ad}^*\f$ of the product of all relative
+motions, the earlier factors first: \f$\mu_N = \mathrm{Ad}^*_{f_{01}f_{12}\cdots f_{N-1,N}}\mu_0\f$. *)
 Theorem claim_3_2_dlp_orbits_composed f mu N : (forall k, f k \in unitmx) ->
   (forall k, mu k.+1 = lie_poisson_update_right (f k) (mu k)) -> mu N = Ad_star (composed_right f N) (mu 0%N).
 Proof.
@@ -700,6 +771,10 @@ elim: N => [|N IH] /=; first by rewrite Ad_star_one.
 by rewrite update /lie_poisson_update_right IH Ad_star_product.
 Qed.
 
+(** ** The momentum stays on its coadjoint orbit
+
+Section 3.2, below (3.18): the algorithm preserves the coadjoint orbits. One element of the group joins the
+first momentum with the last, whatever the relative motions are. *)
 Theorem claim_3_2_dlp_orbits group f mu N : is_group group -> (forall k, group (f k)) ->
   (forall k, mu k.+1 = lie_poisson_update_right (f k) (mu k)) -> on_orbit group (mu 0%N) (mu N).
 Proof.
@@ -708,15 +783,20 @@ exists (invmx (composed_right f N)); first by apply: inverses; apply: composed_r
 by rewrite invmxK; apply: claim_3_2_dlp_orbits_composed => // k; apply: units.
 Qed.
 
-(** A function that is constant on orbits keeps its value. *)
+(** ** Functions that are constant on orbits
+
+Section 3.2, below (3.18): such a function keeps its value along the algorithm. *)
 Theorem claim_3_2_dlp_orbits_casimirs group (T : Type) (C : 'M[R]_n -> T) f mu N : is_group group ->
   (forall k, group (f k)) -> (forall k, mu k.+1 = lie_poisson_update_right (f k) (mu k)) ->
   (forall p q, on_orbit group p q -> C q = C p) -> C (mu N) = C (mu 0%N).
 Proof. by move=> is_g in_f update constant; apply: constant; apply: claim_3_2_dlp_orbits. Qed.
 
-(** On the dual of all matrices such a function is the characteristic polynomial, and with it the trace of every power
-and the determinant. *)
-Theorem characteristic_polynomial_on_orbits g p : g \in unitmx -> char_poly (Ad_star g p) = char_poly (p : 'M[R]_n).
+(** ** The characteristic polynomial is constant on orbits
+
+On the dual of all matrices the coadjoint action keeps the characteristic polynomial of the covector, and with
+it the trace of every power and the determinant. *)
+Theorem characteristic_polynomial_on_orbits (g p : 'M[R]_n) : g \in unitmx ->
+  char_poly (Ad_star g p) = char_poly p.
 Proof.
 move=> u; rewrite /char_poly /char_poly_mx.
 have conjugates : map_mx (@polyC R) g^T *m map_mx (@polyC R) (invmx g)^T = 1%:M.
@@ -729,23 +809,22 @@ Qed.
 
 End DlpOrbits.
 
-(** ** The discrete Lie-Poisson algorithm preserves the brackets *)
-
 Section PoissonMap.
 
 Variables (R : comUnitRingType) (n : nat).
-Implicit Types (a b f p v w x y mu theta eta : 'M[R]_n) (algebra : 'M[R]_n -> Prop).
+Implicit Types (a b f p v w mu theta eta : 'M[R]_n) (algebra : 'M[R]_n -> Prop).
 
-(** A field of covectors, given on dual numbers: it stands for \f$\ell'\f$. At \f$f\f$ it has the value \f$p_0\f$, and it is
-_closed_ there: its derivative is a symmetric bilinear form, as the second derivative of a function is. *)
+(** A field of covectors, given on dual numbers: it stands for \f$\ell'\f$. At \f$f\f$ it has the value
+\f$p_0\f$, and it is _closed_ there: its derivative is a symmetric bilinear form, as the second derivative of
+a function is. *)
 Definition covector_at (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 := forall v, value_of (p (varied f v)) = p0.
 Definition closed_at (p : 'M[dual R]_n -> 'M[dual R]_n) f :=
   forall v w, pairing (rate_of (p (varied f v))) w = pairing (rate_of (p (varied f w))) v.
 
 (** The spatial momenta at the start and at the end of a right-invariant step, \f$-R_f^*\ell'(f)\f$ and
 \f$-L_f^*\ell'(f)\f$, for group elements that vary. *)
-Definition varied_momentum_before (p : 'M[dual R]_n -> 'M[dual R]_n) (x : 'M[dual R]_n) : 'M[dual R]_n := - R_star x (p x).
-Definition varied_momentum_after (p : 'M[dual R]_n -> 'M[dual R]_n) (x : 'M[dual R]_n) : 'M[dual R]_n := - L_star x (p x).
+Definition varied_momentum_before (p : 'M[dual R]_n -> 'M[dual R]_n) x := - R_star x (p x).
+Definition varied_momentum_after (p : 'M[dual R]_n -> 'M[dual R]_n) x := - L_star x (p x).
 
 Section Rates.
 
@@ -762,12 +841,14 @@ Proof. exact: closed. Qed.
 
 Lemma value_before v : value_of (varied_momentum_before p (varied f v)) = mu0.
 Proof.
-by rewrite /varied_momentum_before /R_star [p _]variedE at_f varied_transpose varied_mul varied_opp value_varied.
+rewrite /varied_momentum_before /R_star [p _]variedE at_f varied_transpose varied_mul varied_opp.
+by rewrite value_varied.
 Qed.
 
 Lemma value_after v : value_of (varied_momentum_after p (varied f v)) = - L_star f p0.
 Proof.
-by rewrite /varied_momentum_after /L_star [p _]variedE at_f varied_transpose varied_mul varied_opp value_varied.
+rewrite /varied_momentum_after /L_star [p _]variedE at_f varied_transpose varied_mul varied_opp.
+by rewrite value_varied.
 Qed.
 
 Lemma rate_before theta eta :
@@ -803,15 +884,19 @@ rewrite ![_ + (Q - V)]addrA ![_ + (S - U)]addrA !subrK.
 by rewrite addrACA [RHS]addrACA [- U - V]addrC.
 Qed.
 
-(** Proposition 3.2.1, with \f$f\f$ solved from \f$\mu\f$. The map \f$\Phi\f$ takes the momentum
-\f$\mu_0 = -R_f^*\ell'(f)\f$ at the start of a step to \f$\mu_1 = -L_f^*\ell'(f) = \mathrm{Ad}_f^*\mu_0\f$ at its end, and the
-functions \f$F\f$ and \f$H\f$ have the derivatives \f$a\f$ and \f$b\f$ at \f$\mu_1\f$. Let \f$F\circ\Phi\f$ and
-\f$H\circ\Phi\f$ have the derivatives \f$a'\f$ and \f$b'\f$ at \f$\mu_0\f$: this means that as \f$f\f$ varies along
-\f$\theta f\f$, \f$\langle\delta\mu_0, a'\rangle = \langle\delta\mu_1, a\rangle\f$. Then
-\f[ \{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \langle\mu_0, [a', b']\rangle = \langle\mu_1, [a, b]\rangle =
-\{F, H\}_+(\Phi(\mu_0)). \]
+(** ** The discrete Lie-Poisson algorithm is a Poisson map
+
+Proposition 3.2.1, with \f$f\f$ solved from \f$\mu\f$. The map \f$\Phi\f$ takes the momentum
+\f$\mu_0 = -R_f^*\ell'(f)\f$ at the start of a step to \f$\mu_1 = -L_f^*\ell'(f) = \mathrm{Ad}_f^*\mu_0\f$ at
+its end, and the functions \f$F\f$ and \f$H\f$ have the derivatives \f$a\f$ and \f$b\f$ at \f$\mu_1\f$. Let
+\f$F\circ\Phi\f$ and \f$H\circ\Phi\f$ have the derivatives \f$a'\f$ and \f$b'\f$ at \f$\mu_0\f$: this means
+that as \f$f\f$ varies along \f$\theta f\f$,
+\f$\langle\delta\mu_0, a'\rangle = \langle\delta\mu_1, a\rangle\f$, and so for \f$b'\f$ and \f$b\f$. Then
+\f[ \{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \langle\mu_0, [a', b']\rangle = \langle\mu_1, [a, b]\rangle = \{F,
+H\}_+(\Phi(\mu_0)). \f]
 The group may be smaller than that of all matrices: its algebra contains the differences of its elements, and
-\f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second derivative is used; it need not be regular. *)
+\f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second derivative is used; it need not be
+regular. *)
 Theorem prop_3_2_1 algebra (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 a b a' b' : f \in unitmx ->
   covector_at p f p0 -> closed_at p f ->
   (forall x y, algebra x -> algebra y -> algebra (x - y)) -> Ad_keeps algebra f ->
@@ -849,9 +934,12 @@ apply/eqP; rewrite -subr_eq0 -pairing_oppr -pairing_addr -vanishes; apply/eqP; c
 by rewrite /u /w /bracket !mulmxBr !mulmxBl; apply: regroup.
 Qed.
 
-(** Proposition 3.2.1 for functions, on the dual of all matrices: if \f$\Phi\f$ is the discrete Lie-Poisson map near
-\f$\mu_0\f$, with \f$f\f$ solved from \f$\mu\f$, then
-\f$\{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \{F, H\}_+(\mathrm{Ad}^*_f\mu_0)\f$. *)
+(** ** The same for functions
+
+Proposition 3.2.1 on the dual of all matrices: if \f$\Phi\f$ is the discrete Lie-Poisson map near \f$\mu_0\f$,
+with \f$f\f$ solved from \f$\mu\f$, then
+\f$\{F\circ\Phi, H\circ\Phi\}_+(\mu_0) = \{F, H\}_+(\mathrm{Ad}^*_f\mu_0)\f$ for all differentiable functions.
+*)
 Theorem prop_3_2_1_functions (F H : 'M[dual R]_n -> dual R) Phi (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 :
   f \in unitmx -> covector_at p f p0 -> closed_at p f ->
   (forall v, Phi (varied_momentum_before p (varied f v)) = varied_momentum_after p (varied f v)) ->
@@ -871,25 +959,17 @@ have chain K : differentiable K (- L_star f p0) -> differentiable (K \o Phi) (- 
 by apply: (@prop_3_2_1 (@all_matrices R n) p) => // theta _; apply: chain.
 Qed.
 
-(** The first reading of proposition 3.2.1, along a given sequence of \f$f\f$: the map
+(** ** The algorithm along a given sequence
+
+Proposition 3.2.1 in its first reading, along a given sequence of \f$f\f$: the map
 \f$\mu\mapsto\mathrm{Ad}^*_f\mu\f$ with \f$f\f$ fixed preserves the bracket. *)
 Theorem prop_3_2_1_fixed_sequence (F H : 'M[dual R]_n -> dual R) f mu : f \in unitmx ->
   differentiable F (lie_poisson_update_right f mu) -> differentiable H (lie_poisson_update_right f mu) ->
   lie_poisson_bracket_plus (F \o Ad_star (still f)) (H \o Ad_star (still f)) mu
   = lie_poisson_bracket_plus F H (lie_poisson_update_right f mu).
-Proof. exact: claim_3_2_coadjoint_lie_poisson. Qed.
+Proof. exact: claim_3_2_coadjoint_lie_poisson_brackets. Qed.
 
 End PoissonMap.
-
-(** ** Preserving the orbits is not enough
-
-Section 3.2, below (3.18): "This algorithm manifestly preserves the coadjoint orbits and hence the Poisson structure on
-\f$\mathfrak g^*\f$." That a map takes every \f$\mu\f$ to a point \f$\mathrm{Ad}^*_{f(\mu)}\mu\f$ of its orbit does not
-imply that it preserves the bracket, not even for polynomial maps. Take \f$f(\mu) = 1 + \mu_{11}E_{12}\f$ on 2 by 2
-matrices: \f$\mu_{11}\f$ goes to \f$\mu_{11} - \mu_{11}\mu_{12}\f$, and \f$\mu_{12}\f$ stays. At \f$\mu = E_{12}\f$, which is
-fixed, \f$\{\mu_{11}, \mu_{12}\}_+ = \mu_{12} = 1\f$, and after the map the bracket of the two functions is
-\f$\mu_{12}(1-\mu_{12}) = 0\f$. That the conclusion holds all the same, since \f$\mu_k =
--R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$, is `prop_3_2_1`. *)
 
 (** \f$1 + cE_{12}\f$. *)
 Definition shear (S : comUnitRingType) (c : S) : 'M[S]_2 := 1%:M + c *: delta_mx 0 1.
@@ -920,6 +1000,16 @@ rewrite /Ad_star (inverse_unique (shear_inverse c)); split; rewrite mxE sum_of_t
 by rewrite [_^T 0 1]mxE [_^T 1 1]mxE d10 d11 mulr0 add0r mulr1.
 Qed.
 
+(** ** Preserving the orbits is not enough
+
+Section 3.2, below (3.18): "This algorithm manifestly preserves the coadjoint orbits and hence the Poisson
+structure on \f$\mathfrak g^*\f$." That a map takes every \f$\mu\f$ to a point \f$\mathrm{Ad}^*_{f(\mu)}\mu\f$
+of its orbit does not imply that it preserves the bracket, not even for polynomial maps. Take
+\f$f(\mu) = 1 + \mu_{11}E_{12}\f$ on 2 by 2 matrices: \f$\mu_{11}\f$ goes to
+\f$\mu_{11} - \mu_{11}\mu_{12}\f$, and \f$\mu_{12}\f$ stays. At \f$\mu = E_{12}\f$, which is fixed,
+\f$\{\mu_{11}, \mu_{12}\}_+ = \mu_{12} = 1\f$, and after the map the bracket of the two functions is
+\f$\mu_{12}(1-\mu_{12}) = 0\f$. That the conclusion holds all the same, since
+\f$\mu_k = -R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$, is `prop_3_2_1`. *)
 Theorem claim_3_2_orbits_and_bracket_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (Phi : 'M[dual R]_n -> 'M[dual R]_n),
      (forall mu, exists2 h, h \in unitmx & Phi mu = Ad_star h mu) ->

@@ -205,7 +205,7 @@ Qed.
 
 (** ** The spectrum is conserved
 
-\f[ \det(z - W_1) = \det(z - W_0) \]
+\f[ \det(z - W_1) = \det(z - W_0) \f]
 as polynomials in \f$z\f$, again without any hypothesis. Where 2, 3, ..., n have no inverse this says more
 than the moments do; it holds for matrices that cannot be brought to diagonal form as well. *)
 Theorem spectrum_conserved A Wt : char_poly (vorticity_after A Wt) = char_poly (vorticity_before A Wt).
@@ -993,7 +993,7 @@ Qed.
 
 (** ** The moments of the vorticity
 
-\f[ \mathrm{Tr}(W^k[P, W]) = 0 \quad\text{for every } k, \]
+\f[ \mathrm{Tr}(W^k[P, W]) = 0 \quad\text{for every } k, \f]
 for any two matrices: the gradient of each Casimir is orthogonal to every tangent vector of the orbit. *)
 Theorem moments_orthogonal P W k : \tr (power W k *m bracket P W) = 0.
 Proof. by rewrite bracketN mulmxN raddfN /= trace_commuting ?oppr0 // -powerS powerSr. Qed.

@@ -1,9 +1,9 @@
 (** * Discretization in the natural chart
 
 The algebra of section 3.3: the chart \f$\psi_g = \exp^{-1}\circ R_{g^{-1}}\f$, average and difference of two
-configurations in it, the discrete Lagrangian made of them and its invariance, and the derivative of the exponential
-map, power by power. Exponential and logarithm are any two functions of matrices; what is used of them stands among
-the hypotheses of each theorem. *)
+configurations in it, the discrete Lagrangian made of them and its invariance, and the derivative of the
+exponential map, power by power. Exponential and logarithm are any two functions of matrices; what is used of
+them stands among the hypotheses of each theorem. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices dual_numbers computed groups.
@@ -21,12 +21,12 @@ Section Charts.
 Variables (R : comUnitRingType) (n : nat) (log : 'M[R]_n -> 'M[R]_n).
 Implicit Types (f g k q r v x y eta zeta : 'M[R]_n) (half s : R).
 
-(** The chart at \f$g\f$ by right translation, \f$\psi_g(k) = \log(kg^{-1})\f$.
-C++: `actio::natural_chart_right`, `reduction/natural_chart.hpp`. *)
+(** The chart at \f$g\f$ by right translation, \f$\psi_g(k) = \log(kg^{-1})\f$. C++:
+`actio::natural_chart_right`, `reduction/natural_chart.hpp`. *)
 Definition natural_chart_right g k := log (k *m invmx g).
 
-(** \f$\eta = \tfrac12(\psi_g(g_1) + \psi_g(g_2))\f$ and \f$\zeta = s\,(\psi_g(g_2) - \psi_g(g_1))\f$, \f$s\f$ standing for
-\f$1/\Delta t\f$. C++: `actio::chart_midpoint_right`, `reduction/natural_chart.hpp`. *)
+(** \f$\eta = \tfrac12(\psi_g(g_1) + \psi_g(g_2))\f$ and \f$\zeta = s\,(\psi_g(g_2) - \psi_g(g_1))\f$, \f$s\f$
+standing for \f$1/\Delta t\f$. C++: `actio::chart_midpoint_right`, `reduction/natural_chart.hpp`. *)
 Definition chart_average half g g1 g2 := half *: (natural_chart_right g g1 + natural_chart_right g g2).
 Definition chart_difference s g g1 g2 := s *: (natural_chart_right g g2 - natural_chart_right g g1).
 
@@ -43,9 +43,10 @@ move=> u exp_log log_exp; rewrite /natural_chart_right exp_log -mulmxA mulVmx //
 by rewrite -mulmxA mulmxV // mulmx1.
 Qed.
 
-(** The charts go over into each other by right translation: \f$\psi_{gk}(qk) = \psi_g(q)\f$. This is all that lemma
-3.3.1 needs. *)
+(** ** Charts and right translation
 
+The charts (3.19) go over into each other by right translation: \f$\psi_{gk}(qk) = \psi_g(q)\f$. This is all
+that lemma 3.3.1 needs of them. *)
 Theorem eq_3_19_equivariance g q k : g \in unitmx -> k \in unitmx ->
   natural_chart_right (g *m k) (q *m k) = natural_chart_right g q.
 Proof.
@@ -79,22 +80,24 @@ rewrite bracket_addr !bracket_addl !bracket_oppl !bracket_self oppr0 addr0 add0r
 by rewrite scalerDr -scalerDl -mulrDr halves mulr1.
 Qed.
 
-(** Section 3.3, above (3.24): where the chart is centred at one of the two configurations, one of the chart values is
-\f$\log 1 = 0\f$, and \f$[\zeta, \eta] = 0\f$. *)
+(** ** A chart centred at one of the two configurations
 
+Section 3.3, above (3.24): there one of the chart values is \f$\log 1 = 0\f$, and \f$[\zeta, \eta] = 0\f$. *)
 Theorem claim_3_3_fibre_element_commutes half s g1 g2 : g1 \in unitmx -> g2 \in unitmx ->
   half + half = 1 -> log 1%:M = 0 ->
   bracket (chart_difference s g1 g1 g2) (chart_average half g1 g1 g2) = 0
   /\ bracket (chart_difference s g2 g1 g2) (chart_average half g2 g1 g2) = 0.
 Proof.
-move=> u1 u2 halves log_1; rewrite !bracket_of_average_and_difference // /natural_chart_right !mulmxV // log_1.
-by rewrite /bracket !mulmx0 !mul0mx subrr scaler0.
+move=> u1 u2 halves log_1; rewrite !bracket_of_average_and_difference // /natural_chart_right.
+by rewrite !mulmxV // log_1 /bracket !mulmx0 !mul0mx subrr scaler0.
 Qed.
 
-(** Then \f$\mathrm{ad}_\eta\f$ vanishes on \f$\zeta\f$, and of every power series of \f$-\mathrm{ad}_\eta\f$ the constant
-term alone is left: \f$\sum_{k\le N}c_k(-\mathrm{ad}_\eta)^k\zeta = c_0\,\zeta\f$ for every \f$N\f$ and all coefficients. For
-\f$\mathrm{iex}\f$, \f$c_k = 1/(k+1)!\f$, this is \f$\mathrm{iex}(-\mathrm{ad}_\eta)\zeta = \zeta\f$. *)
+(** ** The series of the fibre element
 
+Section 3.3, above (3.24): where \f$[\zeta, \eta] = 0\f$, of every power series of \f$-\mathrm{ad}_\eta\f$ on
+\f$\zeta\f$ the constant term alone is left, \f$\sum_{k\le N}c_k(-\mathrm{ad}_\eta)^k\zeta = c_0\,\zeta\f$ for
+every \f$N\f$ and all coefficients. For \f$\mathrm{iex}\f$, \f$c_k = 1/(k+1)!\f$, this is
+\f$\mathrm{iex}(-\mathrm{ad}_\eta)\zeta = \zeta\f$. *)
 Theorem claim_3_3_fibre_element_commutes_series eta zeta (c : nat -> R) N : bracket zeta eta = 0 ->
   \sum_(k < N.+1) c k *: iter k (fun y => - bracket eta y) zeta = c 0%N *: zeta.
 Proof.
@@ -115,13 +118,17 @@ Proof. by move=> u log_1; rewrite /chart_average /natural_chart_right mulmxV // 
 
 (** ** The difference in the chart at the later configuration
 
-Above (3.25), with its minus: \f$\zeta = -\tfrac1{\Delta t}\log(g_kg_{k+1}^{-1}) =
-\tfrac1{\Delta t}\log(g_{k+1}g_k^{-1})\f$. The later configuration is the origin of the chart. *)
+Above (3.25), with its minus: \f$\zeta = -\tfrac1{\Delta t}\log(g_kg_{k+1}^{-1})\f$. The later configuration
+is the origin of the chart. *)
 
 Theorem claim_3_3_midpoint_zeta s g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
   chart_difference s g2 g1 g2 = - (s *: log (relative_motion_right g1 g2)).
 Proof. by move=> u log_1; rewrite /chart_difference /natural_chart_right mulmxV // log_1 sub0r scalerN. Qed.
 
+(** ** The difference as a logarithm that looks forwards
+
+Above (3.25): \f$\zeta = \tfrac1{\Delta t}\log(g_{k+1}g_k^{-1})\f$, where the logarithm of an inverse is minus
+the logarithm. *)
 Theorem claim_3_3_midpoint_zeta_forwards s g1 g2 : g1 \in unitmx -> g2 \in unitmx -> log 1%:M = 0 ->
   log (invmx (relative_motion_right g1 g2)) = - log (relative_motion_right g1 g2) ->
   chart_difference s g2 g1 g2 = s *: log (relative_motion_right g2 g1).
@@ -132,9 +139,11 @@ Qed.
 
 End Charts.
 
-(** Printed is \f$\zeta = \tfrac1{\Delta t}\log(g_kg_{k+1}^{-1})\f$, without the minus. On upper triangular 2 by 2 matrices
-with ones on the diagonal the logarithm is \f$\log g = g - 1\f$; take \f$g_{k+1} = 1\f$ and \f$\Delta t = 1\f$. *)
+(** ** The difference as printed
 
+Printed is \f$\zeta = \tfrac1{\Delta t}\log(g_kg_{k+1}^{-1})\f$, without the minus. On upper triangular 2 by 2
+matrices with ones on the diagonal the logarithm is \f$\log g = g - 1\f$; take \f$g_{k+1} = 1\f$ and
+\f$\Delta t = 1\f$. *)
 Theorem claim_3_3_midpoint_zeta_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (log : 'M[R]_n -> 'M[R]_n) (s : R) (g1 g2 : 'M[R]_n),
      g1 \in unitmx -> g2 \in unitmx -> log 1%:M = 0 ->
@@ -144,21 +153,20 @@ move=> printed; pose log n (g : 'M[Qc]_n) := g - 1%:M.
 pose g := integers [:: [:: 1; 1]; [:: 0; 1]].
 have unit_g : matrix_of 2 g \in unitmx by decide_by_computation.
 have := printed _ _ (log 2%N) 1 (matrix_of 2 g) 1%:M unit_g (unitmx1 _ _) (subrr _).
-rewrite claim_3_3_midpoint_zeta ?unitmx1 // ?/log ?subrr // /relative_motion_right inverse_one mulmx1 !scale1r.
-by decide_by_computation.
+rewrite claim_3_3_midpoint_zeta ?unitmx1 // ?/log ?subrr // /relative_motion_right inverse_one.
+by rewrite mulmx1 !scale1r; decide_by_computation.
 Qed.
-
-(** ** The configuration half-way
-
-Above (3.25): with \f$\eta = \tfrac12\log(g_kg_{k+1}^{-1})\f$ the chart at \f$g_{k+1}\f$ takes
-\f$q = \psi_{g_{k+1}}^{-1}(\eta) = e^\eta g_{k+1} = (g_kg_{k+1}^{-1})^{1/2}g_{k+1}\f$ to \f$\eta\f$. It is half-way from
-\f$g_{k+1}\f$ to \f$g_k\f$: \f$qg_{k+1}^{-1}\f$ is \f$g_kq^{-1}\f$, and its square is \f$g_kg_{k+1}^{-1}\f$. Of the exponential
-it is used that \f$e^{\eta+\eta} = e^\eta e^\eta\f$. *)
 
 Section Midpoints.
 
 Variables (R : comUnitRingType) (n : nat).
 
+(** ** The configuration half-way
+
+Above (3.25): with \f$\eta = \tfrac12\log(g_kg_{k+1}^{-1})\f$ the chart at \f$g_{k+1}\f$ takes
+\f$q = \psi_{g_{k+1}}^{-1}(\eta) = e^\eta g_{k+1} = (g_kg_{k+1}^{-1})^{1/2}g_{k+1}\f$ to \f$\eta\f$. It is
+half-way from \f$g_{k+1}\f$ to \f$g_k\f$: \f$qg_{k+1}^{-1}\f$ is \f$g_kq^{-1}\f$, and its square is
+\f$g_kg_{k+1}^{-1}\f$. Of the exponential it is used that \f$e^{\eta+\eta} = e^\eta e^\eta\f$. *)
 Theorem claim_3_3_midpoint_q (exp log : 'M[R]_n -> 'M[R]_n) (g1 g2 eta : 'M[R]_n) :
   g1 \in unitmx -> g2 \in unitmx -> let f := relative_motion_right g1 g2 in
   exp (log f) = f -> eta + eta = log f -> exp (eta + eta) = exp eta *m exp eta ->
@@ -180,10 +188,12 @@ Qed.
 
 End Midpoints.
 
-(** Printed is \f$q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2}\f$, the root of another product. It differs wherever
-\f$e^\eta\f$ and \f$g_{k+1}\f$ do not commute: take \f$\eta = E_{12}\f$, for which \f$e^\eta = 1 + E_{12}\f$, and
-\f$g_{k+1} = 1 + E_{21}\f$. The square of \f$q\f$ is not \f$g_kg_{k+1}\f$, so that \f$q\f$ is none of its roots. *)
+(** ** The configuration half-way as printed
 
+Printed is \f$q = \psi_{g_{k+1}}(\eta) = (g_kg_{k+1})^{1/2}\f$, the root of another product. It differs
+wherever \f$e^\eta\f$ and \f$g_{k+1}\f$ do not commute: take \f$\eta = E_{12}\f$, for which
+\f$e^\eta = 1 + E_{12}\f$, and \f$g_{k+1} = 1 + E_{21}\f$. The square of \f$q\f$ is not \f$g_kg_{k+1}\f$, so
+that \f$q\f$ is none of its roots. *)
 Theorem claim_3_3_midpoint_q_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (exp log : 'M[R]_n -> 'M[R]_n) (g1 g2 eta : 'M[R]_n),
      g1 \in unitmx -> g2 \in unitmx -> let f := relative_motion_right g1 g2 in
@@ -209,13 +219,11 @@ have nilpotent : matrix_of 2 eta *m matrix_of 2 eta = 0 by decide_by_computation
 by have := on_roots _ _ _ _ unit_r unit_g2 nilpotent; decide_by_computation.
 Qed.
 
-(** ** The discrete Lagrangian
-
-(3.20): \f$\mathbb L(g_1, g_2) = L\bigl(\psi_g^{-1}(\eta), (\psi_g^{-1})_*\zeta\bigr)\f$ with average \f$\eta\f$ and difference
-\f$\zeta\f$ in the chart at \f$g\f$, which depends on \f$g_1\f$ and \f$g_2\f$. Since \f$\psi_g^{-1}(x) = e^xg\f$, the
-push-forward of \f$\zeta\f$ at \f$\eta\f$ is the derivative of \f$e^{\eta+\varepsilon\zeta}g\f$: the exponential is given
-on dual numbers. The values of \f$L\f$ may be of any type. C++: `actio::discretize_right`,
-`reduction/natural_chart.hpp`. *)
+(** (3.20): \f$\mathbb L(g_1, g_2) = L\bigl(\psi_g^{-1}(\eta), (\psi_g^{-1})_*\zeta\bigr)\f$ with average
+\f$\eta\f$ and difference \f$\zeta\f$ in the chart at \f$g\f$, which depends on \f$g_1\f$ and \f$g_2\f$. Since
+\f$\psi_g^{-1}(x) = e^xg\f$, the push-forward of \f$\zeta\f$ at \f$\eta\f$ is the derivative of
+\f$e^{\eta+\varepsilon\zeta}g\f$: the exponential is given on dual numbers. The values of \f$L\f$ may be of
+any type. C++: `actio::discretize_right`, `reduction/natural_chart.hpp`. *)
 
 Section Lagrangians.
 
@@ -234,11 +242,13 @@ Definition right_invariant :=
 
 (** ** Invariance is inherited
 
-Lemma 3.3.1: where \f$L\f$ is right-invariant, \f$\mathbb L(g_1k, g_2k) = \mathbb L(g_1, g_2)\f$, provided that the base point
-of the chart goes along, as the proof in the thesis has it: \f$g(g_1k, g_2k) = g(g_1, g_2)\,k\f$. Of exponential and
-logarithm it is used only that the values of the exponential are invertible. *)
+Lemma 3.3.1: where \f$L\f$ is right-invariant, \f$\mathbb L(g_1k, g_2k) = \mathbb L(g_1, g_2)\f$, provided
+that the base point of the chart goes along, as the proof in the thesis has it:
+\f$g(g_1k, g_2k) = g(g_1, g_2)\,k\f$. Of exponential and logarithm it is used only that the values of the
+exponential are invertible. *)
 
-Theorem lem_3_3_1 base g1 g2 k : right_invariant -> (forall x, value_of (exp x) \in unitmx) -> k \in unitmx -> base g1 g2 \in unitmx ->
+Theorem lem_3_3_1 base g1 g2 k : right_invariant -> (forall x, value_of (exp x) \in unitmx) ->
+  k \in unitmx -> base g1 g2 \in unitmx ->
   base (g1 *m k) (g2 *m k) = base g1 g2 *m k ->
   discretize_right base (g1 *m k) (g2 *m k) = discretize_right base g1 g2.
 Proof.
@@ -246,9 +256,8 @@ move=> invariant u uk ug along; rewrite /discretize_right along /chart_average /
 by rewrite !eq_3_19_equivariance // !mulmxA invariant // product_unit.
 Qed.
 
-(** The same for left-invariant \f$L\f$, with the charts \f$\phi_g(k) = \log(g^{-1}k)\f$. C++: `actio::discretize_left`,
-`reduction/natural_chart.hpp`. *)
-
+(** The chart by left translation, \f$\phi_g(k) = \log(g^{-1}k)\f$, and the discrete Lagrangian made with it.
+C++: `actio::discretize_left`, `reduction/natural_chart.hpp`. *)
 Definition natural_chart_left g k := log (invmx g *m k).
 
 Definition discretize_left base g1 g2 :=
@@ -261,8 +270,11 @@ Definition discretize_left base g1 g2 :=
 Definition left_invariant :=
   forall q v k, q \in unitmx -> k \in unitmx -> L (k *m q) (k *m v) = L q v.
 
-Theorem lem_3_3_1_left base g1 g2 k : left_invariant -> (forall x, value_of (exp x) \in unitmx) -> k \in unitmx ->
-  base g1 g2 \in unitmx -> base (k *m g1) (k *m g2) = k *m base g1 g2 ->
+(** ** Invariance is inherited, left-invariant case
+
+Lemma 3.3.1 for left-invariant \f$L\f$, with the charts \f$\phi_g(k) = \log(g^{-1}k)\f$. *)
+Theorem lem_3_3_1_left base g1 g2 k : left_invariant -> (forall x, value_of (exp x) \in unitmx) ->
+  k \in unitmx -> base g1 g2 \in unitmx -> base (k *m g1) (k *m g2) = k *m base g1 g2 ->
   discretize_left base (k *m g1) (k *m g2) = discretize_left base g1 g2.
 Proof.
 move=> invariant u uk ug along.
@@ -277,11 +289,10 @@ Definition at_second g1 g2 : 'M[R]_n := g2.
 
 (** ** The discrete Lagrangian in the chart at the later configuration
 
-(3.24) with the corrected entries: \f$\mathbb L(g_k, g_{k+1}) = L(q, T_eR_q\zeta)\f$ with
-\f$q = rg_{k+1}\f$, \f$r = e^\eta = (g_kg_{k+1}^{-1})^{1/2}\f$, and
-\f$\zeta = -\tfrac1{\Delta t}\log(g_kg_{k+1}^{-1})\f$. Of the exponential it is used that
-\f$\frac{d}{d\varepsilon}e^{\eta+\varepsilon\zeta} = \zeta e^\eta\f$ for this \f$\zeta\f$, which commutes with
-\f$\eta\f$. *)
+(3.24) with the corrected entries: \f$\mathbb L(g_k, g_{k+1}) = L(q, T_eR_q\zeta)\f$ with \f$q = rg_{k+1}\f$,
+\f$r = e^\eta = (g_kg_{k+1}^{-1})^{1/2}\f$, and \f$\zeta = -\tfrac1{\Delta t}\log(g_kg_{k+1}^{-1})\f$. Of the
+exponential it is used that \f$\frac{d}{d\varepsilon}e^{\eta+\varepsilon\zeta} = \zeta e^\eta\f$ for this
+\f$\zeta\f$, which commutes with \f$\eta\f$. *)
 
 Theorem eq_3_24 r g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
   let eta := half *: log (relative_motion_right g1 g2) in
@@ -311,10 +322,11 @@ Qed.
 
 End Lagrangians.
 
-(** Printed is \f$\ell(f_{k,k+1}) = l(\log(f_{k,k+1})/\Delta t)\f$. The relative motion looks back, and with a Lagrangian that
-is not even the two differ. Take upper triangular 2 by 2 matrices with ones on the diagonal, where
-\f$e^x = 1 + x\f$, and \f$L(q, v) = (vq^{-1})_{12}\f$. *)
+(** ** The reduced discrete Lagrangian as printed
 
+Printed is \f$\ell(f_{k,k+1}) = l(\log(f_{k,k+1})/\Delta t)\f$. The relative motion looks back, and with a
+Lagrangian that is not even the two differ. Take upper triangular 2 by 2 matrices with ones on the diagonal,
+where \f$e^x = 1 + x\f$, and \f$L(q, v) = (vq^{-1})_{12}\f$. *)
 Theorem eq_3_25_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (T : Type) (L : 'M[R]_n -> 'M[R]_n -> T)
      (exp : 'M[dual R]_n -> 'M[dual R]_n) (log : 'M[R]_n -> 'M[R]_n) (half s : R) (r g1 g2 : 'M[R]_n),
@@ -334,10 +346,12 @@ have on_nilpotent (R : comUnitRingType) (n : nat) (half : R) (x : 'M[R]_n) i j :
   have f_is : log (relative_motion_right (1%:M + x) 1%:M) = x.
     by rewrite /log /relative_motion_right inverse_one mulmx1 addrC addKr.
   have log_1 : log 1%:M = 0 by rewrite /log subrr.
-  have along : 1%:M + varied (half *: x) (- (1 *: x)) = varied (1%:M + half *: x) (- (1 *: x) *m (1%:M + half *: x)).
+  have along : 1%:M + varied (half *: x) (- (1 *: x))
+      = varied (1%:M + half *: x) (- (1 *: x) *m (1%:M + half *: x)).
     rewrite -varied_one varied_add add0r mulmxDr mulmx1 -scalemxAr mulNmx scale1r nilpotent.
     by rewrite oppr0 scaler0 addr0.
-  have := printed R n R L (fun X => 1%:M + X) log half 1 (1%:M + half *: x) (1%:M + x) 1%:M invariant halves u_f.
+  have := printed R n R L (fun X => 1%:M + X) log half 1 (1%:M + half *: x) (1%:M + x) 1%:M.
+  move=> /(_ invariant halves u_f).
   rewrite /= f_is => /(_ (unitmx1 _ _) u_r log_1 along).
   rewrite (@eq_3_25 _ _ _ _ _ _ _ _ (1%:M + half *: x)) ?unitmx1 // ?f_is //.
   by rewrite /L inverse_one !mulmx1 !scale1r.
@@ -349,13 +363,6 @@ have nilpotent : matrix_of 2 x *m matrix_of 2 x = 0 by decide_by_computation.
 have := on_nilpotent _ _ _ _ 0 1 halves unit_f unit_r nilpotent; rewrite !mxE => /eqP.
 by vm_compute.
 Qed.
-
-(** ** The derivative of the exponential map, power by power
-
-Section 3.3, above (3.21), with the corrected sign: \f$T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta)\f$ with
-\f$g' = e^\eta\f$ and \f$\mathrm{iex}(w) = \sum_kw^k/(k+1)!\f$. Both sides are sums of terms with one factor \f$\zeta\f$
-and \f$m - 1\f$ factors \f$\eta\f$, \f$m = 1, 2, \dots\f$; on the left these are the derivative of \f$x^m/m!\f$, on the
-right the \f$\frac{\mathrm{ad}^k_\eta\zeta}{(k+1)!}\,\frac{\eta^{m-1-k}}{(m-1-k)!}\f$. They agree for each \f$m\f$. *)
 
 Section Exponential.
 
@@ -373,7 +380,10 @@ elim: m => [|m IH]; first by rewrite -[X in value_of X]varied_one value_varied.
 by rewrite [power _ _]iterS [iter m _ _]variedE varied_mul value_varied IH.
 Qed.
 
-(** The derivative of a power: \f$\sum_{i+j=m-1}\eta^i\zeta\,\eta^j = \sum_{k<m}\binom{m}{k+1}\,\mathrm{ad}_\eta^k\zeta\;\eta^{m-1-k}\f$. *)
+(** ** The derivative of a power
+
+\f$\sum_{i+j=m-1}\eta^i\zeta\,\eta^j = \sum_{k<m}\binom{m}{k+1}\,\mathrm{ad}_\eta^k\zeta\;\eta^{m-1-k}\f$: the
+left side is the derivative of \f$x\mapsto x^m\f$ at \f$\eta\f$ along \f$\zeta\f$. *)
 Theorem derivative_of_power eta zeta m : rate_of (power (varied eta zeta) m)
   = \sum_(k < m) (ad_power eta zeta k *m power eta (m - k.+1)%N) *+ 'C(m, k.+1).
 Proof.
@@ -398,7 +408,16 @@ have -> : (\sum_(k < m) term k.+1 *+ 'C(m, k.+1)) + zeta *m power eta m = \sum_(
 by rewrite -big_split; apply: eq_bigr => k _; rewrite /= -mulrnDr -binS /term subSS.
 Qed.
 
-Theorem claim_3_3_derivative_of_exponential (c : nat -> R) eta zeta m : (forall k, c k * k`!%:R = 1) ->
+(** ** The derivative of the exponential map, power by power
+
+Section 3.3, above (3.21), with the corrected sign:
+\f$T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(\mathrm{ad}_\eta)\f$ with \f$g' = e^\eta\f$ and
+\f$\mathrm{iex}(w) = \sum_kw^k/(k+1)!\f$. Both sides are sums of terms with one factor \f$\zeta\f$ and
+\f$m - 1\f$ factors \f$\eta\f$, \f$m = 1, 2, \dots\f$; on the left these are the derivative of \f$x^m/m!\f$,
+on the right the \f$\frac{\mathrm{ad}^k_\eta\zeta}{(k+1)!}\,\frac{\eta^{m-1-k}}{(m-1-k)!}\f$. They agree for
+each \f$m\f$. Nothing is said of convergence. *)
+Theorem claim_3_3_derivative_of_exponential_power_by_power (c : nat -> R) eta zeta m :
+  (forall k, c k * k`!%:R = 1) ->
   c m *: rate_of (power (varied eta zeta) m)
   = \sum_(k < m) (c k.+1 *: ad_power eta zeta k) *m (c (m - k.+1)%N *: power eta (m - k.+1)%N).
 Proof.
@@ -414,21 +433,23 @@ Qed.
 
 End Exponential.
 
-(** Printed is \f$T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta)\f$, with \f$\mathrm{ad}_\eta\zeta = [\eta, \zeta] =
-\eta\zeta - \zeta\eta\f$. The terms with \f$m = 2\f$ differ wherever \f$\eta\f$ and \f$\zeta\f$ do not commute:
-\f$\tfrac12(\eta\zeta + \zeta\eta)\f$ is not \f$\zeta\eta - \tfrac12[\eta, \zeta]\f$, with \f$\eta = E_{12}\f$ and
-\f$\zeta = E_{21}\f$. *)
+(** ** The derivative of the exponential map as printed
 
-Theorem claim_3_3_derivative_of_exponential_printed_fails :
+Printed is \f$T_\eta\exp = T_eR_{g'}\cdot\mathrm{iex}(-\mathrm{ad}_\eta)\f$, with
+\f$\mathrm{ad}_\eta\zeta = [\eta, \zeta] = \eta\zeta - \zeta\eta\f$. The terms with \f$m = 2\f$ differ
+wherever \f$\eta\f$ and \f$\zeta\f$ do not commute: \f$\tfrac12(\eta\zeta + \zeta\eta)\f$ is not
+\f$\zeta\eta - \tfrac12[\eta, \zeta]\f$, with \f$\eta = E_{12}\f$ and \f$\zeta = E_{21}\f$. *)
+Theorem claim_3_3_derivative_of_exponential_printed_fails_power_by_power :
   ~ (forall (R : comUnitRingType) (n : nat) (c : nat -> R) (eta zeta : 'M[R]_n) (m : nat),
      (forall k, c k * k`!%:R = 1) ->
      c m *: rate_of (power (varied eta zeta) m)
-     = \sum_(k < m) (c k.+1 *: iter k (fun y => - ad eta y) zeta) *m (c (m - k.+1)%N *: power eta (m - k.+1)%N)).
+     = \sum_(k < m)
+         (c k.+1 *: iter k (fun y => - ad eta y) zeta) *m (c (m - k.+1)%N *: power eta (m - k.+1)%N)).
 Proof.
 move=> printed; pose c k : rat := (k`!%:R)^-1.
 have factorials k : c k * k`!%:R = 1 by rewrite /c mulVf // Num.Theory.pnatr_eq0 -lt0n fact_gt0.
 pose eta : 'M[rat]_2 := delta_mx 0 1; pose zeta : 'M[rat]_2 := delta_mx 1 0.
-have := printed _ _ c eta zeta 2%N factorials; rewrite claim_3_3_derivative_of_exponential //.
+have := printed _ _ c eta zeta 2%N factorials; rewrite claim_3_3_derivative_of_exponential_power_by_power //.
 rewrite !big_ord_recl !big_ord0 !addr0 /= => /addrI.
 rewrite -!scalemxAr !mulmx1 !scalerA /ad /bracket !mul_delta_mx => /matrixP /(_ 0 0).
 by rewrite !mxE /= => /eqP; vm_compute.

@@ -31,7 +31,8 @@ Qed.
 
 (** The value of a polynomial at a list of elements of the ring. *)
 Definition polynomial_value (atoms : list R) (e : PExpr Z) : R :=
-  PEeval 0 1 ring_sum ring_product ring_difference ring_opposite (gen_phiZ 0 1 ring_sum ring_product ring_opposite) id_phi_N
+  PEeval 0 1 ring_sum ring_product ring_difference ring_opposite (gen_phiZ 0 1 ring_sum ring_product
+    ring_opposite) id_phi_N
     (pow_N 1 ring_product) atoms e.
 
 Definition same_polynomial (e f : PExpr Z) : bool :=
@@ -106,7 +107,7 @@ Ltac ring_identity :=
       match read R a (@nil (GRing.ComRing.sort R)) with
       | (?e, ?atoms) =>
           match read R b atoms with
-          | (?f, ?atoms') => exact (@same_value R atoms' e f (eq_refl true))
+          | (?f, ?atoms') => exact (@same_value R atoms' e f (@erefl bool true <: same_polynomial e f = true))
           end
       end
   end.

@@ -1,8 +1,8 @@
 (** * The rotation algebra in coordinates
 
-Skew matrices of size three as vectors of space: the Lie-Poisson bracket of \f$\mathfrak{so}(3)^*\f$, the Casimir
-functions of section 5.3 and the orbits of the free rigid body; and the moments of inertia of chapter 5, for
-bodies of point masses in a space of any dimension. *)
+Skew matrices of size three as vectors of space: the Lie-Poisson bracket of \f$\mathfrak{so}(3)^*\f$, the
+Casimir functions of section 5.3 and the orbits of the free rigid body; and the moments of inertia of chapter
+5, for bodies of point masses in a space of any dimension. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices ring_identities derivations.
@@ -69,14 +69,14 @@ Proof. rewrite /dot !sum_over_axes /cross !next3; ring_identity. Qed.
 
 (** ** Casimir functions of the rotation algebra
 
-Section 5.3 takes \f$\mathrm{Tr}(\mu^2)\f$ as the Casimir function of \f$\mathfrak{so}(3)^*\f$ and says that in
-coordinates \f$y\f$ of space it is \f$\|y\|^2\f$. With \f$\mu = \hat y\f$ it is
-\f[ \mathrm{Tr}(\mu^2) = -2\,\|y\|^2 . \f] *)
+Section 5.3 takes \f$\mathrm{Tr}(\mu^2)\f$ as the Casimir function of \f$\mathfrak{so}(3)^*\f$ and says that
+in coordinates \f$y\f$ of space it is \f$\|y\|^2\f$. With \f$\mu = \hat y\f$ it is \f[ \mathrm{Tr}(\mu^2) =
+-2\,\|y\|^2 . \f] *)
 Theorem claim_5_3_dual_casimir y : \tr (hat y *m hat y) = - (2%:R * dot y y).
 Proof. by rewrite -hat_pairing /pairing hat_skew mulNmx raddfN opprK. Qed.
 
-(** In these coordinates the Lie-Poisson bracket is \f$\{F, H\} = y\cdot(\nabla F\times\nabla H)\f$; matrices are
-paired by \f$\frac12\mathrm{Tr}(A^TB)\f$, the product of coordinates. *)
+(** In these coordinates the Lie-Poisson bracket is \f$\{F, H\} = y\cdot(\nabla F\times\nabla H)\f$; matrices
+are paired by \f$\frac12\mathrm{Tr}(A^TB)\f$, the product of coordinates. *)
 Theorem claim_5_3_dual_casimir_bracket y a b :
   pairing (hat y) (bracket (hat a) (hat b)) = 2%:R * dot y (cross a b).
 Proof. by rewrite hat_bracket hat_pairing. Qed.
@@ -98,19 +98,19 @@ Qed.
 
 (** ** The form of Kirillov and Kostant is the area over the radius
 
-Section 5.3 says that on the spheres \f$\|y\| = r\f$ the form
-\f$\omega(\mathrm{ad}^*_a y, \mathrm{ad}^*_b y) = \langle y, [a, b]\rangle\f$ is proportional to the form of
-area. It is \f$r^{-2}\,y\cdot(u\times w)\f$ on the tangent vectors \f$u = a\times y\f$, \f$w = b\times y\f$, and
-\f$r^{-1}\,y\cdot(u\times w)\f$ is their area. *)
+Section 5.3 says that on the spheres \f$\|y\| = r\f$ the form \f$\omega(\mathrm{ad}^*_a y, \mathrm{ad}^*_b y)
+= \langle y, [a, b]\rangle\f$ is proportional to the form of area. It is \f$r^{-2}\,y\cdot(u\times w)\f$ on
+the tangent vectors \f$u = a\times y\f$, \f$w = b\times y\f$, and \f$r^{-1}\,y\cdot(u\times w)\f$ is their
+area. *)
 Theorem claim_5_3_dual_casimir_area y a b :
   dot y y * dot y (cross a b) = dot y (cross (cross a y) (cross b y)).
 Proof. rewrite /dot !sum_over_axes /cross !next3; ring_identity. Qed.
 
 (** ** The operator of inertia in coordinates
 
-In space the operator \f$J(\xi) = \Lambda\xi + \xi\Lambda\f$ with \f$\Lambda =
-\mathrm{diag}(\Lambda_1, \Lambda_2, \Lambda_3)\f$ has the components \f$I_ix_i\f$ at \f$\xi = \hat x\f$, with the
-moments of inertia \f$I_1 = \Lambda_2 + \Lambda_3\f$ and so on. *)
+In space the operator \f$J(\xi) = \Lambda\xi + \xi\Lambda\f$ with \f$\Lambda = \mathrm{diag}(\Lambda_1,
+\Lambda_2, \Lambda_3)\f$ has the components \f$I_ix_i\f$ at \f$\xi = \hat x\f$, with the moments of inertia
+\f$I_1 = \Lambda_2 + \Lambda_3\f$ and so on. *)
 Definition second_moments (lambda : 'I_3 -> R) : 'M[R]_3 := diag_mx (\row_i lambda i).
 
 (** C++: `actio::body_momentum`, `rigid_body/inertia.hpp`. *)
@@ -137,9 +137,8 @@ Proof. by rewrite /= inertia_in_space claim_5_3_dual_casimir opprK. Qed.
 
 End Rotations.
 
-(** There is no identification of space with the skew matrices for which the printed
-\f$\mathrm{Tr}(\mu^2) = \|y\|^2\f$ holds, linear or not, over any ordered field: the square of a skew matrix has
-no positive trace. *)
+(** There is no identification of space with the skew matrices for which the printed \f$\mathrm{Tr}(\mu^2) =
+\|y\|^2\f$ holds, linear or not, over any ordered field: the square of a skew matrix has no positive trace. *)
 Theorem claim_5_3_dual_casimir_printed_fails (R : realFieldType) :
   ~ exists skew_matrix_of : ('I_3 -> R) -> 'M[R]_3,
       (forall y, skew (skew_matrix_of y)) /\
@@ -156,9 +155,9 @@ Qed.
 
 (** ** The Casimir function on the algebra
 
-With a Poisson structure on \f$\mathfrak{so}(3)\f$ for which \f$\mu = J(\xi)\f$ preserves brackets, the Casimir
-function pulled back is \f$\|J(\xi)\|^2\f$ in the metric on the dual that \f$\mathrm{Ad}^*\f$ keeps: its bracket
-with every function vanishes. Here \f$\mu_i = I_ix_i\f$, and \f$\partial_i\f$ is the derivative in
+With a Poisson structure on \f$\mathfrak{so}(3)\f$ for which \f$\mu = J(\xi)\f$ preserves brackets, the
+Casimir function pulled back is \f$\|J(\xi)\|^2\f$ in the metric on the dual that \f$\mathrm{Ad}^*\f$ keeps:
+its bracket with every function vanishes. Here \f$\mu_i = I_ix_i\f$, and \f$\partial_i\f$ is the derivative in
 \f$\mu_i\f$. *)
 Definition is_casimir (R : comUnitRingType) (d : 'I_3 -> derivation R) (mu : 'I_3 -> R) C :=
   forall f, dot mu (cross (fun i => d i C) (fun i => d i f)) = 0.
@@ -171,10 +170,9 @@ move=> coordinates moved f; rewrite -[RHS](claim_5_3_dual_casimir_is_casimir f c
 by have -> : \sum_i (I i * x i) ^+ 2 = dot mu mu by apply: eq_bigr => i _; rewrite moved.
 Qed.
 
-(** The printed metric on the dual is the one that \f$J\f$ induces there, \f$(\mu, \nu) =
-\langle\mu, J^{-1}\nu\rangle\f$. In it \f$\langle J\xi, J\xi\rangle = \sum_iI_ix_i^2\f$, which is twice the energy
-and no Casimir function: for the moments \f$1, \frac12, 1\f$ its bracket with \f$\mu_3\f$ is
-\f$2\mu_1\mu_2\f$. *)
+(** The printed metric on the dual is the one that \f$J\f$ induces there, \f$(\mu, \nu) = \langle\mu,
+J^{-1}\nu\rangle\f$. In it \f$\langle J\xi, J\xi\rangle = \sum_iI_ix_i^2\f$, which is twice the energy and no
+Casimir function: for the moments \f$1, \frac12, 1\f$ its bracket with \f$\mu_3\f$ is \f$2\mu_1\mu_2\f$. *)
 Theorem claim_5_3_algebra_casimir_printed_fails :
   ~ (forall (R : comUnitRingType) (d : 'I_3 -> derivation R) (mu I x : 'I_3 -> R),
       (forall i j, d i (mu j) = (i == j)%:R) -> (forall i j, d i (I j) = 0) ->
@@ -192,7 +190,8 @@ have constant_I i j : partial c i (I j) = 0.
 have constant_K i j : partial c i (K j) = 0.
   by rewrite /K; case: eqP => _; rewrite ?derivative_of_nat ?derivative_of_one.
 have moved i : mu i = I i * (K i * mu i) by rewrite mulrA inverse mul1r.
-move=> /(_ _ (partial c) mu I (fun i => K i * mu i) (partial_coordinate c) constant_I moved (mu (next (next 0)))).
+move=> /(_ _ (partial c) mu I (fun i => K i * mu i) (partial_coordinate c) constant_I moved (mu (next (next
+  0)))).
 have slope i : partial c i (\sum_j I j * (K j * mu j) ^+ 2) = 2%:R * (K i * mu i).
   rewrite (eq_bigr (fun j => K j * (mu j * mu j))) => [|j _]; last first.
     by rewrite expr2 mulrA -moved; ring_identity.
@@ -202,7 +201,8 @@ have slope i : partial c i (\sum_j I j * (K j * mu j) ^+ 2) = 2%:R * (K i * mu i
 rewrite /dot sum_over_axes /cross !slope !partial_coordinate !next3 /K /= => vanishes.
 have : 2%:R * (mu 0 * mu (next 0)) = 0 by rewrite -[RHS]vanishes; ring_identity.
 move/(congr1 (fun f => at_origin c (partial c 0 (partial c (next 0) f)))).
-rewrite !(leibniz, derivative_of_nat, partial_coordinate, raddfD) /= !(mulr0, mul0r, addr0, add0r, mulr1, raddf0).
+rewrite !(leibniz, derivative_of_nat, partial_coordinate, raddfD) /= !(mulr0, mul0r, addr0, add0r, mulr1,
+  raddf0).
 by rewrite rmorph_nat => /eqP; rewrite pnatr_eq0.
 Qed.
 
@@ -236,7 +236,8 @@ Qed.
 
 Section Masses.
 
-Variables (R : comUnitRingType) (n : nat) (points : finType) (mass : points -> R) (place : points -> 'cV[R]_n).
+Variables (R : comUnitRingType) (n : nat) (points : finType) (mass : points -> R) (place : points ->
+  'cV[R]_n).
 Implicit Types xi : 'M[R]_n.
 
 (** The second moments of a body of point masses, \f$\Lambda = \sum_p m_p\,x_px_p^T\f$. *)
@@ -259,7 +260,7 @@ Definition moment_of_inertia i j := twice_kinetic_energy (turning i j).
 (5.1) with matrices paired by \f$\mathrm{Tr}(A^TB)\f$: a body of masses that turns with the skew matrix
 \f$\xi\f$ has the kinetic energy \f$\frac14\langle\xi, J\xi\rangle\f$, here times 4. Its angular momentum is
 \f$J\xi = \Lambda\xi + \xi\Lambda\f$. *)
-Theorem eq_5_1 xi : skew xi ->
+Theorem eq_5_1_of_masses xi : skew xi ->
   2%:R * twice_kinetic_energy xi = pairing xi (inertia_operator second_moments_of_masses xi).
 Proof.
 move=> skew_xi.
@@ -308,9 +309,9 @@ Proof. by move=> ij ik jk; rewrite !claim_5_0_principal_moments //; ring_identit
 
 End Masses.
 
-(** The thesis says that the \f$\Lambda_i\f$ correspond to sums of certain principal moments of inertia. No sum
-does: whichever moments are taken, and however often each, there is a body of one mass whose \f$\Lambda_i\f$ is
-not their sum, in every dimension from 2 on. *)
+(** The thesis says that the \f$\Lambda_i\f$ correspond to sums of certain principal moments of inertia. No
+sum does: whichever moments are taken, and however often each, there is a body of one mass whose
+\f$\Lambda_i\f$ is not their sum, in every dimension from 2 on. *)
 Theorem claim_5_0_principal_moments_printed_fails n (i : 'I_n) (times : 'I_n -> 'I_n -> nat) : (1 < n)%N ->
   ~ (forall (points : finType) (mass : points -> rat) (place : points -> 'cV[rat]_n),
       second_moments_of_masses mass place i i
@@ -325,7 +326,8 @@ have momentE j a b : a != b ->
     moment_of_inertia (fun _ => 1) (on_axis j) a b = (a == j)%:R + (b == j)%:R.
   by move=> ab; rewrite claim_5_0_principal_moments // !lambdaE.
 have unused j a b : j != i -> a != b -> (a == j) || (b == j) -> times a b = 0%N.
-  move=> ji ab at_j; have := claim _ (fun _ => 1) (on_axis j); rewrite lambdaE eq_sym (negbTE ji) => /esym/eqP.
+  move=> ji ab at_j; have := claim _ (fun _ => 1) (on_axis j); rewrite lambdaE eq_sym (negbTE ji) =>
+    /esym/eqP.
   have positive a' b' : a' != b' -> 0 <= moment_of_inertia (fun _ => 1) (on_axis j) a' b' *+ times a' b'.
     by move=> ne; rewrite momentE // mulrn_wge0 // addr_ge0 ?ler0n.
   rewrite psumr_eq0 => [/allP /(_ a (mem_index_enum _))|a' _]; last by apply: sumr_ge0 => b' /positive.
@@ -343,12 +345,13 @@ Qed.
 (** ** The Legendre transformation on the algebra
 
 The derivative of the energy \f$l(\xi) = \frac14\langle\xi, J\xi\rangle\f$ of (5.1), by the same pairing
-\f$\mathrm{Tr}(A^TB)\f$, is \f$\partial l/\partial\xi = \frac12J(\xi)\f$: for a symmetric \f$\Lambda\f$ that is
-constant, any matrix \f$\xi\f$ of functions and any way \f$d\f$ to differentiate them. *)
+\f$\mathrm{Tr}(A^TB)\f$, is \f$\partial l/\partial\xi = \frac12J(\xi)\f$: for a symmetric \f$\Lambda\f$ that
+is constant, any matrix \f$\xi\f$ of functions and any way \f$d\f$ to differentiate them. *)
 Definition kinetic_energy (R : comUnitRingType) n (Lambda xi : 'M[R]_n) : R :=
   pairing xi (inertia_operator Lambda xi) / 4%:R.
 
-Theorem claim_5_3_algebra_legendre (R : comUnitRingType) n (d : derivation R) (Lambda xi : 'M[R]_n) :
+Theorem claim_5_3_algebra_legendre_along_a_curve (R : comUnitRingType) n (d : derivation R) (Lambda xi :
+  'M[R]_n) :
     (2%:R : R) \is a GRing.unit -> symmetric Lambda -> derivative_of d Lambda = 0 ->
   d (kinetic_energy Lambda xi) = pairing (2%:R^-1 *: inertia_operator Lambda xi) (derivative_of d xi).
 Proof.
@@ -373,9 +376,9 @@ have -> : 4%:R^-1 = 2%:R^-1 * 2%:R^-1 :> R by rewrite (natrM _ 2 2) invrM.
 by rewrite [2%:R * _]mulrC -mulrA [2%:R * _]mulrA mulrV // mul1r mulrC.
 Qed.
 
-(** With the pairing of (5.1) the printed \f$\partial l/\partial\xi = \mathcal J(\xi)\f$ is twice the derivative,
-already for a disc that turns at a rate which changes. *)
-Theorem claim_5_3_algebra_legendre_printed_fails :
+(** With the pairing of (5.1) the printed \f$\partial l/\partial\xi = \mathcal J(\xi)\f$ is twice the
+derivative, already for a disc that turns at a rate which changes. *)
+Theorem claim_5_3_algebra_legendre_printed_fails_along_a_curve :
   ~ (forall (R : comUnitRingType) n (d : derivation R) (Lambda xi : 'M[R]_n),
       (2%:R : R) \is a GRing.unit -> symmetric Lambda -> derivative_of d Lambda = 0 -> skew xi ->
       d (kinetic_energy Lambda xi) = pairing (inertia_operator Lambda xi) (derivative_of d xi)).
@@ -393,7 +396,7 @@ have dE : derivative_of d (z *: E) = E.
 have symmetric1 : symmetric (1%:M : 'M[R]_2) by rewrite /symmetric trmx1.
 have skewzE : skew (z *: E) by rewrite /skew linearZ /= skewE scalerN.
 move=> claim; have := claim _ _ d 1%:M (z *: E) unit2 symmetric1 constant1 skewzE.
-rewrite claim_5_3_algebra_legendre // dE /inertia_operator mul1mx mulmx1 -scalerDl /pairing.
+rewrite claim_5_3_algebra_legendre_along_a_curve // dE /inertia_operator mul1mx mulmx1 -scalerDl /pairing.
 have trE : \tr (E^T *m E) = 2%:R.
   rewrite skewE mulNmx raddfN /= /mxtrace !big_ord_recl big_ord0 !mxE !big_ord_recl !big_ord0 !mxE /=.
   ring_identity.
