@@ -395,7 +395,7 @@ Lie-Poisson algorithm, the energy changes by
 \f[ \mathrm{Tr}(P_1W_1) - \mathrm{Tr}(P_0W_0) = -4\,\mathrm{Tr}\bigl(Z\,[A, \tilde W]\bigr), \qquad
 \Delta Z = A\tilde WA - c , \f]
 a quantity of third order in \f$A\f$. Here \f$c\f$ is a multiple of the identity: the trace of \f$\tilde W\f$
-is not zero where that of \f$W_0\f$ is. *)
+need not be zero where that of \f$W_0\f$ is. *)
 Theorem energy_error A Wt P0 P1 P Z (c : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian P = Wt - c%:M -> Laplacian Z = A *m Wt *m A - c%:M -> A *m P = P *m A ->
@@ -437,13 +437,11 @@ rewrite -scaler_nat -scalemxAr -scalemxAr !mxtraceZ mulrCA mulr_natl.
 by rewrite (noether_identity _ invariance) mulr0.
 Qed.
 
-(** ** Known first integrals by an energy-conserving step
+(** ** Casimirs and energy
 
-For any vorticity before and after a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$:
-all Casimirs, the spectrum and the energy are those of before. The Laplacian is any self-adjoint map of
-matrices. This is the statement of chapter 10 about schemes for the vorticity of an ideal fluid that preserve
-the first integrals, on matrices; it leaves the angular momentum out, which the next ones add. *)
-Theorem claim_10_0_reduced_hydrodynamics A Wt P0 P1 Q (e : R) :
+For a step whose \f$A\f$ is a multiple of \f$Q\f$, \f$\Delta Q = W_0 + W_1\f$: all Casimirs, the spectrum and
+the energy are those of before. The Laplacian is any self-adjoint map of matrices. *)
+Theorem claim_10_0_reduced_hydrodynamics_energy A Wt P0 P1 Q (e : R) :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt -> A = e *: Q ->
   [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
@@ -454,11 +452,11 @@ move=> one two sum parallel; split; first exact: casimirs_conserved; first exact
 by apply: (energy_conserved one two sum); rewrite parallel -scalemxAl -scalemxAr.
 Qed.
 
-(** ** Known first integrals by the discrete Lie-Poisson algorithm
+(** ** Casimirs and angular momentum
 
-For a step with \f$A = \epsilon P\f$, \f$\Delta P = \tilde W - c\f$: all Casimirs, the spectrum, and
-\f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant. The energy changes in third
-order. *)
+For a step of the discrete Lie-Poisson algorithm, \f$A = \epsilon P\f$ with \f$\Delta P = \tilde W - c\f$: all
+Casimirs, the spectrum, and \f$\mathrm{Tr}(XW)\f$ for every \f$X\f$ under which the Laplacian is invariant.
+The energy changes in third order. *)
 Theorem claim_10_0_reduced_hydrodynamics_angular_momentum A Wt P (e c : R) :
   Laplacian P = Wt - c%:M -> A = e *: P ->
   [/\ forall k, casimir k (vorticity_after A Wt) = casimir k (vorticity_before A Wt),
@@ -472,11 +470,13 @@ Qed.
 
 (** ** All known first integrals at once
 
-Energy and angular momentum are conserved by any step whose \f$[A, \tilde W]\f$ is orthogonal to \f$Q\f$,
-\f$\Delta Q = W_0 + W_1\f$, and to the generators \f$X_i\f$ of the rotations: one equation each, to be met by
-the choice of \f$A\f$. The Casimirs and the spectrum are conserved for every \f$A\f$. The generators may be
-any matrices; no invariance is assumed. *)
-Theorem claim_10_0_reduced_hydrodynamics_all (I : Type) (X : I -> 'M[R]_n) A Wt P0 P1 Q :
+Chapter 10 expects schemes for the vorticity of an ideal fluid that preserve all the known first integrals. On
+matrices: a step conserves the energy where \f$[A, \tilde W]\f$ is orthogonal to \f$Q\f$,
+\f$\Delta Q = W_0 + W_1\f$, and the components of the angular momentum where it is orthogonal to the
+generators \f$X_i\f$ of the rotations; one equation each, to be met by the choice of \f$A\f$. The Casimirs and
+the spectrum are conserved for every \f$A\f$. The generators may be any matrices, and \f$\Delta\f$ need not be
+invariant under them. That there is such an \f$A\f$ is not part of the statement. *)
+Theorem claim_10_0_reduced_hydrodynamics (I : Type) (X : I -> 'M[R]_n) A Wt P0 P1 Q :
   Laplacian P0 = vorticity_before A Wt -> Laplacian P1 = vorticity_after A Wt ->
   Laplacian Q = vorticity_before A Wt + vorticity_after A Wt ->
   \tr (Q *m bracket A Wt) = 0 -> (forall i, \tr (X i *m bracket A Wt) = 0) ->

@@ -39,15 +39,10 @@ Definition hamilton_equations g p H_g H_p := g^' = H_p /\ p^' = - H_g.
 \f$\lambda(p) = T_e^*R_g\,p\f$. *)
 Definition lambda g p := spatial_momentum g p.
 
-(** ** Hamilton's equations of a right-invariant function
-
-For a function of \f$\mu = \lambda(p)\f$ alone, \f$H(p) = h(\mu)\f$ with \f$\phi = \delta h/\delta\mu\f$,
-Hamilton's equations are the equation for \f$g\f$ and the Lie-Poisson equation together: \f[ \dot g =
-T_eR_g\,\phi, \qquad \dot\mu = -\mathrm{ad}_\phi^*\,\mu . \f] The momentum in \f$\phi\f$ is that of the same
-instant. *)
-Theorem hamilton_equations_right g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
-  hamilton_equations g p H_g H_p <-> g^' = right_translation g phi /\ (lambda g p)^' = - ad_star phi (lambda
-    g p).
+(* Hamilton's equations of a function of the spatial momentum alone. *)
+Lemma hamilton_equations_right g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
+  hamilton_equations g p H_g H_p <->
+  g^' = right_translation g phi /\ (lambda g p)^' = - ad_star phi (lambda g p).
 Proof.
 move=> unit chain; have [-> ->] := derivatives_rightE chain; rewrite /hamilton_equations /right_translation.
 have rate : g^' = phi *m g -> (lambda g p)^' = p^' *m g^T + lambda g p *m phi^T.
@@ -68,13 +63,40 @@ move=> dg dp; rewrite pairing_addl R_star_dual R_star_dual addrC -/(L_star phi p
 by rewrite /right_translation /left_translation pairing_sym.
 Qed.
 
+(** ** Hamilton's equations, Lie-Poisson equations and brackets
+
+For a right-invariant Hamiltonian, \f$H(p) = h(\mu)\f$ with \f$\mu = \lambda(p)\f$ and
+\f$\phi = \delta h/\delta\mu\f$ at the same instant. Hamilton's equations say the same as
+\f$\dot F = \{F, H\}\f$ for all \f$F\f$, that is for all partial derivatives \f$F_g\f$, \f$F_p\f$. They also
+say the same as the equation for \f$g\f$ and the Lie-Poisson equation together,
+\f[ \dot g = T_eR_g\,\phi, \qquad \dot\mu = -\mathrm{ad}_\phi^*\,\mu , \f]
+and the second of these the same as \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$, that is for all differentials
+\f$\psi = \delta f/\delta\mu\f$. *)
+Theorem claim_2_2_lie_poisson_equivalence g p phi H_g H_p :
+  g \in unitmx -> derivatives_right g p phi H_g H_p ->
+  let hamilton := hamilton_equations g p H_g H_p in
+  let lie_poisson := (lambda g p)^' = - ad_star phi (lambda g p) in
+  [/\ hamilton <-> forall F_g F_p, pairing F_g g^' + pairing F_p p^' = canonical_pairing F_g F_p H_g H_p,
+      hamilton <-> g^' = right_translation g phi /\ lie_poisson
+    & lie_poisson <-> forall psi, pairing (lambda g p)^' psi = pairing (lambda g p) (bracket psi phi)].
+Proof.
+move=> unit chain hamilton lie_poisson.
+split; [| exact: hamilton_equations_right | exact: claim_2_2_lie_poisson_equivalence_iii_iv].
+rewrite /hamilton /hamilton_equations /canonical_pairing; split=> [[-> ->] F_g F_p | same].
+  by rewrite pairing_oppr.
+have H_p_is : g^' = H_p.
+  apply: pairing_injective => v; rewrite pairing_symmetric [RHS]pairing_symmetric.
+  by have := same v 0; rewrite !pairing_0l subr0 addr0.
+split=> //; apply: pairing_injective => v; rewrite pairing_symmetric.
+by have := same 0 v; rewrite !pairing_0l add0r sub0r => ->; rewrite [RHS]pairing_symmetric pairing_oppr.
+Qed.
+
 (** ** Lie-Poisson reduction
 
-Theorem 2.2.3, with the momentum in the equation for \f$g\f$ taken at the same instant: where \f$\dot g =
-T_eR_g\,\delta h/\delta\mu\f$, the following are equivalent. (i) \f$p\f$ satisfies Hamilton's equations. (ii)
-\f$\dot F = \{F, H\}\f$ for all \f$F\f$, that is for all partial derivatives \f$F_g\f$, \f$F_p\f$. (iii)
-\f$\mu\f$ satisfies the Lie-Poisson equation. (iv) \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$, that is for all
-differentials \f$\delta f/\delta\mu\f$. *)
+Theorem 2.2.3, with the momentum in the equation for \f$g\f$ taken at the same instant: where
+\f$\dot g = T_eR_g\,\delta h/\delta\mu\f$, the following are equivalent. (i) \f$p\f$ satisfies Hamilton's
+equations. (ii) \f$\dot F = \{F, H\}\f$ for all \f$F\f$. (iii) \f$\mu\f$ satisfies the Lie-Poisson equation.
+(iv) \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$. *)
 Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
   g^' = right_translation g phi ->
   let i := hamilton_equations g p H_g H_p in
@@ -83,16 +105,9 @@ Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_
   let iv := forall psi, pairing (lambda g p)^' psi = pairing (lambda g p) (bracket psi phi) in
   [/\ i <-> ii, i <-> iii & iii <-> iv].
 Proof.
-move=> unit chain moves i ii iii iv; have reduced := hamilton_equations_right unit chain.
-split; last exact: claim_2_2_lie_poisson_equivalence_iii_iv.
-  rewrite /i /ii /hamilton_equations /canonical_pairing; split=> [[-> ->] F_g F_p | same].
-    by rewrite pairing_oppr.
-  have H_p_is : g^' = H_p.
-    apply: pairing_injective => v; rewrite pairing_symmetric [RHS]pairing_symmetric.
-    by have := same v 0; rewrite !pairing_0l subr0 addr0.
-  split=> //; apply: pairing_injective => v; rewrite pairing_symmetric.
-  by have := same 0 v; rewrite !pairing_0l add0r sub0r => ->; rewrite [RHS]pairing_symmetric pairing_oppr.
-by split=> [/reduced [] // | equation]; apply/reduced.
+move=> unit chain moves i ii iii iv.
+have [one two three] := claim_2_2_lie_poisson_equivalence unit chain.
+by split=> //; split=> [/two [] // | equation]; apply/two.
 Qed.
 
 (** ** Which momentum moves the group element
@@ -106,8 +121,8 @@ Proof. by move=> unit chain /(hamilton_equations_right unit chain) []. Qed.
 (** ** The Euler-Lagrange equations of an invariant Lagrangian *)
 
 (** The partial derivatives of \f$L(g, \dot g) = l(\dot gg^{-1})\f$, where \f$m = \delta l/\delta\xi\f$ at
-\f$\xi = \dot gg^{-1}\f$: the chain rule, with \f$\delta(\dot gg^{-1}) = (\delta\dot g - \xi\,\delta
-g)g^{-1}\f$. *)
+\f$\xi = \dot gg^{-1}\f$: the chain rule, with
+\f$\delta(\dot gg^{-1}) = (\delta\dot g - \xi\,\delta g)g^{-1}\f$. *)
 Definition derivatives_of_right_lagrangian g xi m L_g L_v :=
   forall dg dv, pairing L_g dg + pairing L_v dv = pairing m ((dv - xi *m dg) *m invmx g).
 
@@ -193,10 +208,10 @@ Let \f$h + l = \langle\mu, \xi\rangle\f$. Then \f$\mu = \delta l/\delta\xi\f$ if
 \f$\xi = \delta h/\delta\mu\f$, each read as the chain rule for every derivation of the ring. So the
 Euler-Poincare equation of \f$l\f$ is the Lie-Poisson equation of \f$h\f$, with either sign, and Legendre's
 transformation goes both ways. *)
-Definition is_velocity_derivative (l : R) xi mu := forall c : derivation R,
-  c l = pairing mu (derivative_of c xi).
-Definition is_momentum_derivative (h : R) mu xi := forall c : derivation R,
-  c h = pairing (derivative_of c mu) xi.
+Definition is_velocity_derivative (l : R) xi mu :=
+  forall c : derivation R, c l = pairing mu (derivative_of c xi).
+Definition is_momentum_derivative (h : R) mu xi :=
+  forall c : derivation R, c h = pairing (derivative_of c mu) xi.
 
 Theorem claim_2_2_euler_poincare_lie_poisson (l h : R) xi mu : h + l = pairing mu xi ->
   let euler_poincare := is_velocity_derivative l xi mu in
@@ -233,6 +248,9 @@ Ltac entries := apply/matrixP; case=> [] [|[|[|?]]] // ?; case=> [] [|[|[|?]]] /
 Definition example_hamiltonian (mu : 'M[R]_3) := 3%:R * (mu 0 1 * mu 0 1) + mu 1 2%:R.
 Definition example_velocity (mu : 'M[R]_3) : 'M[R]_3 := (6%:R * mu 0 1) *: delta_mx 0 1 + delta_mx 1 2%:R.
 
+Lemma example_velocity_entry mu : example_velocity mu 0 1 = 6%:R * mu 0 1.
+Proof. by rewrite !mxE /= mulr1 addr0. Qed.
+
 (** A motion in the time \f$t\f$ that begins at the identity. *)
 Definition example_g := rows [:: [:: 1; 3%:R * (t * t); 2%:R * (t * t * t)]; [:: 0; 1; t]; [:: 0; 0; 1]].
 Definition example_p := rows [:: [:: 0; 0; 1]; [:: 0; 0; - (3%:R * (t * t))]; [:: 0; 0; t * t * t]].
@@ -267,6 +285,52 @@ by split; entries; rewrite !mxE /= ?raddfN /= ?leibniz ?derivative_of_nat ?deriv
   ring_identity.
 Qed.
 
+Lemma example_equation : let mu := lambda example_g example_p in
+  derivative_of d mu = - ad_star (example_velocity mu) mu.
+Proof.
+move=> mu; have chain := derivatives_of_right_function example_g example_p (example_velocity mu).
+exact: ((hamilton_equations_right d example_unit chain).1 example_motion).2.
+Qed.
+
+(* The momentum of that motion, and another motion of the group element: that of the momentum at time 0. *)
+Lemma example_momentum : lambda example_g example_p 0 1 = t /\ lambda example_g example_p 0 2%:R = 1.
+Proof.
+by rewrite /lambda /spatial_momentum /R_star !(mxE, big_ord_recl, big_ord0) /=; split; ring_identity.
+Qed.
+
+Definition frozen_g : 'M[R]_3 := 1%:M + t *: delta_mx 1 2%:R.
+Definition frozen_p := lambda example_g example_p *m (1%:M - t *: delta_mx 2%:R 1).
+
+Lemma frozen_product : frozen_g *m (1%:M - t *: delta_mx 1 2%:R) = 1%:M.
+Proof.
+have square : delta_mx 1 2%:R *m (delta_mx 1 2%:R : 'M[R]_3) = 0 :> 'M[R]_3 by rewrite mul_delta_mx_0.
+rewrite /frozen_g mulmxDl mul1mx mulmxBr mulmx1 -scalemxAl -scalemxAr square !scaler0 subr0.
+by rewrite subrK.
+Qed.
+
+Lemma frozen_momentum : lambda frozen_g frozen_p = lambda example_g example_p.
+Proof.
+rewrite {1}/lambda /spatial_momentum /R_star /frozen_p -mulmxA.
+have -> : 1%:M - t *: delta_mx 2%:R 1 = (1%:M - t *: delta_mx 1 2%:R)^T :> 'M[R]_3.
+  by rewrite raddfB /= trmx1 [(t *: _)^T]linearZ /= trmx_delta.
+by rewrite -trmx_mul frozen_product trmx1 mulmx1.
+Qed.
+
+(* The momentum at time 0 is that of the motion above. *)
+Lemma frozen_start : frozen_p 0 1 = 0.
+Proof.
+have [] := example_momentum; rewrite /frozen_p; move: (lambda _ _) => mu entry_t entry_1.
+rewrite mulmxBr mulmx1 -scalemxAr !mxE entry_t (bigD1 2%:R) //= !mxE entry_1.
+by rewrite big1 ?addr0 ?mulr1 ?subrr // => k ne; rewrite !mxE (negbTE ne) mulr0.
+Qed.
+
+Lemma frozen_velocity : derivative_of d frozen_g = delta_mx 1 2%:R *m frozen_g.
+Proof.
+rewrite /frozen_g mulmxDr mulmx1 -scalemxAr mul_delta_mx_cond mulr0n scaler0 addr0.
+apply/matrixP => i j; rewrite !mxE raddfD /= leibniz time mul1r.
+by case: (i == j); case: (_ && _); rewrite ?derivative_of_one ?raddf0 ?mulr0 ?addr0 ?add0r.
+Qed.
+
 End Example.
 
 (** ** The momentum at the start does not move the group element
@@ -274,8 +338,9 @@ End Example.
 Theorem 2.2.3 prints \f$\dot g = T_eR_g\frac{\delta h}{\delta\mu}\f$ with \f$\mu = p(0)\f$. The ring of the
 counterexample is that of polynomials in the time \f$t\f$ with integer coefficients, and \f$p(0)\f$ has the
 values of the polynomials at 0. The Hamiltonian is \f$h = 3\mu_{12}^2 + \mu_{23}\f$ on matrices with three
-rows, the motion begins at the identity, \f[ g = \begin{pmatrix} 1 & 3t^2 & 2t^3 \\ 0 & 1 & t \\ 0 & 0 & 1
-\end{pmatrix} , \f] and \f$\dot g_{12} = 6t\f$, which at \f$\mu = p(0)\f$ would be zero. *)
+rows, the motion begins at the identity,
+\f[ g = \begin{pmatrix} 1 & 3t^2 & 2t^3 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix} , \]
+and \f$\dot g_{12} = 6t\f$, which at \f$\mu = p(0)\f$ would be zero. *)
 
 Local Notation polynomials := [comUnitRingType of {poly int}].
 
@@ -285,8 +350,8 @@ Definition at_time_zero n (p : 'M[polynomials]_n) : 'M[polynomials]_n :=
 Definition time_derivative : derivation polynomials := polynomial_derivative [comRingType of int].
 
 Theorem claim_2_2_reconstruction_velocity_printed_fails :
-  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n ->
-    'M[polynomials]_n) g p H_g H_p,
+  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n)
+            g p H_g H_p,
       (forall mu, is_momentum_derivative (h mu) mu (dh mu)) ->
       g \in unitmx -> derivatives_right g p (dh (lambda g p)) H_g H_p ->
       hamilton_equations time_derivative g p H_g H_p ->
@@ -298,6 +363,40 @@ have := printed _ _ _ _ _ _ _ (@example_derivative polynomials) (example_unit t)
 rewrite /right_translation /example_velocity mulmxDl -scalemxAl !delta_left => /matrixP/(_ 0 1).
 rewrite !mxE /= hornerC mulr0 mul0r add0r mulr0n => /(congr1 (fun q : {poly int} => q.[1])).
 by rewrite /t !derivE !hornerE.
+Qed.
+
+(** ** The equivalence as printed
+
+Where the group element moves by the momentum at time 0, as Theorem 2.2.3 prints it, the Lie-Poisson equation
+(iii) does not bring Hamilton's equations (i) with it. With the momentum \f$\mu(t)\f$ of the motion above and
+\f[ g = \begin{pmatrix} 1 & 0 & 0 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix}, \qquad p = \mu\,g^{-T}, \f]
+the printed hypothesis and (iii) hold, and (i) does not. *)
+Theorem thm_2_2_3_printed_fails :
+  ~ (forall n (h : 'M[polynomials]_n -> polynomials) (dh : 'M[polynomials]_n -> 'M[polynomials]_n)
+            g p H_g H_p,
+      (forall mu, is_momentum_derivative (h mu) mu (dh mu)) ->
+      g \in unitmx -> derivatives_right g p (dh (lambda g p)) H_g H_p ->
+      derivative_of time_derivative g = right_translation g (dh (at_time_zero p)) ->
+      hamilton_equations time_derivative g p H_g H_p <->
+      derivative_of time_derivative (lambda g p) = - ad_star (dh (lambda g p)) (lambda g p)).
+Proof.
+move=> printed; pose t : polynomials := 'X; have time : time_derivative t = 1 by apply: derivX.
+have unit := (mulmx1_unit (frozen_product t)).1.
+have chain := derivatives_of_right_function (frozen_g t) (frozen_p t)
+  (example_velocity (lambda (frozen_g t) (frozen_p t))).
+have frozen : derivative_of time_derivative (frozen_g t) =
+    right_translation (frozen_g t) (example_velocity (at_time_zero (frozen_p t))).
+  rewrite (frozen_velocity time) /right_translation; congr (_ *m _).
+  by rewrite /example_velocity mxE frozen_start horner0 mulr0 scale0r add0r.
+have [_ back] := printed _ _ _ _ _ _ _ (@example_derivative polynomials) unit chain frozen.
+have equation : derivative_of time_derivative (lambda (frozen_g t) (frozen_p t)) =
+    - ad_star (example_velocity (lambda (frozen_g t) (frozen_p t))) (lambda (frozen_g t) (frozen_p t)).
+  by rewrite !frozen_momentum; apply: example_equation.
+have [moves _] := back equation.
+have same : delta_mx 1 2%:R = example_velocity (lambda (example_g t) (example_p t)).
+  by apply: (can_inj (mulmxK unit)); rewrite -(frozen_velocity time) moves frozen_momentum.
+move/matrixP/(_ 0 1): same; rewrite example_velocity_entry (example_momentum t).1 mxE /=.
+by move/(congr1 (fun q : {poly int} => q.[1])); rewrite /t !hornerE.
 Qed.
 
 (** ** Momentum maps of the two translations *)
@@ -359,11 +458,12 @@ Qed.
 (** ** Noether's theorem along a curve
 
 Let \f$p = \partial L/\partial\dot g\f$ and \f$q = \partial L/\partial g\f$ along a curve, and let
-\f$\vartheta\f$ be the generator of a symmetry along it. Off shell \f[ \frac{d}{dt}\langle p, \vartheta\rangle
-= \langle\dot p - q, \vartheta\rangle + \bigl(\langle q, \vartheta\rangle + \langle p,
-\dot\vartheta\rangle\bigr) , \f] where the last bracket is the change of \f$L\f$ under the symmetry. Where it
-vanishes and the Euler-Lagrange equation holds, the momentum \f$J = \langle p, \vartheta\rangle\f$ is
-constant. C++: `actio::noether_momentum`, `variational/momentum_map.hpp`. *)
+\f$\vartheta\f$ be the generator of a symmetry along it. Off shell
+\f[ \frac{d}{dt}\langle p, \vartheta\rangle = \langle\dot p - q, \vartheta\rangle
++ \bigl(\langle q, \vartheta\rangle + \langle p, \dot\vartheta\rangle\bigr) , \f]
+where the last bracket is the change of \f$L\f$ under the symmetry. Where it vanishes and the Euler-Lagrange
+equation holds, the momentum \f$J = \langle p, \vartheta\rangle\f$ is constant.
+C++: `actio::noether_momentum`, `variational/momentum_map.hpp`. *)
 Definition noether_momentum p theta := pairing p theta.
 
 Theorem claim_2_1_noether_momentum (d : derivation R) p q theta :
@@ -377,13 +477,77 @@ rewrite /noether_momentum derivative_of_pairing pairing_addl pairing_oppl; split
 by rewrite equation.
 Qed.
 
+(** ** A symmetry takes solutions to solutions
+
+Let multiplication from the right by a constant \f$k\f$ leave the Lagrangian as it is,
+\f$L(gk, \dot gk) = L(g, \dot g)\f$, so that its partial derivatives \f$M_g\f$, \f$M_v\f$ at
+\f$(gk, \dot gk)\f$ and \f$L_g\f$, \f$L_v\f$ at \f$(g, \dot g)\f$ belong to one differential. Then the
+Euler-Lagrange map goes along: its value along \f$gk\f$ is that along \f$g\f$, translated by
+\f$R_{k^{-1}}^*\f$. So \f$gk\f$ is a solution exactly where \f$g\f$ is. The same holds on the left. *)
+Theorem claim_2_1_symmetry_of_solutions_equations (d : derivation R) k L_g L_v M_g M_v :
+  k \in unitmx -> derivative_of d k = 0 ->
+  ((forall dg dv, pairing M_g (right_translation k dg) + pairing M_v (right_translation k dv) =
+                  pairing L_g dg + pairing L_v dv) ->
+   derivative_of d M_v - M_g = R_star (invmx k) (derivative_of d L_v - L_g) /\
+   (derivative_of d M_v = M_g <-> derivative_of d L_v = L_g)) /\
+  ((forall dg dv, pairing M_g (left_translation k dg) + pairing M_v (left_translation k dv) =
+                  pairing L_g dg + pairing L_v dv) ->
+   derivative_of d M_v - M_g = L_star (invmx k) (derivative_of d L_v - L_g) /\
+   (derivative_of d M_v = M_g <-> derivative_of d L_v = L_g)).
+Proof.
+move=> unit constant.
+have still : derivative_of d (invmx k) = 0.
+  by rewrite derivative_of_inverse_matrix // constant mulmx0 mul0mx oppr0.
+have still_T : derivative_of d (invmx k)^T = 0 by rewrite derivative_of_transpose still trmx0.
+have unit_T : (invmx k)^T \in unitmx by rewrite unitmx_tr unitmx_inv.
+split=> same.
+  have moved p q : (forall v, pairing p (right_translation k v) = pairing q v) -> p = R_star (invmx k) q.
+    move=> pairs; apply: pairing_injective => v; rewrite R_star_dual -pairs /right_translation mulmxKV //.
+  have M_g_is : M_g = R_star (invmx k) L_g.
+    apply: moved => v; have := same v 0.
+    by rewrite {2}/right_translation mul0mx !pairing_0r !addr0.
+  have M_v_is : M_v = R_star (invmx k) L_v.
+    apply: moved => v; have := same 0 v.
+    by rewrite {1}/right_translation mul0mx !pairing_0r !add0r.
+  have goes_along : derivative_of d M_v - M_g = R_star (invmx k) (derivative_of d L_v - L_g).
+    by rewrite M_g_is M_v_is /R_star derivative_of_matrix_product still_T mulmx0 addr0 mulmxBl.
+  split=> //; split=> [equation | equation].
+    apply/eqP; rewrite -subr_eq0; apply/eqP; apply: (can_inj (mulmxK unit_T)).
+    by rewrite mul0mx -/(R_star (invmx k) _) -goes_along equation subrr.
+  by apply/eqP; rewrite -subr_eq0 goes_along equation subrr /R_star mul0mx.
+have moved p q : (forall v, pairing p (left_translation k v) = pairing q v) -> p = L_star (invmx k) q.
+  by move=> pairs; apply: pairing_injective => v; rewrite L_star_dual -pairs /left_translation mulKVmx.
+have M_g_is : M_g = L_star (invmx k) L_g.
+  apply: moved => v; have := same v 0.
+  by rewrite {2}/left_translation mulmx0 !pairing_0r !addr0.
+have M_v_is : M_v = L_star (invmx k) L_v.
+  apply: moved => v; have := same 0 v.
+  by rewrite {1}/left_translation mulmx0 !pairing_0r !add0r.
+have goes_along : derivative_of d M_v - M_g = L_star (invmx k) (derivative_of d L_v - L_g).
+  by rewrite M_g_is M_v_is /L_star derivative_of_matrix_product still_T mul0mx add0r mulmxBr.
+split=> //; split=> [equation | equation].
+  apply/eqP; rewrite -subr_eq0; apply/eqP; apply: (can_inj (mulKmx unit_T)).
+  by rewrite mulmx0 -/(L_star (invmx k) _) -goes_along equation subrr.
+by apply/eqP; rewrite -subr_eq0 goes_along equation subrr /L_star mulmx0.
+Qed.
+
+(** ** The diagonal action is free
+
+Section 3.2. The element that takes one pair of configurations to another is known from the first two
+configurations, \f$k = g_0^{-1}h_0\f$; so it depends on them as smoothly as the group allows, which is why the
+action is proper, and only the identity leaves a pair as it is. *)
+Theorem claim_3_2_proper_action_free g0 g1 h0 h1 k : g0 \in unitmx ->
+  (g0 *m k = h0 /\ g1 *m k = h1 -> k = invmx g0 *m h0) /\ (g0 *m k = g0 /\ g1 *m k = g1 -> k = 1%:M).
+Proof. by move=> unit; split=> -[first _]; rewrite -[k](mulKmx unit) first ?mulKmx ?mulVmx. Qed.
+
 (** ** The forms of Kirillov and Kostant are closed
 
 On the orbits of the dual algebra the fields \f$\mu\mapsto\mathrm{ad}_x^*\mu\f$ have the bracket
 \f$\mathrm{ad}_y^*\mathrm{ad}_x^* - \mathrm{ad}_x^*\mathrm{ad}_y^* = \mathrm{ad}_{[x,y]}^*\f$, and the
 derivative of \f$\omega(y, z) = \langle\mu, [y, z]\rangle\f$ along \f$\mathrm{ad}_x^*\mu\f$ is
 \f$\langle\mathrm{ad}_x^*\mu, [y, z]\rangle\f$. With these the exterior derivative of the form on three
-fields, \f[ \sum\bigl(\langle\mathrm{ad}_x^*\mu, [y, z]\rangle - \langle\mu, [[x, y], z]\rangle\bigr) , \f]
+fields,
+\f[ \sum\bigl(\langle\mathrm{ad}_x^*\mu, [y, z]\rangle - \langle\mu, [[x, y], z]\rangle\bigr) , \f]
 the sum over the cyclic exchanges of \f$x\f$, \f$y\f$, \f$z\f$, vanishes by the identity of Jacobi. *)
 Theorem claim_2_2_coadjoint_orbits_closed mu x y z :
   ad_star y (ad_star x mu) - ad_star x (ad_star y mu) = ad_star (bracket x y) mu /\
@@ -414,14 +578,14 @@ Definition inverse_cayley Q := (Q - 1%:M) *m invmx (Q + 1%:M).
 (** ** The Cayley map and its inverse
 
 Where 2 has an inverse: \f$\mathrm{cay}(A) + 1 = 2(1 - A)^{-1}\f$ is invertible where \f$1 - A\f$ is, and
-\f$\mathrm{cay}^{-1}(\mathrm{cay}(A)) = A\f$; and \f$\mathrm{cay}(\mathrm{cay}^{-1}(Q)) = Q\f$ where \f$Q +
-1\f$ is invertible. *)
+\f$\mathrm{cay}^{-1}(\mathrm{cay}(A)) = A\f$; and \f$\mathrm{cay}(\mathrm{cay}^{-1}(Q)) = Q\f$ where
+\f$Q + 1\f$ is invertible. *)
 Theorem cayley_and_its_inverse A Q : (2%:R : R) \is a GRing.unit ->
   (1%:M - A \in unitmx -> cayley A + 1%:M \in unitmx /\ inverse_cayley (cayley A) = A) /\
   (Q + 1%:M \in unitmx -> 1%:M - inverse_cayley Q \in unitmx /\ cayley (inverse_cayley Q) = Q).
 Proof.
-move=> two; have halves X : (2%:R)^-1 *: (X *+ 2) = X :> 'M[R]_n by rewrite -scaler_nat scalerA mulVr
-  ?scale1r.
+move=> two; have halves X : (2%:R)^-1 *: (X *+ 2) = X :> 'M[R]_n.
+  by rewrite -scaler_nat scalerA mulVr ?scale1r.
 split=> [minus | plus].
   have sum : (cayley A + 1%:M) *m (1%:M - A) = 1%:M *+ 2.
     by rewrite mulmxDl cayley_right //; by_expansion.
@@ -445,9 +609,11 @@ Qed.
 (** ** What makes it a retraction
 
 \f$\mathrm{cay}(0) = 1\f$; to first order \f$\mathrm{cay}(B) = 1 + 2B\f$, which is exact where \f$B^2 = 0\f$;
-\f$\mathrm{cay}(-A) = \mathrm{cay}(A)^{-1}\f$; \f$\mathrm{cay}(\mathrm{Ad}_gA) =
-\mathrm{Ad}_g\,\mathrm{cay}(A)\f$; and the exact remainder of the second order, \f[ \mathrm{cay}(A) = 1 + 2A +
-2A^2 + 2A^3(1 - A)^{-1} . \f] Up to the last term this is \f$\exp(2A)\f$. *)
+\f$\mathrm{cay}(-A) = \mathrm{cay}(A)^{-1}\f$;
+\f$\mathrm{cay}(\mathrm{Ad}_gA) = \mathrm{Ad}_g\,\mathrm{cay}(A)\f$; and the exact remainder of the second
+order,
+\f[ \mathrm{cay}(A) = 1 + 2A + 2A^2 + 2A^3(1 - A)^{-1} . \f]
+Up to the last term this is \f$\exp(2A)\f$. *)
 Theorem cayley_is_a_retraction g A : g \in unitmx -> 1%:M - A \in unitmx ->
   [/\ cayley (0 : 'M[R]_n) = 1%:M,
       forall B, B *m B = 0 -> cayley B = 1%:M + B *+ 2,
@@ -568,13 +734,13 @@ Qed.
 
 (** ** The bracket on the quotient
 
-(3.13), with the functions lifted by the quotient map: \f$\{f, h\}_G\circ\pi_d = \{f\circ\pi_d,
-h\circ\pi_d\}\f$. There is one bracket with this property. *)
+(3.13), with the functions lifted by the quotient map:
+\f$\{f, h\}_G\circ\pi_d = \{f\circ\pi_d, h\circ\pi_d\}\f$. There is one bracket with this property. *)
 Theorem eq_3_13 :
   (forall s t, pull_back (reduced_bracket s t) = b (pull_back s) (pull_back t)) /\
   (forall c : quotient_functions -> quotient_functions -> quotient_functions,
-    (forall s t, pull_back (c s t) = b (pull_back s) (pull_back t)) -> forall s t,
-      c s t = reduced_bracket s t).
+    (forall s t, pull_back (c s t) = b (pull_back s) (pull_back t)) ->
+    forall s t, c s t = reduced_bracket s t).
 Proof.
 have lifts s t : pull_back (reduced_bracket s t) = b (pull_back s) (pull_back t).
   apply/invariant_from_quotient; apply: claim_10_0_reduced_pair_space_bracket.1; exact: pull_back_invariant.
