@@ -303,3 +303,26 @@ rewrite mxE eqxx addr0 /= mulr1n /J /jacobian; ring_identity.
 Qed.
 
 End Barotropic.
+
+(** In the printed middle line of (6.17) the root is missing over \f$\det g\f$. It fails on a line, for the identical
+motion and \f$P = 1\f$, where the volume of space is \f$1 + \varepsilon\f$: the two lines are \f$\varepsilon\f$ and
+\f$2\varepsilon\f$. *)
+Theorem eq_6_17_printed_fails :
+  ~ (forall (R : comUnitRingType) n (F g : 'M[R]_n) (root_g root_G : R) (D d_y : 'I_n -> derivation R) (P : R),
+      root_g ^+ 2 = \det g -> root_g \is a GRing.unit -> root_G \is a GRing.unit ->
+      is_gradient D F -> (forall k b c, D k (g b c) = \sum_a F a k * d_y a (g b c)) ->
+      forall a, first_line F root_g root_G D P a = printed_middle_line F g root_g root_G D P a).
+Proof.
+move=> claim; pose R := with_small_part_comUnitRingType [comUnitRingType of rat].
+pose r : R := (1, 1); pose D (_ : 'I_1) := derivation_of_small_part [comUnitRingType of rat].
+have unit_r : r \is a GRing.unit by [].
+have gradient : is_gradient D (1%:M : 'M[R]_1) by move=> k a i; rewrite (ord1 k) (ord1 i).
+have along k (b c : 'I_1) : D k ((r ^+ 2)%:M b c) = \sum_a (1%:M : 'M[R]_1) a k * D a ((r ^+ 2)%:M b c).
+  by rewrite big_ord1 (ord1 k) [X in _ = X * _]mxE mul1r.
+have root : r ^+ 2 = \det ((r ^+ 2)%:M : 'M[R]_1) by rewrite det_scalar1.
+have := claim R 1%N 1%:M ((r ^+ 2)%:M) r 1 D D 1 root unit_r (unitr1 _) gradient along 0.
+rewrite eq_6_17_first_and_middle ?unitr1 // /middle_line /printed_middle_line.
+rewrite !big_ord1 adjugate_of_one [1%:M 0 0]mxE det_scalar1 eqxx divr1 !mul1r => /addrI equal.
+have : (1 : rat) = 1 * 1 + 1 * 1 := congr1 (fun f : R => f.2) equal.
+by rewrite !mul1r => /eqP; vm_compute.
+Qed.
