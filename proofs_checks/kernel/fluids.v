@@ -326,3 +326,118 @@ rewrite !big_ord1 adjugate_of_one [1%:M 0 0]mxE det_scalar1 eqxx divr1 !mul1r =>
 have : (1 : rat) = 1 * 1 + 1 * 1 := congr1 (fun f : R => f.2) equal.
 by rewrite !mul1r => /eqP; vm_compute.
 Qed.
+
+(** ** Fluids in motion *)
+
+Section Fluids.
+
+Variables (R : comUnitRingType) (n : nat).
+Variables (v : 'I_n -> 'I_n.+1 -> R) (d_y : 'I_n -> derivation R) (d_v : 'I_n -> 'I_n.+1 -> derivation R)
+          (D : 'I_n.+1 -> derivation R).
+Variables (rho : R) (g : 'M[R]_n) (root_g root_G W : R).
+
+(** The deformation gradient as a matrix, the Jacobian and \f$J\,(F^{-1})^k{}_a\f$ at a jet. *)
+Definition gradient_matrix : 'M[R]_n := \matrix_(a, k) gradient_of v a k.
+Let F := gradient_matrix.
+Let J := jacobian F root_g root_G.
+Let areas := area_transformation F root_g root_G.
+Let D_body (k : 'I_n) := D (along_body k).
+
+(** A medium whose body has the dimension of its space, and whose section has commuting second derivatives; its metric is a
+function of the point of space. *)
+Variable W_g : 'M[R]_n.
+Hypothesis medium : is_medium v d_y d_v D rho root_G g W W_g.
+Hypothesis root_of_g : root_g ^+ 2 = \det g.
+Hypothesis unit_g : root_g \is a GRing.unit.
+Hypothesis root_g_v : forall a mu, d_v a mu root_g = 0.
+Hypothesis mixed : forall k a i, D_body k (gradient_of v a i) = D_body i (gradient_of v a k).
+
+Let unit2 := two_is_unit medium.
+Let unit_G := volume_is_unit medium.
+
+Lemma gradient_of_section : is_gradient D_body F.
+Proof. by move=> k a i; rewrite !mxE; apply: mixed. Qed.
+
+Lemma metric_along_section k b c : D_body k (g b c) = \sum_a F a k * d_y a (g b c).
+Proof. by rewrite /D_body (space_D medium); apply: eq_bigr => a _; rewrite mxE. Qed.
+
+Lemma gradient_in_gradient a k : derivative_of (d_v a (along_body k)) F = delta_mx a k.
+Proof.
+apply/matrixP => b i; rewrite [LHS]mxE (mxE matrix_key) (velocity_coordinates medium) [RHS]mxE.
+by rewrite /along_body (inj_eq lift_inj).
+Qed.
+
+Lemma gradient_in_velocity a : derivative_of (d_v a ord0) F = 0.
+Proof.
+apply/matrixP => b i; rewrite [LHS]mxE (mxE matrix_key) (velocity_coordinates medium) [RHS]mxE.
+by rewrite [along_body _ == _]eq_sym (negbTE (neq_lift _ _)) andbF.
+Qed.
+
+Lemma gradient_in_place a : derivative_of (d_y a) F = 0.
+Proof. by apply/matrixP => b i; rewrite [LHS]mxE (mxE matrix_key) (place_coordinates medium) [RHS]mxE. Qed.
+
+(** The derivatives of \f$J\f$ at a jet. *)
+Lemma jacobian_in_gradient a k : d_v a (along_body k) J = areas k a.
+Proof.
+rewrite (derivative_in_gradient F unit_G) ?gradient_in_gradient ?root_g_v ?(body_v medium _ _).2 //.
+have entry i : (areas *m delta_mx a k) i i = (i == k)%:R * areas i a.
+  rewrite mxE (bigD1 a) //= (mxE delta_mx_key) eqxx big1 ?addr0 => [|l ne]; last first.
+    by rewrite (mxE delta_mx_key) (negbTE ne) mulr0.
+  by rewrite mulrC.
+by rewrite /mxtrace (bigD1 k) //= entry eqxx mul1r big1 ?addr0 // => i ne; rewrite entry (negbTE ne) mul0r.
+Qed.
+
+Lemma jacobian_in_velocity a : d_v a ord0 J = 0.
+Proof.
+rewrite (derivative_in_gradient F unit_G) ?gradient_in_velocity ?root_g_v ?(body_v medium _ _).2 //.
+by rewrite mulmx0 mxtrace0.
+Qed.
+
+Lemma jacobian_in_place a : d_y a J = 2%:R^-1 * J * \tr (invmx g *m derivative_of (d_y a) g).
+Proof.
+have := derivative_in_metric root_of_g unit_g unit_G (gradient_in_place a) (body_y medium a).2.
+by rewrite -/J -mulrA => <-; rewrite mulrA mulVr // mul1r.
+Qed.
+
+(** What the pressure adds to the field equations: the derivative of \f$P\sqrt{\det G}\,J\f$ with \f$P\sqrt{\det G}\f$ held,
+minus the divergence of \f$P\sqrt{\det G}\,\partial J/\partial v\f$. The terms with derivatives of the metric cancel. *)
+Lemma field_equation_of_pressure P a :
+  P * root_G * d_y a J - \sum_k D_body k (P * areas k a * root_G) = - (root_G * \sum_k D_body k P * areas k a).
+Proof.
+have := claim_6_2_barotropic_expansion_end root_of_g unit_g unit_G unit2 gradient_of_section metric_along_section P a.
+rewrite /first_line /last_line -/areas => expansion.
+have first : root_G * (\sum_k D_body k P * areas k a + 2%:R^-1 * P * J * \tr (invmx g *m derivative_of (d_y a) g))
+             = \sum_k D_body k (P * areas k a * root_G).
+  rewrite -expansion mulrN mulrA mulrV // mul1r -sumrN; apply: eq_bigr => k _.
+  by rewrite raddfN opprK.
+rewrite -first jacobian_in_place; ring_identity.
+Qed.
+
+(** ** The equation of a barotropic fluid
+
+(6.18): for \f$W = W(J, x)\f$ with the pressure \f$P = -\rho\,\partial W/\partial J\f$
+\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a , \f]
+with a mass density that may vary: the Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference of the two
+sides. *)
+Theorem eq_6_18 W_J a :
+    (forall b k, d_v b (along_body k) W = W_J * d_v b (along_body k) J) ->
+    (forall b, d_y b W = W_J * d_y b J) ->
+  euler_lagrange d_y d_v D (medium_density v rho root_G g W) a
+  = - (root_G * (rho * (\sum_b g a b * acceleration v d_y D g b)
+                 + \sum_k D_body k (material_pressure rho W_J) * areas k a)).
+Proof.
+move=> chain_v chain_y; rewrite (eq_6_13 medium) -(energy_y medium) chain_y.
+pose P := material_pressure rho W_J; have := field_equation_of_pressure P a.
+have -> : \sum_k D_body k (P * areas k a * root_G)
+          = - (\sum_k D (along_body k) (rho * energy_slope d_v W a k * root_G)).
+  rewrite -sumrN; apply: eq_bigr => k _; rewrite /energy_slope chain_v jacobian_in_gradient -raddfN.
+  congr (D_body k _); rewrite /P /material_pressure; ring_identity.
+rewrite opprK => pressure.
+set Z := \sum_k D _ _; set A := \sum_b _.
+rewrite mulrDr mulrBr [root_G * (root_G^-1 * Z)]mulrA mulrV // mul1r -/P.
+have -> : root_G * (rho * (W_J * d_y a J)) = - (P * root_G * d_y a J).
+  rewrite /P /material_pressure; ring_identity.
+rewrite mulrDr -[root_G * \sum_k _]opprK -pressure -/Z; ring_identity.
+Qed.
+
+End Fluids.
