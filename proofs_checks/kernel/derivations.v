@@ -197,6 +197,9 @@ Qed.
 
 End Units.
 
+Lemma adjugate_of_one (R : comRingType) n : \adj (1%:M : 'M[R]_n) = 1%:M.
+Proof. by have := mul_mx_adj (1%:M : 'M[R]_n); rewrite mul1mx det1. Qed.
+
 (** ** Sylvester's determinant *)
 
 (** \f$\det(1 + PQ) = \det(1 + QP)\f$ for matrices of any two sizes, over any commutative ring. *)
@@ -330,3 +333,92 @@ Proof. by rewrite mul0r mulr0 addr0. Qed.
 
 Definition zero_derivation (R : comRingType) : derivation R :=
   @Derivation R [additive of \0%R : R -> R] (@leibniz_of_zero R).
+
+(** *** Numbers with a small part *)
+
+(** Elements \f$a + b\varepsilon\f$ with \f$\varepsilon^2 = 0\f$ over \f$R\f$, and the derivation
+\f$\varepsilon\,\partial/\partial\varepsilon\f$: a ring in which units need not be constant, as
+\f$1 + \varepsilon\f$. It is what the polynomials of first order in \f$\varepsilon = e^x\f$ make with
+\f$d/dx\f$. *)
+Section SmallParts.
+
+Variable R : comUnitRingType.
+
+Definition with_small_part := (R * R)%type.
+Canonical with_small_part_eqType := [eqType of with_small_part].
+Canonical with_small_part_choiceType := [choiceType of with_small_part].
+Canonical with_small_part_zmodType := [zmodType of with_small_part].
+Implicit Types f h : with_small_part.
+
+Definition small_product f h : with_small_part := (f.1 * h.1, f.1 * h.2 + f.2 * h.1).
+
+Lemma small_product_associative : associative small_product.
+Proof. move=> [a b] [c e] [k l]; congr pair; rewrite /=; ring_identity. Qed.
+Lemma small_product_commutative : commutative small_product.
+Proof. move=> [a b] [c e]; congr pair; rewrite /=; ring_identity. Qed.
+Lemma small_product_one : left_id ((1, 0) : with_small_part) small_product.
+Proof. move=> [a b]; congr pair; rewrite /=; ring_identity. Qed.
+Lemma small_product_additive : left_distributive small_product +%R.
+Proof. move=> [a b] [c e] [k l]; congr pair; rewrite /=; ring_identity. Qed.
+Lemma small_one_nonzero : (1, 0) != 0 :> with_small_part.
+Proof. by apply/eqP => -[/eqP]; rewrite oner_eq0. Qed.
+
+Definition small_ringMixin :=
+  ComRingMixin small_product_associative small_product_commutative small_product_one small_product_additive
+    small_one_nonzero.
+Canonical with_small_part_ringType := Eval hnf in RingType with_small_part small_ringMixin.
+Canonical with_small_part_comRingType := Eval hnf in ComRingType with_small_part small_product_commutative.
+
+Definition small_unit : pred with_small_part := fun f => f.1 \is a GRing.unit.
+Definition small_inverse f : with_small_part := if small_unit f then (f.1^-1, - (f.2 / f.1 / f.1)) else f.
+
+Lemma small_mulVr : {in small_unit, left_inverse 1 small_inverse *%R}.
+Proof.
+move=> [a b] unit_a; rewrite /small_inverse; have -> : small_unit (a, b) by [].
+congr pair; rewrite /=; first by rewrite mulVr.
+have -> : a^-1 * b + - (b / a / a) * a = a^-1 * b - b / a * (a / a) by ring_identity.
+by rewrite divrr // mulr1 [b / a]mulrC subrr.
+Qed.
+
+Lemma small_unitPl f h : h * f = 1 -> small_unit f.
+Proof. by case=> one _; apply/unitrPr; exists h.1; rewrite mulrC. Qed.
+
+Lemma small_inverse_out : {in [predC small_unit], small_inverse =1 id}.
+Proof.
+move=> f; rewrite /small_inverse; case: ifP => // unit_f; rewrite inE /= => /negP not_unit.
+by case: not_unit; exact: unit_f.
+Qed.
+
+Definition small_unitRingMixin := ComUnitRingMixin small_mulVr small_unitPl small_inverse_out.
+Canonical with_small_part_unitRingType := Eval hnf in UnitRingType with_small_part small_unitRingMixin.
+Canonical with_small_part_comUnitRingType := Eval hnf in [comUnitRingType of with_small_part].
+
+(** The derivation \f$\varepsilon\,\partial/\partial\varepsilon\f$, and a derivation of the coefficients. *)
+Definition small_derivative f : with_small_part := (0, f.2).
+
+Lemma small_derivative_additive : additive small_derivative.
+Proof. by move=> [a b] [c e]; congr pair; rewrite /= ?subrr. Qed.
+
+Lemma small_derivative_leibniz f h :
+  small_derivative (f * h) = small_derivative f * h + f * small_derivative h.
+Proof. case: f h => [a b] [c e]; congr pair; rewrite /=; ring_identity. Qed.
+
+Definition derivation_of_small_part : derivation [comRingType of with_small_part] :=
+  @Derivation [comRingType of with_small_part] (Additive small_derivative_additive) small_derivative_leibniz.
+
+Variable d : derivation R.
+
+Definition both_parts f : with_small_part := (d f.1, d f.2).
+
+Lemma both_parts_additive : additive both_parts.
+Proof. by move=> [a b] [c e]; congr pair; rewrite /= raddfB. Qed.
+
+Lemma both_parts_leibniz f h : both_parts (f * h) = both_parts f * h + f * both_parts h.
+Proof.
+case: f h => [a b] [c e]; congr pair; rewrite /= ?raddfD /= !leibniz //; ring_identity.
+Qed.
+
+Definition derivation_of_both_parts : derivation [comRingType of with_small_part] :=
+  @Derivation [comRingType of with_small_part] (Additive both_parts_additive) both_parts_leibniz.
+
+End SmallParts.
