@@ -1,9 +1,10 @@
 (** * Fluids: the Jacobian and the pressure
 
-Sections 6.1, 6.2, 8.2 and 8.3 for media whose body and space have one dimension \f$n\f$, any: the Jacobian (6.1) and
-its derivatives, Piola's identity, the three lines of (6.17), the equation of a barotropic fluid (6.18), and
-incompressible media with their pressure. Where the thesis writes \f$J\,(F^{-1})^k{}_a\f$ the matrix of cofactors stands
-here, times \f$\sqrt{\det g/\det G}\f$: it is the same where \f$F\f$ has an inverse, and nothing below needs one. *)
+Sections 6.1, 6.2, 8.2 and 8.3 for media whose body and space have one dimension \f$n\f$, any: the Jacobian
+(6.1) and its derivatives, Piola's identity, the three lines of (6.17), the equation of a barotropic fluid
+(6.18), and incompressible media with their pressure. Where the thesis writes \f$J\,(F^{-1})^k{}_a\f$ the
+matrix of cofactors stands here, times \f$\sqrt{\det g/\det G}\f$: it is the same where \f$F\f$ has an
+inverse, and nothing below needs one. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices ring_identities derivations fields continuum stresses.
@@ -24,8 +25,8 @@ Implicit Types (F g G : 'M[R]_n).
 C++: `actio::jacobian`, `continuum/continuum.hpp`. *)
 Definition jacobian F (root_g root_G : R) : R := \det F * root_g / root_G.
 
-(** \f$J\,(F^{-1})^k{}_a\f$, a row for each \f$k\f$. C++: `actio::area_transformation`, `continuum/stresses.hpp`, which has
-rows and columns exchanged. *)
+(** \f$J\,(F^{-1})^k{}_a\f$, a row for each \f$k\f$. C++: `actio::area_transformation`,
+`continuum/stresses.hpp`, which has rows and columns exchanged. *)
 Definition area_transformation F (root_g root_G : R) : 'M[R]_n := (root_g / root_G) *: \adj F.
 
 Lemma area_transformationE F root_g root_G : F \in unitmx ->
@@ -39,9 +40,10 @@ Qed.
 
 (** ** The Jacobian under changes of coordinates
 
-\f$J\f$ is a scalar (section 6.1). With \f$A\f$ and \f$B\f$ the derivatives of the changes of charts of space and body,
-\f$F\f$ becomes \f$AFB^{-1}\f$ and the metrics \f$A^{-T}gA^{-1}\f$ and \f$B^{-T}GB^{-1}\f$. Their roots, with the sign of
-charts that keep the orientation, are divided by \f$\det A\f$ and \f$\det B\f$, and \f$J\f$ stays. *)
+\f$J\f$ is a scalar (section 6.1). With \f$A\f$ and \f$B\f$ the derivatives of the changes of charts of space
+and body, \f$F\f$ becomes \f$AFB^{-1}\f$ and the metrics \f$A^{-T}gA^{-1}\f$ and \f$B^{-T}GB^{-1}\f$. Their
+roots, with the sign of charts that keep the orientation, are divided by \f$\det A\f$ and \f$\det B\f$, and
+\f$J\f$ stays. *)
 Theorem claim_6_1_jacobian_scalar F g G A B root_g root_G :
     A \in unitmx -> B \in unitmx -> root_G \is a GRing.unit ->
     root_g ^+ 2 = \det g -> root_G ^+ 2 = \det G ->
@@ -90,13 +92,14 @@ Proof. by rewrite /jacobian det1 mul1r. Qed.
 
 End Jacobian.
 
-(** The printed \f$J(x, 0) = 1\f$ needs the metrics of body and space to have one volume: on a line with \f$g = 4\f$ and
-\f$G = 1\f$ it is 2. *)
+(** The printed \f$J(x, 0) = 1\f$ needs the metrics of body and space to have one volume: on a line with \f$g
+= 4\f$ and \f$G = 1\f$ it is 2. *)
 Theorem claim_6_1_initial_jacobian_printed_fails :
   ~ (forall n (g G : 'M[rat]_n) (root_g root_G : rat), 0 < root_g -> 0 < root_G ->
       root_g ^+ 2 = \det g -> root_G ^+ 2 = \det G -> jacobian (1%:M : 'M[rat]_n) root_g root_G = 1).
 Proof.
-move=> claim; have := claim 1%N 4%:R%:M 1%:M 2%:R 1 isT isT; rewrite det_scalar1 det1 claim_6_1_initial_jacobian.
+move=> claim; have := claim 1%N 4%:R%:M 1%:M 2%:R 1 isT isT;
+  rewrite det_scalar1 det1 claim_6_1_initial_jacobian.
 by move/(_ _ _) => /(_ erefl erefl) /eqP; vm_compute.
 Qed.
 
@@ -142,8 +145,8 @@ Definition material_pressure : R := - (rho * W_J).
 
 (** ** The spatial momenta of a barotropic fluid
 
-\f$p_a{}^i = -\rho\,\frac{\partial W}{\partial v^a{}_i}\sqrt{\det G} = P\,J\,(v^{-1})^i{}_a\sqrt{\det G}\f$, with
-\f$i\f$ an index of \f$v\f$. The derivation is \f$\partial/\partial v^a{}_i\f$. *)
+\f$p_a{}^i = -\rho\,\frac{\partial W}{\partial v^a{}_i}\sqrt{\det G} = P\,J\,(v^{-1})^i{}_a\sqrt{\det G}\f$,
+with \f$i\f$ an index of \f$v\f$. The derivation is \f$\partial/\partial v^a{}_i\f$. *)
 Theorem claim_6_2_barotropic_momenta (d : derivation R) a i :
     derivative_of d F = delta_mx a i -> d root_g = 0 -> d root_G = 0 -> d W = W_J * d J ->
   - (rho * d W * root_G) = material_pressure * areas i a * root_G.
@@ -160,8 +163,8 @@ Qed.
 
 (** ** The Cauchy stress of a barotropic fluid
 
-\f$\sigma^{ab} = -P\,g^{ab}\f$: the symmetric slope of \f$W\f$ in the metric is \f$\frac12W'J\,g^{ab}\f$, and the
-definition (6.14) makes of it minus the pressure times the metric. *)
+\f$\sigma^{ab} = -P\,g^{ab}\f$: the symmetric slope of \f$W\f$ in the metric is \f$\frac12W'J\,g^{ab}\f$, and
+the definition (6.14) makes of it minus the pressure times the metric. *)
 Definition fluid_slope : 'M[R]_n := (2%:R^-1 * W_J * J) *: invmx g.
 
 Lemma rate_of_fluid (d : derivation R) : g^T = g ->
@@ -203,17 +206,17 @@ Qed.
 
 (** *** The expansion (6.17) *)
 
-(** The derivatives in the directions of the body and in those of space; the metric is a function of the point of
-space. *)
+(** The derivatives in the directions of the body and in those of space; the metric is a function of the point
+of space. *)
 Variables (D d_y : 'I_n -> derivation R).
 Hypothesis section : is_gradient D F.
 Hypothesis along_section : forall k b c, D k (g b c) = \sum_a F a k * d_y a (g b c).
 
 (** ** Piola's identity
 
-The terms (I) and (II) of (6.17), from differentiating \f$\det v\f$ and \f$(v^{-1})^k{}_a\f$, cancel:
-\f[ \frac{\partial\det F}{\partial x^k}(F^{-1})^k{}_a + \det F\,\frac{\partial(F^{-1})^k{}_a}{\partial x^k} = 0 \f]
-where \f$F\f$ is the gradient of a map, in every dimension. *)
+The terms (I) and (II) of (6.17), from differentiating \f$\det v\f$ and \f$(v^{-1})^k{}_a\f$, cancel: \f[
+\frac{\partial\det F}{\partial x^k}(F^{-1})^k{}_a + \det F\,\frac{\partial(F^{-1})^k{}_a}{\partial x^k} = 0
+\f] where \f$F\f$ is the gradient of a map, in every dimension. *)
 Theorem claim_6_2_cancelling_terms a : F \in unitmx ->
   \sum_k D k (\det F) * invmx F k a + \sum_k \det F * D k (invmx F k a) = 0.
 Proof.
@@ -233,13 +236,14 @@ Definition last_line P a : R :=
 
 (** ** The left side for a barotropic fluid, in three lines
 
-(6.17), without the inertial term: with \f$\det F\,(F^{-1})^k{}_a\f$ for the cofactors and the root of \f$\det g\f$ in the
-middle line, it holds for every function \f$P\f$. *)
+(6.17), without the inertial term: with \f$\det F\,(F^{-1})^k{}_a\f$ for the cofactors and the root of \f$\det
+g\f$ in the middle line, it holds for every function \f$P\f$. *)
 Theorem eq_6_17_first_and_middle P a : first_line P a = middle_line P a.
 Proof.
 have cofactor_form k : areas k a * root_G = root_g * (\adj F) k a.
   rewrite /areas /area_transformation mxE.
-  have -> : root_g / root_G * (\adj F) k a * root_G = root_G / root_G * (root_g * (\adj F) k a) by ring_identity.
+  have -> : root_g / root_G * (\adj F) k a * root_G = root_G / root_G * (root_g * (\adj F) k a) by
+    ring_identity.
   by rewrite divrr // mul1r.
 have areaE k : areas k a = root_G^-1 * (root_g * (\adj F) k a).
   by rewrite -cofactor_form mulrC mulrK.
@@ -287,9 +291,9 @@ Proof. by rewrite eq_6_17_first_and_middle eq_6_17_middle_and_last. Qed.
 
 (** ** The pressure of a point of space
 
-Where \f$P = p\circ\phi\f$ is a function of the point of space, \f$\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a =
-J\,\frac{\partial p}{\partial y^a}\f$; with the spatial density \f$\rho/J\f$ this makes of (6.18)
-\f$\frac{D_gV}{Dt} = -\frac1{\rho_{\mathrm{sp}}}\mathrm{grad}\,p\circ\phi\f$. *)
+Where \f$P = p\circ\phi\f$ is a function of the point of space, \f$\frac{\partial P}{\partial
+x^k}\,J\,(F^{-1})^k{}_a = J\,\frac{\partial p}{\partial y^a}\f$; with the spatial density \f$\rho/J\f$ this
+makes of (6.18) \f$\frac{D_gV}{Dt} = -\frac1{\rho_{\mathrm{sp}}}\mathrm{grad}\,p\circ\phi\f$. *)
 Theorem claim_6_2_barotropic_spatial_form P (slope : 'I_n -> R) a :
     (forall k, D k P = \sum_b F b k * slope b) ->
   \sum_k D k P * areas k a = J * slope a.
@@ -304,11 +308,12 @@ Qed.
 
 End Barotropic.
 
-(** In the printed middle line of (6.17) the root is missing over \f$\det g\f$. It fails on a line, for the identical
-motion and \f$P = 1\f$, where the volume of space is \f$1 + \varepsilon\f$: the two lines are \f$\varepsilon\f$ and
-\f$2\varepsilon\f$. *)
+(** In the printed middle line of (6.17) the root is missing over \f$\det g\f$. It fails on a line, for the
+identical motion and \f$P = 1\f$, where the volume of space is \f$1 + \varepsilon\f$: the two lines are
+\f$\varepsilon\f$ and \f$2\varepsilon\f$. *)
 Theorem eq_6_17_printed_fails :
-  ~ (forall (R : comUnitRingType) n (F g : 'M[R]_n) (root_g root_G : R) (D d_y : 'I_n -> derivation R) (P : R),
+  ~ (forall (R : comUnitRingType) n (F g : 'M[R]_n) (root_g root_G : R) (D d_y : 'I_n ->
+    derivation R) (P : R),
       root_g ^+ 2 = \det g -> root_g \is a GRing.unit -> root_G \is a GRing.unit ->
       is_gradient D F -> (forall k b c, D k (g b c) = \sum_a F a k * d_y a (g b c)) ->
       forall a, first_line F root_g root_G D P a = printed_middle_line F g root_g root_G D P a).
@@ -343,8 +348,8 @@ Let J := jacobian F root_g root_G.
 Let areas := area_transformation F root_g root_G.
 Let D_body (k : 'I_n) := D (along_body k).
 
-(** A medium whose body has the dimension of its space, and whose section has commuting second derivatives; its metric is a
-function of the point of space. *)
+(** A medium whose body has the dimension of its space, and whose section has commuting second derivatives;
+its metric is a function of the point of space. *)
 Variable W_g : 'M[R]_n.
 Hypothesis medium : is_medium v d_y d_v D rho root_G g W W_g.
 Hypothesis root_of_g : root_g ^+ 2 = \det g.
@@ -399,14 +404,18 @@ have := derivative_in_metric root_of_g unit_g unit_G (gradient_in_place a) (body
 by rewrite -/J -mulrA => <-; rewrite mulrA mulVr // mul1r.
 Qed.
 
-(** What the pressure adds to the field equations: the derivative of \f$P\sqrt{\det G}\,J\f$ with \f$P\sqrt{\det G}\f$ held,
-minus the divergence of \f$P\sqrt{\det G}\,\partial J/\partial v\f$. The terms with derivatives of the metric cancel. *)
+(** What the pressure adds to the field equations: the derivative of \f$P\sqrt{\det G}\,J\f$ with
+\f$P\sqrt{\det G}\f$ held, minus the divergence of \f$P\sqrt{\det G}\,\partial J/\partial v\f$. The terms with
+derivatives of the metric cancel. *)
 Lemma field_equation_of_pressure P a :
-  P * root_G * d_y a J - \sum_k D_body k (P * areas k a * root_G) = - (root_G * \sum_k D_body k P * areas k a).
+  P * root_G * d_y a J - \sum_k D_body k (P * areas k a * root_G) = - (root_G * \sum_k D_body k P * areas k
+    a).
 Proof.
-have := claim_6_2_barotropic_expansion_end root_of_g unit_g unit_G unit2 gradient_of_section metric_along_section P a.
+have := claim_6_2_barotropic_expansion_end root_of_g unit_g unit_G unit2 gradient_of_section
+  metric_along_section P a.
 rewrite /first_line /last_line -/areas => expansion.
-have first : root_G * (\sum_k D_body k P * areas k a + 2%:R^-1 * P * J * \tr (invmx g *m derivative_of (d_y a) g))
+have first : root_G * (\sum_k D_body k P * areas k a + 2%:R^-1 * P * J * \tr (invmx g *m derivative_of (d_y
+  a) g))
              = \sum_k D_body k (P * areas k a * root_G).
   rewrite -expansion mulrN mulrA mulrV // mul1r -sumrN; apply: eq_bigr => k _.
   by rewrite raddfN opprK.
@@ -415,10 +424,10 @@ Qed.
 
 (** ** The equation of a barotropic fluid
 
-(6.18): for \f$W = W(J, x)\f$ with the pressure \f$P = -\rho\,\partial W/\partial J\f$
-\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a , \f]
-with a mass density that may vary: the Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference of the two
-sides. *)
+(6.18): for \f$W = W(J, x)\f$ with the pressure \f$P = -\rho\,\partial W/\partial J\f$ \f[
+\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a , \f]
+with a mass density that may vary: the Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference
+of the two sides. *)
 Theorem eq_6_18 W_J a :
     (forall b k, d_v b (along_body k) W = W_J * d_v b (along_body k) J) ->
     (forall b, d_y b W = W_J * d_y b J) ->

@@ -1,8 +1,8 @@
 (** * Incompressible media
 
-Sections 8.2 and 8.3: the density with the constraint \f$J = 1\f$ and its multiplier
-\f$\lambda = \sqrt{\det G}\,P\f$ (8.2), its momenta (8.4), the equation of motion (8.7), and fluids. Body and space have
-one dimension \f$n\f$, any, and any metrics; the equations of motion hold off the constraint too. *)
+Sections 8.2 and 8.3: the density with the constraint \f$J = 1\f$ and its multiplier \f$\lambda = \sqrt{\det
+G}\,P\f$ (8.2), its momenta (8.4), the equation of motion (8.7), and fluids. Body and space have one dimension
+\f$n\f$, any, and any metrics; the equations of motion hold off the constraint too. *)
 
 From mathcomp Require Import all_ssreflect fingroup perm all_algebra.
 From actio Require Import matrices ring_identities derivations fields continuum stresses fluids.
@@ -25,8 +25,8 @@ Hypothesis root_of_g : root_g ^+ 2 = \det g.
 Hypothesis unit_g : root_g \is a GRing.unit.
 Hypothesis root_g_v : forall a mu, d_v a mu root_g = 0.
 
-(** The material pressure, and the multiplier \f$\lambda = \sqrt{\det G}\,P\f$ (8.2), which does not depend on the fields and
-their derivatives. *)
+(** The material pressure, and the multiplier \f$\lambda = \sqrt{\det G}\,P\f$ (8.2), which does not depend on
+the fields and their derivatives. *)
 Variable P : R.
 Definition multiplier : R := P * root_G.
 Hypothesis multiplier_y : forall a, d_y a multiplier = 0.
@@ -41,7 +41,8 @@ Let D_body (k : 'I_n) := D (along_body k).
 `incompressible/incompressible_density.hpp`. *)
 Definition incompressible_density : R := medium_density v rho root_G g W + multiplier * (J - 1).
 
-Lemma derivative_of_constraint (d : derivation R) : d multiplier = 0 -> d (multiplier * (J - 1)) = multiplier * d J.
+Lemma derivative_of_constraint (d : derivation R) : d multiplier = 0 ->
+  d (multiplier * (J - 1)) = multiplier * d J.
 Proof. by move=> constant; rewrite leibniz constant mul0r add0r raddfB /= derivative_of_one subr0. Qed.
 
 (** ** The momenta of an incompressible medium
@@ -55,7 +56,8 @@ Theorem eq_8_4 a :
 Proof.
 rewrite /momentum /incompressible_density; split=> [|j]; rewrite raddfD /= derivative_of_constraint //.
   rewrite (jacobian_in_velocity medium root_g_v) mulr0 addr0; exact: (eq_6_4 medium a).1.
-rewrite (jacobian_in_gradient medium root_g_v) [X in X + _](_ : _ = space_momentum rho root_G (energy_slope d_v W) a j).
+rewrite (jacobian_in_gradient medium root_g_v) [X in X + _](_ : _ = space_momentum rho root_G (energy_slope
+  d_v W) a j).
   rewrite /space_momentum /multiplier -/areas; ring_identity.
 exact: (eq_6_4 medium a).2.
 Qed.
@@ -71,8 +73,8 @@ Qed.
 
 (** ** The affine momentum of an incompressible medium
 
-\f$\Pi = \bigl[-\frac12\rho\,g_{ab}v^a{}_0v^b{}_0 + \rho\,\frac{\partial W}{\partial v^a{}_j}v^a{}_j - \rho W -
-P\,(J(n-1) + 1)\bigr]\sqrt{\det G}\f$, off the constraint. *)
+\f$\Pi = \bigl[-\frac12\rho\,g_{ab}v^a{}_0v^b{}_0 + \rho\,\frac{\partial W}{\partial v^a{}_j}v^a{}_j - \rho W
+- P\,(J(n-1) + 1)\bigr]\sqrt{\det G}\f$, off the constraint. *)
 Theorem claim_8_2_affine_momentum :
   affine_momentum v d_v incompressible_density
   = (- (2%:R^-1 * rho * speed_squared g (velocity_of v))
@@ -129,25 +131,30 @@ have unit_G := volume_is_unit medium.
 have slope b j : d_y b (areas j a * multiplier) = (\adj F) j a * d_y b root_g / root_G * multiplier.
   have adjugate : d_y b ((\adj F) j a) = 0.
     rewrite mxE derivative_of_cofactor big1 // => m _; rewrite big1 // => s _.
-    by have /matrixP /(_ m (s m)) := gradient_in_place medium b; rewrite mxE [in RHS]mxE => ->; rewrite mul0r mulr0.
-  rewrite leibniz multiplier_y mulr0 addr0 /areas /area_transformation mxE !leibniz adjugate derivative_of_inverse //.
+    by have /matrixP /(_ m (s m)) := gradient_in_place medium b; rewrite mxE [in RHS]mxE => ->;
+      rewrite mul0r mulr0.
+  rewrite leibniz multiplier_y mulr0 addr0 /areas /area_transformation mxE !leibniz adjugate
+    derivative_of_inverse //.
   rewrite (body_y medium b).2; ring_identity.
 have -> : \sum_j \sum_b d_y b (areas j a * multiplier) * gradient_of v b j
   = multiplier / root_G * (\sum_b (F *m \adj F) b a * d_y b root_g).
-  rewrite exchange_big mulr_sumr; apply: eq_bigr => b _; rewrite mxE mulr_suml mulr_sumr; apply: eq_bigr => j _.
+  rewrite exchange_big mulr_sumr; apply: eq_bigr => b _; rewrite mxE mulr_suml mulr_sumr; apply: eq_bigr =>
+    j _.
   rewrite slope [F b j]mxE; ring_identity.
 rewrite mul_mx_adj (bigD1 a) //= big1 => [|b ne]; last by rewrite mxE (negbTE ne) mul0r.
-rewrite mxE eqxx addr0 mulr1n raddfB /= derivative_of_one subr0 /J /jacobian !leibniz derivative_of_inverse //.
-rewrite (body_y medium a).2 derivative_of_determinant (gradient_in_place medium a) mulmx0 mxtrace0; ring_identity.
+rewrite mxE eqxx addr0 mulr1n raddfB /= derivative_of_one subr0 /J /jacobian !leibniz derivative_of_inverse
+  //.
+rewrite (body_y medium a).2 derivative_of_determinant (gradient_in_place medium a) mulmx0 mxtrace0;
+  ring_identity.
 Qed.
 
 (** ** The equation of motion with stored energy and pressure
 
-(8.7): the Euler-Lagrange derivative of \f$L_\Phi\f$ is \f$-\sqrt{\det G}\f$ times the difference of the two sides of
-\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
-\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr) = -\rho\,\frac{\partial W}{\partial
-g_{bc}}\frac{\partial g_{bc}}{\partial y^a} - \frac{\partial P}{\partial x^k}(v^{-1})^k{}_a\,J , \f]
-for every \f$J\f$, on the constraint or off it. *)
+(8.7): the Euler-Lagrange derivative of \f$L_\Phi\f$ is \f$-\sqrt{\det G}\f$ times the difference of the two
+sides of \f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det
+G}}\frac{\partial}{\partial x^k} \Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr) =
+-\rho\,\frac{\partial W}{\partial g_{bc}}\frac{\partial g_{bc}}{\partial y^a} - \frac{\partial P}{\partial
+x^k}(v^{-1})^k{}_a\,J , \f] for every \f$J\f$, on the constraint or off it. *)
 Lemma pressure_in_field_equations a :
   euler_lagrange d_y d_v D incompressible_density a
   = euler_lagrange d_y d_v D (medium_density v rho root_G g W) a - root_G * (\sum_k D_body k P * areas k a).
@@ -160,7 +167,8 @@ have -> : \sum_(k < n) D (lift ord0 k) (momentum d_v incompressible_density a (l
     + \sum_(k < n) D (lift ord0 k) (momentum d_v (medium_density v rho root_G g W) a (lift ord0 k)).
   rewrite -big_split; apply: eq_bigr => k _; rewrite -!/(along_body k) (eq_8_4 a).2 (eq_6_4 medium a).2.
   rewrite /= /D_body -raddfD /=; congr (D _ _); rewrite /space_momentum; ring_identity.
-have -> : root_G * (\sum_k D_body k P * areas k a) = - (P * root_G * d_y a J - \sum_k D_body k (P * areas k a * root_G)).
+have -> : root_G * (\sum_k D_body k P * areas k a) = - (P * root_G * d_y a J - \sum_k D_body k (P * areas k
+  a * root_G)).
   by rewrite pressure opprK.
 rewrite /multiplier; ring_identity.
 Qed.
@@ -176,7 +184,8 @@ Proof. rewrite pressure_in_field_equations (eq_6_13 medium) -/D_body; ring_ident
 Theorem eq_8_8 a :
     (forall e b c, d_y e (g b c) = 0) -> (forall k, D_body k root_G = 0) ->
   euler_lagrange d_y d_v D incompressible_density a
-  = - (root_G * (rho * (\sum_b g a b * D ord0 (velocity_of v b)) - \sum_k D_body k (rho * energy_slope d_v W a k)
+  = - (root_G * (rho * (\sum_b g a b * D ord0 (velocity_of v b)) - \sum_k D_body k (rho * energy_slope d_v W
+    a k)
       + \sum_k D_body k P * areas k a)).
 Proof.
 move=> constant_g constant_G; rewrite pressure_in_field_equations (eq_6_15 medium) // -/D_body; ring_identity.
@@ -185,8 +194,8 @@ Qed.
 (** ** Ideal incompressible fluids
 
 (8.9), and with the mass density (section 8.3): where the stored energy is constant, the equation of motion is
-\f[ \rho(x)\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a . \f]
-For \f$\rho = 1\f$ it is (8.9); a mass density that varies stays beside the acceleration. *)
+\f[ \rho(x)\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a
+. \f] For \f$\rho = 1\f$ it is (8.9); a mass density that varies stays beside the acceleration. *)
 Theorem claim_8_3_inhomogeneous_density a :
     (forall b k, energy_slope d_v W b k = 0) -> d_y a W = 0 ->
   euler_lagrange d_y d_v D incompressible_density a
@@ -214,7 +223,8 @@ Theorem eq_8_12 W_J a :
                  + \sum_k D_body k (material_pressure rho W_J + P) * areas k a)).
 Proof.
 move=> chain_v chain_y.
-rewrite pressure_in_field_equations (eq_6_18 medium root_of_g unit_g root_g_v mixed a chain_v chain_y) -/areas -/D_body.
+rewrite pressure_in_field_equations (eq_6_18 medium root_of_g unit_g root_g_v mixed a chain_v chain_y)
+  -/areas -/D_body.
 have -> : \sum_k D_body k (material_pressure rho W_J + P) * areas k a
           = \sum_k D_body k (material_pressure rho W_J) * areas k a + \sum_k D_body k P * areas k a.
   by rewrite -big_split; apply: eq_bigr => k _; rewrite raddfD mulrDl.
@@ -225,10 +235,10 @@ End Incompressible.
 
 (** ** The field equation of the multiplier is that of a scalar
 
-The right side of (8.6) is printed as the form \f$\Phi\,d^{n+1}x\f$. The left side is a number that is the same in every
-chart of the body: where the chart is changed with the determinant \f$b\f$, densities and so the multiplier are divided
-by \f$b\f$, and the derivative in the multiplier is multiplied by it. The coefficient of a form would be divided by
-\f$b\f$. *)
+The right side of (8.6) is printed as the form \f$\Phi\,d^{n+1}x\f$. The left side is a number that is the
+same in every chart of the body: where the chart is changed with the determinant \f$b\f$, densities and so the
+multiplier are divided by \f$b\f$, and the derivative in the multiplier is multiplied by it. The coefficient
+of a form would be divided by \f$b\f$. *)
 Theorem eq_8_6_in_another_chart (R : comUnitRingType) (d_lambda : derivation R) (L lambda J b : R) :
     b \is a GRing.unit -> d_lambda lambda = 1 -> d_lambda L = 0 -> d_lambda J = 0 -> d_lambda b = 0 ->
   b * d_lambda ((L + lambda * (J - 1)) / b) = d_lambda (L + lambda * (J - 1)).
@@ -254,8 +264,8 @@ Qed.
 
 (** ** A mass density that varies is no matter of the pressure
 
-Section 8.3 says that for inhomogeneous fluids the dependence of the density on the point is implicit in the pressure,
-that is, that (8.9) without a density holds with some other pressure \f$P'\f$. Then
+Section 8.3 says that for inhomogeneous fluids the dependence of the density on the point is implicit in the
+pressure, that is, that (8.9) without a density holds with some other pressure \f$P'\f$. Then
 \f$\rho\,\partial_kP' = \partial_kP\f$, and the density and the pressure are functions of each other,
 \f$\partial_i\rho\,\partial_jP = \partial_j\rho\,\partial_iP\f$. *)
 Theorem inhomogeneous_density_condition (R : comUnitRingType) n (D : 'I_n -> derivation R) (rho P P' : R) :
@@ -287,7 +297,8 @@ pose D (i : 'I_2) : derivation R :=
 pose rho : R := ((1, 1) : inner, 0 : inner); pose P : R := (0 : inner, 1 : inner).
 have unit_rho : rho \is a GRing.unit by [].
 have commute i j f : D i (D j f) = D j (D i f).
-  move: i j; apply: plane; apply: plane; case: f => [[a b] [e h]] //; rewrite /D /=; congr pair; exact: raddf0.
+  move: i j; apply: plane; apply: plane; case: f => [[a b] [e h]] //; rewrite /D /=; congr pair;
+    exact: raddf0.
 have gradient : is_gradient D (1%:M : 'M[R]_2).
   by move=> k a i; rewrite !mxE !derivative_of_nat.
 move=> claim; have [P' same] := claim R 2%N 1%:M 1 1 D rho P unit_rho (unitr1 _) (unitr1 _) gradient commute.
@@ -296,5 +307,6 @@ have pick (Q : R) a : \sum_k D k Q * area_transformation 1%:M 1 1 k a = D a Q.
   by rewrite big1 ?addr0 // => k ne; rewrite mxE (negbTE ne) mulr0.
 have condition := inhomogeneous_density_condition unit_rho commute
                     (fun k => etrans (congr1 ( *%R rho) (esym (pick P' k))) (etrans (same k) (pick P k))) 0 1.
-by have := congr1 (fun f : R => f.2.2) condition; rewrite /D /= !(mul0r, mul1r, addr0, add0r) => /eqP; rewrite oner_eq0.
+by have := congr1 (fun f : R => f.2.2) condition; rewrite /D /= !(mul0r, mul1r, addr0, add0r) => /eqP;
+  rewrite oner_eq0.
 Qed.

@@ -339,7 +339,7 @@ Theorem 2.2.3 prints \f$\dot g = T_eR_g\frac{\delta h}{\delta\mu}\f$ with \f$\mu
 counterexample is that of polynomials in the time \f$t\f$ with integer coefficients, and \f$p(0)\f$ has the
 values of the polynomials at 0. The Hamiltonian is \f$h = 3\mu_{12}^2 + \mu_{23}\f$ on matrices with three
 rows, the motion begins at the identity,
-\f[ g = \begin{pmatrix} 1 & 3t^2 & 2t^3 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix} , \]
+\f[ g = \begin{pmatrix} 1 & 3t^2 & 2t^3 \\ 0 & 1 & t \\ 0 & 0 & 1 \end{pmatrix} , \f]
 and \f$\dot g_{12} = 6t\f$, which at \f$\mu = p(0)\f$ would be zero. *)
 
 Local Notation polynomials := [comUnitRingType of {poly int}].
