@@ -122,9 +122,9 @@ export function seal(book, id) {
   const rows = book.kernel?.byId.get(id) ?? [];
   if (!rows.length) return '';
   const how = proved(book, id), wrong = rows.find(r => r.what === 'refuted'), proof = rows.find(r => r.name === id) ?? rows.find(r => r.what === 'proved');
-  const links = [];
+  const links = [], needs = book.statements?.get(id)?.verdict === 'convention';
   if (proof) links.push(`<a class="seal" href="@ref:${anchor(proof)}" title="${how === 'whole' ? 'a kernel has checked a proof' : 'a kernel has checked a proof of a part'}; no axiom is used">${how === 'whole' ? 'proved' : 'proved in part'}</a>`);
-  if (wrong) links.push(`<a class="seal seal-refuted" href="@ref:${anchor(wrong)}" title="a kernel has checked a counterexample to the form that the thesis prints">print refuted</a>`);
+  if (wrong) links.push(`<a class="seal seal-refuted" href="@ref:${anchor(wrong)}" title="a kernel has checked a counterexample to the form that the thesis prints${needs ? ', without the convention that the note names' : ''}">${needs ? 'refuted without the convention' : 'print refuted'}</a>`);
   return links.join('');
 }
 
