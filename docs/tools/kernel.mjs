@@ -193,5 +193,5 @@ export function kernelCounts(book) {
   const count = what => [...byId.values()].filter(of => of.some(r => r.what === what)).length;
   if (!rows.length) return '<p><span class="notrun">the proofs have not been checked as they stand; <code>./run proofs</code> does</span></p>';
   const wholly = [...byId.keys()].filter(id => proved(book, id) === 'whole').length;
-  return `<p class="kernel-counts"><b>${count('proved')}</b> statements of the thesis are proved, ${wholly} of them as a whole and the others in part; of <b>${count('refuted')}</b> statements the printed form is refuted; <b>${rows.filter(r => r.what === 'beyond').length}</b> theorems go beyond them. Checked by ${escapeHtml(facts.checked)}${released ? ' <span class="origin">Of the release.</span>' : ''}. Axioms: <b>${escapeHtml(facts.axioms)}</b>.</p>`;
+  return `<p class="kernel-counts"><b>${count('proved')}</b> statements of the thesis are proved, ${wholly} of them as a whole and the others in part; of <b>${count('refuted')}</b> statements the printed form is refuted; <b>${rows.filter(r => r.what === 'beyond').length}</b> theorems go beyond them. Checked by ${escapeHtml(facts.checked)}${released ? ', for the release' : ''}. Axioms: <b>${escapeHtml(facts.axioms)}</b>.</p>`;
 }
