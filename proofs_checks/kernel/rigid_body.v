@@ -25,8 +25,9 @@ Local Open Scope ring_scope.
 
 (** ** Calculations
 
-This section and the next hold what the proofs calculate with; who reads the statements can begin at the section
-on the body. An identity between polynomials in elements of a commutative ring is decided by multiplying out. *)
+This section and the next hold what the proofs calculate with; who reads the statements can begin at the
+section on the body. An identity between polynomials in elements of a commutative ring is decided by
+multiplying out. *)
 
 Definition ring_zero (R : comRingType) : R := 0.
 Definition ring_one (R : comRingType) : R := 1.
