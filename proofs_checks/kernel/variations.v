@@ -238,7 +238,7 @@ Theorem 2.2.1, corrected: the Euler-Poincare equation \f$\dot\mu = -\mathrm{ad}_
 only if \f$\int\langle\mu, \dot\eta - [\xi, \eta]\rangle\,dt = 0\f$ for all \f$\eta\f$ that vanish at the
 ends. Of the integral it is used that it is additive, that total derivatives integrate to zero, and the
 fundamental lemma of the calculus of variations. *)
-Theorem thm_2_2_1 xi mu :
+Theorem thm_2_2_1_three_four xi mu :
   dotM mu = - algebra_ad_star xi mu
   <-> forall eta, held eta -> integral (pair mu (dot eta - commutator xi eta)) = 0.
 Proof.
