@@ -1,8 +1,8 @@
-(** * Poisson brackets and the rotation algebra
+(** * Poisson brackets
 
-Chapters 2, 3 and 5 put brackets on dual algebras, on cotangent bundles and on pairs of configurations. That
-each is a Poisson bracket is algebra: it follows from the rule of Leibniz and from derivatives that commute.
-*)
+Chapters 2, 3 and 4 put brackets on dual algebras, on cotangent bundles and on pairs of configurations. That
+each is a Poisson bracket is algebra: it follows from the rule of Leibniz and from derivatives that commute,
+in any number of dimensions. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
 From actio Require Import matrices ring_identities derivations.
@@ -292,9 +292,10 @@ Proof. by rewrite /symplectic_bracket hamiltonian_vectorE /hamiltonian_vector mu
 
 (** ** The bracket on pairs of configurations
 
-With \f$X_F\lrcorner\,\omega = dF\f$ the equation \f[ \{F, H\} = \omega(X_F, X_H) \f] defines a Poisson
-structure, as is said before (3.12) of the discrete two-form: for each two-form on a space of any dimension
-that is nondegenerate and closed. *)
+With \f$X_F\lrcorner\,\omega = dF\f$ the equation
+\f[ \{F, H\} = \omega(X_F, X_H) \f]
+defines a Poisson structure, as is said before (3.12) of the discrete two-form: for each two-form on a space
+of any dimension that is nondegenerate and closed. *)
 Theorem eq_3_12_poisson_structure : closed omega -> is_poisson_bracket (symplectic_bracket omega).
 Proof.
 move=> closed_form.
@@ -467,7 +468,7 @@ functions of \f$\mu = R_g^*p\f$, is the plus bracket
 proved here for the group \f$\mathrm{GL}(n)\f$ of any size, over any commutative ring, with
 \f$\{q, p\} = +1\f$ and the commutator of matrices. The chain rule is the one hypothesis: it determines the
 partial derivatives. *)
-Theorem thm_2_2_2 g p phi psi F_g F_p H_g H_p :
+Theorem thm_2_2_2_right g p phi psi F_g F_p H_g H_p :
     derivatives_right g p phi F_g F_p -> derivatives_right g p psi H_g H_p ->
   canonical_pairing F_g F_p H_g H_p = pairing (R_star g p) (bracket phi psi).
 Proof.

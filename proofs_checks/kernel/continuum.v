@@ -412,9 +412,11 @@ Definition covariant_derivative (gamma : 'I_N -> 'I_N -> 'I_N -> R) (w : 'I_N ->
 (** ** The rule of Leibniz for the covariant divergence
 
 What fixes the covariant divergence of section 6.2 is that for every vector field \f$w\f$ of space along the
-section \f[ \frac1{\sqrt{\det G}}\frac{\partial}{\partial x^i}\bigl(\sqrt{\det G}\,\mathcal P_a{}^iw^a\bigr) =
-\mathcal P_a{}^i{}_{|i}\,w^a + \mathcal P_a{}^i\,\nabla_iw^a . \f] It holds with \f$\mathcal
-P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ in the last term, for any symbols \f$\gamma\f$. *)
+section
+\f[ \frac1{\sqrt{\det G}}\frac{\partial}{\partial x^i}\bigl(\sqrt{\det G}\,\mathcal P_a{}^iw^a\bigr) =
+\mathcal P_a{}^i{}_{|i}\,w^a + \mathcal P_a{}^i\,\nabla_iw^a . \f]
+It holds with \f$\mathcal P_b{}^j\,\gamma^b_{ac}\,F^c{}_j\f$ in the last term, for any symbols
+\f$\gamma\f$. *)
 Theorem claim_6_2_covariant_divergence gamma P w :
   vol^-1 * (\sum_i D (along_body i) (vol * \sum_a P a i * w a))
   = \sum_a two_point_divergence gamma P a * w a + \sum_a \sum_i P a i * covariant_derivative gamma w i a.
@@ -557,11 +559,12 @@ Definition acceleration := material_acceleration g d_y (D ord0) (velocity_of v).
 
 (** ** The equation of motion of a continuous medium
 
-For the density (6.3) the Euler-Lagrange equations (6.12) are \f[
-\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
+For the density (6.3) the Euler-Lagrange equations (6.12) are
+\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
 \Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr) = -\rho\,\frac{\partial W}{\partial
-g_{bc}}\frac{\partial g_{bc}}{\partial y^a} . \f] The Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times
-the difference of the two sides, for every section. *)
+g_{bc}}\frac{\partial g_{bc}}{\partial y^a} . \f]
+The Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference of the two sides, for every
+section. *)
 Theorem eq_6_13 a :
   euler_lagrange d_y d_v D medium_density a
   = - (vol * (rho * (\sum_b g a b * acceleration b)
@@ -616,8 +619,8 @@ Definition divergence_with (R : comUnitRingType) n N (D : 'I_n.+1 -> derivation 
     (last_term : 'I_N -> R) a :=
   \sum_i D (along_body i) (P a i) + \sum_j P a j * body_symbol D vol j - last_term a.
 
-(** What is asked of the last term: the rule of Leibniz, for the Christoffel symbols of a metric of the plane.
-*)
+(** What is asked of the last term: the rule of Leibniz, for the Christoffel symbols of a metric of the
+plane. *)
 Definition leibniz_rule_for (last_term : forall R : comUnitRingType,
     ('I_2 -> 'I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> ('I_2 -> 'I_2 -> R) -> 'I_2 -> R) : Prop :=
   forall (R : comUnitRingType) (v : 'I_2 -> 'I_3 -> R) (D : 'I_3 -> derivation R) (d_y : 'I_2 -> derivation R)

@@ -82,8 +82,8 @@ Proof. exact/esym/map_trmx. Qed.
 
 (** *** Jacobi's formula *)
 
-(** The derivative of a determinant: \f$d\det A = \mathrm{Tr}(\mathrm{adj}(A)\,dA)\f$. No inverse is needed.
-*)
+(** The derivative of a determinant: \f$d\det A = \mathrm{Tr}(\mathrm{adj}(A)\,dA)\f$. No inverse is
+needed. *)
 Lemma derivative_of_determinant n (A : 'M[R]_n) : d (\det A) = \tr (\adj A *m derivative_of d A).
 Proof.
 rewrite /determinant raddf_sum /=.

@@ -53,8 +53,8 @@ Definition chain_rule f u :=
 (** The momenta (6.4) of a density. C++: `actio::momenta`, `jets/density.hpp`. *)
 Definition momentum L a mu := d_v a mu L.
 
-(** The affine momentum \f$\Pi = L - p_a{}^\mu v^a{}_\mu\f$. C++: `actio::affine_momentum`,
-`jets/density.hpp`. *)
+(** The affine momentum \f$\Pi = L - p_a{}^\mu v^a{}_\mu\f$. The member `Pi` of
+what the Legendre transformation gives. C++: `actio::legendre`, `jets/density.hpp`. *)
 Definition affine_momentum L := L - \sum_a \sum_mu momentum L a mu * v a mu.
 
 (** The Euler-Lagrange derivative (6.12): \f$E_a = \frac{\partial L}{\partial y^a} -
@@ -234,12 +234,12 @@ Qed.
 
 (** ** The Euler-Lagrange derivative and the multisymplectic form
 
-With \f$\Omega = -d\Theta\f$, as it is set after (6.6), for every vector field \f$W\f$ on the jet bundle \f[
-(j^1\phi)^*(W\lrcorner\Omega) = -E_a\,(W^a - v^a{}_\mu W^\mu)\,d^{n+1}x , \f] where \f$E_a\f$ is the
-Euler-Lagrange derivative (6.12). So (6.8) has the sign that is printed in it reversed, \f$D_{EL}\mathcal
-L\cdot\mathcal V = -(j^1\phi)^*[j^1\mathcal V\lrcorner\Omega]\f$, for arbitrary variations. That \f$W\f$ is
-the prolongation of a variation is not used, nor that the section has commuting second derivatives: only the
-chain rule for the density along \f$W\f$ and along the section. *)
+With \f$\Omega = -d\Theta\f$, as it is set after (6.6), for every vector field \f$W\f$ on the jet bundle
+\f[ (j^1\phi)^*(W\lrcorner\Omega) = -E_a\,(W^a - v^a{}_\mu W^\mu)\,d^{n+1}x , \f]
+where \f$E_a\f$ is the Euler-Lagrange derivative (6.12). So (6.8) has the sign that is printed in it reversed,
+\f$D_{EL}\mathcal L\cdot\mathcal V = -(j^1\phi)^*[j^1\mathcal V\lrcorner\Omega]\f$, for arbitrary variations.
+That \f$W\f$ is the prolongation of a variation is not used, nor that the section has commuting second
+derivatives: only the chain rule for the density along \f$W\f$ and along the section. *)
 Theorem eq_6_8 L W : chain_rule L W -> (forall mu, chain_rule L (D mu)) ->
   multisymplectic_form L (before W D)
   = - \sum_a euler_lagrange L a * (W (y a) - \sum_mu v a mu * W (x mu)).
@@ -290,13 +290,33 @@ have sumE : \sum_b euler_lagrange L b * (d_y a (y b) - \sum_mu v b mu * d_y a (x
 by have := zero (d_y a) along_a; rewrite eq_6_8 // sumE => /eqP; rewrite oppr_eq0 => /eqP.
 Qed.
 
+(** ** The Euler-Lagrange derivative written out
+
+(6.12) with total derivatives is (6.9): by the chain rule for the momenta along the section
+\f[ E_a = \frac{\partial L}{\partial y^a} - \frac{\partial^2L}{\partial x^\mu\,\partial v^a{}_\mu} -
+\frac{\partial^2L}{\partial y^b\,\partial v^a{}_\mu}\,\phi^b{}_{,\mu} -
+\frac{\partial^2L}{\partial v^b{}_\nu\,\partial v^a{}_\mu}\,\phi^b{}_{,\mu\nu} . \f] *)
+Theorem claim_6_2_el_forms_equivalent L a : (forall mu, chain_rule (momentum L a mu) (D mu)) ->
+  euler_lagrange L a
+  = d_y a L - \sum_mu d_x mu (d_v a mu L) - \sum_mu \sum_b d_y b (d_v a mu L) * v b mu
+    - \sum_mu \sum_b \sum_nu d_v b nu (d_v a mu L) * D mu (v b nu).
+Proof.
+move=> along_D; rewrite /euler_lagrange -!addrA -!opprD; congr (_ - _); rewrite -!big_split.
+apply: eq_bigr => mu _ /=; rewrite along_D /momentum -addrA; congr (_ + (_ + _)).
+- rewrite (bigD1 mu) //= along_x eqxx mul1r big1 ?addr0 // => nu ne.
+  by rewrite along_x (negbTE ne) mul0r.
+- by apply: eq_bigr => b _; rewrite along_y mulrC.
+- by apply: eq_bigr => b _; apply: eq_bigr => nu _; rewrite mulrC.
+Qed.
+
 (** ** Noether's currents
 
 A vector field \f$X\f$ on the jet bundle contracted into the Cartan form and pulled back along a section is
-\f$(j^1\phi)^*(X\lrcorner\Theta) = j^\kappa\,d^nx_\kappa\f$ with \f[ j^\kappa = p_a{}^\kappa\,(X^a - v^a{}_\nu
-X^\nu) + L\,X^\kappa . \f] The coefficient \f$j^\kappa\f$ is the value of \f$\Theta\f$ on \f$D_0, \dots,
-D_n\f$ with \f$D_\kappa\f$ replaced by \f$X\f$. This is the momentum map (9.7) in coordinates, for every
-density and every \f$X\f$. C++: `actio::noether_current`, `noether/covariant_momentum_map.hpp`. *)
+\f$(j^1\phi)^*(X\lrcorner\Theta) = j^\kappa\,d^nx_\kappa\f$ with
+\f[ j^\kappa = p_a{}^\kappa\,(X^a - v^a{}_\nu X^\nu) + L\,X^\kappa . \f]
+The coefficient \f$j^\kappa\f$ is the value of \f$\Theta\f$ on \f$D_0, \dots, D_n\f$ with \f$D_\kappa\f$
+replaced by \f$X\f$. This is the momentum map (9.7) in coordinates, for every density and every \f$X\f$. C++:
+`actio::noether_current`, `noether/covariant_momentum_map.hpp`. *)
 Definition noether_current L X kappa : R :=
   \sum_a momentum L a kappa * (X (y a) - \sum_nu v a nu * X (x nu)) + L * X (x kappa).
 
@@ -429,10 +449,11 @@ Qed.
 
 Theorem 6.2.2 says that the form \f$j^1\mathcal V\lrcorner j^1\mathcal W\lrcorner\Omega\f$ has no flux through
 the boundary of a region where \f$V\f$ and \f$W\f$ are first variations of a solution. By Stokes' theorem that
-is a statement about a divergence: for all vertical variations, of a solution or not, \f[
-D_\mu\bigl(W^a\,V(p_a{}^\mu) - V^a\,W(p_a{}^\mu)\bigr) = V^a\,W(E_a) - W^a\,V(E_a) , \f] and it vanishes where
-both solve the linearised equations \f$V(E_a) = W(E_a) = 0\f$. Variations are vector fields that commute with
-the total derivatives; the chain rule is used along them and along their commutator. *)
+is a statement about a divergence: for all vertical variations, of a solution or not,
+\f[ D_\mu\bigl(W^a\,V(p_a{}^\mu) - V^a\,W(p_a{}^\mu)\bigr) = V^a\,W(E_a) - W^a\,V(E_a) , \f]
+and it vanishes where both solve the linearised equations \f$V(E_a) = W(E_a) = 0\f$. Variations are vector
+fields that commute with the total derivatives; the chain rule is used along them and along their
+commutator. *)
 Theorem thm_6_2_2_divergence L V W :
     (forall mu, V (x mu) = 0) -> (forall mu, W (x mu) = 0) ->
     (forall mu f, V (D mu f) = D mu (V f)) -> (forall mu f, W (D mu f) = D mu (W f)) ->
@@ -526,7 +547,7 @@ Qed.
 
 Section 9.2: with \f$\zeta_Y = (0, \zeta, 0)\f$ the current is
 \f$-\zeta\,(e\,d^nx_0 + p_a{}^j\dot\phi^a\,d^nx_j)\f$, with the energy density \f$e = p_a{}^0v^a{}_0 - L\f$ of
-(6.5). Time is the coordinate \f$x^0\f$. *)
+(6.5). Time is the coordinate \f$x^0\f$. C++: `actio::energy_density`, `jets/density.hpp`. *)
 Definition energy_density (R : comRingType) n N (v : 'I_N -> 'I_n.+1 -> R)
     (d_v : 'I_N -> 'I_n.+1 -> derivation R) (L : R) := \sum_a momentum d_v L a ord0 * v a ord0 - L.
 
@@ -548,6 +569,52 @@ rewrite /noether_current /energy_density; split=> [|j].
 rewrite base mulr0n mulr0 addr0 mulr_sumr -sumrN; apply: eq_bigr => a _; rewrite along; ring_identity.
 Qed.
 
+(** The balance of energy along a section:
+\f$\dot e + D_j\bigl(p_a{}^j\,\dot\phi^a\bigr) = -\dot\phi^a\,E_a\f$. *)
+Definition energy_balance (R : comRingType) n N (v : 'I_N -> 'I_n.+1 -> R) (d_y : 'I_N -> derivation R)
+    (d_v : 'I_N -> 'I_n.+1 -> derivation R) (D : 'I_n.+1 -> derivation R) (L : R) : Prop :=
+  D ord0 (energy_density v d_v L) + \sum_j D (lift ord0 j) (\sum_a momentum d_v L a (lift ord0 j) * v a ord0)
+  = - (\sum_a v a ord0 * euler_lagrange d_y d_v D L a).
+
+(** ** The continuity of energy
+
+Section 9.2: where the density does not depend on time, \f$\partial L/\partial t = 0\f$, along every section
+\f[ \dot e + D_j\bigl(p_a{}^j\,\dot\phi^a\bigr) = -\dot\phi^a\,E_a \f]
+for every density: along solutions energy is continuous, and a closed current of time says no more than
+\f$\dot\phi^aE_a = 0\f$. The vector field is \f$\partial/\partial t\f$. *)
+Theorem claim_9_2_energy_converse (R : comRingType) n N
+    (x : 'I_n.+1 -> R) (y : 'I_N -> R) (v : 'I_N -> 'I_n.+1 -> R)
+    (d_x : 'I_n.+1 -> derivation R) (d_y : 'I_N -> derivation R) (d_v : 'I_N -> 'I_n.+1 -> derivation R)
+    (D : 'I_n.+1 -> derivation R) (L : R) (X : derivation R) :
+    (forall mu nu, D nu (x mu) = (mu == nu)%:R) -> (forall a mu, D mu (y a) = v a mu) ->
+    (forall a mu nu, D mu (v a nu) = D nu (v a mu)) -> (forall mu, chain_rule x y v d_x d_y d_v L (D mu)) ->
+    (forall mu, X (x mu) = (mu == ord0)%:R) -> (forall a, X (y a) = 0) -> (forall a mu, X (v a mu) = 0) ->
+    chain_rule x y v d_x d_y d_v L X -> X L = 0 ->
+  energy_balance v d_y d_v D L.
+Proof.
+move=> along_x along_y mixed along_D base fields velocities along_X no_time; rewrite /energy_balance.
+have constant mu nu : D mu (X (x nu)) = 0 by rewrite base derivative_of_nat.
+have prolonged_X : prolonged x y v D X.
+  by move=> a mu; rewrite velocities fields raddf0 big1 ?subr0 // => nu _; rewrite constant mulr0.
+have := thm_9_1_1 along_x along_y mixed prolonged_X along_X along_D.
+rewrite /equivariance_rate no_time [X in L * X]big1 => [|mu _]; last exact: constant.
+rewrite mulr0 addr0 sub0r.
+have [time_part space_part] : noether_current x y v d_v L X ord0 = - (1 * energy_density v d_v L)
+    /\ forall j, noether_current x y v d_v L X (lift ord0 j)
+                 = - (1 * \sum_a momentum d_v L a (lift ord0 j) * v a ord0).
+  apply: claim_9_2_time_current => // mu; exact: base.
+rewrite big_ord_recl time_part mul1r raddfN /=.
+have -> : \sum_(j < n) D (lift ord0 j) (noether_current x y v d_v L X (lift ord0 j))
+          = - (\sum_j D (lift ord0 j) (\sum_a momentum d_v L a (lift ord0 j) * v a ord0)).
+  by rewrite -sumrN; apply: eq_bigr => j _; rewrite space_part mul1r raddfN.
+have -> : \sum_a euler_lagrange d_y d_v D L a * (X (y a) - \sum_mu v a mu * X (x mu))
+          = - (\sum_a v a ord0 * euler_lagrange d_y d_v D L a).
+  rewrite -sumrN; apply: eq_bigr => a _; rewrite fields big_ord_recl base eqxx big1 => [|j _].
+    by rewrite /=; ring_identity.
+  by rewrite base mulr0.
+by rewrite -opprD => /oppr_inj.
+Qed.
+
 (** ** Constraints and multipliers *)
 
 Section Constraints.
@@ -561,8 +628,8 @@ Variables (L : R) (Phi lambda : 'I_k -> R).
 Hypothesis multiplier_y : forall a i, d_y a (lambda i) = 0.
 Hypothesis multiplier_v : forall a mu i, d_v a mu (lambda i) = 0.
 
-(** The left side of the constrained Euler-Lagrange equations (7.2). C++: `actio::constrained_equations`,
-`constraints/constrained_equations.hpp`. *)
+(** The left side of the constrained Euler-Lagrange equations (7.2). C++:
+`actio::constrained_field_equations`, `constraints/constrained_equations.hpp`. *)
 Definition constrained_equation (l : 'I_k -> R) a :=
   \sum_mu D mu (d_v a mu L) - d_y a L
   + \sum_i l i * d_y a (Phi i) - \sum_mu D mu (\sum_i l i * d_v a mu (Phi i)).
@@ -645,8 +712,8 @@ At a point \f$\varphi\f$ with \f$\Psi(\varphi) = 0\f$ the differential of \f$h\f
 only if there is a multiplier, \f$dh = \lambda\,d\Psi\f$, and that is what it means that \f$h -
 \langle\lambda, \Psi\rangle\f$ is critical at \f$(\varphi, \lambda)\f$. This holds over any field and for any
 \f$\Psi\f$. That \f$d\Psi\f$ is onto, a hypothesis that Theorem 7.1.1 does not name, is needed for the vectors
-in question to be the tangent vectors of \f$\mathcal N = \Psi^{-1}(0)\f$, and it makes the multiplier unique.
-*)
+in question to be the tangent vectors of \f$\mathcal N = \Psi^{-1}(0)\f$, and it makes the multiplier
+unique. *)
 Theorem claim_7_1_first_to_second_on_kernel (F : fieldType) m k (dh : 'rV[F]_m) (dPsi : 'M[F]_(k, m)) :
   (forall u : 'cV[F]_m, dPsi *m u = 0 -> dh *m u = 0) <-> exists lambda : 'rV[F]_k, dh = lambda *m dPsi.
 Proof.

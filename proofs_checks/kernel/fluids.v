@@ -214,9 +214,10 @@ Hypothesis along_section : forall k b c, D k (g b c) = \sum_a F a k * d_y a (g b
 
 (** ** Piola's identity
 
-The terms (I) and (II) of (6.17), from differentiating \f$\det v\f$ and \f$(v^{-1})^k{}_a\f$, cancel: \f[
-\frac{\partial\det F}{\partial x^k}(F^{-1})^k{}_a + \det F\,\frac{\partial(F^{-1})^k{}_a}{\partial x^k} = 0
-\f] where \f$F\f$ is the gradient of a map, in every dimension. *)
+The terms (I) and (II) of (6.17), from differentiating \f$\det v\f$ and \f$(v^{-1})^k{}_a\f$, cancel:
+\f[ \frac{\partial\det F}{\partial x^k}(F^{-1})^k{}_a +
+\det F\,\frac{\partial(F^{-1})^k{}_a}{\partial x^k} = 0 \f]
+where \f$F\f$ is the gradient of a map, in every dimension. *)
 Theorem claim_6_2_cancelling_terms a : F \in unitmx ->
   \sum_k D k (\det F) * invmx F k a + \sum_k \det F * D k (invmx F k a) = 0.
 Proof.
@@ -234,11 +235,8 @@ Definition printed_middle_line P a : R :=
 Definition last_line P a : R :=
   \sum_k D k P * areas k a + 2%:R^-1 * P * J * \tr (invmx g *m derivative_of (d_y a) g).
 
-(** ** The left side for a barotropic fluid, in three lines
-
-(6.17), without the inertial term: with \f$\det F\,(F^{-1})^k{}_a\f$ for the cofactors and the root of \f$\det
-g\f$ in the middle line, it holds for every function \f$P\f$. *)
-Theorem eq_6_17_first_and_middle P a : first_line P a = middle_line P a.
+(** The first two lines agree by Piola's identity. *)
+Lemma first_and_middle_line P a : first_line P a = middle_line P a.
 Proof.
 have cofactor_form k : areas k a * root_G = root_g * (\adj F) k a.
   rewrite /areas /area_transformation mxE.
@@ -276,7 +274,7 @@ rewrite mul_mx_adj (bigD1 a) //= big1 => [|b ne]; last by rewrite mxE (negbTE ne
 rewrite mxE eqxx addr0 /= mulr1n; ring_identity.
 Qed.
 
-Theorem eq_6_17_middle_and_last P a : middle_line P a = last_line P a.
+Lemma middle_and_last_line P a : middle_line P a = last_line P a.
 Proof.
 rewrite /middle_line /last_line; congr (_ + _).
 have -> : \sum_k (\adj F) k a * D k root_g
@@ -285,16 +283,20 @@ have -> : \sum_k (\adj F) k a * D k root_g
 rewrite /J /jacobian; ring_identity.
 Qed.
 
+(** ** The left side for a barotropic fluid, in three lines
+
+(6.17), without the inertial term: with \f$\det F\,(F^{-1})^k{}_a\f$ for the cofactors and the root of
+\f$\det g\f$ in the middle line, the three lines are one, for every function \f$P\f$. *)
+Theorem eq_6_17 P a : first_line P a = middle_line P a /\ middle_line P a = last_line P a.
+Proof. by rewrite first_and_middle_line middle_and_last_line. Qed.
+
 (** The first expression equals the last. *)
 Theorem claim_6_2_barotropic_expansion_end P a : first_line P a = last_line P a.
-Proof. by rewrite eq_6_17_first_and_middle eq_6_17_middle_and_last. Qed.
+Proof. by rewrite first_and_middle_line middle_and_last_line. Qed.
 
-(** ** The pressure of a point of space
-
-Where \f$P = p\circ\phi\f$ is a function of the point of space, \f$\frac{\partial P}{\partial
-x^k}\,J\,(F^{-1})^k{}_a = J\,\frac{\partial p}{\partial y^a}\f$; with the spatial density \f$\rho/J\f$ this
-makes of (6.18) \f$\frac{D_gV}{Dt} = -\frac1{\rho_{\mathrm{sp}}}\mathrm{grad}\,p\circ\phi\f$. *)
-Theorem claim_6_2_barotropic_spatial_form P (slope : 'I_n -> R) a :
+(** The slopes of a function \f$P = p\circ\phi\f$ of the point of space: \f$\frac{\partial P}{\partial
+x^k}\,J\,(F^{-1})^k{}_a = J\,\frac{\partial p}{\partial y^a}\f$. *)
+Lemma slope_in_space P (slope : 'I_n -> R) a :
     (forall k, D k P = \sum_b F b k * slope b) ->
   \sum_k D k P * areas k a = J * slope a.
 Proof.
@@ -326,7 +328,7 @@ have along k (b c : 'I_1) : D k ((r ^+ 2)%:M b c) = \sum_a (1%:M : 'M[R]_1) a k 
   by rewrite big_ord1 (ord1 k) [X in _ = X * _]mxE mul1r.
 have root : r ^+ 2 = \det ((r ^+ 2)%:M : 'M[R]_1) by rewrite det_scalar1.
 have := claim R 1%N 1%:M ((r ^+ 2)%:M) r 1 D D 1 root unit_r (unitr1 _) gradient along 0.
-rewrite eq_6_17_first_and_middle ?unitr1 // /middle_line /printed_middle_line.
+rewrite first_and_middle_line ?unitr1 // /middle_line /printed_middle_line.
 rewrite !big_ord1 adjugate_of_one [1%:M 0 0]mxE det_scalar1 eqxx divr1 !mul1r => /addrI equal.
 have : (1 : rat) = 1 * 1 + 1 * 1 := congr1 (fun f : R => f.2) equal.
 by rewrite !mul1r => /eqP; vm_compute.
@@ -424,8 +426,9 @@ Qed.
 
 (** ** The equation of a barotropic fluid
 
-(6.18): for \f$W = W(J, x)\f$ with the pressure \f$P = -\rho\,\partial W/\partial J\f$ \f[
-\rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a , \f]
+(6.18): for \f$W = W(J, x)\f$ with the pressure \f$P = -\rho\,\partial W/\partial J\f$
+\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b =
+-\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a , \f]
 with a mass density that may vary: the Euler-Lagrange derivative is \f$-\sqrt{\det G}\f$ times the difference
 of the two sides. *)
 Theorem eq_6_18 W_J a :
@@ -447,6 +450,42 @@ rewrite mulrDr mulrBr [root_G * (root_G^-1 * Z)]mulrA mulrV // mul1r -/P.
 have -> : root_G * (rho * (W_J * d_y a J)) = - (P * root_G * d_y a J).
   rewrite /P /material_pressure; ring_identity.
 rewrite mulrDr -[root_G * \sum_k _]opprK -pressure -/Z; ring_identity.
+Qed.
+
+(** ** The equation with spatial density and spatial pressure
+
+Where \f$P = p\circ\phi\f$ is a function of the point of space the field equations of a barotropic fluid say
+that
+\f[ \frac{D_gV}{Dt} = -\frac1{\rho_{\mathrm{sp}}}\,\mathrm{grad}\,p\circ\phi , \qquad
+\rho_{\mathrm{sp}} = \rho/J , \f]
+with the gradient of the metric \f$g\f$. *)
+Theorem claim_6_2_barotropic_spatial_form W_J (slope : 'I_n -> R) : rho \is a GRing.unit ->
+    (forall b k, d_v b (along_body k) W = W_J * d_v b (along_body k) J) ->
+    (forall b, d_y b W = W_J * d_y b J) ->
+    (forall k, D_body k (material_pressure rho W_J) = \sum_b F b k * slope b) ->
+  (forall a, euler_lagrange d_y d_v D (medium_density v rho root_G g W) a = 0)
+  <-> (forall b, acceleration v d_y D g b = - (J / rho * \sum_a invmx g b a * slope a)).
+Proof.
+move=> unit_rho chain_v chain_y chain_p; have unit_metric := metric_is_regular medium.
+pose acc : 'cV[R]_n := \col_b acceleration v d_y D g b; pose p : 'cV[R]_n := \col_a slope a.
+have fieldE a : euler_lagrange d_y d_v D (medium_density v rho root_G g W) a
+                = - (root_G * (rho * (g *m acc) a 0 + J * slope a)).
+  rewrite (eq_6_18 a chain_v chain_y) -/areas.
+  rewrite (slope_in_space root_g root_G a chain_p) mxE; congr (- (_ * (_ * _ + _))).
+  by apply: eq_bigr => b _; rewrite mxE.
+have rightE b : - (J / rho * \sum_a invmx g b a * slope a) = (- (J / rho) *: (invmx g *m p)) b 0.
+  by rewrite mxE mulNr mxE; congr (- (_ * _)); apply: eq_bigr => a _; rewrite mxE.
+split=> [solves b|law a].
+  have lowered : g *m acc = - (J / rho) *: p.
+    apply/matrixP => a z; rewrite (ord1 z) [RHS]mxE [p a 0]mxE; have := solves a; rewrite fieldE => /eqP.
+    rewrite oppr_eq0 => /eqP /(congr1 ( *%R root_G^-1)); rewrite mulKr // mulr0 => /eqP.
+    rewrite addr_eq0 => /eqP /(congr1 ( *%R rho^-1)); rewrite mulKr // => ->; ring_identity.
+  have : acc = - (J / rho) *: (invmx g *m p) by rewrite scalemxAr -lowered mulmxA mulVmx // mul1mx.
+  by rewrite rightE => /matrixP /(_ b 0); rewrite mxE.
+have : acc = - (J / rho) *: (invmx g *m p) by apply/matrixP => b z; rewrite (ord1 z) -rightE mxE law.
+rewrite fieldE => ->; rewrite -scalemxAr mulmxA mulmxV // mul1mx !mxE.
+have -> : rho * (- (J / rho) * slope a) = - (rho / rho * (J * slope a)) by ring_identity.
+by rewrite divrr // mul1r addNr mulr0 oppr0.
 Qed.
 
 End Fluids.

@@ -459,7 +459,7 @@ Theorem def_4_1_2_group algebra (p : 'M[dual R]_n -> 'M[dual R]_n) (f p0 a b a' 
 Proof.
 move=> uf at_f closed differences keeps in_a in_b in_a' in_b' /= of_a of_b.
 apply: oppr_inj; rewrite -!pairing_oppl.
-apply: (prop_3_2_1 uf at_f closed differences keeps) => // theta in_theta.
+apply: (prop_3_2_1_of_matrices uf at_f closed differences keeps) => // theta in_theta.
   by rewrite /varied_momentum_before /varied_momentum_after !rate_of_opp !pairing_oppl of_a.
 by rewrite /varied_momentum_before /varied_momentum_after !rate_of_opp !pairing_oppl of_b.
 Qed.
@@ -479,7 +479,7 @@ Section 4.2: for a generating function \f$S(g, g_0)\f$ that is invariant under m
 configurations on the left there is one and only one \f$S_L\f$ with \f$S_L(g^{-1}g_0) = S(g, g_0)\f$, namely
 \f$S_L(f) = S(1, f)\f$. Its values may be of any type. *)
 
-Theorem claim_4_2_invariant_generating_function (R : comUnitRingType) (n : nat) T
+Theorem claim_4_2_invariant_generating_function_of_matrices (R : comUnitRingType) (n : nat) T
   (S : 'M[R]_n -> 'M[R]_n -> T) :
   (forall g g0 k, g \in unitmx -> g0 \in unitmx -> k \in unitmx -> S (k *m g) (k *m g0) = S g g0) ->
   let S_L f := S 1%:M f in
@@ -542,7 +542,7 @@ Qed.
 Section 4.2: \f$\Pi_{k-1} = -L^*_{f_{k,k-1}}d\ell(f_{k,k-1})\f$ is the body momentum at \f$g_{k-1}\f$ with
 which the step to \f$g_k\f$ begins. *)
 
-Theorem claim_4_2_left_legendre_map l g0 g1 : g1 \in unitmx ->
+Theorem claim_4_2_left_legendre_map_of_matrices l g0 g1 : g1 \in unitmx ->
   differentiable l (relative_motion_left g0 g1) ->
   body_momentum g0 (start_momentum (lift_left l) g0 g1) = momentum_before_left l (relative_motion_left g0 g1).
 Proof.
@@ -556,12 +556,12 @@ Qed.
 \f$f = f_{k+1,k} = g_{k+1}^{-1}g_k\f$ are the body momenta at the start and at the end of the step. No
 equation of motion is needed. *)
 
-Theorem eq_4_4 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_left gk gk1 in
+Theorem eq_4_4_of_matrices l gk gk1 : gk1 \in unitmx -> let f := relative_motion_left gk gk1 in
   differentiable l f ->
   body_momentum gk (start_momentum (lift_left l) gk gk1) = - left_differential l f
   /\ body_momentum gk1 (end_momentum (lift_left l) gk gk1) = - right_differential l f.
 Proof.
-move=> u1 f dl; split; first exact: claim_4_2_left_legendre_map.
+move=> u1 f dl; split; first exact: claim_4_2_left_legendre_map_of_matrices.
 rewrite /end_momentum second_differential_left // /body_momentum /L_star mulmxN mulmxA.
 by rewrite transpose_inverse // mul1mx.
 Qed.
@@ -578,7 +578,7 @@ Proof. by move/eqP; rewrite subr_eq0 => /eqP; rewrite /momentum_before_left => -
 
 Section 4.2: the two lines of (4.4), with their minus signs, are (4.2) and (4.3) with \f$S_L = \ell\f$. *)
 
-Theorem claim_4_2_hamilton_jacobi_identification l Pi Pi' :
+Theorem claim_4_2_hamilton_jacobi_identification_of_matrices l Pi Pi' :
   (exists f, [/\ f \in unitmx, Pi = - left_differential l f & Pi' = - right_differential l f])
   <-> (exists g, [/\ g \in unitmx, Pi = initial_momentum_left l g & Pi' = final_momentum_left g Pi]).
 Proof.
@@ -591,7 +591,7 @@ Qed.
 Section 4.2: the equation (3.11) joins two of the systems (4.4), the second line of one step and the first
 line of the next, with \f$\Pi_k\f$ eliminated. *)
 
-Theorem claim_4_2_system_and_dep l f10 f21 :
+Theorem claim_4_2_system_and_dep_of_matrices l f10 f21 :
   euler_poincare_left l f10 f21 = 0
   <-> exists Pi, Pi = right_differential l f10 /\ Pi = left_differential l f21.
 Proof.
@@ -611,7 +611,7 @@ Theorem claim_4_2_system_and_dep_configurations l g0 g1 g2 :
   Ad_star g1 (discrete_euler_lagrange (lift_left l) g0 g1 g2) = euler_poincare_left l f10 f21.
 Proof.
 move=> u1 u2 f10 f21 d10 d21; rewrite /discrete_euler_lagrange /D1 /D2 -/(R_star _ _).
-have [_ last] := eq_4_4 u1 d10; have [first _] := eq_4_4 u2 d21.
+have [_ last] := eq_4_4_of_matrices u1 d10; have [first _] := eq_4_4_of_matrices u2 d21.
 have linear p q : Ad_star g1 (p + q) = Ad_star g1 p + Ad_star g1 q by rewrite /Ad_star mulmxDr mulmxDl.
 rewrite linear !Ad_star_right // /euler_poincare_left addrC; congr (_ + _); last exact: last.
 by apply: oppr_inj; rewrite -first /body_momentum /start_momentum /L_star mulmxN.
@@ -622,7 +622,7 @@ Qed.
 Section 4.2: \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$, for the two lines of (4.4) as they are
 printed and with minus signs as well. *)
 
-Theorem claim_4_2_dlp_consequence l f Pi Pi' : f \in unitmx ->
+Theorem claim_4_2_dlp_consequence_of_matrices l f Pi Pi' : f \in unitmx ->
   Pi = left_differential l f /\ Pi' = right_differential l f
   \/ Pi = - left_differential l f /\ Pi' = - right_differential l f ->
   Pi' = lie_poisson_update_left f Pi.
@@ -646,7 +646,7 @@ Proof. by rewrite /Ad_star -scalemxAr -scalemxAl. Qed.
 (4.5): with \f$F\ell = c\,L^*d\ell\f$ the square commutes,
 \f$F\ell\circ\Sigma_\ell = \Lambda_\ell\circ F\ell\f$, for every number \f$c\f$; \f$-1\f$ gives the physical
 momentum, and 1 is printed. *)
-Theorem eq_4_5 c l f10 f21 : f10 \in unitmx -> sigma_left l f10 f21 ->
+Theorem eq_4_5_of_matrices c l f10 f21 : f10 \in unitmx -> sigma_left l f10 f21 ->
   lambda_left c l (legendre_left c l f10) (legendre_left c l f21).
 Proof.
 move=> u /eqP; rewrite subr_eq0 => /eqP motion; exists f10; split=> //.
@@ -685,7 +685,7 @@ have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f ->
     pairing (- L_star f 1%:M) x = pairing (L_star f 1%:M) x.
   move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
   have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  rewrite claim_4_2_left_legendre_map ?unitmx1 // relative_to_one.
+  rewrite claim_4_2_left_legendre_map_of_matrices ?unitmx1 // relative_to_one.
   by rewrite /momentum_before_left /left_differential linear_differential.
 by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
 Qed.
@@ -715,18 +715,17 @@ have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f ->
     pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
   move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
   have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  have [_ ->] := eq_4_4 (unitmx1 _ _) dl; rewrite relative_to_one.
+  have [_ ->] := eq_4_4_of_matrices (unitmx1 _ _) dl; rewrite relative_to_one.
   by rewrite /right_differential linear_differential.
 by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
 Qed.
 
 (** ** The printed system is not that of Hamilton and Jacobi
 
-Section 4.2: that the printed system (4.4) "is precisely the Lie-Poisson Hamilton-Jacobi system with the
-reduced discrete Lagrangian \f$\ell\f$ playing the role of the generating function" fails not only in the
-signs of momenta: the two systems do not relate the same momenta. On 1 by 1 matrices with \f$\ell(f) = f^2\f$
-the printed one takes the momentum 2 to itself, by \f$f = 1\f$; (4.2) asks for \f$-2g^2 = 2\f$, which no
-rational \f$g\f$ satisfies. *)
+Section 4.2: that the printed system (4.4) is the Lie-Poisson Hamilton-Jacobi system with the reduced discrete
+Lagrangian \f$\ell\f$ as its generating function fails not only in the signs of momenta: the two systems do
+not relate the same momenta. On 1 by 1 matrices with \f$\ell(f) = f^2\f$ the printed one takes the momentum 2
+to itself, by \f$f = 1\f$; (4.2) asks for \f$-2g^2 = 2\f$, which no rational \f$g\f$ satisfies. *)
 Theorem claim_4_2_hamilton_jacobi_identification_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (Pi Pi' : 'M[R]_n),
      (forall f, f \in unitmx -> differentiable l f) ->
@@ -871,7 +870,7 @@ Qed.
 R_{g_k}^*\Bigl(R_{g_{k+1}^{-1}}^*\frac{\partial\ell}{\partial f}\Bigr) = R_f^*\,\frac{\partial\ell}{\partial
 f} = R_f^*\,\ell'(f). \f] *)
 
-Theorem eq_4_8 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+Theorem eq_4_8_of_matrices l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
   differentiable l f ->
   R_star gk (first_differential (lift_right l) gk gk1) = R_star gk (R_star (invmx gk1) (differential l f))
   /\ R_star gk (R_star (invmx gk1) (differential l f)) = R_star f (differential l f).
@@ -892,10 +891,11 @@ Definition legendre_of_group (c : R) l f : 'M[R]_n := c *: right_differential l 
 In theorem 4.3.1: from a pair the two ways around the square (4.6) lead to one momentum, with any factor
 \f$c\f$ in both Legendre maps; 1 is printed, and \f$-1\f$ gives physical momenta. That \f$\mathbb L\f$ is
 regular is not needed. *)
-Theorem thm_4_3_1 c l gk gk1 : gk1 \in unitmx -> differentiable l (relative_motion_right gk gk1) ->
+Theorem thm_4_3_1_of_matrices c l gk gk1 : gk1 \in unitmx ->
+  differentiable l (relative_motion_right gk gk1) ->
   quotient_of_covectors (legendre_of_pairs c l gk gk1) = legendre_of_group c l (relative_motion_right gk gk1).
 Proof.
-move=> u dl; have [first last] := eq_4_8 u dl.
+move=> u dl; have [first last] := eq_4_8_of_matrices u dl.
 by rewrite /quotient_of_covectors /= {1}/R_star -scalemxAl -/(R_star _ _) first last.
 Qed.
 
@@ -903,11 +903,11 @@ Qed.
 
 (4.7): \f$p_k = \partial\mathbb L/\partial g_k\f$ and \f$\mu = R_{g_k}^*p_k = R_f^*\ell'(f)\f$, over \f$f\f$
 with \f$fg_{k+1} = g_k\f$. *)
-Theorem eq_4_7 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+Theorem eq_4_7_of_matrices l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
   differentiable l f -> f *m gk1 = gk /\ D1 (lift_right l) gk gk1 = right_differential l f.
 Proof.
 move=> u f dl; split; first by rewrite /f /relative_motion_right -mulmxA mulVmx // mulmx1.
-by rewrite /D1; have [-> ->] := eq_4_8 u dl.
+by rewrite /D1; have [-> ->] := eq_4_8_of_matrices u dl.
 Qed.
 
 Lemma second_differential_right l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
@@ -924,11 +924,11 @@ Qed.
 
 (4.6): before the step \f$D_1\mathbb L\f$ above and \f$R_f^*\ell'(f)\f$ below, after the step
 \f$D_2\mathbb L\f$ above and \f$-L_f^*\ell'(f)\f$ below. *)
-Theorem eq_4_6 l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+Theorem eq_4_6_of_matrices l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
   differentiable l f ->
   D1 (lift_right l) gk gk1 = right_differential l f /\ D2 (lift_right l) gk gk1 = - left_differential l f.
 Proof.
-move=> u f dl; split; first by have [_ ->] := eq_4_7 u dl.
+move=> u f dl; split; first by have [_ ->] := eq_4_7_of_matrices u dl.
 rewrite /D2 /left_differential second_differential_right // /R_star mulNmx -mulmxA.
 by rewrite inverse_transpose // mulmx1.
 Qed.
@@ -939,12 +939,13 @@ Last line of the proof of theorem 4.3.1: \f$\mu = F\ell(f) = -R_f^*\ell'(f)\f$, 
 momentum, is the spatial momentum with which the step from \f$g_k\f$ begins, \f$\mathbb L\f$ being an action.
 *)
 
-Theorem claim_4_3_legendre_map_value l gk gk1 : gk1 \in unitmx -> let f := relative_motion_right gk gk1 in
+Theorem claim_4_3_legendre_map_value_of_matrices l gk gk1 : gk1 \in unitmx -> let f :=
+  relative_motion_right gk gk1 in
   differentiable l f ->
   spatial_momentum gk (start_momentum (lift_right l) gk gk1) = momentum_before_right l f.
 Proof.
 move=> u f dl; rewrite /spatial_momentum /start_momentum /R_star mulNmx -/(R_star _ _).
-by have [-> ->] := eq_4_8 u dl.
+by have [-> ->] := eq_4_8_of_matrices u dl.
 Qed.
 
 (** ** The reconstructed algorithm is the image of the discrete motion
@@ -969,7 +970,7 @@ have f_is : relative_motion_right (g k) (g k.+1) = f k.
   rewrite step /relative_motion_right /reconstruct_right inverse_product ?unitmx_inv // invmxK.
   by rewrite mulmxA mulmxV // mul1mx.
 have dl_k : differentiable l (relative_motion_right (g k) (g k.+1)) by rewrite f_is.
-have := claim_4_3_legendre_map_value (ug k.+1) dl_k; rewrite f_is -mu_is => <-.
+have := claim_4_3_legendre_map_value_of_matrices (ug k.+1) dl_k; rewrite f_is -mu_is => <-.
 by rewrite /spatial_momentum /R_star -mulmxA transpose_inverse // mulmx1.
 Qed.
 
@@ -999,12 +1000,12 @@ Section 4.3, above (4.10): \f$TF\ell\circ T\pi_d = T\pi\circ TF\mathbb L\f$. The
 commutative ring; over that of dual numbers, with functions given on dual numbers of dual numbers, it says
 that the two ways around the square lead to one momentum and to one rate of it. *)
 
-Theorem claim_4_3_tangent_square (R : comUnitRingType) (n : nat) (c : dual R)
+Theorem claim_4_3_tangent_square_of_matrices (R : comUnitRingType) (n : nat) (c : dual R)
   (l : 'M[dual (dual R)]_n -> dual (dual R)) (gk gk1 v v1 : 'M[R]_n) : gk1 \in unitmx ->
   differentiable l (relative_motion_right (varied gk v) (varied gk1 v1)) ->
   rate_of (quotient_of_covectors (legendre_of_pairs c l (varied gk v) (varied gk1 v1)))
   = rate_of (legendre_of_group c l (relative_motion_right (varied gk v) (varied gk1 v1))).
-Proof. by move=> u dl; rewrite thm_4_3_1 // varied_unit. Qed.
+Proof. by move=> u dl; rewrite thm_4_3_1_of_matrices // varied_unit. Qed.
 
 (** ** The middle of (4.8) as printed
 
@@ -1041,7 +1042,7 @@ have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f ->
     pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
   move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_right f 1%:M).
   have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  rewrite claim_4_3_legendre_map_value ?unitmx1 // eq_3_9_onto.
+  rewrite claim_4_3_legendre_map_value_of_matrices ?unitmx1 // eq_3_9_onto.
   by rewrite /momentum_before_right /right_differential linear_differential.
 by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
 Qed.
@@ -1083,7 +1084,7 @@ Qed.
 
 (** ** The composed motion does not approximate the position
 
-Section 4.2: the thesis has the solution \f$g\f$ of (4.2) approximate "the current position \f$g(t)\f$". Take
+Section 4.2: the thesis has the solution \f$g\f$ of (4.2) approximate the configuration \f$g(t)\f$. Take
 the motion \f$g(t) = 1 + tpE_{12}\f$ of a free particle, which begins at the identity, at the times
 \f$kT/N\f$: the composed relative motion is \f$1 - TpE_{12}\f$ for every number \f$N\f$ of steps, the inverse
 of the position \f$1 + TpE_{12}\f$. *)
@@ -1227,7 +1228,7 @@ Section 4.3, remark below corollary 4.3.1: where the discrete Lagrangian is an a
 Legendre map is \f$(g_k, g_{k+1})\mapsto(g_k, -\Delta t\,D_1\mathbb L(g_k, g_{k+1}))\f$, the momentum of the
 action \f$\Delta t\,\mathbb L\f$. *)
 
-Theorem claim_4_3_time_step_legendre (R : comUnitRingType) (n : nat)
+Theorem claim_4_3_time_step_legendre_of_matrices (R : comUnitRingType) (n : nat)
   (L : 'M[dual R]_n -> 'M[dual R]_n -> dual R) (step : R) (gk gk1 : 'M[R]_n) :
   differentiable (fun x => L x (still gk1)) gk ->
   start_momentum (fun x y => Dual step 0 * L x y) gk gk1 = - (step *: first_differential L gk gk1).
@@ -1248,7 +1249,7 @@ Proof.
 move=> printed.
 have opposite (R : comUnitRingType) (n : nat) (W : 'M[R]_n) : - W = W.
   have := printed R n (fun x _ => linear_function W x) 1 1%:M 1%:M (@linear_differentiable R n W _).
-  rewrite claim_4_3_time_step_legendre ?scale1r; last exact: linear_differentiable.
+  rewrite claim_4_3_time_step_legendre_of_matrices ?scale1r; last exact: linear_differentiable.
   by rewrite /first_differential linear_differential.
 by have := opposite _ _ (matrix_of 2 quarter_turn); decide_by_computation.
 Qed.

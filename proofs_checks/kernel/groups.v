@@ -124,7 +124,7 @@ At one point of the family only \f$g\f$, \f$\dot g\f$, \f$\delta g\f$ and the mi
 \f$\epsilon\f$ as \f$(\dot g + \epsilon\,\delta\dot g)(g + \epsilon\,\delta g)^{-1}\f$, and \f$\eta\f$ with
 the time as \f$(\delta g + t\,\delta\dot g)(g + t\,\dot g)^{-1}\f$. *)
 
-Theorem claim_2_2_reduced_variation_ad g g_dot g_varied g_dot_varied : g \in unitmx ->
+Theorem claim_2_2_reduced_variation_ad_of_matrices g g_dot g_varied g_dot_varied : g \in unitmx ->
   let xi := varied g_dot g_dot_varied *m invmx (varied g g_varied) in
   let eta := varied g_varied g_dot_varied *m invmx (varied g g_dot) in
   rate_of xi = rate_of eta - ad (value_of xi) (value_of eta).
@@ -157,7 +157,7 @@ Condition iv of theorem 2.2.1 is printed
 with \f$\mathrm{ad}_\xi\,\eta = [\xi,\eta]\f$ as in theorem 2.2.3. The second of the two expressions fails
 wherever velocity and variation do not commute: at \f$g = 1\f$ already, with \f$\dot g\f$ and \f$\delta g\f$
 the two 2 by 2 matrices that have a single 1 beside the diagonal. The first expression is
-`claim_2_2_reduced_variation_ad`. *)
+`claim_2_2_reduced_variation_ad_of_matrices`. *)
 
 Theorem claim_2_2_reduced_variation_bracket_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (g g_dot g_varied g_dot_varied : 'M[R]_n), g \in unitmx ->
@@ -246,7 +246,7 @@ map is linear and so carries tangent vectors as it carries momenta; tangent vect
 which it has the same value. All that is used of \f$g\f$ is that \f$\mathrm{Ad}_g\f$ and
 \f$\mathrm{Ad}_{g^{-1}}\f$ keep the algebra; that this is closed under brackets is not needed. *)
 
-Theorem claim_2_2_coadjoint_action_kk algebra g mu v w c : g \in unitmx ->
+Theorem claim_2_2_coadjoint_action_kk_of_matrices algebra g mu v w c : g \in unitmx ->
   Ad_keeps algebra g -> Ad_keeps algebra (invmx g) ->
   kirillov_kostant_plus algebra mu v w c ->
   kirillov_kostant_plus algebra (Ad_star (invmx g) mu) (Ad_star (invmx g) v) (Ad_star (invmx g) w) c.
@@ -333,7 +333,7 @@ Qed.
 Section 3.2, before (3.17): \f$\mathrm{Ad}^*_{g^{-1}}\f$ with \f$g\f$ in the group takes each coadjoint orbit
 into itself, its symplectic form to itself, and the brackets of Lie and Poisson to themselves; the orbits are
 sets of covectors. *)
-Theorem claim_3_2_coadjoint_lie_poisson algebra group g mu : is_group group ->
+Theorem claim_3_2_coadjoint_lie_poisson_of_matrices algebra group g mu : is_group group ->
   (forall h, group h -> Ad_keeps algebra h) -> group g ->
   [/\ forall nu, on_orbit group mu nu -> on_orbit group mu (Ad_star (invmx g) nu),
       forall v w c, kirillov_kostant_plus algebra mu v w c ->
@@ -344,7 +344,7 @@ Theorem claim_3_2_coadjoint_lie_poisson algebra group g mu : is_group group ->
 Proof.
 move=> is_g keeps in_g; have [_ _ units inverses] := is_g; split.
 - by move=> nu; apply: claim_3_2_coadjoint_lie_poisson_orbits.
-- move=> v w c; apply: claim_2_2_coadjoint_action_kk; first exact: units.
+- move=> v w c; apply: claim_2_2_coadjoint_action_kk_of_matrices; first exact: units.
     by apply: keeps.
   by apply: keeps; apply: inverses.
 by move=> F H; apply: claim_3_2_coadjoint_lie_poisson_brackets; rewrite unitmx_inv units.
@@ -486,7 +486,7 @@ Definition spatial_momentum g m := R_star g m.
 
 Section 3.2, before (3.16): \f$m_s = \mathrm{Ad}^*_{g^{-1}}m_c\f$ for every covector at every group element.
 *)
-Theorem claim_3_2_body_spatial_momenta g m : g \in unitmx ->
+Theorem claim_3_2_body_spatial_momenta_of_matrices g m : g \in unitmx ->
   spatial_momentum g m = Ad_star (invmx g) (body_momentum g m).
 Proof. by move=> u; rewrite [RHS]Ad_star_left. Qed.
 
@@ -495,10 +495,10 @@ Proof. by move=> u; rewrite [RHS]Ad_star_left. Qed.
 (3.16): while the body momentum is the constant \f$\mu_0\f$, the spatial momentum is
 \f$\mu(t) = \mathrm{Ad}^*_{g(t)^{-1}}\mu_0\f$. The times may be of any kind, steps as well as an interval. *)
 
-Theorem eq_3_16 Time (g m : Time -> 'M[R]_n) mu0 : (forall t, g t \in unitmx) ->
+Theorem eq_3_16_of_matrices Time (g m : Time -> 'M[R]_n) mu0 : (forall t, g t \in unitmx) ->
   (forall t, body_momentum (g t) (m t) = mu0) ->
   forall t, spatial_momentum (g t) (m t) = Ad_star (invmx (g t)) mu0.
-Proof. by move=> u constant t; rewrite claim_3_2_body_spatial_momenta // constant. Qed.
+Proof. by move=> u constant t; rewrite claim_3_2_body_spatial_momenta_of_matrices // constant. Qed.
 
 (** ** The constant in (3.16)
 
@@ -506,7 +506,7 @@ Proof. by move=> u constant t; rewrite claim_3_2_body_spatial_momenta // constan
 \f$\mathrm{Ad}^*_{g(0)}\mu(0)\f$, which is \f$\mu(0)\f$ where the motion begins at the identity. *)
 Theorem eq_3_16_constant Time (g m : Time -> 'M[R]_n) mu0 t : g t \in unitmx ->
   body_momentum (g t) (m t) = mu0 -> mu0 = Ad_star (g t) (spatial_momentum (g t) (m t)).
-Proof. by move=> u <-; rewrite claim_3_2_body_spatial_momenta // Ad_starVK. Qed.
+Proof. by move=> u <-; rewrite claim_3_2_body_spatial_momenta_of_matrices // Ad_starVK. Qed.
 
 (** ** Reduced motion along the coadjoint orbit
 
@@ -515,11 +515,11 @@ momentum map \f$J(p) = L_g^*p\f$ of multiplication from the right, taken at \f$p
 \f$g(t)\f$. The two sides of the formula determine each other: it holds at all times exactly where
 \f$J(p(t)) = \mu_0\f$ at all times. *)
 
-Theorem claim_2_2_reduced_motion Time (g p : Time -> 'M[R]_n) mu0 : (forall t, g t \in unitmx) ->
+Theorem claim_2_2_reduced_motion_of_matrices Time (g p : Time -> 'M[R]_n) mu0 : (forall t, g t \in unitmx) ->
   (forall t, body_momentum (g t) (p t) = mu0)
   <-> (forall t, spatial_momentum (g t) (p t) = Ad_star (invmx (g t)) mu0).
 Proof.
-move=> u; split=> [constant|moves t]; first exact: eq_3_16.
+move=> u; split=> [constant|moves t]; first exact: eq_3_16_of_matrices.
 by rewrite -[mu0](Ad_starVK _ (u t)) -moves [RHS]Ad_star_right.
 Qed.
 
@@ -657,7 +657,7 @@ Implicit Types (f g mu pi : 'M[R]_n) (l : 'M[dual R]_n -> dual R) (group : 'M[R]
 
 Remark 3.2.2: with \f$\Pi_k := \mathrm{Ad}^*_{g_k}\pi_0\f$ and \f$f_{k+1,k} = g_{k+1}^{-1}g_k\f$ the update is
 \f$\Pi_{k+1} = \mathrm{Ad}^*_{f_{k+1,k}^{-1}}\Pi_k\f$, whatever \f$\pi_0\f$. *)
-Theorem rem_3_2_2 gk gk1 pi0 : gk \in unitmx -> gk1 \in unitmx ->
+Theorem rem_3_2_2_of_matrices gk gk1 pi0 : gk \in unitmx -> gk1 \in unitmx ->
   Ad_star gk1 pi0 = lie_poisson_update_left (relative_motion_left gk gk1) (Ad_star gk pi0).
 Proof.
 move=> u0 u1; have uf := relative_motion_left_unit u0 u1.
@@ -687,7 +687,7 @@ Section 3.2, before proposition 3.2.1, with \f$\mu_k = \mathrm{Ad}^*_{g_k^{-1}}\
 \f$\mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0\f$ by (3.16) and \f$f_{k,k+1} = g_kg_{k+1}^{-1}\f$:
 \f[ \mu_{k+1} = \mathrm{Ad}^*_{g_{k+1}^{-1}}\mu_0 = \mathrm{Ad}^*_{(f_{k,k+1}^{-1}g_k)^{-1}}\mu_0 =
 \mathrm{Ad}^*_{f_{k,k+1}}\mathrm{Ad}^*_{g_k^{-1}}\mu_0 = \mathrm{Ad}^*_{f_{k,k+1}}\mu_k. \f] *)
-Theorem claim_3_2_dlp_chain gk gk1 mu0 muk muk1 : gk \in unitmx -> gk1 \in unitmx ->
+Theorem claim_3_2_dlp_chain_of_matrices gk gk1 mu0 muk muk1 : gk \in unitmx -> gk1 \in unitmx ->
   muk = Ad_star (invmx gk) mu0 -> muk1 = Ad_star (invmx gk1) mu0 ->
   let f := relative_motion_right gk gk1 in
   [/\ muk1 = Ad_star (invmx (invmx f *m gk)) mu0, muk1 = Ad_star f (Ad_star (invmx gk) mu0)
@@ -775,7 +775,7 @@ Qed.
 
 Section 3.2, below (3.18): the algorithm preserves the coadjoint orbits. One element of the group joins the
 first momentum with the last, whatever the relative motions are. *)
-Theorem claim_3_2_dlp_orbits group f mu N : is_group group -> (forall k, group (f k)) ->
+Theorem claim_3_2_dlp_orbits_of_matrices group f mu N : is_group group -> (forall k, group (f k)) ->
   (forall k, mu k.+1 = lie_poisson_update_right (f k) (mu k)) -> on_orbit group (mu 0%N) (mu N).
 Proof.
 move=> is_g in_f update; have [_ _ units inverses] := is_g.
@@ -789,7 +789,7 @@ Section 3.2, below (3.18): such a function keeps its value along the algorithm. 
 Theorem claim_3_2_dlp_orbits_casimirs group (T : Type) (C : 'M[R]_n -> T) f mu N : is_group group ->
   (forall k, group (f k)) -> (forall k, mu k.+1 = lie_poisson_update_right (f k) (mu k)) ->
   (forall p q, on_orbit group p q -> C q = C p) -> C (mu N) = C (mu 0%N).
-Proof. by move=> is_g in_f update constant; apply: constant; apply: claim_3_2_dlp_orbits. Qed.
+Proof. by move=> is_g in_f update constant; apply: constant; apply: claim_3_2_dlp_orbits_of_matrices. Qed.
 
 (** ** The characteristic polynomial is constant on orbits
 
@@ -897,7 +897,7 @@ H\}_+(\Phi(\mu_0)). \f]
 The group may be smaller than that of all matrices: its algebra contains the differences of its elements, and
 \f$\mathrm{Ad}_f\f$ keeps it. Of \f$\ell\f$ only the symmetry of its second derivative is used; it need not be
 regular. *)
-Theorem prop_3_2_1 algebra (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 a b a' b' : f \in unitmx ->
+Theorem prop_3_2_1_of_matrices algebra (p : 'M[dual R]_n -> 'M[dual R]_n) f p0 a b a' b' : f \in unitmx ->
   covector_at p f p0 -> closed_at p f ->
   (forall x y, algebra x -> algebra y -> algebra (x - y)) -> Ad_keeps algebra f ->
   algebra a -> algebra b -> algebra a' -> algebra b' ->
@@ -956,7 +956,7 @@ have chain K : differentiable K (- L_star f p0) -> differentiable (K \o Phi) (- 
     = pairing (rate_of (varied_momentum_after p (varied f v))) (differential K (- L_star f p0)).
   move=> dK dKPhi v; rewrite ![pairing (rate_of _) _]pairing_sym -dK -dKPhi /=; congr (rate (K _)).
   by rewrite -(value_after at_f v) -(value_before at_f v) -!variedE is_step.
-by apply: (@prop_3_2_1 (@all_matrices R n) p) => // theta _; apply: chain.
+by apply: (@prop_3_2_1_of_matrices (@all_matrices R n) p) => // theta _; apply: chain.
 Qed.
 
 (** ** The algorithm along a given sequence
@@ -1002,14 +1002,14 @@ Qed.
 
 (** ** Preserving the orbits is not enough
 
-Section 3.2, below (3.18): "This algorithm manifestly preserves the coadjoint orbits and hence the Poisson
-structure on \f$\mathfrak g^*\f$." That a map takes every \f$\mu\f$ to a point \f$\mathrm{Ad}^*_{f(\mu)}\mu\f$
-of its orbit does not imply that it preserves the bracket, not even for polynomial maps. Take
-\f$f(\mu) = 1 + \mu_{11}E_{12}\f$ on 2 by 2 matrices: \f$\mu_{11}\f$ goes to
-\f$\mu_{11} - \mu_{11}\mu_{12}\f$, and \f$\mu_{12}\f$ stays. At \f$\mu = E_{12}\f$, which is fixed,
-\f$\{\mu_{11}, \mu_{12}\}_+ = \mu_{12} = 1\f$, and after the map the bracket of the two functions is
-\f$\mu_{12}(1-\mu_{12}) = 0\f$. That the conclusion holds all the same, since
-\f$\mu_k = -R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$, is `prop_3_2_1`. *)
+Section 3.2, below (3.18), infers from the orbits, which the algorithm preserves, that it preserves the
+Poisson structure on \f$\mathfrak g^*\f$. That a map takes every \f$\mu\f$ to a point
+\f$\mathrm{Ad}^*_{f(\mu)}\mu\f$ of its orbit does not imply that it preserves the bracket, not even for
+polynomial maps. Take \f$f(\mu) = 1 + \mu_{11}E_{12}\f$ on 2 by 2 matrices: \f$\mu_{11}\f$ goes to \f$\mu_{11}
+- \mu_{11}\mu_{12}\f$, and \f$\mu_{12}\f$ stays. At \f$\mu = E_{12}\f$, which is fixed, \f$\{\mu_{11},
+\mu_{12}\}_+ = \mu_{12} = 1\f$, and after the map the bracket of the two functions is \f$\mu_{12}(1-\mu_{12})
+= 0\f$. That the conclusion holds all the same, since \f$\mu_k = -R^*_{f_{k,k+1}}\ell'(f_{k,k+1})\f$, is
+`prop_3_2_1_of_matrices`. *)
 Theorem claim_3_2_orbits_and_bracket_printed_fails :
   ~ (forall (R : comUnitRingType) (n : nat) (Phi : 'M[dual R]_n -> 'M[dual R]_n),
      (forall mu, exists2 h, h \in unitmx & Phi mu = Ad_star h mu) ->

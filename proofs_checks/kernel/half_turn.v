@@ -8,7 +8,8 @@ need an inverse. *)
 
 From Coq Require Import Ring.
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices rigid_body.
+From actio Require Import matrices slopes rigid_body body_multipliers moser_veselov body_integrals
+  body_casimirs.
 
 Set Implicit Arguments.
 Unset Strict Implicit.

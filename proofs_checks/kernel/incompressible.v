@@ -151,10 +151,11 @@ Qed.
 (** ** The equation of motion with stored energy and pressure
 
 (8.7): the Euler-Lagrange derivative of \f$L_\Phi\f$ is \f$-\sqrt{\det G}\f$ times the difference of the two
-sides of \f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det
-G}}\frac{\partial}{\partial x^k} \Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr) =
--\rho\,\frac{\partial W}{\partial g_{bc}}\frac{\partial g_{bc}}{\partial y^a} - \frac{\partial P}{\partial
-x^k}(v^{-1})^k{}_a\,J , \f] for every \f$J\f$, on the constraint or off it. *)
+sides of
+\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b - \frac{1}{\sqrt{\det G}}\frac{\partial}{\partial x^k}
+\Bigl(\rho\,\frac{\partial W}{\partial v^a{}_k}\sqrt{\det G}\Bigr) = -\rho\,\frac{\partial W}{\partial
+g_{bc}}\frac{\partial g_{bc}}{\partial y^a} - \frac{\partial P}{\partial x^k}(v^{-1})^k{}_a\,J , \f]
+for every \f$J\f$, on the constraint or off it. *)
 Lemma pressure_in_field_equations a :
   euler_lagrange d_y d_v D incompressible_density a
   = euler_lagrange d_y d_v D (medium_density v rho root_G g W) a - root_G * (\sum_k D_body k P * areas k a).
@@ -191,11 +192,34 @@ Proof.
 move=> constant_g constant_G; rewrite pressure_in_field_equations (eq_6_15 medium) // -/D_body; ring_identity.
 Qed.
 
+(** ** What else cancels where the momenta of the pressure are differentiated
+
+Section 8.2, as in (6.17): in the divergence of \f$\lambda\,\partial J/\partial v\f$ the derivatives of
+\f$\det v\f$ and of \f$v^{-1}\f$ cancel each other, and those of \f$\sqrt{\det G}\f$ in \f$\lambda\f$ cancel
+those of the root in \f$J\f$: derivatives of \f$P\f$ and of \f$\sqrt{\det g}\f$ are left. *)
+Theorem claim_8_2_other_cancellations a :
+  \sum_k D_body k (multiplier * areas k a)
+  = root_G * (\sum_k D_body k P * areas k a) + P * (\sum_k (\adj F) k a * D_body k root_g).
+Proof.
+have unit_G := volume_is_unit medium.
+have gradient := gradient_of_section mixed.
+have := first_and_middle_line root_g unit_G gradient P a; rewrite /first_line /middle_line -/areas => lines.
+have -> : \sum_k D_body k (multiplier * areas k a)
+          = root_G * - (root_G^-1 * \sum_k D_body k (- (P * areas k a * root_G))).
+  rewrite mulrN mulrA mulrV // mul1r -sumrN; apply: eq_bigr => k _; rewrite raddfN opprK /multiplier.
+  by congr (D_body k _); ring_identity.
+rewrite lines mulrDr; congr (_ + _).
+have -> : root_G * (P / root_G * \sum_k (\adj F) k a * D_body k root_g)
+          = root_G / root_G * (P * \sum_k (\adj F) k a * D_body k root_g) by ring_identity.
+by rewrite divrr // mul1r.
+Qed.
+
 (** ** Ideal incompressible fluids
 
 (8.9), and with the mass density (section 8.3): where the stored energy is constant, the equation of motion is
-\f[ \rho(x)\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = -\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a
-. \f] For \f$\rho = 1\f$ it is (8.9); a mass density that varies stays beside the acceleration. *)
+\f[ \rho(x)\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b =
+-\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a . \f]
+For \f$\rho = 1\f$ it is (8.9); a mass density that varies stays beside the acceleration. *)
 Theorem claim_8_3_inhomogeneous_density a :
     (forall b k, energy_slope d_v W b k = 0) -> d_y a W = 0 ->
   euler_lagrange d_y d_v D incompressible_density a
@@ -229,6 +253,74 @@ have -> : \sum_k D_body k (material_pressure rho W_J + P) * areas k a
           = \sum_k D_body k (material_pressure rho W_J) * areas k a + \sum_k D_body k P * areas k a.
   by rewrite -big_split; apply: eq_bigr => k _; rewrite raddfD mulrDl.
 ring_identity.
+Qed.
+
+(** With density 1 the two pressures push together, and the acceleration is that of the vector
+\f$\dot\phi\f$. *)
+Theorem claim_8_3_combined_pressure_equation W_J a : rho = 1 ->
+    (forall b k, d_v b (along_body k) W = W_J * d_v b (along_body k) J) ->
+    (forall b, d_y b W = W_J * d_y b J) ->
+  euler_lagrange d_y d_v D incompressible_density a
+  = - (root_G * (\sum_b g a b * acceleration v d_y D g b
+                 + \sum_k D_body k (material_pressure rho W_J + P) * areas k a)).
+Proof. by move=> one chain_v chain_y; rewrite (eq_8_12 a chain_v chain_y) one mul1r. Qed.
+
+(** Where the volume is held, \f$J = 1\f$, the pressure of the stored energy of a homogeneous fluid is the
+same for all particles: \f$\partial_kP = \partial_kP_\lambda\f$. *)
+Theorem claim_8_3_potential_pressure W_J W_JJ k : D_body k rho = 0 ->
+    D_body k W_J = W_JJ * D_body k J -> J = 1 ->
+  D_body k (material_pressure rho W_J + P) = D_body k P.
+Proof.
+move=> homogeneous chain held; rewrite raddfD /= /material_pressure raddfN /= leibniz homogeneous chain held.
+by rewrite derivative_of_one mul0r !mulr0 addr0 oppr0 add0r.
+Qed.
+
+(** ** The equation with the pressure in space
+
+(8.11): where \f$P = p\circ\phi\f$ and \f$J = 1\f$ the field equations of an ideal homogeneous fluid of
+density 1 say that \f$\frac{D_g\dot\phi}{Dt} = -\mathrm{grad}\,p\circ\phi\f$. *)
+Theorem eq_8_11 (slope : 'I_n -> R) : rho = 1 ->
+    (forall b k, energy_slope d_v W b k = 0) -> (forall b, d_y b W = 0) ->
+    (forall k, D_body k P = \sum_b F b k * slope b) -> J = 1 ->
+  (forall a, euler_lagrange d_y d_v D incompressible_density a = 0)
+  <-> (forall b, acceleration v d_y D g b = - \sum_a invmx g b a * slope a).
+Proof.
+move=> one constant_v constant_y chain held.
+have unit_metric := metric_is_regular medium; have unit_G := volume_is_unit medium.
+pose acc : 'cV[R]_n := \col_b acceleration v d_y D g b; pose p : 'cV[R]_n := \col_a slope a.
+have fieldE a : euler_lagrange d_y d_v D incompressible_density a = - (root_G * ((g *m acc) a 0 + p a 0)).
+  rewrite eq_8_9 // (slope_in_space root_g root_G a chain) -/J held mul1r [p a 0]mxE.
+  by congr (- (_ * (_ + _))); rewrite mxE; apply: eq_bigr => b _; rewrite mxE.
+have rightE b : - (\sum_a invmx g b a * slope a) = (- (invmx g *m p)) b 0.
+  by rewrite mxE mxE; congr (- _); apply: eq_bigr => a _; rewrite mxE.
+split=> [solves b|law a].
+  have lowered : g *m acc = - p.
+    apply/matrixP => a z; rewrite (ord1 z) [RHS]mxE; have := solves a; rewrite fieldE => /eqP.
+    rewrite oppr_eq0 => /eqP /(congr1 ( *%R root_G^-1)); rewrite mulKr // mulr0 => /eqP.
+    by rewrite addr_eq0 => /eqP.
+  have : acc = - (invmx g *m p) by rewrite -mulmxN -lowered mulmxA mulVmx // mul1mx.
+  by rewrite rightE => /matrixP /(_ b 0); rewrite mxE.
+have : acc = - (invmx g *m p) by apply/matrixP => b z; rewrite (ord1 z) -rightE mxE law.
+rewrite fieldE => ->; rewrite mulmxN mulmxA mulmxV // mul1mx mxE addNr mulr0 oppr0.
+by [].
+Qed.
+
+(** ** An incompressible solid
+
+Section 8.4: for an energy of the Green tensor with the slope \f$S\f$
+\f[ \rho\,g_{ab}\Bigl(\frac{D_g\dot\phi}{Dt}\Bigr)^b = \mathcal P_a{}^i{}_{|i} -
+\frac{\partial P}{\partial x^k}\,J\,(F^{-1})^k{}_a \f]
+with the covariant divergence of section 6.2, its index corrected. *)
+Theorem claim_8_4_elasticity_components (S : 'M[R]_n) a : J \is a GRing.unit -> S^T = S ->
+    W_g = slope_in_metric S F -> (forall b k, energy_slope d_v W b k = slope_in_gradient S g F b k) ->
+  euler_lagrange d_y d_v D incompressible_density a
+  = - (root_G * (rho * (\sum_b g a b * acceleration v d_y D g b)
+      - two_point_divergence v D root_G (christoffel g d_y) (first_piola_kirchhoff_stress d_v rho W) a
+      + \sum_k D_body k P * areas k a)).
+Proof.
+move=> unit_J symmetric_S W_gE W_FE.
+have symmetric_W : W_g^T = W_g by rewrite W_gE /slope_in_metric !trmx_mul trmxK symmetric_S mulmxA.
+rewrite pressure_in_field_equations (eq_6_21 medium unit_J symmetric_W (S := S)) //; ring_identity.
 Qed.
 
 End Incompressible.
@@ -309,4 +401,51 @@ have condition := inhomogeneous_density_condition unit_rho commute
                     (fun k => etrans (congr1 ( *%R rho) (esym (pick P' k))) (etrans (same k) (pick P k))) 0 1.
 by have := congr1 (fun f : R => f.2.2) condition; rewrite /D /= !(mul0r, mul1r, addr0, add0r) => /eqP;
   rewrite oner_eq0.
+Qed.
+
+(** In the equation with two pressures the thesis sets an index to \f$\dot\phi\f$ inside the covariant
+derivative. The components \f$\dot\phi^b\f$ differentiated as functions, without the symbols of the
+connection, are not the acceleration, not even for the motion of a shear of the plane with the velocity
+\f$(1, 0)\f$. *)
+Theorem components_of_velocity_are_not_differentiated_alone :
+  ~ (forall (R : comUnitRingType) (g : 'M[R]_2) (d_y : 'I_2 -> derivation R) (rate : derivation R) velocity,
+      (2%:R : R) \is a GRing.unit -> g^T = g -> g \in unitmx ->
+      (forall a b, rate (g a b) = \sum_c velocity c * d_y c (g a b)) ->
+      forall a, \sum_b g a b * rate (velocity b)
+                = \sum_b g a b * material_acceleration g d_y rate velocity b).
+Proof.
+have [R [c]] := polynomials 1; have unit2 := unit2_of_coordinates c => claim.
+have same := claim _ _ _ _ _ unit2 (shear_symmetric c) (shear_regular c) (shear_along_motion c).
+have lowered a : \sum_b shear_metric c a b * shear_derivative c 0 (shear_velocity [comUnitRingType of R] b)
+    = shear_derivative c 0 (\sum_b shear_metric c a b * shear_velocity [comUnitRingType of R] b)
+      - 2%:R^-1 * \sum_b \sum_e shear_derivative c a (shear_metric c b e)
+          * shear_velocity [comUnitRingType of R] b * shear_velocity [comUnitRingType of R] e.
+  rewrite same; apply: claim_6_2_material_acceleration => //;
+    [exact: shear_symmetric | exact: shear_regular | exact: shear_along_motion].
+have := shear_only_acceleration unit2 lowered 1; rewrite /shear_velocity derivative_of_nat.
+exact: (one_is_not_zero c).
+Qed.
+
+(** ** From the equation of motion on the body to that of the pressure
+
+Section 8.3: (8.11) is an equation between vectors of space at points of the body. The divergence of its right
+side in space, where the vector is \f$h\circ\phi\f$, comes out with the inverse gradient,
+\f[ (F^{-1})^k{}_a\,\nabla_k(h\circ\phi)^a = (\mathrm{div}\,h)\circ\phi , \f]
+for every vector field \f$h\f$ of space and any symbols of the connection. *)
+Theorem claim_8_3_material_divergence (R : comUnitRingType) n (D d_y : 'I_n -> derivation R) (F : 'M[R]_n)
+    (gamma : 'I_n -> 'I_n -> 'I_n -> R) (h : 'I_n -> R) : F \in unitmx ->
+    (forall k a, D k (h a) = \sum_b F b k * d_y b (h a)) ->
+  \sum_k \sum_a invmx F k a * (D k (h a) + \sum_b \sum_c gamma a b c * h b * F c k)
+  = \sum_a (d_y a (h a) + \sum_b gamma a b a * h b).
+Proof.
+move=> unit_F chain; rewrite exchange_big; apply: eq_bigr => a _ /=.
+have pick (s : 'I_n -> R) : \sum_k invmx F k a * (\sum_c F c k * s c) = s a.
+  under eq_bigr do rewrite mulr_sumr.
+  rewrite exchange_big (eq_bigr (fun c => (F *m invmx F) c a * s c)) => [|c _]; last first.
+    by rewrite mxE mulr_suml; apply: eq_bigr => k _; ring_identity.
+  rewrite mulmxV // (bigD1 a) //= big1 => [|c ne]; last by rewrite mxE (negbTE ne) mul0r.
+  by rewrite mxE eqxx mul1r addr0.
+rewrite -(pick (fun c => d_y c (h a))) -(pick (fun c => \sum_b gamma a b c * h b)) -big_split.
+apply: eq_bigr => k _ /=; rewrite chain mulrDr; congr (_ + _ * _); rewrite exchange_big.
+by apply: eq_bigr => c _; rewrite mulr_sumr; apply: eq_bigr => b _; ring_identity.
 Qed.

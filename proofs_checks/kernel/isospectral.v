@@ -9,7 +9,7 @@ the Cayley map in place of the exponential map: what a step conserves, and what 
 Matrices have any size, and their entries lie in any commutative ring. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices ring_identities derivations rotations.
+From actio Require Import matrices ring_identities derivations rigid_body rotations.
 
 Set Implicit Arguments.
 Unset Strict Implicit.

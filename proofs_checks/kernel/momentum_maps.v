@@ -72,7 +72,7 @@ say the same as the equation for \f$g\f$ and the Lie-Poisson equation together,
 \f[ \dot g = T_eR_g\,\phi, \qquad \dot\mu = -\mathrm{ad}_\phi^*\,\mu , \f]
 and the second of these the same as \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$, that is for all differentials
 \f$\psi = \delta f/\delta\mu\f$. *)
-Theorem claim_2_2_lie_poisson_equivalence g p phi H_g H_p :
+Theorem claim_2_2_lie_poisson_equivalence_of_matrices g p phi H_g H_p :
   g \in unitmx -> derivatives_right g p phi H_g H_p ->
   let hamilton := hamilton_equations g p H_g H_p in
   let lie_poisson := (lambda g p)^' = - ad_star phi (lambda g p) in
@@ -97,7 +97,7 @@ Theorem 2.2.3, with the momentum in the equation for \f$g\f$ taken at the same i
 \f$\dot g = T_eR_g\,\delta h/\delta\mu\f$, the following are equivalent. (i) \f$p\f$ satisfies Hamilton's
 equations. (ii) \f$\dot F = \{F, H\}\f$ for all \f$F\f$. (iii) \f$\mu\f$ satisfies the Lie-Poisson equation.
 (iv) \f$\dot f = \{f, h\}_+\f$ for all \f$f\f$. *)
-Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
+Theorem thm_2_2_3_of_matrices g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_g H_p ->
   g^' = right_translation g phi ->
   let i := hamilton_equations g p H_g H_p in
   let ii := forall F_g F_p, pairing F_g g^' + pairing F_p p^' = canonical_pairing F_g F_p H_g H_p in
@@ -106,7 +106,7 @@ Theorem thm_2_2_3 g p phi H_g H_p : g \in unitmx -> derivatives_right g p phi H_
   [/\ i <-> ii, i <-> iii & iii <-> iv].
 Proof.
 move=> unit chain moves i ii iii iv.
-have [one two three] := claim_2_2_lie_poisson_equivalence unit chain.
+have [one two three] := claim_2_2_lie_poisson_equivalence_of_matrices unit chain.
 by split=> //; split=> [/two [] // | equation]; apply/two.
 Qed.
 
@@ -114,7 +114,7 @@ Qed.
 
 Along Hamilton's equations of a right-invariant function \f$\dot g = T_eR_g\,\delta h/\delta\mu\f$ with
 \f$\mu = \lambda(p)\f$ at the same instant. *)
-Theorem claim_2_2_reconstruction_velocity g p phi H_g H_p : g \in unitmx ->
+Theorem claim_2_2_reconstruction_velocity_of_matrices g p phi H_g H_p : g \in unitmx ->
   derivatives_right g p phi H_g H_p -> hamilton_equations g p H_g H_p -> g^' = right_translation g phi.
 Proof. by move=> unit chain /(hamilton_equations_right unit chain) []. Qed.
 
@@ -163,7 +163,8 @@ Theorem 2.2.1, i and iii: with \f$\dot g = \xi g\f$ and \f$m = \delta l/\delta\x
 \f[ \frac{d}{dt}\frac{\partial L}{\partial\dot g} = \frac{\partial L}{\partial g}
 \quad\Longleftrightarrow\quad \frac{dm}{dt} = -\mathrm{ad}_\xi^*\,m . \f]
 The Lagrangian need not be regular. *)
-Theorem claim_2_2_euler_poincare_equations g xi m L_g L_v : g \in unitmx -> g^' = right_translation g xi ->
+Theorem claim_2_2_euler_poincare_equations_of_matrices g xi m L_g L_v : g \in unitmx ->
+  g^' = right_translation g xi ->
   derivatives_of_right_lagrangian g xi m L_g L_v -> L_v^' = L_g <-> m^' = - ad_star xi m.
 Proof.
 move=> unit moves /derivatives_of_right_lagrangianE [-> ->].
@@ -466,7 +467,7 @@ equation holds, the momentum \f$J = \langle p, \vartheta\rangle\f$ is constant.
 C++: `actio::noether_momentum`, `variational/momentum_map.hpp`. *)
 Definition noether_momentum p theta := pairing p theta.
 
-Theorem claim_2_1_noether_momentum (d : derivation R) p q theta :
+Theorem claim_2_1_noether_momentum_of_matrices (d : derivation R) p q theta :
   d (noether_momentum p theta) =
     pairing (derivative_of d p - q) theta + (pairing q theta + pairing p (derivative_of d theta)) /\
   (pairing q theta + pairing p (derivative_of d theta) = 0 -> derivative_of d p = q ->
@@ -667,7 +668,7 @@ Definition configuration_right (u : 'M[R]_n -> 'M[R]_n) g0 g1 := u (relative_mot
 Definition velocity_right (u w : 'M[R]_n -> 'M[R]_n) g0 g1 :=
   w (relative_motion_right g0 g1) *m configuration_right u g0 g1.
 
-Theorem rem_3_1_1 T (L : 'M[R]_n -> 'M[R]_n -> T) (u w : 'M[R]_n -> 'M[R]_n) :
+Theorem rem_3_1_1_of_matrices T (L : 'M[R]_n -> 'M[R]_n -> T) (u w : 'M[R]_n -> 'M[R]_n) :
   let discrete g0 g1 := L (configuration_right u g0 g1) (velocity_right u w g0 g1) in
   forall g0 g1 k, g1 \in unitmx -> k \in unitmx ->
   [/\ configuration_right u (g0 *m k) (g1 *m k) = configuration_right u g0 g1 *m k,
@@ -752,7 +753,7 @@ Qed.
 Let a map of functions, composition with the discrete Euler-Lagrange flow, preserve the bracket and commute
 with the group. It goes down to the functions on the quotient, where it is composition with the discrete
 Euler-Poincare algorithm, and there it preserves the reduced bracket. *)
-Theorem claim_3_2_dep_preserves_bracket (flow : functions -> functions) :
+Theorem claim_3_2_dep_preserves_bracket_of_steps_that_descend (flow : functions -> functions) :
   (forall f h, flow (b f h) = b (flow f) (flow h)) -> (forall k f, act k (flow f) = flow (act k f)) ->
   let reduced_flow s := lower (flow (pull_back s)) in
   (forall s, pull_back (reduced_flow s) = flow (pull_back s)) /\
@@ -771,7 +772,7 @@ Theorem 3.2.2, corrected: the bracket of (3.13) is a Poisson bracket, and it is 
 comes from one on pairs which preserves the bracket there and commutes with the symmetry. That the discrete
 Euler-Lagrange flow is such a step is `claim_3_1_flow_symplectic` and `claim_3_1_symmetry_of_discrete_flow`.
 *)
-Theorem thm_3_2_2 :
+Theorem thm_3_2_2_of_steps_that_descend :
   is_poisson_bracket reduced_bracket /\
   (forall flow : functions -> functions,
     (forall f h, flow (b f h) = b (flow f) (flow h)) -> (forall k f, act k (flow f) = flow (act k f)) ->
@@ -779,7 +780,8 @@ Theorem thm_3_2_2 :
     forall s t, reduced_flow (reduced_bracket s t) = reduced_bracket (reduced_flow s) (reduced_flow t)).
 Proof.
 have lifts := eq_3_13.1; case: poisson => skew_b sum_b leibniz_b jacobi_b.
-split; last by move=> flow preserves commutes reduced_flow; apply: (claim_3_2_dep_preserves_bracket _ _).2.
+split; last by move=> flow preserves commutes reduced_flow;
+  apply: (claim_3_2_dep_preserves_bracket_of_steps_that_descend _ _).2.
 split=> [s t | s t u | s t u | s t u]; apply: pull_back_injective.
 - by rewrite rmorphN !lifts skew_b.
 - by rewrite rmorphD !lifts rmorphD sum_b.

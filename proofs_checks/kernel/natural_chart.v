@@ -35,7 +35,7 @@ Definition chart_difference s g g1 g2 := s *: (natural_chart_right g g2 - natura
 (3.19): where exponential and logarithm are inverse to each other, \f$\psi_g\f$ has the inverse
 \f$\psi_g^{-1}(x) = \exp(x)\,g\f$. *)
 
-Theorem eq_3_19 (exp : 'M[R]_n -> 'M[R]_n) g k x : g \in unitmx ->
+Theorem eq_3_19_of_matrices (exp : 'M[R]_n -> 'M[R]_n) g k x : g \in unitmx ->
   exp (log (k *m invmx g)) = k *m invmx g -> log (exp x) = x ->
   exp (natural_chart_right g k) *m g = k /\ natural_chart_right g (exp x *m g) = x.
 Proof.
@@ -83,7 +83,7 @@ Qed.
 (** ** A chart centred at one of the two configurations
 
 Section 3.3, above (3.24): there one of the chart values is \f$\log 1 = 0\f$, and \f$[\zeta, \eta] = 0\f$. *)
-Theorem claim_3_3_fibre_element_commutes half s g1 g2 : g1 \in unitmx -> g2 \in unitmx ->
+Theorem claim_3_3_fibre_element_commutes_of_matrices half s g1 g2 : g1 \in unitmx -> g2 \in unitmx ->
   half + half = 1 -> log 1%:M = 0 ->
   bracket (chart_difference s g1 g1 g2) (chart_average half g1 g1 g2) = 0
   /\ bracket (chart_difference s g2 g1 g2) (chart_average half g2 g1 g2) = 0.
@@ -112,7 +112,7 @@ Qed.
 
 Above (3.25): \f$\eta = \tfrac12\log(g_kg_{k+1}^{-1})\f$. *)
 
-Theorem claim_3_3_midpoint_eta half g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
+Theorem claim_3_3_midpoint_eta_of_matrices half g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
   chart_average half g2 g1 g2 = half *: log (relative_motion_right g1 g2).
 Proof. by move=> u log_1; rewrite /chart_average /natural_chart_right mulmxV // log_1 addr0. Qed.
 
@@ -121,7 +121,7 @@ Proof. by move=> u log_1; rewrite /chart_average /natural_chart_right mulmxV // 
 Above (3.25), with its minus: \f$\zeta = -\tfrac1{\Delta t}\log(g_kg_{k+1}^{-1})\f$. The later configuration
 is the origin of the chart. *)
 
-Theorem claim_3_3_midpoint_zeta s g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
+Theorem claim_3_3_midpoint_zeta_of_matrices s g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
   chart_difference s g2 g1 g2 = - (s *: log (relative_motion_right g1 g2)).
 Proof. by move=> u log_1; rewrite /chart_difference /natural_chart_right mulmxV // log_1 sub0r scalerN. Qed.
 
@@ -133,7 +133,7 @@ Theorem claim_3_3_midpoint_zeta_forwards s g1 g2 : g1 \in unitmx -> g2 \in unitm
   log (invmx (relative_motion_right g1 g2)) = - log (relative_motion_right g1 g2) ->
   chart_difference s g2 g1 g2 = s *: log (relative_motion_right g2 g1).
 Proof.
-move=> u1 u2 log_1; rewrite claim_3_3_midpoint_zeta // -scalerN => <-.
+move=> u1 u2 log_1; rewrite claim_3_3_midpoint_zeta_of_matrices // -scalerN => <-.
 by rewrite /relative_motion_right inverse_product ?unitmx_inv // invmxK.
 Qed.
 
@@ -153,7 +153,7 @@ move=> printed; pose log n (g : 'M[Qc]_n) := g - 1%:M.
 pose g := integers [:: [:: 1; 1]; [:: 0; 1]].
 have unit_g : matrix_of 2 g \in unitmx by decide_by_computation.
 have := printed _ _ (log 2%N) 1 (matrix_of 2 g) 1%:M unit_g (unitmx1 _ _) (subrr _).
-rewrite claim_3_3_midpoint_zeta ?unitmx1 // ?/log ?subrr // /relative_motion_right inverse_one.
+rewrite claim_3_3_midpoint_zeta_of_matrices ?unitmx1 // ?/log ?subrr // /relative_motion_right inverse_one.
 by rewrite mulmx1 !scale1r; decide_by_computation.
 Qed.
 
@@ -167,7 +167,7 @@ Above (3.25): with \f$\eta = \tfrac12\log(g_kg_{k+1}^{-1})\f$ the chart at \f$g_
 \f$q = \psi_{g_{k+1}}^{-1}(\eta) = e^\eta g_{k+1} = (g_kg_{k+1}^{-1})^{1/2}g_{k+1}\f$ to \f$\eta\f$. It is
 half-way from \f$g_{k+1}\f$ to \f$g_k\f$: \f$qg_{k+1}^{-1}\f$ is \f$g_kq^{-1}\f$, and its square is
 \f$g_kg_{k+1}^{-1}\f$. Of the exponential it is used that \f$e^{\eta+\eta} = e^\eta e^\eta\f$. *)
-Theorem claim_3_3_midpoint_q (exp log : 'M[R]_n -> 'M[R]_n) (g1 g2 eta : 'M[R]_n) :
+Theorem claim_3_3_midpoint_q_of_matrices (exp log : 'M[R]_n -> 'M[R]_n) (g1 g2 eta : 'M[R]_n) :
   g1 \in unitmx -> g2 \in unitmx -> let f := relative_motion_right g1 g2 in
   exp (log f) = f -> eta + eta = log f -> exp (eta + eta) = exp eta *m exp eta ->
   let q := exp eta *m g2 in
@@ -247,7 +247,7 @@ that the base point of the chart goes along, as the proof in the thesis has it:
 \f$g(g_1k, g_2k) = g(g_1, g_2)\,k\f$. Of exponential and logarithm it is used only that the values of the
 exponential are invertible. *)
 
-Theorem lem_3_3_1 base g1 g2 k : right_invariant -> (forall x, value_of (exp x) \in unitmx) ->
+Theorem lem_3_3_1_of_matrices base g1 g2 k : right_invariant -> (forall x, value_of (exp x) \in unitmx) ->
   k \in unitmx -> base g1 g2 \in unitmx ->
   base (g1 *m k) (g2 *m k) = base g1 g2 *m k ->
   discretize_right base (g1 *m k) (g2 *m k) = discretize_right base g1 g2.
@@ -294,15 +294,15 @@ Definition at_second g1 g2 : 'M[R]_n := g2.
 exponential it is used that \f$\frac{d}{d\varepsilon}e^{\eta+\varepsilon\zeta} = \zeta e^\eta\f$ for this
 \f$\zeta\f$, which commutes with \f$\eta\f$. *)
 
-Theorem eq_3_24 r g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
+Theorem eq_3_24_of_matrices r g1 g2 : g2 \in unitmx -> log 1%:M = 0 ->
   let eta := half *: log (relative_motion_right g1 g2) in
   let zeta := - (s *: log (relative_motion_right g1 g2)) in
   exp (varied eta zeta) = varied r (zeta *m r) ->
   let q := r *m g2 in
   discretize_right at_second g1 g2 = L q (right_translation q zeta).
 Proof.
-move=> u log_1 eta zeta commute; rewrite /discretize_right /at_second claim_3_3_midpoint_eta //.
-by rewrite claim_3_3_midpoint_zeta // commute value_varied rate_varied /right_translation mulmxA.
+move=> u log_1 eta zeta commute; rewrite /discretize_right /at_second claim_3_3_midpoint_eta_of_matrices //.
+by rewrite claim_3_3_midpoint_zeta_of_matrices // commute value_varied rate_varied /right_translation mulmxA.
 Qed.
 
 (** ** The reduced discrete Lagrangian
@@ -310,13 +310,13 @@ Qed.
 (3.25) with the corrected sign: for a right-invariant \f$L\f$ with \f$l(\xi) = L(1, \xi)\f$,
 \f$\ell(f_{k,k+1}) = l(-\log(f_{k,k+1})/\Delta t)\f$. *)
 
-Theorem eq_3_25 r g1 g2 : right_invariant -> g2 \in unitmx -> r \in unitmx -> log 1%:M = 0 ->
+Theorem eq_3_25_of_matrices r g1 g2 : right_invariant -> g2 \in unitmx -> r \in unitmx -> log 1%:M = 0 ->
   let f := relative_motion_right g1 g2 in
   let zeta := - (s *: log f) in
   exp (varied (half *: log f) zeta) = varied r (zeta *m r) ->
   discretize_right at_second g1 g2 = L 1%:M (- (s *: log f)).
 Proof.
-move=> invariant u ur log_1 /= commute; rewrite (eq_3_24 u log_1 commute) /right_translation.
+move=> invariant u ur log_1 /= commute; rewrite (eq_3_24_of_matrices u log_1 commute) /right_translation.
 by rewrite -[X in L X _]mul1mx invariant ?unitmx1 // product_unit.
 Qed.
 
@@ -353,7 +353,7 @@ have on_nilpotent (R : comUnitRingType) (n : nat) (half : R) (x : 'M[R]_n) i j :
   have := printed R n R L (fun X => 1%:M + X) log half 1 (1%:M + half *: x) (1%:M + x) 1%:M.
   move=> /(_ invariant halves u_f).
   rewrite /= f_is => /(_ (unitmx1 _ _) u_r log_1 along).
-  rewrite (@eq_3_25 _ _ _ _ _ _ _ _ (1%:M + half *: x)) ?unitmx1 // ?f_is //.
+  rewrite (@eq_3_25_of_matrices _ _ _ _ _ _ _ _ (1%:M + half *: x)) ?unitmx1 // ?f_is //.
   by rewrite /L inverse_one !mulmx1 !scale1r.
 pose x := integers [:: [:: 0; 1]; [:: 0; 0]].
 have halves : rational 1 2 + rational 1 2 = 1 by apply/eqP; vm_compute.

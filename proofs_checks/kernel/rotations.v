@@ -5,7 +5,7 @@ Casimir functions of section 5.3 and the orbits of the free rigid body; and the 
 5, for bodies of point masses in a space of any dimension. *)
 
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices ring_identities derivations.
+From actio Require Import matrices ring_identities derivations slopes rigid_body.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -70,8 +70,8 @@ Proof. rewrite /dot !sum_over_axes /cross !next3; ring_identity. Qed.
 (** ** Casimir functions of the rotation algebra
 
 Section 5.3 takes \f$\mathrm{Tr}(\mu^2)\f$ as the Casimir function of \f$\mathfrak{so}(3)^*\f$ and says that
-in coordinates \f$y\f$ of space it is \f$\|y\|^2\f$. With \f$\mu = \hat y\f$ it is \f[ \mathrm{Tr}(\mu^2) =
--2\,\|y\|^2 . \f] *)
+in coordinates \f$y\f$ of space it is \f$\|y\|^2\f$. With \f$\mu = \hat y\f$ it is
+\f[ \mathrm{Tr}(\mu^2) = -2\,\|y\|^2 . \f] *)
 Theorem claim_5_3_dual_casimir y : \tr (hat y *m hat y) = - (2%:R * dot y y).
 Proof. by rewrite -hat_pairing /pairing hat_skew mulNmx raddfN opprK. Qed.
 
@@ -112,9 +112,6 @@ In space the operator \f$J(\xi) = \Lambda\xi + \xi\Lambda\f$ with \f$\Lambda = \
 \Lambda_2, \Lambda_3)\f$ has the components \f$I_ix_i\f$ at \f$\xi = \hat x\f$, with the moments of inertia
 \f$I_1 = \Lambda_2 + \Lambda_3\f$ and so on. *)
 Definition second_moments (lambda : 'I_3 -> R) : 'M[R]_3 := diag_mx (\row_i lambda i).
-
-(** C++: `actio::body_momentum`, `rigid_body/inertia.hpp`. *)
-Definition inertia_operator n (Lambda xi : 'M[R]_n) := Lambda *m xi + xi *m Lambda.
 
 (** The moment of inertia about an axis. *)
 Definition axis_moment (lambda : 'I_3 -> R) i := lambda (next i) + lambda (next (next i)).
@@ -347,9 +344,6 @@ Qed.
 The derivative of the energy \f$l(\xi) = \frac14\langle\xi, J\xi\rangle\f$ of (5.1), by the same pairing
 \f$\mathrm{Tr}(A^TB)\f$, is \f$\partial l/\partial\xi = \frac12J(\xi)\f$: for a symmetric \f$\Lambda\f$ that
 is constant, any matrix \f$\xi\f$ of functions and any way \f$d\f$ to differentiate them. *)
-Definition kinetic_energy (R : comUnitRingType) n (Lambda xi : 'M[R]_n) : R :=
-  pairing xi (inertia_operator Lambda xi) / 4%:R.
-
 Theorem claim_5_3_algebra_legendre_along_a_curve (R : comUnitRingType) n (d : derivation R) (Lambda xi :
   'M[R]_n) :
     (2%:R : R) \is a GRing.unit -> symmetric Lambda -> derivative_of d Lambda = 0 ->
@@ -371,7 +365,8 @@ have twice : d (pairing xi (inertia_operator Lambda xi))
     by rewrite mulmxA.
   by rewrite mulmxA mxtrace_mulC mulmxA.
 have constant4 : d 4%:R^-1 = 0 by rewrite derivative_of_inverse // derivative_of_nat !mul0r oppr0.
-rewrite /kinetic_energy leibniz constant4 mulr0 addr0 twice /pairing linearZ /= -scalemxAl mxtraceZ.
+rewrite /kinetic_energy [4%:R^-1 * _]mulrC leibniz constant4 mulr0 addr0 twice /pairing linearZ /=
+  -scalemxAl mxtraceZ.
 have -> : 4%:R^-1 = 2%:R^-1 * 2%:R^-1 :> R by rewrite (natrM _ 2 2) invrM.
 by rewrite [2%:R * _]mulrC -mulrA [2%:R * _]mulrA mulrV // mul1r mulrC.
 Qed.

@@ -76,8 +76,9 @@ Qed.
 (** ** Piola's transformation
 
 For an energy of the Green tensor \f$\mathcal P_a{}^iF^b{}_i = J\,g_{ac}\,\sigma^{cb}\f$, for bodies of fewer
-dimensions than their space as well; and where \f$F\f$ has an inverse \f[ \mathcal P_a{}^i =
-J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c . \f] The solid may have any symmetry or none. *)
+dimensions than their space as well; and where \f$F\f$ has an inverse
+\f[ \mathcal P_a{}^i = J\,g_{ab}\,\sigma^{bc}\,(F^{-1})^i{}_c . \f]
+The solid may have any symmetry or none. *)
 Theorem claim_6_2_piola_transform_with_gradient (rho J : R) S g F : J \is a GRing.unit ->
   rho *: slope_in_gradient S g F *m F^T = J *: (g *m cauchy_stress rho J (slope_in_metric S F)).
 Proof.
@@ -206,6 +207,14 @@ have vanishes b c : \sum_j P b j * gradient_of v c j - J * (\sum_e g b e * sigma
   by congr (_ * _); rewrite [RHS]mxE.
 rewrite (big1 _ _ (fun b => \sum_c _)) ?addr0 // => b _; apply: big1 => c _.
 by rewrite vanishes mulr0.
+Qed.
+
+(** The first Piola-Kirchhoff stress is minus the spatial momenta over \f$\sqrt{\det G}\f$ (section 6.2). *)
+Theorem claim_6_2_piola_momenta a j :
+  P a j = - (momentum d_v (medium_density v rho vol g W) a (along_body j) / vol).
+Proof.
+rewrite (eq_6_4 medium a).2 /space_momentum /P /first_piola_kirchhoff_stress mulNr opprK mulrK //.
+exact: volume_is_unit medium.
 Qed.
 
 End Equations.

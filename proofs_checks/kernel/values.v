@@ -8,7 +8,8 @@ they are its rows. *)
 
 From Coq Require Import ZArith QArith Qcanon String.
 From mathcomp Require Import all_ssreflect all_algebra.
-From actio Require Import matrices groups groupoids rotations isospectral rigid_body dual_numbers.
+From actio Require Import matrices groups groupoids rotations isospectral rigid_body body_multipliers
+  moser_veselov body_integrals body_casimirs dual_numbers.
 From actio Require Import computed samples.
 
 Set Implicit Arguments.
@@ -172,10 +173,10 @@ eexists; rewrite legendre_at_source_of_group; last exact: quadratic_differentiab
 by rewrite /right_differential quadratic_differential; to_rows; reflexivity.
 Defined.
 
-Definition inertia_operator_rows l x : value (rotations.inertia_operator (M l) (M x)).
-Proof. rewrite /rotations.inertia_operator; by_rows. Defined.
-Definition kinetic_energy_number l x : number (rotations.kinetic_energy (M l) (M x)).
-Proof. rewrite /rotations.kinetic_energy /rotations.inertia_operator; by_rows. Defined.
+Definition inertia_operator_rows l x : value (inertia_operator (M l) (M x)).
+Proof. rewrite /inertia_operator; by_rows. Defined.
+Definition kinetic_energy_number l x : number (kinetic_energy (M l) (M x)).
+Proof. rewrite /kinetic_energy /inertia_operator; by_rows. Defined.
 
 Definition cayley_rows a : value (isospectral.cayley (M a)).
 Proof. rewrite /isospectral.cayley; by_rows. Defined.

@@ -88,7 +88,7 @@ Qed.
 Section 2.2, corrected: \f$\delta\xi = \dot\eta - [\xi, \eta]\f$ for \f$\xi = \dot g\,g^{-1}\f$, \f$\eta =
 \delta g\,g^{-1}\f$. The plus sign belongs to \f$\xi = g^{-1}\dot g\f$ and \f$\eta = g^{-1}\delta g\f$, the
 left-invariant case: \f$\delta\xi = \dot\eta + [\xi, \eta]\f$. *)
-Theorem claim_2_2_reduced_variation_bracket delta dot g :
+Theorem claim_2_2_reduced_variation_bracket_in_a_ring delta dot g :
   derivation delta -> derivation dot -> (forall x, delta (dot x) = dot (delta x)) -> g \is a GRing.unit ->
   delta (from_right dot g) = dot (from_right delta g) - commutator (from_right dot g) (from_right delta g)
   /\ delta (from_left dot g) = dot (from_left delta g) + commutator (from_left dot g) (from_left delta g).
@@ -133,7 +133,8 @@ The proof of theorem 3.2.1, (3) and (4), as printed: with \f$f_{kk+1} = g_kg_{k+
   = \sum_{k=1}^{N-1}\bigl(R_{f_{kk+1}}^*\ell'(f_{kk+1}) - L_{f_{k-1k}}^*\ell'(f_{k-1k})\bigr)\vartheta_k . \f]
 The start is the chain rule, \f$\frac{d}{d\epsilon}\ell(f) = \ell'(f)\cdot\delta f\f$. Any \f$N\f$ will
 do, and \f$\ell'(f)\f$ is any additive map. *)
-Theorem claim_3_2_proof_computation (W : zmodType) delta (g : nat -> A) (ell' : A -> {additive A -> W}) N :
+Theorem claim_3_2_proof_computation_in_a_ring (W : zmodType) delta (g : nat -> A) (ell' : A ->
+  {additive A -> W}) N :
   derivation delta -> (forall k, g k \is a GRing.unit) -> delta (g 0%N) = 0 -> delta (g N) = 0 ->
   let f k := g k / g k.+1 in
   [/\ \sum_(0 <= k < N) ell' (f k) (delta (f k))
@@ -304,7 +305,7 @@ Qed.
 Section 3.2, the first Euler theorem, with (3.16): a spatial momentum \f$\mu\f$ satisfies
 \f$\dot\mu = -\mathrm{ad}_\xi^*\mu\f$ with \f$\xi = \dot g\,g^{-1}\f$ if and only if the body momentum
 \f$m_c = \mathrm{Ad}_g^*\mu\f$ is constant. *)
-Theorem claim_3_2_body_momentum_constant g mu : g \in unitmx ->
+Theorem claim_3_2_body_momentum_constant_of_matrices g mu : g \in unitmx ->
   rate mu = - ad_star (rate g *m invmx g) mu <-> rate (Ad_star g mu) = 0.
 Proof.
 move=> unit; have tr : g^T *m (invmx g)^T = 1%:M by rewrite -trmx_mul mulVmx // trmx1.
@@ -520,7 +521,7 @@ have hg : h * g = 1 by rewrite mulrDr mulr1 -scalerAr hF subrK.
 have unit : g \is a GRing.unit by apply/unitrP; exists h.
 have inverse : g^-1 = h by rewrite -[LHS]mulr1 -gh mulKr.
 move/(_ _ _ _ g by_parameter_derivation by_time_derivation by_parameter_by_time unit).
-have [-> _] := claim_2_2_reduced_variation_bracket by_parameter_derivation by_time_derivation
+have [-> _] := claim_2_2_reduced_variation_bracket_in_a_ring by_parameter_derivation by_time_derivation
   by_parameter_by_time unit.
 have -> : from_right by_time g = F.
   rewrite /from_right inverse; suff -> : by_time g = F by [].

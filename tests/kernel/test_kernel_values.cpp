@@ -102,21 +102,15 @@ auto trace_pairing(P const& p, V const& v) {
 // Functions to differentiate, on group elements and on momenta, which are matrices row by row.
 
 template <class G, class T>
-auto const& matrix_of(Element<G, T> const& g) {
-  return g.value;
-}
+auto const& matrix_of(Element<G, T> const& g) { return g.value; }
 template <int n, class T>
-auto matrix_of(Momentum<GL<n>, T> const& mu) {
-  return GL<n>::hat(mu.components);
-}
+auto matrix_of(Momentum<GL<n>, T> const& mu) { return GL<n>::hat(mu.components); }
 
 /// \f$\mathrm{Tr}(p^Tf)\f$.
 struct Linear {
   Whole p;
   template <class X>
-  auto operator()(X const& f) const {
-    return trace_pairing(p, matrix_of(f));
-  }
+  auto operator()(X const& f) const { return trace_pairing(p, matrix_of(f)); }
 };
 /// \f$\mathrm{Tr}(a^T\!f\,b\,f)\f$, and \f$\mathrm{Tr}(a^T\!f\,b\,g)\f$.
 struct Product {
@@ -138,9 +132,7 @@ struct Product {
     return sum;
   }
   template <class X>
-  auto operator()(X const& f) const {
-    return (*this)(f, f);
-  }
+  auto operator()(X const& f) const { return (*this)(f, f); }
 };
 
 /// A sample as the library sees it, on the group G.

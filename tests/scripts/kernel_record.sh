@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# kernel_record.sh SOURCE: the list of proofs that the release carries is that of the proofs as they are, each with no
-# assumption. `./run proofs` makes it, `./run record proofs` keeps it.
+# kernel_record.sh SOURCE: the list of proofs that the release carries is that of the proofs as they are, each
+# with no assumption. `./run proofs` makes it, `./run record proofs` keeps it.
 set -euo pipefail
 cd "$1"
 node --input-type=module -e "
