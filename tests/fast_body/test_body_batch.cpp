@@ -1,5 +1,6 @@
 // Many free bodies in lanes, held to one body at a time, to the exact motion, and to somebody else's solution
 // of the differential equations.
+#include <Eigen/Geometry>
 #include <boost/test/unit_test.hpp>
 
 #include "../rigid_body/random_bodies.hpp"
@@ -81,6 +82,24 @@ Distance farthest(BodyBatch const& batch, Cast const& cast, Other const& other) 
 }  // namespace
 
 BOOST_AUTO_TEST_SUITE(body_batch)
+
+// Half turns, whose first component is zero, about axes between which the largest component changes, and
+// turns next to these: the components of the quaternion have the digits of the frame.
+BOOST_AUTO_TEST_CASE(a_frame_has_its_quaternion_whichever_component_is_largest) {
+  for (double const scalar : {0.0, 1e-9, 0.3})
+    for (int direction = 0; direction < 27; ++direction) {
+      Vector3d const axis(direction % 3 - 1.1, direction / 3 % 3 - 1.0, direction / 9 - 0.9);
+      for (Vector3d const& v : {axis, Vector3d::Unit(direction % 3).eval()}) {
+        Vector4d q;
+        q << scalar, v;
+        q.normalize();
+        Eigen::Matrix3d const r = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+        Vector4d const found =
+            detail::frame_quaternion({r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)});
+        BOOST_TEST(std::min((found - q).norm(), (found + q).norm()) <= 8 * eps);
+      }
+    }
+}
 
 BOOST_AUTO_TEST_CASE(each_body_moves_as_it_does_alone_and_exactly) {
   Cast const cast = all_kinds();

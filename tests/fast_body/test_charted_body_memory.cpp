@@ -79,13 +79,13 @@ BOOST_AUTO_TEST_CASE(what_is_no_memory_of_such_a_body_is_refused) {
   };
   BOOST_CHECK_NO_THROW(restore(-1, 0));
   for (auto const& [place, value] : std::initializer_list<std::pair<int, int>>{{size, 3},
-                                                                              {size, 5},
-                                                                              {continuation, -1},
-                                                                              {continuation, 1000},
-                                                                              {latest, -1},
-                                                                              {latest, 1000},
-                                                                              {past, -1},
-                                                                              {past, 1000}})
+                                                                               {size, 5},
+                                                                               {continuation, -1},
+                                                                               {continuation, 1000},
+                                                                               {latest, -1},
+                                                                               {latest, 1000},
+                                                                               {past, -1},
+                                                                               {past, 1000}})
     BOOST_TEST_CONTEXT("number " << place << " is " << value)
   BOOST_CHECK_THROW(restore(place, value), OutsideDomain);
 }

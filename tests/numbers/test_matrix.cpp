@@ -95,6 +95,14 @@ BOOST_AUTO_TEST_CASE(parts_of_one_matrix_may_stand_on_both_sides) {
   BOOST_TEST((a == before * before));
 }
 
+// Also where only the rows, or only the columns, differ in number.
+BOOST_AUTO_TEST_CASE(matrices_of_different_sizes_are_not_equal) {
+  Matrix<double> const a = Matrix<double>::Zero(2, 3);
+  BOOST_TEST((a == Matrix<double>::Zero(2, 3)));
+  for (auto const& [rows, columns] : {std::pair(1, 3), {3, 3}, {2, 2}, {2, 4}, {3, 2}})
+    BOOST_TEST(!(a == Matrix<double>(Matrix<double>::Zero(rows, columns))));
+}
+
 BOOST_AUTO_TEST_CASE(a_part_of_a_temporary_matrix_is_a_copy) {
   auto const made = [] { return Matrix<double, 3, 3>::Identity(); };
   auto const column = made().col(1);

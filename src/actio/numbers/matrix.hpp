@@ -9,6 +9,7 @@
 // the matrix can be changed, written.
 #pragma once
 
+#include <cassert>
 #include <concepts>
 #include <initializer_list>
 #include <type_traits>
@@ -17,6 +18,11 @@
 #include "actio/numbers/matrix_operations.hpp"
 
 namespace actio {
+
+namespace detail {
+/// Whether there is such an entry.
+constexpr bool is_index(Index k, Index count) { return k >= 0 && k < count; }
+}  // namespace detail
 
 /// A matrix of R rows and C columns, each fixed or `Dynamic`.
 template <class S, int R, int C>
@@ -98,18 +104,30 @@ struct Matrix : detail::MatrixOperations<Matrix<S, R, C>, S, R, C>, private deta
     }
   }
 
+  /// The number in row i and column j. Without NDEBUG an index outside ends the program; so does it below.
+  S& operator()(Index i, Index j) {
+    assert(detail::is_index(i, rows()) && detail::is_index(j, cols()));
+    return data()[i + j * rows()];
+  }
   /// The number in row i and column j.
-  S& operator()(Index i, Index j) { return data()[i + j * rows()]; }
-  /// The number in row i and column j.
-  S const& operator()(Index i, Index j) const { return data()[i + j * rows()]; }
+  S const& operator()(Index i, Index j) const {
+    assert(detail::is_index(i, rows()) && detail::is_index(j, cols()));
+    return data()[i + j * rows()];
+  }
   /// The k-th number, column by column.
-  S& operator()(Index k) { return data()[k]; }
+  S& operator()(Index k) {
+    assert(detail::is_index(k, rows() * cols()));
+    return data()[k];
+  }
   /// The k-th number, column by column.
-  S const& operator()(Index k) const { return data()[k]; }
+  S const& operator()(Index k) const {
+    assert(detail::is_index(k, rows() * cols()));
+    return data()[k];
+  }
   /// The k-th number of a vector.
-  S& operator[](Index k) { return data()[k]; }
+  S& operator[](Index k) { return (*this)(k); }
   /// The k-th number of a vector.
-  S const& operator[](Index k) const { return data()[k]; }
+  S const& operator[](Index k) const { return (*this)(k); }
 
   /// From one number to the next down a column.
   static constexpr Index rowStride() { return 1; }
@@ -238,11 +256,17 @@ struct MatrixView : detail::MatrixOperations<MatrixView<S, R, C>, std::remove_co
   /// The first number.
   S* data() const { return first_; }
   /// The number in row i and column j.
-  S& operator()(Index i, Index j) const { return first_[i * inner_ + j * outer_]; }
+  S& operator()(Index i, Index j) const {
+    assert(detail::is_index(i, rows()) && detail::is_index(j, cols()));
+    return first_[i * inner_ + j * outer_];
+  }
   /// The k-th number of a vector.
-  S& operator()(Index k) const { return first_[k * along()]; }
+  S& operator()(Index k) const {
+    assert(detail::is_index(k, rows() * cols()));
+    return first_[k * along()];
+  }
   /// The k-th number of a vector.
-  S& operator[](Index k) const { return first_[k * along()]; }
+  S& operator[](Index k) const { return (*this)(k); }
 
   /// The same numbers as a matrix of Eigen.
   template <int r, int c, int options, int most_rows, int most_columns>
