@@ -1,0 +1,153 @@
+// Products of real matrices by a BLAS, on several threads, equal bit for bit for any number of them.
+//
+// The library is taken by pointers to its functions, so that a program may link it or load it when it runs:
+//
+//   extern "C" void dgemm_(...), sgemm_(...); linked: target_link_libraries(... openblas) BlasProducts
+//   products({&dgemm_, &sgemm_}, threads);
+//
+//   void* const library = dlopen("libopenblas.so.0", RTLD_NOW | RTLD_LOCAL);                           loaded
+//   BlasProducts products({reinterpret_cast<Gemm<double>*>(dlsym(library, "dgemm_")),
+//                          reinterpret_cast<Gemm<float>*>(dlsym(library, "sgemm_"))}, threads);
+//
+// Integers are of 32 bits. Inside, the library has to work on one thread (openblas_set_num_threads(1), or the
+// environment variable OPENBLAS_NUM_THREADS): columns of the result are cut into panels that depend on the
+// size alone, and the threads are ours and take panels as they become free.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "actio/vorticity/skew_hermitian.hpp"
+
+namespace actio {
+
+/// The product of general matrices as BLAS has it, called as in Fortran.
+template <class Real>
+using Gemm = void(char const* a_transposed, char const* b_transposed, int const* m, int const* n,
+                  int const* k, Real const* alpha, Real const* a, int const* lda, Real const* b,
+                  int const* ldb, Real const* beta, Real* c, int const* ldc);
+
+/// The two functions of a BLAS that a step needs.
+struct BlasFunctions {
+  Gemm<double>* dgemm = nullptr;  ///< in double precision
+  Gemm<float>* sgemm = nullptr;   ///< in single precision
+};
+
+/// Threads that wait for work.
+class PanelThreads {
+ public:
+  /// @param threads  how many work, the caller among them
+  explicit PanelThreads(int threads) {
+    for (int k = 1; k < threads; ++k) threads_.emplace_back([this] { serve(); });
+  }
+  PanelThreads(PanelThreads const&) = delete;
+  PanelThreads& operator=(PanelThreads const&) = delete;
+  ~PanelThreads() {
+    {
+      std::lock_guard const lock(mutex_);
+      over_ = true;
+    }
+    wake_.notify_all();
+    for (auto& thread : threads_) thread.join();
+  }
+
+  /// Calls `work(0)` to `work(count - 1)`, each once, in any order and on any thread; returns when all are
+  /// done.
+  void run(int count, std::function<void(int)> const& work) {
+    {
+      std::lock_guard const lock(mutex_);
+      work_ = &work, count_ = count, next_ = 0, busy_ = static_cast<int>(threads_.size()), ++round_;
+    }
+    wake_.notify_all();
+    for (int k; (k = next_++) < count;) work(k);
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return busy_ == 0; });
+  }
+
+ private:
+  void serve() {
+    for (long seen = 0;;) {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, [&] { return over_ || round_ != seen; });
+      if (over_) return;
+      seen = round_;
+      auto const& work = *work_;
+      int const count = count_;
+      lock.unlock();
+      for (int k; (k = next_++) < count;) work(k);
+      lock.lock();
+      if (--busy_ == 0) done_.notify_one();
+    }
+  }
+  std::mutex mutex_;
+  std::condition_variable wake_, done_;
+  std::function<void(int)> const* work_ = nullptr;
+  std::atomic<int> next_ = 0;
+  int count_ = 0, busy_ = 0;
+  long round_ = 0;
+  bool over_ = false;
+  std::vector<std::thread> threads_;
+};
+
+/// Products of real matrices for the steps of a flow; see products.hpp. Copies share their threads, and are
+/// used by one caller at a time.
+class BlasProducts {
+ public:
+  /// @param threads  the most that work on a product; small products are left to the caller's
+  explicit BlasProducts(BlasFunctions blas, int threads = 1) : blas_(blas) {
+    if (threads > 1) threads_ = std::make_shared<PanelThreads>(threads);
+  }
+
+  /// Products of matrices smaller than this are not worth waking a thread for.
+  static constexpr int smallest_shared = 128;
+  /// The width of the panels into which the columns of a result are cut: an eighth, so that half of a result
+  /// costs 9/16 of the whole.
+  static int panel(int n) { return std::max(32, ((n + 7) / 8 + 7) / 8 * 8); }
+
+  /// out = a b.
+  template <class Part>
+  void multiply(Part const& a, Part const& b, Part& out) const {
+    int const n = static_cast<int>(a.rows());
+    // Alone it is one panel below the size that is shared.
+    int const width = n < smallest_shared ? n : 2 * panel(n);
+    over_panels(n, width, [&](int first, int columns) {
+      gemm(n, columns, n, a.data(), n, b.col(first).data(), n, out.col(first).data(), n);
+    });
+  }
+  /// What is on and below the diagonal of out = a b, and some of what is above.
+  template <class Part>
+  void multiply_lower(Part const& a, Part const& b, Part& out) const {
+    int const n = static_cast<int>(a.rows());
+    over_panels(n, panel(n), [&](int first, int columns) {
+      gemm(n - first, columns, n, a.data() + first, n, b.col(first).data(), n, &out(first, first), n);
+    });
+  }
+
+ private:
+  template <class Real>
+  void gemm(int m, int n, int k, Real const* a, int lda, Real const* b, int ldb, Real* c, int ldc) const {
+    Real const one = 1, zero = 0;
+    if constexpr (std::is_same_v<Real, double>)
+      blas_.dgemm("N", "N", &m, &n, &k, &one, a, &lda, b, &ldb, &zero, c, &ldc);
+    else
+      blas_.sgemm("N", "N", &m, &n, &k, &one, a, &lda, b, &ldb, &zero, c, &ldc);
+  }
+  template <class Work>
+  void over_panels(int n, int width, Work const& work) const {
+    int const count = (n + width - 1) / width;
+    auto const one = [&](int k) { work(k * width, std::min(width, n - k * width)); };
+    if (threads_ && n >= smallest_shared && count > 1)
+      threads_->run(count, one);
+    else
+      for (int k = 0; k < count; ++k) one(k);
+  }
+  BlasFunctions blas_;
+  std::shared_ptr<PanelThreads> threads_;
+};
+
+}  // namespace actio

@@ -1,0 +1,454 @@
+// The step of vorticity_step.hpp, found faster: mostly in single precision, with the same invariants.
+//
+// Any skew A gives an isospectral step W_1 = cay(A) W_0 cay(A)^*. So A alone is the unknown, and it is smooth
+// in time, since P is. From the A of the steps before, extrapolated,
+//
+//   Wt = (1 - A)^{-1} W_0 (1 + A)^{-1}, in single precision (single_cayley.hpp), A <- eps P(Wt) as the form
+//   has it,
+//
+// converges by a factor of about fifty a round; mostly one round or two are needed. Then the equation of the
+// step is evaluated once in double precision, with C = [A, Wt]:
+//
+//   r = W_0 + C + A Wt A - Wt,        W_1 = W_0 - r + 2C + U r U^*,  U = cay(A).
+//
+// This is cay(A) W_0 cay(A)^* whatever r is. As r is of the size of a rounding in single precision, U r U^*
+// may be found in single precision, and the spectrum of W_1 is that of W_0 to the rounding of double
+// precision. Energy and angular momentum, where the form conserves them, are then off by about the tolerance;
+// they are taken back by a move along the orbit, W_1 + [Y, W_1] with Y = sum c_i [Q_i, W_1], Q_i being P and
+// the spin matrices. It is so short that its square is below rounding, and so that single precision will do
+// for it, too.
+//
+// What it gives up against the plain step: the solution is that of the implicit equation to the tolerance,
+// and not to rounding, so going back returns to the tolerance.
+#pragma once
+
+#include "actio/vorticity/single_cayley.hpp"
+#include "actio/vorticity/spin_columns.hpp"
+#include "actio/vorticity/vorticity_step.hpp"
+
+namespace actio {
+
+/// Steps of one length for one flow, in mixed precision.
+/// @tparam Stream    a linear map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+/// @tparam Products  how real matrices are multiplied, products.hpp
+template <class Stream = SphereLaplacian, class Products = EigenProducts>
+class FastVorticityStep {
+ public:
+  /// @param stream  of the Hamiltonian; referred to
+  /// @param step    h, time; negative steps go back
+  FastVorticityStep(Stream const& stream, Conserved conserved, double step, TurningFrame frame = {},
+                    Products products = {})
+      : stream_(stream),
+        sphere_(stream.size()),
+        conserved_(conserved),
+        step_(step),
+        frame_(frame),
+        eps_(step / (2 * sphere_.hbar())),
+        products_of_plain_(products),
+        products_(products),
+        cayley_(products),
+        corrected_(sphere_, axes_corrected(conserved, frame)),
+        polished_(sphere_, axes_polished(conserved, frame)) {
+    if (!std::isfinite(step)) throw NotFinite("vorticity: step");
+    if (step == 0) throw OutsideDomain("vorticity", "the step must differ from zero", 0, 0);
+  }
+
+  double step() const { return step_; }  ///< h, time
+  /// In which the steps are made.
+  TurningFrame const& frame() const { return frame_; }
+
+  /// How well A solves its equation, relative to |A|: not below what single precision gives, about 1e-9.
+  double tolerance = 1e-8;
+  /// Steps from which the first guess is extrapolated, as polynomials.
+  int extrapolated_steps = 5;
+
+  /// \f$W_0 \to W_1\f$, in the frame. The report's iterations are rounds, its residual that of A, relative to
+  /// |A|; those of a plain step where one was made.
+  /// @throws NotContracting  W is then as it was
+  VorticityReport advance(SkewHermitian<>& w);
+
+  /// Forgets the steps that were made: the next one begins as if it were the first.
+  void forget() { past_.clear(), factors_.setZero(), radius_ = 0; }
+
+  /// Of what A is moved by: energy, and up to three directions.
+  using Factors = Eigen::Vector4d;
+  /// A step that was made, as the first guess of the next one needs it.
+  struct Past {
+    SkewHermitian<> displacement;  ///< A
+    Factors factors;               ///< of this step
+    double radius = 0;             ///< an estimate of the largest eigenvalue of A over |A|
+    int age = 0;                   ///< steps since it was made
+  };
+  /// All that the next step depends on beside W: the steps before, the newest first.
+  std::deque<Past> const& past() const { return past_; }
+  /// Goes on as from these.
+  void go_on_from(std::deque<Past> past) {
+    past_ = std::move(past), factors_.setZero();
+    radius_ = past_.empty() ? 0 : past_.front().radius, age_ = past_.empty() ? 0 : past_.front().age;
+  }
+
+  /// The largest modulus of an eigenvalue of A by the method of Lanczos: an estimate from below, good to one
+  /// per cent or so.
+  static double spectral_radius(SkewHermitian<> const& a) {
+    auto const n = a.size();
+    constexpr int most = 16;
+    using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+    Vectors v(n, 2), before = Vectors::Zero(n, 2), u(n, 2);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      auto const x = static_cast<double>(k);
+      v.row(k) << std::cos(1.7 * x * x + x), std::sin(2.3 * x * x + 1);
+    }
+    v.normalize();
+    Eigen::VectorXd diagonal(most), beside(most);
+    int count = 0;
+    while (count < most) {
+      // u = -iA v.
+      Vectors const r = a.real * v, j = a.imaginary * v;
+      u.col(0) = j.col(0) + r.col(1), u.col(1) = j.col(1) - r.col(0);
+      diagonal[count] = u.cwiseProduct(v).sum();
+      u -= diagonal[count] * v;
+      if (count > 0) u -= beside[count - 1] * before;
+      beside[count] = u.norm();
+      ++count;
+      if (!(beside[count - 1] > 1e-12 * diagonal.head(count).cwiseAbs().maxCoeff())) break;
+      before = v, v = u / beside[count - 1];
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(diagonal.head(count), beside.head(count - 1), Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().cwiseAbs().maxCoeff();
+  }
+
+ private:
+  using Axes = std::vector<Eigen::Vector3d>;
+  static constexpr double lowest_ = 1e-6;            ///< changes above this are not put down to rounding
+  static constexpr double largest_residual_ = 4e-7;  ///< relative to |W|, of what single precision finds
+  static constexpr double longest_move_ = 1e-7;      ///< along the orbit, relative to |A|
+  static constexpr int steps_of_radius_ = 16;        ///< for which an estimate of the radius is taken as good
+
+  static Axes all_axes() {
+    return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  }
+  /// Those along which A is moved, and those along which W_1 is.
+  static Axes axes_corrected(Conserved conserved, TurningFrame const& frame) {
+    if (conserved == Conserved::all_invariants) return all_axes();
+    if (conserved == Conserved::energy_casimir && frame.rate != 0) return {frame.axis};
+    return {};
+  }
+  static Axes axes_polished(Conserved conserved, TurningFrame const& frame) {
+    return conserved == Conserved::lie_poisson ? all_axes() : axes_corrected(conserved, frame);
+  }
+  bool of_energy() const { return conserved_ != Conserved::lie_poisson; }
+
+  /// A step to rounding: the first ones, and any that cannot be found in single precision.
+  VorticityReport plain_step(SkewHermitian<>& w) {
+    VorticityStep<Stream, Products> plain(stream_, conserved_, step_, frame_, products_of_plain_);
+    VorticityReport report;
+    try {
+      report = plain.advance(w);
+    } catch (NotContracting const&) {
+      forget();
+      throw;
+    }
+    remember(plain.displacement(), plain.past().front().factors);
+    return report;
+  }
+
+  /// A as a polynomial in time through the steps before.
+  void guess() {
+    factors_.setZero();
+    auto const count = static_cast<int>(past_.size());
+    double binomial = 1;
+    for (int k = 0; k < count; ++k) {
+      binomial *= static_cast<double>(count - k) / (k + 1);
+      double const weight = k % 2 == 0 ? binomial : -binomial;
+      auto const& past = past_[static_cast<std::size_t>(k)];
+      factors_ += weight * past.factors;
+      if (k == 0)
+        a_.real = weight * past.displacement.real, a_.imaginary = weight * past.displacement.imaginary;
+      else
+        a_.real += weight * past.displacement.real, a_.imaginary += weight * past.displacement.imaginary;
+    }
+  }
+  void remember(SkewHermitian<> const& displacement, Factors const& factors) {
+    Past newest;
+    // The memory of the oldest serves again.
+    if (static_cast<int>(past_.size()) >= std::max(1, extrapolated_steps))
+      newest = std::move(past_.back()), past_.pop_back();
+    newest.displacement.real = displacement.real, newest.displacement.imaginary = displacement.imaginary;
+    newest.factors = factors, newest.radius = radius_, newest.age = ++age_;
+    past_.push_front(std::move(newest));
+  }
+
+  /// A and the middle, to the tolerance.
+  /// @return false where the rounds do not contract
+  bool find(SkewHermitian<> const& w, VorticityReport& report) {
+    guess();
+    single_.real = w.real.template cast<float>(), single_.imaginary = w.imaginary.template cast<float>();
+    double before = std::numeric_limits<double>::infinity();
+    for (;;) {
+      double const radius = radius_of_displacement();
+      if (!(radius < 1)) return false;
+      cayley_.factor(a_, radius);
+      find_middle(w);
+      find_displacement(w);
+      ++report.iterations;
+      double const change = report.residual = distance_to_next();
+      if (change <= tolerance) return true;
+      if (!(change < 0.25 * before)) return change < lowest_;
+      before = change;
+      std::swap(a_, next_);
+    }
+  }
+
+  /// A bound of the eigenvalues of A; its ratio to |A| changes slowly.
+  double radius_of_displacement() {
+    double const size = norm(a_);
+    if (radius_ == 0 || age_ >= steps_of_radius_)
+      radius_ = size == 0 ? 1 : spectral_radius(a_) / size, age_ = 0;
+    return std::max(1.05 * radius_ * size, 1e-6);
+  }
+
+  /// Wt of A, and the mean of both ends.
+  void find_middle(SkewHermitian<> const& w) {
+    for (SkewHermitian<>* m : {&middle_, &average_})
+      if (m->size() != w.size()) *m = SkewHermitian<>(w.size());
+    bool const average = of_energy();
+    cayley_.conjugate(single_, [&](auto i, auto j, auto f, auto e) {
+      auto const put = [&](SkewHermitian<>& m, auto d) {
+        double const r = w.real(i, j) + static_cast<double>(d.real),
+                     k = w.imaginary(i, j) + static_cast<double>(d.imaginary);
+        m.real(j, i) = -r, m.real(i, j) = r, m.imaginary(i, j) = m.imaginary(j, i) = k;
+      };
+      put(middle_, f + e);
+      if (average) put(average_, f + 2.F * e);
+    });
+  }
+
+  /// The A that belongs to the middle.
+  void find_displacement(SkewHermitian<> const& w) {
+    stream_.solve(of_energy() ? average_ : middle_, p_);
+    subtract_turning();
+    next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
+    if (corrected_.count() == 0) return;
+    // X_0 = [A, Wt], and X_j = [iS_j, Wt].
+    if (half_change_.size() != w.size()) half_change_ = SkewHermitian<>(w.size());
+    half_change_.real = average_.real - w.real, half_change_.imaginary = average_.imaginary - w.imaginary;
+    // The extrapolated factors are better than what single precision would find; what they lack is found at
+    // the end.
+    add_combination(corrected_, &half_change_, middle_, factors_, next_);
+  }
+  /// P - Q, as in the plain step.
+  void subtract_turning() {
+    double const turn = frame_.rate * sphere_.hbar();
+    if (turn == 0) return;
+    Eigen::Vector3d const e =
+        of_energy() ? frame_.axis : spin_components(sphere_, middle_) / momentum_.norm();
+    for (int k = 0; k < sphere_.n; ++k) {
+      p_.imaginary(k, k) += turn * e[2] * sphere_.weight(k);
+      if (k + 1 == sphere_.n) break;
+      double const r = turn * e[1] * sphere_.ladder(k), j = turn * e[0] * sphere_.ladder(k);
+      p_.real(k, k + 1) += r, p_.real(k + 1, k) -= r;
+      p_.imaginary(k, k + 1) += j, p_.imaginary(k + 1, k) += j;
+    }
+  }
+  double distance_to_next() const {
+    double apart = 0, size = 0;
+    for (Eigen::Index c = 0; c < a_.size(); ++c) {
+      auto const below = a_.size() - c;
+      apart += (a_.real.col(c).tail(below) - next_.real.col(c).tail(below)).squaredNorm() +
+               (a_.imaginary.col(c).tail(below) - next_.imaginary.col(c).tail(below)).squaredNorm();
+      size += next_.real.col(c).tail(below).squaredNorm() + next_.imaginary.col(c).tail(below).squaredNorm();
+    }
+    return size == 0 ? std::sqrt(apart) : std::sqrt(apart / size);
+  }
+
+  /// W_1 = W_0 + 2C + (U r U^* - r), with C and r in double precision.
+  /// @return false where r is too large for single precision
+  bool finish(SkewHermitian<> const& w, double size) {
+    auto const residual = [&] {
+      products_.multiply(a_, middle_, commutator_);
+      products_.multiply_again(a_, remainder_);
+      residual_.real = (commutator_.real + remainder_.real - (middle_.real - w.real)).template cast<float>();
+      residual_.imaginary = (commutator_.imaginary + remainder_.imaginary - (middle_.imaginary - w.imaginary))
+                                .template cast<float>();
+      return static_cast<double>(norm(residual_));
+    };
+    // The polynomial of the transform is good on an interval of which the end was estimated.
+    for (int tries = 0; !(residual() <= largest_residual_ * size); ++tries) {
+      if (tries == 4) return false;
+      radius_ *= 1.2;
+      cayley_.factor(a_, radius_of_displacement());
+      find_middle(w);
+    }
+    if (end_.size() != w.size()) end_ = SkewHermitian<>(w.size());
+    cayley_.conjugate(residual_, [&](auto i, auto j, auto f, auto e) {
+      auto const last = 2.F * (f + 2.F * e);
+      put_end(i, j, w.real(i, j) + (2 * commutator_.real(i, j) + static_cast<double>(last.real)),
+              w.imaginary(i, j) + (2 * commutator_.imaginary(i, j) + static_cast<double>(last.imaginary)));
+    });
+    return true;
+  }
+  void put_end(Eigen::Index i, Eigen::Index j, double real, double imaginary) {
+    end_.real(j, i) = -real, end_.real(i, j) = real;
+    end_.imaginary(i, j) = end_.imaginary(j, i) = imaginary;
+  }
+
+  /// Takes energy and angular momentum back to what they were, along the orbit. The A that is found on the
+  /// way is the one to be remembered: the middle of what double precision holds, without the noise of single
+  /// precision.
+  /// @return false where it would be a long way
+  bool polish(SkewHermitian<> const& w) {
+    Eigen::Index const first = of_energy() ? 1 : 0,
+                       count = first + static_cast<Eigen::Index>(polished_.count());
+    Eigen::VectorXd change(count);
+    double scale = 0;
+    average_.real = 0.5 * (w.real + end_.real), average_.imaginary = 0.5 * (w.imaginary + end_.imaginary);
+    if (!of_energy()) {
+      average_.real += remainder_.real, average_.imaginary += remainder_.imaginary;
+      std::swap(average_, middle_);
+    }
+    stream_.solve(of_energy() ? average_ : middle_, p_);
+    subtract_turning();
+    next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
+    if (of_energy()) {
+      scale = std::abs(eps_) * norm(p_);
+      change[0] = eps_ * (p_.real.cwiseProduct(end_.real - w.real).sum() +
+                          p_.imaginary.cwiseProduct(end_.imaginary - w.imaginary).sum());
+    }
+    Eigen::Vector3d const momentum = spin_components(sphere_, end_) - momentum_;
+    auto const axes = axes_polished(conserved_, frame_);
+    for (std::size_t j = 0; j < axes.size(); ++j)
+      change[static_cast<Eigen::Index>(j) + first] = axes[j].dot(momentum);
+    single_.real = end_.real.template cast<float>(),
+    single_.imaginary = end_.imaginary.template cast<float>();
+    if (direction_.size() != w.size()) direction_ = SkewHermitian<float>(w.size());
+    if (of_energy()) {
+      residual_.real = (eps_ * p_.real).template cast<float>(),
+      residual_.imaginary = (eps_ * p_.imaginary).template cast<float>();
+      cayley_.commutator(residual_, single_, [&](auto i, auto j, auto x) {
+        direction_.real(i, j) = x.real, direction_.imaginary(i, j) = x.imaginary;
+      });
+    }
+    Eigen::VectorXd const move =
+        newton(polished_, of_energy() ? &direction_ : nullptr, single_, change, scale);
+    residual_.real.setZero(), residual_.imaginary.setZero();
+    add_combination(polished_, of_energy() ? &direction_ : nullptr, single_, move, residual_);
+    // The square of the move is left out.
+    if (!(static_cast<double>(norm(residual_)) <= longest_move_ * norm(next_))) return false;
+    if (corrected_.count() != 0) {
+      half_change_.real = average_.real - w.real, half_change_.imaginary = average_.imaginary - w.imaginary;
+      factors_.head(move.size()) += 0.5 * move;
+      add_combination(corrected_, &half_change_, middle_, factors_, next_);
+    }
+    cayley_.commutator(residual_, single_, [&](auto i, auto j, auto x) {
+      put_end(i, j, end_.real(i, j) + static_cast<double>(x.real),
+              end_.imaginary(i, j) + static_cast<double>(x.imaginary));
+    });
+    return true;
+  }
+
+  /// The Newton step of factors of X_0, where there is one, and X_j = [iS_j, W]: the inner products of the X,
+  /// in units of what they are commutators of, inverted as far as they are regular. Entries below the
+  /// diagonal count for two.
+  template <class Real>
+  Eigen::VectorXd newton(SpinColumns<Real> const& spins, SkewHermitian<Real> const* x0,
+                         SkewHermitian<Real> const& w, Eigen::VectorXd change, double scale_of_first) const {
+    auto const count = change.size(), first = count - static_cast<Eigen::Index>(spins.count());
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
+    auto const sum = [](auto const& a, auto const& b) {
+      return 2 * static_cast<double>(a.dot(b)) - static_cast<double>(a[0]) * static_cast<double>(b[0]);
+    };
+    if (spins.count() == 0)
+      for (Eigen::Index c = 0; c < w.size(); ++c) {
+        auto const r = x0->real.col(c).tail(w.size() - c), i = x0->imaginary.col(c).tail(w.size() - c);
+        gram(0, 0) += sum(r, r) + sum(i, i);
+      }
+    else
+      spins.over(w, [&](Eigen::Index c, auto const& pieces) {
+        auto const rows = w.size() - c;
+        if (x0) {
+          auto const r = x0->real.col(c).tail(rows), i = x0->imaginary.col(c).tail(rows);
+          gram(0, 0) += sum(r, r) + sum(i, i);
+          for (std::size_t a = 0; a < pieces.size(); ++a)
+            gram(first + static_cast<Eigen::Index>(a), 0) +=
+                sum(r, pieces[a].real.matrix()) + sum(i, pieces[a].imaginary.matrix());
+        }
+        for (std::size_t a = 0; a < pieces.size(); ++a)
+          for (std::size_t b = 0; b <= a; ++b)
+            gram(first + static_cast<Eigen::Index>(a), first + static_cast<Eigen::Index>(b)) +=
+                sum(pieces[a].real.matrix(), pieces[b].real.matrix()) +
+                sum(pieces[a].imaginary.matrix(), pieces[b].imaginary.matrix());
+      });
+    Eigen::VectorXd scale = Eigen::VectorXd::Constant(count, std::sqrt(sphere_.n / 3.0) / sphere_.hbar());
+    if (x0) scale[0] = scale_of_first;
+    gram = scale.cwiseInverse().asDiagonal() * gram * scale.cwiseInverse().asDiagonal();
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solver(gram);  // reads the lower half
+    Eigen::VectorXd const values = solver.eigenvalues();
+    Eigen::VectorXd part = solver.eigenvectors().transpose() * change.cwiseQuotient(scale);
+    double const cutoff = (std::is_same_v<Real, float> ? 1e-5 : 1e-8) * values[count - 1];
+    for (Eigen::Index j = 0; j < count; ++j) part[j] = values[j] > cutoff ? part[j] / values[j] : 0;
+    return (solver.eigenvectors() * part).cwiseQuotient(scale);
+  }
+  template <class Real>
+  static void add_combination(SpinColumns<Real> const& spins, SkewHermitian<Real> const* x0,
+                              SkewHermitian<Real> const& w, Eigen::VectorXd const& factors,
+                              SkewHermitian<Real>& out) {
+    Eigen::Index const first = x0 ? 1 : 0;
+    if (spins.count() != 0)
+      spins.over(w, [&](Eigen::Index c, auto const& pieces) {
+        for (std::size_t a = 0; a < pieces.size(); ++a) {
+          Real const f = static_cast<Real>(factors[first + static_cast<Eigen::Index>(a)]);
+          out.real.col(c).tail(w.size() - c) += f * pieces[a].real.matrix();
+          out.imaginary.col(c).tail(w.size() - c) += f * pieces[a].imaginary.matrix();
+        }
+      });
+    if (x0)
+      for (Eigen::Index c = 0; c < w.size(); ++c) {
+        auto const rows = w.size() - c;
+        Real const f = static_cast<Real>(factors[0]);
+        out.real.col(c).tail(rows) += f * x0->real.col(c).tail(rows);
+        out.imaginary.col(c).tail(rows) += f * x0->imaginary.col(c).tail(rows);
+      }
+    mirror_lower(out);
+  }
+
+  Stream const& stream_;
+  QuantizedSphere sphere_;
+  Conserved conserved_;
+  double step_;
+  TurningFrame frame_;
+  double eps_;
+  Eigen::Vector3d momentum_ = Eigen::Vector3d::Zero();  ///< spin components of W_0
+  Products products_of_plain_;
+  SkewProducts<double, Products> products_;
+  SingleCayley<Products> cayley_;
+  SpinColumns<double> corrected_;
+  SpinColumns<float> polished_;
+
+  SkewHermitian<> a_, next_, p_, middle_, average_, half_change_, commutator_, remainder_, end_;
+  SkewHermitian<float> single_, residual_, direction_;
+  Factors factors_ = Factors::Zero();
+  double radius_ = 0;      ///< the largest eigenvalue of A over |A|
+  int age_ = 0;            ///< steps since it was estimated
+  std::deque<Past> past_;  ///< the newest first
+};
+
+template <class Stream, class Products>
+VorticityReport FastVorticityStep<Stream, Products>::advance(SkewHermitian<>& w) {
+  double const size = norm(w);
+  if (size == 0) return {};
+  if (!std::isfinite(size)) throw NotFinite("vorticity: state");
+  if (static_cast<int>(past_.size()) < std::max(1, extrapolated_steps)) return plain_step(w);
+  momentum_ = spin_components(sphere_, w);
+  VorticityReport report;
+  if (!(find(w, report) && finish(w, size) && polish(w))) return plain_step(w);
+  remember(next_, factors_);
+  w.real.swap(end_.real), w.imaginary.swap(end_.imaginary);
+  return report;
+}
+
+#ifdef ACTIO_COMPILED_STEPS
+extern template class FastVorticityStep<SphereLaplacian, EigenProducts>;
+#endif
+
+}  // namespace actio

@@ -1,0 +1,79 @@
+// Products of the matrices that a step is made of, by products of real matrices.
+//
+// A complex product by three real ones, (A + iB)(C + iD): AC, BD and (A + B)(C + D); and of a product that is
+// known to be skew-Hermitian only the lower half. Whatever multiplies real matrices can serve: a class with
+//
+//   void multiply(Part const& a, Part const& b, Part& out)                    out = a b
+//   void multiply_lower(Part const& a, Part const& b, Part& out) at least what is on and below the
+//                                                                             diagonal of out
+#pragma once
+
+#include "actio/vorticity/skew_hermitian.hpp"
+
+namespace actio {
+
+/// Products of real matrices by Eigen: always there.
+struct EigenProducts {
+  /// out = a b.
+  template <class Part>
+  void multiply(Part const& a, Part const& b, Part& out) const {
+    out.noalias() = a * b;
+  }
+  /// out = a b, on and below the diagonal.
+  template <class Part>
+  void multiply_lower(Part const& a, Part const& b, Part& out) const {
+    out.template triangularView<Eigen::Lower>() = a * b;
+  }
+};
+
+/// The products of a step, with the memory that they need.
+template <class Real, class Products>
+class SkewProducts {
+ public:
+  using Part = typename SkewHermitian<Real>::Part;  ///< real matrices
+
+  /// With memory that is taken when the size is known.
+  explicit SkewProducts(Products products = {}) : products_(std::move(products)) {}
+
+  /// B = A W of two skew-Hermitian matrices, whole: three real products. Keeps the commutator
+  /// \f$C = [A, W] = B - B^*\f$ beside it.
+  void multiply(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c) {
+    allocate(a.size());
+    products_.multiply(a.real, w.real, real_);
+    products_.multiply(a.imaginary, w.imaginary, other_);
+    left_ = a.real + a.imaginary, right_ = w.real + w.imaginary;
+    products_.multiply(left_, right_, imaginary_);
+    imaginary_ -= real_ + other_;
+    real_ -= other_;
+    c.real = real_ - real_.transpose();
+    c.imaginary = imaginary_ + imaginary_.transpose();
+  }
+  /// E = B A = A W A with the B of the last product: skew-Hermitian, so that half of it is computed.
+  void multiply_again(SkewHermitian<Real> const& a, SkewHermitian<Real>& e) {
+    if (e.size() != a.size()) e = SkewHermitian<Real>(a.size());
+    left_ = real_ + imaginary_, right_ = a.real + a.imaginary;
+    products_.multiply_lower(real_, a.real, e.real);
+    products_.multiply_lower(imaginary_, a.imaginary, other_);
+    products_.multiply_lower(left_, right_, e.imaginary);
+    auto const n = a.size();
+    for (Eigen::Index j = 0; j < n; ++j) {
+      auto const below = n - j;
+      e.imaginary.col(j).tail(below) -= e.real.col(j).tail(below) + other_.col(j).tail(below);
+      e.real.col(j).tail(below) -= other_.col(j).tail(below);
+      e.real(j, j) = 0;
+    }
+    mirror_lower(e);
+  }
+
+ private:
+  void allocate(Eigen::Index n) {
+    if (real_.rows() == n) return;
+    for (Part* part : {&real_, &imaginary_, &other_, &left_, &right_}) part->resize(n, n);
+  }
+
+  Products products_;
+  Part real_, imaginary_;  ///< B
+  Part other_, left_, right_;
+};
+
+}  // namespace actio

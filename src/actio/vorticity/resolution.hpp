@@ -1,0 +1,58 @@
+// What a matrix of size N resolves, said honestly.
+//
+// The commutator of matrices is the bracket of functions up to terms of the second order in 1/N, and how far
+// it is off depends on the degrees: for two functions of the degrees l and l' by about l^2 l'^2/(6 N^2) of
+// its size. All N - 1 integrals of the vorticity are kept, but the interaction of two scales with one another
+// is that of the sphere only up to degrees of about the square root of N, far below N.
+#pragma once
+
+#include "actio/vorticity/sphere_invariants.hpp"
+
+namespace actio {
+
+/// By how much the bracket of two functions of the degrees l and l' differs from that of the sphere, relative
+/// to its size: about \f$l^2l'^2/(6N^2)\f$. At most 1, where nothing is right; good to a fifth up to 0.1.
+inline double bracket_error(int n, double l, double other) {
+  return std::min(1.0, std::pow(l * other / n, 2) / 6);
+}
+/// The degree whose bracket with itself has a given error: \f$(6\,\mathrm{error})^{1/4}\sqrt N\f$.
+inline double degree_of_bracket_error(int n, double error) {
+  return std::pow(6 * error, 0.25) * std::sqrt(n);
+}
+/// The degree at which Berezin's symbol has halved what the matrix has: \f$\sqrt{2N\log 2}\f$, about.
+inline double symbol_cut_off(int n) { return std::sqrt(2 * std::log(2.0) * n); }
+
+/// The resolution of one state.
+struct Resolution {
+  int size;                   ///< N
+  double energy_degree;       ///< the mean degree of the energy
+  double enstrophy_degree;    ///< the mean degree of the enstrophy
+  double error;               ///< of the bracket at the degree of the energy with itself
+  double error_of_straining;  ///< of the bracket of the degree of the energy with that of the enstrophy
+  double trusted_degree;      ///< the degree whose bracket with itself is good to a hundredth
+  double lost_degree;         ///< the degree whose bracket with itself has nothing right
+  double cut_off;             ///< the degree at which Berezin's symbol has halved
+};
+
+/// The resolution of a state by its relative vorticity.
+/// @param vorticity  without that of the planet's rotation
+inline Resolution resolution_of(SphereHarmonics const& vorticity) {
+  int const n = vorticity.degrees();
+  Eigen::VectorXd const energy = energy_by_degree(vorticity);
+  double all = 0, of_energy = 0, square = 0, of_enstrophy = 0;
+  for (int l = 1; l < n; ++l) {
+    all += energy[l], of_energy += l * energy[l];
+    square += vorticity.power(l), of_enstrophy += l * vorticity.power(l);
+  }
+  Resolution told{};
+  told.size = n;
+  told.energy_degree = all > 0 ? of_energy / all : 0,
+  told.enstrophy_degree = square > 0 ? of_enstrophy / square : 0;
+  told.error = bracket_error(n, told.energy_degree, told.energy_degree);
+  told.error_of_straining = bracket_error(n, told.energy_degree, told.enstrophy_degree);
+  told.trusted_degree = degree_of_bracket_error(n, 0.01), told.lost_degree = degree_of_bracket_error(n, 1);
+  told.cut_off = symbol_cut_off(n);
+  return told;
+}
+
+}  // namespace actio

@@ -1,0 +1,56 @@
+// Commutators with the spin matrices, which are tridiagonal: O(N^2) operations.
+#pragma once
+
+#include "actio/vorticity/quantized_sphere.hpp"
+
+namespace actio {
+
+/// \f$[iS_j, W]\f$: how W changes when the sphere is turned about the axis j.
+/// @param axis  j - 1: 0, 1 or 2
+inline SkewHermitian<> spin_commutator(QuantizedSphere const& sphere, int axis, SkewHermitian<> const& w) {
+  int const n = sphere.n;
+  SkewHermitian<> out(n);
+  if (axis == 2) {
+    // i (s_r - s_c) (R + iJ), and s_r - s_c = c - r.
+    for (int c = 0; c < n; ++c)
+      for (int r = 0; r < n; ++r)
+        out.real(r, c) = (r - c) * w.imaginary(r, c), out.imaginary(r, c) = (c - r) * w.real(r, c);
+    return out;
+  }
+  // S_1 = K + K^T, and i S_2 = K - K^T, with K above the diagonal.
+  double const sign = axis == 0 ? 1 : -1;
+  auto const products = [&](auto const& m, auto&& into) {
+    for (int c = 0; c < n; ++c)
+      for (int r = 0; r < n; ++r) {
+        double sum = 0;
+        if (r + 1 < n) sum += sphere.ladder(r) * m(r + 1, c);
+        if (r > 0) sum += sign * sphere.ladder(r - 1) * m(r - 1, c);
+        if (c > 0) sum -= sphere.ladder(c - 1) * m(r, c - 1);
+        if (c + 1 < n) sum -= sign * sphere.ladder(c) * m(r, c + 1);
+        into(r, c, sum);
+      }
+  };
+  if (axis == 0) {
+    products(w.real, [&](int r, int c, double x) { out.imaginary(r, c) = x; });
+    products(w.imaginary, [&](int r, int c, double x) { out.real(r, c) = -x; });
+  } else {
+    products(w.real, [&](int r, int c, double x) { out.real(r, c) = x; });
+    products(w.imaginary, [&](int r, int c, double x) { out.imaginary(r, c) = x; });
+  }
+  return out;
+}
+
+/// \f$\langle iS_j, W\rangle = \mathrm{Tr}(S_j(-iW))\f$: the part of W along the axis j.
+inline double spin_component(QuantizedSphere const& sphere, int axis, SkewHermitian<> const& w) {
+  int const n = sphere.n;
+  double sum = 0;
+  for (int k = 0; k < n; ++k) {
+    if (axis == 2) sum += sphere.weight(k) * w.imaginary(k, k);
+    // S_1 has the entries of the ladder on both sides; -iW = J - iR.
+    if (axis == 0 && k + 1 < n) sum += 2 * sphere.ladder(k) * w.imaginary(k, k + 1);
+    if (axis == 1 && k + 1 < n) sum += 2 * sphere.ladder(k) * w.real(k, k + 1);
+  }
+  return sum;
+}
+
+}  // namespace actio

@@ -1,0 +1,415 @@
+// One step of the ideal fluid on the sphere (thesis, chapter 10): discrete Lie-Poisson on SU(N).
+//
+// The equations are dW/dt = [P, W]/hbar with Delta P = W. A step is W_1 = cay(A) W_0 cay(A)^* with A = h/(2
+// hbar) P; with the middle Wt, A Wt and its commutator it is
+//
+//   W_0 = (1 - A) Wt (1 + A)   or   Wt = W_0 + [A, Wt] + A Wt A,
+//   W_1 = (1 + A) Wt (1 - A) = W_0 + 2 [A, Wt].
+//
+// Any skew A leaves the spectrum of W as it is. What P is taken of decides what else is conserved:
+//
+//   lie_poisson      P of Wt: the discrete Euler-Poincare algorithm of chapter 3 with the Cayley map. Angular
+//                    momentum and the Lie-Poisson structure; energy up to O(h^2), without a drift.
+//   energy_casimir   P of (W_0 + W_1)/2 = W_0 + [A, Wt]: energy, and the part of the angular momentum along
+//                    the
+//                    axis of the frame; no longer a Poisson map.
+//   all_invariants   the same, and A moved along the orbit by what takes energy and angular momentum back.
+//
+// The step is made in a frame that turns (turning_frame.hpp).
+#pragma once
+
+#include <Eigen/LU>
+#include <array>
+#include <deque>
+#include <limits>
+
+#include "actio/vorticity/laplacian.hpp"
+#include "actio/vorticity/products.hpp"
+#include "actio/vorticity/turning_frame.hpp"
+
+namespace actio {
+
+/// What a step conserves beside the spectrum of W.
+enum class Conserved {
+  lie_poisson,     ///< the Lie-Poisson structure and the angular momentum
+  energy_casimir,  ///< the energy, and the angular momentum along the axis of the frame
+  all_invariants   ///< the energy and the angular momentum
+};
+
+/// How a step was found.
+struct VorticityReport {
+  int iterations = 0;   ///< evaluations of the equation of a step, each of them three products
+  double residual = 0;  ///< of the equation, relative to |W|
+};
+
+/// A step whose iteration does not contract; `largest` is one that was found from the same state, zero where
+/// none was.
+struct NotContracting : Error {
+  double step;     ///< that was tried, time
+  double largest;  ///< one that does, time
+  /// @param tried, do_well  the two lengths
+  NotContracting(double tried, double do_well)
+      : Error("vorticity: the iteration of a step of length " + show(tried) +
+              " does not contract; the longest that does is about " + show(do_well)),
+        step(tried),
+        largest(do_well) {}
+};
+
+/// Steps of one length for one flow.
+/// @tparam Stream    a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+/// @tparam Products  how real matrices are multiplied, products.hpp
+template <class Stream = SphereLaplacian, class Products = EigenProducts>
+class VorticityStep {
+ public:
+  /// @param stream  of the Hamiltonian; referred to
+  /// @param step    h, time; negative steps go back
+  VorticityStep(Stream const& stream, Conserved conserved, double step, TurningFrame frame = {},
+                Products products = {})
+      : stream_(stream),
+        sphere_(stream.size()),
+        conserved_(conserved),
+        step_(step),
+        frame_(frame),
+        generator_(frame.generator(sphere_)),
+        eps_(step / (2 * sphere_.hbar())),
+        products_(std::move(products)) {
+    if (!std::isfinite(step)) throw NotFinite("vorticity: step");
+    if (step == 0) throw OutsideDomain("vorticity", "the step must differ from zero", 0, 0);
+    if (conserved == Conserved::all_invariants)
+      directions_ = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+    // Where nothing turns A is parallel to P, and the energy is conserved as it is.
+    if (conserved == Conserved::energy_casimir && frame.rate != 0) directions_ = {frame.axis};
+  }
+
+  double step() const { return step_; }  ///< h, time
+  /// In which the steps are made.
+  TurningFrame const& frame() const { return frame_; }
+
+  /// Residuals of the equation are relative to |W|; below the default they are left to rounding.
+  double tolerance = 0;
+  /// Steps from which the first guess is extrapolated, as polynomials.
+  int extrapolated_steps = 5;
+
+  /// \f$W_0 \to W_1\f$, in the frame. The solution is accurate to rounding, or to the tolerance.
+  ///
+  /// Where the iteration does not contract, because A is large, each round finds the middle of its A without
+  /// an error, by an elimination: a flow that is at rest in the frame then takes steps of any length.
+  /// @throws NotContracting  W is then as it was
+  /// @throws NotFinite, OutsideDomain  where the squares of W are no numbers, or all of them zero
+  VorticityReport advance(SkewHermitian<>& w);
+
+  /// The A of the last step, and its commutator with the middle: half the change of W.
+  SkewHermitian<> const& displacement() const { return a_; }
+  /// \f$[A, \tilde W]\f$.
+  SkewHermitian<> const& half_change() const { return commutator_; }
+  /// \f$\tilde W\f$.
+  SkewHermitian<> const& middle() const { return middle_; }
+
+  /// Forgets the steps that were made: the next one begins as if it were the first.
+  void forget() { past_.clear(), factors_.setZero(); }
+
+  /// Of what A is moved by: energy, and up to three directions.
+  using Factors = Eigen::Vector4d;
+  /// A step that was made, as the first guess of the next one needs it.
+  struct Past {
+    SkewHermitian<> increment;    ///< D = Wt - W_0
+    SkewHermitian<> half_change;  ///< (W_1 - W_0)/2; empty for the Lie-Poisson form, which does not need it
+    Factors factors;              ///< of this step
+  };
+  /// All that the next step depends on beside W: the steps before, the newest first.
+  std::deque<Past> const& past() const { return past_; }
+  /// Goes on as from these.
+  void go_on_from(std::deque<Past> past) { past_ = std::move(past), factors_.setZero(); }
+
+  /// The largest modulus of an eigenvalue of A, by power iteration on \f$-A^2\f$: an estimate from below,
+  /// good to some per cent.
+  static double spectral_radius(SkewHermitian<> const& a);
+
+ private:
+  static constexpr int most_iterations = 200;
+  static constexpr double rounding_ = 1e-13;
+  static constexpr double smallest_size = 1e-140;
+
+  /// Solves the equation of a step; false where no iteration contracts.
+  bool find(SkewHermitian<> const& w, double size, VorticityReport& report) {
+    if (iterate(w, size, false, report)) return true;
+    forget();
+    return calm(w, size) && iterate(w, size, true, report);
+  }
+  /// Whether the flow changes W, in a step, by less than W. Cayley's transform of an A that is too large is
+  /// near -1, and the equation then has solutions that hardly move.
+  bool calm(SkewHermitian<> const& w, double size) {
+    guess(w);
+    middle_ = w;
+    find_displacement(w);
+    products_.multiply(a_, middle_, commutator_);
+    return 2 * norm(commutator_) <= size;
+  }
+  /// @param eliminate  whether the middle is found by elimination
+  bool iterate(SkewHermitian<> const& w, double size, bool eliminate, VorticityReport& report) {
+    guess(w);
+    SkewHermitian<> increment_before, middle_before;  // those before the last, for the second-order iteration
+    double least = std::numeric_limits<double>::infinity(), relax = 1;
+    int stays = 0;  // evaluations since the residual was halved
+    for (int made = 1;; ++made) {
+      middle_ = w + increment_;
+      find_displacement(w);
+      if (eliminate)
+        find_middle(w);
+      else if (made == 1)
+        relax = relaxation(w);
+      // [vorticity_products]
+      products_.multiply(a_, middle_, commutator_);  // [A, Wt], and A Wt beside it
+      products_.multiply_again(a_, remainder_);      // A Wt A
+      // [vorticity_products]
+      ++report.iterations;
+      // Both unknowns: D = Wt - W_0, and half the change of W.
+      // [vorticity_fixed_point]
+      SkewHermitian<> const found = commutator_ + remainder_;
+      // [vorticity_fixed_point]
+      // With elimination the first follows from the second, where P is taken of that.
+      bool const middle_known = eliminate && conserved_ != Conserved::lie_poisson;
+      double const residual =
+          std::hypot(middle_known ? 0 : norm(found - increment_),
+                     conserved_ == Conserved::lie_poisson ? 0 : norm(commutator_ - half_change_));
+      double const imbalance = correct();
+      double const all = std::max(residual, imbalance) / size;
+      report.residual = all;
+      if (!std::isfinite(all)) return false;
+      double const moved = eliminate ? norm(a_) * norm(middle_) : norm(found);
+      if (all <= std::max(tolerance, 0.25 * std::numeric_limits<double>::epsilon() * moved / size))
+        return true;
+      // Where rounding keeps it from falling it is done.
+      stays = all < 0.5 * least ? 0 : stays + 1;
+      if (least < rounding_ && stays >= 2) return true;
+      if (made >= most_iterations || (made > 8 && all > 10)) return false;
+      least = std::min(least, all);
+      SkewHermitian<> next = found, next_half = commutator_;
+      if (increment_before.size() != 0) {
+        next *= relax, increment_before *= 1 - relax, next += increment_before;
+        next_half *= relax, middle_before *= 1 - relax, next_half += middle_before;
+      }
+      increment_before = std::move(increment_), middle_before = std::move(half_change_);
+      increment_ = std::move(next), half_change_ = std::move(next_half);
+    }
+  }
+  /// \f$(1-A)^{-1}W_0(1+A)^{-1}\f$.
+  void find_middle(SkewHermitian<> const& w) {
+    Eigen::Index const n = w.size();
+    Eigen::MatrixXd system(2 * n, 2 * n), sides(2 * n, n);
+    system << -a_.real, a_.imaginary, -a_.imaginary, -a_.real;
+    system.diagonal().array() += 1;
+    Eigen::PartialPivLU<Eigen::MatrixXd> const solver(system);
+    sides << w.real, w.imaginary;
+    sides = solver.solve(sides);
+    // Its adjoint, and once more.
+    Eigen::MatrixXd next(2 * n, n);
+    next << sides.topRows(n).transpose(), -sides.bottomRows(n).transpose();
+    sides = solver.solve(next);
+    middle_.real = (sides.topRows(n).transpose() - sides.topRows(n)) / 2;
+    middle_.imaginary = -(sides.bottomRows(n).transpose() + sides.bottomRows(n)) / 2;
+  }
+  /// The longest of some shorter steps from W that are found; each is half as long as the one before. Where A
+  /// is eight times as large as one none is tried.
+  double longest_from(SkewHermitian<> const& w, double size) {
+    double const eps = eps_;
+    forget();
+    guess(w);
+    middle_ = w;
+    find_displacement(w);
+    double part = std::min(1.0, 8 / spectral_radius(a_));
+    bool found = false;
+    for (int tried = 0; tried < 20 && !found; ++tried) {
+      part /= 2, eps_ = part * eps;
+      forget();
+      VorticityReport report;
+      found = find(w, size, report);
+    }
+    eps_ = eps;
+    forget();
+    return found ? part * step_ : 0;
+  }
+
+  /// D and C as polynomials in time through the steps before.
+  void guess(SkewHermitian<> const& w) {
+    increment_ = half_change_ = SkewHermitian<>(w.size());
+    if (!past_.empty()) factors_.setZero();
+    auto const count = static_cast<int>(past_.size());
+    double binomial = 1;
+    for (int k = 0; k < count; ++k) {
+      binomial *= static_cast<double>(count - k) / (k + 1);
+      double const weight = k % 2 == 0 ? binomial : -binomial;
+      auto const& past = past_[static_cast<std::size_t>(k)];
+      increment_.real += weight * past.increment.real,
+          increment_.imaginary += weight * past.increment.imaginary;
+      if (conserved_ != Conserved::lie_poisson)
+        half_change_.real += weight * past.half_change.real,
+            half_change_.imaginary += weight * past.half_change.imaginary;
+      factors_ += weight * past.factors;
+    }
+  }
+  void remember() {
+    if (extrapolated_steps == 0) return;
+    past_.push_front({commutator_ + remainder_,
+                      conserved_ == Conserved::lie_poisson ? SkewHermitian<>() : commutator_, factors_});
+    if (static_cast<int>(past_.size()) > extrapolated_steps) past_.pop_back();
+  }
+
+  /// A, from the middle and the factors as they are.
+  void find_displacement(SkewHermitian<> const& w) {
+    // [vorticity_displacement]
+    if (conserved_ == Conserved::lie_poisson) {
+      stream_.solve(middle_, p_);
+    } else {
+      // The angular momentum that is conserved is left out of the change: where a planet turns fast, it would
+      // be amplified before it vanishes.
+      SkewHermitian<> mean = w + half_change_;
+      double const square = sphere_.n * (sphere_.n - 1.0) * (sphere_.n + 1.0) / 12;  // of |S_j|
+      Eigen::Vector3d const change = spin_components(sphere_, half_change_);
+      for (auto const& e : directions_) add_spin(mean, -e.dot(change) / square * e);
+      stream_.solve(mean, p_);
+    }
+    subtract_turning();
+    a_ = eps_ * p_;
+    // [vorticity_displacement]
+    if (directions_.empty()) return;
+    turned_.clear();
+    for (auto const& e : directions_) turned_.push_back(TurningFrame{e, 0}.turn(sphere_, middle_));
+    // [vorticity_along_orbit]
+    a_ += factors_[0] * half_change_;
+    for (std::size_t j = 0; j < turned_.size(); ++j)
+      a_ += factors_[static_cast<Eigen::Index>(j) + 1] * turned_[j];
+    // [vorticity_along_orbit]
+  }
+
+  /// P - Q. Here \f$Q = -i\,\mathrm{rate}\,\hbar\,e\cdot S\f$; the Lie-Poisson form takes the part of the
+  /// middle in the place of e, which by the angular momentum that is conserved is the same up to O(h^2): then
+  /// P - Q commutes with rotations as P does, and the step conserves the angular momentum.
+  void subtract_turning() {
+    double const turn = frame_.rate * sphere_.hbar();
+    if (turn == 0) return;
+    if (conserved_ != Conserved::lie_poisson) {
+      p_.real += turn * generator_.real, p_.imaginary += turn * generator_.imaginary;
+      return;
+    }
+    add_spin(p_, turn / momentum_ * spin_components(sphere_, middle_));
+  }
+  /// W + ie.S.
+  void add_spin(SkewHermitian<>& w, Eigen::Vector3d const& e) const {
+    for (int k = 0; k < sphere_.n; ++k) {
+      w.imaginary(k, k) += e[2] * sphere_.weight(k);
+      if (k + 1 == sphere_.n) break;
+      double const r = e[1] * sphere_.ladder(k), j = e[0] * sphere_.ladder(k);
+      w.real(k, k + 1) += r, w.real(k + 1, k) -= r;
+      w.imaginary(k, k + 1) += j, w.imaginary(k + 1, k) += j;
+    }
+  }
+
+  /// What energy and angular momentum change by in the step, as a change of W; and a Newton step of the
+  /// factors against it.
+  ///
+  /// A moves along X_0 = C and X_j = [iS_j, Wt], which are the commutators of eps(P - Q) and iS_j with Wt:
+  /// the changes of the invariants are <eps(P - Q), C> and <iS_j, C>, their derivatives in the factors minus
+  /// the inner products of the X.
+  double correct() {
+    if (directions_.empty()) return 0;
+    auto const count = static_cast<Eigen::Index>(turned_.size()) + 1;
+    Eigen::VectorXd change(count), scale(count);
+    // [vorticity_changes]
+    change[0] = eps_ * inner_product(p_, commutator_), scale[0] = std::abs(eps_) * norm(p_);
+    // [vorticity_changes]
+    double const spin = std::sqrt(sphere_.n / 3.0) / sphere_.hbar();
+    for (Eigen::Index j = 1; j < count; ++j) {
+      auto const& e = directions_[static_cast<std::size_t>(j) - 1];
+      change[j] = e.dot(spin_components(sphere_, commutator_)), scale[j] = spin;
+    }
+    auto const x = [&](Eigen::Index j) -> SkewHermitian<> const& {
+      return j == 0 ? commutator_ : turned_[static_cast<std::size_t>(j) - 1];
+    };
+    Eigen::MatrixXd gram(count, count);
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j)
+        gram(i, j) = gram(j, i) = inner_product(x(i), x(j)) / (scale[i] * scale[j]);
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solver(gram);
+    Eigen::VectorXd const values = solver.eigenvalues();
+    change = change.cwiseQuotient(scale);
+    Eigen::VectorXd part = solver.eigenvectors().transpose() * change;
+    double const cutoff = 1e-8 * values[count - 1];
+    for (Eigen::Index j = 0; j < count; ++j) part[j] = values[j] > cutoff ? part[j] / values[j] : 0;
+    Eigen::VectorXd const move = (solver.eigenvectors() * part).cwiseQuotient(scale);
+    factors_.head(count) += move;
+    return change.norm();
+  }
+
+  /// That of the second-order iteration for a spectrum on the imaginary axis. Its radius is 2|A| by what A
+  /// does to the middle; and where W is mostly a rotation with the rate r, P of a change of degree 2 turns it
+  /// by hr/3.
+  double relaxation(SkewHermitian<> const& w) const {
+    double const square = sphere_.n * (sphere_.n - 1.0) * (sphere_.n + 1.0) / 12;
+    double const rate = spin_components(sphere_, w).norm() / square / (2 * sphere_.hbar());
+    double const beta = 2 * spectral_radius(a_) + std::abs(step_) * rate / 3;
+    return 2 / (1 + std::sqrt(1 + beta * beta));
+  }
+
+  Stream const& stream_;
+  QuantizedSphere sphere_;
+  Conserved conserved_;
+  double step_;
+  TurningFrame frame_;
+  SkewHermitian<> generator_;  ///< ie.S
+  double eps_;
+  double momentum_ = 0;  ///< modulus of the spin components of W
+  SkewProducts<double, Products> products_;
+  std::vector<Eigen::Vector3d> directions_;
+
+  SkewHermitian<> increment_, half_change_;  ///< the unknowns: D, and C where P is taken of it
+  SkewHermitian<> middle_, p_, a_, commutator_, remainder_;
+  std::vector<SkewHermitian<>> turned_;
+  Factors factors_ = Factors::Zero();
+  std::deque<Past> past_;  ///< the newest first
+};
+
+template <class Stream, class Products>
+VorticityReport VorticityStep<Stream, Products>::advance(SkewHermitian<>& w) {
+  double const size = norm(w);
+  if (!std::isfinite(size)) throw NotFinite("vorticity: W, or its square");
+  if (!(size > smallest_size) &&
+      std::max(w.real.cwiseAbs().maxCoeff(), w.imaginary.cwiseAbs().maxCoeff()) > 0)
+    throw OutsideDomain("vorticity", "its squares must be numbers: |W|", size, smallest_size);
+  if (size == 0) return {};
+  if (frame_.rate != 0 && conserved_ == Conserved::lie_poisson)
+    momentum_ = spin_components(sphere_, w).norm();
+  VorticityReport report;
+  if (!find(w, size, report)) throw NotContracting(step_, longest_from(w, size));
+  remember();
+  // [vorticity_increment]
+  w.real += 2 * commutator_.real, w.imaginary += 2 * commutator_.imaginary;
+  // [vorticity_increment]
+  return report;
+}
+
+template <class Stream, class Products>
+double VorticityStep<Stream, Products>::spectral_radius(SkewHermitian<> const& a) {
+  auto const n = a.size();
+  Eigen::VectorXd x(n), y(n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    x[k] = std::cos(1.7 * static_cast<double>(k)), y[k] = std::sin(2.3 * static_cast<double>(k) + 1);
+  double radius = 0;
+  for (int k = 0; k < 8; ++k) {
+    double const size = std::hypot(x.norm(), y.norm());
+    if (!(size > 0)) return 0;
+    x /= size, y /= size;
+    Eigen::VectorXd const u = a.real * x - a.imaginary * y;
+    y = a.real * y + a.imaginary * x, x = u;
+    radius = std::hypot(x.norm(), y.norm());
+  }
+  return radius;
+}
+
+// Our own programs have the steps compiled once (compiled_steps.cpp): it takes longer than most of them.
+// What stands outside the class, and what it calls, is then compiled nowhere else.
+#ifdef ACTIO_COMPILED_STEPS
+extern template class VorticityStep<SphereLaplacian, EigenProducts>;
+#endif
+
+}  // namespace actio

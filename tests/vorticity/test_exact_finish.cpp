@@ -1,0 +1,126 @@
+// The step in mixed precision beside the plain one: the same motion to its tolerance, the same invariants to
+// rounding.
+#include <boost/test/unit_test.hpp>
+#include <random>
+
+#include "actio/vorticity/fast_vorticity_step.hpp"
+#include "actio/vorticity/sphere_invariants.hpp"
+
+using namespace actio;
+
+namespace {
+
+SkewHermitian<> random_state(int n, int most) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  SphereHarmonics f(n);
+  for (int l = 1; l <= most; ++l)
+    for (int m = 0; m <= l; ++m) {
+      double const real = normal(random), imaginary = normal(random);
+      f(l, m) = {real, m > 0 ? imaginary : 0};
+    }
+  return matrix_of(f);
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(single_cayley_is_the_transform) {
+  int const n = 24;
+  SkewHermitian<> const w = random_state(n, 20);
+  SkewHermitian<> a = SphereLaplacian(n).solve(w);
+  double const radius = FastVorticityStep<>::spectral_radius(a);
+  BOOST_TEST(std::abs(radius - vorticity_values(a).cwiseAbs().maxCoeff()) <= 0.02 * radius);
+  for (double size : {0.01, 0.1, 0.4, 0.8}) {
+    SkewHermitian<> scaled = a;
+    scaled *= size / radius;
+    SingleCayley<EigenProducts> cayley({});
+    cayley.factor(scaled, 1.02 * size);
+    SkewHermitian<> found(n);
+    cayley.conjugate(w.cast<float>(), [&](auto i, auto j, auto f, auto e) {
+      found.real(i, j) = 2 * static_cast<double>(f.real) + 4 * static_cast<double>(e.real);
+      found.imaginary(i, j) = 2 * static_cast<double>(f.imaginary) + 4 * static_cast<double>(e.imaginary);
+    });
+    mirror_lower(found);
+    ComplexMatrix<> const one = ComplexMatrix<>::Identity(n, n),
+                          u = (one - scaled.complex()).inverse() * (one + scaled.complex());
+    // Some ten products of single precision, each with n roundings at the most.
+    BOOST_TEST((u * w.complex() * u.adjoint() - w.complex() - found.complex()).norm() <=
+               10 * n * std::numeric_limits<float>::epsilon() * size * norm(w));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_finish_is_exact_for_an_unconverged_middle) {
+  // W_0 - r + 2C + U r U^* = U W_0 U^* for any middle.
+  int const n = 12;
+  SkewHermitian<> const w = random_state(n, 8), off = random_state(n, 11);
+  SkewHermitian<> a = SphereLaplacian(n).solve(w);
+  a *= 0.2 / FastVorticityStep<>::spectral_radius(a);
+  ComplexMatrix<> const one = ComplexMatrix<>::Identity(n, n), x = a.complex(),
+                        middle = (w + 0.1 * off).complex(), c = x * middle - middle * x,
+                        r = w.complex() + c + x * middle * x - middle, u = (one - x).inverse() * (one + x);
+  BOOST_TEST(r.norm() > 1e-3 * norm(w));
+  BOOST_TEST((w.complex() - r + 2 * c + u * r * u.adjoint() - u * w.complex() * u.adjoint()).norm() <=
+             1e-14 * n * norm(w));
+}
+
+BOOST_AUTO_TEST_CASE(the_fast_step_is_the_plain_one_to_its_tolerance_and_conserves_to_rounding) {
+  int const n = 16, steps = 60;
+  QuantizedSphere const sphere(n);
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> const start = random_state(n, 9);
+  double const energy = vorticity_energy(laplacian, start);
+  Eigen::Vector3d const momentum = sphere_momentum(start);
+  Eigen::VectorXd const values = vorticity_values(start);
+  TurningFrame const calm = calmest_frame(sphere, laplacian, start);
+  for (auto const conserved : {Conserved::lie_poisson, Conserved::energy_casimir, Conserved::all_invariants})
+    for (TurningFrame const& frame : {TurningFrame{}, calm}) {
+      SkewHermitian<> w = start, exact = start;
+      FastVorticityStep<> fast(laplacian, conserved, 0.01, frame);
+      VorticityStep<> plain(laplacian, conserved, 0.01, frame);
+      int rounds = 0;
+      for (int k = 0; k < steps; ++k) {
+        int const some = fast.advance(w).iterations;
+        plain.advance(exact);
+        if (k >= 10) rounds += some;
+      }
+      // Four rounds would be a plain step in disguise.
+      BOOST_TEST(rounds <= 4 * (steps - 10));
+      // A relative error of 1e-8 of A in each step, |A||W| at the most 0.1 |W|, and the flow does not double errors
+      // in this time.
+      BOOST_TEST(norm(w - exact) <= 2 * steps * 1e-9 * norm(w));
+      BOOST_TEST(norm(w - exact) > 0);
+      // A random walk of roundings over sixty steps, and sums of n^2 terms.
+      BOOST_TEST((vorticity_values(w) - values).cwiseAbs().maxCoeff() <=
+                 1e-13 * values.cwiseAbs().maxCoeff());
+      double const by_energy = std::abs(vorticity_energy(laplacian, w) / energy - 1);
+      double const by_momentum = (sphere_momentum(w) - momentum).norm() / momentum.norm();
+      BOOST_TEST((conserved == Conserved::lie_poisson ? by_energy > 1e-9 : by_energy <= 1e-13));
+      BOOST_TEST((conserved == Conserved::energy_casimir ? by_momentum > 1e-9 : by_momentum <= 1e-13));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_step_goes_on_bit_for_bit_from_what_was_kept) {
+  int const n = 12;
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> w = random_state(n, 7);
+  FastVorticityStep<> first(laplacian, Conserved::all_invariants, 0.01),
+      second(laplacian, Conserved::all_invariants, 0.01);
+  for (int k = 0; k < 3; ++k) first.advance(w);
+  // Among the first steps, and across the next estimate of the radius.
+  for (int k = 0; k < 20; ++k) {
+    SkewHermitian<> again = w;
+    second.go_on_from(first.past());
+    first.advance(w), second.advance(again);
+    BOOST_TEST((w.real == again.real && w.imaginary == again.imaginary));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_step_that_does_not_contract_is_refused_and_leaves_the_state) {
+  int const n = 12;
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> const start = random_state(n, 7);
+  SkewHermitian<> w = start;
+  FastVorticityStep<> step(laplacian, Conserved::lie_poisson, 5);
+  BOOST_CHECK_THROW(step.advance(w), NotContracting);
+  BOOST_TEST(norm(w - start) == 0);
+}
