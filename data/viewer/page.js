@@ -119,7 +119,7 @@ function withoutStages() {
 /** The stages in use; the others are hidden. */
 function useStages(...names) {
   byId("motion").hidden = false;
-  for (const name of ["space", "sphere", "planes", "frame", "trajectory"]) byId(name).hidden = !names.includes(name);
+  for (const name of ["space", "sphere", "planes", "frame", "trajectory", "map"]) byId(name).hidden = !names.includes(name);
 }
 function raise(name, theatre) {
   stages.push(theatre);
@@ -153,8 +153,16 @@ function raisePlanes() {
   say(momentum.of > momentum.components.length && `The first ${momentum.components.length} of ${momentum.of} components are shown.`);
   play(clockOf(run.times));
 }
+function raiseMaps() {
+  if (!run.maps) return raisePlanes();
+  const { times, largest, of } = run.maps;
+  useStages("map");
+  raise("map", new MapView(byId("map").querySelector("img"), run.maps));
+  say(`Blue is negative, red positive, the strongest colour ${shownNumber(largest, 3)}.`, times.length < of && `${times.length} of ${of} snapshots are shown.`);
+  play(clockOf({ from: times, to: times }));
+}
 function raiseStages() {
-  if (!run.body) return raisePlanes();
+  if (!run.body) return raiseMaps();
   const motion = run.motion.columns.t.length > 1 ? new Motion(run) : null;
   if (!motion || !motion.playable) return withoutStages();
   const turning = Boolean(motion.attitudes), onSphere = motion.momenta && !run.body.top && !run.body.torqued;

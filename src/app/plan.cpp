@@ -73,9 +73,11 @@ std::string files_of(Scene const& scene, RunArguments const& arguments, Estimate
   std::string const shape =
       plural(scene.schedule.rows(), "row") + " of " + plural(static_cast<long>(columns), "column");
   for (auto const& format : scene.formats)
-    files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape,
-                                size_text(format == "csv" ? taken.csv : taken.hdf5)));
+    if (format == "csv" || format == "hdf5")
+      files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape,
+                                  size_text(format == "csv" ? taken.csv : taken.hdf5)));
   files.insert(files.end(), {"summary.json", "scene.toml", "checkpoint"});
+  if (scene.snapshots) files.push_back("snapshots/ (" + plural(scene.snapshots->rows(), "snapshot") + ")");
   if (scene.plots || arguments.plots) files.push_back("plots/");
   return listed(files);
 }
@@ -102,7 +104,8 @@ void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out
   double const free = free_space(out);
   if (free < 0) return;
   double needed = 0;
-  for (auto const& format : scene.formats) needed += format == "csv" ? taken.csv : taken.hdf5;
+  for (auto const& format : scene.formats)
+    needed += format == "csv" ? taken.csv : format == "hdf5" ? taken.hdf5 : 0;
   tell("disk", size_text(free) + " free");
   if (needed > free)
     tell("remark", fmt::format("the disk has room for {}, and the files take about {}: fewer rows "

@@ -58,6 +58,16 @@ std::vector<Long> const& long_scenes() {
        "0.1\n"
        "[run]\nuntil = 600\nevery = 1\n[output]\nquantities = [\"velocity\", \"energy\", "
        "\"spatial_momentum\"]\n"},
+      {"vorticity_sphere",
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\n[initial]\nharmonics = [[2, 1, 0.9, "
+       "-0.3], [3, 0, "
+       "-0.5, 0], [4, 3, 0.4, 0.6], [1, 1, 0.2, 0.1]]\n[method]\nstep = 0.05\n[run]\nuntil = 250\nevery = "
+       "0.5\n[output]\nquantities = [\"energy\", \"angular_momentum\", \"casimirs\", \"spectrum\"]\n"},
+      {"vorticity_sphere, Lie-Poisson of order 4",
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\n[initial]\nstate = \"random\"\n[method]\nname = "
+       "\"lie_poisson\"\norder = 4\nstep = 0.05\n[run]\nuntil = 50\nevery = 0.5\n[output]\nquantities = "
+       "[\"energy\", "
+       "\"extrema\"]\n"},
   };
   return scenes;
 }

@@ -76,10 +76,22 @@ void read_formula(std::string const& text) {
   }
 }
 
+/// A scene whose size alone makes reading it as much work as its steps: products of matrices of that size.
+bool is_work(SceneFile const& file) {
+  try {
+    SceneTable const system = file.section("system");
+    long const n = system.has("N") ? system.integer("N", 0, 1L << 20) : 0;
+    return n > 48 && n < 100000;  // what is larger is refused by the memory that it takes
+  } catch (SceneError const&) {
+    return false;
+  }
+}
+
 void read(Input const& input) {
   try {
     SceneFile const file = SceneFile::parse(input.text, "scene.toml", input.overrides);
     reads_back(file);
+    if (is_work(file)) return;
     Scene const scene = Scene::read(file);
     reads_back(scene.file);
     // The copy of a scene is a scene that is in order, and complete.

@@ -36,6 +36,7 @@ extern std::string_view const viewer_algebra,  ///< data/viewer/algebra.js
     viewer_frame_motion,                       ///< data/viewer/frame_motion.js
     viewer_frame,                              ///< data/viewer/frame.js
     viewer_trajectory,                         ///< data/viewer/trajectory.js
+    viewer_map,                                ///< data/viewer/map.js
     viewer_player,                             ///< data/viewer/player.js
     viewer_page;                               ///< data/viewer/page.js
 

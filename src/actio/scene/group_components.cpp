@@ -46,7 +46,7 @@ std::string own_components_of_member(std::string name, int number) {
   std::size_t const at = name.find("(n)");
   if (at == std::string::npos) return "";
   name.replace(at, 3, fmt::format("({})", number));
-  auto const own = detail::own_components(name);
+  auto const own = actio::detail::own_components(name);
   return own.empty() ? "" : fmt::format(", {} on {}", fmt::join(own, " "), name);
 }
 
@@ -54,7 +54,7 @@ std::string own_components_of_member(std::string name, int number) {
 
 std::optional<NamedGroup> named_group(std::string_view word) {
   auto algebra = algebra_of_name(word);
-  if (!algebra && !find_groups(word).empty()) algebra = algebra_of_name(detail::nearest_group(word));
+  if (!algebra && !find_groups(word).empty()) algebra = algebra_of_name(actio::detail::nearest_group(word));
   if (!algebra) return {};
   return NamedGroup{algebra->name, algebra->components, velocity_in_words(*algebra)};
 }

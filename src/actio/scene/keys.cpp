@@ -56,9 +56,10 @@ std::vector<Parameter> keys_of_scene() {
        "What the run is called in summary.json, series.h5, the pictures and the viewer.", "",
        "\"A body let go\""},
       {"scene.seed", "a whole number, 0 or more", "1",
-       "Where random numbers begin. Nothing in the systems that there are is random, so that it changes no "
-       "number of a run; it is checked, and written into the "
-       "copy of the scene, for systems with a random start.",
+       "Where random numbers begin: with another one a random start is another one (initial.random and "
+       "initial.ring of vorticity_sphere). Where nothing is random it changes no number of a run; it is "
+       "checked, "
+       "and written into the copy of the scene.",
        "", "1"},
       {"scene.units", "a table with mass, length and time",
        "those of the body of the library, otherwise none",
@@ -113,20 +114,56 @@ std::vector<Parameter> keys_of_run() {
   };
 }
 
+std::vector<std::string> formats_of(System const& system) {
+  std::vector<std::string> out{"csv", "hdf5"};
+  if (system.snapshots)
+    for (auto const& format : system.snapshots->formats) out.push_back(format.name);
+  return out;
+}
+
+std::string meaning_of_formats(System const& system) {
+  std::string out;
+  if (system.snapshots)
+    for (auto const& format : system.snapshots->formats)
+      out += " For snapshots, " + format.name + ": " + format.meaning + ".";
+  return out;
+}
+
+/// Those of a system that has snapshots.
+std::vector<Parameter> keys_of_snapshots(SnapshotKind const& kind) {
+  std::vector<std::string> columns;
+  std::string meaning, example;
+  for (auto const& column : kind.columns) {
+    columns.push_back(column.name);
+    meaning += (meaning.empty() ? "" : "; ") + column.name + ": " + column.meaning;
+    if (example.empty()) example = in_quotes(column.name);
+  }
+  return {
+      {"output.snapshots", "a list of texts", "no snapshots",
+       "What the files snapshots/000000.csv, 000001.csv, ... hold besides " + kind.always +
+           ", which is what [] asks for; snapshots/times.csv tells their times. " + meaning + ".",
+       "", "[" + example + "]", columns},
+      {"output.snapshot_at", "a list of numbers, each greater than the one before, from 0 to run.until",
+       "or output.snapshot_every; with neither, snapshots at 0 and at run.until",
+       "The times of the snapshots.", "time", "[0.5, 1]"},
+      {"output.snapshot_every", "a number > 0",
+       "or output.snapshot_at; with neither, snapshots at 0 and at run.until",
+       "The time from snapshot to snapshot: there are some at its multiples, from 0 on, and at run.until.",
+       "time", "0.5"},
+  };
+}
+
 std::vector<Parameter> keys_of_output(System const& system) {
   auto const quantities = names_of_quantities(system);
-  return {
+  std::vector<Parameter> keys{
       {"output.quantities", "a list of texts", "needed",
        "What the rows hold, in this order after the time; nothing else is computed (actio list quantities).",
        "", "[" + in_quotes(quantities.back()) + "]", quantities},
-      {"output.formats",
-       "a list of texts",
-       "[\"csv\"]",
+      {"output.formats", "a list of texts", "[\"csv\"]",
        "The files of the table: csv is series.csv, a text with 17 significant digits; hdf5 is series.h5, a "
-       "data set for each quantity with its unit, meaning and formula.",
-       "",
-       "[\"csv\", \"hdf5\"]",
-       {"csv", "hdf5"}},
+       "data set for each quantity with its unit, meaning and formula." +
+           meaning_of_formats(system),
+       "", "[\"csv\", \"hdf5\"]", formats_of(system)},
       {"output.plots", "true or false", "false",
        "Whether pictures are drawn when the run is done, and a page that plays the motion: plots/*.svg and "
        "plots/index.html.",
@@ -137,6 +174,9 @@ std::vector<Parameter> keys_of_output(System const& system) {
        "motion with other steps.",
        "", "true"},
   };
+  if (system.snapshots)
+    for (auto& key : keys_of_snapshots(*system.snapshots)) keys.push_back(std::move(key));
+  return keys;
 }
 
 bool is_same(Parameter const& a, Parameter const& b) {

@@ -11,6 +11,7 @@
 #include "actio/scene/drift.hpp"
 #include "actio/scene/own_files.hpp"
 #include "actio/scene/progress.hpp"
+#include "actio/scene/snapshot_maps.hpp"
 #include "actio/scene/units.hpp"
 #include "book/plot.hpp"
 #include "book/sphere.hpp"
@@ -153,8 +154,11 @@ void draw_pictures(Scene const& scene, std::string const& folder, bool quiet) {
   for (auto const& own : scene.system->pictures)
     if (overview.find(own.quantity))
       pictures.emplace_back("plots/" + own.name + ".svg", own.draw(scene, overview));
+  if (std::string const map = vorticity_map(scene, folder, plot_width); !map.empty())
+    pictures.emplace_back("plots/vorticity.svg", standing_alone(scene.title, plot_width, map));
   pictures.emplace_back("plots/index.html",
-                        viewer_page(scene, overview, file_contents(folder + "/summary.json")));
+                        viewer_page(scene, overview, file_contents(folder + "/summary.json"),
+                                    vorticity_maps_json(scene, folder)));
   make_way(folder, pictures);
   for (auto const& [name, picture] : pictures) write_whole_file(folder + "/" + name, picture);
   if (!quiet && scene.system->shape && !overview.find("attitude"))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +13,7 @@
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/error_estimate.hpp"
 #include "actio/scene/memory_series.hpp"
+#include "actio/scene/own_files.hpp"
 #include "actio/scene/poll_interval.hpp"
 #include "actio/scene/progress.hpp"
 #include "actio/scene/units.hpp"
@@ -20,11 +23,19 @@ namespace {
 
 using Clock = PollInterval::Clock;
 
+constexpr char const* times_of_snapshots = "snapshots/times.csv";
+
 /// How far a run is: the head of its checkpoint.
 struct Progression {
   long steps = 0, rows = 0;
   double time = 0;     // of the last row
   double seconds = 0;  // of all processes
+};
+/// How many snapshots it has, and the time of the last of them: in the checkpoints of scenes that ask for
+/// some.
+struct Taken {
+  long snapshots = 0;
+  double time = 0;
 };
 
 /// That the rows so far are the first ones of the scene, which may go further than it did.
@@ -35,6 +46,27 @@ void check_rows(Progression const& at, Scene const& scene, Place const& place) {
   throw SceneError(place, fmt::format("the run has a row at t = {} already, which a run to t = {} has not; "
                                       "its scene can be run anew, into another folder",
                                       at.time, scene.schedule.until()));
+}
+/// The same of snapshots.
+void check_snapshots(Taken const& taken, Scene const& scene, Place const& place) {
+  Schedule const& times = *scene.snapshots;
+  if (taken.snapshots == 0 ||
+      (taken.snapshots <= times.rows() && times.time(taken.snapshots - 1) == taken.time))
+    return;
+  throw SceneError(place,
+                   fmt::format("the run has a snapshot at t = {} already, which a run to t = {} has not; "
+                               "its scene can be run anew, into another folder",
+                               taken.time, scene.schedule.until()));
+}
+
+/// The files of the snapshots, as the writer names them.
+std::vector<std::string> files_of_snapshots(Scene const& scene) {
+  std::vector<std::string> out{times_of_snapshots};
+  SnapshotWriter const& writer = *scene.simulation.snapshots;
+  for (auto& name : writer.shared_files()) out.push_back(std::move(name));
+  for (long k = 0; k < scene.snapshots->rows(); ++k)
+    for (auto& name : writer.files(k)) out.push_back(name), out.push_back(std::move(name) + ".part");
+  return out;
 }
 
 /// The run of one scene.
@@ -54,10 +86,22 @@ class Run {
     if (!simulation_.exact) steps_to_.emplace(scene.schedule, simulation_.step, scene.file.section("method"));
     row_.resize(1 + simulation_.quantities.row_size());
     if (in_memory()) return;
+    if (has_snapshots() && !simulation_.exact)
+      steps_to_snapshots_.emplace(*scene.snapshots, simulation_.step, scene.file.section("method"));
     if (!resume) write_whole_file(folder + "/scene.toml", written_, options_.durable);
     SeriesHead const head = series_head(scene, written_, scene.schedule.rows());
-    for (auto const& format : scene.formats) series_.push_back(open_series(folder, format, head, resume));
+    for (auto const& format : scene.formats)
+      if (format == "csv" || format == "hdf5") series_.push_back(open_series(folder, format, head, resume));
+    if (has_snapshots()) {
+      OwnFiles(folder).claim(files_of_snapshots(scene));
+      times_ = csv_series(folder + "/" + times_of_snapshots, {"snapshot", "t"}, resume);
+    }
     if (resume) restore();
+    if (has_snapshots()) {
+      std::vector<double> taken;
+      for (long k = 0; k < taken_.snapshots; ++k) taken.push_back(scene.snapshots->time(k));
+      simulation_.snapshots->begin(folder, taken);
+    }
   }
 
   /// Into a table in memory, without a folder.
@@ -94,6 +138,8 @@ class Run {
 
  private:
   bool in_memory() const { return folder_.empty(); }
+  bool has_snapshots() const { return !in_memory() && scene_.snapshots && simulation_.snapshots; }
+  long snapshots() const { return has_snapshots() ? scene_.snapshots->rows() : 0; }
 
   /// The first checkpoint, before the first step; and what the drift is measured from, where there is no row
   /// at t = 0.
@@ -113,20 +159,42 @@ class Run {
 
   /// @return false where it was asked to stop before its last row
   bool go_on() {
-    while (at_.rows < scene_.schedule.rows()) {
+    while (at_.rows < scene_.schedule.rows() || taken_.snapshots < snapshots()) {
       if (options_.stop()) return false;
-      double const t = scene_.schedule.time(at_.rows);
+      bool const row = row_is_next();
+      long const number = row ? at_.rows : taken_.snapshots;
+      double const t = (row ? scene_.schedule : *scene_.snapshots).time(number);
       if (t > 0 && !simulation_.failure.empty()) throw NumericsError(simulation_.failure);
       if (simulation_.exact)
         simulation_.motion->go_to(t);
-      else if (!advance_to((*steps_to_)(at_.rows)))
+      else if (auto const& steps = row ? steps_to_ : steps_to_snapshots_; !advance_to((*steps)(number)))
         return false;
       else
-        simulation_.motion->look_ahead(steps_to_->beyond(at_.rows));
-      write_row(t);
+        simulation_.motion->look_ahead(steps->beyond(number));
+      if (row)
+        write_row(t);
+      else
+        take_snapshot(t);
       if (poll_.due()) look_up();
     }
     return true;
+  }
+  /// Whether there is a row before the next snapshot, or at the same time.
+  bool row_is_next() const {
+    if (taken_.snapshots >= snapshots()) return true;
+    if (at_.rows >= scene_.schedule.rows()) return false;
+    if (simulation_.exact) return scene_.schedule.time(at_.rows) <= scene_.snapshots->time(taken_.snapshots);
+    long const to_row = (*steps_to_)(at_.rows), to_snapshot = (*steps_to_snapshots_)(taken_.snapshots);
+    return to_row < to_snapshot ||
+           (to_row == to_snapshot &&
+            steps_to_->beyond(at_.rows) <= steps_to_snapshots_->beyond(taken_.snapshots));
+  }
+  /// A file that was not written whole is not told of.
+  void take_snapshot(double t) {
+    simulation_.snapshots->write(folder_, taken_.snapshots, t, options_.durable);
+    times_->add(std::array{static_cast<double>(taken_.snapshots), t});
+    times_->flush();
+    ++taken_.snapshots, taken_.time = t;
   }
 
   /// @return false where it was asked to stop on the way
@@ -183,6 +251,7 @@ class Run {
   void checkpoint() {
     if (in_memory()) return;
     for (auto& series : series_) options_.durable ? series->sync() : series->flush();
+    if (times_) options_.durable ? times_->sync() : times_->flush();
     CheckpointStream stream;
     remember(stream);
     write_checkpoint(folder_ + "/checkpoint", determined_, stream.bytes(), options_.durable);
@@ -192,11 +261,13 @@ class Run {
     Progression place{at_.steps, at_.rows, at_.time, seconds()};
     stream(place);
     if (stream.reading()) at_ = place;
+    if (has_snapshots()) stream(taken_, row_);
     simulation_.motion->remember(stream);
     simulation_.quantities.remember(stream);
     drift_.remember(stream);
     error_.remember(stream);
     for (auto& series : series_) series->remember(stream);
+    if (times_) times_->remember(stream);
     stream.end();
   }
   void restore() {
@@ -210,8 +281,9 @@ class Run {
       throw FileError(path + ": is damaged: " + error.what());
     }
     check_rows(at_, scene_, scene_.file.section("run").place("until"));
-    bool const in_range =
-        at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 && at_.steps <= all();
+    if (has_snapshots()) check_snapshots(taken_, scene_, scene_.file.section("run").place("until"));
+    bool const in_range = at_.rows >= 0 && at_.rows <= scene_.schedule.rows() && at_.steps >= 0 &&
+                          at_.steps <= all() && taken_.snapshots >= 0;
     if (!in_range)
       throw FileError(fmt::format("{}: is damaged: {} rows and {} steps, where the scene has {} and {}", path,
                                   at_.rows, at_.steps, scene_.schedule.rows(), all()));
@@ -233,14 +305,16 @@ class Run {
     // whole: otherwise the checkpoint before stands.
     bool const whole = report.ending == Ending::done || report.ending == Ending::interrupted;
     for (auto& series : series_) attempt([&] { series->flush(); });
+    if (times_) attempt([&] { times_->flush(); });
     if (whole && report.ending != Ending::file_failed) attempt([&] { checkpoint(); });
     if (report.ending == Ending::done)
       progress_.show(Clock::now(), 1, count(), drift_.empty() ? std::nullopt : std::optional(drift_.worst()));
-    report.steps = at_.steps, report.rows = at_.rows, report.seconds = seconds(),
-    report.drift = drift_.entries();
+    report.steps = at_.steps, report.rows = at_.rows, report.snapshots = taken_.snapshots,
+    report.seconds = seconds(), report.drift = drift_.entries();
     report.error = error_.entries(), report.error_how = error_.how();
     report.summary = summary_json(scene_, report);
-    if (!wrote_ && report.ending == Ending::done) evaluate_last_row();
+    // A run with snapshots may be beyond its last row, and has it from its checkpoint.
+    if (!wrote_ && report.ending == Ending::done && !has_snapshots()) evaluate_last_row();
     if (wrote_ || report.ending == Ending::done) report.last_row = row_;
     if (!in_memory())
       attempt([&] { write_whole_file(folder_ + "/summary.json", report.summary, options_.durable); });
@@ -260,7 +334,9 @@ class Run {
   /// Steps, or rows where there are no steps: so far, and of the whole run.
   long count() const { return simulation_.exact ? at_.rows : at_.steps; }
   long all() const {
-    return simulation_.exact ? scene_.schedule.rows() : (*steps_to_)(scene_.schedule.rows() - 1);
+    if (simulation_.exact) return scene_.schedule.rows();
+    long const to_row = (*steps_to_)(scene_.schedule.rows() - 1);
+    return has_snapshots() ? std::max(to_row, (*steps_to_snapshots_)(snapshots() - 1)) : to_row;
   }
   double fraction() const {
     return all() > 0 ? static_cast<double>(count()) / static_cast<double>(all()) : 1;
@@ -283,10 +359,12 @@ class Run {
   Progress progress_;
   PollInterval poll_;
   std::string written_, determined_;
-  std::optional<StepsToRows> steps_to_;
+  std::optional<StepsToRows> steps_to_, steps_to_snapshots_;
   std::vector<std::unique_ptr<Series>> series_;
   std::vector<double> row_;
-  Progression at_;      // its seconds: those of the processes before
+  std::unique_ptr<Series> times_;  // of the snapshots
+  Progression at_;                 // its seconds: those of the processes before
+  Taken taken_;
   bool wrote_ = false;  // a row, in this process
   Clock::time_point began_ = Clock::now(), last_flush_ = began_, last_checkpoint_ = began_;
 };
@@ -307,13 +385,16 @@ std::vector<std::string> files_of_run(Scene const& scene) {
   for (auto const& format : scene.formats)
     if (format == "hdf5")
       out.insert(out.end(), {"series.h5", "series.h5.part"});
-    else
+    else if (format == "csv")
       out.emplace_back("series.csv");
+  if (scene.snapshots && scene.simulation.snapshots)
+    for (auto& name : files_of_snapshots(scene)) out.push_back(std::move(name));
   return out;
 }
 
 void refuse_without_step(Scene const& scene) {
-  bool const stays = scene.schedule.time(scene.schedule.rows() - 1) == 0;
+  bool const stays = scene.schedule.time(scene.schedule.rows() - 1) == 0 &&
+                     (!scene.snapshots || scene.snapshots->time(scene.snapshots->rows() - 1) == 0);
   if (!stays && !scene.simulation.failure.empty()) throw NumericsError(scene.simulation.failure);
 }
 
@@ -327,20 +408,27 @@ RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions con
 namespace {
 
 /// How far the run in a folder is, which belongs to the scene.
-Progression progression(Scene const& scene, std::string const& folder, Place const& place) {
+std::pair<Progression, Taken> progression(Scene const& scene, std::string const& folder, Place const& place) {
   std::string const path = folder + "/checkpoint";
   CheckpointStream stream(read_checkpoint(path, what_determines(scene.file)));
   Progression at;
-  if (stream.bytes().size() < sizeof at) throw FileError(path + ": is damaged: it ends too early");
+  Taken taken;
+  bool const with_snapshots = scene.snapshots && scene.simulation.snapshots;
+  if (stream.bytes().size() < sizeof at + (with_snapshots ? sizeof taken : 0))
+    throw FileError(path + ": is damaged: it ends too early");
   stream(at);
   check_rows(at, scene, place);
-  return at;
+  if (with_snapshots) stream(taken), check_snapshots(taken, scene, place);
+  return {at, taken};
 }
 
 }  // namespace
 
 bool run_is_finished(Scene const& scene, std::string const& folder) {
-  return progression(scene, folder, scene.file.section("run").place("until")).rows == scene.schedule.rows() &&
+  auto const [at, taken] = progression(scene, folder, scene.file.section("run").place("until"));
+  bool const with_snapshots = scene.snapshots && scene.simulation.snapshots;
+  return at.rows == scene.schedule.rows() &&
+         (!with_snapshots || taken.snapshots == scene.snapshots->rows()) &&
          std::filesystem::exists(folder + "/summary.json");
 }
 

@@ -41,6 +41,7 @@ struct RunReport {
   std::string message;              ///< where it did not end well: what went wrong
   long steps = 0;                   ///< of the whole run, those before a resumption included
   long rows = 0;                    ///< of the whole run, that of t = 0 included
+  long snapshots = 0;               ///< of the whole run
   double seconds = 0;               ///< of all its processes
   std::vector<Drift::Entry> drift;  ///< of each conserved quantity
   /// of attitude and momentum, estimated; none where that was not possible

@@ -1,5 +1,7 @@
 #include "actio/scene/scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <limits>
@@ -15,6 +17,13 @@ System const& system_of(SceneFile const& file) {
   std::vector<std::string> kinds;
   for (auto const& system : systems()) kinds.push_back(system.name);
   return *find_system(file.section("system").choice("kind", "system", kinds, "actio list systems"));
+}
+
+/// Whether the format is one of snapshots alone.
+bool is_of_snapshots(std::string const& format, System const& system) {
+  if (!system.snapshots) return false;
+  auto const& formats = system.snapshots->formats;
+  return std::any_of(formats.begin(), formats.end(), [&](auto const& known) { return known.name == format; });
 }
 
 std::vector<std::string> names(std::vector<Quantity> const& quantities) {
@@ -49,6 +58,39 @@ Simulation prepared(System const& system, Request const& request, Schedule& sche
   }
 }
 
+/// What [output] asks of snapshots, and when; nothing where it does not.
+std::optional<SnapshotRequest> snapshots_of(SceneTable const& output, System const& system,
+                                            std::vector<std::string> const& formats) {
+  if (!system.snapshots) return {};
+  if (!output.has("snapshots")) {
+    std::string const needs = "[output] snapshots, the list of what they hold, is needed with it; [] for " +
+                              system.snapshots->always + " alone";
+    for (char const* key : {"snapshot_at", "snapshot_every"})
+      if (output.has(key)) output.fail(key, std::string(key) + ": " + needs);
+    for (std::size_t i = 0; i < formats.size(); ++i)
+      if (is_of_snapshots(formats[i], system))
+        throw SceneError(output.place("formats", i),
+                         "formats: " + formats[i] + " is for snapshots: " + needs);
+    return {};
+  }
+  std::vector<std::string> known;
+  for (auto const& column : system.snapshots->columns) known.push_back(column.name);
+  auto columns = output.texts("snapshots");
+  if (!columns.empty()) columns = output.choices("snapshots", "column", known);
+  return SnapshotRequest{columns, formats};
+}
+
+/// When there are snapshots.
+Schedule snapshot_times(SceneTable const& output, Schedule const& rows) {
+  Schedule const schedule(output, rows);
+  if (schedule.rows() > most_snapshots) {
+    std::string const key = output.has("snapshot_every") ? "snapshot_every" : "snapshot_at";
+    output.fail(key, fmt::format("{}: at most {} snapshots are possible, and these are {}", key,
+                                 most_snapshots, schedule.rows()));
+  }
+  return schedule;
+}
+
 }  // namespace
 
 Scene Scene::read(SceneFile file) {
@@ -71,14 +113,25 @@ Scene Scene::read(SceneFile file) {
   if (system.own_quantities)
     for (auto const& own : names(system.own_quantities(file))) known.push_back(own);
   auto const quantities = output.choices("quantities", "quantity", known, "actio list quantities");
-  auto const formats = output.choices("formats", "format", {"csv", "hdf5"});
+  std::vector<std::string> known_formats{"csv", "hdf5"};
+  if (system.snapshots)
+    for (auto const& format : system.snapshots->formats) known_formats.push_back(format.name);
+  auto const formats = output.choices("formats", "format", known_formats);
+  if (std::all_of(formats.begin(), formats.end(), [&](auto const& f) { return is_of_snapshots(f, system); }))
+    output.fail("formats", fmt::format("formats: {} holds snapshots; the rows need csv or hdf5 beside it",
+                                       listed(formats)));
+  auto const snapshots = snapshots_of(output, system, formats);
+  std::optional<Schedule> times;
+  if (snapshots) schedule.meet(times.emplace(snapshot_times(output, schedule)));
   bool const plots = output.boolean("plots");
 
   bool const wanted = output.has("error_estimate"), estimate = wanted && output.boolean("error_estimate");
   Simulation simulation = prepared(
-      system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt}, schedule);
+      system, {file, schedule, quantities, wanted ? std::optional(estimate) : std::nullopt, snapshots},
+      schedule);
+  if (times && schedule.between_steps()) times->allow_between_steps();
   if (!wanted) output.set("error_estimate", simulation.companion.motion != nullptr);
-  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation)};
+  return {file, &system, title, seed, schedule, quantities, formats, plots, std::move(simulation), times};
 }
 
 }  // namespace actio::scene

@@ -242,6 +242,16 @@ Eigen::Vector3d SceneTable::vector(std::string const& key) const {
 Eigen::MatrixXd SceneTable::matrix(std::string const& key, long n) const {
   return matrix_in(value_of(*document_, path_, key, *this), place(key), key, n, document_->name);
 }
+std::vector<std::vector<double>> SceneTable::rows(std::string const& key, long size) const {
+  auto const& list = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of rows");
+  std::vector<std::vector<double>> out;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Place const where = place(key, i);
+    out.push_back(numbers_in(list_of(list[i], where, key, "a list of numbers in each row"), where, key, size,
+                             document_->name));
+  }
+  return out;
+}
 std::vector<Eigen::MatrixXd> SceneTable::matrices(std::string const& key) const {
   auto const& list = list_of(value_of(*document_, path_, key, *this), place(key), key, "a list of matrices");
   if (list.empty()) fail(key, key + ": at least one matrix is expected, found none");

@@ -22,35 +22,58 @@ Schedule::Schedule(SceneTable run) {
     if (run.has("every"))
       run.fail("at",
                "at and every exclude each other: rows at the times listed, or at the multiples of every");
-    at_ = run.numbers("at");
-    if (at_.empty()) run.fail("at", "at: at least one time is expected");
     bool const bounded = run.has("until");
-    until_ = bounded ? run.positive("until") : at_.back();
-    for (std::size_t i = 0; i < at_.size(); ++i) {
-      if (at_[i] < 0 || (bounded && at_[i] > until_))
-        throw SceneError(run.place("at", i),
-                         fmt::format("at: times from 0 {} are expected, found {}",
-                                     bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
-      if (i > 0 && !(at_[i] > at_[i - 1]))
-        throw SceneError(
-            run.place("at", i),
-            fmt::format("at: each time is later than the one before; found {} after {}", at_[i], at_[i - 1]));
-    }
+    if (bounded) until_ = run.positive("until");
+    read_times(run, "at", bounded);
     if (!(until_ > 0))
       run.fail("at", "at: where 0 is the only time, [run] needs 'until', for example until = 1");
     if (!bounded) run.set("until", until_);
-    rows_ = static_cast<long>(at_.size());
     return;
   }
   until_ = run.positive("until");
-  if (!run.has("every")) {
+  if (run.has("every"))
+    read_interval(run, "every");
+  else
     at_ = {0, until_}, rows_ = 2;
-    return;
+}
+
+Schedule::Schedule(SceneTable const& output, Schedule const& rows)
+    : until_(rows.until_), between_steps_(rows.between_steps_) {
+  bool const listed = output.has("snapshot_at"), regular = output.has("snapshot_every");
+  if (listed && regular)
+    output.fail("snapshot_at",
+                "snapshot_at and snapshot_every exclude each other: snapshots at the times listed, or "
+                "at the multiples of snapshot_every");
+  if (listed)
+    read_times(output, "snapshot_at", true);
+  else if (regular)
+    read_interval(output, "snapshot_every");
+  else
+    at_ = {0, until_}, rows_ = 2;
+}
+
+void Schedule::read_times(SceneTable const& table, std::string const& key, bool bounded) {
+  at_ = table.numbers(key);
+  if (at_.empty()) table.fail(key, key + ": at least one time is expected");
+  if (!bounded) until_ = at_.back();
+  for (std::size_t i = 0; i < at_.size(); ++i) {
+    if (at_[i] < 0 || (bounded && at_[i] > until_))
+      throw SceneError(table.place(key, i),
+                       fmt::format("{}: times from 0 {} are expected, found {}", key,
+                                   bounded ? fmt::format("to until = {}", until_) : "on", at_[i]));
+    if (i > 0 && !(at_[i] > at_[i - 1]))
+      throw SceneError(table.place(key, i),
+                       fmt::format("{}: each time is later than the one before; found {} after {}", key,
+                                   at_[i], at_[i - 1]));
   }
-  every_ = run.positive("every");
+  rows_ = static_cast<long>(at_.size());
+}
+
+void Schedule::read_interval(SceneTable const& table, std::string const& key) {
+  every_ = table.positive(key);
   double const ratio = until_ / every_;
   if (!(ratio < most))
-    run.fail("every", fmt::format("every: at most 2^53 rows are possible; until/every is {}", ratio));
+    table.fail(key, fmt::format("{}: at most 2^53 rows are possible; until/{} is {}", key, key, ratio));
   // A quarter: the last multiple of a short interval is not mistaken for another one.
   last_beside_ = std::round(ratio) < 1 ||
                  !(std::abs(ratio - std::round(ratio)) <= std::min(0.25, near * std::max(1.0, ratio)));
@@ -63,10 +86,14 @@ double Schedule::time(long row) const {
 }
 
 std::vector<double> Schedule::landmarks() const {
-  if (every_ == 0) return at_;
-  return last_beside_ && every_ < until_ ? std::vector<double>{every_, until_}
-                                         : std::vector<double>{last_beside_ ? until_ : every_};
+  std::vector<double> out = at_;
+  if (every_ != 0 && (every_ < until_ || !last_beside_)) out.push_back(every_);
+  if (every_ != 0 && last_beside_) out.push_back(until_);
+  out.insert(out.end(), besides_.begin(), besides_.end());
+  return out;
 }
+
+void Schedule::meet(Schedule const& other) { besides_ = other.landmarks(); }
 
 double Schedule::common_divisor() const {
   double divisor = 0;
@@ -81,7 +108,8 @@ double Schedule::common_divisor() const {
     }
     divisor = a;
   }
-  double const longest = landmarks().back();
+  auto const all = landmarks();
+  double const longest = *std::max_element(all.begin(), all.end());
   if (!(divisor * most > longest && divisor > 1e-7 * longest)) return 0;
   return longest / std::round(longest / divisor);  // the rounding of the remainders is gone
 }
@@ -125,10 +153,11 @@ StepsToRows::StepsToRows(Schedule const& schedule, double step, SceneTable const
       method.fail("step",
                   fmt::format("step: at most 2^53 steps are possible; {} / {} is {}", t, step, ratio));
     if (schedule.between_steps() || (is_multiple(ratio) && (t == 0 || std::round(ratio) >= 1))) continue;
-    method.fail("step", fmt::format("step: rows are at multiples of the step, and t = {} is {} steps of {} "
+    method.fail("step", fmt::format("step: {} are at multiples of the step, and t = {} is {} steps of {} "
                                     "(which run.between_steps = true reaches by a shorter "
                                     "step){}",
-                                    t, ratio, step, step_that_would_do(schedule, step)));
+                                    schedule.has_others() ? "rows and snapshots" : "rows", t, ratio, step,
+                                    step_that_would_do(schedule, step)));
   }
 }
 

@@ -19,6 +19,10 @@ class Schedule {
   /// @throws SceneError  where a time is not positive, beyond `until`, or not later than the one before;
   ///                     where there are more than 2^53 rows
   explicit Schedule(SceneTable run);
+  /// Those of the snapshots: `snapshot_at` or `snapshot_every` of [output]; with neither, the first and the
+  /// last.
+  /// @throws SceneError  as for the rows
+  Schedule(SceneTable const& output, Schedule const& rows);
 
   double until() const { return until_; }  ///< the time of the last row
   /// Whether rows between two steps are reached by a shorter step.
@@ -28,8 +32,13 @@ class Schedule {
   long rows() const { return rows_; }  ///< how many rows there are, that of t = 0 included
   /// Of row 0, 1, ..., `rows()` - 1.
   double time(long row) const;
-  /// Times of which all others are multiples or that stand alone: `every` and `until`, or those of `at`.
+  /// Times of which all others are multiples or that stand alone: `every` and `until`, or those of `at`; and
+  /// those that steps are to meet besides.
   std::vector<double> landmarks() const;
+  /// That steps are to meet those of another schedule as well.
+  void meet(Schedule const& other);
+  /// Whether there is another one.
+  bool has_others() const { return !besides_.empty(); }
   /// The longest time that divides all others; zero where they have none in common.
   double common_divisor() const;
   /// Whether every row is at a multiple of the step, |t/h - round| <= 1e-9 max(1, t/h).
@@ -46,6 +55,10 @@ class Schedule {
   bool between_steps_ = false;
   std::vector<double> at_;
   long rows_ = 0;
+  std::vector<double> besides_;  // landmarks of another schedule
+
+  void read_times(SceneTable const& table, std::string const& key, bool bounded);
+  void read_interval(SceneTable const& table, std::string const& key);
 };
 
 /// The number of steps to each row, for a method with steps.

@@ -9,6 +9,7 @@
 #include "actio/scene/checkpoint_stream.hpp"
 #include "actio/scene/quantity.hpp"
 #include "actio/scene/scene_error.hpp"
+#include "actio/scene/snapshots.hpp"
 
 namespace actio::scene {
 
@@ -70,8 +71,9 @@ struct Simulation {
   long steps_at_once = 1 << 14;
   /// why it can take no step from its start, for instance since the step is too long; empty where it can
   std::string failure;
-  Companion companion;                 ///< from which the error is estimated
-  std::vector<std::string> shortcuts;  ///< what the scene allows to leave out, for the plan
+  Companion companion;                        ///< from which the error is estimated
+  std::unique_ptr<SnapshotWriter> snapshots;  ///< null where the scene asks for none
+  std::vector<std::string> shortcuts;         ///< what the scene allows to leave out, for the plan
   /// what was done to the input, for instance a quaternion normalised
   std::vector<std::string> remarks;
 };

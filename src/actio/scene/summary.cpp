@@ -18,6 +18,7 @@ std::string summary_json(Scene const& scene, RunReport const& report) {
   out["steps"] = report.steps;
   // Where a file failed, rows that were computed last may not be in it.
   if (report.ending != Ending::file_failed) out["rows"] = report.rows;
+  if (scene.snapshots) out["snapshots"] = report.snapshots;
   out["wall_seconds"] = report.seconds;
   out["evaluations"] = Json::object();
   out["skipped"] = Json::array();

@@ -6,7 +6,8 @@
   with(rigid_body)              \
   with(rigid_body_n)            \
   with(heavy_top)               \
-  with(euler_poincare)
+  with(euler_poincare)          \
+  with(vorticity_sphere)
 // clang-format on
 
 namespace actio::scene {

@@ -39,6 +39,8 @@ struct Request {
   std::vector<std::string> quantities;  ///< names of those that the rows hold
   /// whether an estimate of the error is wanted; none: where it costs less than a third of the run
   std::optional<bool> error_estimate;
+  /// what is wanted of snapshots; none: there are none to be written
+  std::optional<SnapshotRequest> snapshots = {};
 };
 
 struct BodyShape;
@@ -74,6 +76,7 @@ struct System {
   /// The quantities that a scene of it adds by itself, for instance the vectors that it names; null where
   /// none does so.
   std::vector<Quantity> (*own_quantities)(SceneFile const& file) = nullptr;
+  std::optional<SnapshotKind> snapshots = {};  ///< what its snapshots can hold; none: it has no snapshots
 };
 
 /// All systems, in the order in which they are told.

@@ -1,0 +1,64 @@
+// Snapshots: the whole state of a field at some times, in files of their own.
+//
+//     run/snapshots/000000.csv, 000001.csv, ...      what the system writes of each
+//     run/snapshots/times.csv                        their numbers and times
+//
+// A system says what its snapshots can hold (`SnapshotKind`, in its `System`), and sets up a writer where a
+// scene asks for them (`Simulation::snapshots`). When they are taken, and that a run that was cut short
+// leaves the same ones, is a matter of the run. A snapshot is written whole, and counts when `times.csv` has
+// its row; one that was cut short is written over.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace actio::scene {
+
+/// What snapshots of a kind of system can hold.
+struct SnapshotKind {
+  /// Something that can be asked for.
+  struct Column {
+    std::string name;     ///< as scenes write it
+    std::string meaning;  ///< in a few words
+  };
+  std::string always;                ///< what every one of them holds, in words
+  std::vector<Column> columns;       ///< what can be asked for besides
+  std::vector<Column> formats = {};  ///< in which they can be had besides tables: "netcdf"
+};
+
+/// What a scene wants of its snapshots.
+struct SnapshotRequest {
+  std::vector<std::string> columns;  ///< besides what every one of them holds
+  std::vector<std::string> formats;  ///< of the scene
+  /// Whether this format is wanted.
+  bool in(std::string const& format) const;
+};
+
+/// What writes the snapshots of one run: the state of its motion at the time of the call.
+class SnapshotWriter {
+ public:
+  virtual ~SnapshotWriter() = default;
+  /// The files of one snapshot, with the folder within that of the run: "snapshots/000000.csv".
+  virtual std::vector<std::string> files(long number) const = 0;
+  /// Files in which all of them share.
+  virtual std::vector<std::string> shared_files() const { return {}; }
+  /// Makes the files in which they share ready for the next one, in a run that begins or goes on: they hold
+  /// those that were taken, and no others.
+  /// @param folder  of the run
+  /// @param taken   times of those that count
+  /// @throws FileError
+  virtual void begin(std::string const& folder, std::span<double const> taken) { (void)folder, (void)taken; }
+  /// Writes one; files of that name are written over.
+  /// @param durable  whether it is on the disk afterwards
+  /// @throws FileError
+  virtual void write(std::string const& folder, long number, double time, bool durable) = 0;
+};
+
+/// `snapshots/000012` and an ending.
+std::string snapshot_file(long number, std::string const& ending);
+
+/// The most snapshots of a run: what six digits count.
+constexpr long most_snapshots = 1000000;
+
+}  // namespace actio::scene

@@ -1,0 +1,53 @@
+#include "actio/scene/systems/vorticity_memory.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+namespace actio::scene {
+
+double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved,
+                           std::vector<std::string> const& quantities) {
+  bool const poisson = conserved == Conserved::lie_poisson;
+  // The state and a copy for a row between steps, the Laplacian, the start, and what a step has on the way.
+  double count = 4 + 2 + 2 + 10;
+  // Each substep: the axis of the frame, products, unknowns and what they are made of, directions, and five
+  // steps to guess from.
+  double const before = 5 * (poisson ? 2 : 4);
+  count += static_cast<double>(substeps) *
+           (2 + 5 + 14 + (conserved == Conserved::all_invariants ? 6 : 0) + before);
+  // A checkpoint holds half of each skew matrix, and is there twice while it is written.
+  count += 2 * (1 + static_cast<double>(substeps) * before / 2);
+  auto const asked = [&](char const* name) {
+    return std::find(quantities.begin(), quantities.end(), name) != quantities.end();
+  };
+  count += asked("casimirs") ? 10 : asked("extrema") ? 6 : asked("spectrum") ? 4 : 2;
+  return count * sizeof(double) * n * n;
+}
+
+double bytes_of_machine() {
+  double bytes =
+      static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+  if (!(bytes > 0)) bytes = std::numeric_limits<double>::infinity();
+  for (char const* path : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
+    std::ifstream in(path);
+    if (double limit = 0; in >> limit && limit > 0) bytes = std::min(bytes, limit);
+  }
+  for (auto const which : {RLIMIT_AS, RLIMIT_DATA})
+    if (rlimit limit{}; ::getrlimit(which, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+      bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+  return bytes;
+}
+
+std::string bytes_in_words(double bytes) {
+  char const* const units[] = {"B", "kB", "MB", "GB", "TB", "PB", "EB"};
+  int k = 0;
+  while (bytes >= 999.5 && k < 6) bytes /= 1000, ++k;
+  return fmt::format("{:.3g} {}", bytes, units[k]);
+}
+
+}  // namespace actio::scene

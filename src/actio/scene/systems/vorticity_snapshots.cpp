@@ -1,0 +1,174 @@
+#include "actio/scene/systems/vorticity_snapshots.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "actio/scene/checkpoint.hpp"
+#include "actio/scene/systems/vorticity_input.hpp"
+#include "actio/scene/units.hpp"
+
+namespace actio::scene {
+namespace {
+
+/// A table that is put together in memory: rows of numbers with 17 significant digits.
+class Table {
+ public:
+  explicit Table(std::string heading) : text_(std::move(heading)) { text_ += '\n'; }
+  void add(double x) {
+    constexpr std::size_t longest = 25;
+    std::size_t const before = text_.size();
+    text_.resize(before + longest);
+    char* const at = text_.data() + before;
+    text_.resize(static_cast<std::size_t>(
+        std::to_chars(at, at + longest, x, std::chars_format::general, 17).ptr - text_.data()));
+    text_ += ',';
+  }
+  void end_row() { text_.back() = '\n'; }
+  std::string const& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+std::string table_of_harmonics(SphereHarmonics const& f) {
+  Table table("l,m,re,im");
+  for (int l = 1; l < f.degrees(); ++l)
+    for (int m = 0; m <= l; ++m) {
+      table.add(l), table.add(m), table.add(f(l, m).real()), table.add(m == 0 ? 0 : f(l, m).imag());
+      table.end_row();
+    }
+  return table.text();
+}
+
+std::string table_of_fields(SphereGrid const& grid, std::vector<std::string> const& names,
+                            std::vector<GridField const*> const& fields) {
+  std::string heading = "longitude,latitude";
+  for (auto const& name : names) heading += "," + name;
+  Table table(heading);
+  for (int j = 0; j < grid.latitudes(); ++j)
+    for (int k = 0; k < grid.longitudes; ++k) {
+      table.add(grid.longitude(k)), table.add(grid.latitude(j));
+      for (auto const* field : fields) table.add((*field)(j, k));
+      table.end_row();
+    }
+  return table.text();
+}
+
+class VorticitySnapshots : public SnapshotWriter {
+ public:
+  VorticitySnapshots(SnapshotRequest const& request, int n, VorticityMotion const& motion,
+                     FieldsFile const& file)
+      : names_{"vorticity"},
+        netcdf_(request.in("netcdf")),
+        csv_(!netcdf_ || request.in("csv")),
+        n_(n),
+        motion_(motion),
+        file_(file),
+        grid_(SphereGrid::gauss(n, 2 * n)) {
+    names_.insert(names_.end(), request.columns.begin(), request.columns.end());
+  }
+
+  std::vector<std::string> files(long number) const override {
+    std::vector<std::string> out{snapshot_file(number, ".harmonics.csv")};
+    if (csv_) out.push_back(snapshot_file(number, ".csv"));
+    return out;
+  }
+  std::vector<std::string> shared_files() const override {
+    return netcdf_ ? std::vector<std::string>{fields_file} : std::vector<std::string>{};
+  }
+
+  /// The file that all share is made anew: it may have been cut short, and the harmonics hold all of it.
+  void begin(std::string const& folder, std::span<double const> taken) override {
+    if (!netcdf_) return;
+    std::string const path = folder + "/" + fields_file;
+    file_.create(path, grid_, n_);
+    for (std::size_t k = 0; k < taken.size(); ++k) {
+      long const number = static_cast<long>(k);
+      SphereHarmonics const f =
+          read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_);
+      file_.add(path, number, taken[k], flow_on(grid_, symbol_of(f, file_.symbol)), f);
+    }
+  }
+
+  void write(std::string const& folder, long number, double time, bool durable) override {
+    SphereHarmonics f = harmonics_of(motion_.vorticity_at_output());
+    f(0, 0) = 0;  // rounding: the trace of the matrix is zero
+    write_whole_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), table_of_harmonics(f), durable);
+    FlowFields const fields = needed_fields(symbol_of(f, file_.symbol));
+    if (csv_) {
+      std::vector<GridField const*> columns;
+      for (auto const& name : names_)
+        columns.push_back(name == "vorticity"        ? &fields.vorticity
+                          : name == "streamfunction" ? &fields.streamfunction
+                          : name == "u"              ? &fields.east
+                                                     : &fields.north);
+      write_whole_file(folder + "/" + snapshot_file(number, ".csv"), table_of_fields(grid_, names_, columns),
+                       durable);
+    }
+    if (netcdf_) file_.add(folder + "/" + fields_file, number, time, fields, f);
+  }
+
+ private:
+  static constexpr char const* fields_file = "snapshots/fields.nc";
+
+  bool asks(char const* name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+  /// Those that no file holds stay empty.
+  FlowFields needed_fields(SphereHarmonics const& f) const {
+    if (netcdf_ || asks("u") || asks("v")) return flow_on(grid_, f);
+    FlowFields out;
+    if (asks("streamfunction")) {
+      auto both = values_on(grid_, {f, stream_function(f)});
+      out.vorticity = std::move(both[0]), out.streamfunction = std::move(both[1]);
+    } else {
+      out.vorticity = values_on(grid_, f);
+    }
+    return out;
+  }
+
+  std::vector<std::string> names_;
+  bool netcdf_, csv_;
+  int n_;
+  VorticityMotion const& motion_;
+  FieldsFile file_;
+  SphereGrid grid_;
+};
+
+}  // namespace
+
+SnapshotKind vorticity_snapshots() {
+  return {"longitude, latitude and vorticity",
+          {{"streamfunction", "with the mean zero; the vorticity is its Laplacian"},
+           {"u", "the velocity towards the east"},
+           {"v", "towards the north"}},
+          {{"netcdf",
+            "all of them in one file snapshots/fields.nc, NetCDF-4 after CF-1.10, with vorticity, stream "
+            "function and velocity, and the coefficients of the matrix in the group spectral"}}};
+}
+
+Parameter symbol_parameter() {
+  return {
+      "output.symbol",
+      "a text",
+      "\"berezin\"",
+      "How matrices become fields in snapshots, on N parallels at Gauss's latitudes and 2N meridians, in "
+      "radians: berezin, whose values never leave the interval of the eigenvalues of -iW, or weyl, with "
+      "the coefficients of the matrix, which does. The files snapshots/000000.harmonics.csv, ... with rows "
+      "l,m,re,im, m >= 0, from which initial.file begins a run, hold those of the matrix.",
+      "",
+      "\"weyl\"",
+      {"berezin", "weyl"}};
+}
+
+std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
+                                                VorticityMotion const& motion) {
+  SceneTable output = request.file.section("output");
+  if (!output.has("symbol") && request.snapshots) output.set("symbol", "berezin");
+  if (!output.has("symbol")) return nullptr;
+  std::string const symbol = output.choice("symbol", "symbol", {"berezin", "weyl"});
+  if (!request.snapshots) return nullptr;
+  FieldsFile const file{request.file.section("scene").text("title"), read_units(request.file).time,
+                        symbol == "weyl" ? Symbol::weyl : Symbol::berezin};
+  return std::make_unique<VorticitySnapshots>(*request.snapshots, n, motion, file);
+}
+
+}  // namespace actio::scene
