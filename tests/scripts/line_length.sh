@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# line_length.sh ROOT: no line of C++ or of a proof passes column 110, code or comment. `./run format` breaks those that do.
+# line_length.sh ROOT: no line of C++ or of a proof passes column 110, code or comment. `./run format` breaks
+# those that do.
 set -uo pipefail
 cd "$1" || exit
 export LC_ALL=C.UTF-8

@@ -1,0 +1,230 @@
+// What a step of the fluid on the sphere costs, in complex products of the same size; and what is left of the
+// invariants after ten thousand steps.
+//
+// The unit is one zgemm of OpenBLAS on one processor, timed in the same rounds. The length of a step is that
+// of the published codes, h |P|_2/(2 hbar) = 0.157. The smooth state has random harmonics of degrees below
+// ten, the developed one an enstrophy spectrum l^-1 up to the grid. The peer is the fixed point that the
+// published codes use, to their usual tolerance.
+#include <random>
+
+#include "actio/vorticity/blas_products.hpp"
+#include "actio/vorticity/fast_vorticity_step.hpp"
+#include "actio/vorticity/sphere_invariants.hpp"
+#include "benchmark.hpp"
+#include "peers/fixed_point_midpoint.hpp"
+#include "timing.hpp"
+
+extern "C" {
+actio::Gemm<double> dgemm_;
+actio::Gemm<float> sgemm_;
+void openblas_set_num_threads(int);
+}
+
+using namespace actio;
+using Fast = FastVorticityStep<SphereLaplacian, BlasProducts>;
+using PlainStep = VorticityStep<SphereLaplacian, BlasProducts>;
+extern template class actio::VorticityStep<SphereLaplacian, BlasProducts>;
+extern template class actio::FastVorticityStep<SphereLaplacian, BlasProducts>;
+
+/// A random state: degrees below ten, or an enstrophy spectrum l^-1 to the grid.
+SkewHermitian<> random_state(int n, bool developed, unsigned seed = 1997) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  SphereHarmonics f(n);
+  for (int l = 1; l < (developed ? n : 10); ++l)
+    for (int m = 0; m <= l; ++m) {
+      double const size = developed ? 1 / std::sqrt(l * (2.0 * l + 1)) : 1;
+      double const real = normal(random), imaginary = normal(random);
+      f(l, m) = {size * real, m > 0 ? size * imaginary : 0};
+    }
+  return matrix_of(f);
+}
+/// The step with h |P|_2/(2 hbar) as given.
+double step_of(SphereLaplacian const& laplacian, SkewHermitian<> const& w, double share) {
+  return share * 2 * QuantizedSphere(static_cast<int>(w.size())).hbar() /
+         Fast::spectral_radius(laplacian.solve(w));
+}
+double casimir_change(SkewHermitian<> const& from, SkewHermitian<> const& to) {
+  Eigen::VectorXd const before = vorticity_casimirs(from, 8), after = vorticity_casimirs(to, 8);
+  double const c2 = std::abs(before[0]), area = 4 * M_PI;
+  double worst = 0;
+  // In units of (C_2/4 pi)^(k/2) 4 pi: odd powers may nearly vanish.
+  for (Eigen::Index k = 0; k < before.size(); ++k)
+    worst = std::max(worst, std::abs(after[k] - before[k]) /
+                                std::max(std::abs(before[k]),
+                                         area * std::pow(c2 / area, 0.5 * static_cast<double>(k + 2))));
+  return worst;
+}
+
+/// Times of one size and state.
+struct Cost {
+  double product_ms, peer, unfinished, poisson, energy, all, rounds;
+  double casimirs, peer_casimirs;
+};
+Cost cost_of(benchmark::Benchmark const& program, int n, bool developed) {
+  BlasProducts const products({&dgemm_, &sgemm_});
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> const start = random_state(n, developed);
+  double const h = step_of(laplacian, start, 0.157);
+  TurningFrame const frame = calmest_frame(QuantizedSphere(n), laplacian, start);
+
+  ComplexMatrix<> const a = start.complex();
+  ComplexMatrix<> out;
+  peers::FixedPointMidpoint peer{laplacian, h};
+  ComplexMatrix<> by_peer = a;
+  PlainStep unfinished(laplacian, Conserved::lie_poisson, h, frame, products);
+  unfinished.tolerance = 1e-8;
+  SkewHermitian<> w = start;
+  // The first steps of all begin without a history. The large ones are begun by one step that all share.
+  Fast poisson(laplacian, Conserved::lie_poisson, h, frame, products),
+      energy(laplacian, Conserved::energy_casimir, h, frame, products),
+      all(laplacian, Conserved::all_invariants, h, frame, products);
+  std::array<SkewHermitian<>, 3> states{start, start, start};
+  bool const large = n > 512;
+  double rounds = 0, steps_made = 0;
+  auto const advance = [&](Fast& fast, SkewHermitian<>& state) {
+    auto const report = fast.advance(state);
+    if (&fast == &poisson) rounds += report.iterations, ++steps_made;
+  };
+  for (int k = 0; k < 7; ++k) {
+    peer.step(by_peer), unfinished.advance(w), advance(poisson, states[0]);
+    if (!large) advance(energy, states[1]), advance(all, states[2]);
+  }
+  rounds = steps_made = 0;
+  double const count = n <= 64 ? 20 : n <= 256 ? 2 : 1;
+  std::vector<benchmark::Contestant> contestants{{"product",
+                                                  [&] {
+    for (int k = 0; k < count; ++k) peers::complex_product(a, a, out);
+                                                  },
+                                                  count},
+                                                 {"peer",
+                                                  [&] {
+    for (int k = 0; k < count; ++k) peer.step(by_peer);
+                                                  },
+                                                  count},
+      {"unfinished",
+       [&] {
+    for (int k = 0; k < count; ++k) unfinished.advance(w);
+       },
+       count},
+      {"Lie-Poisson",
+       [&] {
+    for (int k = 0; k < count; ++k) advance(poisson, states[0]);
+       },
+       count}};
+  if (!large) {
+    contestants.push_back({"energy-Casimir",
+                           [&] {
+      for (int k = 0; k < count; ++k) advance(energy, states[1]);
+                           },
+                           count});
+    contestants.push_back({"all",
+                           [&] {
+      for (int k = 0; k < count; ++k) advance(all, states[2]);
+                           },
+                           count});
+  }
+  auto const t = benchmark::in_turns(program.rounds(large ? 3 : n >= 512 ? 7 : 15), contestants);
+  auto const in_products = [&](std::size_t k) {
+    return k < t.size() ? benchmark::ratio_of_best(t[k], t[0]) : 0;
+  };
+  return {1e3 * benchmark::best_tenth(t[0]),
+          in_products(1),
+          in_products(2),
+          in_products(3),
+          in_products(4),
+          in_products(5),
+          rounds / steps_made,
+          casimir_change(start, states[0]),
+          casimir_change(start, SkewHermitian<>(by_peer.real(), by_peer.imag()))};
+}
+
+int main(int argc, char** argv) {
+  openblas_set_num_threads(1);
+  benchmark::Benchmark program(argc, argv,
+                               "a step of the fluid on the sphere, in complex products of N by N matrices");
+  using book::number;
+  std::vector<book::Program::Row> rows;
+  double least_gain = HUGE_VAL, extra = 0, smooth_large = 0, developed_large = 0, unfinished_large = 0,
+         digits = HUGE_VAL;
+  for (int n : {64, 256, 512, 1024}) {
+    // A product of the largest takes a fifth of a second.
+    if (program.is_short() && n > 64) continue;
+    for (bool developed : {false, true}) {
+      Cost const c = cost_of(program, n, developed);
+      rows.push_back({std::to_string(n), developed ? "developed" : "smooth", number(c.product_ms),
+                      number(c.peer), number(c.unfinished), number(c.poisson), number(c.rounds),
+                      c.energy > 0 ? number(c.energy) : "", c.all > 0 ? number(c.all) : "",
+                      number(c.peer_casimirs, 2), number(c.casimirs, 2)});
+      if (n <= 512) {
+        least_gain = std::min(least_gain, c.peer / c.poisson);
+        extra = std::max(extra, c.all / c.energy - 1);
+        digits = std::min(digits, std::log10(c.peer_casimirs / c.casimirs));
+      }
+      if (n >= 512) (developed ? developed_large : smooth_large) = c.poisson;
+      if (n >= 512 && !developed) unfinished_large = c.unfinished;
+    }
+  }
+  program.table("cost",
+                {"N", "state", "product, ms", "fixed point", "no finish", "Lie-Poisson", "rounds",
+                 "energy-Casimir", "all invariants", "fixed point: Casimirs", "ours: Casimirs"},
+                rows);
+  program.figure(
+      "gain", least_gain,
+      "how many times faster than the fixed point a Lie-Poisson step is, least over N = 64 to 512");
+  program.figure("digits", digits,
+                 "decimal digits that the Casimirs have more than by the fixed point, least");
+  program.figure("extra", 100 * extra,
+                 "what all invariants cost more than energy and Casimirs, per cent, most");
+  if (!program.is_short()) {
+    program.figure("smooth", smooth_large,
+                   "a Lie-Poisson step of a smooth state with the exact finish, N = 1024, in products");
+    program.figure("developed", developed_large, "the same of a developed state");
+    program.figure("unfinished", unfinished_large, "a step of a smooth state without the finish, N = 1024");
+  }
+
+  // The invariants of long runs.
+  rows.clear();
+  int const n = 64, steps = program.length(10000, 300);
+  BlasProducts const products({&dgemm_, &sgemm_});
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> const start = random_state(n, false);
+  double const h = step_of(laplacian, start, 0.039);
+  TurningFrame const frame = calmest_frame(QuantizedSphere(n), laplacian, start);
+  Eigen::Vector3d const momentum = sphere_momentum(start);
+  double const energy = vorticity_energy(laplacian, start);
+  double worst_casimir = 0, worst_other = 0;
+  for (auto const& [conserved, name] : {std::pair{Conserved::lie_poisson, "Lie-Poisson"},
+                                        std::pair{Conserved::energy_casimir, "energy-Casimir"},
+                                        std::pair{Conserved::all_invariants, "all invariants"}}) {
+    Fast fast(laplacian, conserved, h, frame, products);
+    SkewHermitian<> w = start;
+    double const seconds = benchmark::processor_seconds_of([&] {
+      for (int k = 0; k < steps; ++k) fast.advance(w);
+    });
+    double const casimirs = casimir_change(start, w),
+                 of_energy = std::abs(vorticity_energy(laplacian, w) / energy - 1),
+                 of_momentum = (sphere_momentum(w) - momentum).norm() / momentum.norm();
+    rows.push_back({name, number(static_cast<double>(steps)), number(casimirs, 2), number(of_energy, 2),
+                    number(of_momentum, 2), number(1e3 * seconds / steps)});
+    worst_casimir = std::max(worst_casimir, casimirs);
+    if (conserved == Conserved::all_invariants) worst_other = std::max(of_energy, of_momentum);
+  }
+  program.table("invariants", {"form", "steps", "C_2 to C_8", "energy", "angular momentum", "ms a step"},
+                rows);
+  program.figure("casimirs", worst_casimir,
+                 "largest relative change of C_2 to C_8 of the three forms, N = 64");
+  program.figure("all", worst_other,
+                 "largest relative change of energy and angular momentum by the form that conserves all");
+  program.claim(worst_other <= 1e-12, "energy and angular momentum together stay within 1e-12");
+
+  // The harmonics beside the step.
+  int const size = program.length(512, 64);
+  SkewHermitian<> const large = random_state(size, true);
+  double const transform = benchmark::processor_seconds_of([&] { (void)harmonics_of(large); });
+  program.figure("transform_ms", 1e3 * transform, "milliseconds from the matrix to the harmonics, N = 512");
+  program.headline("a Lie-Poisson step with exact Casimirs is " + number(least_gain) +
+                       " times faster than the fixed point of published codes",
+                   least_gain);
+  return program.finish();
+}

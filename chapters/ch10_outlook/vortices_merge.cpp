@@ -1,0 +1,105 @@
+// A flow at random on the sphere, and the few large vortices into which it gathers.
+//
+// What is shown. Vortices of one sign merge, and the energy goes to the largest scales while enstrophy goes
+// to the small ones: at the end a few vortices are left. Every invariant of the flow is what it was in the
+// beginning, the whole spectrum of the matrix with it; the form of all invariants is used. Read first.
+// Section 10A.6.
+//
+//   W   vorticity as a matrix, of angular momentum zero       l   degree of a harmonic
+#include <random>
+
+#include "actio/vorticity/sphere_grid.hpp"
+#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/vorticity/symbols.hpp"
+#include "actio/vorticity/vorticity_step.hpp"
+#include "book/plot.hpp"
+#include "book/program.hpp"
+#include "sphere_disc.hpp"
+
+using namespace actio;
+
+constexpr int size = 36, steps = 1400;
+constexpr double h = 0.1;
+unsigned const seed = 4;
+
+// 1. A flow of the degrees 4 to 8, whose vorticity has mean square 1.
+SkewHermitian<> random_flow() {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  SphereHarmonics f(size);
+  double square = 0;
+  for (int l = 4; l <= 8; ++l) {
+    for (int m = 0; m <= l; ++m) f(l, m) = std::complex<double>(normal(random), m == 0 ? 0 : normal(random));
+    square += f.power(l);
+  }
+  f.coefficient *= std::sqrt(4 * M_PI / square);
+  return matrix_of(f);
+}
+
+// 2. Both sides of the sphere.
+std::string both_sides(SphereGrid const& grid, SphereHarmonics const& f, double down, double largest,
+                       std::string const& name) {
+  auto const field = values_on(grid, f);
+  return book::sphere_disc({110, down + 105}, 98, grid, field, largest, {20, 25}) +
+         book::sphere_disc({330, down + 105}, 98, grid, field, largest, {200, -25}) +
+         book::svg::label({220, down + 222}, name, "middle");
+}
+
+int main(int argc, char** argv) {
+  book::Program program(argc, argv, "vortices on the sphere merge, and every invariant stays");
+  program.say("a flow at random from seed ", seed);
+  SphereLaplacian const laplacian(size);
+  auto w = random_flow();
+  double const energy = vorticity_energy(laplacian, w), flow = std::sqrt(2 * energy);
+  auto const values = vorticity_values(w);
+  VorticityStep step(laplacian, Conserved::all_invariants, h);
+  SphereGrid const grid = SphereGrid::uniform(72, 144);
+
+  // 3. The run: pictures at three times, and the energy by degrees.
+  std::string discs;
+  double down = 0, largest = 0;
+  auto const look = [&](int k) {
+    // Berezin's symbol: the vorticity without the scales below the resolution.
+    auto const f = symbol_of(w, Symbol::berezin);
+    if (k == 0) largest = values_on(grid, f).cwiseAbs().maxCoeff();
+    discs += both_sides(grid, f, down, largest, "time " + book::number(k * h));
+    down += 236;
+  };
+  std::vector<double> times, large, middle;
+  auto const spectrum = [&](int k) {
+    auto const by_degree = energy_by_degree(harmonics_of(w));
+    times.push_back(k * h), large.push_back(by_degree.head(4).sum() / energy);
+    middle.push_back(by_degree.segment(4, 5).sum() / energy);
+  };
+  look(0), spectrum(0);
+  for (int k = 1; k <= steps; ++k) {
+    step.advance(w);
+    if (k % 20 == 0) spectrum(k);
+    if (k == steps / 8 || k == steps) look(k);
+  }
+  program.picture("late", book::svg::picture(440, down, discs),
+                  "The vorticity on the two sides of the sphere, at three times: blue turns clockwise, red "
+                  "the other way.");
+  auto plot = book::Plot("time", "share of the energy");
+  plot.curve(times, large, "degrees 1 to 3").curve(times, middle, "degrees 4 to 8");
+  program.picture("shares", plot.svg(), "The energy moves to the largest scales.");
+
+  // 4. What has stayed.
+  double const energy_change = std::abs(vorticity_energy(laplacian, w) / energy - 1);
+  double const momentum = sphere_momentum(w).norm() / flow;
+  double const unit = norm(w) / std::sqrt(double(size));
+  double const spectrum_change = (vorticity_values(w) - values).cwiseAbs().maxCoeff() / unit;
+  program.figure("large", large.back(), "share of the energy in the degrees 1 to 3 at the end");
+  program.figure("energy", energy_change, "relative change of the energy");
+  program.figure("momentum", momentum, "angular momentum, in units of the root of twice the energy");
+  program.figure("spectrum", spectrum_change,
+                 "largest change of an eigenvalue, in units of the root mean square");
+  program.figure("steps", steps, std::to_string(steps), "steps");
+  program.claim(book::measured(large.back()) > 0.5, "most of the energy is in the degrees 1 to 3 at the end");
+  // A rounding for each step and each row.
+  double const bound = 1e-12;
+  program.claim(book::measured(std::max({energy_change, momentum, spectrum_change})) < bound,
+                "energy, angular momentum and every eigenvalue stay");
+  program.headline("every eigenvalue within " + book::number(spectrum_change, 2), spectrum_change);
+  return program.finish();
+}
