@@ -142,6 +142,8 @@ BOOST_AUTO_TEST_CASE(the_report_of_a_state_adds_up) {
   int const n = 400;
   SphereHarmonics f(n);
   f(3, 1) = 2, f(10, 0) = 1;
+  // The rotation as a whole is not counted.
+  f(1, 0) = 7;
   // Energy 2 * 4/(3 * 4) and 1/(10 * 11), enstrophy 8 and 1: halves that cancel.
   Resolution const told = resolution_of(f);
   double const at3 = 8.0 / 12, at10 = 1.0 / 110;

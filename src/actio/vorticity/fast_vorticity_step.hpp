@@ -243,13 +243,7 @@ class FastVorticityStep {
     if (turn == 0) return;
     Eigen::Vector3d const e =
         of_energy() ? frame_.axis : spin_components(sphere_, middle_) / momentum_.norm();
-    for (int k = 0; k < sphere_.n; ++k) {
-      p_.imaginary(k, k) += turn * e[2] * sphere_.weight(k);
-      if (k + 1 == sphere_.n) break;
-      double const r = turn * e[1] * sphere_.ladder(k), j = turn * e[0] * sphere_.ladder(k);
-      p_.real(k, k + 1) += r, p_.real(k + 1, k) -= r;
-      p_.imaginary(k, k + 1) += j, p_.imaginary(k + 1, k) += j;
-    }
+    add_spin(sphere_, turn * e, p_);
   }
   double distance_to_next() const {
     double apart = 0, size = 0;

@@ -30,6 +30,8 @@ struct QuantizedSphere {
   /// The entry (k, k + 1) of \f$S_1\f$, \f$\tfrac12\sqrt{(k+1)(N-1-k)}\f$; that of \f$S_2\f$ is -i times as
   /// much.
   double ladder(int k) const { return 0.5 * std::sqrt((k + 1.0) * (n - 1.0 - k)); }
+  /// \f$|S_j|^2 = \mathrm{Tr}S_j^2 = N(N^2-1)/12\f$.
+  double spin_square() const { return n * (n - 1.0) * (n + 1.0) / 12; }
   /// What a sum over the matrix has to be multiplied by to be an integral over the sphere: \f$4\pi/N\f$.
   double area_element() const { return 4 * M_PI / n; }
 

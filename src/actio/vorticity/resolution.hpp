@@ -22,7 +22,7 @@ inline double degree_of_bracket_error(int n, double error) {
 /// The degree at which Berezin's symbol has halved what the matrix has: \f$\sqrt{2N\log 2}\f$, about.
 inline double symbol_cut_off(int n) { return std::sqrt(2 * std::log(2.0) * n); }
 
-/// The resolution of one state.
+/// The resolution of one state. The degree 1, which turns as a whole and does so exactly, is left aside.
 struct Resolution {
   int size;                   ///< N
   double energy_degree;       ///< the mean degree of the energy
@@ -40,7 +40,7 @@ inline Resolution resolution_of(SphereHarmonics const& vorticity) {
   int const n = vorticity.degrees();
   Eigen::VectorXd const energy = energy_by_degree(vorticity);
   double all = 0, of_energy = 0, square = 0, of_enstrophy = 0;
-  for (int l = 1; l < n; ++l) {
+  for (int l = 2; l < n; ++l) {
     all += energy[l], of_energy += l * energy[l];
     square += vorticity.power(l), of_enstrophy += l * vorticity.power(l);
   }

@@ -67,7 +67,7 @@ inline Eigen::VectorXd energy_by_degree(SphereHarmonics const& vorticity) {
 /// \f$2\Omega\cos\theta\f$, the vorticity of a rotation about the pole, as a matrix.
 inline SkewHermitian<> planetary_vorticity(QuantizedSphere const& sphere, double rotation) {
   SkewHermitian<> w(sphere.n);
-  for (int k = 0; k < sphere.n; ++k) w.imaginary(k, k) = 2 * rotation * sphere.hbar() * sphere.weight(k);
+  add_spin(sphere, 2 * rotation * sphere.hbar() * Eigen::Vector3d::UnitZ(), w);
   return w;
 }
 

@@ -1,6 +1,8 @@
 // Commutators with the spin matrices, which are tridiagonal: O(N^2) operations.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "actio/vorticity/quantized_sphere.hpp"
 
 namespace actio {
@@ -51,6 +53,17 @@ inline double spin_component(QuantizedSphere const& sphere, int axis, SkewHermit
     if (axis == 1 && k + 1 < n) sum += 2 * sphere.ladder(k) * w.real(k, k + 1);
   }
   return sum;
+}
+
+/// \f$W + ie\cdot S\f$ in the place of W: a function \f$e\cdot x/\hbar\f$ is added. O(N) operations.
+inline void add_spin(QuantizedSphere const& sphere, Eigen::Vector3d const& e, SkewHermitian<>& w) {
+  for (int k = 0; k < sphere.n; ++k) {
+    w.imaginary(k, k) += e[2] * sphere.weight(k);
+    if (k + 1 == sphere.n) break;
+    double const r = e[1] * sphere.ladder(k), j = e[0] * sphere.ladder(k);
+    w.real(k, k + 1) += r, w.real(k + 1, k) -= r;
+    w.imaginary(k, k + 1) += j, w.imaginary(k + 1, k) += j;
+  }
 }
 
 }  // namespace actio

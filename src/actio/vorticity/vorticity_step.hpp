@@ -11,8 +11,7 @@
 //   lie_poisson      P of Wt: the discrete Euler-Poincare algorithm of chapter 3 with the Cayley map. Angular
 //                    momentum and the Lie-Poisson structure; energy up to O(h^2), without a drift.
 //   energy_casimir   P of (W_0 + W_1)/2 = W_0 + [A, Wt]: energy, and the part of the angular momentum along
-//                    the
-//                    axis of the frame; no longer a Poisson map.
+//                    the axis of the frame; no longer a Poisson map.
 //   all_invariants   the same, and A moved along the orbit by what takes energy and angular momentum back.
 //
 // The step is made in a frame that turns (turning_frame.hpp).
@@ -46,11 +45,12 @@ struct VorticityReport {
 /// none was.
 struct NotContracting : Error {
   double step;     ///< that was tried, time
-  double largest;  ///< one that does, time
+  double largest;  ///< one that does, time; its sign is that of the step
   /// @param tried, do_well  the two lengths
   NotContracting(double tried, double do_well)
-      : Error("vorticity: the iteration of a step of length " + show(tried) +
-              " does not contract; the longest that does is about " + show(do_well)),
+      : Error("vorticity: the iteration of a step of length " + show(tried) + " does not contract; " +
+              (do_well == 0 ? "nor does that of any shorter step that was tried"
+                            : "the longest that does is about " + show(do_well))),
         step(tried),
         largest(do_well) {}
 };
@@ -70,7 +70,6 @@ class VorticityStep {
         conserved_(conserved),
         step_(step),
         frame_(frame),
-        generator_(frame.generator(sphere_)),
         eps_(step / (2 * sphere_.hbar())),
         products_(std::move(products)) {
     if (!std::isfinite(step)) throw NotFinite("vorticity: step");
@@ -264,9 +263,8 @@ class VorticityStep {
       // The angular momentum that is conserved is left out of the change: where a planet turns fast, it would
       // be amplified before it vanishes.
       SkewHermitian<> mean = w + half_change_;
-      double const square = sphere_.n * (sphere_.n - 1.0) * (sphere_.n + 1.0) / 12;  // of |S_j|
       Eigen::Vector3d const change = spin_components(sphere_, half_change_);
-      for (auto const& e : directions_) add_spin(mean, -e.dot(change) / square * e);
+      for (auto const& e : directions_) add_spin(sphere_, -e.dot(change) / sphere_.spin_square() * e, mean);
       stream_.solve(mean, p_);
     }
     subtract_turning();
@@ -288,21 +286,11 @@ class VorticityStep {
   void subtract_turning() {
     double const turn = frame_.rate * sphere_.hbar();
     if (turn == 0) return;
-    if (conserved_ != Conserved::lie_poisson) {
-      p_.real += turn * generator_.real, p_.imaginary += turn * generator_.imaginary;
-      return;
-    }
-    add_spin(p_, turn / momentum_ * spin_components(sphere_, middle_));
-  }
-  /// W + ie.S.
-  void add_spin(SkewHermitian<>& w, Eigen::Vector3d const& e) const {
-    for (int k = 0; k < sphere_.n; ++k) {
-      w.imaginary(k, k) += e[2] * sphere_.weight(k);
-      if (k + 1 == sphere_.n) break;
-      double const r = e[1] * sphere_.ladder(k), j = e[0] * sphere_.ladder(k);
-      w.real(k, k + 1) += r, w.real(k + 1, k) -= r;
-      w.imaginary(k, k + 1) += j, w.imaginary(k + 1, k) += j;
-    }
+    add_spin(sphere_,
+             conserved_ == Conserved::lie_poisson
+                 ? Eigen::Vector3d(turn / momentum_ * spin_components(sphere_, middle_))
+                 : Eigen::Vector3d(turn * frame_.axis),
+             p_);
   }
 
   /// What energy and angular momentum change by in the step, as a change of W; and a Newton step of the
@@ -345,8 +333,7 @@ class VorticityStep {
   /// does to the middle; and where W is mostly a rotation with the rate r, P of a change of degree 2 turns it
   /// by hr/3.
   double relaxation(SkewHermitian<> const& w) const {
-    double const square = sphere_.n * (sphere_.n - 1.0) * (sphere_.n + 1.0) / 12;
-    double const rate = spin_components(sphere_, w).norm() / square / (2 * sphere_.hbar());
+    double const rate = spin_components(sphere_, w).norm() / sphere_.spin_square() / (2 * sphere_.hbar());
     double const beta = 2 * spectral_radius(a_) + std::abs(step_) * rate / 3;
     return 2 / (1 + std::sqrt(1 + beta * beta));
   }
@@ -356,7 +343,6 @@ class VorticityStep {
   Conserved conserved_;
   double step_;
   TurningFrame frame_;
-  SkewHermitian<> generator_;  ///< ie.S
   double eps_;
   double momentum_ = 0;  ///< modulus of the spin components of W
   SkewProducts<double, Products> products_;

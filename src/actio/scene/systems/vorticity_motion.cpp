@@ -23,14 +23,7 @@ std::vector<SphereStep> substeps(SphereFlow const& flow, SphereScheme const& sch
 /// \f$2\Omega\,x\cdot p\f$ with a direction p in the place of the pole.
 void subtract_rotation(SkewHermitian<>& w, QuantizedSphere const& sphere, double rotation,
                        Eigen::Vector3d const& pole) {
-  double const size = 2 * rotation * sphere.hbar();
-  for (int k = 0; k < sphere.n; ++k) {
-    w.imaginary(k, k) -= size * pole[2] * sphere.weight(k);
-    if (k + 1 == sphere.n) break;
-    double const r = size * pole[1] * sphere.ladder(k), j = size * pole[0] * sphere.ladder(k);
-    w.real(k, k + 1) -= r, w.real(k + 1, k) += r;
-    w.imaginary(k, k + 1) -= j, w.imaginary(k + 1, k) -= j;
-  }
+  add_spin(sphere, -2 * rotation * sphere.hbar() * pole, w);
 }
 
 /// Half of a skew-Hermitian matrix says the whole of it.
@@ -144,7 +137,7 @@ class SteppedVorticity : public VorticityMotion {
       for (auto& step : steps) step.advance(w);
     } catch (NotContracting const& error) {
       w = before;
-      throw NotContracting(length, error.largest / scheme_.longest());
+      throw NotContracting(length, std::copysign(error.largest / scheme_.longest(), length));
     }
   }
 
@@ -175,7 +168,7 @@ SphereFlow::SphereFlow(double rotation_of_sphere, SkewHermitian<> const& relativ
 
 double SphereFlow::fastest_turning() const {
   SkewHermitian<> p = laplacian.solve(start);
-  if (frame.rate != 0) p += (frame.rate * sphere.hbar()) * frame.generator(sphere);
+  add_spin(sphere, frame.rate * sphere.hbar() * frame.axis, p);
   return SphereStep::spectral_radius(p) / sphere.hbar();
 }
 

@@ -10,7 +10,7 @@
 #include "actio/scene/systems/vorticity_memory.hpp"
 #include "actio/scene/systems/vorticity_quantities.hpp"
 #include "actio/scene/systems/vorticity_snapshots.hpp"
-#include "actio/vorticity/sphere_invariants.hpp"
+#include "actio/vorticity/resolution.hpp"
 
 namespace actio::scene {
 namespace {
@@ -19,27 +19,22 @@ std::vector<Method> methods() {
   return {
       {"all_invariants",
        {"2", "4"},
-       "Energy, angular momentum and all Casimir functions at once: the energy-Casimir step, moved along the "
-       "coadjoint "
-       "orbit by what takes energy and angular momentum back. Order 2; composed of substeps 4 (Suzuki). It "
-       "gives up "
-       "the Poisson bracket.",
+       "Energy, angular momentum and all Casimir functions at once: the energy-Casimir step, moved along "
+       "the coadjoint orbit by what takes energy and angular momentum back. Order 2; composed of substeps "
+       "4 (Suzuki). It gives up the Poisson bracket.",
        "claim_10_0_reduced_hydrodynamics"},
       {"energy_casimir",
        {"2", "4"},
        "Energy and all Casimir functions: the stream function is that of the mean of the vorticity before "
-       "and after the "
-       "step. Order 2; composed of substeps 4. It gives up the Poisson bracket, and keeps the angular "
-       "momentum to the "
-       "order of the step: with it, on a sphere that turns, the energy and enstrophy relative to the sphere.",
+       "and after the step. Order 2; composed of substeps 4. It gives up the Poisson bracket, and keeps the "
+       "angular momentum to the order of the step: with it, on a sphere that turns, the energy and "
+       "enstrophy relative to the sphere.",
        "claim_10_0_reduced_hydrodynamics"},
       {"lie_poisson",
        {"2", "4"},
        "The discrete Lie-Poisson algorithm on SU(N) with Cayley's transform, order 2; composed of substeps "
-       "4. It keeps "
-       "the bracket, the angular momentum and all Casimir functions, and the energy to the order of the "
-       "step, without "
-       "a drift.",
+       "4. It keeps the bracket, the angular momentum and all Casimir functions, and the energy to the "
+       "order of the step, without a drift.",
        "eq_3_17"},
   };
 }
@@ -86,18 +81,13 @@ void require_size(SceneTable const& initial, VorticityStart const& start, SkewHe
 /// What can be trusted: interactions of waves are those of the sphere up to this. What turns as a whole, the
 /// degree 1, does so exactly.
 std::string resolution(SphereHarmonics const& relative) {
-  int const n = relative.degrees();
-  Eigen::VectorXd const energy = energy_by_degree(relative);
-  double sum = 0, mean = 0;
-  for (int l = 2; l < n; ++l) sum += energy[l];
-  if (!(sum > 0)) return "";
-  for (int l = 2; l < n; ++l) mean += l * (energy[l] / sum);
-  double const l = std::round(mean), error = std::pow(l, 4) / (6.0 * n * n), end = std::sqrt(2.0 * n);
+  Resolution const told = resolution_of(relative);
+  if (!(told.energy_degree > 0)) return "";
   return fmt::format(
-      "resolution: the energy, a rigid rotation aside, is around the degree {}, where the bracket of "
+      "resolution: the energy, a rigid rotation aside, is around the degree {:.0f}, where the bracket of "
       "the matrices is that of the sphere to about {:.1g} (l^4/(6 N^2)); from about the degree {:.0f} on "
-      "(the root of 2N) it is another one",
-      l, error, end);
+      "it is another one",
+      told.energy_degree, told.error, told.lost_degree);
 }
 
 /// As many steps as take 5 ms or so: some ten evaluations of the step's equation.
@@ -190,17 +180,24 @@ System vorticity_sphere_system() {
   return {"vorticity_sphere",
           "Ideal fluid on the sphere",
           "The vorticity of an incompressible fluid without friction on a rotating sphere of unit radius, as "
-          "a matrix of "
-          "the size N whose spectrum stays.",
+          "a matrix of the size N whose spectrum stays.",
           "chapter 10",
           parameters(),
           methods(),
           vorticity_quantities(),
           prepare,
-          "[system]\nkind = \"vorticity_sphere\"\nN = 32\nrotation = 1.0\n[initial]\nharmonics = [[5, 3, "
-          "0.2, 0.1], [3, 1, "
-          "0.5, 0.0], [1, 0, 0.5, 0.0]]\n[run]\nuntil = 12\nevery = 0.1\n[output]\nquantities = [\"energy\", "
-          "\"angular_momentum\", \"casimirs\"]\n",
+          R"([system]
+kind = "vorticity_sphere"
+N = 32
+rotation = 1.0
+[initial]
+harmonics = [[5, 3, 0.2, 0.1], [3, 1, 0.5, 0.0], [1, 0, 0.5, 0.0]]
+[run]
+until = 12
+every = 0.1
+[output]
+quantities = ["energy", "angular_momentum", "casimirs"]
+)",
           nullptr,
           {},
           nullptr,

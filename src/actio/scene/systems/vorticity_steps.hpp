@@ -43,7 +43,7 @@ struct SphereScheme {
 std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow const> flow,
                                                    SphereScheme const& scheme, double step);
 
-/// The longest step, up to this one, of which the first two can be made; zero where none was found.
+/// The longest step, up to this one, of which the first eight can be made; zero where none was found.
 double longest_vorticity_step(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme,
                               double step);
 
