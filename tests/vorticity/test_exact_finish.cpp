@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(single_cayley_is_the_transform) {
   for (double size : {0.01, 0.1, 0.4, 0.8}) {
     SkewHermitian<> scaled = a;
     scaled *= size / radius;
-    SingleCayley<EigenProducts> cayley({});
+    SingleCayley cayley;
     cayley.factor(scaled, 1.02 * size);
     SkewHermitian<> found(n);
     cayley.conjugate(w.cast<float>(), [&](auto i, auto j, auto f, auto e) {
@@ -85,8 +85,8 @@ BOOST_AUTO_TEST_CASE(the_fast_step_is_the_plain_one_to_its_tolerance_and_conserv
       }
       // Four rounds would be a plain step in disguise.
       BOOST_TEST(rounds <= 4 * (steps - 10));
-      // A relative error of 1e-8 of A in each step, |A||W| at the most 0.1 |W|, and the flow does not double errors
-      // in this time.
+      // A relative error of 1e-8 of A in each step, |A||W| at the most 0.1 |W|, and the flow does not double
+      // errors in this time.
       BOOST_TEST(norm(w - exact) <= 2 * steps * 1e-9 * norm(w));
       BOOST_TEST(norm(w - exact) > 0);
       // A random walk of roundings over sixty steps, and sums of n^2 terms.

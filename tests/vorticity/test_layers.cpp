@@ -8,7 +8,7 @@
 using namespace actio;
 using testing::random_matrix, testing::random_state;
 
-extern template class actio::VorticityStep<HelmholtzStream, EigenProducts>;
+extern template class actio::VorticityStep<HelmholtzStream>;
 
 namespace {
 

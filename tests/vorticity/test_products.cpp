@@ -40,8 +40,8 @@ BOOST_AUTO_TEST_CASE(a_second_backend_gives_the_products_of_complex_matrices) {
   // Around the width of a panel, and where the last one is narrower.
   for (int n : {3, 31, 33, 70, 131}) {
     SkewHermitian<> const a = random_matrix(n, 1), w = random_matrix(n, 2);
-    SkewProducts<double, BlasProducts> by_loops{BlasProducts(slow)};
-    SkewProducts<double, EigenProducts> by_eigen;
+    SkewProducts<double> by_loops(std::make_shared<BlasProducts>(slow));
+    SkewProducts<double> by_eigen;
     SkewHermitian<> c, e, c2, e2;
     by_loops.multiply(a, w, c), by_loops.multiply_again(a, e);
     by_eigen.multiply(a, w, c2), by_eigen.multiply_again(a, e2);

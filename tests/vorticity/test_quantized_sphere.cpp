@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(matrices_in_two_parts_are_complex_matrices) {
 BOOST_AUTO_TEST_CASE(products_of_two_parts_are_those_of_complex_matrices) {
   for (int n : {1, 2, 5, 33}) {
     SkewHermitian<> const a = random_matrix(n, 1), w = random_matrix(n, 2);
-    SkewProducts<double, EigenProducts> products;
+    SkewProducts<double> products;
     SkewHermitian<> c(n), e(n);
     products.multiply(a, w, c);
     products.multiply_again(a, e);

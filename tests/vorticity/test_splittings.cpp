@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(products_by_blocks_are_products) {
     for (int n : {2, 10, 11}) {
       SkewHermitian<> const a = symmetric_part(random_matrix(n, 1), fold),
                             b = symmetric_part(random_matrix(n, 2), fold);
-      SymmetricProducts<EigenProducts> products(fold);
+      SymmetricProducts const products(fold);
       SkewHermitian<>::Part out, lower;
       products.multiply(a.real, b.imaginary, out);
       products.multiply_lower(a.real, b.imaginary, lower);

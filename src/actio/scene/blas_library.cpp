@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include <cstdlib>
+
 namespace actio::scene {
 namespace {
 
@@ -11,6 +13,8 @@ struct Blas {
   std::string why;
 
   Blas() {
+    // Threads of its own would only wait; it starts them when it is loaded.
+    ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
     void* const library = ::dlopen(ACTIO_BLAS_LIBRARY, RTLD_NOW | RTLD_LOCAL);
     if (!library) {
       char const* const message = ::dlerror();
@@ -19,8 +23,7 @@ struct Blas {
     }
     functions = {reinterpret_cast<Gemm<double>*>(::dlsym(library, "dgemm_")),
                  reinterpret_cast<Gemm<float>*>(::dlsym(library, "sgemm_"))};
-    if (!functions.dgemm || !functions.sgemm)
-      why = ACTIO_BLAS_LIBRARY " has no dgemm_ and sgemm_";
+    if (!functions.dgemm || !functions.sgemm) why = ACTIO_BLAS_LIBRARY " has no dgemm_ and sgemm_";
     // Threads are ours: what they share does not depend on how many they are.
     if (auto const set = reinterpret_cast<void (*)(int)>(::dlsym(library, "openblas_set_num_threads")))
       set(1);
@@ -29,11 +32,11 @@ struct Blas {
 
 }  // namespace
 
-std::optional<BlasProducts> blas_products(int threads, std::vector<std::string>& remarks) {
+Products blas_products(int threads, std::vector<std::string>& remarks) {
   static Blas const blas;
-  if (blas.why.empty()) return BlasProducts(blas.functions, threads);
+  if (blas.why.empty()) return std::make_shared<BlasProducts>(blas.functions, threads);
   remarks.push_back("OpenBLAS cannot be loaded, and products of matrices take longer: " + blas.why);
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace actio::scene

@@ -3,7 +3,6 @@
 // To link it would add to every start of the command, of which most have no use for it.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +11,8 @@
 namespace actio::scene {
 
 /// Products by the BLAS that was found when the command was built, on `threads` threads that are ours;
-/// inside, the library works on one. Empty where it cannot be loaded: then the products are Eigen's, slower.
+/// inside, the library works on one. Null where it cannot be loaded: then the products are Eigen's, slower.
 /// @param remarks  what is said then
-std::optional<BlasProducts> blas_products(int threads, std::vector<std::string>& remarks);
+Products blas_products(int threads, std::vector<std::string>& remarks);
 
 }  // namespace actio::scene

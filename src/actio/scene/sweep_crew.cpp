@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
@@ -53,6 +54,8 @@ SweepCrew::SweepCrew(Work const& work, int size) {
     if (process == 0) {
       for (auto const& other : places_) ::close(other.control);
       ::close(control.here);
+      // The members share the processors already.
+      if (size > 1) ::setenv("ACTIO_THREADS", "1", 0);
       worker::be_foreman(work, control.there);
     }
     ::close(control.there);

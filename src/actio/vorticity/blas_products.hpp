@@ -2,12 +2,11 @@
 //
 // The library is taken by pointers to its functions, so that a program may link it or load it when it runs:
 //
-//   extern "C" void dgemm_(...), sgemm_(...); linked: target_link_libraries(... openblas) BlasProducts
-//   products({&dgemm_, &sgemm_}, threads);
-//
-//   void* const library = dlopen("libopenblas.so.0", RTLD_NOW | RTLD_LOCAL);                           loaded
-//   BlasProducts products({reinterpret_cast<Gemm<double>*>(dlsym(library, "dgemm_")),
-//                          reinterpret_cast<Gemm<float>*>(dlsym(library, "sgemm_"))}, threads);
+//   linked    extern "C" void dgemm_(...), sgemm_(...);
+//             BlasFunctions const blas{&dgemm_, &sgemm_};
+//   loaded    void* const library = dlopen("libopenblas.so.0", RTLD_NOW | RTLD_LOCAL);
+//             BlasFunctions const blas{reinterpret_cast<Gemm<double>*>(dlsym(library, "dgemm_")),
+//                                      reinterpret_cast<Gemm<float>*>(dlsym(library, "sgemm_"))};
 //
 // Integers are of 32 bits. Inside, the library has to work on one thread (openblas_set_num_threads(1), or the
 // environment variable OPENBLAS_NUM_THREADS): columns of the result are cut into panels that depend on the
@@ -22,7 +21,7 @@
 #include <thread>
 #include <vector>
 
-#include "actio/vorticity/skew_hermitian.hpp"
+#include "actio/vorticity/products.hpp"
 
 namespace actio {
 
@@ -94,13 +93,12 @@ class PanelThreads {
   std::vector<std::thread> threads_;
 };
 
-/// Products of real matrices for the steps of a flow; see products.hpp. Copies share their threads, and are
-/// used by one caller at a time.
-class BlasProducts {
+/// Products of real matrices for the steps of a flow, used by one caller at a time.
+class BlasProducts : public ProductsBy<BlasProducts> {
  public:
   /// @param threads  the most that work on a product; small products are left to the caller's
   explicit BlasProducts(BlasFunctions blas, int threads = 1) : blas_(blas) {
-    if (threads > 1) threads_ = std::make_shared<PanelThreads>(threads);
+    if (threads > 1) threads_ = std::make_unique<PanelThreads>(threads);
   }
 
   /// Products of matrices smaller than this are not worth waking a thread for.
@@ -111,7 +109,7 @@ class BlasProducts {
 
   /// out = a b.
   template <class Part>
-  void multiply(Part const& a, Part const& b, Part& out) const {
+  void whole(Part const& a, Part const& b, Part& out) const {
     int const n = static_cast<int>(a.rows());
     // Alone it is one panel below the size that is shared.
     int const width = n < smallest_shared ? n : 2 * panel(n);
@@ -121,7 +119,7 @@ class BlasProducts {
   }
   /// What is on and below the diagonal of out = a b, and some of what is above.
   template <class Part>
-  void multiply_lower(Part const& a, Part const& b, Part& out) const {
+  void lower(Part const& a, Part const& b, Part& out) const {
     int const n = static_cast<int>(a.rows());
     over_panels(n, panel(n), [&](int first, int columns) {
       gemm(n - first, columns, n, a.data() + first, n, b.col(first).data(), n, &out(first, first), n);
@@ -147,7 +145,7 @@ class BlasProducts {
       for (int k = 0; k < count; ++k) one(k);
   }
   BlasFunctions blas_;
-  std::shared_ptr<PanelThreads> threads_;
+  std::unique_ptr<PanelThreads> threads_;
 };
 
 }  // namespace actio

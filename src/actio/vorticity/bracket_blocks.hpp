@@ -8,7 +8,7 @@
 
 #include <numeric>
 
-#include "actio/vorticity/skew_hermitian.hpp"
+#include "actio/vorticity/products.hpp"
 
 namespace actio {
 
@@ -39,30 +39,30 @@ inline SkewHermitian<> symmetric_part(SkewHermitian<> w, int fold) {
   return w;
 }
 
-/// Products of k-fold symmetric matrices, block by block: an interface of products.hpp on top of another.
+/// Products of k-fold symmetric matrices, block by block, each block by other products.
 ///
 /// What the matrices have outside the blocks is not looked at.
-template <class Products>
-class SymmetricProducts {
+class SymmetricProducts : public ProductsBy<SymmetricProducts> {
  public:
   /// @param fold  k, at least 1
-  explicit SymmetricProducts(int fold, Products products = {})
+  explicit SymmetricProducts(int fold, Products products = eigen_products())
       : fold_(std::max(1, fold)), products_(std::move(products)) {}
 
   /// out = a b.
   template <class Part>
-  void multiply(Part const& a, Part const& b, Part& out) {
-    over_blocks(a, b, out, [&](Part const& x, Part const& y, Part& z) { products_.multiply(x, y, z); });
+  void whole(Part const& a, Part const& b, Part& out) const {
+    over_blocks(a, b, out, [&](Part const& x, Part const& y, Part& z) { products_->multiply(x, y, z); });
   }
   /// out = a b, on and below the diagonal.
   template <class Part>
-  void multiply_lower(Part const& a, Part const& b, Part& out) {
-    over_blocks(a, b, out, [&](Part const& x, Part const& y, Part& z) { products_.multiply_lower(x, y, z); });
+  void lower(Part const& a, Part const& b, Part& out) const {
+    over_blocks(a, b, out,
+                [&](Part const& x, Part const& y, Part& z) { products_->multiply_lower(x, y, z); });
   }
 
  private:
   template <class Part, class Multiply>
-  void over_blocks(Part const& a, Part const& b, Part& out, Multiply const& multiply) {
+  void over_blocks(Part const& a, Part const& b, Part& out, Multiply const& multiply) const {
     using Stride = Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>;
     Eigen::Index const n = a.rows();
     out.setZero(n, n);

@@ -3,6 +3,6 @@
 
 namespace actio {
 
-template class FastVorticityStep<SphereLaplacian, EigenProducts>;
+template class FastVorticityStep<SphereLaplacian>;
 
 }  // namespace actio

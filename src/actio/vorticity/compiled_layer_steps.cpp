@@ -4,6 +4,6 @@
 
 namespace actio {
 
-template class VorticityStep<HelmholtzStream, EigenProducts>;
+template class VorticityStep<HelmholtzStream>;
 
 }  // namespace actio

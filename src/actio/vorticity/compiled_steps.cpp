@@ -3,6 +3,6 @@
 
 namespace actio {
 
-template class VorticityStep<SphereLaplacian, EigenProducts>;
+template class VorticityStep<SphereLaplacian>;
 
 }  // namespace actio

@@ -29,33 +29,21 @@
 namespace actio {
 
 /// Steps of one length for one flow, in mixed precision.
-/// @tparam Stream    a linear map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
-/// @tparam Products  how real matrices are multiplied, products.hpp
-template <class Stream = SphereLaplacian, class Products = EigenProducts>
-class FastVorticityStep {
+/// @tparam Stream  a linear map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+template <class Stream = SphereLaplacian>
+class FastVorticityStep : public StepSetting<Stream> {
  public:
-  /// @param stream  of the Hamiltonian; referred to
-  /// @param step    h, time; negative steps go back
+  /// @param stream    of the Hamiltonian; referred to
+  /// @param step      h, time; negative steps go back
+  /// @param products  how real matrices are multiplied
   FastVorticityStep(Stream const& stream, Conserved conserved, double step, TurningFrame frame = {},
-                    Products products = {})
-      : stream_(stream),
-        sphere_(stream.size()),
-        conserved_(conserved),
-        step_(step),
-        frame_(frame),
-        eps_(step / (2 * sphere_.hbar())),
+                    Products products = eigen_products())
+      : StepSetting<Stream>(stream, conserved, step, frame),
         products_of_plain_(products),
         products_(products),
         cayley_(products),
-        corrected_(sphere_, axes_corrected(conserved, frame)),
-        polished_(sphere_, axes_polished(conserved, frame)) {
-    if (!std::isfinite(step)) throw NotFinite("vorticity: step");
-    if (step == 0) throw OutsideDomain("vorticity", "the step must differ from zero", 0, 0);
-  }
-
-  double step() const { return step_; }  ///< h, time
-  /// In which the steps are made.
-  TurningFrame const& frame() const { return frame_; }
+        corrected_(sphere_, this->corrected_axes()),
+        polished_(sphere_, polished_axes()) {}
 
   /// How well A solves its equation, relative to |A|: not below what single precision gives, about 1e-9.
   double tolerance = 1e-8;
@@ -119,29 +107,25 @@ class FastVorticityStep {
   }
 
  private:
-  using Axes = std::vector<Eigen::Vector3d>;
+  using StepSetting<Stream>::stream_, StepSetting<Stream>::sphere_, StepSetting<Stream>::conserved_,
+      StepSetting<Stream>::step_, StepSetting<Stream>::frame_, StepSetting<Stream>::eps_,
+      StepSetting<Stream>::of_energy;
   static constexpr double lowest_ = 1e-6;            ///< changes above this are not put down to rounding
   static constexpr double largest_residual_ = 4e-7;  ///< relative to |W|, of what single precision finds
   static constexpr double longest_move_ = 1e-7;      ///< along the orbit, relative to |A|
-  static constexpr int steps_of_radius_ = 16;        ///< for which an estimate of the radius is taken as good
+  /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
+  static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
+  static constexpr int steps_of_radius_ = 16;  ///< for which an estimate of the radius is taken as good
 
-  static Axes all_axes() {
+  /// Those along whose turns W_1 is moved.
+  typename StepSetting<Stream>::Axes polished_axes() const {
+    if (of_energy()) return this->corrected_axes();
     return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
   }
-  /// Those along which A is moved, and those along which W_1 is.
-  static Axes axes_corrected(Conserved conserved, TurningFrame const& frame) {
-    if (conserved == Conserved::all_invariants) return all_axes();
-    if (conserved == Conserved::energy_casimir && frame.rate != 0) return {frame.axis};
-    return {};
-  }
-  static Axes axes_polished(Conserved conserved, TurningFrame const& frame) {
-    return conserved == Conserved::lie_poisson ? all_axes() : axes_corrected(conserved, frame);
-  }
-  bool of_energy() const { return conserved_ != Conserved::lie_poisson; }
 
-  /// A step to rounding: the first ones, and any that cannot be found in single precision.
+  /// A step to rounding: any that cannot be found in single precision.
   VorticityReport plain_step(SkewHermitian<>& w) {
-    VorticityStep<Stream, Products> plain(stream_, conserved_, step_, frame_, products_of_plain_);
+    VorticityStep<Stream> plain(stream_, conserved_, step_, frame_, products_of_plain_);
     VorticityReport report;
     try {
       report = plain.advance(w);
@@ -153,10 +137,15 @@ class FastVorticityStep {
     return report;
   }
 
-  /// A as a polynomial in time through the steps before.
-  void guess() {
+  /// A as a polynomial in time through the steps before; the first one begins from that of W_0.
+  void guess(SkewHermitian<> const& w) {
     factors_.setZero();
     auto const count = static_cast<int>(past_.size());
+    if (count == 0) {
+      stream_.solve(w, p_);
+      this->subtract_turning(w, momentum_.norm(), p_);
+      a_ = eps_ * p_;
+    }
     double binomial = 1;
     for (int k = 0; k < count; ++k) {
       binomial *= static_cast<double>(count - k) / (k + 1);
@@ -182,7 +171,6 @@ class FastVorticityStep {
   /// A and the middle, to the tolerance.
   /// @return false where the rounds do not contract
   bool find(SkewHermitian<> const& w, VorticityReport& report) {
-    guess();
     single_.real = w.real.template cast<float>(), single_.imaginary = w.imaginary.template cast<float>();
     double before = std::numeric_limits<double>::infinity();
     for (;;) {
@@ -227,7 +215,7 @@ class FastVorticityStep {
   /// The A that belongs to the middle.
   void find_displacement(SkewHermitian<> const& w) {
     stream_.solve(of_energy() ? average_ : middle_, p_);
-    subtract_turning();
+    this->subtract_turning(middle_, momentum_.norm(), p_);
     next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
     if (corrected_.count() == 0) return;
     // X_0 = [A, Wt], and X_j = [iS_j, Wt].
@@ -236,14 +224,6 @@ class FastVorticityStep {
     // The extrapolated factors are better than what single precision would find; what they lack is found at
     // the end.
     add_combination(corrected_, &half_change_, middle_, factors_, next_);
-  }
-  /// P - Q, as in the plain step.
-  void subtract_turning() {
-    double const turn = frame_.rate * sphere_.hbar();
-    if (turn == 0) return;
-    Eigen::Vector3d const e =
-        of_energy() ? frame_.axis : spin_components(sphere_, middle_) / momentum_.norm();
-    add_spin(sphere_, turn * e, p_);
   }
   double distance_to_next() const {
     double apart = 0, size = 0;
@@ -290,7 +270,7 @@ class FastVorticityStep {
   /// Takes energy and angular momentum back to what they were, along the orbit. The A that is found on the
   /// way is the one to be remembered: the middle of what double precision holds, without the noise of single
   /// precision.
-  /// @return false where it would be a long way
+  /// @return false where it would be a long way; the factors are then the better ones
   bool polish(SkewHermitian<> const& w) {
     Eigen::Index const first = of_energy() ? 1 : 0,
                        count = first + static_cast<Eigen::Index>(polished_.count());
@@ -302,7 +282,7 @@ class FastVorticityStep {
       std::swap(average_, middle_);
     }
     stream_.solve(of_energy() ? average_ : middle_, p_);
-    subtract_turning();
+    this->subtract_turning(middle_, momentum_.norm(), p_);
     next_.real = eps_ * p_.real, next_.imaginary = eps_ * p_.imaginary;
     if (of_energy()) {
       scale = std::abs(eps_) * norm(p_);
@@ -310,7 +290,7 @@ class FastVorticityStep {
                           p_.imaginary.cwiseProduct(end_.imaginary - w.imaginary).sum());
     }
     Eigen::Vector3d const momentum = spin_components(sphere_, end_) - momentum_;
-    auto const axes = axes_polished(conserved_, frame_);
+    auto const axes = polished_axes();
     for (std::size_t j = 0; j < axes.size(); ++j)
       change[static_cast<Eigen::Index>(j) + first] = axes[j].dot(momentum);
     single_.real = end_.real.template cast<float>(),
@@ -328,7 +308,10 @@ class FastVorticityStep {
     residual_.real.setZero(), residual_.imaginary.setZero();
     add_combination(polished_, of_energy() ? &direction_ : nullptr, single_, move, residual_);
     // The square of the move is left out.
-    if (!(static_cast<double>(norm(residual_)) <= longest_move_ * norm(next_))) return false;
+    if (!(static_cast<double>(norm(residual_)) <= longest_move_ * norm(next_))) {
+      factors_.head(move.size()) += 0.5 * move;
+      return false;
+    }
     if (corrected_.count() != 0) {
       half_change_.real = average_.real - w.real, half_change_.imaginary = average_.imaginary - w.imaginary;
       factors_.head(move.size()) += 0.5 * move;
@@ -406,16 +389,10 @@ class FastVorticityStep {
     mirror_lower(out);
   }
 
-  Stream const& stream_;
-  QuantizedSphere sphere_;
-  Conserved conserved_;
-  double step_;
-  TurningFrame frame_;
-  double eps_;
   Eigen::Vector3d momentum_ = Eigen::Vector3d::Zero();  ///< spin components of W_0
   Products products_of_plain_;
-  SkewProducts<double, Products> products_;
-  SingleCayley<Products> cayley_;
+  SkewProducts<double> products_;
+  SingleCayley cayley_;
   SpinColumns<double> corrected_;
   SpinColumns<float> polished_;
 
@@ -427,22 +404,28 @@ class FastVorticityStep {
   std::deque<Past> past_;  ///< the newest first
 };
 
-template <class Stream, class Products>
-VorticityReport FastVorticityStep<Stream, Products>::advance(SkewHermitian<>& w) {
+template <class Stream>
+VorticityReport FastVorticityStep<Stream>::advance(SkewHermitian<>& w) {
   double const size = norm(w);
   if (size == 0) return {};
-  if (!std::isfinite(size)) throw NotFinite("vorticity: state");
-  if (static_cast<int>(past_.size()) < std::max(1, extrapolated_steps)) return plain_step(w);
+  if (!(size >= smallest_size_ && size <= largest_size_)) return plain_step(w);
   momentum_ = spin_components(sphere_, w);
   VorticityReport report;
-  if (!(find(w, report) && finish(w, size) && polish(w))) return plain_step(w);
+  guess(w);
+  // Without a history the factors are not known: what the polish finds then is where the next attempt begins.
+  bool made = false, found = true;
+  for (int tries = 0; found && !made && tries < (corrected_.count() == 0 ? 1 : 4); ++tries) {
+    found = find(w, report) && finish(w, size);
+    made = found && polish(w);
+  }
+  if (!made) return plain_step(w);
   remember(next_, factors_);
   w.real.swap(end_.real), w.imaginary.swap(end_.imaginary);
   return report;
 }
 
 #ifdef ACTIO_COMPILED_STEPS
-extern template class FastVorticityStep<SphereLaplacian, EigenProducts>;
+extern template class FastVorticityStep<SphereLaplacian>;
 #endif
 
 }  // namespace actio

@@ -1,48 +1,90 @@
 // Products of the matrices that a step is made of, by products of real matrices.
 //
 // A complex product by three real ones, (A + iB)(C + iD): AC, BD and (A + B)(C + D); and of a product that is
-// known to be skew-Hermitian only the lower half. Whatever multiplies real matrices can serve: a class with
-//
-//   void multiply(Part const& a, Part const& b, Part& out)                    out = a b
-//   void multiply_lower(Part const& a, Part const& b, Part& out) at least what is on and below the
-//                                                                             diagonal of out
+// known to be skew-Hermitian only the lower half. Whatever multiplies real matrices can serve
+// (MatrixProducts): Eigen, a BLAS, block by block, or what a reader has.
 #pragma once
+
+#include <memory>
 
 #include "actio/vorticity/skew_hermitian.hpp"
 
 namespace actio {
 
-/// Products of real matrices by Eigen: always there.
-struct EigenProducts {
-  /// out = a b.
-  template <class Part>
-  void multiply(Part const& a, Part const& b, Part& out) const {
-    out.noalias() = a * b;
-  }
-  /// out = a b, on and below the diagonal.
-  template <class Part>
-  void multiply_lower(Part const& a, Part const& b, Part& out) const {
-    out.template triangularView<Eigen::Lower>() = a * b;
-  }
+/// What multiplies real square matrices of one size, in both precisions.
+class MatrixProducts {
+ public:
+  using Double = Eigen::MatrixXd;  ///< in double precision
+  using Single = Eigen::MatrixXf;  ///< in single precision
+
+  virtual ~MatrixProducts() = default;
+  /// out = a b; out is another matrix than both, of their size.
+  virtual void multiply(Double const& a, Double const& b, Double& out) const = 0;
+  /// The same.
+  virtual void multiply(Single const& a, Single const& b, Single& out) const = 0;
+  /// At least what is on and below the diagonal of out = a b.
+  virtual void multiply_lower(Double const& a, Double const& b, Double& out) const = 0;
+  /// The same.
+  virtual void multiply_lower(Single const& a, Single const& b, Single& out) const = 0;
+};
+/// Steps share what multiplies their matrices.
+using Products = std::shared_ptr<MatrixProducts const>;
+
+/// Both precisions by one template.
+/// @tparam By  has the members `whole(a, b, out)` and `lower(a, b, out)` for matrices of any real numbers
+template <class By>
+class ProductsBy : public MatrixProducts {
+ public:
+  void multiply(Double const& a, Double const& b, Double& out) const final { by().whole(a, b, out); }
+  void multiply(Single const& a, Single const& b, Single& out) const final { by().whole(a, b, out); }
+  void multiply_lower(Double const& a, Double const& b, Double& out) const final { by().lower(a, b, out); }
+  void multiply_lower(Single const& a, Single const& b, Single& out) const final { by().lower(a, b, out); }
+
+ private:
+  By const& by() const { return static_cast<By const&>(*this); }
 };
 
+/// Products of real matrices by Eigen: always there.
+class EigenProducts : public ProductsBy<EigenProducts> {
+ public:
+  /// out = a b.
+  template <class Part>
+  void whole(Part const& a, Part const& b, Part& out) const;
+  /// out = a b, on and below the diagonal.
+  template <class Part>
+  void lower(Part const& a, Part const& b, Part& out) const;
+};
+
+template <class Part>
+void EigenProducts::whole(Part const& a, Part const& b, Part& out) const { out.noalias() = a * b; }
+template <class Part>
+void EigenProducts::lower(Part const& a, Part const& b, Part& out) const {
+  out.template triangularView<Eigen::Lower>() = a * b;
+}
+
+/// Those that a step has where no others are given.
+inline Products eigen_products() {
+  static Products const products = std::make_shared<EigenProducts>();
+  return products;
+}
+
 /// The products of a step, with the memory that they need.
-template <class Real, class Products>
+template <class Real>
 class SkewProducts {
  public:
   using Part = typename SkewHermitian<Real>::Part;  ///< real matrices
 
   /// With memory that is taken when the size is known.
-  explicit SkewProducts(Products products = {}) : products_(std::move(products)) {}
+  explicit SkewProducts(Products products = eigen_products()) : products_(std::move(products)) {}
 
   /// B = A W of two skew-Hermitian matrices, whole: three real products. Keeps the commutator
   /// \f$C = [A, W] = B - B^*\f$ beside it.
   void multiply(SkewHermitian<Real> const& a, SkewHermitian<Real> const& w, SkewHermitian<Real>& c) {
     allocate(a.size());
-    products_.multiply(a.real, w.real, real_);
-    products_.multiply(a.imaginary, w.imaginary, other_);
+    products_->multiply(a.real, w.real, real_);
+    products_->multiply(a.imaginary, w.imaginary, other_);
     left_ = a.real + a.imaginary, right_ = w.real + w.imaginary;
-    products_.multiply(left_, right_, imaginary_);
+    products_->multiply(left_, right_, imaginary_);
     imaginary_ -= real_ + other_;
     real_ -= other_;
     c.real = real_ - real_.transpose();
@@ -52,9 +94,9 @@ class SkewProducts {
   void multiply_again(SkewHermitian<Real> const& a, SkewHermitian<Real>& e) {
     if (e.size() != a.size()) e = SkewHermitian<Real>(a.size());
     left_ = real_ + imaginary_, right_ = a.real + a.imaginary;
-    products_.multiply_lower(real_, a.real, e.real);
-    products_.multiply_lower(imaginary_, a.imaginary, other_);
-    products_.multiply_lower(left_, right_, e.imaginary);
+    products_->multiply_lower(real_, a.real, e.real);
+    products_->multiply_lower(imaginary_, a.imaginary, other_);
+    products_->multiply_lower(left_, right_, e.imaginary);
     auto const n = a.size();
     for (Eigen::Index j = 0; j < n; ++j) {
       auto const below = n - j;
@@ -75,5 +117,17 @@ class SkewProducts {
   Part real_, imaginary_;  ///< B
   Part other_, left_, right_;
 };
+
+// Our own programs have these compiled once (compiled_products.cpp).
+#ifdef ACTIO_COMPILED_STEPS
+extern template void EigenProducts::whole(Eigen::MatrixXd const&, Eigen::MatrixXd const&,
+                                          Eigen::MatrixXd&) const;
+extern template void EigenProducts::whole(Eigen::MatrixXf const&, Eigen::MatrixXf const&,
+                                          Eigen::MatrixXf&) const;
+extern template void EigenProducts::lower(Eigen::MatrixXd const&, Eigen::MatrixXd const&,
+                                          Eigen::MatrixXd&) const;
+extern template void EigenProducts::lower(Eigen::MatrixXf const&, Eigen::MatrixXf const&,
+                                          Eigen::MatrixXf&) const;
+#endif
 
 }  // namespace actio

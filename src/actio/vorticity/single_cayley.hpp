@@ -14,7 +14,7 @@
 
 #include <Eigen/QR>
 
-#include "actio/vorticity/skew_hermitian.hpp"
+#include "actio/vorticity/products.hpp"
 
 namespace actio {
 
@@ -29,14 +29,12 @@ void over_entry_pairs(Eigen::Index n, Use const& use) {
 }
 
 /// \f$K = (1-A)^{-1} - 1\f$ and conjugations by it.
-/// @tparam Products  how real matrices are multiplied, products.hpp
-template <class Products>
 class SingleCayley {
  public:
   using Part = Eigen::MatrixXf;  ///< real matrices
 
   /// With memory that is taken when the size is known.
-  explicit SingleCayley(Products products) : products_(std::move(products)) {}
+  explicit SingleCayley(Products products = eigen_products()) : products_(std::move(products)) {}
 
   /// K of a skew-Hermitian matrix.
   /// @param radius  a bound of its eigenvalues
@@ -91,8 +89,8 @@ class SingleCayley {
   void conjugate(SkewHermitian<float> const& x, Use const& use) {
     // G = K X, whole.
     t3_ = x.real + x.imaginary;
-    products_.multiply(k_.real, x.real, t1_), products_.multiply(k_.imaginary, x.imaginary, t2_);
-    products_.multiply(k_.sum, t3_, g_.sum);
+    products_->multiply(k_.real, x.real, t1_), products_->multiply(k_.imaginary, x.imaginary, t2_);
+    products_->multiply(k_.sum, t3_, g_.sum);
     g_.real = t1_ - t2_, g_.imaginary = g_.sum - t1_ - t2_;
     g_.sum = g_.real + g_.imaginary;
     lower(g_.real, g_.imaginary, g_.sum, star_.real, star_.imaginary, star_.sum);
@@ -107,9 +105,9 @@ class SingleCayley {
   template <class Use>
   void commutator(SkewHermitian<float> const& y, SkewHermitian<float> const& x, Use const& use) {
     allocate(x.size());
-    products_.multiply(y.real, x.real, t1_), products_.multiply(y.imaginary, x.imaginary, t2_);
+    products_->multiply(y.real, x.real, t1_), products_->multiply(y.imaginary, x.imaginary, t2_);
     g_.real = y.real + y.imaginary, g_.imaginary = x.real + x.imaginary;
-    products_.multiply(g_.real, g_.imaginary, t3_);
+    products_->multiply(g_.real, g_.imaginary, t3_);
     over_entry_pairs(x.size(), [&](auto i, auto j) {
       float const one = t3_(i, j) - t1_(i, j) - t2_(i, j), other = t3_(j, i) - t1_(j, i) - t2_(j, i);
       use(i, j, Entry{(t1_(i, j) - t2_(i, j)) - (t1_(j, i) - t2_(j, i)), one + other});
@@ -146,8 +144,8 @@ class SingleCayley {
 
   /// The lower half of a product, as three real ones.
   void lower(Part const& ar, Part const& ai, Part const& as, Part const& br, Part const& bi, Part const& bs) {
-    products_.multiply_lower(ar, br, t1_), products_.multiply_lower(ai, bi, t2_),
-        products_.multiply_lower(as, bs, t3_);
+    products_->multiply_lower(ar, br, t1_), products_->multiply_lower(ai, bi, t2_),
+        products_->multiply_lower(as, bs, t3_);
   }
   Entry product(Eigen::Index i, Eigen::Index j) const {
     return {t1_(i, j) - t2_(i, j), t3_(i, j) - t1_(i, j) - t2_(i, j)};

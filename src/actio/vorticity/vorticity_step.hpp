@@ -23,66 +23,23 @@
 #include <limits>
 
 #include "actio/vorticity/laplacian.hpp"
-#include "actio/vorticity/products.hpp"
-#include "actio/vorticity/turning_frame.hpp"
+#include "actio/vorticity/step_setting.hpp"
 
 namespace actio {
 
-/// What a step conserves beside the spectrum of W.
-enum class Conserved {
-  lie_poisson,     ///< the Lie-Poisson structure and the angular momentum
-  energy_casimir,  ///< the energy, and the angular momentum along the axis of the frame
-  all_invariants   ///< the energy and the angular momentum
-};
-
-/// How a step was found.
-struct VorticityReport {
-  int iterations = 0;   ///< evaluations of the equation of a step, each of them three products
-  double residual = 0;  ///< of the equation, relative to |W|
-};
-
-/// A step whose iteration does not contract; `largest` is one that was found from the same state, zero where
-/// none was.
-struct NotContracting : Error {
-  double step;     ///< that was tried, time
-  double largest;  ///< one that does, time; its sign is that of the step
-  /// @param tried, do_well  the two lengths
-  NotContracting(double tried, double do_well)
-      : Error("vorticity: the iteration of a step of length " + show(tried) + " does not contract; " +
-              (do_well == 0 ? "nor does that of any shorter step that was tried"
-                            : "the longest that does is about " + show(do_well))),
-        step(tried),
-        largest(do_well) {}
-};
-
 /// Steps of one length for one flow.
-/// @tparam Stream    a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
-/// @tparam Products  how real matrices are multiplied, products.hpp
-template <class Stream = SphereLaplacian, class Products = EigenProducts>
-class VorticityStep {
+/// @tparam Stream  a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+template <class Stream = SphereLaplacian>
+class VorticityStep : public StepSetting<Stream> {
  public:
-  /// @param stream  of the Hamiltonian; referred to
-  /// @param step    h, time; negative steps go back
+  /// @param stream    of the Hamiltonian; referred to
+  /// @param step      h, time; negative steps go back
+  /// @param products  how real matrices are multiplied
   VorticityStep(Stream const& stream, Conserved conserved, double step, TurningFrame frame = {},
-                Products products = {})
-      : stream_(stream),
-        sphere_(stream.size()),
-        conserved_(conserved),
-        step_(step),
-        frame_(frame),
-        eps_(step / (2 * sphere_.hbar())),
-        products_(std::move(products)) {
-    if (!std::isfinite(step)) throw NotFinite("vorticity: step");
-    if (step == 0) throw OutsideDomain("vorticity", "the step must differ from zero", 0, 0);
-    if (conserved == Conserved::all_invariants)
-      directions_ = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
-    // Where nothing turns A is parallel to P, and the energy is conserved as it is.
-    if (conserved == Conserved::energy_casimir && frame.rate != 0) directions_ = {frame.axis};
-  }
-
-  double step() const { return step_; }  ///< h, time
-  /// In which the steps are made.
-  TurningFrame const& frame() const { return frame_; }
+                Products products = eigen_products())
+      : StepSetting<Stream>(stream, conserved, step, frame),
+        products_(std::move(products)),
+        directions_(this->corrected_axes()) {}
 
   /// Residuals of the equation are relative to |W|; below the default they are left to rounding.
   double tolerance = 0;
@@ -125,6 +82,8 @@ class VorticityStep {
   static double spectral_radius(SkewHermitian<> const& a);
 
  private:
+  using StepSetting<Stream>::stream_, StepSetting<Stream>::sphere_, StepSetting<Stream>::step_,
+      StepSetting<Stream>::frame_, StepSetting<Stream>::eps_, StepSetting<Stream>::of_energy;
   static constexpr int most_iterations = 200;
   static constexpr double rounding_ = 1e-13;
   static constexpr double smallest_size = 1e-140;
@@ -167,10 +126,9 @@ class VorticityStep {
       SkewHermitian<> const found = commutator_ + remainder_;
       // [vorticity_fixed_point]
       // With elimination the first follows from the second, where P is taken of that.
-      bool const middle_known = eliminate && conserved_ != Conserved::lie_poisson;
-      double const residual =
-          std::hypot(middle_known ? 0 : norm(found - increment_),
-                     conserved_ == Conserved::lie_poisson ? 0 : norm(commutator_ - half_change_));
+      bool const middle_known = eliminate && of_energy();
+      double const residual = std::hypot(middle_known ? 0 : norm(found - increment_),
+                                         of_energy() ? norm(commutator_ - half_change_) : 0);
       double const imbalance = correct();
       double const all = std::max(residual, imbalance) / size;
       report.residual = all;
@@ -241,7 +199,7 @@ class VorticityStep {
       auto const& past = past_[static_cast<std::size_t>(k)];
       increment_.real += weight * past.increment.real,
           increment_.imaginary += weight * past.increment.imaginary;
-      if (conserved_ != Conserved::lie_poisson)
+      if (of_energy())
         half_change_.real += weight * past.half_change.real,
             half_change_.imaginary += weight * past.half_change.imaginary;
       factors_ += weight * past.factors;
@@ -249,15 +207,14 @@ class VorticityStep {
   }
   void remember() {
     if (extrapolated_steps == 0) return;
-    past_.push_front({commutator_ + remainder_,
-                      conserved_ == Conserved::lie_poisson ? SkewHermitian<>() : commutator_, factors_});
+    past_.push_front({commutator_ + remainder_, of_energy() ? commutator_ : SkewHermitian<>(), factors_});
     if (static_cast<int>(past_.size()) > extrapolated_steps) past_.pop_back();
   }
 
   /// A, from the middle and the factors as they are.
   void find_displacement(SkewHermitian<> const& w) {
     // [vorticity_displacement]
-    if (conserved_ == Conserved::lie_poisson) {
+    if (!of_energy()) {
       stream_.solve(middle_, p_);
     } else {
       // The angular momentum that is conserved is left out of the change: where a planet turns fast, it would
@@ -267,7 +224,7 @@ class VorticityStep {
       for (auto const& e : directions_) add_spin(sphere_, -e.dot(change) / sphere_.spin_square() * e, mean);
       stream_.solve(mean, p_);
     }
-    subtract_turning();
+    this->subtract_turning(middle_, momentum_, p_);
     a_ = eps_ * p_;
     // [vorticity_displacement]
     if (directions_.empty()) return;
@@ -278,19 +235,6 @@ class VorticityStep {
     for (std::size_t j = 0; j < turned_.size(); ++j)
       a_ += factors_[static_cast<Eigen::Index>(j) + 1] * turned_[j];
     // [vorticity_along_orbit]
-  }
-
-  /// P - Q. Here \f$Q = -i\,\mathrm{rate}\,\hbar\,e\cdot S\f$; the Lie-Poisson form takes the part of the
-  /// middle in the place of e, which by the angular momentum that is conserved is the same up to O(h^2): then
-  /// P - Q commutes with rotations as P does, and the step conserves the angular momentum.
-  void subtract_turning() {
-    double const turn = frame_.rate * sphere_.hbar();
-    if (turn == 0) return;
-    add_spin(sphere_,
-             conserved_ == Conserved::lie_poisson
-                 ? Eigen::Vector3d(turn / momentum_ * spin_components(sphere_, middle_))
-                 : Eigen::Vector3d(turn * frame_.axis),
-             p_);
   }
 
   /// What energy and angular momentum change by in the step, as a change of W; and a Newton step of the
@@ -338,15 +282,9 @@ class VorticityStep {
     return 2 / (1 + std::sqrt(1 + beta * beta));
   }
 
-  Stream const& stream_;
-  QuantizedSphere sphere_;
-  Conserved conserved_;
-  double step_;
-  TurningFrame frame_;
-  double eps_;
   double momentum_ = 0;  ///< modulus of the spin components of W
-  SkewProducts<double, Products> products_;
-  std::vector<Eigen::Vector3d> directions_;
+  SkewProducts<double> products_;
+  typename StepSetting<Stream>::Axes directions_;
 
   SkewHermitian<> increment_, half_change_;  ///< the unknowns: D, and C where P is taken of it
   SkewHermitian<> middle_, p_, a_, commutator_, remainder_;
@@ -355,16 +293,15 @@ class VorticityStep {
   std::deque<Past> past_;  ///< the newest first
 };
 
-template <class Stream, class Products>
-VorticityReport VorticityStep<Stream, Products>::advance(SkewHermitian<>& w) {
+template <class Stream>
+VorticityReport VorticityStep<Stream>::advance(SkewHermitian<>& w) {
   double const size = norm(w);
   if (!std::isfinite(size)) throw NotFinite("vorticity: W, or its square");
   if (!(size > smallest_size) &&
       std::max(w.real.cwiseAbs().maxCoeff(), w.imaginary.cwiseAbs().maxCoeff()) > 0)
     throw OutsideDomain("vorticity", "its squares must be numbers: |W|", size, smallest_size);
   if (size == 0) return {};
-  if (frame_.rate != 0 && conserved_ == Conserved::lie_poisson)
-    momentum_ = spin_components(sphere_, w).norm();
+  if (frame_.rate != 0 && !of_energy()) momentum_ = spin_components(sphere_, w).norm();
   VorticityReport report;
   if (!find(w, size, report)) throw NotContracting(step_, longest_from(w, size));
   remember();
@@ -374,8 +311,8 @@ VorticityReport VorticityStep<Stream, Products>::advance(SkewHermitian<>& w) {
   return report;
 }
 
-template <class Stream, class Products>
-double VorticityStep<Stream, Products>::spectral_radius(SkewHermitian<> const& a) {
+template <class Stream>
+double VorticityStep<Stream>::spectral_radius(SkewHermitian<> const& a) {
   auto const n = a.size();
   Eigen::VectorXd x(n), y(n);
   for (Eigen::Index k = 0; k < n; ++k)
@@ -395,7 +332,7 @@ double VorticityStep<Stream, Products>::spectral_radius(SkewHermitian<> const& a
 // Our own programs have the steps compiled once (compiled_steps.cpp): it takes longer than most of them.
 // What stands outside the class, and what it calls, is then compiled nowhere else.
 #ifdef ACTIO_COMPILED_STEPS
-extern template class VorticityStep<SphereLaplacian, EigenProducts>;
+extern template class VorticityStep<SphereLaplacian>;
 #endif
 
 }  // namespace actio

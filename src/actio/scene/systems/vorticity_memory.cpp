@@ -10,16 +10,18 @@
 
 namespace actio::scene {
 
-double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved,
+double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, bool to_rounding,
                            std::vector<std::string> const& quantities) {
   bool const poisson = conserved == Conserved::lie_poisson;
   // The state and a copy for a row between steps, the Laplacian, the start, and what a step has on the way.
   double count = 4 + 2 + 2 + 10;
-  // Each substep: the axis of the frame, products, unknowns and what they are made of, directions, and five
-  // steps to guess from.
-  double const before = 5 * (poisson ? 2 : 4);
-  count += static_cast<double>(substeps) *
-           (2 + 5 + 14 + (conserved == Conserved::all_invariants ? 6 : 0) + before);
+  // Each substep: products, unknowns and what they are made of, directions, and five steps to guess from;
+  // matrices of single precision count for half.
+  bool const all = conserved == Conserved::all_invariants;
+  double const before = 5 * (to_rounding && !poisson ? 4 : 2), plain = 5 + 14 + (all ? 6 : 0);
+  count += static_cast<double>(substeps) * ((to_rounding ? plain : 18 + 5 + 15) + before);
+  // A step that cannot be found in single precision is made by another one.
+  if (!to_rounding) count += plain + 2;
   // A checkpoint holds half of each skew matrix, and is there twice while it is written.
   count += 2 * (1 + static_cast<double>(substeps) * before / 2);
   auto const asked = [&](char const* name) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actio/scene/systems/vorticity_products.hpp"
 #include "actio/scene/systems/vorticity_steps.hpp"
 #include "actio/vorticity/sphere_invariants.hpp"
 
@@ -12,11 +13,12 @@ namespace {
 
 /// A fraction of a step has a scheme of its own at each of its places, which guesses from what was found
 /// there in the steps before: these are evenly spaced, as the guess needs it.
-std::vector<SphereStep> substeps(SphereFlow const& flow, SphereScheme const& scheme, double step) {
-  std::vector<SphereStep> out;
+template <class Step>
+std::vector<Step> substeps(SphereFlow const& flow, SphereScheme const& scheme, double step) {
+  std::vector<Step> out;
   out.reserve(scheme.fractions.size());
   for (double const fraction : scheme.fractions)
-    out.emplace_back(flow.laplacian, scheme.conserved, fraction * step, flow.frame);
+    out.emplace_back(flow.laplacian, scheme.conserved, fraction * step, flow.frame, flow.products);
   return out;
 }
 
@@ -42,13 +44,29 @@ void remember_matrix(CheckpointStream& stream, SkewHermitian<>& w, int n) {
   mirror_lower(w);
 }
 
+/// What a step in double precision guesses from.
+void remember_step(CheckpointStream& stream, VorticityStep<>::Past& past, Conserved conserved, int n) {
+  remember_matrix(stream, past.increment, n);
+  if (conserved != Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
+  std::span<double> factors(past.factors.data(), 4);
+  stream(factors);
+}
+/// What a step in mixed precision guesses from.
+void remember_step(CheckpointStream& stream, FastVorticityStep<>::Past& past, Conserved, int n) {
+  remember_matrix(stream, past.displacement, n);
+  std::span<double> factors(past.factors.data(), 4);
+  stream(factors);
+  stream(past.radius), stream(past.age);
+}
+
+template <class Step>
 class SteppedVorticity : public VorticityMotion {
  public:
   SteppedVorticity(std::shared_ptr<SphereFlow const> flow, SphereScheme scheme, double step)
       : flow_(std::move(flow)),
         scheme_(std::move(scheme)),
         step_(step),
-        steps_(substeps(*flow_, scheme_, step)),
+        steps_(substeps<Step>(*flow_, scheme_, step)),
         w_(flow_->start) {}
 
   void advance(long count) override {
@@ -61,7 +79,7 @@ class SteppedVorticity : public VorticityMotion {
   void look_ahead(double time) override {
     ahead_.reset();
     if (time == 0) return;
-    auto shorter = substeps(*flow_, scheme_, time);
+    auto shorter = substeps<Step>(*flow_, scheme_, time);
     SkewHermitian<> w = w_;
     make_step(shorter, w, time);
     ahead_.emplace(std::move(w)), beyond_ = time;
@@ -78,16 +96,11 @@ class SteppedVorticity : public VorticityMotion {
       throw FileError(
           "the run began from other numbers; the file that they were read from was changed since");
     for (auto& step : steps_) {
-      std::deque<SphereStep::Past> past = step.past();
+      std::deque<typename Step::Past> past = step.past();
       auto size = static_cast<long>(past.size());
       stream(size);
       if (stream.reading()) past.resize(static_cast<std::size_t>(std::clamp(size, 0L, 64L)));
-      for (auto& one : past) {
-        remember_matrix(stream, one.increment, n);
-        if (scheme_.conserved != Conserved::lie_poisson) remember_matrix(stream, one.half_change, n);
-        std::span<double> factors(one.factors.data(), 4);
-        stream(factors);
-      }
+      for (auto& one : past) remember_step(stream, one, scheme_.conserved, n);
       if (stream.reading()) step.go_on_from(std::move(past));
     }
   }
@@ -127,7 +140,7 @@ class SteppedVorticity : public VorticityMotion {
   }
 
   /// Where a substep cannot be made, the vorticity is as it was.
-  void make_step(std::vector<SphereStep>& steps, SkewHermitian<>& w, double length) const {
+  void make_step(std::vector<Step>& steps, SkewHermitian<>& w, double length) const {
     if (steps.size() == 1) {
       steps.front().advance(w);
       return;
@@ -144,7 +157,7 @@ class SteppedVorticity : public VorticityMotion {
   std::shared_ptr<SphereFlow const> flow_;
   SphereScheme scheme_;
   double step_;
-  std::vector<SphereStep> steps_;
+  std::vector<Step> steps_;
   SkewHermitian<> w_;
   long made_ = 0;
   std::optional<SkewHermitian<>> ahead_;
@@ -159,17 +172,19 @@ StateDistance VorticityMotion::distance(Motion const& other) const {
   return {0, norm(w - dynamic_cast<VorticityMotion const&>(other).absolute_vorticity()), norm(w)};
 }
 
-SphereFlow::SphereFlow(double rotation_of_sphere, SkewHermitian<> const& relative)
+SphereFlow::SphereFlow(double rotation_of_sphere, SkewHermitian<> const& relative,
+                       std::vector<std::string>& remarks)
     : sphere(static_cast<int>(relative.size())),
       laplacian(sphere.n),
       rotation(rotation_of_sphere),
       start(relative + planetary_vorticity(sphere, rotation_of_sphere)),
-      frame(calmest_frame(sphere, laplacian, start)) {}
+      frame(calmest_frame(sphere, laplacian, start)),
+      products(products_of_flow(start, remarks)) {}
 
 double SphereFlow::fastest_turning() const {
   SkewHermitian<> p = laplacian.solve(start);
   add_spin(sphere, frame.rate * sphere.hbar() * frame.axis, p);
-  return SphereStep::spectral_radius(p) / sphere.hbar();
+  return FastVorticityStep<>::spectral_radius(p) / sphere.hbar();
 }
 
 double SphereScheme::longest() const {
@@ -180,7 +195,9 @@ double SphereScheme::longest() const {
 
 std::unique_ptr<VorticityMotion> stepped_vorticity(std::shared_ptr<SphereFlow const> flow,
                                                    SphereScheme const& scheme, double step) {
-  return std::make_unique<SteppedVorticity>(std::move(flow), scheme, step);
+  if (scheme.to_rounding)
+    return std::make_unique<SteppedVorticity<VorticityStep<>>>(std::move(flow), scheme, step);
+  return std::make_unique<SteppedVorticity<FastVorticityStep<>>>(std::move(flow), scheme, step);
 }
 
 double longest_vorticity_step(std::shared_ptr<SphereFlow const> const& flow, SphereScheme const& scheme,

@@ -2,17 +2,11 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "actio/scene/systems/vorticity_motion.hpp"
-#include "actio/vorticity/vorticity_step.hpp"
+#include "actio/vorticity/fast_vorticity_step.hpp"
 
 namespace actio::scene {
-
-/// What multiplies the matrices of a step (vorticity/products.hpp): the one place that says so.
-using SphereProducts = EigenProducts;
-/// A step of the flow.
-using SphereStep = VorticityStep<SphereLaplacian, SphereProducts>;
 
 /// A flow, the frame that it is stepped in, and the frame that it is told in.
 struct SphereFlow {
@@ -21,9 +15,11 @@ struct SphereFlow {
   double rotation;            ///< of the sphere, 1/time
   SkewHermitian<> start;      ///< the absolute vorticity
   TurningFrame frame;         ///< in which it changes least
+  Products products;          ///< of the matrices of a step
 
   /// @param relative  the vorticity relative to the sphere
-  SphereFlow(double rotation_of_sphere, SkewHermitian<> const& relative);
+  /// @param remarks   what a user might want to know of it
+  SphereFlow(double rotation_of_sphere, SkewHermitian<> const& relative, std::vector<std::string>& remarks);
 
   /// \f$|P - Q|_2/\hbar\f$, the fastest turning of a vector by the equations of motion, 1/time: estimated by
   /// power iteration.
@@ -33,6 +29,7 @@ struct SphereFlow {
 /// How a flow is stepped.
 struct SphereScheme {
   Conserved conserved;            ///< beside the spectrum
+  bool to_rounding;               ///< whether the equation of a step is solved in double precision throughout
   std::vector<double> fractions;  ///< of a step, those of the substeps
 
   /// The longest fraction.

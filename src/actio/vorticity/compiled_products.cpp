@@ -1,0 +1,11 @@
+// Products of matrices by Eigen, compiled once.
+#include "actio/vorticity/products.hpp"
+
+namespace actio {
+
+template void EigenProducts::whole(Eigen::MatrixXd const&, Eigen::MatrixXd const&, Eigen::MatrixXd&) const;
+template void EigenProducts::whole(Eigen::MatrixXf const&, Eigen::MatrixXf const&, Eigen::MatrixXf&) const;
+template void EigenProducts::lower(Eigen::MatrixXd const&, Eigen::MatrixXd const&, Eigen::MatrixXd&) const;
+template void EigenProducts::lower(Eigen::MatrixXf const&, Eigen::MatrixXf const&, Eigen::MatrixXf&) const;
+
+}  // namespace actio

@@ -1,0 +1,88 @@
+// What the steps of a flow on the sphere have in common: what they conserve, what they report, how they fail.
+#pragma once
+
+#include "actio/vorticity/products.hpp"
+#include "actio/vorticity/turning_frame.hpp"
+
+namespace actio {
+
+/// What a step conserves beside the spectrum of W.
+enum class Conserved {
+  lie_poisson,     ///< the Lie-Poisson structure and the angular momentum
+  energy_casimir,  ///< the energy, and the angular momentum along the axis of the frame
+  all_invariants   ///< the energy and the angular momentum
+};
+
+/// How a step was found.
+struct VorticityReport {
+  int iterations = 0;   ///< evaluations of the equation of a step, each of them three products
+  double residual = 0;  ///< of the equation, relative to |W|
+};
+
+/// A step whose iteration does not contract; `largest` is one that was found from the same state, zero where
+/// none was.
+struct NotContracting : Error {
+  double step;     ///< that was tried, time
+  double largest;  ///< one that does, time; its sign is that of the step
+  /// @param tried, do_well  the two lengths
+  NotContracting(double tried, double do_well)
+      : Error("vorticity: the iteration of a step of length " + show(tried) + " does not contract; " +
+              (do_well == 0 ? "nor does that of any shorter step that was tried"
+                            : "the longest that does is about " + show(do_well))),
+        step(tried),
+        largest(do_well) {}
+};
+
+/// Steps of one length for one flow: what they are given.
+/// @tparam Stream  a map W -> P that commutes with rotations: `solve(w, p)`, `solve(w)`, `size()`
+template <class Stream>
+class StepSetting {
+ public:
+  double step() const { return step_; }  ///< h, time
+  /// In which the steps are made.
+  TurningFrame const& frame() const { return frame_; }
+
+ protected:
+  using Axes = std::vector<Eigen::Vector3d>;
+
+  StepSetting(Stream const& stream, Conserved conserved, double step, TurningFrame frame)
+      : stream_(stream),
+        sphere_(stream.size()),
+        conserved_(conserved),
+        step_(step),
+        frame_(frame),
+        eps_(step / (2 * sphere_.hbar())) {
+    if (!std::isfinite(step)) throw NotFinite("vorticity: step");
+    if (step == 0) throw OutsideDomain("vorticity", "the step must differ from zero", 0, 0);
+  }
+
+  /// Whether the step conserves the energy, by taking P of the mean of both ends.
+  bool of_energy() const { return conserved_ != Conserved::lie_poisson; }
+  /// Those along whose turns A is moved.
+  Axes corrected_axes() const {
+    if (conserved_ == Conserved::all_invariants)
+      return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+    // Where nothing turns A is parallel to P, and the energy is conserved as it is.
+    if (conserved_ == Conserved::energy_casimir && frame_.rate != 0) return {frame_.axis};
+    return {};
+  }
+  /// P - Q. Here \f$Q = -i\,\mathrm{rate}\,\hbar\,e\cdot S\f$; the Lie-Poisson form takes the part of the
+  /// middle in the place of e, which by the angular momentum that is conserved is the same up to O(h^2): then
+  /// P - Q commutes with rotations as P does, and the step conserves the angular momentum.
+  /// @param momentum  the modulus of the spin components of W_0
+  void subtract_turning(SkewHermitian<> const& middle, double momentum, SkewHermitian<>& p) const {
+    double const turn = frame_.rate * sphere_.hbar();
+    if (turn == 0) return;
+    Eigen::Vector3d const e = of_energy() ? frame_.axis : spin_components(sphere_, middle) / momentum;
+    add_spin(sphere_, turn * e, p);
+  }
+
+  Stream const& stream_;
+  QuantizedSphere sphere_;
+  Conserved conserved_;
+  double step_;
+  TurningFrame frame_;
+  double eps_;  ///< h/(2 hbar)
+};
+
+}  // namespace actio
