@@ -84,7 +84,7 @@ if(ACTIO_BUILD_CHAPTERS OR ACTIO_BUILD_CHECKS OR ACTIO_BUILD_TESTS)
       "bodies/|principal_inertia|inertia_of_parts|schur_form_in_digits|natural_chart|momentum_step|_steps"
       "remembered_solutions|composition|galerkin|heavy_top"
       "numbers/(second_order|square_root|divergence|number_row)"
-      "/(any_group|fast_body|vorticity|scene|formula|forms|jets|continuum|constraints|incompressible|noether)/")
+      "/(any_group|fast_body|vorticity|scene|formula|forms|jets|continuum|constraints|incompressible|noether|multisymplectic)/")
     list(FILTER own EXCLUDE REGEX "${rarely}")
   endforeach()
   # The witnesses that most tests call.

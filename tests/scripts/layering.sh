@@ -86,6 +86,7 @@ plant src/actio/scene/planted.hpp '#include "app/commands.hpp"' "scene may not i
 plant src/actio/numbers/planted.hpp '#include "witness/number.hpp"' "numbers may not include witness/number.hpp"
 plant src/actio/jets/planted.hpp '#include "actio/groups/x.hpp"' "jets may not include actio/groups/x.hpp"
 plant src/actio/constraints/planted.hpp '#include "actio/continuum/x.hpp"' "constraints may not include actio/continuum/x.hpp"
+plant src/actio/multisymplectic/planted.hpp '#include "actio/reduction/x.hpp"' "multisymplectic may not include actio/reduction/x.hpp"
 plant src/python/planted.hpp '#include "app/commands.hpp"' "python may not include app/commands.hpp"
 plant src/actio/nowhere/planted.hpp '#include "actio/numbers/x.hpp"' "belongs to no declared module"
 plant src/book/planted.hpp '#include "actio/numbers/x.hpp"' "book may not include actio/numbers/x.hpp"
