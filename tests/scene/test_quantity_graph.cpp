@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(columns_are_in_the_order_of_asking) {
                        {"b", Kind::list, "", "", "", "", {"a"}, true},
                        {"c", Kind::scalar, "", "", "", "", {}, false}});
   graph.define("a", column_ends(Kind::vector), [](auto, double* v) { v[0] = 1, v[1] = 2, v[2] = 3; });
-  graph.define("b", numbered({2, 4}),
+  graph.define("b", numbered(2, 4, 2),
                [](auto needs, double* v) { v[0] = 10 * needs[0][0], v[1] = 10 * needs[0][2]; });
   graph.define("c", {""}, [](auto, double* v) { *v = 7; });
   graph.ask({"c", "b", "a"});

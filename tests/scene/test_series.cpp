@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(columns_are_named_by_their_kind) {
              boost::test_tools::per_element());
   BOOST_TEST(column_ends(Kind::skew, 4) == (Names{"_12", "_13", "_14", "_23", "_24", "_34"}),
              boost::test_tools::per_element());
-  BOOST_TEST(numbered({2, 4, 12}) == (Names{"_2", "_4", "_12"}), boost::test_tools::per_element());
+  BOOST_TEST(numbered(2, 12, 5) == (Names{"_2", "_7", "_12"}), boost::test_tools::per_element());
   BOOST_CHECK_THROW(column_ends(Kind::list), std::logic_error);
 }
 

@@ -61,9 +61,9 @@ std::vector<std::string> column_ends(Quantity::Kind kind, int n) {
   throw std::logic_error("column_ends: a list has numbers of its own");
 }
 
-std::vector<std::string> numbered(std::vector<int> const& numbers) {
+std::vector<std::string> numbered(int first, int last, int apart) {
   std::vector<std::string> ends;
-  for (int const k : numbers) ends.push_back("_" + std::to_string(k));
+  for (int k = first; k <= last; k += apart) ends.push_back("_" + std::to_string(k));
   return ends;
 }
 

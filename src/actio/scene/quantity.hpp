@@ -66,8 +66,8 @@ struct ColumnGroup {
 /// Ends of the names of columns: `_x`, `_w`, and for matrices of n rows `_11 _12 ...`, indices apart where
 /// one of them has two digits, `_1_10`.
 std::vector<std::string> column_ends(Quantity::Kind kind, int n = 3);
-/// `_2, _4, ...`
-std::vector<std::string> numbered(std::vector<int> const& numbers);
+/// `_first, ..., _last`, the numbers `apart` from each other.
+std::vector<std::string> numbered(int first, int last, int apart = 1);
 
 /// The quantities of one run.
 class QuantityGraph {

@@ -5,10 +5,12 @@
 #include "actio/reduction/composition.hpp"
 #include "actio/scene/system.hpp"
 #include "actio/scene/systems/method_input.hpp"
+#include "actio/scene/systems/reduced_casimirs.hpp"
 #include "actio/scene/systems/reduced_instruments.hpp"
 #include "actio/scene/systems/reduced_motion.hpp"
 #include "actio/scene/systems/reduced_pace.hpp"
 #include "actio/scene/systems/reduced_quantities.hpp"
+#include "actio/scene/systems/reduced_state.hpp"
 
 namespace actio::scene {
 namespace {

@@ -6,13 +6,6 @@
 namespace actio::scene {
 namespace {
 
-/// first, first + apart, ..., up to last.
-std::vector<int> numbers(int first, int last, int apart) {
-  std::vector<int> out;
-  for (int k = first; k <= last; k += apart) out.push_back(k);
-  return out;
-}
-
 double energy_of(Eigen::VectorXd const& lambda, double const* momentum) {
   double sum = 0;
   for (Eigen::Index i = 0; i < lambda.size(); ++i)
@@ -96,12 +89,12 @@ void define_turning_body_n(QuantityGraph& graph, TurningBodyN const& motion,
     *energy = energy_of(lambda, needs[0]);
   });
   graph.define(
-      "spectrum", numbered(numbers(1, n, 1)),
+      "spectrum", numbered(1, n),
       [n](auto needs, double* moduli) {
     Eigen::Map<Eigen::VectorXd>(moduli, n) = skew_spectrum(skew_matrix(needs[0], n));
       },
       [n](auto, double const* moduli, std::size_t) { return moduli[n - 1]; });
-  graph.define("casimir", numbered(numbers(2, n, 2)), [n](auto needs, double* casimirs) {
+  graph.define("casimir", numbered(2, n, 2), [n](auto needs, double* casimirs) {
     Eigen::Map<Eigen::VectorXd const> const moduli(needs[0], n);
     for (int k = 1; k <= n / 2; ++k)
       casimirs[k - 1] = moduli.unaryExpr([k](double x) { return std::pow(x, 2 * k); }).sum();

@@ -1,7 +1,6 @@
 #include "actio/scene/systems/vorticity_quantities.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include "actio/vorticity/sphere_invariants.hpp"
 
@@ -9,13 +8,6 @@ namespace actio::scene {
 namespace {
 
 constexpr int last_casimir = 8;
-
-/// _first, ..., _last
-std::vector<std::string> numbered_from(int first, int last) {
-  std::vector<int> all(static_cast<std::size_t>(last - first + 1));
-  std::iota(all.begin(), all.end(), first);
-  return numbered(all);
-}
 
 /// `use(l)` for each degree, from 1 on.
 template <class Use>
@@ -121,7 +113,7 @@ void define_vorticity(QuantityGraph& graph, VorticityMotion const& motion,
     return std::sqrt(4 * M_PI / 3 * 2 * enstrophy(motion.absolute_vorticity()));
   });
   graph.define(
-      "casimirs", numbered_from(2, last_casimir),
+      "casimirs", numbered(2, last_casimir),
       [&motion](auto, double* casimirs) {
     Eigen::Map<Eigen::VectorXd>(casimirs, last_casimir - 1) =
         vorticity_casimirs(motion.absolute_vorticity(), last_casimir);
@@ -142,10 +134,10 @@ void define_vorticity(QuantityGraph& graph, VorticityMotion const& motion,
       [](auto, double const* extrema, std::size_t) {
     return std::max(std::abs(extrema[0]), std::abs(extrema[1]));
   });
-  graph.define("spectrum", numbered_from(1, n - 1), [&motion](auto, double* out) {
+  graph.define("spectrum", numbered(1, n - 1), [&motion](auto, double* out) {
     by_degree(motion, out, [](int l, double power) { return 0.5 * power / (l * (l + 1.0)); });
   });
-  graph.define("enstrophy_spectrum", numbered_from(1, n - 1), [&motion](auto, double* out) {
+  graph.define("enstrophy_spectrum", numbered(1, n - 1), [&motion](auto, double* out) {
     by_degree(motion, out, [](int, double power) { return 0.5 * power; });
   });
 }
