@@ -1,0 +1,85 @@
+// The discrete multisymplectic form formula and the discrete Noether theorem on random boxes of space-time.
+//
+// What a box gives is a sum over its boundary, measured by the magnitudes of its terms. Each term carries the
+// rounding of a few operations, and the solution satisfies its equations to a few roundings of theirs; since
+// these are independent, sums of them stay near one rounding of the terms. For momenta there is more: they
+// are differences of places, and a place of size one is told to epsilon alone, so a momentum is told to
+// epsilon over the displacement in a step.
+#include <boost/test/unit_test.hpp>
+
+#include "media.hpp"
+
+using namespace actio;
+using namespace actio::testing;
+
+namespace {
+
+/// The largest defects that random boxes have, of what is conserved and of the controls.
+struct Defects {
+  double form = 0, noether = 0;
+  double least_form_control = 1, least_noether_control = 1;
+  int boxes = 0;
+};
+
+double relative(auto const& balance) {
+  return balance.terms > 0 ? to_double(magnitude(balance.sum)) / to_double(balance.terms) : 0.0;
+}
+
+/// Draws boxes in a solution, with two first variations of it.
+template <int n, class L>
+Defects defects_of(L const& density, Sides<n> const& sides, GridIndex<n> const& cells, int slabs, int boxes,
+                   bool rotations, std::uint64_t seed) {
+  using S = double;
+  Draw draw(seed);
+  // Steps that differ, each a fraction of the time in which sound crosses a cell.
+  std::vector<S> times{0};
+  for (int k = 0; k < slabs; ++k) times.push_back(times.back() + 0.04 + 0.01 * (k % 3));
+  SpaceTimeMesh<S, n> const mesh(times, cells, sides, bent_cube<S, n>());
+  auto solution = disturbed_identity(mesh, draw);
+  run(density, mesh, solution);
+  auto const V = first_variation(density, mesh, solution, drawn_start<S, n>(mesh, draw));
+  auto const W = first_variation(density, mesh, solution, drawn_start<S, n>(mesh, draw));
+  // A variation that is none of a solution: V with the levels of W in between.
+  auto mixed = V;
+  for (std::size_t k = 1; k < mixed.levels.size(); k += 2) mixed.levels[k] = W.levels[k];
+
+  Defects d;
+  for (int k = 0; k < boxes; ++k) {
+    auto const box = drawn_box(mesh, draw);
+    d.form = std::max(d.form, relative(multisymplectic_balance(density, mesh, solution, V, W, box)));
+    std::vector<double> momenta;
+    for (int a = 0; a < n; ++a)
+      momenta.push_back(relative(noether_balance(density, shifting<S, n>(a), mesh, solution, box)));
+    if (rotations)
+      momenta.push_back(relative(noether_balance(density, turning<S, n>(), mesh, solution, box)));
+    d.noether = std::max(d.noether, *std::max_element(momenta.begin(), momenta.end()));
+    // Controls need a box with nodes inside, and growth moves every box.
+    d.least_noether_control = std::min(
+        d.least_noether_control, relative(noether_balance(density, growing<S, n>(), mesh, solution, box)));
+    if (box.slabs > 1 && std::all_of(box.cells.begin(), box.cells.end(), [](int c) { return c > 1; }))
+      d.least_form_control = std::min(
+          d.least_form_control, relative(multisymplectic_balance(density, mesh, solution, mixed, W, box)));
+    ++d.boxes;
+  }
+  return d;
+}
+
+void report(char const* what, Defects const& d) {
+  BOOST_TEST_MESSAGE(what << ": " << d.boxes << " boxes, form " << d.form << " (control "
+                          << d.least_form_control << "), Noether " << d.noether << " (control "
+                          << d.least_noether_control << ")");
+}
+
+}  // namespace
+
+BOOST_AUTO_TEST_CASE(first_look) {
+  report("gas 1", defects_of<1>(gas<double, 1>(), all_sides<1>(Side::free), {6}, 8, 100, true, 1));
+  report("gas 2 free", defects_of<2>(gas<double, 2>(), all_sides<2>(Side::free), {4, 5}, 6, 100, true, 2));
+  report("gas 2 periodic",
+         defects_of<2>(gas<double, 2>(), all_sides<2>(Side::periodic), {4, 5}, 6, 100, false, 3));
+  report("solid 2 free",
+         defects_of<2>(solid<double, 2>(), all_sides<2>(Side::free), {4, 5}, 6, 100, true, 4));
+  report("solid 2 fixed",
+         defects_of<2>(solid<double, 2>(), all_sides<2>(Side::fixed), {4, 5}, 6, 100, true, 4));
+  report("solid 3", defects_of<3>(solid<double, 3>(), all_sides<3>(Side::free), {3, 2, 2}, 4, 10, true, 5));
+}
