@@ -8,6 +8,7 @@
 
 #include "actio/formula/parse_formula.hpp"
 #include "actio/formula/term.hpp"
+#include "functions_of_cpp.hpp"
 
 using namespace actio;
 
@@ -35,30 +36,8 @@ S value(std::string const& text, std::vector<S> const& x = {},
 BOOST_AUTO_TEST_SUITE(formula_values)
 
 BOOST_AUTO_TEST_CASE(functions_are_those_of_cpp) {
-  using F = std::function<double(double)>;
-  // Each where it is finite.
-  std::vector<std::tuple<std::string, F, double, double>> const functions{
-      {"sin", [](double x) { return std::sin(x); }, -9, 9},
-      {"cos", [](double x) { return std::cos(x); }, -9, 9},
-      {"tan", [](double x) { return std::tan(x); }, -1.5, 1.5},
-      {"asin", [](double x) { return std::asin(x); }, -1, 1},
-      {"acos", [](double x) { return std::acos(x); }, -1, 1},
-      {"atan", [](double x) { return std::atan(x); }, -9, 9},
-      {"sinh", [](double x) { return std::sinh(x); }, -9, 9},
-      {"cosh", [](double x) { return std::cosh(x); }, -9, 9},
-      {"tanh", [](double x) { return std::tanh(x); }, -9, 9},
-      {"asinh", [](double x) { return std::asinh(x); }, -9, 9},
-      {"acosh", [](double x) { return std::acosh(x); }, 1, 9},
-      {"atanh", [](double x) { return std::atanh(x); }, -0.9, 0.9},
-      {"exp", [](double x) { return std::exp(x); }, -9, 9},
-      {"log", [](double x) { return std::log(x); }, 0.1, 9},
-      {"log2", [](double x) { return std::log2(x); }, 0.1, 9},
-      {"log10", [](double x) { return std::log10(x); }, 0.1, 9},
-      {"sqrt", [](double x) { return std::sqrt(x); }, 0, 9},
-      {"cbrt", [](double x) { return std::cbrt(x); }, -9, 9},
-  };
   std::mt19937_64 random(1971);
-  for (auto const& [name, function, least, most] : functions) {
+  for (auto const& [name, function, least, most] : actio::testing::functions_of_cpp()) {
     Tape const f = parse_formula(name + "(x)", {"x"});
     std::uniform_real_distribution<double> uniform(least, most);
     for (int k = 0; k < 50; ++k) {

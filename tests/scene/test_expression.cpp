@@ -6,6 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "../formula/functions_of_cpp.hpp"
 #include "actio/scene/expression.hpp"
 
 using namespace actio::scene;
@@ -40,33 +41,14 @@ std::string complaint(std::string const& text) {
 BOOST_AUTO_TEST_SUITE(expressions)
 
 BOOST_AUTO_TEST_CASE(functions_are_those_of_cpp) {
-  using F = std::function<double(double)>;
-  // Each where it is finite.
-  std::vector<std::tuple<std::string, F, double, double>> const functions{
-      {"sin", [](double x) { return std::sin(x); }, -9, 9},
-      {"cos", [](double x) { return std::cos(x); }, -9, 9},
-      {"tan", [](double x) { return std::tan(x); }, -1.5, 1.5},
-      {"asin", [](double x) { return std::asin(x); }, -1, 1},
-      {"acos", [](double x) { return std::acos(x); }, -1, 1},
-      {"atan", [](double x) { return std::atan(x); }, -9, 9},
-      {"sinh", [](double x) { return std::sinh(x); }, -9, 9},
-      {"cosh", [](double x) { return std::cosh(x); }, -9, 9},
-      {"tanh", [](double x) { return std::tanh(x); }, -9, 9},
-      {"asinh", [](double x) { return std::asinh(x); }, -9, 9},
-      {"acosh", [](double x) { return std::acosh(x); }, 1, 9},
-      {"atanh", [](double x) { return std::atanh(x); }, -0.9, 0.9},
-      {"exp", [](double x) { return std::exp(x); }, -9, 9},
-      {"log", [](double x) { return std::log(x); }, 0.1, 9},
-      {"log2", [](double x) { return std::log2(x); }, 0.1, 9},
-      {"log10", [](double x) { return std::log10(x); }, 0.1, 9},
-      {"sqrt", [](double x) { return std::sqrt(x); }, 0, 9},
-      {"cbrt", [](double x) { return std::cbrt(x); }, -9, 9},
+  std::vector<actio::testing::NamedFunction> functions{
       {"abs", [](double x) { return std::abs(x); }, -9, 9},
       {"floor", [](double x) { return std::floor(x); }, -9, 9},
       {"ceil", [](double x) { return std::ceil(x); }, -9, 9},
       {"round", [](double x) { return std::round(x); }, -9, 9},
       {"sign", [](double x) { return double((x > 0) - (x < 0)); }, -9, 9},
   };
+  for (auto& smooth : actio::testing::functions_of_cpp()) functions.push_back(std::move(smooth));
   BOOST_TEST_MESSAGE("seed " << seed);
   std::mt19937 random(seed);
   for (auto const& [name, function, least, most] : functions) {

@@ -8,17 +8,13 @@
 #include <limits>
 
 #include "actio/scene/run.hpp"
-#include "command.hpp"
+#include "readable_folder.hpp"
 
 using namespace actio::scene;
 
 namespace {
 
-/// A folder of its own, gone afterwards, that reads its files.
-struct Folder : command::Folder {
-  std::string const path = *this / "";
-  std::string operator()(std::string const& name) const { return command::contents(*this / name); }
-};
+using Folder = ReadableFolder;
 
 /// Something that counts its steps, and stumbles at one of them.
 struct Counter : Motion {

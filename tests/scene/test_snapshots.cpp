@@ -8,16 +8,14 @@
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/own_files.hpp"
 #include "actio/scene/run.hpp"
-#include "command.hpp"
+#include "readable_folder.hpp"
+#include "refusal.hpp"
 
 using namespace actio::scene;
 
 namespace {
 
-struct Folder : command::Folder {
-  std::string const path = *this / "";
-  std::string operator()(std::string const& name) const { return command::contents(*this / name); }
-};
+using Folder = ReadableFolder;
 
 /// Counts its steps, and how far it looks ahead.
 struct Counter : Motion {
@@ -56,14 +54,13 @@ std::string const beginning =
     "[system]\nkind = \"vorticity_sphere\"\nN = 3\n[initial]\nharmonics = [[1, 0, 0.5, 0]]\n[method]\nstep = "
     "0.25\n";
 
-Scene read(std::string const& run, std::string const& output) {
-  return Scene::read(SceneFile::parse(
-      beginning + "[run]\n" + run + "\n[output]\nquantities = [\"energy\"]\n" + output + "\n", "snaps.toml"));
+std::string text_of(std::string const& run, std::string const& output) {
+  return beginning + "[run]\n" + run + "\n[output]\nquantities = [\"energy\"]\n" + output + "\n";
 }
 
 /// The same scene with a counter in the place of its motion.
 Scene counting(std::string const& run, std::string const& output, std::map<long, long>* written = nullptr) {
-  Scene scene = read(run, output);
+  Scene scene = Scene::read(SceneFile::parse(text_of(run, output), "snaps.toml"));
   Simulation simulation({{"count", Quantity::Kind::scalar, "", "", "", "", {}, true}});
   auto motion = std::make_unique<Counter>();
   simulation.quantities.define("count", {""},
@@ -91,15 +88,6 @@ std::map<std::string, std::string> files_in(Folder const& folder) {
         entry.is_regular_file() && name != "checkpoint" && name != "summary.json")
       out[name] = folder(name);
   return out;
-}
-
-std::string refusal(std::string const& run, std::string const& output) {
-  try {
-    read(run, output);
-  } catch (SceneError const& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -182,8 +170,7 @@ BOOST_AUTO_TEST_CASE(the_default_step_meets_them) {
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_with_them_is_told) {
   auto const tells = [](std::string const& run, std::string const& output, std::string const& what) {
-    std::string const said = refusal(run, output);
-    BOOST_TEST(said.find(what) != std::string::npos, output << ": " << said);
+    check_said(refusal(text_of(run, output), "snaps.toml"), what);
   };
   tells("until = 2", "snapshot_every = 1", "snapshots, the list of what they hold, is needed");
   tells("until = 2", "snapshots = []\nsnapshot_every = 1\nsnapshot_at = [1]", "exclude each other");
@@ -197,7 +184,7 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_with_them_is_told) {
   tells("until = 2", "formats = [\"csv\", \"netcdf\"]", "netcdf is for snapshots");
   tells("until = 2", "snapshots = []\nformats = [\"netcdf\"]", "the rows need csv or hdf5 beside it");
   tells("until = 2", "snapshots = []\nsymbol = \"husimi\"", "unknown symbol 'husimi'");
-  BOOST_TEST(refusal("until = 2", "snapshots = []\nsnapshot_every = 0.5") == "");
+  BOOST_TEST(refusal(text_of("until = 2", "snapshots = []\nsnapshot_every = 0.5"), "snaps.toml") == "");
   // A system that has none.
   std::string const body =
       "[system]\nkind = \"rigid_body\"\nbody = \"apophis\"\n[run]\nuntil = 1\n[output]\n"
