@@ -122,10 +122,8 @@ Run run(Advance const& advance, Measure const& measure) {
   return out;
 }
 
-int main(int argc, char** argv) {
-  book::Program program(argc, argv,
-                        "the invariants of three forms of a step, beside a truncation of the same flow");
-  program.say("a flow at random from seed ", seed);
+// 5. The runs of the truncation and of the three forms.
+std::vector<Run> all_runs() {
   std::vector<Run> runs;
   {
     Truncation const truncation;
@@ -140,6 +138,11 @@ int main(int argc, char** argv) {
     VorticityStep step(laplacian, form, h, calmest_frame(QuantizedSphere(size), laplacian, w));
     runs.push_back(run([&] { step.advance(w); }, [&] { return of_matrix(laplacian, w); }));
   }
+  return runs;
+}
+
+// 6. What the page shows of them.
+void show(book::Program& program, std::vector<Run> const& runs) {
   std::vector<std::string> const names{"energy", "angular momentum", "C_2, enstrophy", "C_3", "C_4", "C_5",
                                        "C_6",    "spectrum"};
   std::vector<book::Program::Row> rows;
@@ -158,6 +161,14 @@ int main(int argc, char** argv) {
   program.picture(
       "energy", plot.svg(),
       "Relative change of the energy: bounded for the Lie-Poisson form, rounding for the other two.");
+}
+
+int main(int argc, char** argv) {
+  book::Program program(argc, argv,
+                        "the invariants of three forms of a step, beside a truncation of the same flow");
+  program.say("a flow at random from seed ", seed);
+  auto const runs = all_runs();
+  show(program, runs);
   auto const& [truncated, poisson, level, all] =
       std::tie(runs[0].largest, runs[1].largest, runs[2].largest, runs[3].largest);
   program.figure("all", *std::max_element(all.begin(), all.end()),
@@ -166,7 +177,7 @@ int main(int argc, char** argv) {
   program.figure("level_momentum", level[1], "largest change of the angular momentum, energy-Casimir form");
   program.figure("truncated_c4", truncated[4], "largest change of C_4, truncation");
 
-  // 5. What must be so: a rounding for each step, in numbers scaled by powers of the vorticity.
+  // 7. What must be so: a rounding for each step, in numbers scaled by powers of the vorticity.
   double const rounding = 1e-12;
   auto const casimirs = [](std::vector<double> const& c) {
     return *std::max_element(c.begin() + 2, c.end());

@@ -52,28 +52,29 @@ Followed follow(Conserved form, int steps, bool turning) {
   return {norm(w - exact(duration)) / norm(w), std::arg(wave()(degree, order) / seen) / (order * duration)};
 }
 
-int main(int argc, char** argv) {
-  book::Program program(
-      argc, argv, "a wave of Rossby and Haurwitz: its drift on a rotating sphere, to rounding in one step");
+// 4. The errors of three forms, the first one in a frame at rest too, for steps of six lengths.
+struct Errors {
+  std::vector<double> lengths, of[4];
+};
+Errors errors_of_forms(book::Program& program) {
   struct Form {
-    char const* name;
     Conserved form;
     bool turning;
   };
-  Form const forms[] = {{"Lie-Poisson, frame at rest", Conserved::lie_poisson, false},
-                        {"Lie-Poisson, turning frame", Conserved::lie_poisson, true},
-                        {"energy-Casimir, turning frame", Conserved::energy_casimir, true},
-                        {"all invariants, turning frame", Conserved::all_invariants, true}};
+  Form const forms[] = {{Conserved::lie_poisson, false},
+                        {Conserved::lie_poisson, true},
+                        {Conserved::energy_casimir, true},
+                        {Conserved::all_invariants, true}};
   std::vector<book::Program::Row> rows;
-  std::vector<double> lengths, errors[4];
+  Errors errors;
   for (int const steps : {1, 2, 4, 8, 16, 32}) {
-    lengths.push_back(duration / steps);
+    errors.lengths.push_back(duration / steps);
     book::Program::Row row{book::number(steps)};
     for (int k = 0; k < 4; ++k) {
       // A frame at rest has the whole rotation in its displacement: its longest step is shorter.
       bool const too_long = k == 0 && steps < 8;
-      errors[k].push_back(too_long ? std::nan("") : follow(forms[k].form, steps, forms[k].turning).error);
-      row.push_back(too_long ? "" : book::number(errors[k].back(), 2));
+      errors.of[k].push_back(too_long ? std::nan("") : follow(forms[k].form, steps, forms[k].turning).error);
+      row.push_back(too_long ? "" : book::number(errors.of[k].back(), 2));
     }
     rows.push_back(row);
   }
@@ -81,19 +82,11 @@ int main(int argc, char** argv) {
                 {"steps", "Lie-Poisson, frame at rest", "Lie-Poisson, turning frame", "energy-Casimir",
                  "all invariants"},
                 rows, "Relative error after the sphere has turned by one radian, in a number of steps.");
-  // The longest two steps are beyond the range in which the square of h says all.
-  double const slope =
-      book::exponent({lengths.begin() + 2, lengths.end()}, {errors[1].begin() + 2, errors[1].end()});
-  double const one_step = std::max(errors[2][0], errors[3][0]);
-  auto const seen = follow(Conserved::all_invariants, 1, true);
-  program.figure("order", slope, "order of the Lie-Poisson form");
-  program.figure("one_step", one_step, "relative error of the other two forms after a single step");
-  program.figure("drift", seen.drift, book::number(seen.drift, 12),
-                 "drift of the wave in one step, radians per unit of time");
-  program.figure("exact_drift", drift_of(degree), book::number(drift_of(degree), 12),
-                 "the drift of the fluid");
+  return errors;
+}
 
-  // 4. The wave, at the beginning and after a day.
+// 5. The wave, at the beginning and after a day.
+std::string wave_on_discs() {
   SphereGrid const grid = SphereGrid::uniform(90, 180);
   std::string discs;
   double const largest = values_on(grid, wave()).cwiseAbs().maxCoeff(), days = 1;
@@ -106,11 +99,29 @@ int main(int argc, char** argv) {
         book::svg::label({120 + 240.0 * k, 250}, k == 0 ? "day 0" : "day " + book::number(days), "middle");
     ++k;
   }
-  program.picture("wave", book::svg::picture(480, 262, discs),
+  return book::svg::picture(480, 262, discs);
+}
+
+int main(int argc, char** argv) {
+  book::Program program(
+      argc, argv, "a wave of Rossby and Haurwitz: its drift on a rotating sphere, to rounding in one step");
+  auto const [lengths, errors] = errors_of_forms(program);
+  // The longest two steps are beyond the range in which the square of h says all.
+  double const slope =
+      book::exponent({lengths.begin() + 2, lengths.end()}, {errors[1].begin() + 2, errors[1].end()});
+  double const one_step = std::max(errors[2][0], errors[3][0]);
+  auto const seen = follow(Conserved::all_invariants, 1, true);
+  program.figure("order", slope, "order of the Lie-Poisson form");
+  program.figure("one_step", one_step, "relative error of the other two forms after a single step");
+  program.figure("drift", seen.drift, book::number(seen.drift, 12),
+                 "drift of the wave in one step, radians per unit of time");
+  program.figure("exact_drift", drift_of(degree), book::number(drift_of(degree), 12),
+                 "the drift of the fluid");
+  program.picture("wave", wave_on_discs(),
                   "The vorticity of the wave, seen by an observer on the rotating sphere: it drifts to the "
                   "west and keeps its shape.");
 
-  // 5. What must be so. Rounding of a solved step: a hundred epsilon for each of some ten evaluations.
+  // 6. What must be so. Rounding of a solved step: a hundred epsilon for each of some ten evaluations.
   double const eps = std::numeric_limits<double>::epsilon();
   program.claim(std::abs(slope - 2) < 0.1, "the Lie-Poisson form has order 2");
   program.claim(book::measured(one_step) < 1000 * eps, "one step of the other forms is exact to rounding");
