@@ -35,11 +35,9 @@ BOOST_AUTO_TEST_CASE(single_cayley_is_the_transform) {
     scaled *= size / radius;
     SingleCayley cayley;
     cayley.factor(scaled, 1.02 * size);
-    SkewHermitian<> found(n);
-    cayley.conjugate(w.cast<float>(), [&](auto i, auto j, auto f, auto e) {
-      found.real(i, j) = 2 * static_cast<double>(f.real) + 4 * static_cast<double>(e.real);
-      found.imaginary(i, j) = 2 * static_cast<double>(f.imaginary) + 4 * static_cast<double>(e.imaginary);
-    });
+    SkewHermitian<float> f, e;
+    cayley.conjugate(w.cast<float>(), f, e);
+    SkewHermitian<> found = (2.F * f + 4.F * e).cast<double>();
     mirror_lower(found);
     ComplexMatrix<> const one = ComplexMatrix<>::Identity(n, n),
                           u = (one - scaled.complex()).inverse() * (one + scaled.complex());
@@ -96,6 +94,37 @@ BOOST_AUTO_TEST_CASE(the_fast_step_is_the_plain_one_to_its_tolerance_and_conserv
       double const by_momentum = (sphere_momentum(w) - momentum).norm() / momentum.norm();
       BOOST_TEST((conserved == Conserved::lie_poisson ? by_energy > 1e-9 : by_energy <= 1e-13));
       BOOST_TEST((conserved == Conserved::energy_casimir ? by_momentum > 1e-9 : by_momentum <= 1e-13));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_step_needs_no_history) {
+  int const n = 16;
+  SphereLaplacian const laplacian(n);
+  SkewHermitian<> const start = random_state(n, 9);
+  TurningFrame const calm = calmest_frame(QuantizedSphere(n), laplacian, start);
+  // Squares of the second state are no numbers of single precision.
+  for (double unit : {1.0, 1e-30})
+    for (auto const conserved :
+         {Conserved::lie_poisson, Conserved::energy_casimir, Conserved::all_invariants}) {
+      TurningFrame const frame{calm.axis, unit * calm.rate};
+      SkewHermitian<> const from = unit * start;
+      SkewHermitian<> w = from, exact = from;
+      FastVorticityStep<>(laplacian, conserved, 0.01 / unit, frame).advance(w);
+      VorticityStep<>(laplacian, conserved, 0.01 / unit, frame).advance(exact);
+      // A to 1e-8 of |A|, which is at most 0.1.
+      BOOST_TEST(norm(w - exact) <= 2e-9 * norm(exact));
+      // A step in double precision in disguise would be that very one.
+      BOOST_TEST((norm(w - exact) > 0) == (unit == 1));
+      // Sums of n^2 terms, and products of n.
+      double const rounding = 1e-14;
+      if (conserved != Conserved::lie_poisson)
+        BOOST_TEST(std::abs(vorticity_energy(laplacian, w) / vorticity_energy(laplacian, from) - 1) <=
+                   rounding);
+      if (conserved != Conserved::energy_casimir)
+        BOOST_TEST((sphere_momentum(w) - sphere_momentum(from)).norm() <=
+                   rounding * sphere_momentum(from).norm());
+      BOOST_TEST((vorticity_values(w) - vorticity_values(from)).cwiseAbs().maxCoeff() <=
+                 rounding * norm(from));
     }
 }
 

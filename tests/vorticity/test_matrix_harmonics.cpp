@@ -51,11 +51,10 @@ Eigen::MatrixXd by_half_size_problems(int n, int m) {
       d[half - 1] += (parity == 0 ? 1 : -1) * beside(half);
     else if (parity == 0 && count > 1)
       e[half - 1] *= std::sqrt(2.0);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(d, e);
+    Eigen::MatrixXd const vectors = tridiagonal_eigensystem<Eigen::MatrixXd>(d, e).vectors;
     for (int j = 0; j < count; ++j) {
       // From the largest eigenvalue down: l - m = parity, parity + 2, ...
-      Eigen::VectorXd const v = solver.eigenvectors().col(count - 1 - j);
+      Eigen::VectorXd const v = vectors.col(count - 1 - j);
       int const row = 2 * j + parity;
       for (int k = 0; k < count; ++k) {
         bool const middle = size % 2 == 1 && k == half;

@@ -35,7 +35,7 @@ SkewHermitian<> random_vorticity(int n, unsigned seed) {
   return of_hermitian(ComplexMatrix<>((a + a.adjoint()) / 2));
 }
 Eigen::VectorXd spectrum(SkewHermitian<> const& w) {
-  return Eigen::SelfAdjointEigenSolver<ComplexMatrix<>>(w.hermitian(), Eigen::EigenvaluesOnly).eigenvalues();
+  return hermitian_values(w.hermitian());
 }
 /// By how much a field leaves the interval of the eigenvalues, in parts of its length.
 double outside(GridField const& field, SkewHermitian<> const& w) {

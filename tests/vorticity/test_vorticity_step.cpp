@@ -15,11 +15,7 @@ BOOST_AUTO_TEST_CASE(each_form_conserves_what_it_says_and_is_reversible) {
   SphereLaplacian const laplacian(n);
   SkewHermitian<> const start = random_state(n, 1, 9);
   auto const energy = [&](auto const& w) { return inner_product(laplacian.solve(w), w); };
-  auto const spectrum = [](auto const& w) {
-    return Eigen::SelfAdjointEigenSolver<ComplexMatrix<>>(w.hermitian(), Eigen::EigenvaluesOnly)
-        .eigenvalues()
-        .eval();
-  };
+  auto const spectrum = [](auto const& w) { return hermitian_values(w.hermitian()); };
   Eigen::Vector3d const momentum = spin_components(sphere, start);
   double const size = spectrum(start).cwiseAbs().maxCoeff();
   TurningFrame const calm = calmest_frame(sphere, laplacian, start);

@@ -7,8 +7,7 @@
 // Wr the filaments.
 #pragma once
 
-#include <Eigen/Eigenvalues>
-
+#include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/quantized_sphere.hpp"
 
 namespace actio {
@@ -25,10 +24,9 @@ struct CanonicalSplitting {
 /// tell apart have a block in common.
 inline CanonicalSplitting split_along(SkewHermitian<> const& p, SkewHermitian<> const& w) {
   auto const n = w.size();
-  Eigen::SelfAdjointEigenSolver<ComplexMatrix<>> const solver(p.hermitian());
-  Eigen::VectorXd const values = solver.eigenvalues();
-  ComplexMatrix<> const& e = solver.eigenvectors();
-  ComplexMatrix<> part = e.adjoint() * w.hermitian() * e;
+  auto const [values, e] = hermitian_eigensystem(p.hermitian());
+  ComplexMatrix<> const adjoint = e.adjoint();
+  ComplexMatrix<> part = product_of(product_of(adjoint, w.hermitian()), e);
   double const same = 16 * static_cast<double>(n) * std::numeric_limits<double>::epsilon() *
                       std::max(std::abs(values[0]), std::abs(values[n - 1]));
   Eigen::VectorXi block(n);
@@ -38,7 +36,8 @@ inline CanonicalSplitting split_along(SkewHermitian<> const& p, SkewHermitian<> 
     for (Eigen::Index r = 0; r < n; ++r)
       if (block[r] != block[c]) part(r, c) = 0;
   CanonicalSplitting splitting;
-  splitting.steady = SkewHermitian<>(ComplexMatrix<>(std::complex<double>(0, 1) * (e * part * e.adjoint())));
+  splitting.steady =
+      SkewHermitian<>(ComplexMatrix<>(std::complex<double>(0, 1) * product_of(product_of(e, part), adjoint)));
   splitting.rest = w - splitting.steady;
   return splitting;
 }

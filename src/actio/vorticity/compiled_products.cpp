@@ -7,5 +7,6 @@ template void EigenProducts::whole(Eigen::MatrixXd const&, Eigen::MatrixXd const
 template void EigenProducts::whole(Eigen::MatrixXf const&, Eigen::MatrixXf const&, Eigen::MatrixXf&) const;
 template void EigenProducts::lower(Eigen::MatrixXd const&, Eigen::MatrixXd const&, Eigen::MatrixXd&) const;
 template void EigenProducts::lower(Eigen::MatrixXf const&, Eigen::MatrixXf const&, Eigen::MatrixXf&) const;
+template SkewHermitian<> commutator(SkewHermitian<> const&, SkewHermitian<> const&);
 
 }  // namespace actio

@@ -101,9 +101,9 @@ class FastVorticityStep : public StepSetting<Stream> {
       if (!(beside[count - 1] > 1e-12 * diagonal.head(count).cwiseAbs().maxCoeff())) break;
       before = v, v = u / beside[count - 1];
     }
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal.head(count), beside.head(count - 1), Eigen::EigenvaluesOnly);
-    return solver.eigenvalues().cwiseAbs().maxCoeff();
+    return tridiagonal_values<Eigen::MatrixXd>(diagonal.head(count), beside.head(count - 1))
+        .cwiseAbs()
+        .maxCoeff();
   }
 
  private:
@@ -112,9 +112,10 @@ class FastVorticityStep : public StepSetting<Stream> {
       StepSetting<Stream>::of_energy;
   static constexpr double lowest_ = 1e-6;            ///< changes above this are not put down to rounding
   static constexpr double largest_residual_ = 4e-7;  ///< relative to |W|, of what single precision finds
-  static constexpr double longest_move_ = 1e-7;      ///< along the orbit, relative to |A|
+  static constexpr double longest_move_ = 3e-8;      ///< along the orbit, relative to |A|
   /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
   static constexpr double smallest_size_ = 1e-7, largest_size_ = 1e12;
+  static constexpr double cutoff_ = 1e-5;      ///< of eigenvalues that single precision tells from zero
   static constexpr int steps_of_radius_ = 16;  ///< for which an estimate of the radius is taken as good
 
   /// Those along whose turns W_1 is moved.
@@ -200,16 +201,19 @@ class FastVorticityStep : public StepSetting<Stream> {
   void find_middle(SkewHermitian<> const& w) {
     for (SkewHermitian<>* m : {&middle_, &average_})
       if (m->size() != w.size()) *m = SkewHermitian<>(w.size());
+    cayley_.conjugate(single_, twice_, square_);
     bool const average = of_energy();
-    cayley_.conjugate(single_, [&](auto i, auto j, auto f, auto e) {
-      auto const put = [&](SkewHermitian<>& m, auto d) {
-        double const r = w.real(i, j) + static_cast<double>(d.real),
-                     k = w.imaginary(i, j) + static_cast<double>(d.imaginary);
-        m.real(j, i) = -r, m.real(i, j) = r, m.imaginary(i, j) = m.imaginary(j, i) = k;
+    for (Eigen::Index c = 0; c < w.size(); ++c) {
+      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
+      auto const put = [&](auto const& start, auto const& f, auto const& e, auto& middle, auto& mean) {
+        below(middle) = below(start) + (below(f) + below(e)).template cast<double>();
+        if (average) below(mean) = below(start) + (below(f) + 2.F * below(e)).template cast<double>();
       };
-      put(middle_, f + e);
-      if (average) put(average_, f + 2.F * e);
-    });
+      put(w.real, twice_.real, square_.real, middle_.real, average_.real);
+      put(w.imaginary, twice_.imaginary, square_.imaginary, middle_.imaginary, average_.imaginary);
+    }
+    mirror_lower(middle_);
+    if (average) mirror_lower(average_);
   }
 
   /// The A that belongs to the middle.
@@ -255,16 +259,19 @@ class FastVorticityStep : public StepSetting<Stream> {
       find_middle(w);
     }
     if (end_.size() != w.size()) end_ = SkewHermitian<>(w.size());
-    cayley_.conjugate(residual_, [&](auto i, auto j, auto f, auto e) {
-      auto const last = 2.F * (f + 2.F * e);
-      put_end(i, j, w.real(i, j) + (2 * commutator_.real(i, j) + static_cast<double>(last.real)),
-              w.imaginary(i, j) + (2 * commutator_.imaginary(i, j) + static_cast<double>(last.imaginary)));
-    });
+    cayley_.conjugate(residual_, twice_, square_);
+    for (Eigen::Index c = 0; c < w.size(); ++c) {
+      auto const below = [c, rows = w.size() - c](auto& m) { return m.col(c).tail(rows); };
+      auto const put =
+          [&](auto const& start, auto const& half_change, auto const& f, auto const& e, auto& end) {
+        below(end) = below(start) +
+                     (2 * below(half_change) + (2.F * (below(f) + 2.F * below(e))).template cast<double>());
+      };
+      put(w.real, commutator_.real, twice_.real, square_.real, end_.real);
+      put(w.imaginary, commutator_.imaginary, twice_.imaginary, square_.imaginary, end_.imaginary);
+    }
+    mirror_lower(end_);
     return true;
-  }
-  void put_end(Eigen::Index i, Eigen::Index j, double real, double imaginary) {
-    end_.real(j, i) = -real, end_.real(i, j) = real;
-    end_.imaginary(i, j) = end_.imaginary(j, i) = imaginary;
   }
 
   /// Takes energy and angular momentum back to what they were, along the orbit. The A that is found on the
@@ -295,13 +302,13 @@ class FastVorticityStep : public StepSetting<Stream> {
       change[static_cast<Eigen::Index>(j) + first] = axes[j].dot(momentum);
     single_.real = end_.real.template cast<float>(),
     single_.imaginary = end_.imaginary.template cast<float>();
-    if (direction_.size() != w.size()) direction_ = SkewHermitian<float>(w.size());
     if (of_energy()) {
+      // What a move changes the energy by goes by P of the end.
+      stream_.solve(end_, p_);
+      this->subtract_turning(middle_, momentum_.norm(), p_);
       residual_.real = (eps_ * p_.real).template cast<float>(),
       residual_.imaginary = (eps_ * p_.imaginary).template cast<float>();
-      cayley_.commutator(residual_, single_, [&](auto i, auto j, auto x) {
-        direction_.real(i, j) = x.real, direction_.imaginary(i, j) = x.imaginary;
-      });
+      cayley_.commutator(residual_, single_, direction_);
     }
     Eigen::VectorXd const move =
         newton(polished_, of_energy() ? &direction_ : nullptr, single_, change, scale);
@@ -317,19 +324,21 @@ class FastVorticityStep : public StepSetting<Stream> {
       factors_.head(move.size()) += 0.5 * move;
       add_combination(corrected_, &half_change_, middle_, factors_, next_);
     }
-    cayley_.commutator(residual_, single_, [&](auto i, auto j, auto x) {
-      put_end(i, j, end_.real(i, j) + static_cast<double>(x.real),
-              end_.imaginary(i, j) + static_cast<double>(x.imaginary));
-    });
+    cayley_.commutator(residual_, single_, direction_);
+    for (Eigen::Index c = 0; c < w.size(); ++c) {
+      auto const rows = w.size() - c;
+      end_.real.col(c).tail(rows) += direction_.real.col(c).tail(rows).template cast<double>();
+      end_.imaginary.col(c).tail(rows) += direction_.imaginary.col(c).tail(rows).template cast<double>();
+    }
+    mirror_lower(end_);
     return true;
   }
 
   /// The Newton step of factors of X_0, where there is one, and X_j = [iS_j, W]: the inner products of the X,
   /// in units of what they are commutators of, inverted as far as they are regular. Entries below the
   /// diagonal count for two.
-  template <class Real>
-  Eigen::VectorXd newton(SpinColumns<Real> const& spins, SkewHermitian<Real> const* x0,
-                         SkewHermitian<Real> const& w, Eigen::VectorXd change, double scale_of_first) const {
+  Eigen::VectorXd newton(SpinColumns<float> const& spins, SkewHermitian<float> const* x0,
+                         SkewHermitian<float> const& w, Eigen::VectorXd change, double scale_of_first) const {
     auto const count = change.size(), first = count - static_cast<Eigen::Index>(spins.count());
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(count, count);
     auto const sum = [](auto const& a, auto const& b) {
@@ -359,12 +368,7 @@ class FastVorticityStep : public StepSetting<Stream> {
     Eigen::VectorXd scale = Eigen::VectorXd::Constant(count, std::sqrt(sphere_.n / 3.0) / sphere_.hbar());
     if (x0) scale[0] = scale_of_first;
     gram = scale.cwiseInverse().asDiagonal() * gram * scale.cwiseInverse().asDiagonal();
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solver(gram);  // reads the lower half
-    Eigen::VectorXd const values = solver.eigenvalues();
-    Eigen::VectorXd part = solver.eigenvectors().transpose() * change.cwiseQuotient(scale);
-    double const cutoff = (std::is_same_v<Real, float> ? 1e-5 : 1e-8) * values[count - 1];
-    for (Eigen::Index j = 0; j < count; ++j) part[j] = values[j] > cutoff ? part[j] / values[j] : 0;
-    return (solver.eigenvectors() * part).cwiseQuotient(scale);
+    return regular_solution(gram, change.cwiseQuotient(scale), cutoff_).cwiseQuotient(scale);
   }
   template <class Real>
   static void add_combination(SpinColumns<Real> const& spins, SkewHermitian<Real> const* x0,
@@ -397,7 +401,7 @@ class FastVorticityStep : public StepSetting<Stream> {
   SpinColumns<float> polished_;
 
   SkewHermitian<> a_, next_, p_, middle_, average_, half_change_, commutator_, remainder_, end_;
-  SkewHermitian<float> single_, residual_, direction_;
+  SkewHermitian<float> single_, residual_, direction_, twice_, square_;
   Factors factors_ = Factors::Zero();
   double radius_ = 0;      ///< the largest eigenvalue of A over |A|
   int age_ = 0;            ///< steps since it was estimated

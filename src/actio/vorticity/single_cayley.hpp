@@ -12,20 +12,17 @@
 // Single precision is enough where what is conjugated is small beside what the result is added to.
 #pragma once
 
-#include <Eigen/QR>
-
 #include "actio/vorticity/products.hpp"
 
 namespace actio {
 
-/// Calls `use(i, j)` for all i >= j below n, tile by tile, so that entries (i, j) and (j, i) are both near.
+/// Calls `use(i, j, rows, columns)` for the tiles of a matrix of the size n that are on and below its
+/// diagonal: two tiles that mirror one another are both near.
 template <class Use>
-void over_entry_pairs(Eigen::Index n, Use const& use) {
+void over_tiles(Eigen::Index n, Use const& use) {
   constexpr Eigen::Index tile = 32;
-  for (Eigen::Index c = 0; c < n; c += tile)
-    for (Eigen::Index r = c; r < n; r += tile)
-      for (Eigen::Index j = c; j < std::min(c + tile, n); ++j)
-        for (Eigen::Index i = std::max(r, j); i < std::min(r + tile, n); ++i) use(i, j);
+  for (Eigen::Index j = 0; j < n; j += tile)
+    for (Eigen::Index i = j; i < n; i += tile) use(i, j, std::min(tile, n - i), std::min(tile, n - j));
 }
 
 /// \f$K = (1-A)^{-1} - 1\f$ and conjugations by it.
@@ -45,73 +42,73 @@ class SingleCayley {
     ar_ = a.real.cast<float>(), ai_ = a.imaginary.cast<float>(), as_ = ar_ + ai_;
     // X = -A^2, and X^2.
     lower(ar_, ai_, as_, ar_, ai_, as_);
-    hermitian(x_, [&](auto i, auto j) { return -product(i, j); });
-    lower(x_.real, x_.imaginary, x_.sum, x_.real, x_.imaginary, x_.sum);
-    hermitian(y_, [&](auto i, auto j) { return product(i, j); });
-    // S - 1 by Horner's rule in X^2.
-    Eigen::VectorXd const c = reciprocal(radius * radius, error);
-    Eigen::Index k = c.size() - 3;
-    hermitian(h_, [&](auto i, auto j) {
-      return combination(c, k, i, j) + static_cast<float>(c[k + 2]) * entry(y_, i, j);
+    over_columns([&](auto below) {
+      below(x_.real) = below(t2_) - below(t1_), below(x_.imaginary) = below(t1_) + below(t2_) - below(t3_);
     });
+    complete(x_);
+    lower(x_.real, x_.imaginary, x_.sum, x_.real, x_.imaginary, x_.sum);
+    over_columns([&](auto below) {
+      below(y_.real) = below(t1_) - below(t2_), below(y_.imaginary) = below(t3_) - below(t1_) - below(t2_);
+    });
+    complete(y_);
+    // S - 1 by Horner's rule in X^2.
+    Eigen::VectorXf const c = reciprocal(radius * radius, error).cast<float>();
+    Eigen::Index k = c.size() - 3;
+    over_columns([&](auto below) {
+      below(h_.real) = c[k + 1] * below(x_.real) + c[k + 2] * below(y_.real);
+      below(h_.imaginary) = c[k + 1] * below(x_.imaginary) + c[k + 2] * below(y_.imaginary);
+    });
+    h_.real.diagonal().array() += c[k];
+    complete(h_);
     while (k > 0) {
       k -= 2;
       lower(y_.real, y_.imaginary, y_.sum, h_.real, h_.imaginary, h_.sum);
-      hermitian(h_, [&](auto i, auto j) { return combination(c, k, i, j) + product(i, j); });
+      over_columns([&](auto below) {
+        below(h_.real) = c[k + 1] * below(x_.real) + (below(t1_) - below(t2_));
+        below(h_.imaginary) = c[k + 1] * below(x_.imaginary) + (below(t3_) - below(t1_) - below(t2_));
+      });
+      h_.real.diagonal().array() += c[k];
+      complete(h_);
     }
-    // A S = A + A (S - 1).
+    // A S = A + A (S - 1), skew-Hermitian.
     lower(ar_, ai_, as_, h_.real, h_.imaginary, h_.sum);
-    over_entry_pairs(n, [&](auto i, auto j) {
-      Entry const h = entry(h_, i, j);
-      Entry t = product(i, j);
-      t.real += ar_(i, j), t.imaginary += ai_(i, j);
-      put(k_, i, j, {h.real + t.real, h.imaginary + t.imaginary});
-      put(star_, i, j, {h.real - t.real, h.imaginary - t.imaginary});
-      if (i == j) return;
-      put(k_, j, i, {h.real - t.real, t.imaginary - h.imaginary});
-      put(star_, j, i, {h.real + t.real, -h.imaginary - t.imaginary});
+    over_columns([&](auto below) {
+      below(t3_) += below(ai_) - below(t1_) - below(t2_), below(t1_) += below(ar_) - below(t2_);
+      below(k_.real) = below(h_.real) + below(t1_), below(k_.imaginary) = below(h_.imaginary) + below(t3_);
+      below(star_.real) = below(h_.real) - below(t1_);
+      below(star_.imaginary) = below(h_.imaginary) - below(t3_);
     });
+    over_tiles(n, [&](auto i, auto j, auto rows, auto columns) {
+      adjoin(k_, star_, i, j, rows, columns), adjoin(star_, k_, i, j, rows, columns);
+    });
+    k_.sum = k_.real + k_.imaginary, star_.sum = star_.real + star_.imaginary;
   }
 
-  /// An entry of a complex matrix.
-  struct Entry {
-    float real;       ///< its real part
-    float imaginary;  ///< its imaginary part
-    /// The sum.
-    friend Entry operator+(Entry a, Entry b) { return {a.real + b.real, a.imaginary + b.imaginary}; }
-    /// The opposite.
-    friend Entry operator-(Entry a) { return {-a.real, -a.imaginary}; }
-    /// A real multiple.
-    friend Entry operator*(float f, Entry a) { return {f * a.real, f * a.imaginary}; }
-  };
-  /// Calls `use(i, j, f, e)` with the entries of F and E for all i >= j; both are skew-Hermitian.
-  template <class Use>
-  void conjugate(SkewHermitian<float> const& x, Use const& use) {
+  /// F and E of a skew-Hermitian X, on and below their diagonals; both are skew-Hermitian.
+  void conjugate(SkewHermitian<float> const& x, SkewHermitian<float>& f, SkewHermitian<float>& e) {
     // G = K X, whole.
     t3_ = x.real + x.imaginary;
     products_->multiply(k_.real, x.real, t1_), products_->multiply(k_.imaginary, x.imaginary, t2_);
     products_->multiply(k_.sum, t3_, g_.sum);
     g_.real = t1_ - t2_, g_.imaginary = g_.sum - t1_ - t2_;
     g_.sum = g_.real + g_.imaginary;
+    skew_part(f);
     lower(g_.real, g_.imaginary, g_.sum, star_.real, star_.imaginary, star_.sum);
-    over_entry_pairs(x.size(), [&](auto i, auto j) {
-      Entry e = product(i, j);
-      if (i == j) e.real = 0;
-      use(i, j, Entry{g_.real(i, j) - g_.real(j, i), g_.imaginary(i, j) + g_.imaginary(j, i)}, e);
+    fit(e);
+    over_columns([&](auto below) {
+      below(e.real) = below(t1_) - below(t2_), below(e.imaginary) = below(t3_) - below(t1_) - below(t2_);
     });
+    e.real.diagonal().setZero();
   }
 
-  /// \f$[Y, X]\f$ of skew-Hermitian matrices, entry by entry as above, in single precision.
-  template <class Use>
-  void commutator(SkewHermitian<float> const& y, SkewHermitian<float> const& x, Use const& use) {
+  /// \f$[Y, X]\f$ of skew-Hermitian matrices, on and below its diagonal, in single precision.
+  void commutator(SkewHermitian<float> const& y, SkewHermitian<float> const& x, SkewHermitian<float>& c) {
     allocate(x.size());
     products_->multiply(y.real, x.real, t1_), products_->multiply(y.imaginary, x.imaginary, t2_);
     g_.real = y.real + y.imaginary, g_.imaginary = x.real + x.imaginary;
     products_->multiply(g_.real, g_.imaginary, t3_);
-    over_entry_pairs(x.size(), [&](auto i, auto j) {
-      float const one = t3_(i, j) - t1_(i, j) - t2_(i, j), other = t3_(j, i) - t1_(j, i) - t2_(j, i);
-      use(i, j, Entry{(t1_(i, j) - t2_(i, j)) - (t1_(j, i) - t2_(j, i)), one + other});
-    });
+    g_.real = t1_ - t2_, g_.imaginary = t3_ - t1_ - t2_;
+    skew_part(c);
   }
 
   /// The degree of the polynomial in X for a given radius of A, even.
@@ -135,11 +132,48 @@ class SingleCayley {
       s->real.resize(n, n), s->imaginary.resize(n, n), s->sum.resize(n, n);
     for (Part* part : {&t1_, &t2_, &t3_}) part->resize(n, n);
   }
-  static void put(Split& m, Eigen::Index i, Eigen::Index j, Entry e) {
-    m.real(i, j) = e.real, m.imaginary(i, j) = e.imaginary, m.sum(i, j) = e.real + e.imaginary;
+  void fit(SkewHermitian<float>& m) const {
+    if (m.size() != t1_.rows()) m = SkewHermitian<float>(t1_.rows());
   }
-  static Entry entry(Split const& m, Eigen::Index i, Eigen::Index j) {
-    return {m.real(i, j), m.imaginary(i, j)};
+  /// Calls `use(below)` for each column; below(m) is what m has in it from the diagonal on.
+  template <class Use>
+  void over_columns(Use const& use) {
+    Eigen::Index const n = t1_.rows();
+    for (Eigen::Index j = 0; j < n; ++j) use([j, n](Part& m) { return m.col(j).tail(n - j).array(); });
+  }
+  /// A Hermitian matrix of which the lower half is known.
+  static void complete(Split& m) {
+    m.imaginary.diagonal().setZero();
+    over_tiles(m.real.rows(), [&](auto i, auto j, auto rows, auto columns) {
+      if (i == j)
+        for (Eigen::Index c = 0; c < columns; ++c)
+          for (Eigen::Index r = c + 1; r < rows; ++r)
+            m.real(j + c, i + r) = m.real(i + r, j + c),
+                              m.imaginary(j + c, i + r) = -m.imaginary(i + r, j + c);
+      else
+        m.real.block(j, i, columns, rows) = m.real.block(i, j, rows, columns).transpose(),
+                                    m.imaginary.block(j, i, columns, rows) =
+                                        -m.imaginary.block(i, j, rows, columns).transpose();
+    });
+    m.sum = m.real + m.imaginary;
+  }
+  /// What m has above the diagonal, from what its adjoint has below.
+  static void adjoin(Split& m, Split const& star, Eigen::Index i, Eigen::Index j, Eigen::Index rows,
+                     Eigen::Index columns) {
+    for (Eigen::Index r = 0; r < rows; ++r)
+      for (Eigen::Index c = 0; c < std::min(columns, i + r - j); ++c)
+        m.real(j + c, i + r) = star.real(i + r, j + c),
+                          m.imaginary(j + c, i + r) = -star.imaginary(i + r, j + c);
+  }
+  /// \f$G - G^*\f$, on and below the diagonal.
+  void skew_part(SkewHermitian<float>& out) const {
+    fit(out);
+    over_tiles(t1_.rows(), [&](auto i, auto j, auto rows, auto columns) {
+      out.real.block(i, j, rows, columns) =
+          g_.real.block(i, j, rows, columns) - g_.real.block(j, i, columns, rows).transpose();
+      out.imaginary.block(i, j, rows, columns) =
+          g_.imaginary.block(i, j, rows, columns) + g_.imaginary.block(j, i, columns, rows).transpose();
+    });
   }
 
   /// The lower half of a product, as three real ones.
@@ -147,38 +181,25 @@ class SingleCayley {
     products_->multiply_lower(ar, br, t1_), products_->multiply_lower(ai, bi, t2_),
         products_->multiply_lower(as, bs, t3_);
   }
-  Entry product(Eigen::Index i, Eigen::Index j) const {
-    return {t1_(i, j) - t2_(i, j), t3_(i, j) - t1_(i, j) - t2_(i, j)};
-  }
-  /// c_k + c_{k+1} X.
-  Entry combination(Eigen::VectorXd const& c, Eigen::Index k, Eigen::Index i, Eigen::Index j) const {
-    Entry e = static_cast<float>(c[k + 1]) * entry(x_, i, j);
-    if (i == j) e.real += static_cast<float>(c[k]);
-    return e;
-  }
-  /// Writes a Hermitian matrix of which `of` gives the lower half.
-  template <class Of>
-  void hermitian(Split& m, Of const& of) {
-    over_entry_pairs(t1_.rows(), [&](auto i, auto j) {
-      Entry e = of(i, j);
-      if (i == j) e.imaginary = 0;
-      put(m, i, j, e);
-      put(m, j, i, {e.real, -e.imaginary});
-    });
-  }
-  /// The coefficients of 1/(1 + x) - 1 on [0, b], by interpolation where Chebyshev's polynomial vanishes.
+  /// The coefficients of the polynomial p in x that is 1/(1 + x) - 1 where Chebyshev's polynomial T of [0, b]
+  /// vanishes: 1 + p = (1 - T/T(-1))/(1 + x).
   static Eigen::VectorXd reciprocal(double b, double error) {
     auto const count = degree(std::sqrt(b), error) + 1;
-    Eigen::MatrixXd powers(count, count);
-    Eigen::VectorXd values(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      double const t =
-          0.5 * (1 + std::cos(M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(count)));
-      values[i] = -b * t / (1 + b * t);
-      for (Eigen::Index k = 0; k < count; ++k) powers(i, k) = std::pow(t, static_cast<double>(k));
+    // T_{k+1} = 2 (2x/b - 1) T_k - T_{k-1}, each in units of its value at -1, which grows with k.
+    Eigen::VectorXd now = Eigen::VectorXd::Zero(count + 1), before = now;
+    before[0] = 1, now[0] = 1 / (1 + 2 / b), now[1] = -2 / (b + 2);
+    double ratio = -(1 + 2 / b);  // T_k(-1)/T_{k-1}(-1)
+    for (int k = 1; k < count; ++k) {
+      double const next = -2 * (1 + 2 / b) - 1 / ratio;
+      Eigen::VectorXd t = -2 / next * now - before / (next * ratio);
+      t.tail(count) += 4 / (b * next) * now.head(count);
+      before = now, now = t, ratio = next;
     }
-    Eigen::VectorXd c = powers.colPivHouseholderQr().solve(values);
-    for (Eigen::Index k = 0; k < count; ++k) c[k] /= std::pow(b, static_cast<double>(k));
+    // Division of 1 - T/T(-1), which vanishes at -1.
+    Eigen::VectorXd c(count);
+    c[0] = 1 - now[0];
+    for (Eigen::Index k = 1; k < count; ++k) c[k] = -now[k] - c[k - 1];
+    c[0] -= 1;
     return c;
   }
 

@@ -105,4 +105,9 @@ SkewHermitian<S> commutator(SkewHermitian<S> const& x, SkewHermitian<S> const& y
   return {real - real.transpose(), imaginary + imaginary.transpose()};
 }
 
+// Our own programs have it compiled once (compiled_products.cpp).
+#ifdef ACTIO_COMPILED_STEPS
+extern template SkewHermitian<> commutator(SkewHermitian<> const&, SkewHermitian<> const&);
+#endif
+
 }  // namespace actio

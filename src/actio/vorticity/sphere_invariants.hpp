@@ -30,15 +30,11 @@ inline Eigen::Vector3d sphere_momentum(SkewHermitian<> const& w) {
 }
 
 /// The eigenvalues of -iW, in ascending order: the values of the vorticity, each on 1/N of the sphere.
-template <class S>
-Eigen::VectorXd vorticity_values(SkewHermitian<S> const& w) {
-  return Eigen::SelfAdjointEigenSolver<ComplexMatrix<>>(w.hermitian(), Eigen::EigenvaluesOnly).eigenvalues();
-}
+inline Eigen::VectorXd vorticity_values(SkewHermitian<> const& w) { return hermitian_values(w.hermitian()); }
 
 /// The Casimir functions \f$C_k = \tfrac{4\pi}N\mathrm{Tr}((-iW)^k)\f$, k = 2 .. most: the integrals of the
 /// powers of the vorticity. By products of matrices, about most/2 of them.
-template <class S>
-Eigen::VectorXd vorticity_casimirs(SkewHermitian<S> const& w, int most) {
+inline Eigen::VectorXd vorticity_casimirs(SkewHermitian<> const& w, int most) {
   double const area = QuantizedSphere(static_cast<int>(w.size())).area_element();
   ComplexMatrix<> const x = w.hermitian();
   ComplexMatrix<> low = x, high = x;  // x^j, and x^j or x^(j+1)
@@ -48,8 +44,7 @@ Eigen::VectorXd vorticity_casimirs(SkewHermitian<S> const& w, int most) {
     casimirs[k - 2] = area * (low.conjugate().cwiseProduct(high)).sum().real();
     if (k == most) break;
     if (k % 2 == 0) {
-      ComplexMatrix<> next = high * x;
-      high = std::move(next);
+      high = product_of(high, x);
     } else {
       low = high;
     }

@@ -26,47 +26,77 @@ class SpinColumns {
 
   /// A part of a column: the entries from the diagonal on.
   struct Piece {
-    Column real;       ///< of the real part
-    Column imaginary;  ///< of the imaginary part
+    Eigen::VectorBlock<Column> real;       ///< of the real part
+    Eigen::VectorBlock<Column> imaginary;  ///< of the imaginary part
   };
   /// Calls `use(c, pieces)` for each column.
   template <class Use>
   void over(SkewHermitian<Real> const& w, Use const& use) const {
-    std::vector<Piece> pieces(axes_.size());
-    Piece first, second, third;
+    Sums real(n_), imaginary(n_);
+    std::vector<Column> memory(2 * axes_.size(), Column(n_));
+    std::vector<Piece> pieces;
     for (Eigen::Index c = 0; c < n_; ++c) {
       auto const rows = n_ - c;
-      Column up, down, left, right;
-      auto const neighbours = [&](auto const& m) {
-        up = Column::Zero(rows), down = Column::Zero(rows), left = Column::Zero(rows),
-        right = Column::Zero(rows);
-        up.head(rows - 1) = ladder_.segment(c + 1, rows - 1) * m.col(c).tail(rows - 1).array();
-        if (c > 0)
-          down = ladder_.segment(c, rows) * m.col(c).segment(c - 1, rows).array();
-        else
-          down.tail(rows - 1) = ladder_.segment(1, rows - 1) * m.col(0).head(rows - 1).array();
-        if (c > 0) left = ladder_[c] * m.col(c - 1).tail(rows).array();
-        if (c + 1 < n_) right = ladder_[c + 1] * m.col(c + 1).tail(rows).array();
-      };
-      neighbours(w.real);
-      first.imaginary = up + down - left - right, second.real = up - down - left + right;
-      neighbours(w.imaginary);
-      first.real = left + right - up - down, second.imaginary = up - down - left + right;
-      auto const apart = index_.head(rows);
-      third.real = apart * w.imaginary.col(c).tail(rows).array(),
-      third.imaginary = -apart * w.real.col(c).tail(rows).array();
+      real.collect(ladder_, w.real, c, rows), imaginary.collect(ladder_, w.imaginary, c, rows);
+      pieces.clear();
       for (std::size_t a = 0; a < axes_.size(); ++a) {
-        auto const e = axes_[a].template cast<Real>();
-        pieces[a].real = e[0] * first.real + e[1] * second.real + e[2] * third.real;
-        pieces[a].imaginary = e[0] * first.imaginary + e[1] * second.imaginary + e[2] * third.imaginary;
-        // On the diagonal.
-        pieces[a].real[0] = 0;
+        pieces.push_back({memory[2 * a].head(rows), memory[2 * a + 1].head(rows)});
+        combine(axes_[a], real, imaginary, w, c, pieces.back());
       }
       use(c, pieces);
     }
   }
 
  private:
+  /// Of a column of a part M of W: what the ladder brings from the four neighbours of each entry.
+  struct Sums {
+    Column vertical, horizontal;       ///< of those above and below, of those left and right
+    Column up_to_down, left_to_right;  ///< their differences
+
+    explicit Sums(int n) : vertical(n), horizontal(n), up_to_down(n), left_to_right(n) {}
+    void collect(Column const& ladder, typename SkewHermitian<Real>::Part const& m, Eigen::Index c,
+                 Eigen::Index rows) {
+      auto const n = m.rows();
+      auto const column = m.col(c).array();
+      // From the row after, and from the row before.
+      vertical.head(rows - 1) = ladder.segment(c + 1, rows - 1) * column.tail(rows - 1);
+      vertical[rows - 1] = 0;
+      up_to_down.head(rows) = vertical.head(rows);
+      Eigen::Index const first = c == 0 ? 1 : 0;
+      auto const above =
+          ladder.segment(c + first, rows - first) * column.segment(c + first - 1, rows - first);
+      vertical.segment(first, rows - first) += above, up_to_down.segment(first, rows - first) -= above;
+      horizontal.head(rows).setZero(), left_to_right.head(rows).setZero();
+      if (c > 0)
+        horizontal.head(rows) = ladder[c] * m.col(c - 1).tail(rows).array(),
+        left_to_right.head(rows) = horizontal.head(rows);
+      if (c + 1 == n) return;
+      auto const after = ladder[c + 1] * m.col(c + 1).tail(rows).array();
+      horizontal.head(rows) += after, left_to_right.head(rows) -= after;
+    }
+  };
+  /// The sum over the coordinate axes, of those that e has a part along.
+  void combine(Eigen::Vector3d const& axis, Sums const& real, Sums const& imaginary,
+               SkewHermitian<Real> const& w, Eigen::Index c, Piece& piece) const {
+    auto const rows = n_ - c;
+    Eigen::Array<Real, 3, 1> const e = axis.cast<Real>().array();
+    piece.real.setZero(), piece.imaginary.setZero();
+    if (e[0] != 0) {
+      piece.real += e[0] * (imaginary.horizontal.head(rows) - imaginary.vertical.head(rows));
+      piece.imaginary += e[0] * (real.vertical.head(rows) - real.horizontal.head(rows));
+    }
+    if (e[1] != 0) {
+      piece.real += e[1] * (real.up_to_down.head(rows) - real.left_to_right.head(rows));
+      piece.imaginary += e[1] * (imaginary.up_to_down.head(rows) - imaginary.left_to_right.head(rows));
+    }
+    if (e[2] != 0) {
+      auto const apart = e[2] * index_.head(rows);
+      piece.real += apart * w.imaginary.col(c).tail(rows).array();
+      piece.imaginary -= apart * w.real.col(c).tail(rows).array();
+    }
+    piece.real[0] = 0;  // on the diagonal
+  }
+
   int n_;
   std::vector<Eigen::Vector3d> axes_;
   Column ladder_;  ///< that between k - 1 and k at k

@@ -5,9 +5,7 @@
 // back where it is looked at. In the frame of a Rossby-Haurwitz wave nothing moves.
 #pragma once
 
-#include <Eigen/Eigenvalues>
-#include <optional>
-
+#include "actio/vorticity/dense_matrices.hpp"
 #include "actio/vorticity/spin_commutator.hpp"
 
 namespace actio {
@@ -76,9 +74,8 @@ class Turning {
     Eigen::VectorXd diagonal(n), beside(n - 1);
     for (int k = 0; k < n; ++k) diagonal[k] = axis[2] * sphere.weight(k);
     for (int k = 0; k + 1 < n; ++k) beside[k] = std::hypot(axis[0], axis[1]) * sphere.ladder(k);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal, beside, Eigen::ComputeEigenvectors);
-    vectors_ = solver.eigenvectors();  // of the weights in ascending order
+    // Of the weights in ascending order.
+    vectors_ = tridiagonal_eigensystem<Eigen::MatrixXd>(diagonal, beside).vectors;
     transposed_ = vectors_.transpose();
   }
 
@@ -105,11 +102,9 @@ class Turning {
   /// f a g with real f and g.
   static ComplexMatrix<> between(Eigen::MatrixXd const& f, ComplexMatrix<> const& a,
                                  Eigen::MatrixXd const& g) {
-    Eigen::MatrixXd part = a.real(), left = f * part;
     ComplexMatrix<> out(a.rows(), a.cols());
-    part.noalias() = left * g, out.real() = part;
-    part = a.imag(), left.noalias() = f * part;
-    part.noalias() = left * g, out.imag() = part;
+    out.real() = product_of(product_of(f, Eigen::MatrixXd(a.real())), g);
+    out.imag() = product_of(product_of(f, Eigen::MatrixXd(a.imag())), g);
     return out;
   }
   QuantizedSphere sphere_;

@@ -262,14 +262,8 @@ class VorticityStep : public StepSetting<Stream> {
     for (Eigen::Index i = 0; i < count; ++i)
       for (Eigen::Index j = 0; j <= i; ++j)
         gram(i, j) = gram(j, i) = inner_product(x(i), x(j)) / (scale[i] * scale[j]);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> const solver(gram);
-    Eigen::VectorXd const values = solver.eigenvalues();
     change = change.cwiseQuotient(scale);
-    Eigen::VectorXd part = solver.eigenvectors().transpose() * change;
-    double const cutoff = 1e-8 * values[count - 1];
-    for (Eigen::Index j = 0; j < count; ++j) part[j] = values[j] > cutoff ? part[j] / values[j] : 0;
-    Eigen::VectorXd const move = (solver.eigenvectors() * part).cwiseQuotient(scale);
-    factors_.head(count) += move;
+    factors_.head(count) += regular_solution(gram, change, 1e-8).cwiseQuotient(scale);
     return change.norm();
   }
 
