@@ -57,15 +57,24 @@ Matrix<T> frame_on(Side side, Chart const& chart, Vector<T> const& q) {
 /// What a statement about a side calls the other sign.
 inline std::string sign_of_other(Side side) { return side == Side::right ? "+" : "-"; }
 
+/// The Euler-Poincare equation of a side, its left-hand side along xi with its rate.
+template <class F, class V>
+auto equation_on(Side side, F const& l, V const& xi, V const& rate) {
+  return side == Side::right ? euler_poincare_right(l, xi, rate) : euler_poincare_left(l, xi, rate);
+}
+/// The variation of xi that eta gives on a side.
+template <class V>
+V variation_on(Side side, V const& xi, V const& eta, V const& eta_rate) {
+  return side == Side::right ? reduced_variation_right(xi, eta, eta_rate)
+                             : reduced_variation_left(xi, eta, eta_rate);
+}
+
 /// The four conditions of Euler-Poincare reduction on one side, off shell.
 template <class S>
 void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGroup const& group,
                                std::string const& model, Quadrature<S> const& rule) {
   auto const l = draw_algebra_polynomial<S>(draw, group.dimension());
   auto const L = invariant(side, l);
-  auto const residual = [&](Side on, auto const& xi, auto const& rate) {
-    return on == Side::right ? euler_poincare_right(l, xi, rate) : euler_poincare_left(l, xi, rate);
-  };
 
   // i and iii: (2.4) in a chart is the reduced equation, off shell, so one vanishes where the other does (the
   // frame has an inverse).
@@ -77,7 +86,7 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
   Matrix<S> const columns = frame_on(side, chart, q);
   Vector<S> const full = euler_lagrange_in_coordinates(in_coordinates(L, chart), q, v, a);
   claim.equal("i and iii: (2.4) is the reduced equation", model, full,
-              Vector<S>(-columns.transpose() * residual(side, xi, xi_rate).components));
+              Vector<S>(-columns.transpose() * equation_on(side, l, xi, xi_rate).components));
 
   // ii and iv: every variation of g gives xi its variation in iv, so the actions vary alike.
   auto const curve = draw_curve<S>(draw, group);
@@ -87,13 +96,10 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
     auto const on_right = lifted_variation(family, s).configuration;
     return side == Side::right ? on_right : Ad(inverse(curve(s)), on_right);
   };
-  auto const variation = [&](Side on, auto const& x, auto const& y, auto const& y_rate) {
-    return on == Side::right ? reduced_variation_right(x, y, y_rate) : reduced_variation_left(x, y, y_rate);
-  };
   auto const velocity = reduced(side, tangent(curve, t));
   S const varied = L(varied_tangent(family, t)).part[0];
   claim.equal("ii and iv: the integrands vary alike", model, varied,
-              change_along<S>(l, velocity, variation(side, velocity, eta(t), rate_along(eta, t))));
+              change_along<S>(l, velocity, variation_on(side, velocity, eta(t), rate_along(eta, t))));
 
   // iii and iv: integrate by parts along a path in the algebra, eta zero at the ends.
   S const from = ratio<S>(-1, 2), to = ratio<S>(1, 2);
@@ -102,12 +108,13 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
   auto const varied_action = [&](Side on) {
     return rule(
         [&](S const& s) {
-      return change_along<S>(l, path(s), variation(on, path(s), test(s), rate_along(test, s)));
+      return change_along<S>(l, path(s), variation_on(on, path(s), test(s), rate_along(test, s)));
         },
         from, to);
   };
   S const against =
-      rule([&](S const& s) { return pair(residual(side, path(s), rate_along(path, s)), test(s)); }, from, to);
+      rule([&](S const& s) { return pair(equation_on(side, l, path(s), rate_along(path, s)), test(s)); },
+           from, to);
   claim.equal("iii and iv: integrated by parts", model, varied_action(side), S(-against), 10);
 
   // Controls: the sign that belongs to the other side, in iv and in iii; a Lagrangian of the other side.
@@ -115,7 +122,7 @@ void euler_poincare_conditions(Claim<S>& claim, Draw& draw, Side side, SpannedGr
   claim.differs("iv with variations eta' " + sign + " [xi, eta]", model, varied_action(other(side)),
                 S(-against));
   claim.differs("the equation of the other side", model, full,
-                Vector<S>(-columns.transpose() * residual(other(side), xi, xi_rate).components));
+                Vector<S>(-columns.transpose() * equation_on(other(side), l, xi, xi_rate).components));
   claim.differs("a Lagrangian invariant on the other side", model,
                 euler_lagrange_in_coordinates(in_coordinates(invariant(other(side), l), chart), q, v, a),
                 full);
