@@ -16,58 +16,13 @@
 #include "actio/scene/own_files.hpp"
 #include "actio/scene/poll_interval.hpp"
 #include "actio/scene/progress.hpp"
-#include "actio/scene/units.hpp"
+#include "actio/scene/progression.hpp"
+#include "actio/scene/run_files.hpp"
 
 namespace actio::scene {
 namespace {
 
 using Clock = PollInterval::Clock;
-
-constexpr char const* times_of_snapshots = "snapshots/times.csv";
-
-/// How far a run is: the head of its checkpoint.
-struct Progression {
-  long steps = 0, rows = 0;
-  double time = 0;     // of the last row
-  double seconds = 0;  // of all processes
-};
-/// How many snapshots it has, and the time of the last of them: in the checkpoints of scenes that ask for
-/// some.
-struct Taken {
-  long snapshots = 0;
-  double time = 0;
-};
-
-/// That the rows so far are the first ones of the scene, which may go further than it did.
-/// @throws SceneError  at this place
-void check_rows(Progression const& at, Scene const& scene, Place const& place) {
-  if (at.rows == 0 || (at.rows <= scene.schedule.rows() && scene.schedule.time(at.rows - 1) == at.time))
-    return;
-  throw SceneError(place, fmt::format("the run has a row at t = {} already, which a run to t = {} has not; "
-                                      "its scene can be run anew, into another folder",
-                                      at.time, scene.schedule.until()));
-}
-/// The same of snapshots.
-void check_snapshots(Taken const& taken, Scene const& scene, Place const& place) {
-  Schedule const& times = *scene.snapshots;
-  if (taken.snapshots == 0 ||
-      (taken.snapshots <= times.rows() && times.time(taken.snapshots - 1) == taken.time))
-    return;
-  throw SceneError(place,
-                   fmt::format("the run has a snapshot at t = {} already, which a run to t = {} has not; "
-                               "its scene can be run anew, into another folder",
-                               taken.time, scene.schedule.until()));
-}
-
-/// The files of the snapshots, as the writer names them.
-std::vector<std::string> files_of_snapshots(Scene const& scene) {
-  std::vector<std::string> out{times_of_snapshots};
-  SnapshotWriter const& writer = *scene.simulation.snapshots;
-  for (auto& name : writer.shared_files()) out.push_back(std::move(name));
-  for (long k = 0; k < scene.snapshots->rows(); ++k)
-    for (auto& name : writer.files(k)) out.push_back(name), out.push_back(std::move(name) + ".part");
-  return out;
-}
 
 /// The run of one scene.
 class Run {
@@ -371,27 +326,6 @@ class Run {
 
 }  // namespace
 
-SeriesHead series_head(Scene const& scene, std::string const& written, long rows) {
-  SeriesHead head{scene.title, scene.system->name, written, scene.simulation.quantities.column_groups(),
-                  rows};
-  for (auto& group : head.groups) group.quantity.unit = plain_unit_of(scene, group.quantity);
-  if (std::string const unit = time_unit(scene); !unit.empty()) head.time_unit = unit;
-  return head;
-}
-
-std::vector<std::string> files_of_run(Scene const& scene) {
-  std::vector<std::string> out{"scene.toml",      "scene.toml.part", "checkpoint",
-                               "checkpoint.part", "summary.json",    "summary.json.part"};
-  for (auto const& format : scene.formats)
-    if (format == "hdf5")
-      out.insert(out.end(), {"series.h5", "series.h5.part"});
-    else if (format == "csv")
-      out.emplace_back("series.csv");
-  if (scene.snapshots && scene.simulation.snapshots)
-    for (auto& name : files_of_snapshots(scene)) out.push_back(std::move(name));
-  return out;
-}
-
 void refuse_without_step(Scene const& scene) {
   bool const stays = scene.schedule.time(scene.schedule.rows() - 1) == 0 &&
                      (!scene.snapshots || scene.snapshots->time(scene.snapshots->rows() - 1) == 0);
@@ -403,59 +337,6 @@ RunReport run_scene(Scene& scene, std::string const& folder, bool resume, RunOpt
 }
 RunReport run_in_memory(Scene& scene, std::vector<double>& table, RunOptions const& options) {
   return Run(scene, table, options).go();
-}
-
-namespace {
-
-/// How far the run in a folder is, which belongs to the scene.
-std::pair<Progression, Taken> progression(Scene const& scene, std::string const& folder, Place const& place) {
-  std::string const path = folder + "/checkpoint";
-  CheckpointStream stream(read_checkpoint(path, what_determines(scene.file)));
-  Progression at;
-  Taken taken;
-  bool const with_snapshots = scene.snapshots && scene.simulation.snapshots;
-  if (stream.bytes().size() < sizeof at + (with_snapshots ? sizeof taken : 0))
-    throw FileError(path + ": is damaged: it ends too early");
-  stream(at);
-  check_rows(at, scene, place);
-  if (with_snapshots) stream(taken), check_snapshots(taken, scene, place);
-  return {at, taken};
-}
-
-}  // namespace
-
-bool run_is_finished(Scene const& scene, std::string const& folder) {
-  auto const [at, taken] = progression(scene, folder, scene.file.section("run").place("until"));
-  bool const with_snapshots = scene.snapshots && scene.simulation.snapshots;
-  return at.rows == scene.schedule.rows() &&
-         (!with_snapshots || taken.snapshots == scene.snapshots->rows()) &&
-         std::filesystem::exists(folder + "/summary.json");
-}
-
-Scene extended(Scene const& scene, std::string const& folder, double until) {
-  Place const here{fmt::format("--until {}", until)};
-  SceneTable const run = scene.file.section("run");
-  if (run.has("at")) {
-    auto const times = run.numbers("at");
-    throw SceneError(here, fmt::format("the rows are at the times that [run] at lists, the last at t = {}, "
-                                       "and a longer run has no others; a new scene can list more",
-                                       times.back()));
-  }
-  if (!(until > scene.schedule.until()))
-    throw SceneError(here, fmt::format("the run goes to t = {} already; a later time is expected",
-                                       scene.schedule.until()));
-  std::string const path = folder + "/scene.toml";
-  try {
-    Scene const longer = Scene::read(SceneFile::read(path, {fmt::format("run.until={}", until)}));
-    if (std::filesystem::exists(folder + "/checkpoint")) progression(longer, folder, here);
-    // A checkpoint does not say how far a run is to go: it belongs to the scene before this instant and after
-    // it.
-    write_whole_file(path, longer.file.written());
-    return Scene::read(SceneFile::read(path));
-  } catch (SceneError const& error) {
-    if (error.place.file == here.file) throw;
-    throw SceneError(here, error.what());  // for instance that the step does not meet the time
-  }
 }
 
 TooLarge::TooLarge(std::size_t rows, std::size_t columns)

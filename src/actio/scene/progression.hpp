@@ -1,0 +1,30 @@
+// How far the run in a folder is, as its checkpoint tells: whether it has come to its end, or may go further.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "actio/scene/scene.hpp"
+
+namespace actio::scene {
+
+/// How far a run is: the head of its checkpoint.
+struct Progression {
+  long steps = 0, rows = 0;
+  double time = 0;     // of the last row
+  double seconds = 0;  // of all processes
+};
+/// How many snapshots it has, and the time of the last of them: in the checkpoints of scenes that ask for
+/// some.
+struct Taken {
+  long snapshots = 0;
+  double time = 0;
+};
+
+/// That the rows so far are the first ones of the scene, which may go further than it did.
+/// @throws SceneError  at this place
+void check_rows(Progression const& at, Scene const& scene, Place const& place);
+/// The same of snapshots.
+void check_snapshots(Taken const& taken, Scene const& scene, Place const& place);
+
+}  // namespace actio::scene

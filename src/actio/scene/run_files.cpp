@@ -1,0 +1,38 @@
+#include "actio/scene/run_files.hpp"
+
+#include "actio/scene/run.hpp"
+#include "actio/scene/units.hpp"
+
+namespace actio::scene {
+
+std::vector<std::string> files_of_snapshots(Scene const& scene) {
+  std::vector<std::string> out{times_of_snapshots};
+  SnapshotWriter const& writer = *scene.simulation.snapshots;
+  for (auto& name : writer.shared_files()) out.push_back(std::move(name));
+  for (long k = 0; k < scene.snapshots->rows(); ++k)
+    for (auto& name : writer.files(k)) out.push_back(name), out.push_back(std::move(name) + ".part");
+  return out;
+}
+
+SeriesHead series_head(Scene const& scene, std::string const& written, long rows) {
+  SeriesHead head{scene.title, scene.system->name, written, scene.simulation.quantities.column_groups(),
+                  rows};
+  for (auto& group : head.groups) group.quantity.unit = plain_unit_of(scene, group.quantity);
+  if (std::string const unit = time_unit(scene); !unit.empty()) head.time_unit = unit;
+  return head;
+}
+
+std::vector<std::string> files_of_run(Scene const& scene) {
+  std::vector<std::string> out{"scene.toml",      "scene.toml.part", "checkpoint",
+                               "checkpoint.part", "summary.json",    "summary.json.part"};
+  for (auto const& format : scene.formats)
+    if (format == "hdf5")
+      out.insert(out.end(), {"series.h5", "series.h5.part"});
+    else if (format == "csv")
+      out.emplace_back("series.csv");
+  if (scene.snapshots && scene.simulation.snapshots)
+    for (auto& name : files_of_snapshots(scene)) out.push_back(std::move(name));
+  return out;
+}
+
+}  // namespace actio::scene
