@@ -111,6 +111,7 @@ class FastVorticityStep : public StepSetting<Stream> {
       StepSetting<Stream>::step_, StepSetting<Stream>::frame_, StepSetting<Stream>::eps_,
       StepSetting<Stream>::of_energy;
   static constexpr double lowest_ = 1e-6;            ///< changes above this are not put down to rounding
+  static constexpr double last_change_ = 1e-7;       ///< of A, relative, whose square is below rounding
   static constexpr double largest_residual_ = 4e-7;  ///< relative to |W|, of what single precision finds
   static constexpr double longest_move_ = 3e-8;      ///< along the orbit, relative to |A|
   /// Of |W|: beyond, squares of what is found in single precision are no numbers of it.
@@ -186,6 +187,9 @@ class FastVorticityStep : public StepSetting<Stream> {
       if (!(change < 0.25 * before)) return change < lowest_;
       before = change;
       std::swap(a_, next_);
+      // The new A is better by the factor of a round, and the middle and the transform of the old one are good
+      // enough for the finish.
+      if (change <= last_change_) return true;
     }
   }
 
