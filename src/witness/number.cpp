@@ -5,12 +5,17 @@
 #include <ostream>
 #include <sstream>
 
+#include "witness/field_number.hpp"
 #include "witness/number_parts.hpp"
-#include "witness/prime_field.hpp"
 
 namespace actio {
 
 using detail::arithmetic_in_force;
+using detail::field_difference;
+using detail::field_opposite;
+using detail::field_product;
+using detail::field_quotient;
+using detail::field_sum;
 using detail::NumberParts;
 using detail::Operation;
 using Kind = ArithmeticKind;
@@ -20,57 +25,6 @@ namespace {
 std::uint64_t operations = 0;
 float degree_seen = 0;
 
-/// A sum of degrees, rounded up where a float cannot hold it.
-inline float rounded_up(float degree) { return degree < 16777216.0f ? degree : degree * 1.0000002f; }
-
-bool literal_zero(Number const& x) { return NumberParts::word(x) == 0 && NumberParts::mark(x) == 0; }
-
-inline DegreeBound degree_of_sum(DegreeBound const& x, DegreeBound const& y) {
-  if (x.denominator == 0 && y.denominator == 0)
-    return {x.numerator < y.numerator ? y.numerator : x.numerator, 0};
-  float const a = x.numerator + y.denominator, b = y.numerator + x.denominator;
-  return {rounded_up(a < b ? b : a), rounded_up(x.denominator + y.denominator)};
-}
-inline DegreeBound degree_of_product(DegreeBound const& x, DegreeBound const& y) {
-  return {rounded_up(x.numerator + y.numerator), rounded_up(x.denominator + y.denominator)};
-}
-
-inline Number field_number(std::uint64_t residue, DegreeBound const& degree) {
-  return NumberParts::made(static_cast<std::int64_t>(residue), NumberParts::mark_of(degree));
-}
-inline Number field_sum(Number const& x, Number const& y) {
-  if (literal_zero(x)) return y;
-  if (literal_zero(y)) return x;
-  return field_number(
-      prime_field::sum(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
-      degree_of_sum(NumberParts::degree(x), NumberParts::degree(y)));
-}
-inline Number field_opposite(Number const& x) {
-  if (NumberParts::word(x) == 0) return x;
-  return field_number(arithmetic_in_force.modulus() - NumberParts::residue(x), NumberParts::degree(x));
-}
-inline Number field_difference(Number const& x, Number const& y) {
-  if (literal_zero(x)) return field_opposite(y);
-  if (literal_zero(y)) return x;
-  return field_number(prime_field::difference(NumberParts::residue(x), NumberParts::residue(y),
-                                              arithmetic_in_force.modulus()),
-                      degree_of_sum(NumberParts::degree(x), NumberParts::degree(y)));
-}
-inline Number field_product(Number const& x, Number const& y) {
-  if (literal_zero(x) || literal_zero(y)) return Number();
-  return field_number(
-      prime_field::product(NumberParts::residue(x), NumberParts::residue(y), arithmetic_in_force.modulus()),
-      degree_of_product(NumberParts::degree(x), NumberParts::degree(y)));
-}
-Number field_quotient(Number const& x, Number const& y) {
-  if (NumberParts::word(y) == 0) throw DivisionByZero();
-  if (literal_zero(x)) return x;
-  std::uint64_t const p = arithmetic_in_force.modulus();
-  DegreeBound const below = NumberParts::degree(y);
-  return field_number(
-      prime_field::product(NumberParts::residue(x), prime_field::inverse(NumberParts::residue(y), p), p),
-      degree_of_product(NumberParts::degree(x), {below.denominator, below.numerator}));
-}
 [[noreturn]] void no_order() {
   throw NoOrder(
       "numbers modulo a prime have no order: a claim that compares belongs to rational numbers, digits or "
@@ -145,7 +99,7 @@ Number Number::fraction(std::int64_t numerator, std::int64_t denominator) {
   return Number(numerator) / Number(denominator);
 }
 
-Number Number::field_draw(std::uint64_t residue) { return field_number(residue, {1, 0}); }
+Number Number::field_draw(std::uint64_t residue) { return detail::field_number(residue, {1, 0}); }
 
 Number Number::rounding() {
   switch (arithmetic_in_force.kind()) {
@@ -199,7 +153,7 @@ void Number::release_cell() noexcept {
 void Number::bound(Number& x, double degree) {
   DegreeBound const known = NumberParts::degree(x);
   if (2 * degree >= static_cast<double>(known.numerator) + known.denominator) return;
-  float const d = rounded_up(static_cast<float>(degree));
+  float const d = detail::rounded_up(static_cast<float>(degree));
   NumberParts::set(x, NumberParts::word(x), NumberParts::mark_of({d, d}));
 }
 
@@ -289,7 +243,7 @@ Number operator-(Number const& x) {
 void add_product(Number& z, Number const& x, Number const& y) {
   ++operations;
   if (arithmetic_in_force.kind() == Kind::prime) {
-    if (!literal_zero(x) && !literal_zero(y)) z = field_sum(z, field_product(x, y));
+    if (!detail::literal_zero(x) && !detail::literal_zero(y)) z = field_sum(z, field_product(x, y));
   } else if (arithmetic_in_force.kind() == Kind::hardware) {
     double const term = NumberParts::hardware(x) * NumberParts::hardware(y);
     NumberParts::set_double(z, NumberParts::hardware(z) + term);
