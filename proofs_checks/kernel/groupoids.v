@@ -667,6 +667,26 @@ Proof. by rewrite /orthogonal trmx1 mulmx1. Qed.
 Lemma relative_to_one (R : comUnitRingType) (n : nat) (f : 'M[R]_n) : relative_motion_left f 1%:M = f.
 Proof. by rewrite /relative_motion_left inverse_one mul1mx. Qed.
 
+(** Momenta that are said to be equal and that are, for \f$\ell(f) = \mathrm{Tr}(f)\f$ and \f$g_{k+1} = 1\f$,
+\f$-f^T\f$ and \f$f^T\f$: on the skew matrices, which are not zero, a quarter turn of the plane tells them
+apart. *)
+Lemma opposite_momenta_differ
+    (actual printed : forall (R : comUnitRingType) (n : nat),
+       ('M[dual R]_n -> dual R) -> 'M[R]_n -> 'M[R]_n -> 'M[R]_n) :
+  (forall (R : comUnitRingType) (n : nat) (f : 'M[R]_n), let trace := linear_function (1%:M : 'M[R]_n) in
+     actual R n trace f 1%:M = - printed R n trace f 1%:M /\ printed R n trace f 1%:M = f^T) ->
+  ~ (forall (R : comUnitRingType) (n : nat) (l : 'M[dual R]_n -> dual R) (g0 g1 : 'M[R]_n),
+     orthogonal g0 -> orthogonal g1 -> differentiable l (relative_motion_left g0 g1) ->
+     agree (@skew R n) (actual R n l g0 g1) (printed R n l g0 g1)).
+Proof.
+move=> opposite claim.
+have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
+    pairing (- f^T) x = pairing f^T x.
+  move=> o sk; have := claim R n _ f 1%:M o (one_orthogonal _ _) (linear_differentiable 1%:M _) x sk.
+  by have [-> ->] := opposite R n f.
+by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+Qed.
+
 (** ** The Legendre map of a left-invariant system as printed
 
 Printed is \f$\Pi_{k-1} = L^*_{f_{k,k-1}}d\ell(f_{k,k-1})\f$, without the minus of (4.2), of which the thesis
@@ -680,14 +700,11 @@ Theorem claim_4_2_left_legendre_map_printed_fails :
      agree (@skew R n) (body_momentum g0 (start_momentum (lift_left l) g0 g1))
        (left_differential l (relative_motion_left g0 g1))).
 Proof.
-move=> printed.
-have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
-    pairing (- L_star f 1%:M) x = pairing (L_star f 1%:M) x.
-  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
-  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  rewrite claim_4_2_left_legendre_map_of_matrices ?unitmx1 // relative_to_one.
-  by rewrite /momentum_before_left /left_differential linear_differential.
-by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+apply: (opposite_momenta_differ
+  (actual := fun R n l g0 g1 => body_momentum g0 (start_momentum (lift_left l) g0 g1))
+  (printed := fun R n l g0 g1 => left_differential l (relative_motion_left g0 g1))) => R n f /=.
+split; first exact: claim_4_2_left_legendre_map_of_matrices (unitmx1 _ _) (linear_differentiable _ _).
+by rewrite relative_to_one /left_differential linear_differential /L_star mulmx1.
 Qed.
 
 (** ** The first line of (4.4) as printed
@@ -710,14 +727,13 @@ Theorem eq_4_4_printed_fails_second :
      agree (@skew R n) (body_momentum gk1 (end_momentum (lift_left l) gk gk1))
        (right_differential l (relative_motion_left gk gk1))).
 Proof.
-move=> printed.
-have for_trace (R : comUnitRingType) (n : nat) (f x : 'M[R]_n) : orthogonal f -> skew x ->
-    pairing (- R_star f 1%:M) x = pairing (R_star f 1%:M) x.
-  move=> o sk; have dl := @linear_differentiable R n 1%:M (relative_motion_left f 1%:M).
-  have := printed R n _ f 1%:M o (one_orthogonal _ _) dl x sk.
-  have [_ ->] := eq_4_4_of_matrices (unitmx1 _ _) dl; rewrite relative_to_one.
-  by rewrite /right_differential linear_differential.
-by have := for_trace _ _ _ _ quarter_turn_orthogonal quarter_turn_skew; decide_by_computation.
+apply: (opposite_momenta_differ
+  (actual := fun R n l g0 g1 => body_momentum g1 (end_momentum (lift_left l) g0 g1))
+  (printed := fun R n l g0 g1 => right_differential l (relative_motion_left g0 g1))) => R n f /=.
+split.
+  have dl := linear_differentiable 1%:M (relative_motion_left f 1%:M).
+  by have [_ ->] := eq_4_4_of_matrices (unitmx1 _ _) dl.
+by rewrite relative_to_one /right_differential linear_differential /R_star mul1mx.
 Qed.
 
 (** ** The printed system is not that of Hamilton and Jacobi

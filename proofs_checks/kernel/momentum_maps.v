@@ -478,6 +478,23 @@ rewrite /noether_momentum derivative_of_pairing pairing_addl pairing_oppl; split
 by rewrite equation.
 Qed.
 
+(** Where a translation \f$T\f$ of velocities, whose dual has the inverse \f$P\f$, takes one differential to
+another, both partial derivatives go along by \f$P\f$, and with them the two sides of an equation
+\f$\frac{d}{dt}L_v = L_g\f$. *)
+Lemma equations_go_along (d : derivation R) (T P : 'M[R]_n -> 'M[R]_n) L_g L_v M_g M_v :
+  T 0 = 0 -> (forall p q, (forall v, pairing p (T v) = pairing q v) -> p = P q) ->
+  (forall p q, P (p - q) = P p - P q) -> injective P ->
+  (forall p, derivative_of d (P p) = P (derivative_of d p)) ->
+  (forall dg dv, pairing M_g (T dg) + pairing M_v (T dv) = pairing L_g dg + pairing L_v dv) ->
+  derivative_of d M_v - M_g = P (derivative_of d L_v - L_g) /\
+  (derivative_of d M_v = M_g <-> derivative_of d L_v = L_g).
+Proof.
+move=> T_0 moved difference injective constant same.
+have -> : M_g = P L_g by apply: moved => v; have := same v 0; rewrite T_0 !pairing_0r !addr0.
+have -> : M_v = P L_v by apply: moved => v; have := same 0 v; rewrite T_0 !pairing_0r !add0r.
+by rewrite constant difference; split=> //; split=> [/injective | ->].
+Qed.
+
 (** ** A symmetry takes solutions to solutions
 
 Let multiplication from the right by a constant \f$k\f$ leave the Lagrangian as it is,
@@ -502,34 +519,20 @@ have still : derivative_of d (invmx k) = 0.
 have still_T : derivative_of d (invmx k)^T = 0 by rewrite derivative_of_transpose still trmx0.
 have unit_T : (invmx k)^T \in unitmx by rewrite unitmx_tr unitmx_inv.
 split=> same.
-  have moved p q : (forall v, pairing p (right_translation k v) = pairing q v) -> p = R_star (invmx k) q.
-    move=> pairs; apply: pairing_injective => v; rewrite R_star_dual -pairs /right_translation mulmxKV //.
-  have M_g_is : M_g = R_star (invmx k) L_g.
-    apply: moved => v; have := same v 0.
-    by rewrite {2}/right_translation mul0mx !pairing_0r !addr0.
-  have M_v_is : M_v = R_star (invmx k) L_v.
-    apply: moved => v; have := same 0 v.
-    by rewrite {1}/right_translation mul0mx !pairing_0r !add0r.
-  have goes_along : derivative_of d M_v - M_g = R_star (invmx k) (derivative_of d L_v - L_g).
-    by rewrite M_g_is M_v_is /R_star derivative_of_matrix_product still_T mulmx0 addr0 mulmxBl.
-  split=> //; split=> [equation | equation].
-    apply/eqP; rewrite -subr_eq0; apply/eqP; apply: (can_inj (mulmxK unit_T)).
-    by rewrite mul0mx -/(R_star (invmx k) _) -goes_along equation subrr.
-  by apply/eqP; rewrite -subr_eq0 goes_along equation subrr /R_star mul0mx.
-have moved p q : (forall v, pairing p (left_translation k v) = pairing q v) -> p = L_star (invmx k) q.
-  by move=> pairs; apply: pairing_injective => v; rewrite L_star_dual -pairs /left_translation mulKVmx.
-have M_g_is : M_g = L_star (invmx k) L_g.
-  apply: moved => v; have := same v 0.
-  by rewrite {2}/left_translation mulmx0 !pairing_0r !addr0.
-have M_v_is : M_v = L_star (invmx k) L_v.
-  apply: moved => v; have := same 0 v.
-  by rewrite {1}/left_translation mulmx0 !pairing_0r !add0r.
-have goes_along : derivative_of d M_v - M_g = L_star (invmx k) (derivative_of d L_v - L_g).
-  by rewrite M_g_is M_v_is /L_star derivative_of_matrix_product still_T mul0mx add0r mulmxBr.
-split=> //; split=> [equation | equation].
-  apply/eqP; rewrite -subr_eq0; apply/eqP; apply: (can_inj (mulKmx unit_T)).
-  by rewrite mulmx0 -/(L_star (invmx k) _) -goes_along equation subrr.
-by apply/eqP; rewrite -subr_eq0 goes_along equation subrr /L_star mulmx0.
+  apply: (equations_go_along (T := right_translation k) (P := R_star (invmx k)) _ _ _ _ _ same)
+    => [|p q pairs|p q||p].
+  - by rewrite /right_translation mul0mx.
+  - by apply: pairing_injective => v; rewrite R_star_dual -pairs /right_translation mulmxKV.
+  - by rewrite /R_star mulmxBl.
+  - exact: can_inj (mulmxK unit_T).
+  by rewrite /R_star derivative_of_matrix_product still_T mulmx0 addr0.
+apply: (equations_go_along (T := left_translation k) (P := L_star (invmx k)) _ _ _ _ _ same)
+  => [|p q pairs|p q||p].
+- by rewrite /left_translation mulmx0.
+- by apply: pairing_injective => v; rewrite L_star_dual -pairs /left_translation mulKVmx.
+- by rewrite /L_star mulmxBr.
+- exact: can_inj (mulKmx unit_T).
+by rewrite /L_star derivative_of_matrix_product still_T mul0mx add0r.
 Qed.
 
 (** ** The diagonal action is free

@@ -1101,6 +1101,23 @@ rewrite claim_3_1_action_differential_regrouped // at_start at_end !raddf0 !addr
 by apply: eq_big_nat => -[//|k] _; apply: eq_3_11.
 Qed.
 
+(** What (3.14) and (3.15) say holds wherever the relative motion of two configurations and the next
+configuration undo each other. *)
+Lemma reconstruction (relative rebuild : G -> G -> G) (configurations : G -> (nat -> G) -> nat -> G) :
+  (forall g h : G, rebuild g (relative g h) = h) -> (forall g f : G, relative g (rebuild g f) = f) ->
+  (forall start f, configurations start f 0%N = start) ->
+  (forall start f k, configurations start f k.+1 = rebuild (configurations start f k) (f k)) ->
+  forall g : nat -> G,
+  [/\ forall k, (rebuild (g k) (relative (g k) (g k.+1)), rebuild (g k.+1) (relative (g k.+1) (g k.+2)))
+                 = (g k.+1, g k.+2),
+      forall k, configurations (g 0%N) (fun k => relative (g k) (g k.+1)) k = g k
+    & forall start f k, relative (configurations start f k) (configurations start f k.+1) = f k].
+Proof.
+move=> back forth begins steps g; split=> [k | k | start f k]; first by rewrite !back.
+  by elim: k => [|k same]; rewrite ?begins // steps same back.
+by rewrite steps forth.
+Qed.
+
 (** ** The reconstruction map, right-invariant case
 
 (3.14): \f$(f_{k-1k}^{-1}g_{k-1}, f_{kk+1}^{-1}g_k) = (g_k, g_{k+1})\f$ for \f$f_{kk+1} =
@@ -1112,9 +1129,8 @@ Theorem eq_3_14 g :
       forall k, configurations_right (g 0%N) (relative_motions_right g) k = g k
     & forall start f k, relative_motions_right (configurations_right start f) k = f k].
 Proof.
-split=> [k | k | start f k]; first by rewrite !relative_motion_rightK.
-  by elim: k => //= k ->; apply: relative_motion_rightK.
-by rewrite /relative_motions_right /relative_motion_right /= inv_product invK VKmul.
+apply: (reconstruction (configurations := configurations_right)) => //; first exact: relative_motion_rightK.
+by move=> h f; rewrite /relative_motion_right inv_product invK VKmul.
 Qed.
 
 (** ** The reconstruction map, left-invariant case
@@ -1128,9 +1144,8 @@ Theorem eq_3_15 g :
       forall k, configurations_left (g 0%N) (relative_motions_left g) k = g k
     & forall start f k, relative_motions_left (configurations_left start f) k = f k].
 Proof.
-split=> [k | k | start f k]; first by rewrite !relative_motion_leftK.
-  by elim: k => //= k ->; apply: relative_motion_leftK.
-by rewrite /relative_motions_left /relative_motion_left /= inv_product invK mulVK.
+apply: (reconstruction (configurations := configurations_left)) => //; first exact: relative_motion_leftK.
+by move=> h f; rewrite /relative_motion_left inv_product invK mulVK.
 Qed.
 
 (** ** A motion of the full equations projects to one of the reduced equations

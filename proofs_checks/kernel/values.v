@@ -269,64 +269,52 @@ Definition number_given (x : Qc) : given := (1%N, 1%N, [:: [:: x]]).
 
 Local Notation "l @ k" := (nth [::] l k%N) (at level 10).
 
+(** What a definition gives for the first one, two, three or four matrices of a sample. *)
+Local Notation given_1 f := (fun n l => matrix_given (f n (l @ 0))).
+Local Notation given_2 f := (fun n l => matrix_given (f n (l @ 0) (l @ 1))).
+Local Notation given_3 f := (fun n l => matrix_given (f n (l @ 0) (l @ 1) (l @ 2))).
+Local Notation given_4 f := (fun n l => matrix_given (f n (l @ 0) (l @ 1) (l @ 2) (l @ 3))).
+Local Notation number_2 f := (fun n l => number_given (number_of (f n (l @ 0) (l @ 1)))).
+Local Notation number_4 f := (fun n l => number_given (number_of (f n (l @ 0) (l @ 1) (l @ 2) (l @ 3)))).
+
 (** ** The file of values *)
 
 Definition actions : seq (seq string) :=
-  [:: on_groups "Ad" [:: In_group; In_algebra] (fun n l => matrix_given (Ad_rows n (l @ 0) (l @ 1)));
-      on_groups "Ad_star" [:: In_group; In_algebra]
-        (fun n l => matrix_given (Ad_star_rows n (l @ 0) (l @ 1)));
-      on_groups "bracket" [:: In_algebra; In_algebra]
-        (fun n l => matrix_given (bracket_rows n (l @ 0) (l @ 1)));
-      on_groups "ad_star" [:: In_algebra; In_algebra]
-        (fun n l => matrix_given (ad_star_rows n (l @ 0) (l @ 1)));
-      on_groups "pairing" [:: In_algebra; In_algebra] 
-        (fun n l => number_given (number_of (pairing_number n (l @ 0) (l @ 1))));
-      on_groups "L_star" [:: In_group; Any] (fun n l => matrix_given (L_star_rows n (l @ 0) (l @ 1)));
-      on_groups "R_star" [:: In_group; Any] (fun n l => matrix_given (R_star_rows n (l @ 0) (l @ 1)));
-      on_rotations "skew_part" [:: Any] (fun n l => matrix_given (skew_part_rows n (l @ 0)))].
+  [:: on_groups "Ad" [:: In_group; In_algebra] (given_2 Ad_rows);
+      on_groups "Ad_star" [:: In_group; In_algebra] (given_2 Ad_star_rows);
+      on_groups "bracket" [:: In_algebra; In_algebra] (given_2 bracket_rows);
+      on_groups "ad_star" [:: In_algebra; In_algebra] (given_2 ad_star_rows);
+      on_groups "pairing" [:: In_algebra; In_algebra] (number_2 pairing_number);
+      on_groups "L_star" [:: In_group; Any] (given_2 L_star_rows);
+      on_groups "R_star" [:: In_group; Any] (given_2 R_star_rows);
+      on_rotations "skew_part" [:: Any] (given_1 skew_part_rows)].
 
 Definition motions : seq (seq string) :=
-  [:: on_groups "relative_motion_right" [:: In_group; In_group]
-        (fun n l => matrix_given (relative_motion_right_rows n (l @ 0) (l @ 1)));
-      on_groups "relative_motion_left" [:: In_group; In_group]
-        (fun n l => matrix_given (relative_motion_left_rows n (l @ 0) (l @ 1)));
-      on_groups "reconstruct_right" [:: In_group; In_group]
-        (fun n l => matrix_given (reconstruct_right_rows n (l @ 0) (l @ 1)));
-      on_groups "reconstruct_left" [:: In_group; In_group]
-        (fun n l => matrix_given (reconstruct_left_rows n (l @ 0) (l @ 1)));
-      on_groups "lie_poisson_update_right" [:: In_group; In_algebra]
-        (fun n l => matrix_given (lie_poisson_update_right_rows n (l @ 0) (l @ 1)));
-      on_groups "lie_poisson_update_left" [:: In_group; In_algebra]
-        (fun n l => matrix_given (lie_poisson_update_left_rows n (l @ 0) (l @ 1)))].
+  [:: on_groups "relative_motion_right" [:: In_group; In_group] (given_2 relative_motion_right_rows);
+      on_groups "relative_motion_left" [:: In_group; In_group] (given_2 relative_motion_left_rows);
+      on_groups "reconstruct_right" [:: In_group; In_group] (given_2 reconstruct_right_rows);
+      on_groups "reconstruct_left" [:: In_group; In_group] (given_2 reconstruct_left_rows);
+      on_groups "lie_poisson_update_right" [:: In_group; In_algebra] (given_2 lie_poisson_update_right_rows);
+      on_groups "lie_poisson_update_left" [:: In_group; In_algebra] (given_2 lie_poisson_update_left_rows)].
 
 (** The matrices \f$a\f$ and \f$b\f$ of the function come first. *)
 Definition differentials : seq (seq string) :=
-  [:: on_groups "right_differential" [:: Any; Any; In_group]
-        (fun n l => matrix_given (right_differential_rows n (l @ 0) (l @ 1) (l @ 2)));
-      on_groups "left_differential" [:: Any; Any; In_group]
-        (fun n l => matrix_given (left_differential_rows n (l @ 0) (l @ 1) (l @ 2)));
-      on_groups "momentum_before_right" [:: Any; Any; In_group]
-        (fun n l => matrix_given (momentum_before_right_rows n (l @ 0) (l @ 1) (l @ 2)));
-      on_groups "momentum_before_left" [:: Any; Any; In_group]
-        (fun n l => matrix_given (momentum_before_left_rows n (l @ 0) (l @ 1) (l @ 2)));
-      on_groups "euler_poincare_right" [:: Any; Any; In_group; In_group]
-        (fun n l => matrix_given (euler_poincare_right_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
-      on_groups "euler_poincare_left" [:: Any; Any; In_group; In_group]
-        (fun n l => matrix_given (euler_poincare_left_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
-      on_groups "initial_momentum_left" [:: Any; Any; In_group]
-        (fun n l => matrix_given (initial_momentum_left_rows n (l @ 0) (l @ 1) (l @ 2)));
-      on_groups "final_momentum_left" [:: In_group; In_algebra]
-        (fun n l => matrix_given (final_momentum_left_rows n (l @ 0) (l @ 1)));
-      on_groups "D1" [:: Any; Any; In_group; In_group]
-        (fun n l => matrix_given (D1_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
-      on_groups "D2" [:: Any; Any; In_group; In_group]
-        (fun n l => matrix_given (D2_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3)));
+  [:: on_groups "right_differential" [:: Any; Any; In_group] (given_3 right_differential_rows);
+      on_groups "left_differential" [:: Any; Any; In_group] (given_3 left_differential_rows);
+      on_groups "momentum_before_right" [:: Any; Any; In_group] (given_3 momentum_before_right_rows);
+      on_groups "momentum_before_left" [:: Any; Any; In_group] (given_3 momentum_before_left_rows);
+      on_groups "euler_poincare_right" [:: Any; Any; In_group; In_group] (given_4 euler_poincare_right_rows);
+      on_groups "euler_poincare_left" [:: Any; Any; In_group; In_group] (given_4 euler_poincare_left_rows);
+      on_groups "initial_momentum_left" [:: Any; Any; In_group] (given_3 initial_momentum_left_rows);
+      on_groups "final_momentum_left" [:: In_group; In_algebra] (given_2 final_momentum_left_rows);
+      on_groups "D1" [:: Any; Any; In_group; In_group] (given_4 D1_rows);
+      on_groups "D2" [:: Any; Any; In_group; In_group] (given_4 D2_rows);
       on_groups "discrete_euler_lagrange" [:: Any; Any; In_group; In_group; In_group]
         (fun n l => matrix_given (discrete_euler_lagrange_rows n (l @ 0) (l @ 1) (l @ 2) (l @ 3) (l @ 4)));
       on_groups "legendre_at_target" [:: Any; Any; In_group; In_algebra]
-        (fun n l => number_given (number_of (legendre_at_target_number n (l @ 0) (l @ 1) (l @ 2) (l @ 3))));
+        (number_4 legendre_at_target_number);
       on_groups "legendre_at_source" [:: Any; Any; In_group; In_algebra]
-        (fun n l => number_given (number_of (legendre_at_source_number n (l @ 0) (l @ 1) (l @ 2) (l @ 3))))].
+        (number_4 legendre_at_source_number)].
 
 Definition brackets_and_forms : seq (seq string) :=
   [:: on_invertible "lie_poisson_bracket_plus" [:: Any; Any; Any; Any; In_algebra]
@@ -336,21 +324,15 @@ Definition brackets_and_forms : seq (seq string) :=
         (fun n l => number_given (sval (kirillov_kostant_plus_number n (l @ 0) (l @ 1) (l @ 2))))].
 
 Definition bodies : seq (seq string) :=
-  [:: on_rotations "inertia_operator" [:: Inertia; In_algebra]
-        (fun n l => matrix_given (inertia_operator_rows n (l @ 0) (l @ 1)));
-      on_rotations "kinetic_energy" [:: Inertia; In_algebra]
-        (fun n l => number_given (number_of (kinetic_energy_number n (l @ 0) (l @ 1))));
+  [:: on_rotations "inertia_operator" [:: Inertia; In_algebra] (given_2 inertia_operator_rows);
+      on_rotations "kinetic_energy" [:: Inertia; In_algebra] (number_2 kinetic_energy_number);
       on_rotations "casimir" [:: In_algebra] (fun n l => number_given (number_of (casimir_number n (l @ 0))));
-      on_rotations "cayley" [:: In_algebra] (fun n l => matrix_given (cayley_rows n (l @ 0)));
-      on_rotations "momentum_before" [:: In_group; Inertia]
-        (fun n l => matrix_given (momentum_before_rows n (l @ 0) (l @ 1)));
-      on_rotations "momentum_after" [:: In_group; Inertia]
-        (fun n l => matrix_given (momentum_after_rows n (l @ 0) (l @ 1)));
-      on_rotations "orthogonality" [:: Any] (fun n l => matrix_given (orthogonality_rows n (l @ 0)));
-      on_rotations "body_multiplier" [:: In_group; Any]
-        (fun n l => matrix_given (body_multiplier_rows n (l @ 0) (l @ 1)));
-      on_rotations "trace_casimir" [:: Inertia; In_group]
-        (fun n l => number_given (number_of (trace_casimir_number n (l @ 0) (l @ 1))));
+      on_rotations "cayley" [:: In_algebra] (given_1 cayley_rows);
+      on_rotations "momentum_before" [:: In_group; Inertia] (given_2 momentum_before_rows);
+      on_rotations "momentum_after" [:: In_group; Inertia] (given_2 momentum_after_rows);
+      on_rotations "orthogonality" [:: Any] (given_1 orthogonality_rows);
+      on_rotations "body_multiplier" [:: In_group; Any] (given_2 body_multiplier_rows);
+      on_rotations "trace_casimir" [:: Inertia; In_group] (number_2 trace_casimir_number);
       in_space "hat" [:: Column] (fun l => matrix_given (hat_rows (l @ 0)));
       in_space "cross" [:: Column; Column] (fun l => (3%N, 1%N, rows_of (cross_rows (l @ 0) (l @ 1))))].
 
