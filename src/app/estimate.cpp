@@ -90,6 +90,8 @@ Estimate estimate(Scene& scene) {
       std::min(std::uint64_t{1024}, std::bit_ceil(static_cast<std::uint64_t>(scene.schedule.rows()))));
   out.hdf5 = 8 * columns * std::ceil(rows / chunk) * chunk + 10000;
   out.csv = 21 * columns * rows;
+  if (scene.snapshots && scene.simulation.snapshots)
+    out.snapshots = static_cast<double>(scene.snapshots->rows()) * scene.simulation.snapshots->bytes_of_one();
   try {
     Sample sample(scene);
     long const steps = scene.simulation.exact

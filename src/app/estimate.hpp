@@ -10,9 +10,10 @@ namespace actio::app {
 
 /// What a run will take, as far as that can be seen beforehand.
 struct Estimate {
-  double seconds = -1;  ///< negative where no step could be made
-  double csv = 0;       ///< bytes of series.csv
-  double hdf5 = 0;      ///< bytes of series.h5
+  double seconds = -1;   ///< negative where no step could be made
+  double csv = 0;        ///< bytes of series.csv
+  double hdf5 = 0;       ///< bytes of series.h5
+  double snapshots = 0;  ///< bytes of all snapshots
 };
 
 /// Makes steps and rows of a scene for a fifth of a second at most. The scene is not to be run afterwards.

@@ -77,7 +77,9 @@ std::string files_of(Scene const& scene, RunArguments const& arguments, Estimate
       files.push_back(fmt::format("{} ({}, about {})", format == "csv" ? "series.csv" : "series.h5", shape,
                                   size_text(format == "csv" ? taken.csv : taken.hdf5)));
   files.insert(files.end(), {"summary.json", "scene.toml", "checkpoint"});
-  if (scene.snapshots) files.push_back("snapshots/ (" + plural(scene.snapshots->rows(), "snapshot") + ")");
+  if (scene.snapshots)
+    files.push_back("snapshots/ (" + plural(scene.snapshots->rows(), "snapshot") +
+                    (taken.snapshots > 0 ? ", about " + size_text(taken.snapshots) : "") + ")");
   if (scene.plots || arguments.plots) files.push_back("plots/");
   return listed(files);
 }
@@ -103,14 +105,15 @@ double free_space(std::string const& out) {
 void tell_disk(Scene const& scene, Estimate const& taken, std::string const& out) {
   double const free = free_space(out);
   if (free < 0) return;
-  double needed = 0;
+  double needed = taken.snapshots;
   for (auto const& format : scene.formats)
     needed += format == "csv" ? taken.csv : format == "hdf5" ? taken.hdf5 : 0;
   tell("disk", size_text(free) + " free");
   if (needed > free)
     tell("remark", fmt::format("the disk has room for {}, and the files take about {}: fewer rows "
-                               "(run.every) or quantities take less, --out names another place",
-                               size_text(free), size_text(needed)));
+                               "(run.every) or quantities{} take less, --out names another place",
+                               size_text(free), size_text(needed),
+                               taken.snapshots > 0 ? ", or fewer snapshots (output.snapshot_every)," : ""));
 }
 
 }  // namespace

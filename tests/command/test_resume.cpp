@@ -68,6 +68,10 @@ std::vector<Long> const& long_scenes() {
        "\"lie_poisson\"\norder = 4\nstep = 0.05\n[run]\nuntil = 50\nevery = 0.5\n[output]\nquantities = "
        "[\"energy\", "
        "\"extrema\"]\n"},
+      {"vorticity_sphere, a layer",
+       "[system]\nkind = \"vorticity_sphere\"\nN = 12\nrotation = 0.7\ndeformation = 0.4\n[initial]\nstate = "
+       "\"random\"\n[method]\nname = \"energy_casimir\"\nstep = 0.05\n[run]\nuntil = 250\nevery = "
+       "0.5\n[output]\nquantities = [\"energy\", \"histogram\", \"splitting\"]\n"},
   };
   return scenes;
 }

@@ -3,13 +3,14 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 
 #include "page_in_node.hpp"
 #include "sphere_scene.hpp"
 
 namespace {
 
-using command::contents, command::Folder, command::read_csv, command::shell, command::Sphere, command::Table;
+using namespace command;
 
 constexpr int n = 10;
 
@@ -22,7 +23,6 @@ Sphere scene() {
       "formats = [\"csv\", \"netcdf\"]\nsnapshots = [\"u\", \"v\", \"streamfunction\"]\nsnapshot_every = 1\n";
   return out;
 }
-bool has(std::string const& text, std::string const& part) { return text.find(part) != std::string::npos; }
 double largest_difference(std::vector<double> const& a, std::vector<double> const& b) {
   BOOST_REQUIRE(a.size() == b.size());
   double most = 0;
@@ -137,6 +137,62 @@ BOOST_AUTO_TEST_CASE(netcdf_holds_the_same_and_opens) {
     BOOST_TEST(has(told.out, "gaussian"));
     BOOST_TEST(has(told.out, "3 steps"));
   }
+}
+
+// Times without a unit have none in the file either, of which readers would complain; those in seconds have
+// dates.
+BOOST_AUTO_TEST_CASE(times_have_dates_where_their_unit_is_known) {
+  for (bool const known : {false, true}) {
+    Folder const folder;
+    Sphere timed = scene();
+    if (known) timed.more += "[scene]\nunits = { time = \"s\" }\n";
+    run_in(folder, timed);
+    std::string const path = folder / "out/snapshots/fields.nc";
+    auto const time = shell("h5dump -A -d /time " + path), rate = shell("h5dump -A -d /u " + path);
+    BOOST_REQUIRE(time.status == 0);
+    BOOST_TEST(has(time.out, "ATTRIBUTE \"units\"") == known, time.out);
+    BOOST_TEST(has(time.out, "ATTRIBUTE \"axis\"") == known);
+    BOOST_TEST(has(time.out, "seconds since 2000-01-01") == known);
+    BOOST_TEST(has(rate.out, "\"s-1\"") == known, rate.out);
+    if (installed("cdo")) {
+      auto const told = shell("cdo sinfo " + path);
+      BOOST_TEST(!has(told.out + told.err, "TIMEUNIT"), told.err);
+      BOOST_TEST(has(told.out, "2000-01-01 00:00:02") == known, told.out);
+    }
+    if (shell("python3 -c 'import xarray, netCDF4'").status == 0) {
+      auto const told = shell("python3 -W error -c 'import xarray; print(xarray.open_dataset(\"" + path +
+                              "\").time.dtype)'");
+      BOOST_TEST(told.status == 0, told.err);
+      BOOST_TEST(has(told.out, known ? "datetime64" : "float64"), told.out);
+    }
+  }
+}
+
+// Of a flow in which all coefficients have come to life; some of their numbers are shorter than others.
+BOOST_AUTO_TEST_CASE(a_dry_run_tells_how_large_they_will_be_and_whether_there_is_room) {
+  Folder const folder;
+  Sphere large = scene();
+  large.n = "32", large.until = "20", large.every = "", large.step = "0.05";
+  large.more = "formats = [\"csv\", \"netcdf\"]\nsnapshots = [\"u\"]\nsnapshot_at = [18, 19, 20]\n";
+  run_in(folder, large);
+  double size = 0;
+  for (auto const& entry : std::filesystem::directory_iterator(folder / "out/snapshots"))
+    size += static_cast<double>(entry.file_size());
+  auto const plan = actio({"run", folder / "sphere.toml", "--dry-run"});
+  std::string const says = "snapshots/ (3 snapshots, about ";
+  auto const at = plan.out.find(says);
+  BOOST_REQUIRE_MESSAGE(at != std::string::npos, plan.out);
+  double const told = std::stod(plan.out.substr(at + says.size()));
+  BOOST_TEST_MESSAGE("told " << told << ", found " << size);
+  BOOST_TEST(has(plan.out.substr(at, 50), "kB"), plan.out);
+  BOOST_TEST(std::abs(told * 1000 / size - 1) < 0.1);
+  BOOST_TEST(!has(plan.out, "the disk has room for"), plan.out);
+  // Nearly a million times four megabytes.
+  large.n = "128", large.until = "40000",
+  large.more = "formats = [\"csv\", \"netcdf\"]\nsnapshots = [\"u\", \"v\"]\nsnapshot_every = 0.05\n";
+  auto const full = actio({"run", folder.write("large.toml", large.text()), "--dry-run"});
+  BOOST_TEST(full.status == 0, full.err);
+  BOOST_TEST(has(full.out, "or fewer snapshots (output.snapshot_every), take"), full.out);
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_was_killed_leaves_the_same) {

@@ -43,6 +43,8 @@ class SnapshotWriter {
   virtual std::vector<std::string> files(long number) const = 0;
   /// Files in which all of them share.
   virtual std::vector<std::string> shared_files() const { return {}; }
+  /// About how many bytes one of them takes on the disk; zero where that is not known.
+  virtual double bytes_of_one() const { return 0; }
   /// Makes the files in which they share ready for the next one, in a run that begins or goes on: they hold
   /// those that were taken, and no others.
   /// @param folder  of the run

@@ -1,26 +1,26 @@
-// What a scene says of a flow on the sphere: the size of its matrices, how the sphere turns, and how the flow
-// begins.
+// What a scene says of a flow on the sphere: the size of its matrices, its Hamiltonian, how the sphere turns,
+// and how the flow begins.
 #pragma once
 
-#include "actio/scene/system.hpp"
-#include "actio/vorticity/matrix_harmonics.hpp"
+#include "actio/scene/systems/vorticity_hamiltonian.hpp"
 
 namespace actio::scene {
 
 /// A flow at the start.
 struct VorticityStart {
-  int n = 0;                 ///< N
-  double rotation = 0;       ///< of the sphere, 1/time
-  SphereHarmonics relative;  ///< the vorticity relative to the sphere
-  SkewHermitian<> matrix;    ///< the same as a matrix
-  std::string key;           ///< of [initial] that says it
+  int n = 0;                      ///< N
+  SphereHamiltonian hamiltonian;  ///< of the flow
+  double rotation = 0;            ///< of the sphere, 1/time
+  SphereHarmonics relative;       ///< the vorticity relative to the sphere
+  SkewHermitian<> matrix;         ///< the same as a matrix
+  std::string key;                ///< of [initial] that says it
 };
 
 /// `system.N`.
 /// @throws SceneError  where it is less than 2
 int read_matrix_size(SceneTable const& system);
 
-/// The keys of [system] and [initial].
+/// The records of the keys of [system] and [initial].
 std::vector<Parameter> vorticity_parameters();
 
 /// Reads them, and writes defaults back.

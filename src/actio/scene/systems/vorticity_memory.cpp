@@ -24,10 +24,17 @@ double bytes_for_vorticity(int n, std::size_t substeps, Conserved conserved, boo
   if (!to_rounding) count += plain + 2;
   // A checkpoint holds half of each skew matrix, and is there twice while it is written.
   count += 2 * (1 + static_cast<double>(substeps) * before / 2);
-  auto const asked = [&](char const* name) {
-    return std::find(quantities.begin(), quantities.end(), name) != quantities.end();
-  };
-  count += asked("casimirs") ? 10 : asked("extrema") ? 6 : asked("spectrum") ? 4 : 2;
+  // One quantity is evaluated after the other.
+  double most = 2;
+  for (auto const& [name, matrices] : {std::pair("casimirs", 14),
+                                       {"eigenvalues", 6},
+                                       {"extrema", 6},
+                                       {"histogram", 6},
+                                       {"spectrum", 4},
+                                       {"splitting", 24}})
+    if (std::find(quantities.begin(), quantities.end(), name) != quantities.end())
+      most = std::max<double>(most, matrices);
+  count += most;
   return count * sizeof(double) * n * n;
 }
 

@@ -1,4 +1,6 @@
 // snapshots/fields.nc: closed after each snapshot, so that what is in it can be read at any time.
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "actio/scene/netcdf_library.hpp"
@@ -79,28 +81,104 @@ class File {
   bool open_ = false;
 };
 
-/// `days since ...`, where the unit is one of time as the conventions have it.
-std::string units_of_time(std::string const& unit) {
+using Attributes = std::vector<std::pair<char const*, std::string>>;
+
+/// The word that the conventions have for a unit of time; empty where they have none.
+std::string word_for_unit(std::string const& unit) {
   for (auto const& [name, word] :
        {std::pair("s", "seconds"), {"min", "minutes"}, {"h", "hours"}, {"d", "days"}})
-    if (unit == name) return std::string(word) + " since 2000-01-01 00:00:00";
-  return unit.empty() ? "1" : unit;
+    if (unit == name) return word;
+  return "";
 }
-/// `s-1`
-std::string per_time(std::string const& unit) { return unit.empty() ? "1" : unit + "-1"; }
+
+/// Times have dates where their unit is known. Otherwise they are numbers without `units`, as the conventions
+/// allow for what has no dimension, and no time axis in their sense: any unit there would be a wrong one, and
+/// readers complain of "1".
+Attributes attributes_of_time(std::string const& unit) {
+  if (std::string const word = word_for_unit(unit); !word.empty())
+    return {{"standard_name", "time"},
+            {"units", word + " since 2000-01-01 00:00:00"},
+            {"calendar", "standard"},
+            {"axis", "T"}};
+  return {{"long_name", unit.empty() ? "time in units of the scene" : "time in " + unit}};
+}
+
+/// What changes with the time has the unit 1/time.
+Attributes attributes_of_rate(std::string const& long_name, std::string const& unit) {
+  if (!word_for_unit(unit).empty()) return {{"long_name", long_name}, {"units", unit + "-1"}};
+  return {{"long_name", unit.empty() ? long_name : long_name + ", in 1/" + unit}};
+}
 
 constexpr double degree = std::numbers::pi / 180;
+
+/// Parallels and meridians, defined and to be filled.
+class Places {
+ public:
+  Places(File const& file, SphereGrid const& grid)
+      : file_(file),
+        grid_(grid),
+        lat_(file.dimension(file.root(), "lat", static_cast<std::size_t>(grid.latitudes()))),
+        lon_(file.dimension(file.root(), "lon", static_cast<std::size_t>(grid.longitudes))),
+        at_lat_(file.define(file.root(), "lat", NC_DOUBLE, {lat_}, {},
+                            {{"standard_name", "latitude"}, {"units", "degrees_north"}, {"axis", "Y"}})),
+        at_lon_(file.define(file.root(), "lon", NC_DOUBLE, {lon_}, {},
+                            {{"standard_name", "longitude"}, {"units", "degrees_east"}, {"axis", "X"}})) {}
+
+  /// A field over them, for each time.
+  void define_field(int time, char const* name, Attributes const& attributes) const {
+    file_.define(file_.root(), name, NC_DOUBLE, {time, lat_, lon_},
+                 {1, static_cast<std::size_t>(grid_.latitudes()), static_cast<std::size_t>(grid_.longitudes)},
+                 attributes);
+  }
+  void fill() const {
+    std::vector<double> latitudes, longitudes;
+    for (int j = 0; j < grid_.latitudes(); ++j) latitudes.push_back(grid_.latitude(j) / degree);
+    for (int k = 0; k < grid_.longitudes; ++k) longitudes.push_back(360.0 * k / grid_.longitudes);
+    file_.put(file_.root(), at_lat_, latitudes), file_.put(file_.root(), at_lon_, longitudes);
+  }
+
+ private:
+  File const& file_;
+  SphereGrid const& grid_;
+  int lat_, lon_, at_lat_, at_lon_;
+};
+
+/// The group of the coefficients, defined and to be filled.
+class Coefficients {
+ public:
+  Coefficients(File const& file, int degrees, int time, std::string const& unit)
+      : file_(file), group_(file.define_group("spectral")) {
+    for (int l = 1; l < degrees; ++l)
+      for (int m = 0; m <= l; ++m) l_.push_back(l), m_.push_back(m);
+    int const coefficient = file.dimension(group_, "coefficient", l_.size());
+    at_l_ =
+        file.define(group_, "degree", NC_INT, {coefficient}, {}, {{"long_name", "degree l"}, {"units", "1"}});
+    at_m_ =
+        file.define(group_, "order", NC_INT, {coefficient}, {}, {{"long_name", "order m"}, {"units", "1"}});
+    for (auto const& [name, part] :
+         {std::pair("vorticity_real", "real"), {"vorticity_imaginary", "imaginary"}})
+      file.define(group_, name, NC_DOUBLE, {time, coefficient}, {1, l_.size()},
+                  attributes_of_rate(std::string(part) +
+                                         " part of the coefficient of the orthonormal complex harmonic with "
+                                         "the Condon-Shortley phase; that of order -m is (-1)^m times the "
+                                         "conjugate",
+                                     unit));
+  }
+  void fill() const { file_.put(group_, at_l_, l_), file_.put(group_, at_m_, m_); }
+
+ private:
+  File const& file_;
+  int group_, at_l_ = 0, at_m_ = 0;
+  std::vector<int> l_, m_;
+};
 
 }  // namespace
 
 void FieldsFile::create(std::string const& path, SphereGrid const& grid, int degrees) const {
   File file(path);
   file.create();
-  int const root = file.root();
-  auto const rows = static_cast<std::size_t>(grid.latitudes()),
-             columns = static_cast<std::size_t>(grid.longitudes);
-  int const time = file.dimension(root, "time", NC_UNLIMITED), lat = file.dimension(root, "lat", rows),
-            lon = file.dimension(root, "lon", columns);
+  int const root = file.root(), time = file.dimension(root, "time", NC_UNLIMITED);
+  bool const layer = hamiltonian.layer();
   file.tell(root, NC_GLOBAL, "Conventions", "CF-1.10");
   file.tell(root, NC_GLOBAL, "title", title);
   file.tell(root, NC_GLOBAL, "source", "actio " ACTIO_VERSION ", vorticity_sphere");
@@ -108,52 +186,21 @@ void FieldsFile::create(std::string const& path, SphereGrid const& grid, int deg
             "Ideal fluid on the unit sphere: lengths are in radii. The fields are the symbol of " +
                 std::string(symbol == Symbol::berezin ? "Berezin" : "Weyl") +
                 " of matrices; the harmonics in the group spectral are those of the matrices.");
-  std::string const units = units_of_time(time_unit), rate = per_time(time_unit);
-  file.define(
-      root, "time", NC_DOUBLE, {time}, {},
-      units.find(" since ") == std::string::npos
-          ? std::vector<std::pair<char const*, std::string>>{{"long_name", "time"},
-                                                             {"units", units},
-                                                             {"axis", "T"}}
-          : std::vector<std::pair<char const*, std::string>>{
-                {"standard_name", "time"}, {"units", units}, {"calendar", "standard"}, {"axis", "T"}});
-  int const at_lat = file.define(root, "lat", NC_DOUBLE, {lat}, {},
-                                 {{"standard_name", "latitude"}, {"units", "degrees_north"}, {"axis", "Y"}}),
-            at_lon = file.define(root, "lon", NC_DOUBLE, {lon}, {},
-                                 {{"standard_name", "longitude"}, {"units", "degrees_east"}, {"axis", "X"}});
-  std::vector<int> const place{time, lat, lon};
-  std::vector<std::size_t> const field{1, rows, columns};
-  file.define(root, "vorticity", NC_DOUBLE, place, field,
-              {{"long_name", "vorticity relative to the sphere"}, {"units", rate}});
-  file.define(root, "streamfunction", NC_DOUBLE, place, field,
-              {{"long_name", "stream function, whose Laplacian is the vorticity"}, {"units", rate}});
-  file.define(root, "u", NC_DOUBLE, place, field,
-              {{"long_name", "velocity towards the east"}, {"units", rate}});
-  file.define(root, "v", NC_DOUBLE, place, field,
-              {{"long_name", "velocity towards the north"}, {"units", rate}});
-
-  int const spectral = file.define_group("spectral");
-  std::vector<int> l, m;
-  for (int i = 1; i < degrees; ++i)
-    for (int j = 0; j <= i; ++j) l.push_back(i), m.push_back(j);
-  int const coefficient = file.dimension(spectral, "coefficient", l.size());
-  int const at_l = file.define(spectral, "degree", NC_INT, {coefficient}, {},
-                               {{"long_name", "degree l"}, {"units", "1"}}),
-            at_m = file.define(spectral, "order", NC_INT, {coefficient}, {},
-                               {{"long_name", "order m"}, {"units", "1"}});
-  for (auto const& [name, part] : {std::pair("vorticity_real", "real"), {"vorticity_imaginary", "imaginary"}})
-    file.define(
-        spectral, name, NC_DOUBLE, {time, coefficient}, {1, l.size()},
-        {{"long_name", std::string(part) +
-                           " part of the coefficient of the orthonormal complex harmonic with "
-                           "the Condon-Shortley phase; that of order -m is (-1)^m times the conjugate"},
-         {"units", rate}});
+  file.define(root, "time", NC_DOUBLE, {time}, {}, attributes_of_time(time_unit));
+  Places const places(file, grid);
+  std::string const vorticity = layer ? "potential vorticity" : "vorticity";
+  for (auto const& [name, meaning] :
+       {std::pair<char const*, std::string>("vorticity", vorticity + " relative to the sphere"),
+        {"streamfunction",
+         "stream function, whose Laplacian is the vorticity" +
+             (layer ? fmt::format(": the potential one and {} times the stream function", hamiltonian.gamma)
+                    : "")},
+        {"u", "velocity towards the east"},
+        {"v", "velocity towards the north"}})
+    places.define_field(time, name, attributes_of_rate(meaning, time_unit));
+  Coefficients const coefficients(file, degrees, time, time_unit);
   file.end_definitions();
-  std::vector<double> latitudes, longitudes;
-  for (int j = 0; j < grid.latitudes(); ++j) latitudes.push_back(grid.latitude(j) / degree);
-  for (int k = 0; k < grid.longitudes; ++k) longitudes.push_back(360.0 * k / grid.longitudes);
-  file.put(root, at_lat, latitudes), file.put(root, at_lon, longitudes);
-  file.put(spectral, at_l, l), file.put(spectral, at_m, m);
+  places.fill(), coefficients.fill();
   file.close();
 }
 

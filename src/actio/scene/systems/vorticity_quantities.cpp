@@ -1,29 +1,16 @@
 #include "actio/scene/systems/vorticity_quantities.hpp"
 
-#include <cmath>
-
-#include "actio/vorticity/sphere_invariants.hpp"
-
 namespace actio::scene {
 namespace {
 
-constexpr int last_casimir = 8;
+using Kind = Quantity::Kind;
 
-/// `use(l)` for each degree, from 1 on.
-template <class Use>
-void by_degree(VorticityMotion const& motion, double* out, Use const& use) {
-  SphereHarmonics const f = harmonics_of(motion.vorticity_but_for_rotation());
-  for (int l = 1; l < f.degrees(); ++l) out[l - 1] = use(l, f.power(l));
-}
-
-}  // namespace
-
-std::vector<Quantity> vorticity_quantities() {
-  using Kind = Quantity::Kind;
+std::vector<Quantity> quadratic_invariants() {
   return {
       {"energy",
        Kind::scalar,
-       "The kinetic energy of the flow relative to the sphere, of unit radius and unit density.",
+       "The energy of the flow relative to the sphere, of unit radius and unit density: the kinetic one, and "
+       "in a layer with it the potential one of its surface.",
        "H = -\\tfrac12\\int\\psi\\,\\zeta = -\\tfrac12\\tfrac{4\\pi}N\\langle P, W\\rangle",
        "1/time^2",
        "",
@@ -32,8 +19,7 @@ std::vector<Quantity> vorticity_quantities() {
       {"enstrophy",
        Kind::scalar,
        "Half of the integral of the square of the vorticity relative to the sphere; half of casimirs_2, that "
-       "of the "
-       "absolute vorticity, where the sphere does not turn.",
+       "of the absolute vorticity, where the sphere does not turn.",
        "Z = \\tfrac12\\int\\zeta^2",
        "1/time^2",
        "",
@@ -42,43 +28,66 @@ std::vector<Quantity> vorticity_quantities() {
       {"angular_momentum",
        Kind::vector,
        "The angular momentum of the absolute motion, the rotation of the sphere included, along axes that do "
-       "not turn "
-       "with the sphere: those of the sphere at t = 0, the third the pole. So it is constant; along axes of "
-       "the sphere "
-       "x and y would go round with the angular velocity -rotation. The flow relative to the sphere has z "
-       "less by 8 pi "
-       "rotation/3.",
+       "not turn with the sphere: those of the sphere at t = 0, the third the pole. So it is constant; along "
+       "axes of the sphere x and y would go round with the angular velocity -rotation, in a layer with -2 "
+       "rotation/(2 + gamma). The flow relative to the sphere has z less by 8 pi rotation/3.",
        "L_j = \\int x_j\\,(\\zeta + 2\\Omega\\cos\\theta) = \\tfrac{4\\pi}N\\hbar\\,\\mathrm{Tr}(S_j(-iW))",
        "1/time",
        "",
        {},
        true},
+  };
+}
+
+std::vector<Quantity> values_of_vorticity() {
+  return {
       {"casimirs",
        Kind::list,
        "The integrals of the powers 2 to 8 of the absolute vorticity, as traces of the powers of the matrix: "
-       "they name "
-       "the coadjoint orbit.",
+       "they name the coadjoint orbit. A row takes less than a step.",
        "C_k = \\int(\\zeta + 2\\Omega\\cos\\theta)^k = \\tfrac{4\\pi}N\\mathrm{Tr}((-iW)^k),\\quad k = "
        "2,\\dots,8",
        "1/time^k",
        "eq_3_17",
        {},
        true},
+      {"eigenvalues",
+       Kind::list,
+       "All values of the absolute vorticity in ascending order, each on 1/N of the sphere: the eigenvalues "
+       "of the matrix. They are constant; for their drift ask for extrema and casimirs. A row takes less "
+       "than a step.",
+       "\\sigma(-iW)",
+       "1/time",
+       "eq_3_17",
+       {}},
       {"extrema",
        Kind::list,
        "The least and the greatest absolute vorticity: of the eigenvalues of the matrix, each of which is "
-       "the value on "
-       "1/N of the sphere.",
+       "the value on 1/N of the sphere.",
        "\\min,\\,\\max\\ \\sigma(-iW)",
        "1/time",
        "eq_3_17",
-       {},
+       {"eigenvalues"},
        true},
+      {"histogram",
+       Kind::list,
+       "How much of the sphere has which absolute vorticity: the share of it with values in each of 32 bins "
+       "of equal width between the extrema at t = 0; their sum is 1. It is constant, as the eigenvalues are, "
+       "from which it comes.",
+       "p_k = \\tfrac1N\\,\\#\\{\\lambda\\in\\sigma(-iW):\\ \\lambda\\text{ in the bin }k\\}",
+       "1",
+       "eq_3_17",
+       {"eigenvalues"}},
+  };
+}
+
+std::vector<Quantity> parts_by_degree() {
+  return {
       {"spectrum",
        Kind::list,
        "The energy of the flow relative to the sphere in each degree l = 1, ..., N - 1; their sum is the "
-       "energy.",
-       "H_l = \\tfrac12\\sum_m\\frac{|\\zeta_{lm}|^2}{l(l+1)}",
+       "energy. Gamma is zero but for a layer.",
+       "H_l = \\tfrac12\\sum_m\\frac{|\\zeta_{lm}|^2}{l(l+1)+\\gamma}",
        "1/time^2",
        "",
        {},
@@ -95,51 +104,29 @@ std::vector<Quantity> vorticity_quantities() {
   };
 }
 
-void define_vorticity(QuantityGraph& graph, VorticityMotion const& motion,
-                      std::shared_ptr<SphereFlow const> flow) {
-  int const n = flow->sphere.n;
-  graph.define("energy", {""}, [&motion, flow](auto, double* energy) {
-    *energy = vorticity_energy(flow->laplacian, motion.vorticity_but_for_rotation());
-  });
-  graph.define("enstrophy", {""},
-               [&motion](auto, double* out) { *out = enstrophy(motion.vorticity_but_for_rotation()); });
-  // The root of the integral of the square of a coordinate, times that of the vorticity: no flow has more.
-  graph.define(
-      "angular_momentum", column_ends(Quantity::Kind::vector),
-      [&motion](auto, double* momentum) {
-    Eigen::Map<Eigen::Vector3d>(momentum, 3) = motion.angular_momentum();
-      },
-      [&motion](auto, double const*, std::size_t) {
-    return std::sqrt(4 * M_PI / 3 * 2 * enstrophy(motion.absolute_vorticity()));
-  });
-  graph.define(
-      "casimirs", numbered(2, last_casimir),
-      [&motion](auto, double* casimirs) {
-    Eigen::Map<Eigen::VectorXd>(casimirs, last_casimir - 1) =
-        vorticity_casimirs(motion.absolute_vorticity(), last_casimir);
-      },
-      // Odd powers may cancel: theirs is at least that of a vorticity which is everywhere the root of the
-      // mean square.
-      [](auto, double const* casimirs, std::size_t k) {
-    double const area = 4 * M_PI;
-    double const least = area * std::pow(casimirs[0] / area, 0.5 * (static_cast<double>(k) + 2));
-    return k % 2 == 0 ? 0 : std::max(least, std::abs(casimirs[k]));
-  });
-  graph.define(
-      "extrema", {"_min", "_max"},
-      [&motion](auto, double* extrema) {
-    Eigen::VectorXd const values = vorticity_values(motion.absolute_vorticity());
-    extrema[0] = values[0], extrema[1] = values[values.size() - 1];
-      },
-      [](auto, double const* extrema, std::size_t) {
-    return std::max(std::abs(extrema[0]), std::abs(extrema[1]));
-  });
-  graph.define("spectrum", numbered(1, n - 1), [&motion](auto, double* out) {
-    by_degree(motion, out, [](int l, double power) { return 0.5 * power / (l * (l + 1.0)); });
-  });
-  graph.define("enstrophy_spectrum", numbered(1, n - 1), [&motion](auto, double* out) {
-    by_degree(motion, out, [](int, double power) { return 0.5 * power; });
-  });
+std::vector<Quantity> parts_by_splitting() {
+  return {
+      {"splitting",
+       Kind::list,
+       "Energy and enstrophy of the two parts of the canonical splitting (Modin and Viviani, 2022) of the "
+       "vorticity relative to the sphere: the steady part, which commutes with the matrix of the stream "
+       "function, being a function of it along the streamlines, and the rest. The enstrophies add up to that "
+       "of the flow; the energy of the flow is that of the steady part less that of the rest. A row takes "
+       "the eigenvectors of a matrix, about as long as two steps.",
+       "W = W_s + W_r,\\quad [W_s, P] = 0,\\quad \\langle W_r, X\\rangle = 0\\text{ where }[X, P] = 0",
+       "1/time^2",
+       "",
+       {}},
+  };
+}
+
+}  // namespace
+
+std::vector<Quantity> vorticity_quantities() {
+  std::vector<Quantity> all;
+  for (auto&& part : {quadratic_invariants(), values_of_vorticity(), parts_by_degree(), parts_by_splitting()})
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 }  // namespace actio::scene

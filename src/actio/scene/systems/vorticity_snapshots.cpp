@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "actio/scene/checkpoint.hpp"
 #include "actio/scene/systems/vorticity_input.hpp"
@@ -77,6 +78,17 @@ class VorticitySnapshots : public SnapshotWriter {
     return netcdf_ ? std::vector<std::string>{fields_file} : std::vector<std::string>{};
   }
 
+  double bytes_of_one() const override {
+    double const n = n_, rows = n * (n + 1) / 2 - 1, places = 2 * n * n;
+    // A number with 17 digits, its sign, point and comma has 20 characters, some have an exponent.
+    constexpr double number = 21;
+    double const whole = 1 + std::ceil(std::log10(n + 1));
+    double bytes = rows * (2 * whole + 2 * number);
+    if (csv_) bytes += places * (2 + static_cast<double>(names_.size())) * number;
+    if (netcdf_) bytes += sizeof(double) * (1 + 4 * places + 2 * rows);
+    return bytes;
+  }
+
   /// The file that all share is made anew: it may have been cut short, and the harmonics hold all of it.
   void begin(std::string const& folder, std::span<double const> taken) override {
     if (!netcdf_) return;
@@ -86,7 +98,7 @@ class VorticitySnapshots : public SnapshotWriter {
       long const number = static_cast<long>(k);
       SphereHarmonics const f =
           read_harmonics_file(folder + "/" + snapshot_file(number, ".harmonics.csv"), n_);
-      file_.add(path, number, taken[k], flow_on(grid_, symbol_of(f, file_.symbol)), f);
+      file_.add(path, number, taken[k], all_fields(symbol_of(f, file_.symbol)), f);
     }
   }
 
@@ -112,12 +124,18 @@ class VorticitySnapshots : public SnapshotWriter {
   static constexpr char const* fields_file = "snapshots/fields.nc";
 
   bool asks(char const* name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
+  /// The velocity belongs to the Laplacian of the stream function, which for a layer is not the vorticity.
+  FlowFields all_fields(SphereHarmonics const& vorticity) const {
+    FlowFields out = flow_on(grid_, file_.hamiltonian.laplacian_of_psi(vorticity));
+    if (file_.hamiltonian.layer()) out.vorticity = values_on(grid_, vorticity);
+    return out;
+  }
   /// Those that no file holds stay empty.
   FlowFields needed_fields(SphereHarmonics const& f) const {
-    if (netcdf_ || asks("u") || asks("v")) return flow_on(grid_, f);
+    if (netcdf_ || asks("u") || asks("v")) return all_fields(f);
     FlowFields out;
     if (asks("streamfunction")) {
-      auto both = values_on(grid_, {f, stream_function(f)});
+      auto both = values_on(grid_, {f, stream_function(file_.hamiltonian.laplacian_of_psi(f))});
       out.vorticity = std::move(both[0]), out.streamfunction = std::move(both[1]);
     } else {
       out.vorticity = values_on(grid_, f);
@@ -137,7 +155,7 @@ class VorticitySnapshots : public SnapshotWriter {
 
 SnapshotKind vorticity_snapshots() {
   return {"longitude, latitude and vorticity",
-          {{"streamfunction", "with the mean zero; the vorticity is its Laplacian"},
+          {{"streamfunction", "with the mean zero; the vorticity is its Laplacian, but for a layer"},
            {"u", "the velocity towards the east"},
            {"v", "towards the north"}},
           {{"netcdf",
@@ -160,6 +178,7 @@ Parameter symbol_parameter() {
 }
 
 std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
+                                                SphereHamiltonian const& hamiltonian,
                                                 VorticityMotion const& motion) {
   SceneTable output = request.file.section("output");
   if (!output.has("symbol") && request.snapshots) output.set("symbol", "berezin");
@@ -167,7 +186,7 @@ std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
   std::string const symbol = output.choice("symbol", "symbol", {"berezin", "weyl"});
   if (!request.snapshots) return nullptr;
   FieldsFile const file{request.file.section("scene").text("title"), read_units(request.file).time,
-                        symbol == "weyl" ? Symbol::weyl : Symbol::berezin};
+                        symbol == "weyl" ? Symbol::weyl : Symbol::berezin, hamiltonian};
   return std::make_unique<VorticitySnapshots>(*request.snapshots, n, motion, file);
 }
 

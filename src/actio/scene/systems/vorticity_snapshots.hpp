@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "actio/scene/system.hpp"
+#include "actio/scene/systems/vorticity_hamiltonian.hpp"
 #include "actio/scene/systems/vorticity_motion.hpp"
 #include "actio/vorticity/sphere_flow.hpp"
 #include "actio/vorticity/symbols.hpp"
@@ -20,13 +21,16 @@ Parameter symbol_parameter();
 /// @param motion  outlives the writer
 /// @return null where the scene asks for none
 /// @throws SceneError  where [output] is wrong
-std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n, VorticityMotion const& motion);
+std::unique_ptr<SnapshotWriter> write_vorticity(Request const& request, int n,
+                                                SphereHamiltonian const& hamiltonian,
+                                                VorticityMotion const& motion);
 
 /// Fields as NetCDF-4, after the conventions CF-1.10.
 struct FieldsFile {
-  std::string title;      ///< of the scene
-  std::string time_unit;  ///< "s", "h", ...; empty where it is not known
-  Symbol symbol;          ///< of the fields
+  std::string title;              ///< of the scene
+  std::string time_unit;          ///< "s", "h", ...; empty where it is not known
+  Symbol symbol;                  ///< of the fields
+  SphereHamiltonian hamiltonian;  ///< by which a vorticity has a stream function
 
   /// Makes the file, in place of one that is there: without a time.
   /// @throws FileError

@@ -26,9 +26,10 @@ std::vector<Method> methods() {
       {"energy_casimir",
        {"2", "4"},
        "Energy and all Casimir functions: the stream function is that of the mean of the vorticity before "
-       "and after the step. Order 2; composed of substeps 4. It gives up the Poisson bracket, and keeps the "
-       "angular momentum to the order of the step: with it, on a sphere that turns, the energy and "
-       "enstrophy relative to the sphere.",
+       "and after the step. Order 2; composed of substeps 4. On a sphere that rotates it also keeps the "
+       "angular momentum about the pole, and so energy and enstrophy relative to the sphere; on one at rest "
+       "the angular momentum along the direction that it has at the start. It gives up the Poisson bracket, "
+       "and keeps the other components of the angular momentum to the order of the step.",
        "claim_10_0_reduced_hydrodynamics"},
       {"lie_poisson",
        {"2", "4"},
@@ -39,13 +40,22 @@ std::vector<Method> methods() {
   };
 }
 
-SphereScheme scheme_of(MethodChoice const& choice, SceneTable method) {
-  if (!method.has("precision")) method.set("precision", std::string("mixed"));
+/// A layer is stepped in double precision: the step in mixed precision is compiled for Euler's fluid alone.
+bool to_rounding(SceneTable method, bool layer) {
+  if (!method.has("precision")) method.set("precision", layer ? "double" : "mixed");
+  bool const rounding = method.choice("precision", "precision", {"mixed", "double"}) == "double";
+  if (layer && !rounding)
+    method.fail("precision",
+                "precision: a quasi-geostrophic layer is stepped in double precision; mixed is for Euler's "
+                "fluid");
+  return rounding;
+}
+
+SphereScheme scheme_of(MethodChoice const& choice, SceneTable const& method, bool layer) {
   return {choice.name == "lie_poisson"      ? Conserved::lie_poisson
           : choice.name == "energy_casimir" ? Conserved::energy_casimir
                                             : Conserved::all_invariants,
-          method.choice("precision", "precision", {"mixed", "double"}) == "double",
-          choice.number() == 4 ? suzuki<double>() : std::vector<double>{1}};
+          to_rounding(method, layer), choice.number() == 4 ? suzuki<double>() : std::vector<double>{1}};
 }
 
 /// Before anything of that size is touched.
@@ -83,7 +93,10 @@ void require_size(SceneTable const& initial, VorticityStart const& start, SkewHe
 
 /// What can be trusted: interactions of waves are those of the sphere up to this. What turns as a whole, the
 /// degree 1, does so exactly.
-std::string resolution(SphereHarmonics const& relative) {
+std::string resolution(SphereHarmonics relative, SphereHamiltonian const& hamiltonian) {
+  // With these coefficients Euler's fluid has the energy of the flow.
+  for (int l = 1; l < relative.degrees(); ++l)
+    relative.coefficient.row(l) *= std::sqrt(l * (l + 1.0) / hamiltonian.divisor(l));
   Resolution const told = resolution_of(relative);
   if (!(told.energy_degree > 0)) return "";
   return fmt::format(
@@ -137,29 +150,45 @@ Companion companion_of(std::shared_ptr<SphereFlow const> const& flow, SphereSche
       "not estimated: steps twice as long are beyond the scheme; with half of the step there is an estimate"};
 }
 
+/// What the user of a scene might want to know of it.
+void tell(Simulation& simulation, VorticityStart const& start, SphereFlow const& flow, bool histogram) {
+  if (std::string const told = resolution(start.relative, start.hamiltonian); !told.empty())
+    simulation.remarks.push_back(told);
+  if (start.hamiltonian.layer())
+    simulation.remarks.push_back(
+        "a quasi-geostrophic layer is stepped in double precision, which takes two to three times as long "
+        "as the steps of Euler's fluid");
+  if (!histogram) return;
+  HistogramBins const bins = histogram_bins(flow);
+  simulation.remarks.push_back(fmt::format("histogram: {} bins of the width {} from {} to {}", bins.count,
+                                           bins.width(), bins.lowest, bins.highest));
+}
+
 Simulation prepare(Request const& request) {
   SceneTable system = request.file.section("system"), initial = request.file.section("initial"),
              method = request.file.section("method");
-  bool const casimirs =
-      std::find(request.quantities.begin(), request.quantities.end(), "casimirs") != request.quantities.end();
+  auto const asked = [&](char const* name) {
+    return std::find(request.quantities.begin(), request.quantities.end(), name) != request.quantities.end();
+  };
   MethodChoice const choice = read_method(method, methods());
-  SphereScheme const scheme = scheme_of(choice, method);
+  SphereScheme const scheme = scheme_of(choice, method, read_hamiltonian(system).layer());
   require_memory(system, scheme, request.quantities);
 
   Simulation simulation(vorticity_quantities());
   VorticityStart start = read_vorticity_start(request.file, simulation.remarks);
   require_size(initial, start, start.matrix + planetary_vorticity(QuantizedSphere(start.n), start.rotation),
-               casimirs);
-  auto const flow = std::make_shared<SphereFlow const>(start.rotation, start.matrix, simulation.remarks);
+               asked("casimirs"));
+  auto const flow = std::make_shared<SphereFlow const>(start.hamiltonian, start.rotation, start.matrix,
+                                                       scheme.conserved, simulation.remarks);
   start.matrix = {};
-  if (std::string const told = resolution(start.relative); !told.empty()) simulation.remarks.push_back(told);
+  tell(simulation, start, *flow, asked("histogram"));
   simulation.step = step_of(method, request.schedule, flow, scheme);
   simulation.steps_at_once = steps_in_5_ms(start.n, scheme.fractions.size());
   auto motion = stepped_vorticity(flow, scheme, simulation.step);
   simulation.companion = companion_of(flow, scheme, choice.number(), simulation.step, request.error_estimate);
   define_vorticity(simulation.quantities, *motion, flow);
   simulation.quantities.ask(request.quantities);
-  simulation.snapshots = write_vorticity(request, start.n, *motion);
+  simulation.snapshots = write_vorticity(request, start.n, start.hamiltonian, *motion);
   simulation.motion = std::move(motion);
   return simulation;
 }
@@ -175,10 +204,11 @@ std::vector<Parameter> parameters() {
   all.push_back(
       {"method.precision",
        "a text",
-       "\"mixed\"",
+       "\"mixed\"; \"double\" for a layer",
        "How the equation of a step is solved: mixed, mostly in single precision, to about 1e-8 of the change "
        "in a step, or double, to rounding, two to three times more slowly. What the method conserves it "
-       "conserves to rounding in both. With double a run that goes back returns to where it began.",
+       "conserves to rounding in both. With double a run that goes back returns to where it began. A layer "
+       "(system.hamiltonian) takes double alone.",
        "",
        "\"double\"",
        {"mixed", "double"}});
@@ -192,8 +222,9 @@ std::vector<Parameter> parameters() {
 System vorticity_sphere_system() {
   return {"vorticity_sphere",
           "Ideal fluid on the sphere",
-          "The vorticity of an incompressible fluid without friction on a rotating sphere of unit radius, as "
-          "a matrix of the size N whose spectrum stays.",
+          "The vorticity of an incompressible fluid without friction on a rotating sphere of unit radius, or "
+          "the potential vorticity of a quasi-geostrophic layer, as a matrix of the size N whose spectrum "
+          "stays.",
           "chapter 10",
           parameters(),
           methods(),

@@ -2,28 +2,31 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 
+#include "actio/scene/systems/vorticity_hamiltonian.hpp"
 #include "actio/scene/systems/vorticity_motion.hpp"
 #include "actio/vorticity/fast_vorticity_step.hpp"
+#include "actio/vorticity/helmholtz_stream.hpp"
 
 namespace actio::scene {
 
-/// A flow, the frame that it is stepped in, and the frame that it is told in.
-struct SphereFlow {
-  QuantizedSphere sphere;     ///< of the matrices
-  SphereLaplacian laplacian;  ///< from which stream functions come
-  double rotation;            ///< of the sphere, 1/time
-  SkewHermitian<> start;      ///< the absolute vorticity
-  TurningFrame frame;         ///< in which it changes least
-  Products products;          ///< of the matrices of a step
+/// The map from the vorticity to the stream function of a Hamiltonian.
+class SphereStream {
+ public:
+  /// For matrices of the size n.
+  SphereStream(int n, SphereHamiltonian const& hamiltonian);
+  /// P of W.
+  SkewHermitian<> solve(SkewHermitian<> const& w) const;
+  /// The same one, of a kind that is known: `SphereLaplacian` or `HelmholtzStream`.
+  template <class Stream>
+  Stream const& as() const {
+    return std::get<Stream>(stream_);
+  }
 
-  /// @param relative  the vorticity relative to the sphere
-  /// @param remarks   what a user might want to know of it
-  SphereFlow(double rotation_of_sphere, SkewHermitian<> const& relative, std::vector<std::string>& remarks);
-
-  /// \f$|P - Q|_2/\hbar\f$, the fastest turning of a vector by the equations of motion, 1/time: estimated by
-  /// power iteration.
-  double fastest_turning() const;
+ private:
+  using Kind = std::variant<SphereLaplacian, HelmholtzStream>;
+  Kind stream_;
 };
 
 /// How a flow is stepped.
@@ -34,6 +37,32 @@ struct SphereScheme {
 
   /// The longest fraction.
   double longest() const;
+};
+
+/// A flow, the frame that it is stepped in, and the frame that it is told in.
+struct SphereFlow {
+  QuantizedSphere sphere;         ///< of the matrices
+  SphereHamiltonian hamiltonian;  ///< of the flow
+  SphereStream stream;            ///< that of the Hamiltonian
+  double rotation;                ///< of the sphere, 1/time
+  SkewHermitian<> start;          ///< the absolute vorticity
+  TurningFrame frame;             ///< in which it is stepped
+  Products products;              ///< of the matrices of a step
+
+  /// The frame turns about the angular momentum, at the rate at which the flow changes least. For the
+  /// energy-Casimir form on a sphere that rotates it turns about the pole: that form keeps the energy of the
+  /// absolute motion and the angular momentum along the axis of the frame, and it takes both, along the pole,
+  /// to keep energy and enstrophy relative to the sphere.
+  /// @param relative  the vorticity relative to the sphere
+  /// @param remarks   what a user might want to know of it
+  SphereFlow(SphereHamiltonian const& of_flow, double rotation_of_sphere, SkewHermitian<> const& relative,
+             Conserved conserved, std::vector<std::string>& remarks);
+
+  /// The rate at which the free flow turns back about the pole, seen from the sphere; 1/time.
+  double turning_back() const { return hamiltonian.frame_rate(rotation); }
+  /// \f$|P - Q|_2/\hbar\f$, the fastest turning of a vector by the equations of motion, 1/time: estimated by
+  /// the method of Lanczos.
+  double fastest_turning() const;
 };
 
 /// A flow from its start, in steps.

@@ -1,0 +1,153 @@
+// A flow on the sphere by one kind of step: the motion that a scene runs.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "actio/scene/systems/vorticity_steps.hpp"
+#include "actio/vorticity/sphere_invariants.hpp"
+
+namespace actio::scene {
+
+/// A skew-Hermitian matrix in a checkpoint, of which half says the whole.
+void remember_matrix(CheckpointStream& stream, SkewHermitian<>& w, int n);
+
+/// A flow in steps, each of one substep or of several.
+/// @tparam Step    `VorticityStep<Stream>` or `FastVorticityStep<Stream>`
+/// @tparam Stream  that of the Hamiltonian of the flow
+template <class Step, class Stream>
+class SteppedVorticity : public VorticityMotion {
+ public:
+  /// From the start of the flow.
+  SteppedVorticity(std::shared_ptr<SphereFlow const> flow, SphereScheme scheme, double step)
+      : flow_(std::move(flow)),
+        scheme_(std::move(scheme)),
+        step_(step),
+        steps_(substeps(step)),
+        w_(flow_->start) {}
+
+  void advance(long count) override {
+    ahead_.reset();
+    for (long k = 0; k < count; ++k) {
+      make_step(steps_, w_, step_);
+      ++made_;
+    }
+  }
+  void look_ahead(double time) override {
+    ahead_.reset();
+    if (time == 0) return;
+    auto shorter = substeps(time);
+    SkewHermitian<> w = w_;
+    make_step(shorter, w, time);
+    ahead_.emplace(std::move(w)), beyond_ = time;
+  }
+  void remember(CheckpointStream& stream) override {
+    auto const n = flow_->sphere.n;
+    stream(made_);
+    remember_matrix(stream, w_, n);
+    // Numbers of the start: those of another file in its place are not continued.
+    double mark = flow_->start.imaginary.sum() + flow_->start.real.cwiseAbs().sum();
+    double const own = mark;
+    stream(mark);
+    if (!(mark == own))
+      throw FileError(
+          "the run began from other numbers; the file that they were read from was changed since");
+    for (auto& step : steps_) {
+      auto past = step.past();
+      auto size = static_cast<long>(past.size());
+      stream(size);
+      if (stream.reading()) past.resize(static_cast<std::size_t>(std::clamp(size, 0L, 64L)));
+      for (auto& one : past) remember_past(stream, one);
+      if (stream.reading()) step.go_on_from(std::move(past));
+    }
+  }
+
+  SkewHermitian<> vorticity_at_output() const override {
+    TurningFrame const& frame = flow_->frame;
+    double const t = time(), back = flow_->turning_back();
+    SkewHermitian<> w;
+    if (frame.axis[0] == 0 && frame.axis[1] == 0) {
+      w = about_pole((frame.rate * frame.axis[2] - back) * t, absolute_vorticity());
+    } else {
+      if (!about_axis_) about_axis_.emplace(flow_->sphere, frame.axis);
+      w = about_pole(-back * t, (*about_axis_)(frame.rate * t, absolute_vorticity()));
+    }
+    subtract_rotation(w, Eigen::Vector3d::UnitZ());
+    return w;
+  }
+  SkewHermitian<> vorticity_but_for_rotation() const override {
+    SkewHermitian<> w = absolute_vorticity();
+    if (flow_->rotation != 0)
+      subtract_rotation(
+          w, Eigen::AngleAxisd(-flow_->frame.rate * time(), flow_->frame.axis) * Eigen::Vector3d::UnitZ());
+    return w;
+  }
+  SkewHermitian<> const& absolute_vorticity() const override { return ahead_ ? *ahead_ : w_; }
+  Eigen::Vector3d angular_momentum() const override {
+    return Eigen::AngleAxisd(flow_->frame.rate * time(), flow_->frame.axis) *
+           sphere_momentum(absolute_vorticity());
+  }
+
+ private:
+  /// A fraction of a step has a scheme of its own at each of its places, which guesses from what was found
+  /// there in the steps before: these are evenly spaced, as the guess needs it.
+  std::vector<Step> substeps(double step) const {
+    std::vector<Step> out;
+    out.reserve(scheme_.fractions.size());
+    for (double const fraction : scheme_.fractions)
+      out.emplace_back(flow_->stream.template as<Stream>(), scheme_.conserved, fraction * step, flow_->frame,
+                       flow_->products);
+    return out;
+  }
+  /// What a step guesses from.
+  void remember_past(CheckpointStream& stream, typename Step::Past& past) const {
+    int const n = flow_->sphere.n;
+    std::span<double> factors(past.factors.data(), 4);
+    if constexpr (requires { past.increment; }) {
+      remember_matrix(stream, past.increment, n);
+      if (scheme_.conserved != Conserved::lie_poisson) remember_matrix(stream, past.half_change, n);
+      stream(factors);
+    } else {
+      remember_matrix(stream, past.displacement, n);
+      stream(factors), stream(past.radius), stream(past.age);
+    }
+  }
+
+  /// The steps are counted, and times are multiplied.
+  double time() const { return static_cast<double>(made_) * step_ + (ahead_ ? beyond_ : 0); }
+  SkewHermitian<> about_pole(double angle, SkewHermitian<> const& w) const {
+    return Turning(flow_->sphere, Eigen::Vector3d::UnitZ())(angle, w);
+  }
+  /// \f$2\Omega\,x\cdot p\f$ with a direction p in the place of the pole.
+  void subtract_rotation(SkewHermitian<>& w, Eigen::Vector3d const& pole) const {
+    add_spin(flow_->sphere, -2 * flow_->rotation * flow_->sphere.hbar() * pole, w);
+  }
+
+  /// Where a substep cannot be made, the vorticity is as it was.
+  void make_step(std::vector<Step>& steps, SkewHermitian<>& w, double length) const {
+    if (steps.size() == 1) {
+      steps.front().advance(w);
+      return;
+    }
+    SkewHermitian<> const before = w;
+    try {
+      for (auto& step : steps) step.advance(w);
+    } catch (NotContracting const& error) {
+      w = before;
+      throw NotContracting(length, std::copysign(error.largest / scheme_.longest(), length));
+    }
+  }
+
+  std::shared_ptr<SphereFlow const> flow_;
+  SphereScheme scheme_;
+  double step_;
+  std::vector<Step> steps_;
+  SkewHermitian<> w_;
+  long made_ = 0;
+  std::optional<SkewHermitian<>> ahead_;
+  double beyond_ = 0;
+  mutable std::optional<Turning> about_axis_;
+};
+
+}  // namespace actio::scene
